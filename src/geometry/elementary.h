@@ -1,0 +1,28 @@
+#pragma once
+
+/// The elementary functions that the deterministic core needs, made of + - * / and comparisons
+/// only: libm's differ between libraries and machines, these do not.
+namespace carom {
+
+inline constexpr double pi = 3.14159265358979323846;
+
+struct SinCos {
+    double sin = 0.0;
+    double cos = 1.0;
+};
+
+/// Error: at most 1 unit in the last place of 1 (2.3e-16) for |radians| <= 1e5; beyond that the
+/// argument's own rounding dominates. Not finite in, not a number out.
+SinCos sin_cos(double radians);
+
+/// As sin_cos(degrees * pi / 180), but exact at every multiple of 90 degrees.
+SinCos sin_cos_degrees(double degrees);
+
+/// e^x with a relative error of at most 4e-16 for -700 <= x <= 700; 0 below, infinity above.
+double exponential(double x);
+
+/// (1 - e^-x) / x, the mean of e^-xs over s in 0..1, without cancellation near 0. 1 at x = 0. Pre:
+/// x >= 0. Relative error at most 1e-15.
+double mean_decay(double x);
+
+}  // namespace carom

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "physics/contact.h"
+#include "physics/world.h"
+
+/// The ladder of solvers. Each advances a world by one tick; they differ in what they cost and in
+/// what they get wrong (docs/physics.md).
+namespace carom {
+
+enum class SolverKind : std::uint8_t { discrete, substep, swept, contact, event };
+
+/// Which solver, and its settings. A setting that a solver does not have is ignored by it.
+struct SolverSettings {
+    SolverKind kind = SolverKind::swept;
+    int updates = 4;   ///< substep: simulation updates a tick, 1..1000
+    int steps = 15;    ///< substep: most steps in one update, 1..1000
+    int substeps = 1;  ///< swept: straight pieces that a tick's paths are cut into, 1..1000
+
+    friend bool operator==(const SolverSettings&, const SolverSettings&) = default;
+};
+
+std::string_view name(SolverKind kind);
+/// By name, exactly; none when there is no such solver.
+std::optional<SolverKind> solver_named(std::string_view name);
+/// The solvers that this carom has, cheapest first.
+std::span<const SolverKind> solvers_available();
+
+/// What `auto` picks for a world, and the reason in one sentence. Depends on the world alone.
+struct SolverPick {
+    SolverSettings settings;
+    std::string_view reason;
+};
+SolverPick pick_solver(const World& world);
+
+/// Advances worlds. Holds settings and scratch memory, but nothing that the next tick depends on:
+/// one solver may serve several worlds in turn, and a snapshot of the world alone is enough to go
+/// on.
+class Solver {
+  public:
+    /// Pre: settings.kind is one of solvers_available().
+    explicit Solver(const SolverSettings& settings);
+    Solver(Solver&&) noexcept;
+    Solver& operator=(Solver&&) noexcept;
+    ~Solver();
+
+    const SolverSettings& settings() const;
+
+    /// One tick: emitters, what is held, motion and collisions, sinks.
+    void tick(World& world);
+
+    /// The exchanges of momentum of the last tick, in the order in which they were made. Valid
+    /// until the next tick.
+    std::span<const Contact> contacts() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace carom

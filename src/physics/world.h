@@ -1,0 +1,178 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "geometry/shapes.h"
+#include "physics/ids.h"
+#include "physics/model.h"
+
+/// The world: all state of a simulation, and nothing else. Copy it and you have a snapshot; a copy
+/// that goes on gives the same bits as the original.
+///
+/// Units throughout: length, mass and time of the level (SI where the level has `units`); angles in
+/// radians. Balls are laid out as one array a quantity; a ball's place in the arrays is its
+/// *index*, which changes when balls before it are removed; its *id* never changes. Arrays are
+/// always in ascending order of id.
+namespace carom {
+
+/// A kind of ball, or a material of edges, as the physics sees it: `collide` filters by these.
+using ClassIndex = std::uint16_t;
+
+struct Balls {
+    std::vector<BallId> id;
+    std::vector<Vec2> position;
+    std::vector<Vec2> velocity;
+    std::vector<double> radius;        ///< > 0
+    std::vector<double> inverse_mass;  ///< > 0; 1/mass
+    std::vector<ClassIndex> kind;      ///< index into World::kinds
+    std::vector<double> restitution;   ///< ball on ball, 0..1; empty unless Model::lossy
+    std::vector<std::uint32_t>
+        edge_contacts;  ///< contacts with edges so far; empty unless Model::scatter
+
+    std::size_t size() const { return id.size(); }
+};
+
+/// What a kind of ball is made of: emitters and players make balls from it.
+struct Kind {
+    double radius = 1.0;
+    double mass = 3.14159265358979323846;
+    double restitution = 1.0;
+};
+
+/// What a kind of edge is made of (ball on edge).
+struct Material {
+    double restitution = 1.0;
+    /// Restitution at approach speed v is restitution / (1 + soften v). s/length, >= 0.
+    double soften = 0.0;
+};
+
+/// Which balls an edge pushes, seen from its start to its end.
+enum class Side : std::uint8_t { both, left, right };
+
+struct Capsules {
+    std::vector<CapsuleId> id;
+    std::vector<Capsule> shape;
+    std::vector<ClassIndex> material;  ///< index into World::materials
+    std::vector<Side> side;            ///< empty unless Model::one_way
+
+    std::size_t size() const { return id.size(); }
+};
+
+/// A region that reports and does not push.
+struct Zone {
+    enum class Effect : std::uint8_t {
+        census,  ///< its counter is the number of balls whose centre is in it now
+        sink     ///< a ball whose centre is in it at the end of a tick is counted and removed
+    };
+    Capsule shape;
+    Effect effect = Effect::census;
+    std::uint32_t counter = 0;  ///< index into World::counters
+};
+
+/// Gives birth to balls of one kind: number n (from 0) in the first tick that ends after n * every
+/// seconds, or as soon after that as its place is free (unless balls do not meet).
+struct Emitter {
+    ClassIndex kind = 0;
+    Vec2 at;
+    Vec2 velocity;
+    Vec2 jitter;           ///< largest offset from `at`, uniform, seeded
+    Vec2 velocity_jitter;  ///< largest offset from `velocity`, uniform, seeded
+    double every = 1.0;    ///< s, > 0
+    std::uint32_t count = 0;
+    std::uint32_t emitted = 0;
+};
+
+/// A ball in a hand: it goes where the hand is, pushes what it meets, and nothing pushes it. It can
+/// be carried no further than the edges let it.
+struct HeldBall {
+    BallId id{};
+    Vec2 target;
+};
+
+/// A capsule in a hand: its ends go to the targets during the next tick. It pushes balls aside,
+/// without throwing them: a ball leaves it no faster along the normal than it came, or than the
+/// edge moves.
+struct HeldCapsule {
+    CapsuleId id{};
+    Vec2 start_target;
+    Vec2 end_target;
+};
+
+/// A ball that is no longer there.
+struct Removal {
+    BallId id{};
+    std::int32_t zone = -1;  ///< index into World::zones, or -1: removed by the player
+    std::uint64_t tick = 0;
+};
+
+struct World {
+    Model model;
+    std::uint64_t seed = 0;
+    double rate = 120.0;     ///< ticks a second, > 0
+    std::uint64_t tick = 0;  ///< ticks done
+
+    Balls balls;
+    Capsules capsules;
+    std::vector<Kind> kinds;
+    std::vector<Material> materials;
+    /// Row by row, 1 where two classes meet; classes are the kinds, then the materials. Symmetric.
+    /// Empty unless Model::filtered.
+    std::vector<std::uint8_t> meets;
+
+    std::vector<Zone> zones;
+    std::vector<Emitter> emitters;
+    std::vector<std::uint64_t> counters;  ///< what sinks have counted; see also `census`
+    std::vector<Removal> removed;
+
+    std::vector<HeldBall> held_balls;        ///< ascending by id
+    std::vector<HeldCapsule> held_capsules;  ///< ascending by id
+
+    std::uint32_t next_ball = 0;
+    std::uint32_t next_capsule = 0;
+    std::uint64_t ball_ball_collisions = 0;
+    std::uint64_t ball_edge_collisions = 0;
+
+    /// s since the start.
+    double time() const { return static_cast<double>(tick) / rate; }
+    /// s a tick.
+    double tick_length() const { return 1.0 / rate; }
+};
+
+/// A ball to be added. Mass and restitution absent: those of its kind.
+struct BallSpec {
+    ClassIndex kind = 0;
+    Vec2 position;
+    Vec2 velocity;
+    std::optional<double> radius;
+    std::optional<double> mass;
+    std::optional<double> restitution;
+};
+
+/// Pre: kind is an index into world.kinds; radius and mass positive and finite. A restitution below
+/// 1 makes the model lossy.
+BallId add_ball(World& world, const BallSpec& spec);
+
+/// Pre: material is an index into world.materials. A material with restitution below 1 or soften >
+/// 0 makes the model lossy, a side other than both makes it one_way.
+CapsuleId add_capsule(World& world, const Capsule& shape, ClassIndex material,
+                      Side side = Side::both);
+
+/// The ball's index, or none when it is not (or no longer) there.
+std::optional<std::size_t> index_of(const World& world, BallId id);
+std::optional<std::size_t> index_of(const World& world, CapsuleId id);
+
+/// By the player; `removed` gets an entry. Nothing happens when there is no such ball.
+void remove_ball(World& world, BallId id);
+void remove_capsule(World& world, CapsuleId id);
+
+/// World::counters with the balls that are in census zones now. Index = Zone::counter.
+std::vector<std::uint64_t> census(const World& world);
+
+/// Whether a ball of kind `a` and a ball of kind `b` meet; and a ball of a kind with an edge of a
+/// material.
+bool kinds_meet(const World& world, ClassIndex a, ClassIndex b);
+bool kind_meets_material(const World& world, ClassIndex kind, ClassIndex material);
+
+}  // namespace carom

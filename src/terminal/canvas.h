@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// A picture in character cells. All drawing goes into a canvas, which tests read without a
+/// terminal; the screen then sends what changed.
+namespace carom {
+
+/// A colour of the xterm palette of 256, or the terminal's own default. The screen maps it to what
+/// the terminal has.
+using Color = std::int16_t;
+inline constexpr Color default_color = -1;
+
+enum Attribute : std::uint8_t { plain = 0, bold = 1, dim = 2, reverse = 4, underline = 8 };
+
+struct Cell {
+    char32_t glyph = U' ';  ///< one column wide, printable
+    Color foreground = default_color;
+    Color background = default_color;
+    std::uint8_t attributes = plain;
+
+    friend bool operator==(const Cell&, const Cell&) = default;
+};
+
+/// Columns from the left, rows from the top, both from 0. Writing outside the canvas does nothing.
+class Canvas {
+  public:
+    Canvas() = default;
+    Canvas(int columns, int rows);  ///< all blank; negative counts as 0
+
+    int columns() const { return columns_; }
+    int rows() const { return rows_; }
+    bool holds(int column, int row) const;
+
+    /// Pre: holds(column, row).
+    const Cell& at(int column, int row) const;
+    Cell& at(int column, int row);
+
+    void put(int column, int row, const Cell& cell);
+    /// Writes UTF-8 text (one column a code point; control characters as '?'), cut at the right
+    /// edge. Returns the column after it.
+    int write(int column, int row, std::string_view text, Color foreground = default_color,
+              Color background = default_color, std::uint8_t attributes = plain);
+    void fill(const Cell& cell);
+
+    /// The glyphs alone, as UTF-8, rows ended by newlines, trailing blanks cut: for tests and
+    /// documents.
+    std::string text() const;
+
+  private:
+    int columns_ = 0;
+    int rows_ = 0;
+    std::vector<Cell> cells_;
+};
+
+}  // namespace carom
