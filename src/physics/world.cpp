@@ -1,0 +1,125 @@
+#include "physics/world.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "geometry/closest.h"
+
+namespace carom {
+namespace {
+
+template <typename Id>
+std::optional<std::size_t> find(const std::vector<Id>& ids, Id id) {
+    const auto found = std::lower_bound(ids.begin(), ids.end(), id);
+    if (found == ids.end() || *found != id) return std::nullopt;
+    return static_cast<std::size_t>(found - ids.begin());
+}
+
+template <typename T>
+void erase_at(std::vector<T>& values, std::size_t index) {
+    if (!values.empty()) values.erase(values.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+void become_lossy(World& world) {
+    if (world.model.lossy) return;
+    world.model.lossy = true;
+    world.balls.restitution.reserve(world.balls.size() + 1);
+    for (const ClassIndex kind : world.balls.kind)
+        world.balls.restitution.push_back(world.kinds[kind].restitution);
+}
+
+}  // namespace
+
+BallId add_ball(World& world, const BallSpec& spec) {
+    const Kind& kind = world.kinds[spec.kind];
+    const double restitution = spec.restitution.value_or(kind.restitution);
+    const double mass = spec.mass.value_or(kind.mass);
+    assert(mass > 0.0);
+    if (restitution < 1.0) become_lossy(world);
+    Balls& balls = world.balls;
+    const BallId id{world.next_ball++};
+    balls.id.push_back(id);
+    balls.position.push_back(spec.position);
+    balls.velocity.push_back(spec.velocity);
+    balls.radius.push_back(spec.radius.value_or(kind.radius));
+    balls.inverse_mass.push_back(1.0 / mass);
+    balls.kind.push_back(spec.kind);
+    if (world.model.lossy) balls.restitution.push_back(restitution);
+    if (world.model.scatter) balls.edge_contacts.push_back(0);
+    return id;
+}
+
+CapsuleId add_capsule(World& world, const Capsule& shape, ClassIndex material, Side side) {
+    const Material& made_of = world.materials[material];
+    if (made_of.restitution < 1.0 || made_of.soften > 0.0) become_lossy(world);
+    Capsules& capsules = world.capsules;
+    if (side != Side::both && !world.model.one_way) {
+        world.model.one_way = true;
+        capsules.side.assign(capsules.size(), Side::both);
+    }
+    const CapsuleId id{world.next_capsule++};
+    capsules.id.push_back(id);
+    capsules.shape.push_back(shape);
+    capsules.material.push_back(material);
+    if (world.model.one_way) capsules.side.push_back(side);
+    return id;
+}
+
+std::optional<std::size_t> index_of(const World& world, BallId id) {
+    return find(world.balls.id, id);
+}
+
+std::optional<std::size_t> index_of(const World& world, CapsuleId id) {
+    return find(world.capsules.id, id);
+}
+
+void remove_ball(World& world, BallId id) {
+    const auto index = index_of(world, id);
+    if (!index) return;
+    Balls& balls = world.balls;
+    erase_at(balls.id, *index);
+    erase_at(balls.position, *index);
+    erase_at(balls.velocity, *index);
+    erase_at(balls.radius, *index);
+    erase_at(balls.inverse_mass, *index);
+    erase_at(balls.kind, *index);
+    erase_at(balls.restitution, *index);
+    erase_at(balls.edge_contacts, *index);
+    std::erase_if(world.held_balls, [id](const HeldBall& held) { return held.id == id; });
+    world.removed.push_back({.id = id, .zone = -1, .tick = world.tick});
+}
+
+void remove_capsule(World& world, CapsuleId id) {
+    const auto index = index_of(world, id);
+    if (!index) return;
+    Capsules& capsules = world.capsules;
+    erase_at(capsules.id, *index);
+    erase_at(capsules.shape, *index);
+    erase_at(capsules.material, *index);
+    erase_at(capsules.side, *index);
+    std::erase_if(world.held_capsules, [id](const HeldCapsule& held) { return held.id == id; });
+}
+
+std::vector<std::uint64_t> census(const World& world) {
+    std::vector<std::uint64_t> counts = world.counters;
+    for (const Zone& zone : world.zones) {
+        if (zone.effect != Zone::Effect::census) continue;
+        for (const Vec2 position : world.balls.position)
+            if (is_inside(zone.shape, position)) ++counts[zone.counter];
+    }
+    return counts;
+}
+
+bool kinds_meet(const World& world, ClassIndex a, ClassIndex b) {
+    if (!world.model.filtered) return true;
+    const std::size_t classes = world.kinds.size() + world.materials.size();
+    return world.meets[a * classes + b] != 0;
+}
+
+bool kind_meets_material(const World& world, ClassIndex kind, ClassIndex material) {
+    if (!world.model.filtered) return true;
+    const std::size_t classes = world.kinds.size() + world.materials.size();
+    return world.meets[kind * classes + world.kinds.size() + material] != 0;
+}
+
+}  // namespace carom
