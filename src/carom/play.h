@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "physics/solver.h"
+
+/// Playing in a terminal: `carom`, the menu, and `carom play LEVEL`.
+namespace carom {
+
+/// How the world is drawn; `automatic` looks at the terminal.
+enum class RendererChoice : std::uint8_t { automatic, ascii, half_blocks, braille };
+/// How many colours are used; `automatic` asks the terminal and honours NO_COLOR.
+enum class ColorChoice : std::uint8_t { automatic, mono, c8, c16, c256 };
+
+/// What the command line says. An absent value leaves the choice to the preferences file, and after
+/// it to carom.
+struct PlayOptions {
+    std::string level;  ///< a file, or the name of a level that ships; empty: the menu
+    std::optional<SolverSettings> solver;
+    std::optional<double> rate;  ///< ticks a second
+    std::optional<std::uint64_t> seed;
+    std::vector<std::string> overrides;  ///< level statements, from --set
+
+    std::optional<RendererChoice> renderer;
+    std::optional<ColorChoice> colors;
+    std::optional<double> fps;   ///< frames a second, > 0; 60 when absent
+    std::optional<bool> mouse;   ///< false: the mouse is left to the terminal
+    bool low_bandwidth = false;  ///< 15 frames a second, ASCII, no trails
+
+    bool watch = false;   ///< load the level again whenever its files are saved
+    bool paused = false;  ///< start paused
+    /// Take up the session that was cut off, without asking; with no level, the last one.
+    bool resume = false;
+    std::size_t rewind_bytes = std::size_t{64} << 20;  ///< most memory for the way back
+};
+
+/// Plays until the player quits or the terminal is gone. Returns the exit code: 0, or 2 when the
+/// level cannot be loaded or the terminal cannot be used (the reason is then on standard error).
+int play(const PlayOptions& options);
+
+}  // namespace carom
