@@ -1,0 +1,17 @@
+# Where things go, and how the binary finds the levels from there: first beside itself, wherever the
+# tree was moved to; else in the source tree that it was built from.
+include(GNUInstallDirs)
+file(RELATIVE_PATH carom_levels_from_binary
+  ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/carom/levels)
+
+set_source_files_properties(src/carom/level_files.cpp PROPERTIES COMPILE_DEFINITIONS
+  "CAROM_LEVELS_FROM_BINARY=\"${carom_levels_from_binary}\";CAROM_SOURCE_LEVELS=\"${PROJECT_SOURCE_DIR}/levels\"")
+set_source_files_properties(src/carom/options.cpp PROPERTIES COMPILE_DEFINITIONS
+  CAROM_VERSION=\"${PROJECT_VERSION}\")
+
+install(TARGETS carom RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY levels/ DESTINATION ${CMAKE_INSTALL_DATADIR}/carom/levels
+  FILES_MATCHING PATTERN "*.level")
+install(FILES docs/carom.6 DESTINATION ${CMAKE_INSTALL_MANDIR}/man6)
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md")
+install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
