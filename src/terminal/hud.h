@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/vec2.h"
+#include "terminal/camera.h"
+#include "terminal/canvas.h"
+#include "terminal/palette.h"
+
+/// The status lines below the world.
+namespace carom {
+
+/// A key and what it does, for hints and for the help screen.
+struct KeyHelp {
+    std::string keys;  ///< "space", "<- ->"
+    std::string what;  ///< "pause"
+};
+
+struct HudInfo {
+    std::string title;
+    std::string solver;             ///< with its settings, as "substep 4x15"
+    bool solver_is_picked = false;  ///< by carom, not by level or player
+    double time = 0.0;              ///< s
+    std::uint64_t tick = 0;
+    std::uint64_t latest_tick = 0;   ///< more than `tick` after a step back
+    double ticks_per_second = 0.0;   ///< really run, measured
+    double rate = 0.0;               ///< ticks a second of the level's own time
+    std::vector<std::string> terms;  ///< the model in force
+    std::size_t balls = 0;
+    double kinetic_energy = 0.0;
+    std::optional<double> potential_energy;  ///< under gravity
+    Vec2 momentum;
+    /// Relative change of the energy since the start; none where the model does not keep it.
+    std::optional<double> energy_drift;
+    /// Relative change of the momentum since the start; none where it is not kept.
+    std::optional<double> momentum_drift;
+    double speed = 1.0;  ///< of play against the level's own time
+    bool is_paused = false;
+    std::string mode;     ///< "ascii", "mouse off", what is in force; may be empty
+    std::string message;  ///< takes the place of the hints
+    bool message_is_error = false;
+    std::vector<KeyHelp> hints;  ///< the most useful first
+};
+
+/// How many rows the status lines take at the bottom of a window, 1 to 3.
+int hud_rows(int columns, int rows);
+
+/// What is left above them for the world.
+CellArea world_area(int columns, int rows);
+
+/// Fills the rows below world_area(canvas.columns(), canvas.rows()). What does not fit is left out,
+/// the least important first.
+void draw_hud(Canvas& canvas, const HudInfo& info, const Look& look);
+
+}  // namespace carom
