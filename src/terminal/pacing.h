@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+
+/// When to draw the next frame, so that a slow link never queues up old ones.
+///
+/// Every frame ends with a question (Screen::show with FrameEnd::asks), and only a few frames may
+/// be unanswered at a time: two, more where the way is long but not crowded. Pure arithmetic on
+/// times that the caller measures, in seconds on any clock that does not go back:
+///
+///     if (pacing.may_draw(now, input_came)) {
+///         bytes = screen.show(canvas, FrameEnd::asks);
+///         if (bytes > 0) pacing.drawn(now, bytes);
+///     }
+///     events = screen.wait(pacing.seconds_to_frame(now));
+///     pacing.answered(screen.frames_answered(), now = clock());
+///
+/// While is_stalled() the game should stand still: nobody sees it.
+namespace carom {
+
+struct PacingOptions {
+    double frames_per_second = 60.0;  ///< most frames, > 0
+    double bytes_per_second = 0.0;    ///< most bytes on average; 0: no limit
+
+    friend bool operator==(const PacingOptions&, const PacingOptions&) = default;
+};
+
+/// For links that cannot be measured from here (tmux and mosh answer by themselves).
+inline constexpr PacingOptions low_bandwidth_pacing{.frames_per_second = 15.0,
+                                                    .bytes_per_second = 4000.0};
+
+class Pacing {
+  public:
+    explicit Pacing(const PacingOptions& options = {});
+
+    /// Whether a frame may go out now. `urgent`: something came in that the person wants to see the
+    /// effect of; it need not wait for the regular instant, only for the link.
+    bool may_draw(double now, bool urgent = false) const;
+    /// A frame of so many bytes went out.
+    void drawn(double now, std::size_t bytes);
+    /// So many frames have been answered in all since the start.
+    void answered(unsigned total, double now);
+
+    /// How long to wait for input until the next regular frame may be due; 0 if it is due.
+    double seconds_to_frame(double now) const;
+
+    /// The terminal used to answer and has not for 2 s: stop until it does.
+    bool is_stalled(double now) const;
+    /// It has never answered, so frames come at a fixed, modest rate.
+    bool is_blind(double now) const;
+
+    std::size_t unanswered() const { return sent_.size(); }
+    std::size_t window() const { return window_; }     ///< most unanswered frames at present
+    double round_trip() const { return round_trip_; }  ///< of the last answered frame, s
+
+  private:
+    double interval(double now) const;
+
+    PacingOptions options_;
+    std::deque<double> sent_;  // times of the unanswered frames, oldest first
+    unsigned answered_ = 0;
+    std::size_t window_ = 2;
+    double round_trip_ = 0.0;
+    double shortest_trip_ = 0.0;  // of late: the way without a queue
+    double last_drawn_ = -1.0e9;
+    double next_due_ = -1.0e9;
+    double bytes_due_ = -1.0e9;  // when the link is through with what was sent, by the limit
+};
+
+}  // namespace carom
