@@ -5,9 +5,10 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "game/command.h"
+#include "game/history.h"
 #include "level/scene.h"
 #include "physics/solver.h"
 #include "physics/world.h"
@@ -15,91 +16,92 @@
 /// A game in progress: a scene, what the player has done to it, and the way back.
 namespace carom {
 
-/// What a player can do to the world. Lengths, speeds and masses are the world's.
-namespace command {
-struct Strike {
-    BallId ball{};
-    Vec2 velocity;
-};  ///< the cue: the ball gets this velocity
-struct HoldBall {
-    BallId ball{};
-    Vec2 target;
-};  ///< take it, or move the hand
-struct DropBall {
-    BallId ball{};
-};
-struct HoldCapsule {
-    CapsuleId capsule{};
-    Vec2 start_target;
-    Vec2 end_target;
-};
-struct DropCapsule {
-    CapsuleId capsule{};
-};
-struct AddBall {
-    BallSpec spec;
-};
-struct RemoveBall {
-    BallId ball{};
-};
-struct AddCapsule {
-    Capsule shape;
-    ClassIndex material = 0;
-    Side side = Side::both;
-};
-struct RemoveCapsule {
-    CapsuleId capsule{};
-};
-struct SetGravity {
-    std::optional<Vec2> gravity;
-};
-struct SetSolver {
-    SolverSettings settings;
-};
-}  // namespace command
-
-using Command =
-    std::variant<command::Strike, command::HoldBall, command::DropBall, command::HoldCapsule,
-                 command::DropCapsule, command::AddBall, command::RemoveBall, command::AddCapsule,
-                 command::RemoveCapsule, command::SetGravity, command::SetSolver>;
-
-/// A command and the tick at which it applies: before tick number `tick` + 1 is computed.
-struct TimedCommand {
-    std::uint64_t tick = 0;
-    Command command;
-};
-
+/// Holds, at every moment: the world after the present tick and after all commands of that tick. To
+/// go back is to take the nearest snapshot and to compute again, with the logged commands, what
+/// came after it: the same bits, because the core is deterministic.
+///
+/// Memory for the way back is bounded (see `rewind_bytes`): snapshots are thinned, dense near the
+/// present and ever sparser away from it, so that going back by n ticks costs about n ticks of
+/// computing at most, wherever one stands. The start is the scene itself, so the way back ends at
+/// tick 0 unless the log of commands alone outgrows half of the memory (about 100 bytes a command;
+/// with 64 MiB, more than half an hour of uninterrupted dragging): then the older half of it is
+/// forgotten, and earliest() says where the way back ends now.
 class Session {
   public:
-    /// `rewind_bytes`: most memory for the way back (snapshots and commands).
-    explicit Session(Scene scene, const SolverSettings& solver,
-                     std::size_t rewind_bytes = 64u << 20);
+    static constexpr std::size_t default_rewind_bytes = std::size_t{64} << 20;
 
-    const Scene& scene() const;
-    const World& world() const;
-    const SolverSettings& solver() const;
-    /// Contacts of the last tick; empty after a restart.
-    std::span<const Contact> contacts() const;
+    /// `rewind_bytes`: most memory for the way back (snapshots and commands).
+    /// Pre: solver.kind is one of solvers_available().
+    Session(Scene scene, const SolverSettings& solver,
+            std::size_t rewind_bytes = default_rewind_bytes);
+
+    const Scene& scene() const { return scene_; }
+    const World& world() const { return world_; }
+    const SolverSettings& solver() const { return solver_.settings(); }
+    /// Contacts of the last tick; empty at the start and after a restart.
+    std::span<const Contact> contacts() const { return contacts_; }
 
     /// Applies at once, before the next tick; logged with the present tick. Commands about what
     /// does not exist, and balls or edges that would overlap others, are refused with a sentence
-    /// that says why.
+    /// that says why. When the present is behind latest(), the future is forgotten first, and what
+    /// it still held is dropped: that hand is in a future that no longer is.
     std::optional<std::string> apply(const Command& command);
 
-    /// One tick forward. Ahead of a rewound session's old future: forgets that future's commands
-    /// only when a new command is applied; until then going forward replays them.
+    /// One tick forward. Behind latest(), this replays the commands that follow.
     void step_forward();
     /// One tick back, to exactly the state that was. False at the start, or where the memory ends.
     bool step_back();
-    /// Goes to a tick in 0..latest by the shortest way.
+    /// Goes to a tick in earliest()..latest() by the shortest way; false when it is outside.
     bool go_to(std::uint64_t tick);
+    /// Forward to the first tick in which two bodies meet that did not meet in the tick before;
+    /// at most `limit` ticks. False when there was none in them.
+    bool step_to_collision(std::uint64_t limit);
+    /// Goes back to just before the last gesture at or before the present (all of a drag counts as
+    /// one) and forgets it with all that followed. False when there is nothing left to undo.
+    bool undo();
+
     /// The earliest tick that can be gone back to, and the latest that has been reached.
-    std::uint64_t earliest() const;
-    std::uint64_t latest() const;
-    /// Back to the start, commands forgotten.
+    std::uint64_t earliest() const { return base_ ? base_->world.tick : 0; }
+    std::uint64_t latest() const { return latest_; }
+    /// Back to the start, commands forgotten; the solver stays.
     void restart();
 
-    std::span<const TimedCommand> commands() const;
+    /// In the order in which they were applied, those of the replayable future included.
+    std::span<const TimedCommand> commands() const { return log_; }
+    /// Whether commands() go back to the start, so that the session can be written down.
+    bool is_complete() const { return !base_; }
+    /// The solver at the start: SetSolver commands tell the rest.
+    const SolverSettings& first_solver() const { return first_solver_; }
+
+    /// What the way back holds now, in bytes: snapshots and commands. Never over `rewind_bytes`,
+    /// but for one command.
+    std::size_t rewind_bytes_used() const;
+    std::size_t snapshot_count() const { return history_.size(); }
+
+  private:
+    void advance();
+    void obey_now(const Command& command);
+    void obey_log_of_this_tick();
+    void restore(std::uint64_t tick);
+    void forget_future();
+    void log(const Command& command);
+    void bound_log();
+    std::size_t log_bytes() const;
+    void use_solver(const SolverSettings& settings);
+
+    Scene scene_;
+    SolverSettings first_solver_;
+    Solver solver_;
+    World world_;
+    std::vector<Contact> contacts_;
+
+    /// Where the way back ends, before the commands of log_ at its tick; none: the scene itself.
+    std::optional<Snapshot> base_;
+    History history_;
+    std::vector<TimedCommand> log_;
+    std::size_t obeyed_ = 0;  ///< commands of log_ that world_ has obeyed
+    std::uint64_t latest_ = 0;
+    std::size_t rewind_bytes_ = 0;
 };
 
 }  // namespace carom

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "physics/solver.h"
+#include "physics/world.h"
+
+/// What a player can do to the world. Lengths, speeds and masses are the world's.
+namespace carom {
+
+namespace command {
+/// The cue: the ball gets this velocity.
+struct Strike {
+    BallId ball{};
+    Vec2 velocity;
+};
+/// Takes a ball, or moves the hand that has it.
+struct HoldBall {
+    BallId ball{};
+    Vec2 target;
+};
+struct DropBall {
+    BallId ball{};
+};
+/// Takes an edge, or moves the hand that has it: where its two ends shall be.
+struct HoldCapsule {
+    CapsuleId capsule{};
+    Vec2 start_target;
+    Vec2 end_target;
+};
+struct DropCapsule {
+    CapsuleId capsule{};
+};
+struct AddBall {
+    BallSpec spec;
+};
+struct RemoveBall {
+    BallId ball{};
+};
+struct AddCapsule {
+    Capsule shape;
+    ClassIndex material = 0;
+    Side side = Side::both;
+};
+struct RemoveCapsule {
+    CapsuleId capsule{};
+};
+struct SetGravity {
+    std::optional<Vec2> gravity;
+};
+struct SetSolver {
+    SolverSettings settings;
+};
+}  // namespace command
+
+using Command =
+    std::variant<command::Strike, command::HoldBall, command::DropBall, command::HoldCapsule,
+                 command::DropCapsule, command::AddBall, command::RemoveBall, command::AddCapsule,
+                 command::RemoveCapsule, command::SetGravity, command::SetSolver>;
+
+/// A command and the tick at which it applies: before tick number `tick` + 1 is computed.
+struct TimedCommand {
+    std::uint64_t tick = 0;
+    Command command;
+};
+
+/// Why a command cannot be obeyed, as a sentence for the player; none when it can. A command is
+/// refused when it is about what is not there, when a number in it is not finite or out of range,
+/// and when it would put a ball or an edge into another body that it meets.
+std::optional<std::string> refusal(const World& world, const Command& command);
+
+/// Does to the world what the command says; SetSolver does nothing to it. What is added under
+/// Model::filtered, Model::wrap and the rest follows the rules of add_ball and add_capsule.
+/// Pre: the command is not refused.
+void obey(World& world, const Command& command);
+
+/// Whether `later`, coming right after `earlier`, goes on with its gesture: a drag, from taking to
+/// dropping, is one. A gesture is undone as a whole.
+bool continues_gesture(const Command& earlier, const Command& later);
+
+/// Whether both move a hand that has the same ball or edge: of two such in one tick only the later
+/// counts.
+bool moves_same_hand(const Command& earlier, const Command& later);
+
+}  // namespace carom

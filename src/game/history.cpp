@@ -1,0 +1,122 @@
+#include "game/history.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace carom {
+namespace {
+
+template <typename T>
+std::size_t bytes_in(const std::vector<T>& values) {
+    return values.capacity() * sizeof(T);
+}
+
+constexpr auto tick_of = [](const auto& kept) { return kept.snapshot.world.tick; };
+
+std::uint64_t apart(std::uint64_t a, std::uint64_t b) {
+    return a < b ? b - a : a - b;
+}
+
+}  // namespace
+
+std::size_t bytes_of(const World& world) {
+    const Balls& balls = world.balls;
+    const Capsules& capsules = world.capsules;
+    return sizeof(Snapshot) + bytes_in(balls.id) + bytes_in(balls.position) +
+           bytes_in(balls.velocity) + bytes_in(balls.radius) + bytes_in(balls.inverse_mass) +
+           bytes_in(balls.kind) + bytes_in(balls.restitution) + bytes_in(balls.edge_contacts) +
+           bytes_in(capsules.id) + bytes_in(capsules.shape) + bytes_in(capsules.material) +
+           bytes_in(capsules.side) + bytes_in(world.kinds) + bytes_in(world.materials) +
+           bytes_in(world.meets) + bytes_in(world.zones) + bytes_in(world.emitters) +
+           bytes_in(world.counters) + bytes_in(world.removed) + bytes_in(world.held_balls) +
+           bytes_in(world.held_capsules);
+}
+
+void History::keep(const World& world, const SolverSettings& solver) {
+    const auto place = std::ranges::lower_bound(snapshots_, world.tick, {}, tick_of);
+    if (place != snapshots_.end() && tick_of(*place) == world.tick) return;
+    Kept kept{{world, solver}, 0};
+    kept.bytes = bytes_of(kept.snapshot.world);  // of the copy: it has no room to spare
+    if (kept.bytes > limit_) return;
+    bytes_ += kept.bytes;
+    snapshots_.insert(place, std::move(kept));
+    if (bytes_ > limit_) thin(world.tick);
+}
+
+// A snapshot stays when its distance from the last that stayed, `sharpness` times over, reaches its
+// distance from the present. The sharpness is lowered until a quarter of the room is free, so that
+// thinning is rare.
+void History::thin(std::uint64_t present) {
+    const auto middle =
+        std::ranges::upper_bound(snapshots_, present, {}, tick_of) - snapshots_.begin();
+    std::vector<char> stays(snapshots_.size());
+    const auto walk = [&](std::ptrdiff_t from, std::ptrdiff_t end, std::ptrdiff_t step,
+                          double sharpness) {
+        std::size_t bytes = 0;
+        std::uint64_t last = present;
+        for (std::ptrdiff_t i = from; i != end; i += step) {
+            const Kept& kept = snapshots_[static_cast<std::size_t>(i)];
+            const std::uint64_t tick = tick_of(kept);
+            const bool near_enough = static_cast<double>(apart(tick, last)) * sharpness >=
+                                     static_cast<double>(apart(tick, present));
+            stays[static_cast<std::size_t>(i)] = near_enough;
+            if (!near_enough) continue;
+            bytes += kept.bytes;
+            last = tick;
+        }
+        return bytes;
+    };
+    const std::size_t enough = limit_ / 4 * 3;
+    for (double sharpness = static_cast<double>(snapshots_.size());; sharpness *= 0.875) {
+        if (sharpness < 0.5) sharpness = 0.0;
+        const std::size_t bytes =
+            walk(middle - 1, -1, -1, sharpness) +
+            walk(middle, static_cast<std::ptrdiff_t>(snapshots_.size()), 1, sharpness);
+        if (bytes <= enough || sharpness == 0.0) break;
+    }
+    std::vector<Kept> thinned;
+    bytes_ = 0;
+    for (std::size_t i = 0; i < snapshots_.size(); ++i) {
+        // At sharpness 0 only the present itself stays, and it fits by keep's precondition.
+        if (!stays[i] || bytes_ + snapshots_[i].bytes > limit_) continue;
+        bytes_ += snapshots_[i].bytes;
+        thinned.push_back(std::move(snapshots_[i]));
+    }
+    snapshots_ = std::move(thinned);
+}
+
+const Snapshot* History::at_or_before(std::uint64_t tick) const {
+    const auto after = std::ranges::upper_bound(snapshots_, tick, {}, tick_of);
+    return after == snapshots_.begin() ? nullptr : &(after - 1)->snapshot;
+}
+
+bool History::has(std::uint64_t tick) const {
+    const Snapshot* found = at_or_before(tick);
+    return found && found->world.tick == tick;
+}
+
+void History::forget_from(std::uint64_t tick) {
+    while (!snapshots_.empty() && tick_of(snapshots_.back()) >= tick) {
+        bytes_ -= snapshots_.back().bytes;
+        snapshots_.pop_back();
+    }
+}
+
+void History::forget_before(std::uint64_t tick) {
+    const auto end = std::ranges::lower_bound(snapshots_, tick, {}, tick_of);
+    for (auto kept = snapshots_.begin(); kept != end; ++kept)
+        bytes_ -= kept->bytes;
+    snapshots_.erase(snapshots_.begin(), end);
+}
+
+void History::clear() {
+    snapshots_.clear();
+    bytes_ = 0;
+}
+
+void History::set_limit(std::size_t limit_bytes, std::uint64_t present) {
+    limit_ = limit_bytes;
+    if (bytes_ > limit_) thin(present);
+}
+
+}  // namespace carom

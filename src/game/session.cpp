@@ -1,0 +1,203 @@
+#include "game/session.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace carom {
+namespace {
+
+// After going back, the last ticks before the present are kept one by one, so that going back
+// further is quick; they may take this share of the memory.
+constexpr std::size_t dense_share = 4;
+constexpr std::uint64_t most_dense_ticks = 240;
+
+using Pair = std::array<std::uint32_t, 3>;
+
+/// The pairs that met, sorted.
+std::vector<Pair> pairs_of(std::span<const Contact> contacts) {
+    std::vector<Pair> pairs;
+    pairs.reserve(contacts.size());
+    for (const Contact& contact : contacts)
+        pairs.push_back({static_cast<std::uint32_t>(contact.kind), contact.a, contact.b});
+    std::ranges::sort(pairs);
+    return pairs;
+}
+
+}  // namespace
+
+Session::Session(Scene scene, const SolverSettings& solver, std::size_t rewind_bytes)
+    : scene_(std::move(scene)),
+      first_solver_(solver),
+      solver_(solver),
+      world_(scene_.world),
+      history_(rewind_bytes),
+      rewind_bytes_(rewind_bytes) {}
+
+std::optional<std::string> Session::apply(const Command& command) {
+    if (auto why_not = refusal(world_, command)) return why_not;
+    forget_future();
+    obey_now(command);
+    log(command);
+    return std::nullopt;
+}
+
+void Session::obey_now(const Command& command) {
+    if (const auto* change = std::get_if<command::SetSolver>(&command))
+        use_solver(change->settings);
+    obey(world_, command);
+}
+
+void Session::use_solver(const SolverSettings& settings) {
+    if (!(settings == solver_.settings())) solver_ = Solver(settings);
+}
+
+void Session::log(const Command& command) {
+    const auto earlier = std::find_if(log_.rbegin(), log_.rend(), [&](const TimedCommand& logged) {
+        return logged.tick != world_.tick || !continues_gesture(logged.command, command) ||
+               moves_same_hand(logged.command, command);
+    });
+    if (earlier != log_.rend() && earlier->tick == world_.tick &&
+        moves_same_hand(earlier->command, command))
+        earlier->command = command;
+    else
+        log_.push_back({world_.tick, command});
+    obeyed_ = log_.size();
+    bound_log();
+}
+
+void Session::forget_future() {
+    if (obeyed_ == log_.size() && latest_ == world_.tick) return;
+    log_.resize(obeyed_);
+    history_.forget_from(world_.tick);
+    latest_ = world_.tick;
+    const auto balls = world_.held_balls;
+    const auto capsules = world_.held_capsules;
+    for (const HeldBall& held : balls) {
+        obey_now(command::DropBall{held.id});
+        log(command::DropBall{held.id});
+    }
+    for (const HeldCapsule& held : capsules) {
+        obey_now(command::DropCapsule{held.id});
+        log(command::DropCapsule{held.id});
+    }
+}
+
+std::size_t Session::log_bytes() const {
+    return log_.capacity() * sizeof(TimedCommand);
+}
+
+// The newer half of the log stays, and with it the way back to its oldest command.
+void Session::bound_log() {
+    if (log_bytes() > rewind_bytes_ / 2 && log_.size() > 1) {
+        const Snapshot* kept = history_.at_or_before(log_[log_.size() / 2].tick);
+        if (kept && kept->world.tick > earliest())
+            base_ = *kept;
+        else
+            base_ = Snapshot{world_, solver_.settings()};
+        const std::uint64_t start = base_->world.tick;
+        const auto stays = std::ranges::upper_bound(log_, start, {}, &TimedCommand::tick);
+        log_ = std::vector<TimedCommand>(stays, log_.end());
+        obeyed_ = log_.size();
+        history_.forget_before(start);
+    }
+    const std::size_t taken = log_bytes() + (base_ ? bytes_of(base_->world) : 0);
+    history_.set_limit(rewind_bytes_ - std::min(rewind_bytes_, taken), world_.tick);
+}
+
+void Session::obey_log_of_this_tick() {
+    while (obeyed_ < log_.size() && log_[obeyed_].tick == world_.tick)
+        obey_now(log_[obeyed_++].command);
+}
+
+void Session::advance() {
+    solver_.tick(world_);
+    contacts_.assign(solver_.contacts().begin(), solver_.contacts().end());
+    latest_ = std::max(latest_, world_.tick);
+    obey_log_of_this_tick();
+}
+
+void Session::step_forward() {
+    if (world_.tick % History::spacing == 0) history_.keep(world_, solver_.settings());
+    advance();
+}
+
+bool Session::step_back() {
+    return world_.tick > earliest() && go_to(world_.tick - 1);
+}
+
+bool Session::go_to(std::uint64_t tick) {
+    if (tick < earliest() || tick > latest_) return false;
+    const Snapshot* nearest = tick > 0 ? history_.at_or_before(tick - 1) : nullptr;
+    const bool forward_is_shorter =
+        tick >= world_.tick && (!nearest || nearest->world.tick <= world_.tick);
+    if (!forward_is_shorter) restore(tick);
+    while (world_.tick < tick)
+        step_forward();
+    return true;
+}
+
+// From the last snapshot before the tick, not at it: the last tick is computed again, so that its
+// contacts are known.
+void Session::restore(std::uint64_t tick) {
+    const Snapshot* from = tick > earliest() ? history_.at_or_before(tick - 1) : nullptr;
+    contacts_.clear();
+    if (from) {
+        world_ = from->world;
+        use_solver(from->solver);
+        const auto next = std::ranges::upper_bound(log_, world_.tick, {}, &TimedCommand::tick);
+        obeyed_ = static_cast<std::size_t>(next - log_.begin());
+    } else {
+        world_ = base_ ? base_->world : scene_.world;
+        use_solver(base_ ? base_->solver : first_solver_);
+        obeyed_ = 0;
+        obey_log_of_this_tick();
+    }
+    const std::uint64_t affordable = rewind_bytes_ / dense_share / bytes_of(world_);
+    const std::uint64_t dense = std::min(affordable, most_dense_ticks);
+    while (world_.tick < tick) {
+        if (tick - world_.tick <= dense || world_.tick % History::spacing == 0)
+            history_.keep(world_, solver_.settings());
+        advance();
+    }
+}
+
+bool Session::step_to_collision(std::uint64_t limit) {
+    for (; limit > 0; --limit) {
+        const std::vector<Pair> before = pairs_of(contacts_);
+        step_forward();
+        const std::vector<Pair> now = pairs_of(contacts_);
+        if (!std::ranges::includes(before, now)) return true;
+    }
+    return false;
+}
+
+bool Session::undo() {
+    if (obeyed_ == 0) return false;
+    std::size_t first = obeyed_ - 1;
+    while (first > 0 && continues_gesture(log_[first - 1].command, log_[first].command))
+        --first;
+    const std::uint64_t tick = log_[first].tick;
+    log_.resize(first);
+    history_.forget_from(tick);
+    latest_ = tick;
+    restore(tick);
+    return true;
+}
+
+void Session::restart() {
+    log_.clear();
+    log_.shrink_to_fit();
+    history_.clear();
+    base_.reset();
+    latest_ = 0;
+    first_solver_ = solver_.settings();
+    history_.set_limit(rewind_bytes_, 0);
+    restore(0);
+}
+
+std::size_t Session::rewind_bytes_used() const {
+    return history_.bytes() + log_bytes() + (base_ ? bytes_of(base_->world) : 0);
+}
+
+}  // namespace carom
