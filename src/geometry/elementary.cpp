@@ -95,4 +95,12 @@ double mean_decay(double x) {
     return 1.0 + sum;
 }
 
+double mean_decay_ramp(double x) {
+    if (x > 1.0) return (1.0 - mean_decay(x)) / x;
+    double sum = 0.0;
+    for (int n = 20; n >= 3; --n)
+        sum = (sum + 1.0) * (-x / n);
+    return 0.5 * (1.0 + sum);
+}
+
 }  // namespace carom

@@ -25,4 +25,8 @@ double exponential(double x);
 /// x >= 0. Relative error at most 1e-15.
 double mean_decay(double x);
 
+/// (1 - mean_decay(x)) / x without cancellation: 1/2 at x = 0. What a constant force adds to the
+/// travel under drag. Pre: x >= 0. Relative error at most 2e-15.
+double mean_decay_ramp(double x);
+
 }  // namespace carom

@@ -1,0 +1,125 @@
+#include "geometry/impact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/closest.h"
+
+namespace carom {
+namespace {
+
+// When a point at `offset` from a fixed centre, moving at `velocity`, first comes within `reach`.
+std::optional<double> time_to_reach(Vec2 offset, Vec2 velocity, double reach, double horizon) {
+    const double closing = -dot(offset, velocity);
+    if (!(closing > 0.0)) return std::nullopt;
+    const double away = length(offset);
+    const double gap = away - reach;
+    if (gap <= 0.0) return 0.0;
+    const double speed_squared = length_squared(velocity);
+    const double miss = cross(offset, velocity);
+    // b^2 - ac of the quadratic, written so that large distances do not cancel.
+    const double discriminant = speed_squared * reach * reach - miss * miss;
+    if (!(discriminant > 0.0)) return std::nullopt;
+    // Both terms of the denominator are positive, so nothing cancels.
+    const double time = gap * (away + reach) / (closing + std::sqrt(discriminant));
+    if (!(time <= horizon)) return std::nullopt;
+    return time;
+}
+
+// The impact with the long sides of a capsule that has length: none where the path meets an end
+// first.
+std::optional<Impact> side_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
+                                  double horizon) {
+    const Vec2 span = capsule.end - capsule.start;
+    const double whole = length(span);
+    const Vec2 along = span / whole;
+    const Vec2 offset = disc.center - capsule.start;
+    const double height = cross(along, offset);
+    const double rise = cross(along, velocity);
+    const double up = height != 0.0 ? (height > 0.0 ? 1.0 : -1.0) : (rise > 0.0 ? -1.0 : 1.0);
+    const double sinking = -rise * up;
+    if (!(sinking > 0.0)) return std::nullopt;
+    const double gap = std::max(0.0, height * up - (disc.radius + capsule.radius));
+    const double time = gap / sinking;
+    if (!(time <= horizon)) return std::nullopt;
+    const double place = dot(along, offset) + dot(along, velocity) * time;
+    if (!(place >= 0.0 && place <= whole)) return std::nullopt;
+    return Impact{time, perpendicular(along) * up};
+}
+
+// Whether a disc beside a capsule does not approach the line through its spine.
+bool is_leaving(const Disc& disc, Vec2 velocity, const Capsule& capsule) {
+    const Vec2 span = capsule.end - capsule.start;
+    return cross(span, disc.center - capsule.start) * cross(span, velocity) >= 0.0;
+}
+
+}  // namespace
+
+std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Disc& other,
+                                   double horizon) {
+    const Vec2 offset = disc.center - other.center;
+    const Vec2 against = direction(-velocity, {1.0, 0.0});
+    if (offset == Vec2{}) {
+        if (velocity == Vec2{}) return std::nullopt;
+        return Impact{0.0, against};
+    }
+    const auto time = time_to_reach(offset, velocity, disc.radius + other.radius, horizon);
+    if (!time) return std::nullopt;
+    return Impact{*time, direction(offset + velocity * *time, against)};
+}
+
+std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
+                                   double horizon) {
+    const Disc start_cap{capsule.start, capsule.radius};
+    if (capsule.start == capsule.end) return first_impact(disc, velocity, start_cap, horizon);
+
+    const Vec2 offset =
+        disc.center - closest_point(capsule.start, capsule.end, disc.center);
+    const double place = closest_parameter(capsule.start, capsule.end, disc.center);
+    const double reach = disc.radius + capsule.radius;
+    const bool touching = length_squared(offset) <= reach * reach;
+    if (place > 0.0 && place < 1.0) {
+        const auto side = side_impact(disc, velocity, capsule, touching ? 0.0 : horizon);
+        if (side || touching || is_leaving(disc, velocity, capsule)) return side;
+    } else {
+        if (dot(offset, velocity) >= 0.0 && offset != Vec2{}) return std::nullopt;
+        if (touching) {
+            const Vec2 end = place == 0.0 ? capsule.start : capsule.end;
+            return first_impact(disc, velocity, Disc{end, capsule.radius}, 0.0);
+        }
+        if (const auto side = side_impact(disc, velocity, capsule, horizon)) return side;
+    }
+    const auto at_start = first_impact(disc, velocity, start_cap, horizon);
+    const auto at_end = first_impact(disc, velocity, Disc{capsule.end, capsule.radius}, horizon);
+    if (!at_start) return at_end;
+    if (!at_end) return at_start;
+    return at_start->time <= at_end->time ? at_start : at_end;
+}
+
+std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
+                                   Vec2 start_velocity, Vec2 end_velocity, double horizon) {
+    const double start_speed = length(velocity - start_velocity);
+    const double end_speed = length(velocity - end_velocity);
+    const double fastest = std::max(start_speed, end_speed);
+    if (!(fastest > 0.0)) return std::nullopt;
+    const double reach = disc.radius + capsule.radius;
+    const double near = 1e-12 * (reach + fastest * horizon);
+    double time = 0.0;
+    while (true) {
+        const Vec2 start = capsule.start + start_velocity * time;
+        const Vec2 end = capsule.end + end_velocity * time;
+        const Vec2 center = disc.center + velocity * time;
+        const double place = closest_parameter(start, end, center);
+        const Vec2 relative = velocity - (start_velocity + (end_velocity - start_velocity) * place);
+        const Vec2 offset = center - (start + (end - start) * place);
+        const Vec2 normal = direction(offset, direction(-relative, {1.0, 0.0}));
+        const double gap = length(offset) - reach;
+        if (gap <= near && dot(relative, normal) < 0.0) return Impact{time, normal};
+        // No point of the capsule comes nearer faster than `fastest`: the gap takes this long to
+        // close.
+        time += std::max(gap / fastest, 1e-3 * horizon);
+        if (!(time <= horizon)) return std::nullopt;
+    }
+}
+
+}  // namespace carom

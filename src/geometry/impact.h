@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+
+#include "geometry/shapes.h"
+
+/// First impacts along straight paths.
+namespace carom {
+
+/// When, and the unit normal of the contact, from the other body to the disc.
+struct Impact {
+    double time = 0.0;
+    Vec2 normal;
+};
+
+/// First impact of `disc`, moving at constant `velocity`, with a resting `other`.
+///
+/// Units: those of the level (length, length/s, s). Looks no further than `horizon` seconds ahead.
+/// Only approach counts: a disc that parts from the other, slides along it or merely grazes it has
+/// no impact, so a bounce that has been resolved is never found twice.
+///
+/// Degenerate cases, each of them a test:
+///   touching or overlapping, and approaching   impact at time 0
+///   touching or overlapping, not approaching   none
+///   velocity zero                              none
+///   same centre                                the normal points against `velocity`
+///
+/// Pre: all inputs finite, radii >= 0, horizon >= 0.
+std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Disc& other,
+                                   double horizon);
+
+/// The same for a resting capsule. The distance from a capsule is convex along a straight path, so
+/// a disc that parts from it now never meets it again.
+///
+///   start == end                               the capsule is a disc
+///   centre of the disc on the spine            the normal is across the spine, against `velocity`
+std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
+                                   double horizon);
+
+/// The same for a capsule whose ends move at constant velocities of their own. Found by
+/// conservative advancement: never later than the true impact by more than 1e-3 of the horizon's
+/// travel, and never missed where the two bodies overlap for longer than that. `normal` as at the
+/// impact.
+std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
+                                   Vec2 start_velocity, Vec2 end_velocity, double horizon);
+
+}  // namespace carom

@@ -1,0 +1,22 @@
+#include "physics/solver.h"
+
+namespace carom {
+
+// Heaps are what `swept` pays for: many balls that lose energy under gravity and are not drained.
+SolverPick pick_solver(const World& world) {
+    constexpr std::size_t many = 400;
+    std::size_t balls = world.balls.size();
+    for (const Emitter& emitter : world.emitters)
+        balls += emitter.count - emitter.emitted;
+    bool drains = false;
+    for (const Zone& zone : world.zones)
+        drains = drains || zone.effect == Zone::Effect::sink;
+    const bool heaps = world.model.gravity && world.model.lossy && world.model.ball_ball && !drains;
+    if (heaps && balls > many)
+        return {{.kind = SolverKind::substep},
+                "many balls that come to rest on one another cost `swept` too much"};
+    return {{.kind = SolverKind::swept},
+            "nothing passes through anything, and free flight is exact"};
+}
+
+}  // namespace carom

@@ -1,0 +1,44 @@
+#include "physics/swept_cells.h"
+
+#include <algorithm>
+
+namespace carom {
+
+void SweptCells::reset(const CellFrame& frame, std::size_t balls) {
+    frame_ = frame;
+    head_.assign(frame.count(), none);
+    entries_.clear();
+    ranges_.assign(balls, {});
+    seen_.assign(balls, 0);
+    round_ = 0;
+}
+
+void SweptCells::enter(std::uint32_t index, const Box& box) {
+    Range now;
+    if (frame_.wraps) {
+        now = {frame_.column_unbounded(box.low.x), frame_.column_unbounded(box.high.x),
+               frame_.row_unbounded(box.low.y), frame_.row_unbounded(box.high.y)};
+        now.high_column = std::min(now.high_column, now.low_column + frame_.columns);
+        now.high_row = std::min(now.high_row, now.low_row + frame_.rows);
+    } else {
+        now = {frame_.column(box.low.x), frame_.column(box.high.x), frame_.row(box.low.y),
+               frame_.row(box.high.y)};
+    }
+    const Range old = ranges_[index];
+    ranges_[index] = now;
+    const auto was_there = [&](int column, int row) {
+        return column >= old.low_column && column <= old.high_column && row >= old.low_row &&
+               row <= old.high_row;
+    };
+    for (int row = now.low_row; row <= now.high_row; ++row) {
+        for (int column = now.low_column; column <= now.high_column; ++column) {
+            if (was_there(column, row)) continue;
+            std::uint32_t& head = head_[frame_.index(frame_.bounded(column, frame_.columns),
+                                                     frame_.bounded(row, frame_.rows))];
+            entries_.push_back({index, head});
+            head = static_cast<std::uint32_t>(entries_.size() - 1);
+        }
+    }
+}
+
+}  // namespace carom

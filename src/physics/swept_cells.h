@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "physics/cell_frame.h"
+
+/// The broad phase of moving discs: each enters every cell that its path can touch.
+namespace carom {
+
+class SweptCells {
+  public:
+    void reset(const CellFrame& frame, std::size_t balls);
+
+    /// Ball `index` may be anywhere in `box` until further notice.
+    void enter(std::uint32_t index, const Box& box);
+
+    /// Calls visit(other) for each ball that shares a cell with `index`, each once; `index` itself
+    /// not.
+    template <typename Visit>
+    void for_each_sharing(std::uint32_t index, Visit&& visit) {
+        ++round_;
+        seen_[index] = round_;
+        const Range& range = ranges_[index];
+        for (int row = range.low_row; row <= range.high_row; ++row) {
+            for (int column = range.low_column; column <= range.high_column; ++column) {
+                const std::uint32_t cell = frame_.index(frame_.bounded(column, frame_.columns),
+                                                        frame_.bounded(row, frame_.rows));
+                for (std::uint32_t at = head_[cell]; at != none; at = entries_[at].next) {
+                    const std::uint32_t other = entries_[at].ball;
+                    if (seen_[other] == round_) continue;
+                    seen_[other] = round_;
+                    visit(other);
+                }
+            }
+        }
+    }
+
+    /// Calls visit(cell, tori across, tori along) for each cell of the ball's range; the tori are
+    /// those that the unwrapped path has left behind (0 without a torus).
+    template <typename Visit>
+    void for_each_cell(std::uint32_t index, Visit&& visit) const {
+        const Range& range = ranges_[index];
+        for (int row = range.low_row; row <= range.high_row; ++row) {
+            const int y = frame_.bounded(row, frame_.rows);
+            for (int column = range.low_column; column <= range.high_column; ++column) {
+                const int x = frame_.bounded(column, frame_.columns);
+                visit(frame_.index(x, y), frame_.wraps ? (column - x) / frame_.columns : 0,
+                      frame_.wraps ? (row - y) / frame_.rows : 0);
+            }
+        }
+    }
+
+  private:
+    static constexpr std::uint32_t none = 0xffffffffu;
+    struct Range {
+        int low_column = 0;
+        int high_column = -1;
+        int low_row = 0;
+        int high_row = -1;
+    };
+    struct Entry {
+        std::uint32_t ball = 0;
+        std::uint32_t next = none;
+    };
+
+    CellFrame frame_;
+    std::vector<Range> ranges_;
+    std::vector<std::uint32_t> head_;
+    std::vector<Entry> entries_;
+    std::vector<std::uint32_t> seen_;
+    std::uint32_t round_ = 0;
+};
+
+}  // namespace carom

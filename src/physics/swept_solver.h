@@ -1,0 +1,126 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "geometry/impact.h"
+#include "physics/capsule_cells.h"
+#include "physics/contact.h"
+#include "physics/flight.h"
+#include "physics/swept_cells.h"
+#include "physics/terms.h"
+
+/// The solver `swept`: in each substep the balls go along straight paths; the first impact of all
+/// is found, dealt with, and the rest of the time goes on. Nothing passes through anything, however
+/// fast.
+///
+/// The straight path of a substep leads from where the ball is to where free motion would take it,
+/// so free flight is exact; an impact turns the velocity of the path, and the rest of gravity is
+/// added at the end of the substep (a kick, a drift with impacts, a kick: reversible in time).
+///
+/// Impacts are taken in the order (time, ball-ball before ball-edge, lower number, higher number),
+/// so neither cells nor file order of equal scenes matter. Several contacts at the same instant are
+/// taken one after another in that order.
+///
+/// Rest: where restitution is below 1, an approach slower than `resting_approach` times the speed
+/// that gravity gives in a substep does not bounce. A ball that lies on something that cannot give
+/// way carries, within the substep, what comes to rest on it. A ball that has had
+/// `most_resting_impacts` of these in a substep, or `most_impacts` of any kind, lies still until
+/// the substep ends; nothing moves it until then. That loses energy and momentum, never gains any,
+/// and bounds the work.
+///
+/// A hand pushes: see bounce_off. Where a ball that lies still is in its way, the hand stops for
+/// the substep.
+///
+/// Fails by nature: gravity acts on the path only between substeps, so an impact is early or late
+/// by up to g h^2 / 8 of height; dense heaps cost many impacts and lose what slides they have.
+namespace carom {
+
+class SweptSolver {
+  public:
+    static constexpr double resting_approach = 1.5;
+    static constexpr int most_resting_impacts = 16;
+    static constexpr int most_impacts = 4096;
+    /// What comes to rest parts at this share of its approach, so that rounding does not make it
+    /// meet again.
+    static constexpr double resting_restitution = 1e-6;
+    /// An approach slower than this share of the speeds of two bodies that touch is rounding.
+    static constexpr double noise = 1e-14;
+
+    /// Moves everything by one tick and appends the exchanges to `contacts`. `touched`: see
+    /// surroundings.h.
+    void tick(World& world, int substeps, std::vector<Contact>& contacts,
+              std::vector<std::uint8_t>& touched);
+
+  private:
+    /// A ball in the substep: at `position` at `time`, since then at `velocity`.
+    struct Path {
+        Vec2 position;
+        Vec2 velocity;
+        double time = 0.0;
+        std::uint32_t version = 0;  ///< counts its changes of path
+        std::uint16_t impacts = 0;
+        std::uint16_t resting_impacts = 0;
+        bool still = false;    ///< lies still until the substep ends
+        bool carried = false;  ///< rests on something that does not give way
+        Vec2 support;          ///< normal of the last two supports
+        Vec2 other_support;
+    };
+
+    struct Event {
+        double time = 0.0;
+        ContactKind kind = ContactKind::ball_ball;
+        std::uint32_t ball = 0;  ///< whose prediction this is
+        std::uint32_t other = 0;
+        std::uint32_t ball_version = 0;
+        std::uint32_t other_version = 0;
+        Vec2 normal;  ///< from other to ball
+    };
+
+    struct Hand {
+        std::uint32_t index = 0;
+        Vec2 start_velocity;
+        Vec2 end_velocity;
+        double stopped_at = -1.0;   ///< s in the substep; negative: moves
+        std::uint32_t version = 0;  ///< 1 once it has stopped
+    };
+
+    template <Terms terms>
+    void substep(World& world, double duration, double start_time, std::vector<Contact>& contacts,
+                 std::vector<std::uint8_t>& touched);
+    void begin_paths(World& world, double duration, double share_of_way);
+    void finish_paths(World& world);
+    template <Terms terms>
+    void predict(const World& world, std::uint32_t ball, double now, bool only_later);
+    template <Terms terms>
+    void predict_edge(const World& world, std::uint32_t ball, std::uint32_t capsule, Vec2 shift,
+                      double now, std::optional<Event>& best) const;
+    std::optional<Contact> collide_balls(World& world, const Event& event);
+    std::optional<Contact> collide_edge(World& world, const Event& event);
+    void take_path(const World& world, std::uint32_t ball, double now, Vec2 velocity);
+    void count_impact(std::uint32_t ball, bool resting);
+    void rest_on(std::uint32_t ball, Vec2 normal, const World& world);
+    Vec2 surface_velocity(const World& world, std::uint32_t capsule, Vec2 point, double now) const;
+    Vec2 position_at(std::uint32_t ball, double now) const;
+    Capsule shape_at(const World& world, std::uint32_t capsule, double now) const;
+    const Hand* hand_of(std::uint32_t capsule) const;
+    bool is_void(const Event& event) const;
+    bool is_held_ball(std::uint32_t ball) const { return inverse_mass_[ball] == 0.0; }
+    static bool is_earlier(const Event& a, const Event& b);
+    void push(const Event& event);
+
+    Flight flight_;
+    double duration_ = 0.0;
+    double resting_speed_ = 0.0;  ///< slower approaches do not bounce
+    Vec2 torus_;
+    std::vector<Path> paths_;
+    std::vector<double> inverse_mass_;
+    std::vector<Hand> hands_;
+    bool hand_stopped_ = false;  ///< in the last collision: every prediction must be made again
+    std::vector<Event> queue_;
+    SweptCells cells_;
+    CapsuleCells edges_;
+};
+
+}  // namespace carom
