@@ -25,7 +25,7 @@ enum class Renderer : std::uint8_t {
     braille       ///< eight dots a cell, one colour
 };
 
-enum class ColorBy : std::uint8_t { kind, speed, mass };
+enum class ColorBy : std::uint8_t { kind, speed, mass, ball };
 enum class BallStyle : std::uint8_t {
     filled,
     outline  ///< with a radius that shows where the ball heads
@@ -81,7 +81,8 @@ struct Marks {
 /// level.
 struct ViewMemory {
     Trails trails;
-    double fastest = 0.0;  ///< for ColorBy::speed: what counts as fast, length/s
+    double fastest = 0.0;    ///< speed of the fastest ball of late, length/s
+    std::uint64_t tick = 0;  ///< of the world, when it was drawn
 };
 
 /// Draws into camera.area, which is blanked first; nothing outside is touched. `world` may be ahead

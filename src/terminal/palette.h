@@ -52,6 +52,9 @@ Ink ink_of(Role role, const Look& look);
 /// For the kind (or any other class) of this number; neighbours in number differ most.
 Ink ink_of_class(std::size_t number, const Look& look);
 
+/// For edges of the material of this number: quieter than balls.
+Ink ink_of_material(std::size_t number, const Look& look);
+
 /// Along a scale: 0 is slow or light, 1 is fast or heavy. Outside: the nearer end.
 Ink ink_of_scale(double fraction, const Look& look);
 

@@ -1,0 +1,84 @@
+#include "terminal/draw.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "terminal/draw_parts.h"
+
+namespace carom {
+
+namespace {
+
+Sampling sampling_of(Renderer renderer) {
+    switch (renderer) {
+        case Renderer::half_blocks:
+            return Sampling::halves;
+        case Renderer::braille:
+            return Sampling::dots;
+        case Renderer::automatic:
+        case Renderer::ascii:
+            return Sampling::shapes;
+    }
+    return Sampling::shapes;
+}
+
+// What is fast: the fastest ball of late. It falls slowly, so that colours do not flicker.
+void remember_fastest(ViewMemory& memory, const World& world) {
+    double fastest = 0.0;
+    for (const Vec2 velocity : world.balls.velocity) {
+        fastest = std::max(fastest, length_squared(velocity));
+    }
+    const bool has_moved = memory.tick != world.tick;
+    memory.tick = world.tick;
+    memory.fastest = std::max(std::sqrt(fastest), memory.fastest * (has_moved ? 0.995 : 1.0));
+}
+
+void blank(Canvas& canvas, const CellArea& area) {
+    for (int row = area.row; row < area.row + area.rows; ++row) {
+        for (int column = area.column; column < area.column + area.columns; ++column) {
+            canvas.put(column, row, {});
+        }
+    }
+}
+
+}  // namespace
+
+Renderer renderer_in_force(const ViewOptions& options) {
+    if (!options.look.utf8) return Renderer::ascii;
+    if (options.renderer != Renderer::automatic) return options.renderer;
+    return options.look.has_colors() ? Renderer::half_blocks : Renderer::braille;
+}
+
+void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const World& world,
+                std::span<const Contact> contacts, const Marks& marks, const ViewOptions& options,
+                ViewMemory& memory) {
+    const CellArea& area = camera.area;
+    blank(canvas, area);
+    if (area.columns <= 0 || area.rows <= 0) return;
+
+    remember_fastest(memory, world);
+    const std::vector<Ink> inks = ball_inks(world, options, memory);
+    Raster raster(sampling_of(renderer_in_force(options)), area.columns, area.rows, camera.aspect);
+    const View view{camera, scene, world, options, marks, memory, inks};
+
+    paint_grid(raster, view);
+    if (options.trails) {
+        add_to_trails(memory.trails, camera, raster, world, inks);
+        paint_trails(raster, memory.trails);
+    } else {
+        memory.trails = {};
+    }
+    paint_zones(raster, view);
+    paint_edges(raster, view);
+    paint_balls(raster, view);
+    paint_velocities(raster, view);
+    paint_contacts(raster, view, contacts);
+    paint_marks(raster, view);
+    raster.show(canvas, area.column, area.row, options.look);
+
+    write_counters(canvas, view);
+    write_labels(canvas, view);
+    write_marks(canvas, view);
+}
+
+}  // namespace carom

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "terminal/draw.h"
+#include "terminal/raster.h"
+
+/// The layers of a picture of the world, in the order in which draw_world puts them together. For
+/// src/terminal/draw*.cpp alone.
+namespace carom {
+
+/// What all layers draw from.
+struct View {
+    const Camera& camera;
+    const Scene& scene;
+    const World& world;
+    const ViewOptions& options;
+    const Marks& marks;
+    const ViewMemory& memory;
+    std::span<const Ink> inks;  ///< of each ball, by index
+};
+
+/// A world point, in the raster's columns.
+RasterPoint to_raster(const Camera& camera, Vec2 point);
+
+/// How far from where it is a body is shown: no offset, and on a torus those that bring an image of
+/// `bounds` into it over a side.
+struct Images {
+    std::array<Vec2, 9> offsets{};
+    std::size_t count = 0;
+
+    const Vec2* begin() const { return offsets.data(); }
+    const Vec2* end() const { return offsets.data() + count; }
+};
+Images images_of(const Model& model, const Box& bounds);
+
+std::vector<Ink> ball_inks(const World& world, const ViewOptions& options,
+                           const ViewMemory& memory);
+
+// Onto the raster, from back to front.
+void paint_grid(Raster& raster, const View& view);
+void paint_zones(Raster& raster, const View& view);
+void paint_edges(Raster& raster, const View& view);
+void paint_balls(Raster& raster, const View& view);
+void paint_velocities(Raster& raster, const View& view);
+void paint_contacts(Raster& raster, const View& view, std::span<const Contact> contacts);
+void paint_marks(Raster& raster, const View& view);
+
+// Onto the canvas, over all shapes.
+void write_counters(Canvas& canvas, const View& view);
+void write_labels(Canvas& canvas, const View& view);
+void write_marks(Canvas& canvas, const View& view);
+
+}  // namespace carom

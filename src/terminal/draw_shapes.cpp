@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "terminal/draw_parts.h"
+
+/// Balls, edges and zones.
+namespace carom {
+
+namespace {
+
+// How a filled ball is told from an edge, and from a ball of another kind, without colour: by the
+// character of its inside, or by how many of its dots are lit. Edges are solid.
+struct Texture {
+    char fill;
+    std::uint8_t tone;
+};
+constexpr std::array<Texture, 6> textures = {
+    {{':', 170}, {'o', 0}, {'+', 140}, {' ', 200}, {'x', 120}, {'.', 185}}};
+
+// The inside of a ball on half blocks with colours: a little darker than its rim.
+constexpr std::uint8_t shaded = 180;
+
+double rim_of(const Raster& raster) {
+    return 2.0 * raster.hairline();
+}
+
+Brush ball_brush(const Raster& raster, const View& view, std::size_t ball, double radius) {
+    const Ink ink = view.inks[ball];
+    const bool is_solid = radius < rim_of(raster) + 0.6;
+    if (is_solid) return {ink, 255, '\0'};
+    if (view.options.ball_style == BallStyle::outline) return {ink, 0, ' '};
+    const Texture& texture = textures[view.world.balls.kind[ball] % textures.size()];
+    switch (raster.sampling()) {
+        case Sampling::shapes:
+            return {ink, 0, texture.fill};
+        case Sampling::halves:
+            return {ink, view.options.look.has_colors() ? shaded : texture.tone, '\0'};
+        case Sampling::dots:
+            return {ink, texture.tone, '\0'};
+    }
+    return {ink};
+}
+
+// A radius from the middle to where the ball heads, as far as its speed says anything.
+void paint_heading(Raster& raster, RasterPoint center, double radius, Vec2 velocity,
+                   const Ink& ink) {
+    const double speed = length(velocity);
+    if (!(speed > 0.0) || !std::isfinite(speed)) return;
+    const Vec2 way = velocity / speed * radius;
+    raster.line(center, {center.x + way.x, center.y - way.y}, ink);
+}
+
+void paint_ball(Raster& raster, const View& view, std::size_t ball, RasterPoint center) {
+    const double radius = view.world.balls.radius[ball] * view.camera.columns_per_length;
+    const Brush brush = ball_brush(raster, view, ball, radius);
+    raster.disc(center, radius, brush.tone == 255 ? 0.0 : rim_of(raster), brush);
+    if (view.options.ball_style == BallStyle::outline && brush.tone != 255) {
+        paint_heading(raster, center, radius, view.world.balls.velocity[ball], brush.ink);
+    }
+}
+
+}  // namespace
+
+RasterPoint to_raster(const Camera& camera, Vec2 point) {
+    const CellPoint place = to_cells(camera, point);
+    return {place.column - camera.area.column, (place.row - camera.area.row) * camera.aspect};
+}
+
+Images images_of(const Model& model, const Box& bounds) {
+    Images images;
+    images.count = 1;  // where it is
+    if (!model.wrap) return images;
+    const Box& torus = *model.wrap;
+    const Vec2 period = size(torus);
+    for (const int across : {0, -1, 1}) {
+        for (const int up : {0, -1, 1}) {
+            const Vec2 offset{across * period.x, up * period.y};
+            const bool reaches_in =
+                bounds.low.x + offset.x < torus.high.x && bounds.high.x + offset.x > torus.low.x &&
+                bounds.low.y + offset.y < torus.high.y && bounds.high.y + offset.y > torus.low.y;
+            const bool is_itself = across == 0 && up == 0;
+            if (reaches_in && !is_itself) images.offsets[images.count++] = offset;
+        }
+    }
+    return images;
+}
+
+std::vector<Ink> ball_inks(const World& world, const ViewOptions& options,
+                           const ViewMemory& memory) {
+    const Balls& balls = world.balls;
+    std::vector<Ink> inks(balls.size());
+    const auto each = [&](auto ink_of_ball) {
+        for (std::size_t i = 0; i < balls.size(); ++i)
+            inks[i] = ink_of_ball(i);
+    };
+    switch (options.color_by) {
+        case ColorBy::kind:
+            each([&](std::size_t i) { return ink_of_class(balls.kind[i], options.look); });
+            break;
+        case ColorBy::ball:
+            each([&](std::size_t i) { return ink_of_class(number(balls.id[i]), options.look); });
+            break;
+        case ColorBy::speed: {
+            const double scale = memory.fastest > 0.0 ? 1.0 / memory.fastest : 0.0;
+            each([&](std::size_t i) {
+                return ink_of_scale(length(balls.velocity[i]) * scale, options.look);
+            });
+            break;
+        }
+        case ColorBy::mass: {
+            if (balls.size() == 0) break;
+            // By ratio: masses may span many powers of ten.
+            const auto [least, most] =
+                std::minmax_element(balls.inverse_mass.begin(), balls.inverse_mass.end());
+            const double heaviest = *least;
+            const double range = std::log(*most / heaviest);
+            each([&](std::size_t i) {
+                const double lightness = std::log(balls.inverse_mass[i] / heaviest);
+                return ink_of_scale(range > 0.0 ? 1.0 - lightness / range : 0.5, options.look);
+            });
+            break;
+        }
+    }
+    return inks;
+}
+
+void paint_zones(Raster& raster, const View& view) {
+    const Ink ink = ink_of(Role::zone, view.options.look);
+    const double rim = 2.0 * raster.hairline();
+    for (const Zone& zone : view.world.zones) {
+        // A census lies between walls that show it; where balls vanish must be seen.
+        if (zone.effect != Zone::Effect::sink) continue;
+        const RasterPoint start = to_raster(view.camera, zone.shape.start);
+        const RasterPoint end = to_raster(view.camera, zone.shape.end);
+        const double radius = zone.shape.radius * view.camera.columns_per_length;
+        raster.capsule(start, end, radius, {ink, 120, '\0'});
+        if (radius > 2.0 * rim) raster.capsule(start, end, radius - rim, {ink, 0, '\0'});
+    }
+}
+
+void paint_edges(Raster& raster, const View& view) {
+    const Capsules& edges = view.world.capsules;
+    const Box visible = visible_box(view.camera);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const Capsule& shape = edges.shape[i];
+        const bool is_selected = view.marks.selected_capsule == edges.id[i];
+        const Ink ink = is_selected ? ink_of(Role::selected, view.options.look)
+                                    : ink_of_material(edges.material[i], view.options.look);
+        const double radius = shape.radius * view.camera.columns_per_length;
+        const double hair = raster.hairline() / view.camera.columns_per_length;
+        for (const Vec2 offset : images_of(view.world.model, bounds(shape))) {
+            const Capsule image{shape.start + offset, shape.end + offset, shape.radius};
+            if (!overlaps(grow(bounds(image), hair), visible)) continue;
+            raster.capsule(to_raster(view.camera, image.start), to_raster(view.camera, image.end),
+                           radius, {ink, 255, '#'});
+        }
+    }
+}
+
+void paint_balls(Raster& raster, const View& view) {
+    const Balls& balls = view.world.balls;
+    const Box visible = visible_box(view.camera);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const Box box = bounds(Disc{balls.position[i], balls.radius[i]});
+        for (const Vec2 offset : images_of(view.world.model, box)) {
+            if (!overlaps({box.low + offset, box.high + offset}, visible)) continue;
+            paint_ball(raster, view, i, to_raster(view.camera, balls.position[i] + offset));
+        }
+    }
+}
+
+}  // namespace carom
