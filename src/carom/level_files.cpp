@@ -94,20 +94,19 @@ FoundLevel find_level(const std::string& argument) {
         return {.path = std::nullopt,
                 .error = fmt::format("'{}' is a folder, not a level", argument)};
     }
-    std::vector<std::string> names;
-    if (const std::optional<std::string> folder = shipped_levels_folder()) {
-        for (LevelEntry& level : levels_in(*folder)) {
-            if (argument == level.name || argument == level.name + std::string(extension)) {
-                return {.path = std::move(level.path), .error = {}};
-            }
-            names.push_back(std::move(level.name));
+    const std::optional<std::string> folder = shipped_levels_folder();
+    const std::vector<LevelEntry> shipped = folder ? levels_in(*folder) : std::vector<LevelEntry>();
+    std::vector<std::string_view> names;
+    for (const LevelEntry& level : shipped) {
+        if (argument == level.name || argument == level.name + std::string(extension)) {
+            return {.path = level.path, .error = {}};
         }
+        names.push_back(level.name);
     }
-    const std::string meant = did_you_mean(argument, names);
     return {.path = std::nullopt,
             .error = fmt::format("there is no level '{}': no such file, and none of that name "
                                  "ships with carom (see `carom list`){}",
-                                 argument, meant)};
+                                 argument, suggestion(argument, names))};
 }
 
 IncludeResolver include_resolver() {

@@ -1,0 +1,43 @@
+#include <csignal>
+#include <exception>
+#include <new>
+#include <variant>
+
+#include "carom/check.h"
+#include "carom/options.h"
+#include "carom/play.h"
+#include "carom/print.h"
+#include "carom/run.h"
+
+namespace carom {
+namespace {
+
+int answer(const Answer& given) {
+    if (given.exit_code == 0) return print_out(given.text) ? 0 : 2;
+    print_note(given.text);
+    return given.exit_code;
+}
+
+struct Perform {
+    int operator()(const PlayOptions& options) const { return play(options); }
+    int operator()(const RunOptions& options) const { return run(options); }
+    int operator()(const CheckOptions& options) const { return check(options); }
+    int operator()(const ListOptions& options) const { return list(options); }
+    int operator()(const Answer& given) const { return answer(given); }
+};
+
+}  // namespace
+}  // namespace carom
+
+int main(int count, char** arguments) {
+    // A reader who closes a pipe is told of by the write that fails.
+    std::signal(SIGPIPE, SIG_IGN);
+    try {
+        return std::visit(carom::Perform{}, carom::parse_options(count, arguments));
+    } catch (const std::bad_alloc&) {
+        carom::print_error("out of memory");
+    } catch (const std::exception& fault) {
+        carom::print_error(fault.what());
+    }
+    return 3;
+}

@@ -1,0 +1,227 @@
+#include "carom/options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <array>
+
+#include "carom/option_values.h"
+#include "carom/suggest.h"
+
+namespace carom {
+namespace {
+
+// What was typed, before it is understood.
+struct Typed {
+    std::string level;
+    std::vector<std::string> levels;
+    std::string solver, rate, seed;
+    std::vector<std::string> overrides;
+    std::string time, ticks, report, events, trace;
+    std::string renderer, colors, fps, rewind;
+    bool explain = false, no_mouse = false, low_bandwidth = false, watch = false, paused = false,
+         resume = false;
+};
+
+void add_set(CLI::App& command, Typed& typed) {
+    command
+        .add_option("--set", typed.overrides,
+                    "A level statement that overrides the file's, as in 'use gravity 0,-1.6'; "
+                    "may stand several times")
+        ->type_name("STATEMENT")
+        ->expected(1)
+        ->take_all();
+}
+
+void add_simulation_options(CLI::App& command, Typed& typed) {
+    command.add_option("--solver", typed.solver, "discrete, substep, swept, or auto (the default)")
+        ->type_name("NAME");
+    command.add_option("--rate", typed.rate, "Ticks a second")->type_name("HZ");
+    command.add_option("--seed", typed.seed, "Starts the level's random stream")->type_name("N");
+    add_set(command, typed);
+}
+
+void add_play(CLI::App& app, Typed& typed) {
+    CLI::App& play = *app.add_subcommand("play", "Play a level in the terminal");
+    play.add_option("LEVEL", typed.level,
+                    "A file, or the name of a level that ships; absent: the menu")
+        ->type_name("");
+    add_simulation_options(play, typed);
+    play.add_option("--renderer", typed.renderer, "ascii, half, braille, or auto (the default)")
+        ->type_name("NAME");
+    play.add_option("--colors", typed.colors, "mono, 8, 16, 256, or auto (the default)")
+        ->type_name("N");
+    play.add_option("--fps", typed.fps, "Frames a second")->type_name("N");
+    play.add_flag("--no-mouse", typed.no_mouse, "Leave the mouse to the terminal");
+    play.add_flag("--low-bandwidth", typed.low_bandwidth,
+                  "15 frames a second, ASCII and no trails, for slow links");
+    play.add_flag("--watch", typed.watch, "Load the level again whenever its file is saved");
+    play.add_flag("--paused", typed.paused, "Start paused");
+    play.add_flag("--resume", typed.resume, "Take up the session that was cut off");
+    play.add_option("--rewind", typed.rewind, "Most memory for stepping back, in MiB")
+        ->type_name("MIB");
+}
+
+void add_run(CLI::App& app, Typed& typed) {
+    CLI::App& run = *app.add_subcommand("run", "Simulate a level without a screen");
+    run.add_option("LEVEL", typed.level, "A file, or the name of a level that ships")
+        ->type_name("")
+        ->required();
+    run.add_option("--time", typed.time,
+                   "Simulated seconds, rounded to whole ticks; 10 where neither is given")
+        ->type_name("S");
+    run.add_option("--ticks", typed.ticks, "Ticks to simulate")->type_name("N");
+    add_simulation_options(run, typed);
+    run.add_option("--report", typed.report, "What came of it, as one JSON object")
+        ->type_name("FILE");
+    run.add_option("--events", typed.events, "Every contact, one JSON object a line")
+        ->type_name("FILE");
+    run.add_option("--trace", typed.trace, "Every ball at every tick, as CSV")->type_name("FILE");
+    run.add_flag("--explain", typed.explain,
+                 "Say which physics is in force, and which solver runs and why");
+    run.footer("FILE may be -, standard output, for one of the three.");
+}
+
+void add_check_and_list(CLI::App& app, Typed& typed) {
+    CLI::App& check =
+        *app.add_subcommand("check", "Say all that is wrong with levels: exit code 0 or 2");
+    check.add_option("LEVEL", typed.levels, "Files, or names of levels that ship")
+        ->type_name("")
+        ->required();
+    add_set(check, typed);
+    app.add_subcommand("list", "List the levels that ship");
+}
+
+Answer mistake(const CLI::App* command, std::string_view what) {
+    const std::string call =
+        command->get_parent() == nullptr ? "carom" : "carom " + command->get_name();
+    return {.text = fmt::format("carom: error: {}\n       `{} --help` lists what there is\n", what,
+                                call),
+            .exit_code = 2};
+}
+
+// What CLI11 could make nothing of.
+Answer unknown_option(const CLI::App* command, std::string_view spelling) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command->get_options()) {
+        for (const std::string& name : option->get_lnames())
+            names.push_back("--" + name);
+    }
+    return mistake(command, fmt::format("there is no option '{}'{}", spelling,
+                                        suggestion(spelling, {names.begin(), names.end()})));
+}
+
+Answer unknown_command(const CLI::App* app, std::string_view spelling) {
+    const std::string meant = suggestion(spelling, {"play", "run", "check", "list"});
+    const std::string what = fmt::format("there is no command '{}'", spelling);
+    if (!meant.empty()) return mistake(app, what + meant);
+    return mistake(app, fmt::format("{}; to play a level, write `carom play {}`", what, spelling));
+}
+
+Answer unknown_argument(const CLI::App* command, const std::string& argument) {
+    const std::string_view spelling = std::string_view(argument).substr(0, argument.find('='));
+    if (spelling.starts_with("-")) return unknown_option(command, spelling);
+    if (command->get_parent() == nullptr) return unknown_command(command, spelling);
+    return mistake(command, fmt::format("'{}' is one argument too many", spelling));
+}
+
+const CLI::App* chosen(const CLI::App& app) {
+    const std::vector<CLI::App*> commands = app.get_subcommands();
+    return commands.empty() ? &app : commands.front();
+}
+
+RunOptions run_options(const Typed& typed, OptionReader& read) {
+    if (!typed.time.empty() && !typed.ticks.empty()) {
+        read.refuse("--time and --ticks cannot stand together");
+    }
+    return {.level = typed.level,
+            .solver = read.solver(typed.solver),
+            .rate = read.rate(typed.rate),
+            .seed = read.whole("--seed", typed.seed),
+            .overrides = typed.overrides,
+            .time = read.number("--time", typed.time, {.least = 0, .most = 1e9}),
+            .ticks = read.whole("--ticks", typed.ticks),
+            .report = typed.report,
+            .events = typed.events,
+            .trace = typed.trace,
+            .explain = typed.explain};
+}
+
+PlayOptions play_options(const Typed& typed, OptionReader& read) {
+    PlayOptions options{.level = typed.level,
+                        .solver = read.solver(typed.solver),
+                        .rate = read.rate(typed.rate),
+                        .seed = read.whole("--seed", typed.seed),
+                        .overrides = typed.overrides,
+                        .renderer = read.renderer(typed.renderer),
+                        .colors = read.colors(typed.colors),
+                        .fps = read.number("--fps", typed.fps, {.least = 1, .most = 1000}),
+                        .mouse = typed.no_mouse ? std::optional(false) : std::nullopt,
+                        .low_bandwidth = typed.low_bandwidth,
+                        .watch = typed.watch,
+                        .paused = typed.paused,
+                        .resume = typed.resume};
+    if (const auto mebibytes = read.number("--rewind", typed.rewind, {.least = 0, .most = 65536})) {
+        options.rewind_bytes = static_cast<std::size_t>(*mebibytes * 1048576.0);
+    }
+    return options;
+}
+
+Request understood(const CLI::App* command, const Typed& typed) {
+    OptionReader read;
+    Request request;
+    const std::string name = command->get_parent() == nullptr ? "" : command->get_name();
+    if (name == "run") {
+        request = run_options(typed, read);
+    } else if (name == "check") {
+        request = CheckOptions{.levels = typed.levels, .overrides = typed.overrides};
+    } else if (name == "list") {
+        request = ListOptions{};
+    } else {
+        request = play_options(typed, read);
+    }
+    if (read.mistake()) return mistake(command, *read.mistake());
+    return request;
+}
+
+}  // namespace
+
+Request parse_options(int count, const char* const* arguments) {
+    CLI::App app(
+        "carom: balls and edges in a terminal, on physics that can be trusted.\n"
+        "Without a command it opens the menu.",
+        "carom");
+    app.set_version_flag("--version", "carom " CAROM_VERSION);
+    app.footer(
+        "`carom COMMAND --help` lists a command's options. The manual: man carom, and docs/.");
+    Typed typed;
+    add_play(app, typed);
+    add_run(app, typed);
+    add_check_and_list(app, typed);
+    app.require_subcommand(0, 1);
+    app.allow_extras();
+    for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        command->allow_extras();
+    }
+    try {
+        app.parse(count, arguments);
+    } catch (const CLI::CallForVersion&) {
+        return Answer{.text = app.version() + "\n"};
+    } catch (const CLI::CallForHelp&) {
+        return Answer{.text = chosen(app)->help()};
+    } catch (const CLI::ParseError& error) {
+        for (const std::string& extra : chosen(app)->remaining()) {
+            return unknown_argument(chosen(app), extra);
+        }
+        return mistake(chosen(app), error.what());
+    }
+    const CLI::App* command = chosen(app);
+    const std::vector<std::string> unknown = app.remaining(true);
+    if (!unknown.empty()) return unknown_argument(command, unknown.front());
+    return understood(command, typed);
+}
+
+}  // namespace carom

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "carom/play.h"
+#include "physics/solver.h"
+
+/// The command line, understood.
+namespace carom {
+
+/// `carom run LEVEL`. Paths: "-" is standard output, empty is none.
+struct RunOptions {
+    std::string level;
+    std::optional<SolverSettings> solver;  ///< none: the level's, else carom picks
+    std::optional<double> rate;            ///< ticks a second
+    std::optional<std::uint64_t> seed;
+    std::vector<std::string> overrides;  ///< level statements, from --set
+
+    std::optional<double> time;  ///< s; none, and no `ticks` either: 10
+    std::optional<std::uint64_t> ticks;
+    std::string report;
+    std::string events;
+    std::string trace;
+    bool explain = false;
+};
+
+/// `carom check LEVEL...`
+struct CheckOptions {
+    std::vector<std::string> levels;
+    std::vector<std::string> overrides;
+};
+
+/// `carom list`
+struct ListOptions {};
+
+/// The command line itself is answered: by help, the version, or what is wrong with it.
+struct Answer {
+    std::string text;
+    int exit_code = 0;  ///< 0: the text is for standard output; 2: for standard error
+};
+
+using Request = std::variant<PlayOptions, RunOptions, CheckOptions, ListOptions, Answer>;
+
+/// Never throws or exits: a mistake is an Answer with exit code 2.
+Request parse_options(int count, const char* const* arguments);
+
+}  // namespace carom

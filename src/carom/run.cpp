@@ -1,0 +1,177 @@
+#include "carom/run.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "carom/files.h"
+#include "carom/interrupt.h"
+#include "carom/level_files.h"
+#include "carom/option_values.h"
+#include "carom/print.h"
+#include "carom/progress.h"
+#include "lab/report.h"
+#include "lab/streams.h"
+
+namespace carom {
+namespace {
+
+constexpr double default_seconds = 10.0;
+
+std::uint64_t ticks_to_run(const RunOptions& options, double rate) {
+    if (options.ticks) return *options.ticks;
+    return static_cast<std::uint64_t>(std::round(options.time.value_or(default_seconds) * rate));
+}
+
+// Where a run writes. Standard output can be only one of them.
+class Outputs {
+  public:
+    explicit Outputs(const RunOptions& options) {
+        open(report_, options.report);
+        open(events_, options.events);
+        open(trace_, options.trace);
+        if (trace_) trace_->write(trace_header());
+    }
+
+    bool any() const { return report_ || events_ || trace_; }
+    bool has_report() const { return report_.has_value(); }
+
+    void write_start(const World& world) {
+        if (trace_) trace_->write(trace_rows(world));
+    }
+    void write_tick(const World& world, const Solver& solver) {
+        if (events_) events_->write(event_lines(solver.contacts(), world.tick));
+        if (trace_) trace_->write(trace_rows(world));
+    }
+    void write_report(std::string_view json) {
+        if (report_) report_->write(json);
+    }
+    void commit() {
+        for (std::optional<OutputFile>* file : all()) {
+            if (*file) (*file)->commit();
+        }
+    }
+
+    /// Nobody reads on: every output is a pipe that its reader has closed.
+    bool is_pointless() {
+        bool pointless = any();
+        for (const std::optional<OutputFile>* file : all()) {
+            if (*file && !((*file)->is_closed() && (*file)->error().empty())) pointless = false;
+        }
+        return pointless;
+    }
+    std::string error() {
+        for (const std::optional<OutputFile>* file : all()) {
+            if (*file && !(*file)->error().empty()) return (*file)->error();
+        }
+        return {};
+    }
+
+  private:
+    static void open(std::optional<OutputFile>& file, const std::string& path) {
+        if (!path.empty()) file.emplace(path);
+    }
+    std::array<std::optional<OutputFile>*, 3> all() { return {&report_, &events_, &trace_}; }
+
+    std::optional<OutputFile> report_;
+    std::optional<OutputFile> events_;
+    std::optional<OutputFile> trace_;
+};
+
+bool to_standard_output(const RunOptions& options) {
+    return options.report == "-" || options.events == "-" || options.trace == "-";
+}
+
+// Two outputs under one name would overwrite each other.
+std::optional<std::string> clash(const RunOptions& options) {
+    const std::array<const std::string*, 3> paths{&options.report, &options.events, &options.trace};
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (paths[i]->empty() || *paths[i] != *paths[j]) continue;
+            return fmt::format("two outputs cannot both go to {}",
+                               *paths[i] == "-" ? "standard output" : "'" + *paths[i] + "'");
+        }
+    }
+    return std::nullopt;
+}
+
+// Runs until the end, a signal, an output that fails, or readers that have gone. Returns what the
+// solver took, in seconds.
+double simulate(World& world, RunRecord& record, Solver& solver, Outputs& outputs,
+                std::uint64_t ticks) {
+    using Clock = std::chrono::steady_clock;
+    Clock::duration cost{};
+    Progress progress(ticks);
+    while (world.tick < ticks && InterruptGuard::signal() == 0) {
+        const Clock::time_point before = Clock::now();
+        solver.tick(world);
+        cost += Clock::now() - before;
+        note_tick(record, world);
+        outputs.write_tick(world, solver);
+        if (!outputs.error().empty() || outputs.is_pointless()) break;
+        progress.update(world.tick);
+    }
+    return std::chrono::duration<double>(cost).count();
+}
+
+int run_scene(const RunOptions& options, const Scene& scene) {
+    const SolverSettings settings = solver_for(scene);
+    if (const std::optional<std::string> why = unavailable(settings.kind)) {
+        print_error(*why);
+        return 2;
+    }
+    Outputs outputs(options);
+    if (!outputs.error().empty()) {
+        print_error(outputs.error());
+        return 2;
+    }
+    if (options.explain) {
+        if (to_standard_output(options)) {
+            print_note(explanation(scene));
+        } else if (!print_out(explanation(scene))) {
+            return 2;
+        }
+    }
+
+    const InterruptGuard guard;
+    World world = scene.world;
+    Solver solver(settings);
+    RunRecord record = begin_record(scene, settings);
+    outputs.write_start(world);
+    const double seconds =
+        simulate(world, record, solver, outputs, ticks_to_run(options, world.rate));
+    outputs.write_report(report_json(options.level, scene, world, record, seconds));
+    outputs.commit();
+    if (!outputs.error().empty()) {
+        print_error(outputs.error());
+        return 2;
+    }
+    if (!outputs.any() && !options.explain && !print_out(summary(scene, world, record, seconds))) {
+        return 2;
+    }
+    return 0;
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+    if (const std::optional<std::string> why = clash(options)) {
+        print_error(*why);
+        return 2;
+    }
+    const LoadedLevel level = load_level_file(options.level, {.overrides = options.overrides,
+                                                              .seed = options.seed,
+                                                              .rate = options.rate,
+                                                              .solver = options.solver});
+    if (!level.error.empty()) print_error(level.error);
+    print_diagnostics(level.result.diagnostics);
+    if (!level.result.scene) return 2;
+    const int code = run_scene(options, *level.result.scene);
+    if (const int signal = InterruptGuard::signal()) die_of(signal);
+    return code;
+}
+
+}  // namespace carom

@@ -1,0 +1,210 @@
+#include "lab/report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+#include "lab/json.h"
+#include "physics/fingerprint.h"
+
+namespace carom {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+std::string_view name_at(const std::vector<std::string>& names, std::size_t index) {
+    return index < names.size() ? std::string_view(names[index]) : std::string_view();
+}
+
+// The mass as the level gave it: 1/(1/m) is m only up to rounding.
+double mass_of(const World& world, std::size_t ball) {
+    const double inverse = world.balls.inverse_mass[ball];
+    const double of_kind = world.kinds[world.balls.kind[ball]].mass;
+    return 1.0 / of_kind == inverse ? of_kind : 1.0 / inverse;
+}
+
+void write_settings(JsonWriter& json, const SolverSettings& solver) {
+    json.key("settings");
+    json.begin_object(Layout::one_line);
+    if (solver.kind == SolverKind::substep) {
+        json.field("updates", static_cast<std::uint64_t>(solver.updates));
+        json.field("steps", static_cast<std::uint64_t>(solver.steps));
+    }
+    if (solver.kind == SolverKind::swept) {
+        json.field("substeps", static_cast<std::uint64_t>(solver.substeps));
+    }
+    json.end_object();
+}
+
+void write_balls(JsonWriter& json, const Scene& scene, const World& world) {
+    const Balls& balls = world.balls;
+    json.key("balls");
+    json.begin_list(Layout::lines);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        json.begin_object(Layout::one_line);
+        json.field("id", std::uint64_t{number(balls.id[i])});
+        json.field("name", name_at(scene.ball_names, number(balls.id[i])));
+        json.field("kind", name_at(scene.kind_names, balls.kind[i]));
+        json.field("x", balls.position[i].x);
+        json.field("y", balls.position[i].y);
+        json.field("vx", balls.velocity[i].x);
+        json.field("vy", balls.velocity[i].y);
+        json.field("w", 0.0);
+        json.field("radius", balls.radius[i]);
+        json.field("mass", mass_of(world, i));
+        json.end_object();
+    }
+    json.end_list();
+}
+
+void write_removed(JsonWriter& json, const Scene& scene, const World& world) {
+    json.key("removed");
+    json.begin_list(Layout::lines);
+    for (const Removal& removal : world.removed) {
+        json.begin_object(Layout::one_line);
+        json.field("id", std::uint64_t{number(removal.id)});
+        json.field("name", name_at(scene.ball_names, number(removal.id)));
+        json.field("by", removal.zone < 0
+                             ? std::string_view("player")
+                             : name_at(scene.zone_names, static_cast<std::size_t>(removal.zone)));
+        json.field("tick", removal.tick);
+        json.end_object();
+    }
+    json.end_list();
+}
+
+void write_totals(JsonWriter& json, std::string_view key, const Totals& sums) {
+    json.key(key);
+    json.begin_object(Layout::one_line);
+    json.field("kinetic_energy", sums.kinetic_energy);
+    json.field("potential_energy", sums.potential_energy);
+    json.key("momentum");
+    json.begin_list(Layout::one_line);
+    json.value(sums.momentum.x);
+    json.value(sums.momentum.y);
+    json.end_list();
+    json.field("angular_momentum", sums.angular_momentum);
+    json.end_object();
+}
+
+// One member a name, in the order of the counters: a number, or a list where several share it.
+void write_counters(JsonWriter& json, const Scene& scene, const World& world) {
+    const std::vector<std::uint64_t> counts = census(world);
+    std::vector<bool> is_written(counts.size(), false);
+    json.key("counters");
+    json.begin_object(Layout::lines);
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (is_written[i]) continue;
+        const std::string_view name = name_at(scene.counter_names, i);
+        std::vector<std::uint64_t> same;
+        for (std::size_t j = i; j < counts.size(); ++j) {
+            if (name_at(scene.counter_names, j) != name) continue;
+            same.push_back(counts[j]);
+            is_written[j] = true;
+        }
+        if (same.size() == 1) {
+            json.field(name, same.front());
+            continue;
+        }
+        json.key(name);
+        json.begin_list(Layout::one_line);
+        for (const std::uint64_t count : same)
+            json.value(count);
+        json.end_list();
+    }
+    json.end_object();
+}
+
+void write_cost(JsonWriter& json, const RunRecord& record, double seconds) {
+    const double ball_ticks = static_cast<double>(record.ball_ticks);
+    json.key("cost");
+    json.begin_object(Layout::one_line);
+    json.field("seconds", seconds);
+    json.field("ns_per_ball_tick", ball_ticks > 0.0 ? seconds * 1e9 / ball_ticks : 0.0);
+    json.end_object();
+}
+
+double energy(const Totals& sums) {
+    return sums.kinetic_energy + sums.potential_energy;
+}
+
+// "substep updates=4 steps=15", as the level would write it.
+std::string written(const SolverSettings& solver) {
+    switch (solver.kind) {
+        case SolverKind::substep:
+            return fmt::format("substep updates={} steps={}", solver.updates, solver.steps);
+        case SolverKind::swept:
+            return fmt::format("swept substeps={}", solver.substeps);
+        default:
+            return std::string(name(solver.kind));
+    }
+}
+
+}  // namespace
+
+std::string report_json(std::string_view level, const Scene& scene, const World& world,
+                        const RunRecord& record, double seconds) {
+    JsonWriter json;
+    json.begin_object(Layout::lines);
+    json.field("level", level);
+    json.field("solver", name(record.solver.kind));
+    write_settings(json, record.solver);
+    json.field("rate", world.rate);
+    json.field("seed", world.seed);
+    json.field("ticks", world.tick);
+    json.field("time", world.time());
+    json.key("model");
+    json.begin_list(Layout::one_line);
+    for (const std::string& term : terms_in_force(world.model)) {
+        json.value(std::string_view(term));
+    }
+    json.end_list();
+    write_balls(json, scene, world);
+    write_removed(json, scene, world);
+    write_totals(json, "totals_start", record.totals_start);
+    write_totals(json, "totals", totals(world));
+    json.key("collisions");
+    json.begin_object(Layout::one_line);
+    json.field("ball_ball", world.ball_ball_collisions);
+    json.field("ball_edge", world.ball_edge_collisions);
+    json.end_object();
+    json.field("max_overlap", record.max_overlap);
+    json.field("escaped", std::uint64_t{record.escape.escaped(world)});
+    write_counters(json, scene, world);
+    write_cost(json, record, seconds);
+    json.field("fingerprint", std::string_view(hexadecimal(fingerprint(world))));
+    json.end_object();
+    return std::move(json).text();
+}
+
+std::string summary(const Scene& scene, const World& world, const RunRecord& record,
+                    double seconds) {
+    const double start = energy(record.totals_start);
+    const double end = energy(totals(world));
+    return fmt::format(
+        "{}\n"
+        "{} s simulated in {} ticks by {}, in {:.3g} s\n"
+        "balls       {} now, {} removed\n"
+        "collisions  {} of balls, {} with edges\n"
+        "energy      {:.6g} at the start, {:.6g} now\n"
+        "overlap     {:.3g} at most\n"
+        "fingerprint {}\n",
+        scene.title.empty() ? scene.file : scene.title, world.time(), world.tick,
+        written(record.solver), seconds, world.balls.size(), world.removed.size(),
+        world.ball_ball_collisions, world.ball_edge_collisions, start, end, record.max_overlap,
+        hexadecimal(fingerprint(world)));
+}
+
+std::string explanation(const Scene& scene) {
+    std::string text = "model   ";
+    const std::vector<std::string> terms = terms_in_force(scene.world.model);
+    text += terms.empty() ? "elastic, frictionless, weightless discs"
+                          : fmt::format("{}", fmt::join(terms, "\n        "));
+    const SolverPick pick = pick_solver(scene.world);
+    const SolverSettings solver = scene.solver ? *scene.solver : pick.settings;
+    return text + fmt::format("\nsolver  {}: {}\nrate    {} ticks a second\n", written(solver),
+                              scene.solver ? "asked for" : pick.reason, scene.world.rate);
+}
+
+}  // namespace carom

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lab/run_record.h"
+#include "level/scene.h"
+
+/// What came of a run, for programs and for people.
+namespace carom {
+
+/// The report of `carom run`, one JSON object (docs/command-line.md lists its keys). All of it but
+/// `cost` depends on the level, the seed, the solver and the number of ticks alone. `level` is the
+/// level's name as it was asked for, `seconds` what the solver took by the clock.
+std::string report_json(std::string_view level, const Scene& scene, const World& world,
+                        const RunRecord& record, double seconds);
+
+/// The same in a few lines to read.
+std::string summary(const Scene& scene, const World& world, const RunRecord& record,
+                    double seconds);
+
+/// What `--explain` prints: the terms of the model in force, and the solver with the reason why.
+std::string explanation(const Scene& scene);
+
+}  // namespace carom
