@@ -43,44 +43,50 @@ void History::keep(const World& world, const SolverSettings& solver) {
     if (bytes_ > limit_) thin(world.tick);
 }
 
-// A snapshot stays when its distance from the last that stayed, `sharpness` times over, reaches its
-// distance from the present. The sharpness is lowered until a quarter of the room is free, so that
+// Walks away from the present on both sides. A snapshot goes when the gap that it leaves, between
+// the last that stayed and the next to come, is no more than the next one's distance from the
+// present over the sharpness. The sharpness is lowered until a quarter of the room is free, so that
 // thinning is rare.
 void History::thin(std::uint64_t present) {
+    const auto count = static_cast<std::ptrdiff_t>(snapshots_.size());
     const auto middle =
         std::ranges::upper_bound(snapshots_, present, {}, tick_of) - snapshots_.begin();
+    const auto at = [&](std::ptrdiff_t i) -> const Kept& {
+        return snapshots_[static_cast<std::size_t>(i)];
+    };
     std::vector<char> stays(snapshots_.size());
     const auto walk = [&](std::ptrdiff_t from, std::ptrdiff_t end, std::ptrdiff_t step,
                           double sharpness) {
         std::size_t bytes = 0;
         std::uint64_t last = present;
         for (std::ptrdiff_t i = from; i != end; i += step) {
-            const Kept& kept = snapshots_[static_cast<std::size_t>(i)];
-            const std::uint64_t tick = tick_of(kept);
-            const bool near_enough = static_cast<double>(apart(tick, last)) * sharpness >=
-                                     static_cast<double>(apart(tick, present));
-            stays[static_cast<std::size_t>(i)] = near_enough;
-            if (!near_enough) continue;
-            bytes += kept.bytes;
+            const std::uint64_t tick = tick_of(at(i));
+            const std::uint64_t beyond = step < 0 ? 0 : tick;
+            const std::uint64_t next = i + step == end ? beyond : tick_of(at(i + step));
+            const bool goes =
+                tick != present && static_cast<double>(apart(last, next)) * sharpness <=
+                                       static_cast<double>(apart(present, next));
+            stays[static_cast<std::size_t>(i)] = !goes;
+            if (goes) continue;
+            bytes += at(i).bytes;
             last = tick;
         }
         return bytes;
     };
     const std::size_t enough = limit_ / 4 * 3;
-    for (double sharpness = static_cast<double>(snapshots_.size());; sharpness *= 0.875) {
+    for (double sharpness = static_cast<double>(count);; sharpness *= 0.9) {
         if (sharpness < 0.5) sharpness = 0.0;
         const std::size_t bytes =
-            walk(middle - 1, -1, -1, sharpness) +
-            walk(middle, static_cast<std::ptrdiff_t>(snapshots_.size()), 1, sharpness);
+            walk(middle - 1, -1, -1, sharpness) + walk(middle, count, 1, sharpness);
         if (bytes <= enough || sharpness == 0.0) break;
     }
     std::vector<Kept> thinned;
     bytes_ = 0;
-    for (std::size_t i = 0; i < snapshots_.size(); ++i) {
-        // At sharpness 0 only the present itself stays, and it fits by keep's precondition.
-        if (!stays[i] || bytes_ + snapshots_[i].bytes > limit_) continue;
-        bytes_ += snapshots_[i].bytes;
-        thinned.push_back(std::move(snapshots_[i]));
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        // At sharpness 0 only the present stays; it may still be too much for a lowered limit.
+        if (!stays[static_cast<std::size_t>(i)] || bytes_ + at(i).bytes > limit_) continue;
+        bytes_ += at(i).bytes;
+        thinned.push_back(std::move(snapshots_[static_cast<std::size_t>(i)]));
     }
     snapshots_ = std::move(thinned);
 }

@@ -1,0 +1,118 @@
+#include "game/replay_text.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace carom;
+
+namespace {
+
+Replay everything() {
+    Replay replay;
+    replay.level = "levels/my gas.level";
+    replay.level_hash = 0x0123456789abcdefull;
+    replay.solver = {.kind = SolverKind::substep, .updates = 7, .steps = 3, .substeps = 2};
+    replay.rate = 1.0 / 3.0;
+    replay.seed = 18446744073709551615ull;
+    replay.overrides = {"use gravity 0,-1.6", "seed 4"};
+    const double third = 1.0 / 3.0;
+    replay.commands = {
+        {0, command::Strike{BallId{3}, {third, -2e-300}}},
+        {12, command::HoldBall{BallId{3}, {1e22, 0.1}}},
+        {40, command::DropBall{BallId{3}}},
+        {50, command::HoldCapsule{CapsuleId{2}, {0.0, 0.3}, {10.0, 5.0}}},
+        {50, command::DropCapsule{CapsuleId{2}}},
+        {61, command::AddBall{{.kind = 1,
+                               .position = {5.0, third},
+                               .velocity = {-0.0, 1.0},
+                               .radius = 0.1,
+                               .mass = std::nullopt,
+                               .restitution = 0.5}}},
+        {62, command::RemoveBall{BallId{4}}},
+        {63, command::AddCapsule{{{0.0, 1.0}, {2.0, third}, 0.5}, 2, Side::left}},
+        {64, command::RemoveCapsule{CapsuleId{5}}},
+        {65, command::SetGravity{Vec2{0.0, -9.81}}},
+        {66, command::SetGravity{}},
+        {67, command::SetSolver{{.kind = SolverKind::swept, .updates = 1}}},
+    };
+    replay.marks = {{600, 0xfedcba9876543210ull}, {1200, 1}};
+    replay.end = 1200;
+    replay.stands = 1100;
+    return replay;
+}
+
+const std::string head =
+    "carom replay 1\nlevel a\nhash 1f\nsolver swept updates=4 steps=15 substeps=1\n"
+    "rate 120\nseed 7\n";
+
+struct Bad {
+    std::string text;
+    int line;
+    std::string message;
+};
+
+}  // namespace
+
+TEST_CASE("a replay reads back as it was written, to the last bit") {
+    const std::string text = replay_text(everything());
+    const auto read = read_replay(text);
+    REQUIRE(std::holds_alternative<Replay>(read));
+    const Replay& replay = std::get<Replay>(read);
+    CHECK(replay_text(replay) == text);
+    CHECK(replay.level == "levels/my gas.level");
+    CHECK(replay.rate == 1.0 / 3.0);
+    CHECK(replay.seed == 18446744073709551615ull);
+    CHECK(replay.overrides == everything().overrides);
+    CHECK(replay.marks == everything().marks);
+    CHECK(replay.solver == everything().solver);
+    REQUIRE(replay.commands.size() == everything().commands.size());
+    CHECK(std::get<command::Strike>(replay.commands[0].command).velocity ==
+          Vec2{1.0 / 3.0, -2e-300});
+    const auto& add = std::get<command::AddBall>(replay.commands[5].command).spec;
+    CHECK(add.radius == 0.1);
+    CHECK_FALSE(add.mass);
+    CHECK(add.restitution == 0.5);
+    CHECK(std::get<command::AddCapsule>(replay.commands[7].command).side == Side::left);
+}
+
+TEST_CASE("a text without commands is enough") {
+    const auto read = read_replay(head + "end 0\n");
+    REQUIRE(std::holds_alternative<Replay>(read));
+    CHECK(std::get<Replay>(read).stands == 0);
+}
+
+TEST_CASE("what is wrong with a replay is told with its line") {
+    const Bad table[] = {
+        {"", 0, "the file is empty"},
+        {"carom replay 2\n", 1, "this is not a carom replay of version 1"},
+        {"\x7f"
+         "ELF\n",
+         1, "this is not a carom replay of version 1"},
+        {head + "end 12", 7, "the line is cut off"},
+        {head, 6, "'end' is missing: the file is cut off"},
+        {head + "at 5 strike 1 2,3\n", 7, "'end' is missing: the file is cut off"},
+        {head + "frobnicate\nend 1\n", 7, "there is no statement 'frobnicate'"},
+        {head + "at 1 jump 3\nend 1\n", 7, "there is no such command"},
+        {head + "at 1 strike 3 4\nend 1\n", 7, "'at' is not complete or not right"},
+        {head + "at 1 strike 3 4,nan\nend 1\n", 7, "'at' is not complete or not right"},
+        {head + "at 1 strike 3 4,inf\nend 1\n", 7, "'at' is not complete or not right"},
+        {head + "at 1 strike 3 4,5 6\nend 1\n", 7, "'at' is not complete or not right"},
+        {head + "at 1 strike 99999999999 4,5\nend 1\n", 7, "'at' is not complete or not right"},
+        {head + "at 1 add-edge 0 0,0 1,1 1 top\nend 1\n", 7, "'at' is not complete or not right"},
+        {head + "at 1 solver magic updates=1 steps=1 substeps=1\nend 1\n", 7,
+         "'at' is not complete or not right"},
+        {head + "at 5 drop-ball 1\nat 4 drop-ball 1\nend 9\n", 8, "the ticks go back"},
+        {head + "at 5 drop-ball 1\nend 4\n", 8, "there are commands after 'end'"},
+        {head + "end 4\nstands 5\n", 8, "'stands' lies after 'end'"},
+        {"carom replay 1\nlevel a\nend 1\n", 3, "'hash' is missing"},
+        {"carom replay 1\nlevel \nend 1\n", 2, "the level has no name"},
+    };
+    for (const Bad& row : table) {
+        CAPTURE(row.text);
+        const auto read = read_replay(row.text);
+        REQUIRE(std::holds_alternative<ReplayError>(read));
+        CHECK(std::get<ReplayError>(read).line == row.line);
+        CHECK(std::get<ReplayError>(read).message == row.message);
+    }
+}

@@ -1,0 +1,101 @@
+#include "game/replayer.h"
+
+#include <doctest/doctest.h>
+
+#include "game/support/scenes.h"
+#include "physics/fingerprint.h"
+
+using namespace carom;
+using carom::test::ball_at_rest;
+using carom::test::busy_box;
+
+namespace {
+
+constexpr SolverSettings swept{.kind = SolverKind::swept};
+
+/// 500 ticks, cut off in the middle of a drag.
+Session cut_off() {
+    Session session(busy_box(), swept);
+    for (int tick = 0; tick < 500; ++tick) {
+        const auto apply = [&](const Command& c) { REQUIRE(session.apply(c) == std::nullopt); };
+        if (tick == 3) apply(command::Strike{BallId{1}, {-40.0, 21.0}});
+        if (tick == 50) apply(command::SetSolver{{.kind = SolverKind::discrete}});
+        if (tick == 90) apply(command::AddBall{ball_at_rest({-5.0, -5.0})});
+        if (tick > 450) apply(command::HoldBall{BallId{0}, {10.0 + 0.01 * tick, 12.0}});
+        session.step_forward();
+    }
+    return session;
+}
+
+Replay written_and_read(const Session& session) {
+    const auto read = read_replay(replay_text(record(session, "busy.level", {})));
+    REQUIRE(std::holds_alternative<Replay>(read));
+    return std::get<Replay>(read);
+}
+
+}  // namespace
+
+TEST_CASE("a session that was cut off is taken up where it stood, bit by bit") {
+    Session original = cut_off();
+    Replayer replayer(written_and_read(original), busy_box());
+    int slices = 0;
+    double progress = 0.0;
+    while (replayer.advance(100)) {
+        ++slices;
+        CHECK(replayer.progress() > progress);
+        progress = replayer.progress();
+    }
+    CHECK(slices == 4);
+    CHECK(replayer.progress() == 1.0);
+    REQUIRE_FALSE(replayer.failure());
+    Session restored = std::move(replayer).take();
+    CHECK(fingerprint(restored.world()) == fingerprint(original.world()));
+    CHECK(restored.solver() == original.solver());
+    CHECK(restored.world().held_balls.size() == 1);
+    for (int tick = 0; tick < 100; ++tick) {
+        original.step_forward();
+        restored.step_forward();
+    }
+    CHECK(fingerprint(restored.world()) == fingerprint(original.world()));
+    REQUIRE(original.go_to(33));
+    REQUIRE(restored.go_to(33));
+    CHECK(fingerprint(restored.world()) == fingerprint(original.world()));
+}
+
+TEST_CASE("the future of a player who had gone back is kept") {
+    Session original = cut_off();
+    REQUIRE(original.go_to(200));
+    Replayer replayer(written_and_read(original), busy_box());
+    while (replayer.advance(1000)) {
+    }
+    REQUIRE_FALSE(replayer.failure());
+    Session restored = std::move(replayer).take();
+    CHECK(restored.world().tick == 200);
+    CHECK(restored.latest() == 500);
+    CHECK(fingerprint(restored.world()) == fingerprint(original.world()));
+}
+
+TEST_CASE("a replay of something else is noticed") {
+    SUBCASE("another world") {
+        Scene other = busy_box();
+        other.world.balls.velocity[0].x += 1e-9;
+        Replayer replayer(written_and_read(cut_off()), other);
+        while (replayer.advance(1000)) {
+        }
+        CHECK(replayer.failure() == "at tick 500: the fingerprint differs");
+    }
+    SUBCASE("a command that makes no sense") {
+        Replay replay = written_and_read(cut_off());
+        std::get<command::Strike>(replay.commands[0].command).ball = BallId{99};
+        Replayer replayer(replay, busy_box());
+        CHECK_FALSE(replayer.advance(1000));
+        CHECK(replayer.failure() == "at tick 3: there is no ball 99");
+    }
+}
+
+TEST_CASE("a session in which nothing has happened yet is a replay too") {
+    Replayer replayer(written_and_read(Session(busy_box(), swept)), busy_box());
+    CHECK_FALSE(replayer.advance(1));
+    CHECK_FALSE(replayer.failure());
+    CHECK(replayer.progress() == 1.0);
+}
