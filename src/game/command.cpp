@@ -44,10 +44,12 @@ double depth(const World& world, const Disc& ball, const Capsule& edge) {
     return -separation(beside, edge);
 }
 
-Refusal obstacle(const World& world, const Disc& disc, ClassIndex kind) {
+Refusal obstacle(const World& world, const Disc& disc, ClassIndex kind,
+                 std::optional<BallId> itself = std::nullopt) {
     const double allowed = touching * disc.radius;
     const Balls& balls = world.balls;
     for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (balls.id[i] == itself) continue;
         if (!kinds_meet(world, kind, balls.kind[i])) continue;
         const double apart = length(offset(world, disc.center, balls.position[i]));
         if (disc.radius + balls.radius[i] - apart > allowed)
@@ -107,6 +109,33 @@ Refusal refused(const World& world, const RemoveBall& remove) {
     return unless_ball(world, remove.ball);
 }
 
+Refusal obstacle(const World& world, const Capsule& edge, ClassIndex material) {
+    const Balls& balls = world.balls;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (!kind_meets_material(world, balls.kind[i], material)) continue;
+        if (depth(world, {balls.position[i], balls.radius[i]}, edge) > touching * balls.radius[i])
+            return fmt::format("it would lie on ball {}", number(balls.id[i]));
+    }
+    return std::nullopt;
+}
+
+Refusal refused(const World& world, const PlaceBall& place) {
+    if (auto why = unless_ball(world, place.ball)) return why;
+    if (auto why = unless_finite(is_finite(place.position), "the place")) return why;
+    const std::size_t index = *index_of(world, place.ball);
+    return obstacle(world, {place.position, world.balls.radius[index]}, world.balls.kind[index],
+                    place.ball);
+}
+
+Refusal refused(const World& world, const PlaceCapsule& place) {
+    if (auto why = unless_capsule(world, place.capsule)) return why;
+    if (auto why = unless_finite(is_finite(place.start) && is_finite(place.end), "the place"))
+        return why;
+    const std::size_t index = *index_of(world, place.capsule);
+    return obstacle(world, {place.start, place.end, world.capsules.shape[index].radius},
+                    world.capsules.material[index]);
+}
+
 Refusal refused(const World& world, const AddCapsule& add) {
     const Capsule& edge = add.shape;
     if (add.material >= world.materials.size())
@@ -115,13 +144,7 @@ Refusal refused(const World& world, const AddCapsule& add) {
         return why;
     if (!(edge.radius >= 0.0) || !std::isfinite(edge.radius))
         return "its radius must not be negative";
-    const Balls& balls = world.balls;
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        if (!kind_meets_material(world, balls.kind[i], add.material)) continue;
-        if (depth(world, {balls.position[i], balls.radius[i]}, edge) > touching * balls.radius[i])
-            return fmt::format("it would lie on ball {}", number(balls.id[i]));
-    }
-    return std::nullopt;
+    return obstacle(world, edge, add.material);
 }
 
 Refusal refused(const World& world, const RemoveCapsule& remove) {
@@ -190,6 +213,18 @@ struct Obey {
         std::erase_if(world.held_capsules,
                       [&](const HeldCapsule& h) { return h.id == drop.capsule; });
     }
+    void operator()(const PlaceBall& place) const {
+        world.balls.position[*index_of(world, place.ball)] = place.position;
+        const auto held = place_of(world.held_balls, place.ball);
+        if (held != world.held_balls.end() && held->id == place.ball) held->target = place.position;
+    }
+    void operator()(const PlaceCapsule& place) const {
+        Capsule& shape = world.capsules.shape[*index_of(world, place.capsule)];
+        shape = {place.start, place.end, shape.radius};
+        const auto held = place_of(world.held_capsules, place.capsule);
+        if (held != world.held_capsules.end() && held->id == place.capsule)
+            *held = {place.capsule, place.start, place.end};
+    }
     void operator()(const AddBall& add) const {
         add_ball(world, add.spec);
         widen_model(world);
@@ -214,6 +249,28 @@ bool is_hold(const Command& command) {
            std::holds_alternative<HoldCapsule>(command);
 }
 
+bool is_place(const Command& command) {
+    return std::holds_alternative<PlaceBall>(command) ||
+           std::holds_alternative<PlaceCapsule>(command);
+}
+
+/// The ball or edge that a command moves by hand; none for other commands.
+struct Moved {
+    std::size_t how = 0;
+    std::uint32_t what = 0;
+
+    friend bool operator==(const Moved&, const Moved&) = default;
+};
+
+std::optional<Moved> moved(const Command& command) {
+    const std::size_t how = command.index();
+    if (const auto* c = std::get_if<HoldBall>(&command)) return Moved{how, number(c->ball)};
+    if (const auto* c = std::get_if<HoldCapsule>(&command)) return Moved{how, number(c->capsule)};
+    if (const auto* c = std::get_if<PlaceBall>(&command)) return Moved{how, number(c->ball)};
+    if (const auto* c = std::get_if<PlaceCapsule>(&command)) return Moved{how, number(c->capsule)};
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> refusal(const World& world, const Command& command) {
@@ -225,17 +282,14 @@ void obey(World& world, const Command& command) {
 }
 
 bool continues_gesture(const Command& earlier, const Command& later) {
-    if (is_hold(earlier)) return is_hold(later) || is_drop(later);
-    return is_drop(earlier) && is_drop(later);
+    const bool hand_was_closed = is_hold(earlier) || is_place(earlier);
+    const bool hand_goes_on = is_hold(later) || is_place(later);
+    return hand_was_closed ? hand_goes_on || is_drop(later) : is_drop(earlier) && is_drop(later);
 }
 
 bool moves_same_hand(const Command& earlier, const Command& later) {
-    if (const auto* a = std::get_if<HoldBall>(&earlier), *b = std::get_if<HoldBall>(&later); a && b)
-        return a->ball == b->ball;
-    if (const auto* a = std::get_if<HoldCapsule>(&earlier), *b = std::get_if<HoldCapsule>(&later);
-        a && b)
-        return a->capsule == b->capsule;
-    return false;
+    const auto what = moved(earlier);
+    return what && what == moved(later);
 }
 
 }  // namespace carom

@@ -34,6 +34,17 @@ struct HoldCapsule {
 struct DropCapsule {
     CapsuleId capsule{};
 };
+/// Puts a ball down somewhere else at once; it keeps its velocity. For a world that stands still.
+struct PlaceBall {
+    BallId ball{};
+    Vec2 position;
+};
+/// Puts an edge down somewhere else at once.
+struct PlaceCapsule {
+    CapsuleId capsule{};
+    Vec2 start;
+    Vec2 end;
+};
 struct AddBall {
     BallSpec spec;
 };
@@ -58,8 +69,9 @@ struct SetSolver {
 
 using Command =
     std::variant<command::Strike, command::HoldBall, command::DropBall, command::HoldCapsule,
-                 command::DropCapsule, command::AddBall, command::RemoveBall, command::AddCapsule,
-                 command::RemoveCapsule, command::SetGravity, command::SetSolver>;
+                 command::DropCapsule, command::PlaceBall, command::PlaceCapsule, command::AddBall,
+                 command::RemoveBall, command::AddCapsule, command::RemoveCapsule,
+                 command::SetGravity, command::SetSolver>;
 
 /// A command and the tick at which it applies: before tick number `tick` + 1 is computed.
 struct TimedCommand {
@@ -78,11 +90,11 @@ std::optional<std::string> refusal(const World& world, const Command& command);
 void obey(World& world, const Command& command);
 
 /// Whether `later`, coming right after `earlier`, goes on with its gesture: a drag, from taking to
-/// dropping, is one. A gesture is undone as a whole.
+/// dropping, is one, and so are placings that follow each other. A gesture is undone as a whole.
 bool continues_gesture(const Command& earlier, const Command& later);
 
-/// Whether both move a hand that has the same ball or edge: of two such in one tick only the later
-/// counts.
+/// Whether both move the same ball or edge by hand: of two such in one gesture and one tick only
+/// the later counts.
 bool moves_same_hand(const Command& earlier, const Command& later);
 
 }  // namespace carom

@@ -42,6 +42,13 @@ struct CommandText {
     std::string operator()(const DropCapsule& c) const {
         return fmt::format("drop-edge {}", number(c.capsule));
     }
+    std::string operator()(const PlaceBall& c) const {
+        return fmt::format("place-ball {} {}", number(c.ball), text_of(c.position));
+    }
+    std::string operator()(const PlaceCapsule& c) const {
+        return fmt::format("place-edge {} {} {}", number(c.capsule), text_of(c.start),
+                           text_of(c.end));
+    }
     std::string operator()(const AddBall& c) const {
         const BallSpec& spec = c.spec;
         std::string text = fmt::format("add-ball {} {} {}", spec.kind, text_of(spec.position),
@@ -181,6 +188,12 @@ Command add_edge_of(Words& words) {
     return add;
 }
 
+Command gravity_of(Words& words) {
+    if (words.rest() != "off") return SetGravity{words.point()};
+    words.next();
+    return SetGravity{};
+}
+
 /// None: there is no such command. Wrong numbers make `words` fail.
 std::optional<Command> command_of(Words& words) {
     const std::string_view what = words.next().value_or("");
@@ -190,12 +203,13 @@ std::optional<Command> command_of(Words& words) {
     if (what == "drop-ball") return DropBall{ball_of(words)};
     if (what == "hold-edge") return HoldCapsule{capsule_of(words), words.point(), words.point()};
     if (what == "drop-edge") return DropCapsule{capsule_of(words)};
+    if (what == "place-ball") return PlaceBall{ball_of(words), words.point()};
+    if (what == "place-edge") return PlaceCapsule{capsule_of(words), words.point(), words.point()};
     if (what == "add-ball") return add_ball_of(words);
     if (what == "remove-ball") return RemoveBall{ball_of(words)};
     if (what == "add-edge") return add_edge_of(words);
     if (what == "remove-edge") return RemoveCapsule{capsule_of(words)};
-    if (what == "gravity" && words.rest() == "off") return words.next(), SetGravity{};
-    if (what == "gravity") return SetGravity{words.point()};
+    if (what == "gravity") return gravity_of(words);
     if (what == "solver") return SetSolver{solver_of(words)};
     return std::nullopt;
 }

@@ -26,6 +26,8 @@
 ///     at 40 drop-ball 3
 ///     at 50 hold-edge 2 0,0 10,5
 ///     at 60 drop-edge 2
+///     at 60 place-ball 1 3,4
+///     at 60 place-edge 2 0,0 10,6
 ///     at 61 add-ball 0 5,5 0,0 r=1 m=2 e=0.5
 ///     at 62 remove-ball 4
 ///     at 63 add-edge 0 0,0 10,0 0.5 both

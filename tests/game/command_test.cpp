@@ -49,6 +49,10 @@ TEST_CASE("commands that cannot be obeyed are refused with a reason") {
         {command::HoldCapsule{CapsuleId{7}, {}, {}}, "there is no edge 7"},
         {command::HoldCapsule{CapsuleId{0}, {not_a_number, 0.0}, {}}, "the place is not a number"},
         {command::DropCapsule{CapsuleId{0}}, "edge 0 is not held"},
+        {command::PlaceBall{BallId{9}, {}}, "there is no ball 9"},
+        {command::PlaceBall{BallId{0}, {13.5, 8.0}}, "it would overlap ball 1"},
+        {command::PlaceBall{BallId{0}, {29.0, 5.5}}, "it would overlap edge 4"},
+        {command::PlaceCapsule{CapsuleId{4}, {7.0, 8.0}, {20.0, 8.0}}, "it would lie on ball 0"},
         {command::RemoveBall{BallId{9}}, "there is no ball 9"},
         {command::RemoveCapsule{CapsuleId{7}}, "there is no edge 7"},
         {command::AddBall{of_kind(1)}, "there is no kind 1"},
@@ -114,6 +118,21 @@ TEST_CASE("commands do what they say") {
     CHECK(world.model.gravity == Vec2{0.0, -1.0});
     obey(world, command::SetGravity{});
     CHECK_FALSE(world.model.gravity);
+}
+
+TEST_CASE("a ball or an edge can be put down where there is room, held or not") {
+    World world = busy_box().world;
+    const Command command =
+        command::PlaceBall{BallId{0}, {8.5, 8.0}};  // where it is in its own way
+    REQUIRE_FALSE(refusal(world, command));
+    obey(world, command::HoldBall{BallId{0}, {1.0, 2.0}});
+    obey(world, command);
+    CHECK(world.balls.position[0] == Vec2{8.5, 8.0});
+    CHECK(world.held_balls[0].target == Vec2{8.5, 8.0});
+    const Command edge = command::PlaceCapsule{CapsuleId{4}, {24.0, 3.0}, {34.0, 6.0}};
+    REQUIRE_FALSE(refusal(world, edge));
+    obey(world, edge);
+    CHECK(world.capsules.shape[4] == Capsule{{24.0, 3.0}, {34.0, 6.0}, 0.5});
 }
 
 TEST_CASE("what is added can meet what is there, whatever the level held") {

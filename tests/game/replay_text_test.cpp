@@ -23,6 +23,8 @@ Replay everything() {
         {40, command::DropBall{BallId{3}}},
         {50, command::HoldCapsule{CapsuleId{2}, {0.0, 0.3}, {10.0, 5.0}}},
         {50, command::DropCapsule{CapsuleId{2}}},
+        {60, command::PlaceBall{BallId{1}, {0.7, 4.0}}},
+        {60, command::PlaceCapsule{CapsuleId{1}, {0.7, 4.0}, {0.1, 0.2}}},
         {61, command::AddBall{{.kind = 1,
                                .position = {5.0, third},
                                .velocity = {-0.0, 1.0},
@@ -69,11 +71,11 @@ TEST_CASE("a replay reads back as it was written, to the last bit") {
     REQUIRE(replay.commands.size() == everything().commands.size());
     CHECK(std::get<command::Strike>(replay.commands[0].command).velocity ==
           Vec2{1.0 / 3.0, -2e-300});
-    const auto& add = std::get<command::AddBall>(replay.commands[5].command).spec;
+    const auto& add = std::get<command::AddBall>(replay.commands[7].command).spec;
     CHECK(add.radius == 0.1);
     CHECK_FALSE(add.mass);
     CHECK(add.restitution == 0.5);
-    CHECK(std::get<command::AddCapsule>(replay.commands[7].command).side == Side::left);
+    CHECK(std::get<command::AddCapsule>(replay.commands[9].command).side == Side::left);
 }
 
 TEST_CASE("a text without commands is enough") {
