@@ -15,8 +15,6 @@
 ///     }
 ///     events = screen.wait(pacing.seconds_to_frame(now));
 ///     pacing.answered(screen.frames_answered(), now = clock());
-///
-/// While is_stalled() the game should stand still: nobody sees it.
 namespace carom {
 
 struct PacingOptions {
@@ -37,17 +35,20 @@ class Pacing {
     /// Whether a frame may go out now. `urgent`: something came in that the person wants to see the
     /// effect of; it need not wait for the regular instant, only for the link.
     bool may_draw(double now, bool urgent = false) const;
-    /// A frame of so many bytes went out.
+    /// A frame of so many bytes went out, and asked.
     void drawn(double now, std::size_t bytes);
     /// So many frames have been answered in all since the start.
-    void answered(unsigned total, double now);
+    void answered(std::size_t total, double now);
 
-    /// How long to wait for input until the next regular frame may be due; 0 if it is due.
+    /// How long to wait for input until a frame may be due; 0 if it is due. An answer, which ends
+    /// the wait, may make it due earlier.
     double seconds_to_frame(double now) const;
 
-    /// The terminal used to answer and has not for 2 s: stop until it does.
+    /// The terminal used to answer and has not for 2 s: the game should stand still. A frame may go
+    /// out every 2 s (every quarter of a second when something comes in), to ask again; make sure
+    /// that it is not empty (Screen::redraw).
     bool is_stalled(double now) const;
-    /// It has never answered, so frames come at a fixed, modest rate.
+    /// It has never answered, for half a second or more: frames come at a fixed, modest rate.
     bool is_blind(double now) const;
 
     std::size_t unanswered() const { return sent_.size(); }
@@ -56,13 +57,17 @@ class Pacing {
 
   private:
     double interval(double now) const;
+    void learn(double round_trip, double now);
 
     PacingOptions options_;
-    std::deque<double> sent_;  // times of the unanswered frames, oldest first
-    unsigned answered_ = 0;
+    std::deque<double> sent_;   // times of the unanswered frames, oldest first
+    std::size_t drawn_ = 0;     // frames ever
+    std::size_t lost_ = 0;      // answers that are no longer expected
+    bool has_answers_ = false;  // ever
     std::size_t window_ = 2;
     double round_trip_ = 0.0;
-    double shortest_trip_ = 0.0;  // of late: the way without a queue
+    double shortest_trip_ = 0.0;  // the way without a queue; 0: not known
+    double seen_short_ = 0.0;     // when a trip was last about as short as that
     double last_drawn_ = -1.0e9;
     double next_due_ = -1.0e9;
     double bytes_due_ = -1.0e9;  // when the link is through with what was sent, by the limit

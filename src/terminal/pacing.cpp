@@ -1,0 +1,103 @@
+#include "terminal/pacing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+constexpr double blind_interval = 1.0 / 20.0;     // s; what a line of 9600 baud nearly carries
+constexpr double blind_after = 0.5;               // s without a first answer
+constexpr double stalled_after = 2.0;             // s without any more answers
+constexpr double urgent_interval = 0.004;         // s; a drag may send a thousand reports a second
+constexpr double stalled_urgent_interval = 0.25;  // s
+constexpr double early = 0.001;                   // s by which a frame may come before its time
+
+constexpr std::size_t least_window = 2;
+constexpr std::size_t most_kept = 256;  // frames remembered while nothing answers
+constexpr double short_queue = 0.015;   // s that a frame may have waited behind others
+constexpr double long_queue = 0.035;    // s at which too many frames are on their way
+constexpr double path_memory = 10.0;    // s after which a way that was shorter is history
+
+}  // namespace
+
+Pacing::Pacing(const PacingOptions& options) : options_(options) {}
+
+bool Pacing::is_blind(double now) const {
+    return !has_answers_ && !sent_.empty() && now - sent_.front() > blind_after;
+}
+
+bool Pacing::is_stalled(double now) const {
+    return has_answers_ && !sent_.empty() && now - sent_.front() > stalled_after;
+}
+
+double Pacing::interval(double now) const {
+    const double wanted = 1.0 / options_.frames_per_second;
+    return is_blind(now) ? std::max(wanted, blind_interval) : wanted;
+}
+
+bool Pacing::may_draw(double now, bool urgent) const {
+    const double since = now - last_drawn_;
+    if (is_stalled(now)) return since >= (urgent ? stalled_urgent_interval : stalled_after);
+    if (!is_blind(now) && sent_.size() >= window_) return false;
+    if (now < bytes_due_) return false;
+    return now >= next_due_ - early || (urgent && since >= urgent_interval);
+}
+
+double Pacing::seconds_to_frame(double now) const {
+    if (is_stalled(now)) return std::max(0.0, last_drawn_ + stalled_after - now);
+    if (!is_blind(now) && sent_.size() >= window_) {
+        const double patience = has_answers_ ? stalled_after : blind_after;
+        return std::max(early, sent_.front() + patience - now);
+    }
+    return std::max({0.0, next_due_ - now, bytes_due_ - now});
+}
+
+void Pacing::drawn(double now, std::size_t bytes) {
+    const double period = interval(now);
+    const double late = now - next_due_;
+    // A frame in time keeps the beat; an urgent one, and one after a break, start it anew.
+    next_due_ = late >= -early && late < period ? next_due_ + period : now + period;
+    last_drawn_ = now;
+    if (is_stalled(now)) {  // what has not been answered by now never will be
+        lost_ += sent_.size();
+        sent_.clear();
+        window_ = least_window;
+    }
+    sent_.push_back(now);
+    ++drawn_;
+    if (sent_.size() > most_kept) sent_.pop_front();
+    if (options_.bytes_per_second > 0.0) {
+        bytes_due_ =
+            std::max(bytes_due_, now) + static_cast<double>(bytes) / options_.bytes_per_second;
+    }
+}
+
+void Pacing::answered(std::size_t total, double now) {
+    lost_ = std::min(lost_, drawn_ - std::min(drawn_, total));  // it came after all
+    while (!sent_.empty() && drawn_ - sent_.size() < total + lost_) {
+        const double sent = sent_.front();
+        sent_.pop_front();
+        has_answers_ = true;
+        learn(std::max(0.0, now - sent), now);
+    }
+}
+
+// A trip about as short as the shortest had no queue before it, so there is room for one frame
+// more; a long one waited behind our own frames, or somebody else's.
+void Pacing::learn(double round_trip, double now) {
+    round_trip_ = round_trip;
+    const bool is_path_new = shortest_trip_ <= 0.0 || now - seen_short_ > path_memory;
+    if (is_path_new) window_ = least_window;
+    if (is_path_new || round_trip < shortest_trip_) shortest_trip_ = std::max(round_trip, 1.0e-6);
+    const double queue = round_trip - shortest_trip_;
+    if (queue <= short_queue) seen_short_ = now;
+    const double useful = std::ceil(shortest_trip_ * options_.frames_per_second) + 1.0;
+    const auto most = std::max(least_window, static_cast<std::size_t>(std::min(useful, 64.0)));
+    const bool is_limit = sent_.size() + 1 >= window_;
+    if (queue <= short_queue && is_limit) ++window_;
+    if (queue > long_queue) --window_;
+    window_ = std::clamp(window_, least_window, most);
+}
+
+}  // namespace carom

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+/// Signals, made into bytes that poll() can wait for beside the terminal.
+namespace carom {
+
+/// Catches WINCH, INT, QUIT, TERM, HUP, TSTP and CONT (not INT, QUIT, TERM, HUP or TSTP where they
+/// were ignored). Open it before ncurses starts, or ncurses takes some of them. One at a time.
+class ScreenSignals {
+  public:
+    ScreenSignals();
+    ScreenSignals(const ScreenSignals&) = delete;
+    ScreenSignals& operator=(const ScreenSignals&) = delete;
+    ~ScreenSignals();  ///< does with signals what was done before
+
+    /// Readable when there is something to take.
+    int handle() const;
+    /// What has come since the last call, in order.
+    std::vector<int> take();
+
+    /// Stops this process the way Ctrl-Z does, and returns when it goes on. The terminal must have
+    /// been given back. Where nobody could make it go on again, the system lets it go on at once.
+    void stop();
+};
+
+}  // namespace carom

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "terminal/keyboard.h"
+
+/// What the terminal's description (terminfo) says, once ncurses has found it.
+namespace carom {
+
+/// Whether it has this string, by its short name, such as "cup".
+bool has_capability(const char* name);
+
+/// The keys that it names, with what they send.
+KeyTable described_keys();
+
+/// What brings the terminal from how ncurses has it back to how it was, its modes aside. `rows`: of
+/// the window; the cursor ends up below the last one where there is no other screen to go back to.
+std::string farewell_bytes(int rows);
+
+}  // namespace carom
