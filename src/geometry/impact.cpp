@@ -73,8 +73,7 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsul
     const Disc start_cap{capsule.start, capsule.radius};
     if (capsule.start == capsule.end) return first_impact(disc, velocity, start_cap, horizon);
 
-    const Vec2 offset =
-        disc.center - closest_point(capsule.start, capsule.end, disc.center);
+    const Vec2 offset = disc.center - closest_point(capsule.start, capsule.end, disc.center);
     const double place = closest_parameter(capsule.start, capsule.end, disc.center);
     const double reach = disc.radius + capsule.radius;
     const bool touching = length_squared(offset) <= reach * reach;
@@ -104,8 +103,12 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsul
     if (!(fastest > 0.0)) return std::nullopt;
     const double reach = disc.radius + capsule.radius;
     const double near = 1e-12 * (reach + fastest * horizon);
-    double time = 0.0;
-    while (true) {
+    struct Look {
+        double gap;
+        double closing;
+        Vec2 normal;
+    };
+    const auto look = [&](double time) -> Look {
         const Vec2 start = capsule.start + start_velocity * time;
         const Vec2 end = capsule.end + end_velocity * time;
         const Vec2 center = disc.center + velocity * time;
@@ -113,11 +116,31 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsul
         const Vec2 relative = velocity - (start_velocity + (end_velocity - start_velocity) * place);
         const Vec2 offset = center - (start + (end - start) * place);
         const Vec2 normal = direction(offset, direction(-relative, {1.0, 0.0}));
-        const double gap = length(offset) - reach;
-        if (gap <= near && dot(relative, normal) < 0.0) return Impact{time, normal};
+        return {length(offset) - reach, -dot(relative, normal), normal};
+    };
+    double before = 0.0;
+    double time = 0.0;
+    while (true) {
+        Look now = look(time);
+        if (now.gap < -near && time > before && look(before).gap > near) {
+            // The least step has gone in too deep: back to where the two touch.
+            double outside = before;
+            for (int i = 0; i < 60 && now.gap < -near; ++i) {
+                const double middle = outside + (time - outside) / 2;
+                const Look there = look(middle);
+                if (there.gap > near) {
+                    outside = middle;
+                } else {
+                    time = middle;
+                    now = there;
+                }
+            }
+        }
+        if (now.gap <= near && now.closing > 1e-14 * fastest) return Impact{time, now.normal};
         // No point of the capsule comes nearer faster than `fastest`: the gap takes this long to
         // close.
-        time += std::max(gap / fastest, 1e-3 * horizon);
+        before = time;
+        time += now.gap > near ? std::max(now.gap / fastest, 1e-4 * horizon) : 1e-3 * horizon;
         if (!(time <= horizon)) return std::nullopt;
     }
 }

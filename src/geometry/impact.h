@@ -38,8 +38,8 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsul
                                    double horizon);
 
 /// The same for a capsule whose ends move at constant velocities of their own. Found by
-/// conservative advancement: never later than the true impact by more than 1e-3 of the horizon's
-/// travel, and never missed where the two bodies overlap for longer than that. `normal` as at the
+/// conservative advancement with a least step of 1e-4 of the horizon, refined by bisection to 1e-12
+/// of the sizes; a touch that is shorter than that step may be passed over. `normal` as at the
 /// impact.
 std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
                                    Vec2 start_velocity, Vec2 end_velocity, double horizon);

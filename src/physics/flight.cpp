@@ -5,15 +5,20 @@
 
 namespace carom {
 
-Flight flight_over(const Model& model, double duration) {
-    const double drag = model.drag.value_or(0.0) * duration;
-    const Vec2 gravity = model.gravity.value_or(Vec2{});
-    const double mean = mean_decay(drag);
+Flight flight_over(std::optional<double> drag, double duration) {
+    if (!drag)
+        return {.duration = duration,
+                .decay = 1.0,
+                .travel_per_velocity = duration,
+                .travel_per_gravity = 0.5 * duration * duration,
+                .velocity_per_gravity = duration};
+    const double exponent = *drag * duration;
+    const double mean = duration * mean_decay(exponent);
     return {.duration = duration,
-            .decay = model.drag ? exponential(-drag) : 1.0,
-            .travel_per_velocity = duration * mean,
-            .velocity_from_rest = gravity * (duration * mean),
-            .travel_from_rest = gravity * (duration * duration * mean_decay_ramp(drag))};
+            .decay = exponential(-exponent),
+            .travel_per_velocity = mean,
+            .travel_per_gravity = duration * duration * mean_decay_ramp(exponent),
+            .velocity_per_gravity = mean};
 }
 
 Vec2 limited(Vec2 velocity, double limit) {

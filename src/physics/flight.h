@@ -6,28 +6,27 @@
 /// step.
 namespace carom {
 
-/// The motion over one step of `duration` seconds is linear in the velocity, so four numbers hold
-/// it:
-///     travel   = velocity * travel_per_velocity + travel_from_rest
-///     velocity = velocity * decay + velocity_from_rest
+/// The motion over one step of `duration` seconds is linear in velocity and gravity:
+///     travel   = velocity * travel_per_velocity + gravity * travel_per_gravity
+///     velocity = velocity * decay + gravity * velocity_per_gravity
 /// Source: the solution of dv/dt = g - k v.
 struct Flight {
     double duration = 0.0;
     double decay = 1.0;
-    double travel_per_velocity = 0.0;  ///< s
-    Vec2 velocity_from_rest;           ///< length/s
-    Vec2 travel_from_rest;             ///< length
+    double travel_per_velocity = 0.0;   ///< s
+    double travel_per_gravity = 0.0;    ///< s^2
+    double velocity_per_gravity = 0.0;  ///< s
 };
 
-/// Pre: duration >= 0.
-Flight flight_over(const Model& model, double duration);
+/// `drag` in 1/s, none: free flight. Pre: duration >= 0.
+Flight flight_over(std::optional<double> drag, double duration);
 
-inline Vec2 travel(const Flight& flight, Vec2 velocity) {
-    return velocity * flight.travel_per_velocity + flight.travel_from_rest;
+inline Vec2 travel(const Flight& flight, Vec2 velocity, Vec2 gravity) {
+    return velocity * flight.travel_per_velocity + gravity * flight.travel_per_gravity;
 }
 
-inline Vec2 velocity_after(const Flight& flight, Vec2 velocity) {
-    return velocity * flight.decay + flight.velocity_from_rest;
+inline Vec2 velocity_after(const Flight& flight, Vec2 velocity, Vec2 gravity) {
+    return velocity * flight.decay + gravity * flight.velocity_per_gravity;
 }
 
 /// `velocity`, no longer than `limit`.

@@ -91,11 +91,13 @@ void OverlapSolver::update(World& world, double duration, int steps, double end_
 template <Terms terms>
 void OverlapSolver::move(World& world, int step) {
     Balls& balls = world.balls;
-    Flight flight = flight_over(world.model, left_[active_.front()]);
+    const Vec2 gravity = world.model.gravity.value_or(Vec2{});
+    Flight flight = flight_over(world.model.drag, left_[active_.front()]);
     for (const std::uint32_t i : active_) {
-        if (step > 0 && flight.duration != left_[i]) flight = flight_over(world.model, left_[i]);
-        Vec2 way = travel(flight, balls.velocity[i]);
-        balls.velocity[i] = velocity_after(flight, balls.velocity[i]);
+        if (step > 0 && flight.duration != left_[i])
+            flight = flight_over(world.model.drag, left_[i]);
+        Vec2 way = travel(flight, balls.velocity[i], gravity);
+        balls.velocity[i] = velocity_after(flight, balls.velocity[i], gravity);
         if (terms.special() && inverse_mass_[i] == 0.0) {
             way = {};
             balls.velocity[i] = {};

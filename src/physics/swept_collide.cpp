@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/closest.h"
 #include "physics/bounce.h"
@@ -6,14 +7,56 @@
 
 // What the solver `swept` does at an impact; finding impacts is in swept_solver.cpp.
 namespace carom {
+namespace {
 
-// From now on the ball goes from where it is at `velocity`. Predictions that knew its old path are
-// void.
+// The part of `gravity` that supports against `first` and `second` (unit normals, or 0) leave: the
+// nearest acceleration that goes into neither.
+Vec2 left_by_supports(Vec2 gravity, Vec2 first, Vec2 second) {
+    const auto along = [gravity](Vec2 normal) {
+        return gravity - normal * std::min(0.0, dot(gravity, normal));
+    };
+    const Vec2 by_first = along(first);
+    if (dot(by_first, second) >= 0.0) return by_first;
+    const Vec2 by_second = along(second);
+    if (dot(by_second, first) >= 0.0) return by_second;
+    return {};
+}
+
+}  // namespace
+
+// The velocity on the parabola where it is as high as the chord is now.
+Vec2 SweptSolver::velocity_at(const World& world, std::uint32_t ball, double now) const {
+    const Path& path = paths_[ball];
+    if (is_held_ball(ball) || path.still) return path.velocity;
+    const double since = now - path.time;
+    const Flight flight = flight_over(world.model.drag, since);
+    Vec2 velocity = velocity_after(flight, path.start_velocity, path.gravity);
+    const double pull = length(path.gravity);
+    if (pull > 0.0 && !world.model.drag) {
+        const Vec2 down = path.gravity / pull;
+        const double fall = dot(velocity, down);
+        const double there = std::sqrt(fall * fall + pull * pull * since * (duration_ - now));
+        velocity += down * ((fall < 0.0 ? -there : there) - fall);
+    }
+    return velocity;
+}
+
+// The velocity along the chord of the flight that starts now.
+Vec2 SweptSolver::chord(const World& world, Vec2 velocity, Vec2 gravity, double now) const {
+    const double left = duration_ - now;
+    if (!(left > 0.0)) return velocity;
+    return travel(flight_over(world.model.drag, left), velocity, gravity) / left;
+}
+
+// From now on the ball flies from where it is, at first at `velocity`. Predictions that knew its
+// old path are void.
 void SweptSolver::take_path(const World& world, std::uint32_t ball, double now, Vec2 velocity) {
     Path& path = paths_[ball];
     path.position = position_at(ball, now);
     path.time = now;
-    path.velocity = path.still ? Vec2{} : velocity;
+    path.start_velocity = path.still ? Vec2{} : velocity;
+    path.velocity = path.still || is_held_ball(ball) ? path.start_velocity
+                                                     : chord(world, velocity, path.gravity, now);
     ++path.version;
     const Vec2 to = path.position + path.velocity * (duration_ - now);
     cells_.enter(ball,
@@ -36,65 +79,91 @@ void SweptSolver::rest_on(std::uint32_t ball, Vec2 normal, const World& world) {
     path.carried = true;
     if (dot(path.support, normal) < 0.999) path.other_support = path.support;
     path.support = normal;
+    path.gravity = left_by_supports(*world.model.gravity, path.support, path.other_support);
+}
+
+// A bounce takes the ball off what it rested on.
+void SweptSolver::let_go(std::uint32_t ball, const World& world) {
+    Path& path = paths_[ball];
+    path.support = path.other_support = {};
+    path.gravity = world.model.gravity.value_or(Vec2{});
+    path.carried = path.still;
 }
 
 std::optional<Contact> SweptSolver::collide_balls(World& world, const Event& event) {
     const std::uint32_t i = event.ball;
     const std::uint32_t j = event.other;
-    Path& a = paths_[i];
-    Path& b = paths_[j];
+    const Path& a = paths_[i];
+    const Path& b = paths_[j];
     const Vec2 normal = event.normal;
     const double now = event.time;
-    Vec2 velocity_a = a.velocity;
-    Vec2 velocity_b = b.velocity;
+    Vec2 velocity_a = velocity_at(world, i, now);
+    Vec2 velocity_b = velocity_at(world, j, now);
     double inverse_a = a.still ? 0.0 : inverse_mass_[i];
     double inverse_b = b.still ? 0.0 : inverse_mass_[j];
     const double approach = -dot(velocity_a - velocity_b, normal);
     double restitution =
         world.model.lossy ? std::min(world.balls.restitution[i], world.balls.restitution[j]) : 1.0;
     const bool pushed = is_held_ball(i) || is_held_ball(j);
-    const bool resting = pushed || (restitution < 1.0 && approach < resting_speed_);
-    std::optional<Contact> contact =
-        Contact{.time = now,
-                .kind = ContactKind::ball_ball,
-                .a = std::min(i, j),
-                .b = std::max(i, j),
-                .point = position_at(j, now) + normal * world.balls.radius[j],
-                .normal = i < j ? normal : -normal};
+    const auto meets_again = [&](Vec2 va, Vec2 vb) {
+        const Vec2 chord_a = a.still || is_held_ball(i) ? va : chord(world, va, a.gravity, now);
+        const Vec2 chord_b = b.still || is_held_ball(j) ? vb : chord(world, vb, b.gravity, now);
+        return -dot(chord_a - chord_b, normal) > noise * (length(chord_a) + length(chord_b));
+    };
+    bool resting = pushed || (restitution < 1.0 && approach < resting_speed_);
     Exchange done{0.0, approach};
+    bool is_contact = true;
     if (inverse_a == 0.0 && inverse_b == 0.0) {
         // A hand against a ball that lies still: the hand goes no further that way.
-        (is_held_ball(i) ? velocity_a : velocity_b) +=
-            normal * (is_held_ball(i) ? approach : -approach);
-        contact.reset();
-    } else if (pushed && inverse_a == 0.0 && is_held_ball(i)) {
+        if (is_held_ball(i) && !a.still)
+            velocity_a += normal * approach;
+        else
+            velocity_b -= normal * approach;
+        is_contact = false;
+    } else if (pushed && is_held_ball(i)) {
         done = bounce_off(velocity_b, inverse_b, -normal, dot(velocity_a, -normal), restitution);
-    } else if (pushed && inverse_b == 0.0 && is_held_ball(j)) {
+    } else if (pushed) {
         done = bounce_off(velocity_a, inverse_a, normal, dot(velocity_b, normal), restitution);
     } else {
-        if (resting) restitution = std::min(restitution, resting_restitution);
-        // What rests on a carried ball does not push it down; never where that would add energy.
-        const double speed_a = std::abs(dot(velocity_a, normal));
-        const double speed_b = std::abs(dot(velocity_b, normal));
-        const double up = world.model.gravity ? -dot(normal, *world.model.gravity) : 0.0;
-        const bool on_b = resting && up > 0.0 && b.carried && speed_b <= speed_a;
-        const bool on_a = resting && up < 0.0 && a.carried && speed_a <= speed_b;
-        if (on_b) inverse_b = 0.0;
-        if (on_a) inverse_a = 0.0;
-        done = bounce(velocity_a, inverse_a, velocity_b, inverse_b, normal, restitution);
-        if (on_b) rest_on(i, normal, world);
-        if (on_a) rest_on(j, -normal, world);
+        Vec2 after_a = velocity_a;
+        Vec2 after_b = velocity_b;
+        if (!resting && approach > 0.0)
+            done = bounce(after_a, inverse_a, after_b, inverse_b, normal, restitution);
+        if (!resting && meets_again(after_a, after_b)) resting = true;
+        if (!resting) {
+            velocity_a = after_a;
+            velocity_b = after_b;
+            is_contact = approach > 0.0;
+        } else {
+            // What rests on a carried ball does not push it down; never where that would add
+            // energy.
+            const double speed_a = std::fabs(dot(velocity_a, normal));
+            const double speed_b = std::fabs(dot(velocity_b, normal));
+            const double up = world.model.gravity ? -dot(normal, *world.model.gravity) : 0.0;
+            const bool on_b = up > 0.0 && b.carried && !a.still && speed_b <= speed_a;
+            const bool on_a = up < 0.0 && a.carried && !b.still && speed_a <= speed_b;
+            done = bounce(velocity_a, on_a ? 0.0 : inverse_a, velocity_b, on_b ? 0.0 : inverse_b,
+                          normal, approach > 0.0 ? resting_restitution : 0.0);
+            is_contact = approach > 0.0;
+            if (up > 0.0 && b.carried) rest_on(i, normal, world);
+            if (up < 0.0 && a.carried) rest_on(j, -normal, world);
+        }
     }
     for (const std::uint32_t ball : {i, j}) {
-        if (!resting) paths_[ball].support = paths_[ball].other_support = {};
-        count_impact(ball, resting);
+        if (!resting && is_contact) let_go(ball, world);
+        count_impact(ball, resting || !is_contact);
     }
     take_path(world, i, now, velocity_a);
     take_path(world, j, now, velocity_b);
-    if (!contact) return std::nullopt;
-    contact->approach = done.approach;
-    contact->impulse = done.impulse;
-    return contact;
+    if (!is_contact) return std::nullopt;
+    return Contact{.time = now,
+                   .kind = ContactKind::ball_ball,
+                   .a = std::min(i, j),
+                   .b = std::max(i, j),
+                   .point = position_at(j, now) + normal * world.balls.radius[j],
+                   .normal = i < j ? normal : -normal,
+                   .approach = done.approach,
+                   .impulse = done.impulse};
 }
 
 Vec2 SweptSolver::surface_velocity(const World& world, std::uint32_t capsule, Vec2 point,
@@ -125,7 +194,7 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
         }
         return std::nullopt;
     }
-    Vec2 velocity = path.velocity;
+    Vec2 velocity = velocity_at(world, i, now);
     const double approach = surface - dot(velocity, normal);
     if (is_held_ball(i)) {
         count_impact(i, true);
@@ -133,22 +202,40 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
         return std::nullopt;
     }
     const Material& material = world.materials[world.capsules.material[event.other]];
-    double restitution = world.model.lossy ? restitution_at(material, approach) : 1.0;
-    const bool resting = surface > 0.0 || (restitution < 1.0 && approach < resting_speed_);
+    const double restitution =
+        world.model.lossy ? restitution_at(material, std::max(0.0, approach)) : 1.0;
+    const bool pushed = surface > 0.0;
+    bool resting = pushed || (restitution < 1.0 && approach < resting_speed_);
     Vec2 along = normal;
-    if (resting) {
-        restitution = std::min(restitution, surface > 0.0 ? restitution : resting_restitution);
-    } else if (world.model.scatter) {
-        along = scattered_normal(world, world.balls.id[i], world.balls.edge_contacts[i]++, normal,
-                                 velocity, restitution);
+    Vec2 after = velocity;
+    Exchange done{0.0, approach};
+    const Vec2 gravity = world.model.gravity.value_or(Vec2{});
+    if (!resting && approach > 0.0) {
+        if (world.model.scatter)
+            along = scattered_normal(world, world.balls.id[i], world.balls.edge_contacts[i]++,
+                                     normal, velocity, restitution);
+        done = bounce_off(after, inverse_mass_[i], along, surface, restitution);
     }
-    const Exchange done = bounce_off(velocity, inverse_mass_[i], along, surface, restitution);
-    if (resting)
+    if (!resting && dot(chord(world, after, gravity, now), normal) < surface) {
+        resting = true;
+        along = normal;
+        after = velocity;
+    }
+    if (!resting) {
+        if (approach > 0.0) let_go(i, world);
+    } else {
+        if (pushed) {
+            done = bounce_off(after, inverse_mass_[i], normal, surface, restitution);
+        } else {
+            const double part = approach > 0.0 ? approach * (1.0 + resting_restitution) : approach;
+            after = velocity + normal * part;
+            done = {part / inverse_mass_[i], approach};
+        }
         rest_on(i, normal, world);
-    else
-        path.support = path.other_support = {};
-    count_impact(i, resting);
-    take_path(world, i, now, velocity);
+    }
+    count_impact(i, resting || !(approach > 0.0));
+    take_path(world, i, now, after);
+    if (!(approach > 0.0)) return std::nullopt;
     return Contact{.time = now,
                    .kind = ContactKind::ball_edge,
                    .a = i,

@@ -37,7 +37,7 @@ void SweptSolver::tick(World& world, int substeps, std::vector<Contact>& contact
     const int count = substeps_needed(world, substeps);
     const double duration = world.tick_length() / count;
     const double start = world.time();
-    flight_ = flight_over(world.model, duration);
+    flight_ = flight_over(world.model.drag, duration);
     duration_ = duration;
     resting_speed_ =
         world.model.gravity ? resting_approach * length(*world.model.gravity) * duration : 0.0;
@@ -46,7 +46,7 @@ void SweptSolver::tick(World& world, int substeps, std::vector<Contact>& contact
     for (const HeldBall& held : world.held_balls)
         if (const auto index = index_of(world, held.id)) inverse_mass_[*index] = 0.0;
     for (int i = 0; i < count; ++i) {
-        begin_paths(world, duration, 1.0 / (count - i));
+        begin_paths(world, 1.0 / (count - i));
         with_terms(terms_of(world), [&]<Terms terms>() {
             substep<terms>(world, duration, start + duration * i, contacts, touched);
         });
@@ -54,22 +54,25 @@ void SweptSolver::tick(World& world, int substeps, std::vector<Contact>& contact
     }
 }
 
-void SweptSolver::begin_paths(World& world, double duration, double share_of_way) {
+void SweptSolver::begin_paths(World& world, double share_of_way) {
     const Balls& balls = world.balls;
+    const Vec2 gravity = world.model.gravity.value_or(Vec2{});
     paths_.resize(balls.size());
     for (std::size_t i = 0; i < balls.size(); ++i) {
         Vec2 velocity = balls.velocity[i];
         if (world.model.speed_limit) velocity = limited(velocity, *world.model.speed_limit);
         paths_[i] = Path{};
         paths_[i].position = balls.position[i];
-        paths_[i].velocity = travel(flight_, velocity) / duration;
+        paths_[i].start_velocity = velocity;
+        paths_[i].gravity = gravity;
+        paths_[i].velocity = travel(flight_, velocity, gravity) / duration_;
     }
     for (const HeldBall& held : world.held_balls) {
         const auto index = index_of(world, held.id);
         if (!index) continue;
         Vec2 way = held.target - balls.position[*index];
         if (world.model.wrap) way = nearest_image(way, torus_);
-        paths_[*index].velocity = way * (share_of_way / duration);
+        paths_[*index].velocity = way * (share_of_way / duration_);
     }
     hands_.clear();
     for (const HeldCapsule& held : world.held_capsules) {
@@ -77,8 +80,8 @@ void SweptSolver::begin_paths(World& world, double duration, double share_of_way
         if (!index) continue;
         const Capsule& shape = world.capsules.shape[*index];
         hands_.push_back({static_cast<std::uint32_t>(*index),
-                          (held.start_target - shape.start) * (share_of_way / duration),
-                          (held.end_target - shape.end) * (share_of_way / duration)});
+                          (held.start_target - shape.start) * (share_of_way / duration_),
+                          (held.end_target - shape.end) * (share_of_way / duration_)});
     }
 }
 
@@ -94,15 +97,9 @@ void SweptSolver::finish_paths(World& world) {
             balls.velocity[i] = {};
             continue;
         }
-        // What free motion from the middle of the substep to its end still adds: see Flight.
-        const double ratio = flight_.decay * duration_ / flight_.travel_per_velocity;
-        const Vec2 kick =
-            flight_.velocity_from_rest - flight_.travel_from_rest * (ratio / duration_);
-        Vec2 velocity = path.velocity * ratio + kick;
-        for (const Vec2 support : {path.support, path.other_support}) {
-            const double into = dot(kick, support);
-            if (into < 0.0) velocity -= support * into;
-        }
+        const Flight flight =
+            path.time == 0.0 ? flight_ : flight_over(world.model.drag, duration_ - path.time);
+        Vec2 velocity = velocity_after(flight, path.start_velocity, path.gravity);
         if (world.model.speed_limit) velocity = limited(velocity, *world.model.speed_limit);
         balls.velocity[i] = velocity;
     }

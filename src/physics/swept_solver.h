@@ -11,32 +11,35 @@
 #include "physics/swept_cells.h"
 #include "physics/terms.h"
 
+namespace carom {
+
 /// The solver `swept`: in each substep the balls go along straight paths; the first impact of all
 /// is found, dealt with, and the rest of the time goes on. Nothing passes through anything, however
 /// fast.
 ///
-/// The straight path of a substep leads from where the ball is to where free motion would take it,
-/// so free flight is exact; an impact turns the velocity of the path, and the rest of gravity is
-/// added at the end of the substep (a kick, a drift with impacts, a kick: reversible in time).
+/// The straight path leads from where a ball is to where free motion would take it at the end of
+/// the substep: the chord of its parabola. So free flight is exact, and an impact is early or late
+/// by at most g h^2 / 8 of height. The velocity at the impact is that of the parabola where it has
+/// the height of the chord, so an elastic bounce keeps the energy to rounding.
 ///
 /// Impacts are taken in the order (time, ball-ball before ball-edge, lower number, higher number),
-/// so neither cells nor file order of equal scenes matter. Several contacts at the same instant are
-/// taken one after another in that order.
+/// so the cells do not matter. Several contacts at the same instant are taken one after another in
+/// that order.
 ///
-/// Rest: where restitution is below 1, an approach slower than `resting_approach` times the speed
-/// that gravity gives in a substep does not bounce. A ball that lies on something that cannot give
-/// way carries, within the substep, what comes to rest on it. A ball that has had
-/// `most_resting_impacts` of these in a substep, or `most_impacts` of any kind, lies still until
-/// the substep ends; nothing moves it until then. That loses energy and momentum, never gains any,
-/// and bounds the work.
+/// Rest: a ball rests on what it touches when its flight after the bounce would end in it before
+/// the substep does, or, where restitution is below 1, when it comes slower than `resting_approach`
+/// times the speed that gravity gives in a substep. What lies on something that cannot give way is
+/// carried, and feels only the gravity along it; a carried ball carries, within the substep, what
+/// comes to rest on it. A ball that has had `most_resting_impacts` of these in a substep, or
+/// `most_impacts` of any kind, lies still until the substep ends; nothing moves it until then. That
+/// loses energy and momentum, never gains any, and bounds the work.
 ///
 /// A hand pushes: see bounce_off. Where a ball that lies still is in its way, the hand stops for
 /// the substep.
 ///
-/// Fails by nature: gravity acts on the path only between substeps, so an impact is early or late
-/// by up to g h^2 / 8 of height; dense heaps cost many impacts and lose what slides they have.
-namespace carom {
-
+/// Fails by nature: impacts under gravity are early or late (above); a bounce that would be lower
+/// than g h^2 / 8 is lost; dense heaps cost many impacts, and what would still slide in them may
+/// lie still.
 class SweptSolver {
   public:
     static constexpr double resting_approach = 1.5;
@@ -54,17 +57,19 @@ class SweptSolver {
               std::vector<std::uint8_t>& touched);
 
   private:
-    /// A ball in the substep: at `position` at `time`, since then at `velocity`.
+    /// A ball in the substep: at `position` at `time`, since then along the chord at `velocity`.
     struct Path {
         Vec2 position;
         Vec2 velocity;
+        Vec2 start_velocity;  ///< of the parabola, at `time`
+        Vec2 gravity;         ///< what of it the supports leave
         double time = 0.0;
         std::uint32_t version = 0;  ///< counts its changes of path
         std::uint16_t impacts = 0;
         std::uint16_t resting_impacts = 0;
         bool still = false;    ///< lies still until the substep ends
         bool carried = false;  ///< rests on something that does not give way
-        Vec2 support;          ///< normal of the last two supports
+        Vec2 support;          ///< normals of the last two supports, 0 where there is none
         Vec2 other_support;
     };
 
@@ -89,7 +94,7 @@ class SweptSolver {
     template <Terms terms>
     void substep(World& world, double duration, double start_time, std::vector<Contact>& contacts,
                  std::vector<std::uint8_t>& touched);
-    void begin_paths(World& world, double duration, double share_of_way);
+    void begin_paths(World& world, double share_of_way);
     void finish_paths(World& world);
     template <Terms terms>
     void predict(const World& world, std::uint32_t ball, double now, bool only_later);
@@ -98,7 +103,10 @@ class SweptSolver {
                       double now, std::optional<Event>& best) const;
     std::optional<Contact> collide_balls(World& world, const Event& event);
     std::optional<Contact> collide_edge(World& world, const Event& event);
+    Vec2 velocity_at(const World& world, std::uint32_t ball, double now) const;
+    Vec2 chord(const World& world, Vec2 velocity, Vec2 gravity, double now) const;
     void take_path(const World& world, std::uint32_t ball, double now, Vec2 velocity);
+    void let_go(std::uint32_t ball, const World& world);
     void count_impact(std::uint32_t ball, bool resting);
     void rest_on(std::uint32_t ball, Vec2 normal, const World& world);
     Vec2 surface_velocity(const World& world, std::uint32_t capsule, Vec2 point, double now) const;

@@ -73,7 +73,6 @@ TEST_CASE("the decay functions of drag keep their stated bounds, down to no drag
         worst_mean = std::max(worst_mean, relative(mean_decay(x), mean));
         // Below 1e-3 the closed form cancels even in extended precision; the series takes its
         // place.
-        const long double ramp = x > 1e-3 ? (1.0L - mean) / x : 0.5L - x / 6.0L + x * x / 24.0L;
         worst_ramp = std::max(worst_ramp, relative(mean_decay_ramp(x), ramp));
     }
     CHECK(worst_mean <= 1e-15);
