@@ -58,6 +58,18 @@ EdgeGrip grip_ends(const World& world, const std::vector<EdgeEnd>& ends, Vec2 ha
     return grip;
 }
 
+template <typename Move>
+std::vector<Command> for_each_part(const World& world, const EdgeGrip& grip, Vec2 hand) {
+    const Vec2 way = hand - grip.taken_at;
+    std::vector<Command> commands;
+    for (const EdgeGrip::Part& part : grip.parts) {
+        if (!index_of(world, part.capsule)) continue;
+        commands.push_back(Move{part.capsule, part.moves_start ? part.start + way : part.start,
+                                part.moves_end ? part.end + way : part.end});
+    }
+    return commands;
+}
+
 }  // namespace
 
 Vec2 offset(const World& world, Vec2 a, Vec2 b) {
@@ -145,21 +157,18 @@ EdgeGrip grip_edge(const World& world, CapsuleId capsule, Vec2 hand) {
 }
 
 std::vector<Command> carry(const World& world, const EdgeGrip& grip, Vec2 hand) {
-    const Vec2 way = hand - grip.taken_at;
-    std::vector<Command> commands;
-    for (const EdgeGrip::Part& part : grip.parts) {
-        if (!index_of(world, part.capsule)) continue;
-        commands.push_back(command::HoldCapsule{part.capsule,
-                                                part.moves_start ? part.start + way : part.start,
-                                                part.moves_end ? part.end + way : part.end});
-    }
-    return commands;
+    return for_each_part<command::HoldCapsule>(world, grip, hand);
+}
+
+std::vector<Command> place(const World& world, const EdgeGrip& grip, Vec2 hand) {
+    return for_each_part<command::PlaceCapsule>(world, grip, hand);
 }
 
 std::vector<Command> drop(const World& world, const EdgeGrip& grip) {
     std::vector<Command> commands;
     for (const EdgeGrip::Part& part : grip.parts)
-        if (index_of(world, part.capsule)) commands.push_back(command::DropCapsule{part.capsule});
+        if (std::ranges::count(world.held_capsules, part.capsule, &HeldCapsule::id))
+            commands.push_back(command::DropCapsule{part.capsule});
     return commands;
 }
 

@@ -63,8 +63,10 @@ EdgeGrip grip_joint(const World& world, const EdgeEnd& end, Vec2 hand);
 /// A hand on all of an edge, and on the edges that are joined to it. Pre: the edge exists.
 EdgeGrip grip_edge(const World& world, CapsuleId capsule, Vec2 hand);
 
-/// The commands that move the hand, or open it: one for each edge that is still there.
+/// The commands that move the hand, or open it: one for each edge that is still there. `place` is
+/// for a world that stands still.
 std::vector<Command> carry(const World& world, const EdgeGrip& grip, Vec2 hand);
+std::vector<Command> place(const World& world, const EdgeGrip& grip, Vec2 hand);
 std::vector<Command> drop(const World& world, const EdgeGrip& grip);
 
 }  // namespace carom
