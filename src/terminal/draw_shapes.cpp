@@ -9,37 +9,44 @@ namespace carom {
 
 namespace {
 
-// How a filled ball is told from an edge, and from a ball of another kind, without colour: by the
-// character of its inside, or by how many of its dots are lit. Edges are solid.
+// How the inside of a filled ball is told from an edge, and from a ball of another kind, without
+// colour: by its character, or by how many of its dots are lit. Edges are solid.
 struct Texture {
     char fill;
     std::uint8_t tone;
 };
 constexpr std::array<Texture, 6> textures = {
-    {{':', 170}, {'o', 0}, {'+', 140}, {' ', 200}, {'x', 120}, {'.', 185}}};
+    {{':', 130}, {'o', 0}, {'+', 70}, {' ', 190}, {'x', 40}, {'.', 160}}};
 
-// The inside of a ball on half blocks with colours: a little darker than its rim.
-constexpr std::uint8_t shaded = 180;
-
-double rim_of(const Raster& raster) {
-    return 2.0 * raster.hairline();
+// Below this radius, in columns, there is no room for a rim around an inside.
+constexpr double least_rimmed(Sampling sampling) {
+    switch (sampling) {
+        case Sampling::shapes:
+            return 2.4;
+        case Sampling::halves:
+            return 2.5;
+        case Sampling::dots:
+            return 1.2;
+    }
+    return 0.0;
 }
 
-Brush ball_brush(const Raster& raster, const View& view, std::size_t ball, double radius) {
+// Between solid balls that touch, a gap, in columns, keeps them apart to the eye.
+constexpr double solid_gap = 0.12;
+
+bool is_rimmed(const Raster& raster, const ViewOptions& options, double radius) {
+    if (radius < least_rimmed(raster.sampling())) return false;
+    // Pixels of many colours show balls best as flat discs.
+    const bool is_flat = raster.sampling() == Sampling::halves && options.look.has_colors();
+    return !is_flat || options.ball_style == BallStyle::outline;
+}
+
+Brush rimmed_brush(const Raster& raster, const View& view, std::size_t ball) {
     const Ink ink = view.inks[ball];
-    const bool is_solid = radius < rim_of(raster) + 0.6;
-    if (is_solid) return {ink, 255, '\0'};
     if (view.options.ball_style == BallStyle::outline) return {ink, 0, ' '};
     const Texture& texture = textures[view.world.balls.kind[ball] % textures.size()];
-    switch (raster.sampling()) {
-        case Sampling::shapes:
-            return {ink, 0, texture.fill};
-        case Sampling::halves:
-            return {ink, view.options.look.has_colors() ? shaded : texture.tone, '\0'};
-        case Sampling::dots:
-            return {ink, texture.tone, '\0'};
-    }
-    return {ink};
+    if (raster.sampling() == Sampling::shapes) return {ink, 0, texture.fill};
+    return {ink, texture.tone, '\0'};
 }
 
 // A radius from the middle to where the ball heads, as far as its speed says anything.
@@ -53,9 +60,14 @@ void paint_heading(Raster& raster, RasterPoint center, double radius, Vec2 veloc
 
 void paint_ball(Raster& raster, const View& view, std::size_t ball, RasterPoint center) {
     const double radius = view.world.balls.radius[ball] * view.camera.columns_per_length;
-    const Brush brush = ball_brush(raster, view, ball, radius);
-    raster.disc(center, radius, brush.tone == 255 ? 0.0 : rim_of(raster), brush);
-    if (view.options.ball_style == BallStyle::outline && brush.tone != 255) {
+    if (!is_rimmed(raster, view.options, radius)) {
+        const double shown = radius > 4.0 * solid_gap ? radius - solid_gap : radius;
+        raster.disc(center, shown, 0.0, {view.inks[ball], 255, '@'});
+        return;
+    }
+    const Brush brush = rimmed_brush(raster, view, ball);
+    raster.disc(center, radius, 2.0 * raster.hairline(), brush);
+    if (view.options.ball_style == BallStyle::outline) {
         paint_heading(raster, center, radius, view.world.balls.velocity[ball], brush.ink);
     }
 }

@@ -35,22 +35,34 @@ std::optional<CellPlace> cell_of(const Camera& camera, Vec2 point) {
                      static_cast<int>(std::floor(place.row))};
 }
 
-// Over shapes in blocks of colour, text takes the shape's colour as its ground.
-void write_over(Canvas& canvas, const CellArea& area, CellPlace at, std::string_view text,
-                const Ink& ink, const Look& look) {
+void write_within(Canvas& canvas, const CellArea& area, CellPlace at, std::string_view text,
+                  const Ink& ink) {
     for (int column = at.column; !text.empty(); ++column) {
-        const DecodedCharacter next = decode_utf8(text);
-        text.remove_prefix(next.bytes);
-        if (!is_within(area, column, at.row) || !canvas.holds(column, at.row)) continue;
-        const Cell below = canvas.at(column, at.row);
+        const std::size_t bytes = decode_utf8(text).bytes;
+        if (is_within(area, column, at.row)) {
+            canvas.write(column, at.row, text.substr(0, bytes), ink.color, default_color,
+                         ink.attributes);
+        }
+        text.remove_prefix(bytes);
+    }
+}
+
+// Text on a ball: on blocks of colour it takes the ball's colour as its ground.
+void write_on_ball(Canvas& canvas, const CellArea& area, CellPlace at, std::string_view text,
+                   const Ink& ink, const Look& look) {
+    for (int column = at.column; !text.empty(); ++column) {
+        const std::size_t bytes = decode_utf8(text).bytes;
+        const bool is_seen = is_within(area, column, at.row) && canvas.holds(column, at.row);
+        const Cell below = is_seen ? canvas.at(column, at.row) : Cell{};
+        write_within(canvas, area, {column, at.row}, text.substr(0, bytes), ink);
+        text.remove_prefix(bytes);
         const bool is_block = below.glyph == U'█' || below.glyph == U'▀' || below.glyph == U'▄';
-        canvas.write(column, at.row, " ", ink.color, default_color, ink.attributes);
+        if (!is_seen || !is_block) continue;
         Cell& cell = canvas.at(column, at.row);
-        cell.glyph = is_one_column(next.character) ? next.character : U'?';
-        if (is_block && look.has_colors()) {
+        if (look.has_colors()) {
             cell.background = below.foreground;
             cell.foreground = look.light_background ? 15 : 0;
-        } else if (is_block) {
+        } else {
             cell.attributes = reverse;
         }
     }
@@ -78,7 +90,7 @@ void bracket(Canvas& canvas, const View& view, std::size_t ball) {
     const auto write_at = [&](double x, std::string_view bracket) {
         const Vec2 position = view.world.balls.position[ball];
         if (const auto at = cell_of(view.camera, {position.x + x, position.y})) {
-            write_over(canvas, view.camera.area, *at, bracket, ink, view.options.look);
+            write_within(canvas, view.camera.area, *at, bracket, ink);
         }
     };
     const double apart = view.world.balls.radius[ball] + 1.0 / view.camera.columns_per_length;
@@ -89,7 +101,7 @@ void bracket(Canvas& canvas, const View& view, std::size_t ball) {
 void write_at_point(Canvas& canvas, const View& view, Vec2 point, std::string_view text,
                     const Ink& ink) {
     if (const auto at = cell_of(view.camera, point)) {
-        write_over(canvas, view.camera.area, *at, text, ink, view.options.look);
+        write_within(canvas, view.camera.area, *at, text, ink);
     }
 }
 
@@ -118,7 +130,7 @@ void write_counters(Canvas& canvas, const View& view) {
             const int row = std::max(area.row, at->row - 1) - up;
             if (row < area.row) break;
             if (row_taken[slot] == row && column <= taken[slot]) continue;
-            write_over(canvas, area, {column, row}, text, ink, view.options.look);
+            write_within(canvas, area, {column, row}, text, ink);
             row_taken[slot] = row;
             taken[slot] = column + width;
             break;
@@ -150,7 +162,7 @@ void write_labels(Canvas& canvas, const View& view) {
         ink.attributes |= bold;
         const int column = width <= room ? at->column - (width - 1) / 2
                                          : at->column + 1 + static_cast<int>(radius);
-        write_over(canvas, view.camera.area, {column, at->row}, text, ink, view.options.look);
+        write_on_ball(canvas, view.camera.area, {column, at->row}, text, ink, view.options.look);
     }
 }
 
@@ -178,8 +190,7 @@ void write_marks(Canvas& canvas, const View& view) {
             const int last = view.camera.area.column + view.camera.area.columns - width;
             at->column = is_left ? at->column - width - 1 : at->column + 2;
             at->column = std::max(view.camera.area.column, std::min(at->column, last));
-            write_over(canvas, view.camera.area, *at, marks.cue->speed, ink_of(Role::cue, look),
-                       look);
+            write_within(canvas, view.camera.area, *at, marks.cue->speed, ink_of(Role::cue, look));
         }
     }
     if (marks.cursor) {

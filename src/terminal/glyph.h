@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <string_view>
 
 /// Characters chosen by their shape: which printable ASCII character looks most like a given
 /// pattern of light and dark within one cell.
@@ -21,14 +20,21 @@ using RegionInk = std::array<std::uint8_t, 6>;
 /// The ink of the character `first_printable + i` in a typical terminal font.
 std::span<const RegionInk, printable_count> region_ink();
 
-/// Characters that never stand for a shape: digits are labels, and $ and & look like noise.
-inline constexpr std::string_view not_shapes = "0123456789$&";
+/// A character that may stand for a shape, and the one that looks like its mirror image. Others,
+/// such as digits, are for text alone.
+struct ShapeGlyph {
+    char glyph;
+    char mirrored;
+};
+std::span<const ShapeGlyph> shape_glyphs();
 
 /// The levels of six regions in one number: that of region i in bits 2i and 2i + 1.
 using Pattern = std::uint16_t;
 inline constexpr int pattern_count = 4096;
 
-/// The character whose ink comes nearest to the pattern. Pre: pattern < pattern_count.
+/// The character whose ink comes nearest to the pattern, and whose mirror image comes nearest to
+/// the mirrored pattern: the left side of a circle looks like its right side. Pre: pattern <
+/// pattern_count.
 char glyph_for(Pattern pattern);
 
 }  // namespace carom

@@ -33,7 +33,7 @@ constexpr double hairline_of(Sampling sampling) {
         case Sampling::halves:
             return 0.45;
         case Sampling::dots:
-            return 0.24;
+            return 0.27;
     }
     return 0.5;
 }
@@ -42,6 +42,10 @@ constexpr double hairline_of(Sampling sampling) {
 constexpr double level_of_dot(Sampling sampling) {
     return sampling == Sampling::shapes ? 0.7 : sampling == Sampling::halves ? 0.75 : 1.0;
 }
+
+// A dot is lit or it is not; of a tone, those are lit that it exceeds: a pattern of 2 x 4 that
+// thins out evenly.
+constexpr std::array<int, 8> dot_thresholds = {16, 144, 208, 80, 48, 176, 240, 112};
 
 // How much of a sample lies on the near side of a straight border, at `depth` widths within it.
 double covered(double depth) {
@@ -100,6 +104,11 @@ double Raster::filter_width(double dx, double dy, double distance) const {
     return (width_ * std::abs(dx) + height_ * std::abs(dy)) / distance;
 }
 
+std::uint8_t Raster::tone_of_sample(std::uint8_t tone, int sample) const {
+    if (sampling_ != Sampling::dots) return tone;
+    return tone > dot_thresholds[static_cast<std::size_t>(sample)] ? 255 : 0;
+}
+
 template <int across, int down, class Coverage>
 void Raster::paint_cell(RasterCell& cell, RasterPoint corner, const Brush& brush,
                         Coverage coverage) {
@@ -117,7 +126,8 @@ void Raster::paint_cell(RasterCell& cell, RasterPoint corner, const Brush& brush
             continue;
         }
         is_touched = true;
-        const double added = 255.0 * (cover.outer - cover.inner) + brush.tone * cover.inner;
+        const int tone = tone_of_sample(brush.tone, i);
+        const double added = 255.0 * (cover.outer - cover.inner) + tone * cover.inner;
         const double left = cell.levels[i] * (1.0 - cover.outer);
         cell.levels[i] = static_cast<std::uint8_t>(std::min(255.0, added + left + 0.5));
         mine[across == 1 ? i : 0] += 255.0 * cover.outer;
@@ -147,7 +157,8 @@ void Raster::paint(int column, int row, const Brush& brush, Coverage coverage) {
 }
 
 void Raster::fill_cell(RasterCell& cell, const Brush& brush) {
-    cell.levels.fill(brush.tone);
+    for (int i = 0; i < across_ * down_; ++i)
+        cell.levels[i] = tone_of_sample(brush.tone, i);
     cell.colors.fill(brush.ink.color);
     cell.attributes.fill(brush.ink.attributes);
     cell.fill = brush.fill;
@@ -273,11 +284,12 @@ void Raster::line(RasterPoint start, RasterPoint end, const Ink& ink, std::uint8
 void Raster::sample(int across, int down, std::uint8_t level, const Ink& ink) {
     if (across < 0 || down < 0 || across >= samples_across() || down >= samples_down()) return;
     RasterCell& cell = cell_at(across / across_, down / down_);
-    const int x = across % across_;
     const int y = down % down_;
-    std::uint8_t& present = cell.levels[static_cast<std::size_t>(y * across_ + x)];
-    if (present >= level) return;
-    present = level;
+    const int i = y * across_ + across % across_;
+    const std::uint8_t shown = tone_of_sample(level, i);
+    std::uint8_t& present = cell.levels[static_cast<std::size_t>(i)];
+    if (present >= shown) return;
+    present = shown;
     const std::size_t slot = sampling_ == Sampling::halves ? static_cast<std::size_t>(y) : 0;
     cell.colors[slot] = ink.color;
     cell.attributes[slot] = ink.attributes;

@@ -59,7 +59,8 @@ class Raster {
     void capsule(RasterPoint start, RasterPoint end, double radius, const Brush& brush);
     /// A hairline from start to end, `strength` (0 to 255) of full.
     void line(RasterPoint start, RasterPoint end, const Ink& ink, std::uint8_t strength = 255);
-    /// Lights one sample, if it is darker than `level`.
+    /// Lights one sample, if it is darker than `level`. Dots have no levels: the lower `level`, the
+    /// fewer of them are lit.
     void sample(int across, int down, std::uint8_t level, const Ink& ink);
 
     /// The level of one sample: 0 is empty, 255 full. Pre: within the raster.
@@ -87,6 +88,7 @@ class Raster {
     template <class SpanAt, class Inside, class Coverage>
     void paint_rows(double top, double bottom, const Brush& brush, SpanAt span_at, Inside inside,
                     Coverage coverage);
+    std::uint8_t tone_of_sample(std::uint8_t tone, int sample) const;
     void fill_cell(RasterCell& cell, const Brush& brush);
     Span columns_within(double left, double right) const;
     RasterCell& cell_at(int column, int row);

@@ -24,17 +24,13 @@ Pattern pattern_of(const Levels& levels) {
     return static_cast<Pattern>(pattern);
 }
 
-// What a level must exceed for the dot in this place to be lit: a pattern of 2 x 4 that thins out
-// evenly.
-constexpr Levels dot_thresholds = {112, 176, 208, 144, 128, 192, 224, 160};
-
 // Braille numbers its dots down the left column, down the right one, and then the bottom row.
 constexpr std::array<unsigned, 8> dot_bits = {0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80};
 
 char32_t braille_of(const Levels& levels) {
     unsigned dots = 0;
     for (std::size_t i = 0; i < 8; ++i) {
-        if (levels[i] > dot_thresholds[i]) dots |= dot_bits[i];
+        if (levels[i] >= 128) dots |= dot_bits[i];
     }
     return dots == 0 ? U' ' : static_cast<char32_t>(0x2800 + dots);
 }
