@@ -20,6 +20,19 @@ std::optional<Vec2> place_of(const World& world, BallId ball) {
     return world.balls.position[*index];
 }
 
+/// Whether the world already holds what the command asks for, and where it asks for it.
+bool is_held_so(const World& world, const Command& command) {
+    if (const auto* hold = std::get_if<command::HoldBall>(&command))
+        return std::ranges::any_of(world.held_balls, [&](const HeldBall& held) {
+            return held.id == hold->ball && held.target == hold->target;
+        });
+    const auto& hold = std::get<command::HoldCapsule>(command);
+    return std::ranges::any_of(world.held_capsules, [&](const HeldCapsule& held) {
+        return held.id == hold.capsule && held.start_target == hold.start_target &&
+               held.end_target == hold.end_target;
+    });
+}
+
 }  // namespace
 
 Vec2 cue_velocity(const World& world, Vec2 ball, Vec2 hand) {
@@ -124,7 +137,7 @@ void Hand::cancel(Session& session) {
 
 void Hand::prepare(Session& session) {
     for (const Command& command : holds(session.world()))
-        session.apply(command);
+        if (!is_held_so(session.world(), command)) session.apply(command);
     if (session.world().tick < session.latest()) return;
     const std::vector<HeldBall> balls = session.world().held_balls;
     const std::vector<HeldCapsule> edges = session.world().held_capsules;

@@ -1,0 +1,164 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "carom/clockwork.h"
+#include "carom/hand.h"
+#include "carom/keys.h"
+#include "game/session.h"
+#include "terminal/camera.h"
+#include "terminal/canvas.h"
+#include "terminal/draw.h"
+#include "terminal/energy.h"
+#include "terminal/hud.h"
+#include "terminal/input.h"
+
+/// One game being played: takes what the person does, lets time pass, and draws. Knows no terminal,
+/// no files and no clock, so tests play it as a person would.
+namespace carom {
+
+/// What the player asks of the program around the game.
+enum class Wish : std::uint8_t { none, quit, menu, save, toggle_mouse };
+
+class Player {
+  public:
+    /// `solver_is_picked`: by carom, not by the level or the person.
+    Player(Session session, const ViewOptions& view, KeyMap keys, bool solver_is_picked = false);
+
+    /// One key, or one report of the mouse. Other events do nothing.
+    Wish handle(const InputEvent& event);
+    Wish perform(Action action);
+
+    /// Lets `seconds` of the person's time pass: ticks, and messages that fade. Nothing happens
+    /// while the window is too small or help is shown.
+    void advance(double seconds, const MayGoOn& may_go_on);
+
+    /// Draws all of the window. `aspect`: height of a cell over its width.
+    void draw(Canvas& canvas, double aspect);
+    /// Something that is drawn has changed since the last draw().
+    bool needs_draw() const { return needs_draw_; }
+    void touch() { needs_draw_ = true; }
+    /// Time matters: ticks are being run, or a message waits to fade.
+    bool is_in_motion() const;
+    /// Motion of the mouse without a button matters now.
+    bool wants_motion() const;
+
+    void say(std::string message);
+    void complain(std::string message);
+    /// Stays until the next call; none: all is well. For the errors of a level that is watched.
+    void set_problem(std::optional<std::string> problem);
+
+    void pause(bool paused);
+    const Session& session() const { return session_; }
+    const Clockwork& clockwork() const { return clockwork_; }
+    const ViewOptions& view() const { return view_; }
+    const Hand& hand() const { return hand_; }
+    /// Where the person points, in the world: the mouse or the cursor, whichever moved last.
+    Vec2 pointer() const { return pointer_; }
+    const Camera& camera() const { return camera_; }
+    /// After preferences or the terminal have changed.
+    void set_view(const ViewOptions& view);
+    void set_mouse_is_off(bool is_off) { mouse_is_off_ = is_off; }
+
+    /// The same scene, changed on disk: another game, seen as this one was.
+    Player continued_with(Session session, bool solver_is_picked) const;
+
+  private:
+    // player.cpp: keys
+    void perform_in_time(Action action);
+    void perform_by_hand(Action action);
+    void perform_on_world(Action action);
+    void perform_on_view(Action action);
+    Wish escape();
+    void go_to(std::uint64_t tick);
+    void second(int direction);
+    void next_solver();
+    void set_gravity(std::optional<Vec2> gravity);
+    void next_overlay();
+    void obey(const Command& command, std::string done);
+    void add_ball();
+    void remove_at_pointer(bool only_edges);
+    void draw_edge();
+    void use_cue();
+    void grab();
+    void jump_to_ball(bool backwards);
+
+    // player_mouse.cpp: the mouse and the cursor
+    void handle_mouse(const InputEvent& event);
+    void press(const InputEvent& event);
+    void release(const InputEvent& event);
+    void move_pointer(Vec2 to);
+    void move_cursor(double columns, double rows);
+    void zoom(CellPoint fixed, double factor);
+    void pan(double columns, double rows);
+    void scroll_help(const InputEvent& event);
+    double slack() const;
+    std::optional<BallId> ball_at_pointer() const;
+    bool stands_still() const { return clockwork_.is_paused() && !clockwork_.is_seeking(); }
+
+    // player_picture.cpp: drawing
+    void lay_out(const Canvas& canvas, double aspect);
+    Marks marks() const;
+    HudInfo hud() const;
+    std::vector<KeyHelp> hints() const;
+    std::string mode() const;
+    void draw_panels(Canvas& canvas);
+    std::string_view speed_unit() const;
+    bool has_histogram() const;
+
+    /// The sums at the last moment when something from outside changed them.
+    struct Reference {
+        std::uint64_t tick = 0;
+        double energy = 0.0;
+        Vec2 momentum;
+        double momentum_scale = 0.0;  ///< sum of magnitudes
+    };
+    void set_reference();
+
+    Session session_;
+    Clockwork clockwork_;
+    Hand hand_;
+    KeyMap keys_;
+
+    ViewOptions view_;
+    ViewMemory memory_;
+    Camera camera_;
+    bool is_fitted_ = true;
+    CellArea histogram_area_;
+    CellArea energy_area_;
+    bool shows_histogram_ = false;
+    bool shows_energy_ = false;
+    EnergyHistory energy_;
+    Reference reference_;
+    bool solver_is_picked_ = false;
+
+    Vec2 pointer_;
+    bool shows_cursor_ = false;
+    std::optional<BallId> selected_;
+    bool follows_ = false;
+    bool cue_is_armed_ = false;  ///< the next press on a ball pulls the cue
+    std::optional<CellPoint> panning_from_;
+    std::optional<std::uint8_t> pressed_;  ///< the button that the hand follows
+    std::optional<Vec2> last_gravity_;
+
+    bool shows_help_ = false;
+    int help_scroll_ = 0;
+    bool is_too_small_ = false;
+    bool mouse_is_off_ = false;
+    bool needs_draw_ = true;
+
+    std::string message_;
+    bool message_is_error_ = false;
+    double message_seconds_ = 0.0;  ///< left
+    std::optional<std::string> problem_;
+};
+
+/// "swept", "substep 4x15": a solver with the settings that it has.
+std::string solver_text(const SolverSettings& settings);
+
+}  // namespace carom

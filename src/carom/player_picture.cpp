@@ -1,0 +1,225 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "carom/player.h"
+#include "game/conserved.h"
+#include "physics/cell_frame.h"
+#include "physics/totals.h"
+#include "terminal/histogram.h"
+#include "terminal/pages.h"
+
+namespace carom {
+namespace {
+
+/// Panels stand to the right of the world in a window at least this wide, below it in others.
+constexpr int wide = 70;
+constexpr int least_panel_columns = 24;
+constexpr int least_panel_rows = 7;
+
+/// Cuts `rows` from the bottom, or `columns` from the right.
+CellArea cut_bottom(CellArea& area, int rows) {
+    area.rows -= rows;
+    return {area.column, area.row + area.rows, area.columns, rows};
+}
+
+CellArea cut_right(CellArea& area, int columns) {
+    area.columns -= columns;
+    return {area.column + area.columns, area.row, columns, area.rows};
+}
+
+std::optional<double> relative(double change, double scale) {
+    if (!(scale > 0.0)) return std::nullopt;
+    return change / scale;
+}
+
+}  // namespace
+
+bool Player::has_histogram() const {
+    return std::ranges::any_of(session_.scene().shows,
+                               [](const Show& show) { return show.what == Show::What::histogram; });
+}
+
+std::string_view Player::speed_unit() const {
+    return session_.scene().unit == LengthUnit::natural ? "" : " m/s";
+}
+
+void Player::lay_out(const Canvas& canvas, double aspect) {
+    CellArea area = world_area(canvas.columns(), canvas.rows());
+    histogram_area_ = {};
+    energy_area_ = {};
+    const bool histogram = shows_histogram_ && has_histogram();
+    const int panels = (histogram ? 1 : 0) + (shows_energy_ ? 1 : 0);
+    if (panels > 0 && area.columns >= wide) {
+        CellArea side = cut_right(area, std::max(least_panel_columns, area.columns * 2 / 5));
+        if (histogram && shows_energy_) energy_area_ = cut_bottom(side, side.rows / 2);
+        (histogram ? histogram_area_ : energy_area_) = side;
+    } else if (panels > 0 && area.rows >= 2 * least_panel_rows) {
+        CellArea bottom = cut_bottom(area, std::max(least_panel_rows, area.rows / 3));
+        (histogram ? histogram_area_ : energy_area_) = bottom;
+    }
+    if (is_fitted_)
+        camera_ = fit_camera(session_.scene().view, area, aspect);
+    else if (!(camera_.area == area) || camera_.aspect != aspect)
+        camera_ = resized(camera_, area, aspect);
+    if (follows_ && selected_) {
+        const auto index = index_of(session_.world(), *selected_);
+        if (index) {
+            camera_.center = session_.world().balls.position[*index];
+            is_fitted_ = false;
+        } else {
+            follows_ = false;
+        }
+    }
+}
+
+Marks Player::marks() const {
+    Marks marks;
+    const World& world = session_.world();
+    if (selected_ && index_of(world, *selected_)) marks.selected_ball = selected_;
+    if (shows_cursor_) marks.cursor = pointer_;
+    hand_.mark(world, speed_unit(), marks);
+    if (view_.broad_phase && world.balls.size() > 0) {
+        const CellFrame frame = frame_around(world, 2.0 * largest_radius(world.balls));
+        marks.broad_phase = CellGrid{frame.origin, frame.cell.x};
+    }
+    return marks;
+}
+
+std::string Player::mode() const {
+    if (is_too_small_) return {};
+    std::string mode;
+    const auto add = [&mode](std::string_view text) {
+        mode += (mode.empty() ? "" : ", ") + std::string(text);
+    };
+    if (clockwork_.is_seeking()) add("seeking a collision");
+    if (clockwork_.is_behind() && !clockwork_.is_paused()) add("slower than real");
+    if (mouse_is_off_) add("mouse off");
+    if (follows_ && selected_) add(fmt::format("following {}", number(*selected_)));
+    return mode;
+}
+
+std::vector<KeyHelp> Player::hints() const {
+    std::vector<KeyHelp> hints;
+    const auto hint = [&](Action action, std::string_view what) {
+        const std::string keys = keys_.hint(action);
+        if (!keys.empty()) hints.push_back({keys, std::string(what)});
+    };
+    if (hand_.has_cue()) {
+        hint(Action::grab, "shoot");
+        hint(Action::menu, "let go");
+    } else if (hand_.has_new_edge()) {
+        hint(Action::draw_edge, "make the edge");
+        hint(Action::menu, "let go");
+    } else if (!hand_.is_empty()) {
+        hint(Action::grab, "drop");
+        hint(Action::pause, clockwork_.is_paused() ? "go on" : "pause");
+    } else if (clockwork_.is_paused()) {
+        hint(Action::pause, "go on");
+        hint(Action::step_forward, "step");
+        hint(Action::step_back, "step back");
+        hint(Action::next_collision, "next collision");
+    } else {
+        hint(Action::pause, "pause");
+    }
+    if (hand_.is_empty() && (shows_cursor_ || selected_)) {
+        hint(Action::grab, "take");
+        hint(Action::cue, "cue");
+        hint(Action::remove, "remove");
+    }
+    hint(Action::help, "help");
+    if (hand_.is_empty()) {
+        if (!mouse_is_off_ && !shows_cursor_) {
+            hints.push_back({"drag", "move"});
+            hints.push_back({"right drag", "shoot"});
+        }
+        hint(Action::solver, "solver");
+        hint(Action::renderer, "look");
+        hint(Action::menu, "menu");
+        hint(Action::quit, "quit");
+    }
+    return hints;
+}
+
+HudInfo Player::hud() const {
+    const World& world = session_.world();
+    const Totals sums = totals(world);
+    HudInfo info;
+    info.title = session_.scene().title;
+    info.solver = solver_text(session_.solver());
+    info.solver_is_picked = solver_is_picked_;
+    info.time = world.time();
+    info.tick = world.tick;
+    info.latest_tick = session_.latest();
+    info.ticks_per_second = clockwork_.is_paused() ? 0.0 : clockwork_.ticks_per_second();
+    info.rate = world.rate;
+    info.terms = terms_in_force(world.model);
+    info.balls = world.balls.size();
+    info.kinetic_energy = sums.kinetic_energy;
+    if (world.model.gravity) info.potential_energy = sums.potential_energy;
+    info.momentum = sums.momentum;
+    const double energy = sums.kinetic_energy + sums.potential_energy;
+    if (keeps_energy(world))
+        info.energy_drift = relative(energy - reference_.energy, std::fabs(reference_.energy));
+    if (keeps_momentum(world))
+        info.momentum_drift =
+            relative(length(sums.momentum - reference_.momentum), reference_.momentum_scale);
+    info.speed = clockwork_.speed();
+    info.is_paused = clockwork_.is_paused() && !clockwork_.is_seeking();
+    info.mode = mode();
+    if (message_seconds_ > 0.0) {
+        info.message = message_;
+        info.message_is_error = message_is_error_;
+    } else if (problem_) {
+        info.message = *problem_;
+        info.message_is_error = true;
+    }
+    info.hints = hints();
+    return info;
+}
+
+void Player::draw_panels(Canvas& canvas) {
+    const World& world = session_.world();
+    if (energy_area_.rows > 0) {
+        draw_energy(canvas, energy_area_, energy_, world.tick_length(), view_.look);
+    }
+    if (histogram_area_.rows == 0) return;
+    const auto show = std::ranges::find(session_.scene().shows, Show::What::histogram, &Show::what);
+    Histogram histogram;
+    histogram.title = show->of;
+    histogram.expected = show->expected;
+    histogram.against = show->against;
+    const std::vector<std::uint64_t> counts = census(world);
+    for (const std::uint32_t counter : show->counters)
+        histogram.counts.push_back(counts[counter]);
+    draw_histogram(canvas, histogram_area_, histogram, view_.look);
+}
+
+void Player::draw(Canvas& canvas, double aspect) {
+    needs_draw_ = false;
+    is_too_small_ = is_too_small(canvas.columns(), canvas.rows());
+    if (is_too_small_) return draw_too_small(canvas);
+    if (shows_help_) {
+        const std::vector<HelpSection> sections = keys_.help();
+        const PageExtent extent =
+            draw_help(canvas, sections, help_scroll_, "any key goes back", view_.look);
+        help_scroll_ = extent.scroll;
+        return;
+    }
+    canvas.fill({});
+    lay_out(canvas, aspect);
+    const World& world = session_.world();
+    const Totals sums = totals(world);
+    energy_.add({world.tick, sums.kinetic_energy, sums.potential_energy});
+    draw_world(canvas, camera_, session_.scene(), world, session_.contacts(), marks(), view_,
+               memory_);
+    draw_panels(canvas);
+    draw_hud(canvas, hud(), view_.look);
+}
+
+bool Player::wants_motion() const {
+    return !pressed_ && (hand_.has_cue() || hand_.has_new_edge());
+}
+
+}  // namespace carom
