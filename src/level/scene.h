@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/shapes.h"
+#include "level/quantities.h"
 #include "physics/solver.h"
 #include "physics/world.h"
 
@@ -30,7 +31,8 @@ struct Show {
 
 /// An experiment with a number to check.
 struct Expect {
-    std::string quantity;
+    std::string quantity;  ///< as the level says it
+    Quantity what;
     double value = 0.0;
     double tolerance = 0.0;
     std::optional<double> at;  ///< s; none: the end of the run
@@ -69,8 +71,10 @@ struct Scene {
     /// The level's text and all that was included, for hashes and for --watch.
     std::vector<std::string> files;
     std::uint64_t text_hash = 0;
-    /// An override changed solver, rate or seed: `expect` is not judged.
+    /// There is an override, or options changed solver, rate or seed: `expect` is not judged.
     bool overridden = false;
+    /// What is played: "sandbox" where the level does not say.
+    std::string game = "sandbox";
 };
 
 }  // namespace carom

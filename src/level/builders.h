@@ -1,0 +1,57 @@
+#pragma once
+
+#include "level/context.h"
+
+/// Statements to the draft: one function a statement that makes something, one for all that only
+/// declare. Pre, for each: arguments.is_sound. Everything passes through the frame's transform.
+namespace carom {
+
+// Shapes (shapes.cpp).
+void build_edge(const Arguments& arguments, const Frame& frame, Context& context);
+void build_arc(const Arguments& arguments, const Frame& frame, Context& context);
+void build_peg(const Arguments& arguments, const Frame& frame, Context& context);
+void build_box(const Arguments& arguments, const Frame& frame, Context& context);
+
+// Balls and where they come from (ball_parts.cpp).
+void build_ball(const Arguments& arguments, const Frame& frame, Context& context);
+void build_spawn(const Arguments& arguments, const Frame& frame, Context& context);
+void build_fill(const Arguments& arguments, const Frame& frame, Context& context);
+void build_cradle(const Arguments& arguments, const Frame& frame, Context& context);
+
+// Galton's board (galton_parts.cpp).
+void build_pegs(const Arguments& arguments, const Frame& frame, Context& context);
+void build_bins(const Arguments& arguments, const Frame& frame, Context& context);
+
+// Drawings (map_drawing.cpp).
+
+/// What a letter of a drawing stands for.
+struct Legend {
+    enum class What { ball, peg, solid };
+    What what = What::ball;
+    std::optional<Word> kind;
+    std::optional<Word> material;
+    std::optional<double> radius;
+    Vec2 velocity;
+};
+using Legends = std::map<std::string, Legend, std::less<>>;
+void build_map(const Arguments& arguments, const Legends& legends, const Frame& frame,
+               Context& context);
+
+/// Carries out the statements that only declare: use, kind, rate, show ... (declarations.cpp)
+/// `world`, `units`, `let`, blocks and includes are not among them. False: it is none of them.
+bool declare(const Arguments& arguments, const Scope& scope, Legends& legends, Context& context);
+
+// The ways into the draft (draft.cpp). Shapes are in the frame's coordinates.
+
+/// False when the level has too many balls; told once.
+bool plan_balls(std::uint64_t count, const Span& at, Context& context);
+/// Starts a chain of capsules.
+int begin_chain(bool is_closed, Context& context);
+/// False when the level has too many edges; told once.
+bool add_piece(const Capsule& shape, Side side, int naming, int chain, const Span& at,
+               const Frame& frame, Context& context);
+int name_edges(EdgeNaming naming, Context& context);
+int name_balls(BallNaming naming, Context& context);
+void add_ball_draft(const BallDraft& ball, const Frame& frame, Context& context);
+
+}  // namespace carom

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "level/assemble.h"
+#include "level/names.h"
+
+/// Physical sense: what no author can have meant.
+namespace carom {
+
+/// Errors: balls that start inside one another or inside an edge (unless they never meet, or
+/// `use overlap`), balls outside a torus, spawns outside the world or inside an edge, a torus too
+/// small for its balls.
+/// Each ball is told once, and each statement once for each statement that it collides with.
+void check_start(const std::vector<StartingBall>& balls, const Resolved& names, Context& context);
+
+/// Warnings: gaps between edges that do not touch, too narrow for the smallest ball. None where
+/// there are no balls.
+void check_gaps(const std::vector<StartingBall>& balls, const Resolved& names, Context& context);
+
+}  // namespace carom

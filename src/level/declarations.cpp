@@ -1,0 +1,239 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "level/builders.h"
+#include "level/spelling.h"
+
+namespace carom {
+namespace {
+
+constexpr std::string_view reserved_note = "the words ball and edge stand for all of them";
+
+// A name that is free for a kind or a material.
+bool is_free(const Word& name, Context& context) {
+    Reporter& reporter = context.reporter;
+    if (!is_identifier(name.text)) {
+        reporter.error(name.span(), fmt::format("'{}' is not a name", name.text),
+                       "a name has letters, digits and '_', and begins with a letter");
+        return false;
+    }
+    if (name.text == "ball" || name.text == "edge") {
+        reporter.error(name.span(), fmt::format("'{}' cannot be a name", name.text),
+                       std::string(reserved_note));
+        return false;
+    }
+    const auto taken = [&](const Word& by) {
+        if (by.text != name.text) return false;
+        reporter.error(name.span(),
+                       fmt::format("the name '{}' is taken, in line {}", name.text, by.line),
+                       "give each kind and each material a name of its own");
+        return true;
+    };
+    for (const KindDraft& kind : context.draft.kinds) {
+        if (taken(kind.name)) return false;
+    }
+    for (const MaterialDraft& material : context.draft.materials) {
+        if (taken(material.name)) return false;
+    }
+    return true;
+}
+
+void declare_kind(const Arguments& a, Context& context) {
+    if (a.plain.empty() || !is_free(a.plain.front(), context)) return;
+    KindDraft kind;
+    kind.name = a.plain.front();
+    kind.radius = a.number("r");
+    kind.mass = a.number("m");
+    kind.density = a.number("density");
+    kind.restitution = a.number("e");
+    kind.is_sound = a.is_sound;
+    context.draft.kinds.push_back(std::move(kind));
+}
+
+void declare_material(const Arguments& a, Context& context) {
+    if (a.plain.empty() || !is_free(a.plain.front(), context)) return;
+    context.draft.materials.push_back(
+        {a.plain.front(), {a.number_or("e", 1.0), a.number_or("soften", 0.0)}});
+}
+
+// The one number of "use drag 0.1" and its like; 0 is the same as no such line.
+void set_positive(const Arguments& a, Measure measure, Bound bound, const Scope& scope,
+                  std::optional<double>& setting, Context& context) {
+    const auto number = read_number(a.plain.front(), "", measure, bound, scope, context);
+    if (number) setting = *number > 0.0 ? number : std::nullopt;
+}
+
+void declare_use(const Arguments& a, const Scope& scope, Context& context) {
+    SettingsDraft& s = context.draft.settings;
+    const std::string_view term = a.statement->name.substr(4);
+    if (term == "gravity") {
+        s.gravity = a.points[0] == Vec2{} ? std::nullopt : std::optional(a.points[0]);
+    } else if (term == "drag") {
+        set_positive(a, Measure::rate, Bound::not_negative, scope, s.drag, context);
+    } else if (term == "stop") {
+        set_positive(a, Measure::speed, Bound::not_negative, scope, s.stop_speed, context);
+    } else if (term == "limit") {
+        set_positive(a, Measure::speed, Bound::positive, scope, s.speed_limit, context);
+    } else if (term == "scatter") {
+        const Word& word = a.plain.front();
+        const auto degrees =
+            read_number(word, "", Measure::angle, Bound::not_negative, scope, context);
+        if (degrees && *degrees > 90.0) {
+            context.reporter.error(word.span(),
+                                   fmt::format("scatter must be 90 degrees at most, "
+                                               "but is {:.6g}",
+                                               *degrees),
+                                   "write an angle such as 20deg");
+        } else if (degrees) {
+            s.scatter = *degrees > 0.0 ? std::optional(*degrees * pi / 180.0) : std::nullopt;
+        }
+    } else if (term == "wrap") {
+        s.wrap = a.node->keyword().span();
+    } else {
+        s.may_overlap = true;
+    }
+}
+
+void declare_solver(const Arguments& a, Context& context) {
+    const Word& word = a.plain.front();
+    const std::optional<SolverKind> kind = solver_named(word.text);
+    std::vector<std::string_view> known;
+    for (const SolverKind available : solvers_available())
+        known.push_back(name(available));
+    const std::string offer = fmt::format("there are: {}", fmt::join(known, " "));
+    if (!kind) {
+        context.reporter.error(word.span(), fmt::format("there is no solver '{}'", word.text),
+                               did_you_mean(word.text, known, offer));
+        return;
+    }
+    if (std::find(known.begin(), known.end(), word.text) == known.end()) {
+        context.reporter.warning(
+            word.span(),
+            fmt::format("solver '{}' is not in this version of carom, so carom picks one",
+                        word.text),
+            offer);
+        return;
+    }
+    SolverSettings settings;
+    settings.kind = *kind;
+    settings.updates = static_cast<int>(a.number_or("updates", settings.updates));
+    settings.steps = static_cast<int>(a.number_or("steps", settings.steps));
+    settings.substeps = static_cast<int>(a.number_or("substeps", settings.substeps));
+    context.draft.settings.solver = settings;
+}
+
+void declare_rate(const Arguments& a, const Scope& scope, Context& context) {
+    constexpr double fastest = 1e9;
+    const Word& word = a.plain.front();
+    const auto rate =
+        read_number(word, "rate", Measure::frequency, Bound::positive, scope, context);
+    if (!rate) return;
+    if (*rate > fastest || *rate < 1e-3) {
+        context.reporter.error(word.span(), fmt::format("rate is out of range: {:.6g}", *rate),
+                               "write ticks a second, from 0.001 to 1e9");
+        return;
+    }
+    context.draft.settings.rate = rate;
+}
+
+void declare_seed(const Arguments& a, const Scope& scope, Context& context) {
+    const Word& word = a.plain.front();
+    std::uint64_t seed = 0;
+    const char* end = word.text.data() + word.text.size();
+    const auto [stop, fault] = std::from_chars(word.text.data(), end, seed);
+    if (fault == std::errc{} && stop == end) {
+        context.draft.settings.seed = seed;
+        return;
+    }
+    const auto number =
+        read_number(word, "seed", Measure::whole, Bound::not_negative, scope, context);
+    if (number) context.draft.settings.seed = static_cast<std::uint64_t>(*number);
+}
+
+void declare_game(const Arguments& a, Context& context) {
+    const Word& word = a.plain.front();
+    if (word.text == "sandbox" || word.text == "galton") {
+        context.draft.settings.game = std::string(word.text);
+        return;
+    }
+    if (word.text == "eightball" || word.text == "nineball" || word.text == "pinball") {
+        context.reporter.error(word.span(),
+                               fmt::format("'game {}' is not in this version of carom", word.text),
+                               "write game sandbox, or leave the line out");
+        return;
+    }
+    context.reporter.error(
+        word.span(), fmt::format("there is no game '{}'", word.text),
+        did_you_mean(word.text, {"sandbox", "galton"}, "there are: sandbox galton"));
+}
+
+void declare_legend(const Arguments& a, Legends& legends, Context& context) {
+    const Word& letter = a.plain.front();
+    if (characters(letter.text) != 1) {
+        context.reporter.error(letter.span(), "a legend explains one letter",
+                               "write it as in: legend ball x kind=red");
+        return;
+    }
+    Legend legend;
+    const std::string_view what = a.statement->name.substr(7);
+    legend.what = what == "ball"  ? Legend::What::ball
+                  : what == "peg" ? Legend::What::peg
+                                  : Legend::What::solid;
+    legend.kind = a.word("kind");
+    legend.material = a.word("material");
+    legend.radius = a.number("r");
+    legend.velocity = a.pair_or("v", {});
+    legends[std::string(letter.text)] = legend;
+}
+
+void declare_show(const Arguments& a, Context& context) {
+    ShowDraft show;
+    show.what = a.statement->name == "show energy" ? Show::What::energy : Show::What::histogram;
+    show.of = a.word("of");
+    show.against = a.word("against");
+    show.span = a.node->keyword().span();
+    context.draft.shows.push_back(std::move(show));
+}
+
+void declare_expect(const Arguments& a, const Scope& scope, Context& context) {
+    if (a.plain[2].text != "within") {
+        context.reporter.error(a.plain[2].span(),
+                               fmt::format("'{}' stands where 'within' is wanted", a.plain[2].text),
+                               "write it as: expect QUANTITY VALUE within TOLERANCE");
+        return;
+    }
+    const auto value = read_number(a.plain[1], "", Measure::result, Bound::any, scope, context);
+    const auto tolerance = read_number(a.plain[3], "the tolerance", Measure::result,
+                                       Bound::not_negative, scope, context);
+    if (!value || !tolerance) return;
+    context.draft.expects.push_back({a.plain[0], *value, *tolerance, a.number("at")});
+}
+
+}  // namespace
+
+bool declare(const Arguments& a, const Scope& scope, Legends& legends, Context& context) {
+    const std::string_view name = a.statement->name;
+    // A kind or a material with a mistake exists all the same: only the mistake is told.
+    if (name == "kind") return declare_kind(a, context), true;
+    if (name == "material") return declare_material(a, context), true;
+    const bool is_use = name.substr(0, 4) == "use ";
+    const bool is_legend = name.substr(0, 7) == "legend ";
+    const bool is_show = name.substr(0, 5) == "show ";
+    const bool is_known = is_use || is_legend || is_show || name == "collide" || name == "solver" ||
+                          name == "rate" || name == "seed" || name == "game" || name == "expect";
+    if (!is_known || !a.is_sound) return is_known;
+    if (is_use) declare_use(a, scope, context);
+    if (is_legend) declare_legend(a, legends, context);
+    if (is_show) declare_show(a, context);
+    if (name == "collide") context.draft.collides.push_back({a.plain[0], a.plain[1]});
+    if (name == "solver") declare_solver(a, context);
+    if (name == "rate") declare_rate(a, scope, context);
+    if (name == "seed") declare_seed(a, scope, context);
+    if (name == "game") declare_game(a, context);
+    if (name == "expect") declare_expect(a, scope, context);
+    return true;
+}
+
+}  // namespace carom

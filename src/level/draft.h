@@ -1,0 +1,167 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "level/blocks.h"
+#include "level/expression.h"
+#include "level/scene.h"
+
+/// A level with its arithmetic done and its blocks unrolled, but its names not yet looked up:
+/// order in the file is free, so kinds and materials may come last. All numbers are the world's
+/// (SI or natural; radians).
+namespace carom {
+
+struct KindDraft {
+    Word name;
+    std::optional<double> radius;
+    std::optional<double> mass;
+    std::optional<double> density;
+    std::optional<double> restitution;
+    bool is_sound = true;  ///< false: it had a mistake, so nothing is concluded from it
+};
+
+struct MaterialDraft {
+    Word name;
+    Material values;
+};
+
+/// What a statement calls the edges that it draws. The words say no more than that: whether the
+/// first of `plain` is a material or a name is decided when all materials are known.
+struct EdgeNaming {
+    const Node* node = nullptr;
+    std::vector<Word> plain;
+    bool may_begin_with_material = false;
+    std::optional<Word> material;  ///< of a key material=
+};
+
+/// What a statement calls its balls, and of which kind they are.
+struct BallNaming {
+    const Node* node = nullptr;
+    std::optional<Word> name;
+    std::optional<Word> kind;
+    bool is_numbered = false;  ///< also the first has a suffix: a cradle's
+};
+
+/// Where something comes from: for messages, and to tell copies made by `mirror`.
+struct Origin {
+    Span span;
+    int image = 0;  ///< which image of the innermost mirrors; 0 also where there is none
+};
+
+struct BallDraft {
+    Vec2 position;
+    Vec2 velocity;
+    std::optional<double> radius;
+    std::optional<double> mass;
+    std::optional<double> restitution;
+    int naming = 0;  ///< index into Draft::ball_namings
+    Origin origin;
+};
+
+struct CapsuleDraft {
+    Capsule shape;
+    Side side = Side::both;
+    int naming = 0;  ///< index into Draft::edge_namings
+    int chain = 0;   ///< pieces of one edge, arc or box share it
+    Origin origin;
+};
+
+struct ChainDraft {
+    bool is_closed = false;
+};
+
+struct ZoneDraft {
+    Zone zone;
+    int naming = 0;  ///< index into Draft::edge_namings
+    Origin origin;
+};
+
+struct EmitterDraft {
+    Word kind;
+    Emitter emitter;
+    Origin origin;
+};
+
+/// Balls to be placed by chance, once all else stands.
+struct FillDraft {
+    std::optional<Word> kind;
+    std::uint32_t count = 0;
+    Box box;
+    double least_radius = 0.0;  ///< 0: the kind's
+    double most_radius = 0.0;
+    std::optional<Word> radius_of_mass;  ///< r= where it is an expression of the mass m
+    Scope scope;                         ///< what has a value in it
+    double least_mass = 0.0;             ///< 0: the kind's
+    double most_mass = 0.0;
+    std::optional<double> density;
+    std::optional<double> restitution;
+    Vec2 velocity;
+    double least_speed = 0.0;
+    double most_speed = 0.0;
+    double rms_speed = 0.0;
+    std::size_t balls_before = 0;  ///< Draft::balls that precede it in the file
+    int number = 0;                ///< its own stream of chance
+    Origin origin;
+};
+
+struct CollideDraft {
+    Word a;
+    Word b;
+};
+
+struct ShowDraft {
+    Show::What what = Show::What::energy;
+    std::optional<Word> of;
+    std::optional<Word> against;
+    Span span;
+};
+
+struct ExpectDraft {
+    Word quantity;
+    double value = 0.0;
+    double tolerance = 0.0;
+    std::optional<double> at;
+};
+
+struct SettingsDraft {
+    std::optional<Vec2> gravity;
+    std::optional<double> drag;
+    std::optional<double> stop_speed;
+    std::optional<double> speed_limit;
+    std::optional<double> scatter;  ///< radians
+    std::optional<Span> wrap;
+    bool may_overlap = false;
+    std::optional<Box> world;
+    std::optional<SolverSettings> solver;
+    std::optional<double> rate;
+    std::optional<std::uint64_t> seed;
+    std::optional<std::string> game;
+};
+
+struct Draft {
+    SettingsDraft settings;
+    std::vector<KindDraft> kinds;
+    std::vector<MaterialDraft> materials;
+    std::vector<BallNaming> ball_namings;
+    std::vector<EdgeNaming> edge_namings;
+    std::vector<BallDraft> balls;
+    std::vector<CapsuleDraft> capsules;
+    std::vector<ChainDraft> chains;
+    std::vector<ZoneDraft> zones;
+    std::vector<EmitterDraft> emitters;
+    std::vector<FillDraft> fills;
+    std::vector<CollideDraft> collides;
+    std::vector<ShowDraft> shows;
+    std::vector<ExpectDraft> expects;
+    /// Names of balls, edges and bins whose statements had a mistake: they exist all the same.
+    std::vector<std::string> poisoned_names;
+    std::uint64_t balls_planned = 0;  ///< balls, fills and emitters together
+};
+
+/// Most balls, most edges and most statements that a level may unroll to.
+inline constexpr std::uint64_t max_items = 1'000'000;
+
+}  // namespace carom

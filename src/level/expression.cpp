@@ -1,0 +1,514 @@
+#include "level/expression.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "geometry/elementary.h"
+#include "level/spelling.h"
+
+namespace carom {
+namespace {
+
+constexpr double largest = 1e300;
+
+enum class Function { sqrt, sin, cos, tan, abs, min, max, floor, ceil, round };
+
+struct FunctionFacts {
+    std::string_view name;
+    Function function;
+    std::size_t arguments;
+};
+
+constexpr std::array functions{
+    FunctionFacts{"sqrt", Function::sqrt, 1}, FunctionFacts{"sin", Function::sin, 1},
+    FunctionFacts{"cos", Function::cos, 1},   FunctionFacts{"tan", Function::tan, 1},
+    FunctionFacts{"abs", Function::abs, 1},   FunctionFacts{"min", Function::min, 2},
+    FunctionFacts{"max", Function::max, 2},   FunctionFacts{"floor", Function::floor, 1},
+    FunctionFacts{"ceil", Function::ceil, 1}, FunctionFacts{"round", Function::round, 1}};
+
+const FunctionFacts* function_named(std::string_view name) {
+    for (const FunctionFacts& f : functions) {
+        if (f.name == name) return &f;
+    }
+    return nullptr;
+}
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+constexpr Dimension length_dimension{1, 0, 0, 0};
+constexpr Dimension angle_dimension{0, 0, 0, 1};
+
+// Recursive descent over one word. `nothing` is both a mistake and poison; the mistake has been
+// reported where it was found, so callers just pass it on.
+class Parser {
+  public:
+    Parser(const Word& word, const Scope& scope, const ExpressionRules& rules, Reporter& reporter)
+        : word_(word), text_(word.text), scope_(scope), rules_(rules), reporter_(reporter) {}
+
+    std::optional<Value> whole() {
+        const std::optional<Value> value = sum();
+        if (value && at_ < text_.size()) {
+            const std::string_view rest = text_.substr(at_);
+            const bool is_bracket = rest[0] == ')';
+            return mistake(at_, is_bracket ? 1 : rest.size(),
+                           is_bracket ? "this ')' closes nothing"
+                                      : fmt::format("'{}' is not expected here", rest),
+                           is_bracket ? "take it out, or add the '('"
+                                      : "arithmetic has + - * / ^ and brackets, without spaces");
+        }
+        return value;
+    }
+
+  private:
+    using Result = std::optional<Value>;
+
+    Result mistake(std::size_t offset, std::size_t count, std::string message,
+                   std::string remedy = {}) {
+        if (!failed_) {
+            reporter_.error(word_.part(offset, count).span(), std::move(message),
+                            std::move(remedy));
+        }
+        failed_ = true;
+        return std::nullopt;
+    }
+
+    char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+
+    std::string_view since(std::size_t start) const { return text_.substr(start, at_ - start); }
+
+    Result finite(std::size_t start, const Value& value) {
+        if (std::abs(value.number) <= largest) return value;
+        return mistake(start, at_ - start, fmt::format("{} is not a finite number", since(start)),
+                       "numbers go up to 1e300, and nothing is divided by 0");
+    }
+
+    Result sum() {
+        const std::size_t start = at_;
+        Result left = product();
+        while (left && (peek() == '+' || peek() == '-')) {
+            const double sign = text_[at_] == '-' ? -1.0 : 1.0;
+            ++at_;
+            const std::size_t right_start = at_;
+            const Result right = product();
+            if (!right) return right;
+            left = added(start, *left, right_start, *right, sign);
+        }
+        return left;
+    }
+
+    Result added(std::size_t start, Value left, std::size_t right_start, Value right, double sign) {
+        if (!match(left, right)) {
+            return mistake(
+                start, at_ - start,
+                fmt::format("{} is {}, but {} is {}", text_.substr(start, right_start - 1 - start),
+                            described(left.dimension), since(right_start),
+                            described(right.dimension)),
+                "only like can be added to like");
+        }
+        return finite(start, {left.number + sign * right.number, left.dimension});
+    }
+
+    // Gives both the same dimension where a bare number stands beside a length, an angle or 0.
+    bool match(Value& a, Value& b) const {
+        if (a.dimension == b.dimension) return true;
+        if (!a.is_bare() && !b.is_bare()) return false;
+        Value& bare = a.is_bare() ? a : b;
+        const Dimension other = a.is_bare() ? b.dimension : a.dimension;
+        if (other == length_dimension) {
+            bare.number *= scale(rules_.unit);
+        } else if (!(other == angle_dimension) && bare.number != 0.0) {
+            return false;
+        }
+        bare.dimension = other;
+        return true;
+    }
+
+    Result product() {
+        const std::size_t start = at_;
+        Result left = power();
+        while (left && (peek() == '*' || peek() == '/')) {
+            const bool divides = text_[at_] == '/';
+            ++at_;
+            const Result right = power();
+            if (!right) return right;
+            left = divides
+                       ? Value{left->number / right->number, left->dimension / right->dimension}
+                       : Value{left->number * right->number, left->dimension * right->dimension};
+            left = finite(start, *left);
+        }
+        return left;
+    }
+
+    // The sign binds looser than ^: -2^2 is -4, as on paper.
+    Result power() {
+        if (peek() == '-' || peek() == '+') {
+            const bool is_negative = peek() == '-';
+            if (++signs_ > max_nesting) return too_deep();
+            ++at_;
+            Result value = power();
+            --signs_;
+            if (value && is_negative) value->number = -value->number;
+            return value;
+        }
+        const std::size_t start = at_;
+        const Result base = atom();
+        if (!base || peek() != '^') return base;
+        ++at_;
+        const std::size_t exponent_start = at_;
+        if (++depth_ > max_nesting) return too_deep();
+        const Result exponent = power();
+        --depth_;
+        if (!exponent) return exponent;
+        return raised(start, *base, exponent_start, *exponent);
+    }
+
+    Result raised(std::size_t start, const Value& base, std::size_t exponent_start,
+                  const Value& exponent) {
+        constexpr double largest_exponent = 1024.0;
+        if (exponent.is_bare() && exponent.number == 0.5) return square_root(start, base);
+        const bool is_whole = exponent.is_bare() &&
+                              std::floor(exponent.number) == exponent.number &&
+                              std::abs(exponent.number) <= largest_exponent;
+        if (!is_whole) {
+            return mistake(exponent_start, at_ - exponent_start,
+                           fmt::format("{} cannot be an exponent", since(exponent_start)),
+                           "an exponent is a whole number from -1024 to 1024, or 0.5");
+        }
+        const int count = static_cast<int>(std::abs(exponent.number));
+        Value result{1.0, {}};
+        for (int i = 0; i < count; ++i) {
+            result.number *= base.number;
+            if (i < max_nesting) result.dimension = result.dimension * base.dimension;
+        }
+        if (exponent.number < 0.0) {
+            result = {1.0 / result.number, Dimension{} / result.dimension};
+        }
+        return finite(start, result);
+    }
+
+    Result square_root(std::size_t start, const Value& value) {
+        const Dimension& d = value.dimension;
+        if (value.number < 0.0) {
+            return mistake(start, at_ - start, "the square root of a negative number",
+                           "sqrt wants 0 or more");
+        }
+        if (d.length % 2 != 0 || d.mass % 2 != 0 || d.time % 2 != 0 || d.angle % 2 != 0) {
+            return mistake(start, at_ - start, fmt::format("{} has no square root", described(d)),
+                           "take the root of a number, or of a square");
+        }
+        return Value{std::sqrt(value.number), {d.length / 2, d.mass / 2, d.time / 2, d.angle / 2}};
+    }
+
+    Result too_deep() {
+        return mistake(at_, 1, fmt::format("nested deeper than {}", max_nesting),
+                       "split it with let");
+    }
+
+    Result atom() {
+        const char c = peek();
+        if (is_digit(c) || (c == '.' && at_ + 1 < text_.size() && is_digit(text_[at_ + 1]))) {
+            return number();
+        }
+        if (starts_identifier(c)) return name();
+        if (c == '(') {
+            const std::size_t open = at_++;
+            if (++depth_ > max_nesting) return too_deep();
+            const Result value = sum();
+            --depth_;
+            return value && closes(open) ? value : Result{};
+        }
+        if (at_ >= text_.size()) {
+            const std::size_t from = text_.empty() ? 0 : text_.size() - 1;
+            return mistake(from, 1, "a number is missing here",
+                           "arithmetic is written without spaces, points as x,y");
+        }
+        return mistake(at_, text_.size() - at_,
+                       fmt::format("'{}' is not a number", text_.substr(at_)),
+                       "write a number, a let name or arithmetic, such as W/2");
+    }
+
+    bool closes(std::size_t open) {
+        if (peek() == ')') {
+            ++at_;
+            return true;
+        }
+        if (at_ < text_.size()) {
+            mistake(at_, 1, fmt::format("'{}' is not expected here", text_.substr(at_, 1)),
+                    "arithmetic has + - * / ^ and brackets, without spaces");
+        } else {
+            mistake(open, 1, "the ')' is missing",
+                    "arithmetic is written without spaces: (W-2*R)/2");
+        }
+        return false;
+    }
+
+    // Digits with at most one point and an exponent; "0..10" is 0 and a range.
+    Result number() {
+        const std::size_t start = at_;
+        while (is_digit(peek()))
+            ++at_;
+        if (peek() == '.' && text_.substr(at_, 2) != "..") {
+            ++at_;
+            while (is_digit(peek()))
+                ++at_;
+        }
+        if (peek() == 'e' || peek() == 'E') {
+            std::size_t digits = at_ + 1;
+            if (digits < text_.size() && (text_[digits] == '-' || text_[digits] == '+')) ++digits;
+            if (digits < text_.size() && is_digit(text_[digits])) {
+                at_ = digits;
+                while (is_digit(peek()))
+                    ++at_;
+            }
+        }
+        double value = 0.0;
+        const std::string_view digits = since(start);
+        const auto [end, fault] =
+            std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        if (fault == std::errc::result_out_of_range || value > largest) {
+            return mistake(start, at_ - start, fmt::format("{} is out of range", digits),
+                           "numbers go from 1e-300 to 1e300");
+        }
+        return with_unit(start, value);
+    }
+
+    std::string_view letters_at(std::size_t from) const {
+        std::size_t end = from;
+        while (end < text_.size() && starts_identifier(text_[end]))
+            ++end;
+        return text_.substr(from, end - from);
+    }
+
+    // A unit goes as far as it can: 0.8m/s2 is one. After a bare number, /s is a unit unless a let
+    // is called s.
+    Result with_unit(std::size_t start, double number) {
+        Value value{number, {}};
+        const std::string_view letters = letters_at(at_);
+        if (!letters.empty()) {
+            const Unit* unit = unit_named(letters);
+            if (!unit) {
+                const std::string_view written = text_.substr(at_, letters.size());
+                return mistake(at_, letters.size(), fmt::format("'{}' is not a unit", written),
+                               did_you_mean(written, unit_names(),
+                                            "units are mm cm m in, g kg, ms s, m/s, m/s2, deg; "
+                                            "a product needs its '*'"));
+            }
+            at_ += letters.size();
+            times(value, *unit, exponent_here(), false);
+        }
+        while (peek() == '/') {
+            const std::string_view below = letters_at(at_ + 1);
+            const Unit* unit = unit_named(below);
+            const std::size_t after = at_ + 1 + below.size();
+            if (!unit || (letters.empty() && (unit->dimension.time != 1 || scope_.find(below)))) {
+                break;
+            }
+            at_ = after;
+            times(value, *unit, exponent_here(), true);
+        }
+        if (at_ < text_.size() && continues_identifier(text_[at_])) {
+            const std::string_view rest = text_.substr(at_);
+            return mistake(at_, rest.size(), fmt::format("'{}' is not expected here", rest),
+                           "a product needs its '*'");
+        }
+        return allowed(start, value);
+    }
+
+    int exponent_here() {
+        if (peek() != '2' && peek() != '3') return 1;
+        return text_[at_++] - '0';
+    }
+
+    static void times(Value& value, const Unit& unit, int exponent, bool below) {
+        for (int i = 0; i < exponent; ++i) {
+            value.number = below ? value.number / unit.size : value.number * unit.size;
+            value.dimension =
+                below ? value.dimension / unit.dimension : value.dimension * unit.dimension;
+        }
+    }
+
+    // A level in natural units has seconds and angles, and no other units; its times are bare.
+    Result allowed(std::size_t start, Value value) {
+        if (rules_.unit == LengthUnit::natural) {
+            if (value.dimension.length != 0 || value.dimension.mass != 0) {
+                return mistake(start, at_ - start,
+                               fmt::format("{} has a unit, but the level has none", since(start)),
+                               "leave the unit out, or begin with a line such as 'units mm'");
+            }
+            value.dimension.time = 0;
+        }
+        return finite(start, value);
+    }
+
+    Result name() {
+        const std::size_t start = at_;
+        while (at_ < text_.size() && continues_identifier(text_[at_]))
+            ++at_;
+        const std::string_view name = since(start);
+        if (const FunctionFacts* f = function_named(name)) return call(start, *f);
+        if (name == "pi") return Value{pi, {}};
+        if (peek() == '(') {
+            return mistake(start, name.size(), fmt::format("'{}' is not a function", name),
+                           did_you_mean(name, function_names(),
+                                        "there are sqrt sin cos tan abs min max floor ceil round"));
+        }
+        const Variable* variable = scope_.find(name);
+        if (!variable) return unknown(start, name);
+        if (variable->used) *variable->used = true;
+        return variable->value;
+    }
+
+    static std::vector<std::string_view> function_names() {
+        std::vector<std::string_view> names;
+        for (const FunctionFacts& f : functions)
+            names.push_back(f.name);
+        return names;
+    }
+
+    Result unknown(std::size_t start, std::string_view name) {
+        if (rules_.defined_later) {
+            const auto later = rules_.defined_later->find(name);
+            if (later != rules_.defined_later->end()) {
+                return mistake(
+                    start, name.size(), fmt::format("'{}' has no value yet", name),
+                    fmt::format("move its let, line {}, above this line", later->second));
+            }
+        }
+        std::vector<std::string_view> known{"pi"};
+        for (const Scope* scope = &scope_; scope; scope = scope->outer) {
+            for (const auto& [other, variable] : scope->names)
+                known.push_back(other);
+        }
+        for (const std::string_view function : function_names())
+            known.push_back(function);
+        return mistake(
+            start, name.size(), fmt::format("'{}' is not known", name),
+            did_you_mean(name, known, fmt::format("give it a value above: let {}=...", name)));
+    }
+
+    Result call(std::size_t start, const FunctionFacts& f) {
+        if (peek() != '(') {
+            return mistake(start, f.name.size(), fmt::format("{} needs brackets", f.name),
+                           fmt::format("write {}({})", f.name, f.arguments == 2 ? "a,b" : "x"));
+        }
+        const std::size_t open = at_++;
+        if (++depth_ > max_nesting) return too_deep();
+        std::array<Value, 2> arguments;
+        for (std::size_t i = 0; i < f.arguments; ++i) {
+            if (i > 0) {
+                if (peek() != ',') {
+                    return mistake(start, at_ - start,
+                                   fmt::format("{} wants {} numbers", f.name, f.arguments),
+                                   fmt::format("write {}(a,b)", f.name));
+                }
+                ++at_;
+            }
+            const Result argument = sum();
+            if (!argument) return argument;
+            arguments[i] = *argument;
+        }
+        --depth_;
+        if (!closes(open)) return std::nullopt;
+        return applied(start, f.function, arguments[0], arguments[1]);
+    }
+
+    Result applied(std::size_t start, Function function, Value a, Value b) {
+        switch (function) {
+            case Function::sqrt:
+                return square_root(start, a);
+            case Function::abs:
+                return Value{std::abs(a.number), a.dimension};
+            case Function::min:
+            case Function::max:
+                if (!match(a, b)) {
+                    return mistake(start, at_ - start,
+                                   fmt::format("{} cannot be compared with {}",
+                                               described(a.dimension), described(b.dimension)),
+                                   "compare like with like");
+                }
+                return (function == Function::min) == (b.number < a.number) ? b : a;
+            case Function::sin:
+            case Function::cos:
+            case Function::tan:
+                if (!a.is_bare() && !(a.dimension == angle_dimension)) {
+                    return mistake(
+                        start, at_ - start,
+                        fmt::format("an angle is wanted, not {}", described(a.dimension)),
+                        "angles are in degrees, as in sin(30)");
+                }
+                return finite(start, {trigonometric(function, a.number), {}});
+            case Function::floor:
+            case Function::ceil:
+            case Function::round:
+                break;
+        }
+        if (!a.is_bare()) {
+            return mistake(start, at_ - start,
+                           fmt::format("{} cannot be rounded", described(a.dimension)),
+                           "divide it by a unit first, as in floor(W/1mm)");
+        }
+        if (function == Function::floor) return Value{std::floor(a.number), {}};
+        if (function == Function::ceil) return Value{std::ceil(a.number), {}};
+        return Value{std::floor(a.number + 0.5), {}};
+    }
+
+    static double trigonometric(Function function, double degrees) {
+        const SinCos at = sin_cos_degrees(degrees);
+        if (function == Function::sin) return at.sin;
+        if (function == Function::cos) return at.cos;
+        return at.sin / at.cos;
+    }
+
+    const Word& word_;
+    std::string_view text_;
+    const Scope& scope_;
+    const ExpressionRules& rules_;
+    Reporter& reporter_;
+    std::size_t at_ = 0;
+    int depth_ = 0;
+    int signs_ = 0;
+    bool failed_ = false;
+};
+
+}  // namespace
+
+const Variable* Scope::find(std::string_view name) const {
+    for (const Scope* scope = this; scope; scope = scope->outer) {
+        const auto found = scope->names.find(name);
+        if (found != scope->names.end()) return &found->second;
+    }
+    return nullptr;
+}
+
+std::optional<Value> evaluate(const Word& word, const Scope& scope, const ExpressionRules& rules,
+                              Reporter& reporter) {
+    return Parser(word, scope, rules, reporter).whole();
+}
+
+bool is_reserved_name(std::string_view name) {
+    return name == "pi" || function_named(name) != nullptr;
+}
+
+std::vector<Word> split_outside_brackets(const Word& word, std::string_view separator) {
+    std::vector<Word> pieces;
+    int depth = 0;
+    std::size_t start = 0;
+    for (std::size_t i = 0; i < word.text.size(); ++i) {
+        const char c = word.text[i];
+        if (c == '(') ++depth;
+        if (c == ')') --depth;
+        if (depth > 0 || word.text.substr(i, separator.size()) != separator) continue;
+        pieces.push_back(word.part(start, i - start));
+        i += separator.size() - 1;
+        start = i + 1;
+    }
+    pieces.push_back(word.part(start));
+    return pieces;
+}
+
+}  // namespace carom

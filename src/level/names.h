@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "level/context.h"
+
+/// Names looked up, once the whole file is known: kinds, materials, and who meets whom.
+namespace carom {
+
+struct ResolvedEdges {
+    ClassIndex material = 0;
+    std::string name;  ///< empty: none
+    Span name_at;
+    bool is_sound = true;  ///< false: its material is not known, told already
+};
+
+struct ResolvedBalls {
+    ClassIndex kind = 0;
+    bool is_sound = true;
+};
+
+struct Resolved {
+    std::vector<ResolvedEdges> edges;     ///< by Draft::edge_namings
+    std::vector<ResolvedBalls> balls;     ///< by Draft::ball_namings
+    std::vector<ResolvedBalls> fills;     ///< by Draft::fills
+    std::vector<ResolvedBalls> emitters;  ///< by Draft::emitters
+    std::vector<Kind> kinds;
+    std::vector<std::string> kind_names;
+    std::vector<Material> materials;
+    std::vector<std::string> material_names;
+    /// As World::meets; empty: all meet.
+    std::vector<std::uint8_t> meets;
+
+    bool kinds_meet(ClassIndex a, ClassIndex b) const;
+    bool kind_meets_material(ClassIndex kind, ClassIndex material) const;
+};
+
+/// Reports unknown names, and warns of unused ones. The kind "ball" and the material "edge" stand
+/// for those that the level does not name; they are there when they are used, or nothing else is.
+Resolved resolve_names(Context& context);
+
+}  // namespace carom
