@@ -1,0 +1,70 @@
+#pragma once
+
+#include <vterm.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// A terminal in memory (libvterm): what a person would see of what a program wrote.
+namespace carom::test {
+
+/// What it says of itself, beyond what libvterm knows.
+struct EmulatorOptions {
+    bool answers = true;            ///< at all
+    bool has_key_protocol = false;  ///< kitty's
+    bool has_pixel_mouse = false;
+    bool has_synchronized_output = false;
+    std::string background;  ///< such as "rgb:ffff/ffff/ffff"; empty: does not say
+    int cell_wide = 0;       ///< pixels; 0: does not say
+    int cell_high = 0;
+};
+
+class Emulator {
+  public:
+    /// `reply` gets what the terminal sends back.
+    Emulator(int columns, int rows, const EmulatorOptions& options,
+             std::function<void(std::string_view)> reply);
+
+    void write(std::string_view bytes);
+    void resize(int columns, int rows);
+
+    int columns() const;
+    int rows() const;
+    /// UTF-8, rows ended by newlines, trailing blanks cut.
+    std::string text() const;
+    std::string row(int row) const;
+    VTermScreenCell cell(int column, int row) const;
+    /// The number of the palette; none: the terminal's own.
+    std::optional<int> foreground(int column, int row) const;
+    std::optional<int> background(int column, int row) const;
+
+    /// DEC private modes, such as 1049, 25, 1002: whether set (25, the cursor, is at the start).
+    bool mode(int number) const;
+    /// Entries on the stack of the kitty keyboard protocol.
+    int key_stack() const { return key_stack_; }
+    unsigned bells() const { return bells_; }
+
+  private:
+    void follow(std::string_view bytes);
+    void follow_sequence(std::string_view sequence);
+    void send(std::string_view bytes);
+
+    struct Free {
+        void operator()(VTerm* terminal) const { vterm_free(terminal); }
+    };
+    std::unique_ptr<VTerm, Free> terminal_;
+    VTermScreen* screen_ = nullptr;
+    VTermScreenCallbacks callbacks_{};
+    EmulatorOptions options_;
+    std::function<void(std::string_view)> reply_;
+    std::map<int, bool> modes_{{25, true}};
+    std::string begun_;  // a control sequence that is not whole yet
+    int key_stack_ = 0;
+    unsigned bells_ = 0;
+};
+
+}  // namespace carom::test

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <sys/types.h>
+#include <termios.h>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "support/emulator.h"
+
+/// A program that runs on a terminal of its own, with an emulator at the other end.
+namespace carom::test {
+
+struct ProgramOptions {
+    int columns = 80;
+    int rows = 24;
+    int pixels_wide = 0;  ///< of the window
+    int pixels_high = 0;
+    /// On top of the environment of the test; an empty value removes the variable. TERM is
+    /// xterm-256color and the locale C.UTF-8 where nothing else is said; NO_COLOR, COLORFGBG and
+    /// the variables of SSH are removed.
+    std::map<std::string, std::string> environment;
+    EmulatorOptions emulator;
+};
+
+class TerminalProgram {
+  public:
+    /// The program finds a pipe as file descriptor 3; what it writes there is log().
+    explicit TerminalProgram(const std::vector<std::string>& arguments,
+                             const ProgramOptions& options = {});
+    TerminalProgram(const TerminalProgram&) = delete;
+    TerminalProgram& operator=(const TerminalProgram&) = delete;
+    ~TerminalProgram();  ///< kills it if it still runs
+
+    /// Keys, mouse reports: anything a terminal sends.
+    void send(std::string_view bytes);
+    void resize(int columns, int rows);
+    void signal(int number) const;
+    /// The terminal goes away, as when a connection is cut.
+    void hang_up();
+
+    /// Lets the terminal do its part until `is_so`; false when that is not so after `seconds`.
+    bool wait_until(const std::function<bool()>& is_so, double seconds = 10.0);
+    bool wait_for_text(std::string_view text, double seconds = 10.0);
+    bool wait_for_log(std::string_view text, double seconds = 10.0);
+    /// Until nothing has come for so long.
+    void settle(double seconds = 0.1);
+    /// As waitpid() gives it; none: it still runs.
+    std::optional<int> wait_for_end(double seconds = 10.0);
+    std::optional<int> exit_status();  ///< of one that has returned
+
+    const Emulator& screen() const { return emulator_; }
+    const std::string& log() const { return log_; }
+    /// All that the program has written to the terminal.
+    const std::string& output() const { return output_; }
+    pid_t process() const { return process_; }
+
+    termios modes() const;  ///< of the terminal, now
+    const termios& modes_at_start() const { return modes_at_start_; }
+    /// Whether everything is as it was before the program started. Why not: in words.
+    std::string what_is_left_dirty() const;
+
+  private:
+    bool pump(double seconds);
+    void flush_input();
+
+    int terminal_ = -1;
+    int log_pipe_ = -1;
+    pid_t process_ = -1;
+    std::optional<int> end_;
+    termios modes_at_start_{};
+    std::string to_send_;
+    std::string output_;
+    std::string log_;
+    Emulator emulator_;
+};
+
+/// An SGR mouse report for a cell (from 0): button 0 left, 1 middle, 2 right, plus 32 for motion.
+std::string mouse_press(int button, int column, int row);
+std::string mouse_release(int button, int column, int row);
+std::string mouse_drag(int button, int column, int row);
+
+}  // namespace carom::test

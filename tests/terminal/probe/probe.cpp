@@ -1,0 +1,226 @@
+/// A small program for the tests of the screen: it opens one, does as its arguments say, and tells
+/// file descriptor 3 what it sees. Every write() of this process, ncurses' own included, passes
+/// through here and is counted.
+///
+///     probe [option...] events          shows a mark, logs every event, ends with q, hangup or end
+///     probe [option...] frames N        shows N frames of 200 moving discs, logs writes and bytes
+///     probe [option...] crash SIGNAL    raises the signal with the screen open
+///     probe [option...] capabilities    logs what the terminal can do
+///     probe [option...] cells           shows cells of many colours and attributes, waits for a
+///     key
+///
+/// Options: guarded, ascii / halves / braille (of frames), colors=N, motion, nopixels, noqueries.
+
+#include <fmt/format.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "level/load.h"
+#include "terminal/draw.h"
+#include "terminal/guardian.h"
+#include "terminal/screen.h"
+
+namespace {
+unsigned long terminal_writes = 0;
+unsigned long terminal_bytes = 0;
+}  // namespace
+
+// Takes the place of the C library's in this program and the libraries that it loads.
+extern "C" ssize_t write(int handle, const void* bytes, size_t length) {
+    if (handle != 3 && isatty(handle) != 0) {
+        ++terminal_writes;
+        terminal_bytes += length;
+    }
+    return syscall(SYS_write, handle, bytes, length);
+}
+
+namespace {
+
+using namespace carom;
+
+void log(const std::string& line) {
+    const std::string text = line + '\n';
+    if (::write(3, text.data(), text.size()) < 0) std::abort();
+}
+
+std::string described(const InputEvent& event) {
+    constexpr std::string_view actions[] = {"press", "repeat",   "release",
+                                            "move",  "wheel_up", "wheel_down"};
+    const std::string_view action = actions[static_cast<int>(event.action)];
+    switch (event.kind) {
+        case InputEvent::Kind::key: {
+            const bool is_plain = event.key > U' ' && event.key < 0x7f;
+            const std::string name = is_plain
+                                         ? std::string(1, static_cast<char>(event.key))
+                                         : fmt::format("{:x}", static_cast<unsigned>(event.key));
+            return fmt::format("key {} {} {}", name, action, event.modifiers);
+        }
+        case InputEvent::Kind::mouse:
+            return fmt::format("mouse {} {} {:.2f} {:.2f} {}", action, event.button, event.column,
+                               event.row, event.modifiers);
+        case InputEvent::Kind::resize:
+            return "resize";
+        case InputEvent::Kind::hangup:
+            return "hangup";
+        case InputEvent::Kind::end:
+            return "end";
+    }
+    return {};
+}
+
+int echo_events(Screen& screen) {
+    for (unsigned round = 0;; ++round) {
+        const Capabilities& capabilities = screen.capabilities();
+        Canvas canvas(capabilities.columns, capabilities.rows);
+        canvas.write(0, 0, fmt::format("probe {}x{}", canvas.columns(), canvas.rows()));
+        canvas.write(0, canvas.rows() - 1, fmt::format("round {}", round));
+        screen.show(canvas, FrameEnd::asks);
+        if (round == 0) log("ready");
+        for (const InputEvent& event : screen.wait(0.05)) {
+            log(described(event));
+            const bool is_end =
+                event.kind == InputEvent::Kind::end || event.kind == InputEvent::Kind::hangup;
+            if (is_end || (event.kind == InputEvent::Kind::key && event.key == U'q')) return 7;
+        }
+    }
+}
+
+// 200 discs that bounce in a box, as in the table of what a frame may cost.
+int show_frames(Screen& screen, int count, Renderer renderer) {
+    const LoadResult loaded = load_level(
+        "carom 1 \"Discs\"\n"
+        "kind disc r=1\n"
+        "box r=0 0,0 160,96\n"
+        "fill disc count=200 box=2,2,158,94 speed=20\n"
+        "rate 60\n",
+        "discs");
+    const Capabilities& capabilities = screen.capabilities();
+    Canvas canvas(capabilities.columns, capabilities.rows);
+    if (!loaded.scene) {
+        for (const Diagnostic& diagnostic : loaded.diagnostics) {
+            log(diagnostic.message);
+        }
+        return 1;
+    }
+    World world = loaded.scene->world;
+    Solver solver({.kind = SolverKind::discrete});
+    ViewOptions options;
+    options.renderer = renderer;
+    options.look = {capabilities.colors, capabilities.utf8, capabilities.light_background};
+    ViewMemory memory;
+    const Camera camera = fit_camera({{0, 0}, {160, 96}}, {0, 0, canvas.columns(), canvas.rows()},
+                                     capabilities.cell_aspect);
+    unsigned asked = 0;
+    unsigned long first_writes = 0;
+    unsigned long first_bytes = 0;
+    unsigned long most_writes = 0;
+    for (int frame = 0; frame <= count; ++frame) {
+        if (frame == 1) {
+            first_writes = terminal_writes;
+            first_bytes = terminal_bytes;
+        }
+        const unsigned long before = terminal_writes;
+        draw_world(canvas, camera, *loaded.scene, world, {}, {}, options, memory);
+        if (screen.show(canvas, FrameEnd::asks) > 0) ++asked;
+        if (frame > 0) most_writes = std::max(most_writes, terminal_writes - before);
+        solver.tick(world);
+        while (screen.frames_answered() < asked) {
+            screen.wait(0.1);
+        }
+    }
+    log(fmt::format("frames {} writes {} most {} bytes {}", count, terminal_writes - first_writes,
+                    most_writes, (terminal_bytes - first_bytes) / static_cast<unsigned>(count)));
+    return 0;
+}
+
+int show_cells(Screen& screen) {
+    const Capabilities& capabilities = screen.capabilities();
+    Canvas canvas(capabilities.columns, capabilities.rows);
+    for (int color = 0; color < 256; ++color) {
+        canvas.put(color % 64, color / 64,
+                   {.glyph = U'x', .foreground = static_cast<Color>(color)});
+        canvas.put(color % 64, 4 + color / 64,
+                   {.glyph = U'y', .background = static_cast<Color>(color)});
+    }
+    canvas.put(0, 9, {.glyph = U'\u2580', .foreground = 1, .background = 4});
+    canvas.put(1, 9, {.glyph = U'b', .attributes = bold});
+    canvas.put(2, 9, {.glyph = U'u', .attributes = underline});
+    canvas.put(3, 9, {.glyph = U'r', .attributes = reverse});
+    canvas.put(canvas.columns() - 1, canvas.rows() - 1, {.glyph = U'#'});
+    screen.show(canvas);
+    log("shown");
+    screen.wait(-1.0);
+    return 0;
+}
+
+struct Arguments {
+    ScreenOptions screen;
+    Renderer renderer = Renderer::ascii;
+    bool is_guarded = false;
+    std::vector<std::string_view> words;
+};
+
+Arguments parsed(int count, char** values) {
+    Arguments arguments;
+    for (int i = 1; i < count; ++i) {
+        const std::string_view word = values[i];
+        if (word == "guarded") {
+            arguments.is_guarded = true;
+        } else if (word == "halves") {
+            arguments.renderer = Renderer::half_blocks;
+        } else if (word == "braille") {
+            arguments.renderer = Renderer::braille;
+        } else if (word == "motion") {
+            arguments.screen.mouse = MouseMode::motion;
+        } else if (word == "nopixels") {
+            arguments.screen.mouse_pixels = false;
+        } else if (word == "noqueries") {
+            arguments.screen.queries = false;
+        } else if (word.starts_with("colors=")) {
+            arguments.screen.colors = std::atoi(values[i] + 7);
+        } else {
+            arguments.words.push_back(word);
+        }
+    }
+    return arguments;
+}
+
+int run(const Arguments& arguments) {
+    auto opened = Screen::open(arguments.screen);
+    if (const auto* const error = std::get_if<ScreenError>(&opened)) {
+        log(error->message);
+        return 2;
+    }
+    Screen screen = std::get<Screen>(std::move(opened));
+    const std::string_view what = arguments.words.empty() ? "events" : arguments.words[0];
+    const int number = arguments.words.size() > 1 ? std::atoi(arguments.words[1].data()) : 0;
+    if (what == "events") return echo_events(screen);
+    if (what == "frames") return show_frames(screen, number, arguments.renderer);
+    if (what == "cells") return show_cells(screen);
+    if (what == "crash") {
+        screen.show(Canvas(screen.capabilities().columns, screen.capabilities().rows));
+        std::raise(number);
+        return 0;
+    }
+    const Capabilities& c = screen.capabilities();
+    log(
+        fmt::format("size {}x{} colors {} utf8 {:d} aspect {:.2f} light {:d} release {:d} "
+                    "pixels {:d} answers {:d} ssh {:d}",
+                    c.columns, c.rows, c.colors, c.utf8, c.cell_aspect, c.light_background,
+                    c.key_release, c.mouse_pixels, c.answers, c.ssh));
+    return 0;
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+    const Arguments arguments = parsed(count, values);
+    if (!arguments.is_guarded) return run(arguments);
+    return run_guarded([&] { return run(arguments); }, "Go on with: probe");
+}
