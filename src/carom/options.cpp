@@ -211,7 +211,11 @@ Request parse_options(int count, const char* const* arguments) {
     } catch (const CLI::CallForVersion&) {
         return Answer{.text = app.version() + "\n"};
     } catch (const CLI::CallForHelp&) {
-        return Answer{.text = chosen(app)->help()};
+        return Answer{.text = app.help()};
+    } catch (const CLI::ArgumentMismatch& error) {
+        const std::string_view what = error.what();
+        return mistake(chosen(app),
+                       fmt::format("{} needs a value", what.substr(0, what.find(':'))));
     } catch (const CLI::ParseError& error) {
         for (const std::string& extra : chosen(app)->remaining()) {
             return unknown_argument(chosen(app), extra);

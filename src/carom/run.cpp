@@ -37,7 +37,6 @@ class Outputs {
     }
 
     bool any() const { return report_ || events_ || trace_; }
-    bool has_report() const { return report_.has_value(); }
 
     void write_start(const World& world) {
         if (trace_) trace_->write(trace_rows(world));
@@ -100,8 +99,8 @@ std::optional<std::string> clash(const RunOptions& options) {
 
 // Runs until the end, a signal, an output that fails, or readers that have gone. Returns what the
 // solver took, in seconds.
-double simulate(World& world, RunRecord& record, Solver& solver, Outputs& outputs,
-                std::uint64_t ticks) {
+double simulate(const Scene& scene, World& world, RunRecord& record, Solver& solver,
+                Outputs& outputs, std::uint64_t ticks) {
     using Clock = std::chrono::steady_clock;
     Clock::duration cost{};
     Progress progress(ticks);
@@ -109,7 +108,7 @@ double simulate(World& world, RunRecord& record, Solver& solver, Outputs& output
         const Clock::time_point before = Clock::now();
         solver.tick(world);
         cost += Clock::now() - before;
-        note_tick(record, world);
+        note_tick(record, scene, world);
         outputs.write_tick(world, solver);
         if (!outputs.error().empty() || outputs.is_pointless()) break;
         progress.update(world.tick);
@@ -141,18 +140,23 @@ int run_scene(const RunOptions& options, const Scene& scene) {
     Solver solver(settings);
     RunRecord record = begin_record(scene, settings);
     outputs.write_start(world);
-    const double seconds =
-        simulate(world, record, solver, outputs, ticks_to_run(options, world.rate));
+    const std::uint64_t ticks = ticks_to_run(options, world.rate);
+    const double seconds = simulate(scene, world, record, solver, outputs, ticks);
+    if (world.tick == ticks) note_end(record, scene, world);
     outputs.write_report(report_json(options.level, scene, world, record, seconds));
     outputs.commit();
     if (!outputs.error().empty()) {
         print_error(outputs.error());
         return 2;
     }
-    if (!outputs.any() && !options.explain && !print_out(summary(scene, world, record, seconds))) {
-        return 2;
+    if (!outputs.any() && !options.explain) {
+        const std::string text = summary(scene, world, record, seconds) +
+                                 verdicts(scene, record, Verdict::holds) +
+                                 verdicts(scene, record, Verdict::not_judged);
+        if (!print_out(text)) return 2;
     }
-    return 0;
+    print_note(verdicts(scene, record, Verdict::fails));
+    return has_failure(record) ? 1 : 0;
 }
 
 }  // namespace

@@ -88,32 +88,44 @@ void write_totals(JsonWriter& json, std::string_view key, const Totals& sums) {
     json.end_object();
 }
 
-// One member a name, in the order of the counters: a number, or a list where several share it.
+// A list for each group, in order, and a number for each counter that is in none.
 void write_counters(JsonWriter& json, const Scene& scene, const World& world) {
     const std::vector<std::uint64_t> counts = census(world);
-    std::vector<bool> is_written(counts.size(), false);
+    std::vector<bool> is_grouped(counts.size(), false);
     json.key("counters");
     json.begin_object(Layout::lines);
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        if (is_written[i]) continue;
-        const std::string_view name = name_at(scene.counter_names, i);
-        std::vector<std::uint64_t> same;
-        for (std::size_t j = i; j < counts.size(); ++j) {
-            if (name_at(scene.counter_names, j) != name) continue;
-            same.push_back(counts[j]);
-            is_written[j] = true;
-        }
-        if (same.size() == 1) {
-            json.field(name, same.front());
-            continue;
-        }
-        json.key(name);
+    for (const Group& group : scene.groups) {
+        if (group.counters.empty()) continue;
+        json.key(group.name);
         json.begin_list(Layout::one_line);
-        for (const std::uint64_t count : same)
-            json.value(count);
+        for (const std::uint32_t counter : group.counters) {
+            json.value(counts[counter]);
+            is_grouped[counter] = true;
+        }
         json.end_list();
     }
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (!is_grouped[i]) json.field(name_at(scene.counter_names, i), counts[i]);
+    }
     json.end_object();
+}
+
+void write_expects(JsonWriter& json, const Scene& scene, const RunRecord& record) {
+    json.key("expects");
+    json.begin_list(Layout::lines);
+    for (std::size_t i = 0; i < scene.expects.size(); ++i) {
+        const Expect& expect = scene.expects[i];
+        const Judgement& judgement = record.judgements[i];
+        json.begin_object(Layout::one_line);
+        json.field("quantity", std::string_view(expect.quantity));
+        json.field("value", expect.value);
+        json.field("tolerance", expect.tolerance);
+        json.key("measured");
+        judgement.measured ? json.value(*judgement.measured) : json.null();
+        json.field("verdict", name(judgement.verdict));
+        json.end_object();
+    }
+    json.end_list();
 }
 
 void write_cost(JsonWriter& json, const RunRecord& record, double seconds) {
@@ -172,6 +184,7 @@ std::string report_json(std::string_view level, const Scene& scene, const World&
     json.field("max_overlap", record.max_overlap);
     json.field("escaped", std::uint64_t{record.escape.escaped(world)});
     write_counters(json, scene, world);
+    write_expects(json, scene, record);
     write_cost(json, record, seconds);
     json.field("fingerprint", std::string_view(hexadecimal(fingerprint(world))));
     json.end_object();
@@ -194,6 +207,23 @@ std::string summary(const Scene& scene, const World& world, const RunRecord& rec
         written(record.solver), seconds, world.balls.size(), world.removed.size(),
         world.ball_ball_collisions, world.ball_edge_collisions, start, end, record.max_overlap,
         hexadecimal(fingerprint(world)));
+}
+
+std::string verdicts(const Scene& scene, const RunRecord& record, Verdict verdict) {
+    std::string text;
+    for (std::size_t i = 0; i < scene.expects.size(); ++i) {
+        const Expect& expect = scene.expects[i];
+        const Judgement& judgement = record.judgements[i];
+        if (judgement.verdict != verdict) continue;
+        const std::string found = verdict == Verdict::not_judged ? std::string(judgement.reason)
+                                  : judgement.measured
+                                      ? fmt::format("it is {}", *judgement.measured)
+                                      : "it has no value";
+        text += fmt::format("{}:{}: {}: expect {} {} within {}: {}\n", scene.file, expect.line,
+                            verdict == Verdict::fails ? "error" : name(verdict), expect.quantity,
+                            expect.value, expect.tolerance, found);
+    }
+    return text;
 }
 
 std::string explanation(const Scene& scene) {

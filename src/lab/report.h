@@ -19,6 +19,10 @@ std::string report_json(std::string_view level, const Scene& scene, const World&
 std::string summary(const Scene& scene, const World& world, const RunRecord& record,
                     double seconds);
 
+/// A line for each expectation of that verdict: "FILE:LINE: error: expect x 3 within 0: it is 2.5",
+/// or "holds", or "not judged" and why.
+std::string verdicts(const Scene& scene, const RunRecord& record, Verdict verdict);
+
 /// What `--explain` prints: the terms of the model in force, and the solver with the reason why.
 std::string explanation(const Scene& scene);
 
