@@ -36,7 +36,8 @@ std::optional<Impact> side_impact(const Disc& disc, Vec2 velocity, const Capsule
     const Vec2 offset = disc.center - capsule.start;
     const double height = cross(along, offset);
     const double rise = cross(along, velocity);
-    const double up = height != 0.0 ? (height > 0.0 ? 1.0 : -1.0) : (rise > 0.0 ? -1.0 : 1.0);
+    if (height == 0.0) return std::nullopt;
+    const double up = height > 0.0 ? 1.0 : -1.0;
     const double sinking = -rise * up;
     if (!(sinking > 0.0)) return std::nullopt;
     const double gap = std::max(0.0, height * up - (disc.radius + capsule.radius));
@@ -58,14 +59,9 @@ bool is_leaving(const Disc& disc, Vec2 velocity, const Capsule& capsule) {
 std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Disc& other,
                                    double horizon) {
     const Vec2 offset = disc.center - other.center;
-    const Vec2 against = direction(-velocity, {1.0, 0.0});
-    if (offset == Vec2{}) {
-        if (velocity == Vec2{}) return std::nullopt;
-        return Impact{0.0, against};
-    }
     const auto time = time_to_reach(offset, velocity, disc.radius + other.radius, horizon);
     if (!time) return std::nullopt;
-    return Impact{*time, direction(offset + velocity * *time, against)};
+    return Impact{*time, direction(offset + velocity * *time, direction(offset, {1.0, 0.0}))};
 }
 
 std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
@@ -81,7 +77,7 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsul
         const auto side = side_impact(disc, velocity, capsule, touching ? 0.0 : horizon);
         if (side || touching || is_leaving(disc, velocity, capsule)) return side;
     } else {
-        if (dot(offset, velocity) >= 0.0 && offset != Vec2{}) return std::nullopt;
+        if (dot(offset, velocity) >= 0.0) return std::nullopt;
         if (touching) {
             const Vec2 end = place == 0.0 ? capsule.start : capsule.end;
             return first_impact(disc, velocity, Disc{end, capsule.radius}, 0.0);
@@ -115,7 +111,7 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsul
         const double place = closest_parameter(start, end, center);
         const Vec2 relative = velocity - (start_velocity + (end_velocity - start_velocity) * place);
         const Vec2 offset = center - (start + (end - start) * place);
-        const Vec2 normal = direction(offset, direction(-relative, {1.0, 0.0}));
+        const Vec2 normal = direction(offset, {});
         return {length(offset) - reach, -dot(relative, normal), normal};
     };
     double before = 0.0;

@@ -23,7 +23,7 @@ struct Impact {
 ///   touching or overlapping, and approaching   impact at time 0
 ///   touching or overlapping, not approaching   none
 ///   velocity zero                              none
-///   same centre                                the normal points against `velocity`
+///   same centre                                none: every way leads apart
 ///
 /// Pre: all inputs finite, radii >= 0, horizon >= 0.
 std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Disc& other,
@@ -33,7 +33,7 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Disc& 
 /// a disc that parts from it now never meets it again.
 ///
 ///   start == end                               the capsule is a disc
-///   centre of the disc on the spine            the normal is across the spine, against `velocity`
+///   centre of the disc on the spine            none: every way leads apart
 std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
                                    double horizon);
 

@@ -54,10 +54,7 @@ TEST_CASE("the degenerate cases of disc and disc") {
     CHECK_FALSE(first_impact(Disc{{0, 2}, 1}, {1, 0}, other, 100));         // grazing
     CHECK_FALSE(first_impact(Disc{{0, 0}, 1}, {0, 0}, other, 100));         // at rest
     CHECK_FALSE(first_impact(Disc{{0, 0}, 1}, {1, 0}, other, 0.999));       // too late
-    const auto same_centre = first_impact(Disc{{3, 0}, 1}, {0, 5}, other, 1);
-    REQUIRE(same_centre);
-    CHECK(same_centre->time == 0.0);
-    CHECK(same_centre->normal == Vec2{0, -1});
+    CHECK_FALSE(first_impact(Disc{{3, 0}, 1}, {0, 5}, other, 1));           // same centre
 }
 
 TEST_CASE("the degenerate cases of disc and capsule") {
@@ -73,11 +70,8 @@ TEST_CASE("the degenerate cases of disc and capsule") {
     REQUIRE(on_peg);
     CHECK(on_peg->time == 2.0);
     CHECK(on_peg->normal == Vec2{-1, 0});
-    const auto on_spine = first_impact(Disc{{5, 0}, 1}, {0, 3}, wall, 1);
-    REQUIRE(on_spine);
-    CHECK(on_spine->time == 0.0);
-    CHECK(on_spine->normal == Vec2{0, -1});
-    const Capsule line{{0, 0}, {10, 0}, 0.0};  // a thin line
+    CHECK_FALSE(first_impact(Disc{{5, 0}, 1}, {0, 3}, wall, 1));  // centre on the spine
+    const Capsule line{{0, 0}, {10, 0}, 0.0};                     // a thin line
     CHECK(first_impact(Disc{{5, 3}, 1}, {0, -1}, line, 10)->time == 2.0);
 }
 

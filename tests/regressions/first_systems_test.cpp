@@ -1,0 +1,221 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "geometry/closest.h"
+#include "physics/cell_frame.h"
+#include "physics/solver.h"
+#include "physics/support/scenes.h"
+#include "physics/totals.h"
+
+// What users of the systems that carom starts from ran into, one test each: carom does not have it,
+// or, where the baseline solver has it by nature, the test measures it.
+
+using namespace carom;
+
+namespace {
+
+void run(World& world, SolverKind kind, int ticks) {
+    Solver solver({.kind = kind});
+    for (int i = 0; i < ticks; ++i)
+        solver.tick(world);
+}
+
+}  // namespace
+
+TEST_CASE("every pair handled twice: one contact a pair") {
+    for (const SolverKind kind : solvers_available()) {
+        CAPTURE(name(kind));
+        World world = scenes::empty();
+        add_ball(world, {.position = {0, 0}, .velocity = {2, 0}});
+        add_ball(world, {.position = {2.01, 0}, .velocity = {-2, 0}});
+        Solver solver({.kind = kind});
+        solver.tick(world);
+        CHECK(solver.contacts().size() == 1);
+        CHECK(world.ball_ball_collisions == 1);
+        // Handled twice, the two would have exchanged their velocities twice: no bounce at all.
+        CHECK(world.balls.velocity[0].x == doctest::Approx(-2.0));
+    }
+}
+
+TEST_CASE("in a row of touching balls, parting one pair pushes the next together") {
+    // By nature in the baseline: after one tick the row still overlaps; it is out only ticks later.
+    const auto row = [] {
+        World world = scenes::empty();
+        for (int i = 0; i < 6; ++i)
+            add_ball(world, {.position = {2.0 * i, 0}, .velocity = {}});
+        world.balls.position[0].x += 0.5;  // pressed in from the left
+        return world;
+    };
+    World discrete = row();
+    run(discrete, SolverKind::discrete, 1);
+    const double after_one = deepest_overlap(discrete);
+    CHECK(after_one > 0.01);
+    run(discrete, SolverKind::discrete, 100);
+    CHECK(deepest_overlap(discrete) < after_one);
+    MESSAGE("overlap of a pressed row under discrete: ", after_one, " after one tick, ",
+            deepest_overlap(discrete), " after a hundred");
+    // swept lets no row be pressed together at all.
+    World swept = scenes::empty();
+    for (int i = 0; i < 6; ++i)
+        add_ball(swept, {.position = {2.0 * i, 0}, .velocity = {}});
+    swept.balls.position[0].x -= 3.0;
+    swept.balls.velocity[0].x = 60.0;
+    Solver solver({.kind = SolverKind::swept});
+    for (int i = 0; i < 20; ++i) {
+        solver.tick(swept);
+        CHECK(deepest_overlap(swept) < 1e-12);
+    }
+}
+
+TEST_CASE("balls stick together after a bounce") {
+    for (const SolverKind kind : solvers_available()) {
+        CAPTURE(name(kind));
+        World world = scenes::empty();
+        add_ball(world, {.position = {0, 0}, .velocity = {30, 1}});
+        add_ball(world, {.position = {5, 0.7}, .velocity = {-20, 0}});
+        run(world, kind, 60);
+        CHECK(world.ball_ball_collisions == 1);
+        CHECK(distance(world.balls.position[0], world.balls.position[1]) > 10.0);
+    }
+}
+
+TEST_CASE(
+    "a ball gains energy out of nothing when a distance is used again after the balls were "
+    "parted") {
+    for (const SolverKind kind : solvers_available()) {
+        CAPTURE(name(kind));
+        // Deep, oblique overlaps of three bodies at once, again and again.
+        World world = scenes::empty();
+        world.rate = 10.0;
+        scenes::add_walls(world, {{0, 0}, {14, 14}});
+        for (int i = 0; i < 9; ++i)
+            add_ball(world, {.position = {2.5 + 4 * (i % 3), 2.5 + 4 * (i / 3)},
+                             .velocity = {3.0 - i, 1.0 + i % 4}});
+        const double before = totals(world).kinetic_energy;
+        run(world, kind, 2000);
+        CHECK(totals(world).kinetic_energy == doctest::Approx(before).epsilon(1e-12));
+    }
+}
+
+TEST_CASE(
+    "sum of radii 30, distance 29.999999999999996: no contact without approach, none at every "
+    "tick") {
+    for (const SolverKind kind : solvers_available()) {
+        CAPTURE(name(kind));
+        World world = scenes::empty();
+        add_ball(world, {.position = {0, 0}, .velocity = {}, .radius = 15});
+        add_ball(world, {.position = {29.999999999999996, 0}, .velocity = {}, .radius = 15});
+        run(world, kind, 100);
+        CHECK(world.ball_ball_collisions == 0);
+        CHECK(world.balls.velocity[0] == Vec2{});
+        CHECK(world.balls.position[0].x == doctest::Approx(0.0));
+    }
+}
+
+TEST_CASE("two balls with the same centre: no division by zero") {
+    for (const SolverKind kind : solvers_available()) {
+        CAPTURE(name(kind));
+        World world = scenes::empty();
+        add_capsule(world, {{3, 0}, {3, 0}, 1}, 0);
+        add_ball(world, {.position = {0, 0}, .velocity = {1, 0}});
+        add_ball(world, {.position = {0, 0}, .velocity = {-1, 0}});
+        add_ball(world, {.position = {3, 0}, .velocity = {0, 2}});  // on the centre of a peg
+        run(world, kind, 50);
+        for (const Vec2 p : world.balls.position)
+            CHECK((std::isfinite(p.x) && std::isfinite(p.y)));
+        CHECK(totals(world).kinetic_energy == doctest::Approx(3.0).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("bullet through paper: a fast ball and a thin wall") {
+    const auto through = [](SolverKind kind) {
+        World world = scenes::empty();
+        world.rate = 60.0;
+        add_capsule(world, {{0, -50}, {0, 50}, 0.05}, 0);
+        add_ball(world, {.position = {-10, 3}, .velocity = {900, 0}, .radius = 0.5});
+        run(world, kind, 3);
+        return world.balls.position[0].x > 0.0;
+    };
+    CHECK_FALSE(through(SolverKind::swept));
+    // By nature: it goes 15 in a tick, and is 1.1 thick with the wall.
+    CHECK(through(SolverKind::discrete));
+    CHECK(through(SolverKind::substep));
+}
+
+TEST_CASE("n squared pair tests: the neighbours looked at do not grow with the number of balls") {
+    const auto looks_a_ball = [](std::size_t count) {
+        const World world = scenes::gas(count, 3);
+        PointCells cells;
+        cells.rebuild(frame_around(world, 2.0), world.balls.position);
+        std::size_t looks = 0;
+        for (std::size_t i = 0; i < count; ++i)
+            cells.for_each_near(i, [&](std::uint32_t) { ++looks; });
+        return static_cast<double>(looks) / static_cast<double>(count);
+    };
+    const double few = looks_a_ball(300);
+    CHECK(few < 12.0);
+    CHECK(looks_a_ball(30'000) < 1.3 * few);
+}
+
+TEST_CASE("a ball never quite stops under drag: use stop") {
+    for (const SolverKind kind : solvers_available()) {
+        World world = scenes::empty();
+        world.model.drag = 2.0;
+        add_ball(world, {.position = {0, 0}, .velocity = {5, 0}});
+        World stopping = world;
+        stopping.model.stop_speed = 0.01;
+        run(world, kind, 1200);
+        run(stopping, kind, 1200);
+        CHECK(world.balls.velocity[0].x > 0.0);
+        CHECK(stopping.balls.velocity[0] == Vec2{});
+    }
+}
+
+TEST_CASE("admired for running in 2 MB: ten thousand balls are well inside it") {
+    const World world = scenes::gas(10'000, 1);
+    const Balls& balls = world.balls;
+    const std::size_t bytes =
+        balls.id.size() * sizeof(BallId) + balls.position.size() * sizeof(Vec2) +
+        balls.velocity.size() * sizeof(Vec2) + balls.radius.size() * sizeof(double) +
+        balls.inverse_mass.size() * sizeof(double) + balls.kind.size() * sizeof(ClassIndex) +
+        balls.restitution.size() * sizeof(double) + balls.edge_contacts.size() * 4;
+    CHECK(bytes / 10'000 == 54);  // an elastic gas: no restitution, no counts
+}
+
+TEST_CASE("a squeeze without a solution blasts out") {
+    // substep is what showed it first. The lid closes on more balls than there is room for, then
+    // opens.
+    for (const SolverKind kind : solvers_available()) {
+        CAPTURE(name(kind));
+        World world = scenes::empty();
+        world.materials[0].restitution = 0.6;
+        world.kinds[0].restitution = 0.6;
+        scenes::add_walls(world, {{0, 0}, {14, 8}});
+        const CapsuleId lid = add_capsule(world, {{13, -1}, {13, 9}, 0.5}, 0);
+        for (int i = 0; i < 12; ++i)
+            add_ball(world,
+                     {.position = {1.1 + 2.2 * (i % 4), 1.1 + 2.2 * (i / 4)}, .velocity = {}});
+        Solver solver({.kind = kind});
+        double jumped = 0.0;  // furthest way of a ball in one tick after the lid has turned
+        for (int i = 0; i < 480; ++i) {
+            const double x = i < 240 ? std::max(4.0, 13.0 - i * 0.05) : 4.0 + (i - 240) * 0.03;
+            world.held_capsules = {{lid, {x, -1}, {x, 9}}};
+            const std::vector<Vec2> before = world.balls.position;
+            solver.tick(world);
+            for (std::size_t b = 0; i >= 240 && b < before.size(); ++b)
+                jumped = std::max(jumped, distance(before[b], world.balls.position[b]));
+        }
+        int outside = 0;
+        for (const Vec2 p : world.balls.position) {
+            CHECK((std::isfinite(p.x) && std::isfinite(p.y)));
+            outside += !contains(Box{{0.0, 0.0}, {14.0, 8.0}}, p);
+        }
+        MESSAGE(name(kind), ": ", outside, " of 12 pressed out, longest jump in a tick ", jumped);
+        if (kind != SolverKind::swept) continue;
+        CHECK(outside == 0);
+        CHECK(jumped < 0.1);
+    }
+}
