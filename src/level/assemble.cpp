@@ -23,7 +23,6 @@ class Assembly {
     void run() {
         drop_mirror_twins(draft_);
         names_ = resolve_names(context_);
-        if (names_.kinds.empty()) return;
         collect_balls();
         check_start(balls_, names_, context_);
         Groups groups(draft_, names_, context_);
@@ -164,9 +163,9 @@ class Assembly {
         model.scatter = s.scatter;
         if (s.wrap) model.wrap = s.world;
         model.lossy = is_lossy();
-        model.filtered = std::ranges::count(names_.meets, 0) > 0 && !meets_all();
-        model.ball_ball = some_balls_meet();
-        model.ball_edge = some_edges_meet();
+        model.filtered = !names_.all_meet();
+        model.ball_ball = names_.some_balls_meet();
+        model.ball_edge = names_.some_edges_meet();
     }
 
     bool is_lossy() const {
@@ -178,41 +177,6 @@ class Assembly {
         for (const CapsuleDraft& edge : draft_.capsules) {
             const Material& material = names_.materials[material_of(edge)];
             if (loses(material.restitution) || material.soften > 0.0) return true;
-        }
-        return false;
-    }
-
-    bool meets_all() const {
-        const auto kinds = static_cast<ClassIndex>(names_.kinds.size());
-        const auto materials = static_cast<ClassIndex>(names_.materials.size());
-        for (ClassIndex a = 0; a < kinds; ++a) {
-            for (ClassIndex b = 0; b < kinds; ++b) {
-                if (!names_.kinds_meet(a, b)) return false;
-            }
-            for (ClassIndex m = 0; m < materials; ++m) {
-                if (!names_.kind_meets_material(a, m)) return false;
-            }
-        }
-        return true;
-    }
-
-    bool some_balls_meet() const {
-        const auto kinds = static_cast<ClassIndex>(names_.kinds.size());
-        for (ClassIndex a = 0; a < kinds; ++a) {
-            for (ClassIndex b = 0; b < kinds; ++b) {
-                if (names_.kinds_meet(a, b)) return true;
-            }
-        }
-        return false;
-    }
-
-    bool some_edges_meet() const {
-        const auto kinds = static_cast<ClassIndex>(names_.kinds.size());
-        const auto materials = static_cast<ClassIndex>(names_.materials.size());
-        for (ClassIndex a = 0; a < kinds; ++a) {
-            for (ClassIndex m = 0; m < materials; ++m) {
-                if (names_.kind_meets_material(a, m)) return true;
-            }
         }
         return false;
     }

@@ -7,6 +7,8 @@
 namespace carom {
 namespace {
 
+constexpr std::size_t max_fills = 1000;  // each looks at all that stands already
+
 BallNaming ball_naming(const Arguments& arguments, bool is_numbered) {
     BallNaming naming;
     naming.node = arguments.node;
@@ -29,13 +31,20 @@ Vec2 absolute(Vec2 v) {
     return {std::abs(v.x), std::abs(v.y)};
 }
 
-// Everything that has a value here, for an expression that is evaluated later.
-Scope snapshot(const Scope& scope) {
-    Scope all;
-    for (const Scope* s = &scope; s; s = s->outer) {
-        all.names.insert(s->names.begin(), s->names.end());
+// What an expression that is evaluated later will ask for.
+Scope names_in(const Word& expression, const Scope& scope) {
+    Scope asked;
+    const std::string_view text = expression.text;
+    for (std::size_t i = 0; i < text.size();) {
+        std::size_t end = i;
+        while (end < text.size() && continues_identifier(text[end]))
+            ++end;
+        const std::string_view name = text.substr(i, end - i);
+        const Variable* variable = scope.find(name);
+        if (variable) asked.names.emplace(std::string(name), *variable);
+        i = end + 1;
     }
-    return all;
+    return asked;
 }
 
 // r= may be a range, or, beside m=, an expression of the ball's mass, such as sqrt(m)*0.8.
@@ -43,7 +52,7 @@ bool read_radius(const Arguments& arguments, const Frame& frame, FillDraft& fill
                  Context& context) {
     const Word expression = *arguments.word("r");
     bool uses_mass = false;
-    Scope scope = snapshot(*frame.scope);
+    Scope scope = names_in(expression, *frame.scope);
     if (arguments.has("m")) {
         scope.names["m"] = {Value{fill.least_mass, {}}, arguments.span_of("m"), &uses_mass};
     }
@@ -97,6 +106,12 @@ void build_fill(const Arguments& arguments, const Frame& frame, Context& context
     if (!keeps_axes(arguments, frame, context)) return;
     const std::uint32_t count = arguments.count("count");
     if (!plan_balls(count, arguments.span_of("count"), context)) return;
+    if (context.draft.fills.size() >= max_fills) {
+        context.reporter.error(arguments.node->keyword().span(),
+                               fmt::format("the level has more than {} fills", max_fills),
+                               "fill larger boxes, with more balls each");
+        return;
+    }
     if (arguments.has("rms") && (arguments.has("speed") || arguments.has("v"))) {
         context.reporter.error(arguments.span_of("rms"),
                                "rms= stands beside speed= or v=", "keep one of them");

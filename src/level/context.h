@@ -21,6 +21,10 @@ struct LetUse {
     bool is_used = false;
 };
 
+/// A statement, and a word of it: the same each time that the statement is unrolled. Only looked
+/// up, never walked through, so that no order depends on addresses.
+using NamingKey = std::pair<const Node*, const char*>;
+
 struct Context {
     Reporter reporter;
     Draft draft;
@@ -30,6 +34,8 @@ struct Context {
     /// Top-level lets and their lines, known before the unrolling.
     std::map<std::string, int, std::less<>> lets_ahead;
     std::map<const char*, LetUse> lets;
+    std::map<NamingKey, std::size_t> naming_index;
+    std::map<NamingKey, std::size_t> ball_naming_index;
     std::uint64_t seed = 0;
 
     ExpressionRules rules() const {

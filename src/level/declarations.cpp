@@ -24,6 +24,12 @@ bool is_free(const Word& name, Context& context) {
                        std::string(reserved_note));
         return false;
     }
+    if (context.draft.kinds.size() + context.draft.materials.size() >= max_classes) {
+        reporter.error(name.span(),
+                       fmt::format("the level has more than {} kinds and materials", max_classes),
+                       "use fewer");
+        return false;
+    }
     const auto taken = [&](const Word& by) {
         if (by.text != name.text) return false;
         reporter.error(name.span(),

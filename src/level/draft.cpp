@@ -12,6 +12,11 @@ Side turned(Side side, const Transform& transform) {
     return side == Side::left ? Side::right : Side::left;
 }
 
+// A statement and the word that varies within it: a map draws with several materials.
+NamingKey key_of(const Node* node, const std::optional<Word>& word) {
+    return {node, word ? word->text.data() : nullptr};
+}
+
 }  // namespace
 
 bool plan_balls(std::uint64_t count, const Span& at, Context& context) {
@@ -46,22 +51,18 @@ bool add_piece(const Capsule& shape, Side side, int naming, int chain, const Spa
 
 int name_edges(EdgeNaming naming, Context& context) {
     auto& all = context.draft.edge_namings;
-    const bool is_last_again =
-        !all.empty() && all.back().node == naming.node &&
-        all.back().material.has_value() == naming.material.has_value() &&
-        (!naming.material || all.back().material->text.data() == naming.material->text.data());
-    if (!is_last_again) all.push_back(std::move(naming));
-    return static_cast<int>(all.size()) - 1;
+    const auto [found, is_new] =
+        context.naming_index.emplace(key_of(naming.node, naming.material), all.size());
+    if (is_new) all.push_back(std::move(naming));
+    return static_cast<int>(found->second);
 }
 
 int name_balls(BallNaming naming, Context& context) {
     auto& all = context.draft.ball_namings;
-    const bool is_last_again =
-        !all.empty() && all.back().node == naming.node &&
-        all.back().kind.has_value() == naming.kind.has_value() &&
-        (!naming.kind || all.back().kind->text.data() == naming.kind->text.data());
-    if (!is_last_again) all.push_back(std::move(naming));
-    return static_cast<int>(all.size()) - 1;
+    const auto [found, is_new] =
+        context.ball_naming_index.emplace(key_of(naming.node, naming.kind), all.size());
+    if (is_new) all.push_back(std::move(naming));
+    return static_cast<int>(found->second);
 }
 
 void add_ball_draft(const BallDraft& ball, const Frame& frame, Context& context) {

@@ -161,6 +161,9 @@ struct Draft {
     std::uint64_t balls_planned = 0;  ///< balls, fills and emitters together
 };
 
+/// Most kinds and materials together.
+inline constexpr std::size_t max_classes = 1000;
+
 /// Most balls, most edges and most statements that a level may unroll to.
 inline constexpr std::uint64_t max_items = 1'000'000;
 

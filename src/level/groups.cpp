@@ -74,12 +74,9 @@ void Groups::collect_bins() {
     for (std::uint32_t i = 0; i < draft_.zones.size(); ++i) {
         const auto& naming = draft_.edge_namings[static_cast<std::size_t>(draft_.zones[i].naming)];
         const std::string_view name = bins_name(naming);
-        auto found = std::ranges::find(bins_, name, &Bins::name);
-        if (found == bins_.end()) {
-            bins_.push_back({std::string(name), {}, 0});
-            found = bins_.end() - 1;
-        }
-        found->zones.push_back(i);
+        const auto [found, is_new] = bins_index_.emplace(std::string(name), bins_.size());
+        if (is_new) bins_.push_back({std::string(name), {}, 0});
+        bins_[found->second].zones.push_back(i);
     }
     std::uint32_t counter = 0;
     for (Bins& bins : bins_) {
@@ -98,8 +95,8 @@ bool Groups::is_poisoned(std::string_view name) const {
 }
 
 const Groups::Bins* Groups::bins_named(const Word& name) {
-    const auto found = std::ranges::find(bins_, name.text, &Bins::name);
-    if (found != bins_.end()) return &*found;
+    const auto found = bins_index_.find(name.text);
+    if (found != bins_index_.end()) return &bins_[found->second];
     if (is_poisoned(name.text) || (name.text == "bins" && context_.reporter.has_errors())) {
         return nullptr;
     }

@@ -44,6 +44,7 @@ class Groups {
     std::vector<std::string> ball_names_;
     std::map<std::string, std::uint32_t, std::less<>> ball_numbers_;
     std::vector<Bins> bins_;
+    std::map<std::string, std::size_t, std::less<>> bins_index_;
     std::vector<Show> shows_;
     std::vector<Expect> expects_;
 };

@@ -33,6 +33,7 @@ class Classes {
         used_[found->second] = true;
         return static_cast<ClassIndex>(found->second);
     }
+    bool has(std::string_view name) const { return index_.contains(name); }
     /// The one that stands for those without a name.
     ClassIndex unnamed() {
         is_unnamed_used_ = true;
@@ -58,15 +59,6 @@ class Resolver {
           materials_(material_names_) {}
 
     Resolved resolve() {
-        if (draft_.kinds.size() + draft_.materials.size() > max_classes) {
-            const Word& last =
-                draft_.kinds.empty() ? draft_.materials.back().name : draft_.kinds.back().name;
-            context_.reporter.error(
-                last.span(),
-                fmt::format("the level has more than {} kinds and materials", max_classes),
-                "use fewer");
-            return {};
-        }
         for (const EdgeNaming& naming : draft_.edge_namings) {
             result_.edges.push_back(resolve_edges(naming));
         }
@@ -85,8 +77,6 @@ class Resolver {
     }
 
   private:
-    static constexpr std::size_t max_classes = 1000;  // `meets` is a square table of them
-
     ResolvedBalls resolve_kind(const std::optional<Word>& name) {
         if (!name) return {kinds_.unnamed(), true};
         if (const auto kind = kinds_.find(name->text)) {
@@ -112,7 +102,7 @@ class Resolver {
         std::vector<Word> words = naming.plain;
         std::optional<Word> material = naming.material;
         if (naming.may_begin_with_material && !words.empty() &&
-            (words.size() == 2 || std::ranges::count(material_names_, words[0].text) > 0)) {
+            (words.size() == 2 || materials_.has(words[0].text))) {
             material = words[0];
             words.erase(words.begin());
         }
@@ -214,6 +204,8 @@ class Resolver {
     }
 
     void warn_unused() {
+        // What is in error may be what would have used it.
+        if (context_.reporter.has_errors()) return;
         const auto warn = [&](const Word& name, std::string_view what) {
             if (!name.source->included_from.empty() || name.source->name == "--set") return;
             context_.reporter.warning(name.span(),
@@ -251,6 +243,37 @@ bool Resolved::kinds_meet(ClassIndex a, ClassIndex b) const {
 bool Resolved::kind_meets_material(ClassIndex kind, ClassIndex material) const {
     return meets.empty() ||
            meets[kind * (kinds.size() + materials.size()) + kinds.size() + material] != 0;
+}
+
+bool Resolved::some_balls_meet() const {
+    for (std::size_t a = 0; a < kinds.size(); ++a) {
+        for (std::size_t b = 0; b < kinds.size(); ++b) {
+            if (kinds_meet(static_cast<ClassIndex>(a), static_cast<ClassIndex>(b))) return true;
+        }
+    }
+    return false;
+}
+
+bool Resolved::some_edges_meet() const {
+    for (std::size_t a = 0; a < kinds.size(); ++a) {
+        for (std::size_t m = 0; m < materials.size(); ++m) {
+            if (kind_meets_material(static_cast<ClassIndex>(a), static_cast<ClassIndex>(m))) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+bool Resolved::all_meet() const {
+    // Edges do not meet edges, whatever the table says of them.
+    const std::size_t classes = kinds.size() + materials.size();
+    for (std::size_t i = 0; i < meets.size(); ++i) {
+        if (meets[i] == 0 && (i / classes < kinds.size() || i % classes < kinds.size())) {
+            return false;
+        }
+    }
+    return true;
 }
 
 Resolved resolve_names(Context& context) {

@@ -34,6 +34,9 @@ struct Resolved {
 
     bool kinds_meet(ClassIndex a, ClassIndex b) const;
     bool kind_meets_material(ClassIndex kind, ClassIndex material) const;
+    bool some_balls_meet() const;
+    bool some_edges_meet() const;
+    bool all_meet() const;
 };
 
 /// Reports unknown names, and warns of unused ones. The kind "ball" and the material "edge" stand

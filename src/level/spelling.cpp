@@ -30,13 +30,19 @@ int edit_distance(std::string_view a, std::string_view b) {
 
 std::optional<std::string_view> nearest_word(std::string_view word,
                                              const std::vector<std::string_view>& candidates) {
-    constexpr std::size_t longest = 64;  // nobody misspells a word that long; bounds the work
+    constexpr std::size_t longest = 64;  // nobody misspells a word that long; bounds the work,
+    constexpr int most = 1000;           // and so does this
+    int tried = 0;
     if (word.empty() || word.size() > longest) return std::nullopt;
     std::optional<std::string_view> best;
-    int best_distance = std::max(1, static_cast<int>(word.size()) / 3);
+    std::size_t best_distance = std::max(std::size_t{1}, word.size() / 3);
     for (const std::string_view candidate : candidates) {
-        if (candidate.size() > longest || candidate.size() < 2) continue;
-        const int distance = edit_distance(word, candidate);
+        if (++tried > most) break;
+        if (candidate.size() < 2 || candidate.size() > word.size() + best_distance ||
+            candidate.size() + best_distance < word.size()) {
+            continue;
+        }
+        const auto distance = static_cast<std::size_t>(edit_distance(word, candidate));
         if (distance > best_distance || (best && distance == best_distance)) continue;
         best = candidate;
         best_distance = distance;

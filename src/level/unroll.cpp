@@ -45,14 +45,7 @@ class Unroller {
 
     void execute(const Node& node, const Frame& frame) {
         const Statement& statement = *node.statement;
-        if (++steps_ > max_items) {
-            context_.reporter.error(
-                node.keyword().span(),
-                fmt::format("the level unrolls to more than {} statements", max_items),
-                "repeat less");
-            stopped_ = true;
-            return;
-        }
+        if (!take_step(node)) return;
         if (!statement.is_in_version) {
             report_not_in_version(node);
             return;
@@ -68,6 +61,28 @@ class Unroller {
             return execute_sound(*replacement, frame, node.keyword().span());
         }
         execute_sound(node, frame, node.keyword().span());
+    }
+
+    // Bounds what a short text can make of itself: statements, and characters that are read. A
+    // level with hundreds of mistakes is not unrolled any further.
+    bool take_step(const Node& node) {
+        constexpr std::size_t most_errors = 200;
+        constexpr std::uint64_t most_characters = 100'000'000;
+        for (const Word& word : node.words)
+            characters_ += word.text.size();
+        for (const Word& line : node.drawing)
+            characters_ += line.text.size() + 1;
+        if (context_.reporter.errors() >= most_errors) stopped_ = true;
+        if (stopped_) return false;
+        if (++steps_ <= max_items && characters_ <= most_characters) return true;
+        context_.reporter.error(
+            node.keyword().span(),
+            steps_ > max_items
+                ? fmt::format("the level unrolls to more than {} statements", max_items)
+                : fmt::format("the level unrolls to more than {} characters", most_characters),
+            "repeat less");
+        stopped_ = true;
+        return false;
     }
 
     void report_not_in_version(const Node& node) {
@@ -186,6 +201,13 @@ class Unroller {
 
     void execute_inside(const Node& node, const Frame& frame, const Transform& transform, int image,
                         std::map<std::string, Variable, std::less<>> names) {
+        if (frame.depth >= max_block_depth) {
+            context_.reporter.error(node.keyword().span(),
+                                    fmt::format("nested deeper than {}", max_block_depth),
+                                    "a part cannot place itself");
+            stopped_ = true;
+            return;
+        }
         Scope scope;
         scope.outer = frame.scope;
         scope.names = std::move(names);
@@ -194,6 +216,7 @@ class Unroller {
         inner.transform = after(frame.transform, transform);
         inner.is_top = false;
         inner.image = image;
+        inner.depth = frame.depth + 1;
         execute(node.body, inner);
     }
 
@@ -204,14 +227,7 @@ class Unroller {
         bool is_used = false;
         for (double i = 0.0; i < *count && !stopped_; i += 1.0) {
             // An empty body costs a step too, so that repeats of repeats come to an end.
-            if (++steps_ > max_items) {
-                context_.reporter.error(
-                    arguments.plain[0].span(),
-                    fmt::format("the level unrolls to more than {} statements", max_items),
-                    "repeat less");
-                stopped_ = true;
-                return;
-            }
+            if (!take_step(*arguments.node)) return;
             std::map<std::string, Variable, std::less<>> names;
             if (arguments.plain.size() > 1) {
                 names.emplace(std::string(arguments.plain[1].text),
@@ -264,12 +280,6 @@ class Unroller {
         }
         Part& part = found->second;
         part.is_placed = true;
-        if (frame.depth >= max_block_depth) {
-            context_.reporter.error(name.span(),
-                                    fmt::format("parts are placed deeper than {}", max_block_depth),
-                                    "a part cannot place itself");
-            return;
-        }
         auto names = bind(arguments, part, frame);
         if (!names) return;
         Transform transform = shift_by(arguments.pair_or("at", {}));
@@ -277,11 +287,9 @@ class Unroller {
             transform = after(transform, turn_by(arguments.number_or("turn", 0.0)));
         }
         if (arguments.flag("flip")) transform = after(transform, mirror_x(0.0));
+        // The part sees the level's names and its own, not those of where it is placed.
         Frame around = frame;
         around.scope = &globals_;
-        around.depth = frame.depth + 1;
-        // The part sees the level's names and its own, not those of where it is placed.
-        around.transform = frame.transform;
         execute_inside(*part.node, around, transform, frame.image, std::move(*names));
     }
 
@@ -384,6 +392,7 @@ class Unroller {
     std::map<std::string, Part, std::less<>> parts_;
     std::map<std::string_view, Span> singles_;
     std::uint64_t steps_ = 0;
+    std::uint64_t characters_ = 0;
     bool stopped_ = false;
 };
 
