@@ -44,6 +44,8 @@ bool is_rimmed(const Raster& raster, const ViewOptions& options, double radius) 
 Brush rimmed_brush(const Raster& raster, const View& view, std::size_t ball) {
     const Ink ink = view.inks[ball];
     if (view.options.ball_style == BallStyle::outline) return {ink, 0, ' '};
+    // Pixels that are lit or dark have no pattern fine enough for an inside.
+    if (raster.sampling() == Sampling::halves) return {ink, 0, '\0'};
     const Texture& texture = textures[view.world.balls.kind[ball] % textures.size()];
     if (raster.sampling() == Sampling::shapes) return {ink, 0, texture.fill};
     return {ink, texture.tone, '\0'};

@@ -192,7 +192,7 @@ void Raster::disc(RasterPoint center, double radius, double rim, const Brush& br
         const int across = std::min(static_cast<int>(center.x / width_), samples_across() - 1);
         const int down = std::min(static_cast<int>(center.y / height_), samples_down() - 1);
         const double area = 3.14159 * radius * radius / (width_ * height_);
-        const double opacity = std::max(level_of_dot(sampling_), area);
+        const double opacity = std::clamp(area, level_of_dot(sampling_), 1.0);
         const int level = level_at(across, down);
         sample(across, down, static_cast<std::uint8_t>(level + (255 - level) * opacity), brush.ink);
         return;
