@@ -29,6 +29,8 @@ class OverlapSolver {
     void tick(World& world, int updates, int steps, std::vector<Contact>& contacts,
               std::vector<std::uint8_t>& touched);
 
+    const CellFrame& cells() const { return cells_.frame(); }
+
   private:
     struct Pair {
         std::uint32_t ball = 0;

@@ -48,6 +48,11 @@ std::span<const Contact> Solver::contacts() const {
     return state_->contacts;
 }
 
+const CellFrame& Solver::cells() const {
+    return state_->settings.kind == SolverKind::swept ? state_->swept.cells()
+                                                      : state_->overlap.cells();
+}
+
 void Solver::tick(World& world) {
     State& state = *state_;
     state.contacts.clear();

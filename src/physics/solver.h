@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "physics/cell_frame.h"
 #include "physics/contact.h"
 #include "physics/world.h"
 
@@ -58,6 +59,9 @@ class Solver {
     /// The exchanges of momentum of the last tick, in the order in which they were made. Valid
     /// until the next tick.
     std::span<const Contact> contacts() const;
+
+    /// The cells in which the last tick looked for neighbours; one cell before the first tick.
+    const CellFrame& cells() const;
 
   private:
     struct State;

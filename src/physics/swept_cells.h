@@ -12,6 +12,8 @@ class SweptCells {
   public:
     void reset(const CellFrame& frame, std::size_t balls);
 
+    const CellFrame& frame() const { return frame_; }
+
     /// Ball `index` may be anywhere in `box` until further notice.
     void enter(std::uint32_t index, const Box& box);
 

@@ -56,6 +56,8 @@ class SweptSolver {
     void tick(World& world, int substeps, std::vector<Contact>& contacts,
               std::vector<std::uint8_t>& touched);
 
+    const CellFrame& cells() const { return cells_.frame(); }
+
   private:
     /// A ball in the substep: at `position` at `time`, since then along the chord at `velocity`.
     struct Path {
