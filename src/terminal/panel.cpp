@@ -71,8 +71,9 @@ std::vector<std::string> wrapped(std::string_view text, int columns) {
             const std::size_t blank = line.rfind(' ');
             if (blank != std::string_view::npos && blank > 0) line = line.substr(0, blank);
         }
-        lines.emplace_back(line);
         text.remove_prefix(line.size());
+        while (line.ends_with(' ')) line.remove_suffix(1);
+        lines.emplace_back(line);
         while (!text.empty() && text.front() == ' ')
             text.remove_prefix(1);
     } while (!text.empty());

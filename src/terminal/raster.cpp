@@ -113,6 +113,7 @@ template <int across, int down, class Coverage>
 void Raster::paint_cell(RasterCell& cell, RasterPoint corner, const Brush& brush,
                         Coverage coverage) {
     constexpr int count = across * down;
+    constexpr auto slot_of = [](int sample) { return across == 1 ? sample : 0; };
     std::array<double, 2> mine{};    // of each half, or of the cell
     std::array<double, 2> theirs{};  // what is left of what was there
     bool is_all_inside = true;
@@ -120,18 +121,23 @@ void Raster::paint_cell(RasterCell& cell, RasterPoint corner, const Brush& brush
     for (int i = 0; i < count; ++i) {
         const Cover cover = coverage(corner.x + (i % across + 0.5) * width_,
                                      corner.y + (i / across + 0.5) * height_);
-        is_all_inside = is_all_inside && cover.inner >= 1.0;
-        if (cover.outer <= 0.0) {
-            theirs[across == 1 ? i : 0] += cell.levels[i];
-            continue;
+        const int slot = slot_of(i);
+        // Solid on solid of the same colour is one shape: the pieces of a polyline do not add up
+        // where they overlap.
+        const bool is_one = brush.tone == 255 && cell.colors[slot] == brush.ink.color;
+        if (cover.outer > 0.0) {
+            is_touched = true;
+            const int tone = tone_of_sample(brush.tone, i);
+            const double added = 255.0 * (cover.outer - cover.inner) + tone * cover.inner;
+            const double left = cell.levels[i] * (1.0 - cover.outer);
+            const double level = is_one ? std::max<double>(cell.levels[i], added) : added + left;
+            cell.levels[i] = static_cast<std::uint8_t>(std::min(255.0, level + 0.5));
+            mine[slot] += 255.0 * cover.outer;
+            theirs[slot] += left;
+        } else {
+            theirs[slot] += cell.levels[i];
         }
-        is_touched = true;
-        const int tone = tone_of_sample(brush.tone, i);
-        const double added = 255.0 * (cover.outer - cover.inner) + tone * cover.inner;
-        const double left = cell.levels[i] * (1.0 - cover.outer);
-        cell.levels[i] = static_cast<std::uint8_t>(std::min(255.0, added + left + 0.5));
-        mine[across == 1 ? i : 0] += 255.0 * cover.outer;
-        theirs[across == 1 ? i : 0] += left;
+        is_all_inside = is_all_inside && (is_one ? cell.levels[i] == 255 : cover.inner >= 1.0);
     }
     if (!is_touched) return;
     for (std::size_t i = 0; i < 2; ++i) {

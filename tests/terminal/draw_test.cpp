@@ -142,7 +142,7 @@ TEST_CASE("an outlined ball has a radius that shows where it heads") {
     CHECK(Drawing(22, 11).draw(scene, options).text() == R"(
 
       .;~~~~~~;,
-    ;*"        "};
+    ;*"        "|;
    ]`         ;^ '[
   :`        ;^    ':
   ]       -^       [
