@@ -13,24 +13,31 @@ namespace {
 constexpr double largest_quantity = 1e18;
 constexpr double smallest_positive = 1e-18;
 
-std::string remedy_for(std::string_view name, Measure measure, const Context& context) {
-    return fmt::format("write {}, such as {}{}{}", described(measure), name,
-                       name.empty() ? "" : "=", sample(measure, context.unit));
+// "r=", "rate ", or nothing.
+std::string lead_of(const Label& label) {
+    return label.name.empty() || label.joint.empty() ? ""
+                                                     : fmt::format("{}{}", label.name, label.joint);
+}
+
+std::string remedy_for(const Label& label, Measure measure, const Context& context) {
+    return fmt::format("write {}, such as {}{}", described(measure), lead_of(label),
+                       sample(measure, context.unit));
 }
 
 // The world's number, or a message that names both what is there and what is wanted.
-std::optional<double> converted(const Word& word, const Value& value, std::string_view name,
+std::optional<double> converted(const Word& word, const Value& value, const Label& label,
                                 Measure measure, Context& context) {
     if (context.is_unit_unknown) return value.number;
     const Dimension wanted = dimension_of(measure);
     if (measure == Measure::result) return value.number;
     if (context.unit == LengthUnit::natural) {
         if (value.is_bare()) return value.number;
-        if (value.dimension.angle == wanted.angle && wanted.angle != 0) return value.number;
+        const Dimension& d = value.dimension;
+        if (d.angle == wanted.angle && d.time == wanted.time) return value.number;
         context.reporter.error(word.span(),
                                fmt::format("{} is {}, {} is wanted", word.text,
                                            described(value.dimension), described(measure)),
-                               remedy_for(name, measure, context));
+                               remedy_for(label, measure, context));
         return std::nullopt;
     }
     if (value.dimension == wanted || (value.is_bare() && value.number == 0.0)) {
@@ -44,14 +51,14 @@ std::optional<double> converted(const Word& word, const Value& value, std::strin
         }
         context.reporter.error(
             word.span(), fmt::format("{} has no unit, {} is wanted", word.text, described(measure)),
-            fmt::format("write it with its unit, such as {}{}{}", name, name.empty() ? "" : "=",
+            fmt::format("write it with its unit, such as {}{}", lead_of(label),
                         sample(measure, context.unit)));
         return std::nullopt;
     }
     context.reporter.error(word.span(),
                            fmt::format("{} is {}, {} is wanted", word.text,
                                        described(value.dimension), described(measure)),
-                           remedy_for(name, measure, context));
+                           remedy_for(label, measure, context));
     return std::nullopt;
 }
 
@@ -88,30 +95,31 @@ std::string_view demand(Bound bound) {
 }
 
 // Every number of a level passes here. The remedy shows the author's own number, mended.
-std::optional<double> bounded(const Word& word, double number, std::string_view name,
-                              Measure measure, Bound bound, Context& context) {
-    const std::string label(name.empty() ? described(measure) : std::string(name));
+std::optional<double> bounded(const Word& word, double number, const Label& label, Measure measure,
+                              Bound bound, Context& context) {
+    const std::string subject(label.name.empty() ? described(measure) : std::string(label.name));
     const std::string shown = written(number, measure, context.unit);
     if (measure == Measure::whole && std::floor(number) != number) {
         context.reporter.error(word.span(),
-                               fmt::format("{} must be a whole number, but is {}", label, shown),
-                               remedy_for(name, measure, context));
+                               fmt::format("{} must be a whole number, but is {}", subject, shown),
+                               remedy_for(label, measure, context));
         return std::nullopt;
     }
     if (!holds(number, bound)) {
         const std::string mended =
             bound == Bound::share ? "0.8" : written(-number, measure, context.unit);
-        std::string remedy = remedy_for(name, measure, context);
-        if (number < 0.0 && !name.empty() && bound != Bound::up_to_thousand) {
-            remedy = fmt::format("write {}, such as {}={}", described(measure), name, mended);
+        std::string remedy = remedy_for(label, measure, context);
+        if (number < 0.0 && bound != Bound::up_to_thousand) {
+            remedy =
+                fmt::format("write {}, such as {}{}", described(measure), lead_of(label), mended);
         }
         context.reporter.error(
-            word.span(), fmt::format("{} {}, but is {}", label, demand(bound), shown), remedy);
+            word.span(), fmt::format("{} {}, but is {}", subject, demand(bound), shown), remedy);
         return std::nullopt;
     }
     const bool is_too_small = bound == Bound::positive && number < smallest_positive;
     if (std::abs(number) > largest_quantity || is_too_small) {
-        context.reporter.error(word.span(), fmt::format("{} is out of range: {}", label, shown),
+        context.reporter.error(word.span(), fmt::format("{} is out of range: {}", subject, shown),
                                "quantities go from 1e-18 to 1e18");
         return std::nullopt;
     }
@@ -129,9 +137,12 @@ class Reading {
 
     Arguments read() {
         const std::size_t errors = context_.reporter.errors();
-        for (const Word& word : result_.node->rest())
-            read_word(word);
-        if (context_.reporter.errors() == errors) check_counts();
+        const std::vector<Word> words = result_.node->rest();
+        if (check_spaces(words)) {
+            for (const Word& word : words)
+                read_word(word);
+        }
+        if (context_.reporter.errors() == errors && result_.is_sound) check_counts();
         if (context_.reporter.errors() != errors) result_.is_sound = false;
         return std::move(result_);
     }
@@ -142,6 +153,28 @@ class Reading {
     void mistake(const Span& at, std::string message, std::string remedy) {
         context_.reporter.error(at, std::move(message), std::move(remedy));
         result_.is_sound = false;
+    }
+
+    // "a = 1" and "W / 2": one mistake, though it makes several odd words.
+    bool check_spaces(const std::vector<Word>& words) {
+        for (const Word& word : words) {
+            if (word.text.find_first_not_of("=+-*/^,") != std::string_view::npos) continue;
+            const bool is_key = word.text == "=";
+            mistake(word.span(), fmt::format("'{}' stands alone", word.text),
+                    is_key ? "write key=value without spaces"
+                           : "arithmetic and points are written without spaces: W/2,0");
+            return false;
+        }
+        return true;
+    }
+
+    // Names come first: what stands behind a point or a key is a flag, misspelt, or a mistake.
+    void read_plain(const Word& word) {
+        if (result_.points.empty() && result_.values.empty() && result_.own_keys.empty()) {
+            result_.plain.push_back(word);
+        } else if (result_.is_sound) {
+            report_surplus(word);
+        }
     }
 
     void read_word(const Word& word) {
@@ -162,7 +195,7 @@ class Reading {
             read_point(word);
             return;
         }
-        result_.plain.push_back(word);
+        read_plain(word);
     }
 
     void read_point(const Word& word) {
@@ -179,15 +212,35 @@ class Reading {
     std::optional<Vec2> read_pair(const Word& word, std::string_view name, Measure measure,
                                   Bound bound) {
         const std::vector<Word> pieces = split_outside_brackets(word, ",");
+        if (!are_brackets_closed(word)) return std::nullopt;
         if (pieces.size() != 2) {
-            mistake(word.span(), fmt::format("{} numbers stand here, 2 are wanted", pieces.size()),
+            mistake(word.span(), numbers_wanted(pieces.size(), 2),
                     fmt::format("write {}{}x,y without spaces", name, name.empty() ? "" : "="));
             return std::nullopt;
         }
-        const auto x = read_number(pieces[0], name, measure, bound, scope_, context_);
-        const auto y = read_number(pieces[1], name, measure, bound, scope_, context_);
+        const Label label{name, ""};
+        const auto x = read_number(pieces[0], label, measure, bound, scope_, context_);
+        const auto y = read_number(pieces[1], label, measure, bound, scope_, context_);
         if (!x || !y) return std::nullopt;
         return Vec2{*x, *y};
+    }
+
+    static std::string numbers_wanted(std::size_t there, int wanted) {
+        return fmt::format("{} {} here, {} are wanted", there,
+                           there == 1 ? "number stands" : "numbers stand", wanted);
+    }
+
+    // An open bracket hides the commas behind it: that is the mistake, not their number.
+    bool are_brackets_closed(const Word& word) {
+        std::vector<std::size_t> open;
+        for (std::size_t i = 0; i < word.text.size(); ++i) {
+            if (word.text[i] == '(') open.push_back(i);
+            if (word.text[i] == ')' && !open.empty()) open.pop_back();
+        }
+        if (open.empty()) return true;
+        mistake(word.part(open.back(), 1).span(), "the ')' is missing",
+                "arithmetic is written without spaces: (W-2*R)/2");
+        return false;
     }
 
     void read_key(const Word& word, std::size_t equals) {
@@ -248,7 +301,7 @@ class Reading {
             case Form::scalar: {
                 if (key.name == "mu" || key.name == "w") return read_spin(key, argument);
                 const auto number =
-                    read_number(value, key.name, key.measure, key.bound, scope_, context_);
+                    read_number(value, {key.name}, key.measure, key.bound, scope_, context_);
                 argument.numbers[0] = number.value_or(0.0);
                 return number.has_value();
             }
@@ -260,7 +313,7 @@ class Reading {
             }
             case Form::range: {
                 const auto range =
-                    read_range(value, key.name, key.measure, key.bound, scope_, context_);
+                    read_range(value, {key.name}, key.measure, key.bound, scope_, context_);
                 if (range) {
                     argument.numbers[0] = range->first;
                     argument.numbers[1] = range->second;
@@ -292,16 +345,16 @@ class Reading {
 
     bool read_box(const Key& key, Argument& argument) {
         const std::vector<Word> pieces = split_outside_brackets(argument.value, ",");
+        if (!are_brackets_closed(argument.value)) return false;
         if (pieces.size() != 4) {
-            mistake(argument.value.span(),
-                    fmt::format("{} numbers stand here, 4 are wanted", pieces.size()),
+            mistake(argument.value.span(), numbers_wanted(pieces.size(), 4),
                     fmt::format("write {}=x0,y0,x1,y1 without spaces", key.name));
             return false;
         }
         bool is_complete = true;
         for (std::size_t i = 0; i < 4; ++i) {
             const auto number =
-                read_number(pieces[i], key.name, key.measure, key.bound, scope_, context_);
+                read_number(pieces[i], {key.name, ""}, key.measure, key.bound, scope_, context_);
             argument.numbers[i] = number.value_or(0.0);
             is_complete = is_complete && number;
         }
@@ -411,27 +464,27 @@ Arguments read_arguments(const Node& node, const Scope& scope, Context& context)
     return Reading(node, scope, context).read();
 }
 
-std::optional<double> read_number(const Word& word, std::string_view name, Measure measure,
+std::optional<double> read_number(const Word& word, const Label& label, Measure measure,
                                   Bound bound, const Scope& scope, Context& context) {
     const std::optional<Value> value = evaluate(word, scope, context.rules(), context.reporter);
     if (!value) return std::nullopt;
-    const std::optional<double> number = converted(word, *value, name, measure, context);
+    const std::optional<double> number = converted(word, *value, label, measure, context);
     if (!number) return std::nullopt;
-    return bounded(word, *number, name, measure, bound, context);
+    return bounded(word, *number, label, measure, bound, context);
 }
 
-std::optional<std::pair<double, double>> read_range(const Word& word, std::string_view name,
+std::optional<std::pair<double, double>> read_range(const Word& word, const Label& label,
                                                     Measure measure, Bound bound,
                                                     const Scope& scope, Context& context) {
     const std::vector<Word> ends = split_outside_brackets(word, "..");
     if (ends.size() > 2) {
         context.reporter.error(word.span(), "a range has two ends",
-                               fmt::format("write {}=a..b", name));
+                               fmt::format("write {}a..b", lead_of(label)));
         return std::nullopt;
     }
-    const auto low = read_number(ends.front(), name, measure, bound, scope, context);
+    const auto low = read_number(ends.front(), label, measure, bound, scope, context);
     if (ends.size() == 1 || !low) return low ? std::optional(std::pair{*low, *low}) : std::nullopt;
-    const auto high = read_number(ends.back(), name, measure, bound, scope, context);
+    const auto high = read_number(ends.back(), label, measure, bound, scope, context);
     if (!high) return std::nullopt;
     if (*low > *high) {
         context.reporter.error(word.span(), fmt::format("the range {} runs backwards", word.text),

@@ -57,7 +57,7 @@ bool read_radius(const Arguments& arguments, const Frame& frame, FillDraft& fill
         scope.names["m"] = {Value{fill.least_mass, {}}, arguments.span_of("m"), &uses_mass};
     }
     const auto range =
-        read_range(expression, "r", Measure::length, Bound::positive, scope, context);
+        read_range(expression, {"r"}, Measure::length, Bound::positive, scope, context);
     if (!range) return false;
     fill.least_radius = range->first;
     fill.most_radius = range->second;

@@ -20,10 +20,7 @@ const Statement* meant(std::string_view keyword) {
 }
 
 void report_unknown(const Word& keyword, Reporter& reporter) {
-    std::string otherwise = "a line begins with a keyword, such as ball or edge";
-    if (keyword.text.find('=') != std::string_view::npos) {
-        otherwise = "a '\\' at the end of the line above would continue it";
-    }
+    const std::string otherwise = "a line begins with a keyword, such as ball or edge";
     reporter.error(keyword.span(), fmt::format("'{}' is not a statement", keyword.text),
                    did_you_mean(keyword.text, keywords(), otherwise));
 }
@@ -88,12 +85,29 @@ class BlockReader {
                                 "take it out, or open a block above it");
                 continue;
             }
+            if (is_forgotten_continuation(words, nodes)) continue;
             Node node;
             node.statement = find_statement(words, reporter_);
             node.words = std::move(words);
             read_body(node, depth);
             nodes.push_back(std::move(node));
         }
+    }
+
+    // A line that begins with key=value: the line above lacks its backslash. Told, and then read as
+    // it was meant.
+    bool is_forgotten_continuation(const std::vector<Word>& words, std::vector<Node>& nodes) {
+        const Word& first = words.front();
+        const std::size_t equals = first.text.find('=');
+        if (equals == std::string_view::npos || !is_identifier(first.text.substr(0, equals))) {
+            return false;
+        }
+        reporter_.error(first.span(), fmt::format("'{}' is not a statement", first.text),
+                        "a '\\' at the end of the line above would continue it");
+        if (!nodes.empty() && nodes.back().body.empty()) {
+            nodes.back().words.insert(nodes.back().words.end(), words.begin(), words.end());
+        }
+        return true;
     }
 
     void read_body(Node& node, int depth) {

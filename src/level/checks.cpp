@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "geometry/closest.h"
 #include "level/box_tree.h"
@@ -183,13 +184,17 @@ class StartCheck {
             if (!has_time(ball)) return false;
             const StartingBall& other = balls_[k];
             if (k == i || (k > i && at == ball.position)) return true;
+            if (told_.contains({i, k}) || told_.contains({k, i})) return true;
             const double gap = separation(disc, disc_of(other));
             if (gap >= -rounding(at, disc.radius + other.radius)) return true;
             if (!names_.kinds_meet(ball.kind, other.kind)) return true;
+            told_.emplace(i, k);
+            const StartingBall& later = i > k ? ball : other;
+            const StartingBall& earlier = i > k ? other : ball;
             context_.reporter.error(
-                ball.origin.span,
+                later.origin.span,
                 fmt::format("the ball starts inside the ball of line {}, {} deep",
-                            other.origin.span.line, length_text(-gap, context_)),
+                            earlier.origin.span.line, length_text(-gap, context_)),
                 "move one of them, or write 'use overlap'");
             return false;
         });
@@ -200,6 +205,7 @@ class StartCheck {
     Context& context_;
     const Draft& draft_;
     std::uint64_t pairs_ = 0;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> told_;
 };
 
 }  // namespace

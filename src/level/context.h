@@ -86,12 +86,18 @@ struct Arguments {
 /// Reads a node by its statement's row of the table. Reports everything that is wrong with it.
 Arguments read_arguments(const Node& node, const Scope& scope, Context& context);
 
+/// What a message calls a number, and how its remedy writes it: r=2, rate 120, or just 2.
+struct Label {
+    std::string_view name;
+    std::string_view joint = "=";  ///< empty: the remedy shows the number alone
+};
+
 /// One number, in the world's units (angles in degrees), within bounds. None: reported, or poison.
-std::optional<double> read_number(const Word& word, std::string_view name, Measure measure,
+std::optional<double> read_number(const Word& word, const Label& label, Measure measure,
                                   Bound bound, const Scope& scope, Context& context);
 
 /// "x" or "a..b": the two ends, in order.
-std::optional<std::pair<double, double>> read_range(const Word& word, std::string_view name,
+std::optional<std::pair<double, double>> read_range(const Word& word, const Label& label,
                                                     Measure measure, Bound bound,
                                                     const Scope& scope, Context& context);
 

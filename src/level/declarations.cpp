@@ -67,7 +67,7 @@ void declare_material(const Arguments& a, Context& context) {
 // The one number of "use drag 0.1" and its like; 0 is the same as no such line.
 void set_positive(const Arguments& a, Measure measure, Bound bound, const Scope& scope,
                   std::optional<double>& setting, Context& context) {
-    const auto number = read_number(a.plain.front(), "", measure, bound, scope, context);
+    const auto number = read_number(a.plain.front(), {}, measure, bound, scope, context);
     if (number) setting = *number > 0.0 ? number : std::nullopt;
 }
 
@@ -85,7 +85,7 @@ void declare_use(const Arguments& a, const Scope& scope, Context& context) {
     } else if (term == "scatter") {
         const Word& word = a.plain.front();
         const auto degrees =
-            read_number(word, "", Measure::angle, Bound::not_negative, scope, context);
+            read_number(word, {}, Measure::angle, Bound::not_negative, scope, context);
         if (degrees && *degrees > 90.0) {
             context.reporter.error(word.span(),
                                    fmt::format("scatter must be 90 degrees at most, "
@@ -134,7 +134,7 @@ void declare_rate(const Arguments& a, const Scope& scope, Context& context) {
     constexpr double fastest = 1e9;
     const Word& word = a.plain.front();
     const auto rate =
-        read_number(word, "rate", Measure::frequency, Bound::positive, scope, context);
+        read_number(word, {"rate", " "}, Measure::frequency, Bound::positive, scope, context);
     if (!rate) return;
     if (*rate > fastest || *rate < 1e-3) {
         context.reporter.error(word.span(), fmt::format("rate is out of range: {:.6g}", *rate),
@@ -154,7 +154,7 @@ void declare_seed(const Arguments& a, const Scope& scope, Context& context) {
         return;
     }
     const auto number =
-        read_number(word, "seed", Measure::whole, Bound::not_negative, scope, context);
+        read_number(word, {"seed", " "}, Measure::whole, Bound::not_negative, scope, context);
     if (number) context.draft.settings.seed = static_cast<std::uint64_t>(*number);
 }
 
@@ -210,8 +210,8 @@ void declare_expect(const Arguments& a, const Scope& scope, Context& context) {
                                "write it as: expect QUANTITY VALUE within TOLERANCE");
         return;
     }
-    const auto value = read_number(a.plain[1], "", Measure::result, Bound::any, scope, context);
-    const auto tolerance = read_number(a.plain[3], "the tolerance", Measure::result,
+    const auto value = read_number(a.plain[1], {}, Measure::result, Bound::any, scope, context);
+    const auto tolerance = read_number(a.plain[3], {"the tolerance", ""}, Measure::result,
                                        Bound::not_negative, scope, context);
     if (!value || !tolerance) return;
     context.draft.expects.push_back({a.plain[0], *value, *tolerance, a.number("at")});

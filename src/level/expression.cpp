@@ -41,6 +41,7 @@ bool is_digit(char c) {
 }
 
 constexpr Dimension length_dimension{1, 0, 0, 0};
+constexpr Dimension time_dimension{0, 0, 1, 0};
 constexpr Dimension angle_dimension{0, 0, 0, 1};
 
 // Recursive descent over one word. `nothing` is both a mistake and poison; the mistake has been
@@ -121,8 +122,10 @@ class Parser {
         const Dimension other = a.is_bare() ? b.dimension : a.dimension;
         if (other == length_dimension) {
             bare.number *= scale(rules_.unit);
-        } else if (!(other == angle_dimension) && bare.number != 0.0) {
-            return false;
+        } else {
+            const bool is_natural_time =
+                rules_.unit == LengthUnit::natural && other == time_dimension;
+            if (!is_natural_time && !(other == angle_dimension) && bare.number != 0.0) return false;
         }
         bare.dimension = other;
         return true;
@@ -332,7 +335,7 @@ class Parser {
         }
     }
 
-    // A level in natural units has seconds and angles, and no other units; its times are bare.
+    // A level in natural units has times and angles, and no other units.
     Result allowed(std::size_t start, Value value) {
         if (rules_.unit == LengthUnit::natural) {
             if (value.dimension.length != 0 || value.dimension.mass != 0) {
@@ -340,7 +343,6 @@ class Parser {
                                fmt::format("{} has a unit, but the level has none", since(start)),
                                "leave the unit out, or begin with a line such as 'units mm'");
             }
-            value.dimension.time = 0;
         }
         return finite(start, value);
     }

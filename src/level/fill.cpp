@@ -66,7 +66,7 @@ bool draw_sizes(const FillDraft& fill, const FillDefaults& defaults, const Chanc
         const double mass = chance.between(fill.least_mass, fill.most_mass, Purpose::mass, i);
         if (fill.radius_of_mass) {
             scope.names["m"].value = Value{mass, {}};
-            const auto range = read_range(*fill.radius_of_mass, "r", Measure::length,
+            const auto range = read_range(*fill.radius_of_mass, {"r"}, Measure::length,
                                           Bound::positive, scope, context);
             if (!range) return false;
             ball.radius = chance.between(range->first, range->second, Purpose::radius, i);

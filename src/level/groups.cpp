@@ -130,8 +130,8 @@ std::optional<std::vector<double>> Groups::expected_shares(const Word& against, 
     }
     const Scope nothing;
     const auto n =
-        read_number(arguments[0], "", Measure::whole, Bound::not_negative, nothing, context_);
-    const auto p = read_number(arguments[1], "", Measure::number, Bound::share, nothing, context_);
+        read_number(arguments[0], {}, Measure::whole, Bound::not_negative, nothing, context_);
+    const auto p = read_number(arguments[1], {}, Measure::number, Bound::share, nothing, context_);
     if (!n || !p) return std::nullopt;
     if (*n + 1.0 != static_cast<double>(bins)) {
         reporter.error(arguments[0].span(),

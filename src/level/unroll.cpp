@@ -202,9 +202,10 @@ class Unroller {
     void execute_inside(const Node& node, const Frame& frame, const Transform& transform, int image,
                         std::map<std::string, Variable, std::less<>> names) {
         if (frame.depth >= max_block_depth) {
-            context_.reporter.error(node.keyword().span(),
-                                    fmt::format("nested deeper than {}", max_block_depth),
-                                    "a part cannot place itself");
+            context_.reporter.error(
+                node.keyword().span(),
+                fmt::format("blocks and parts are nested deeper than {}", max_block_depth),
+                "nest them less; and no part can place itself");
             stopped_ = true;
             return;
         }
@@ -221,8 +222,8 @@ class Unroller {
     }
 
     void execute_repeat(const Arguments& arguments, const Frame& frame) {
-        const auto count = read_number(arguments.plain[0], "the number of copies", Measure::whole,
-                                       Bound::not_negative, *frame.scope, context_);
+        const auto count = read_number(arguments.plain[0], {"the number of copies", ""},
+                                       Measure::whole, Bound::not_negative, *frame.scope, context_);
         if (!count) return;
         bool is_used = false;
         for (double i = 0.0; i < *count && !stopped_; i += 1.0) {

@@ -53,7 +53,8 @@ bool LineReader::split(std::string_view line, int number, std::vector<Word>& wor
             if (is_blank_or_comment(line.substr(i + 1))) return true;
             reporter_->error(word_at(i, i + 1).span(), "a '\\' stands in the middle of the line",
                              "a '\\' continues a line, and only at its end");
-            return false;
+            ++i;
+            continue;
         }
         std::size_t end = i;
         if (line[i] == '"') {
