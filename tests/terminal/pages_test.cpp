@@ -182,7 +182,9 @@ TEST_CASE("the selected entry is in sight in any window, and the mouse finds it"
     std::vector<MenuEntry> many;
     for (int i = 0; i < 60; ++i)
         many.push_back({"level" + std::to_string(i), "title", "carom", {}, false});
-    for (const auto& [columns, rows] : {std::pair{20, 8}, {40, 20}, {80, 24}, {200, 60}}) {
+    for (const auto& window : {std::pair{20, 8}, {40, 20}, {80, 24}, {200, 60}}) {
+        const int columns = window.first;
+        const int rows = window.second;
         for (std::size_t selected = 0; selected < many.size(); ++selected) {
             Canvas canvas(columns, rows);
             draw_menu(canvas, many, selected, "", {});
