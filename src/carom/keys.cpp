@@ -69,6 +69,7 @@ constexpr ActionRow rows[] = {
     {Action::follow, "follow", "f", "follow the ball", "View"},
 
     {Action::mouse, "mouse", "m", "give the mouse to the terminal", "Program"},
+    {Action::take_up, "take-up", "R", "take up the game that was cut off", "Program"},
     {Action::help, "help", "? f1", "this page", "Program"},
     {Action::menu, "menu", "escape", "let go; the menu", "Program"},
     {Action::quit, "quit", "q", "quit at once", "Program"},

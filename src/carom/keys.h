@@ -67,6 +67,7 @@ enum class Action : std::uint8_t {
     follow,
     // program
     mouse,
+    take_up,
     help,
     menu,
     quit

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "physics/totals.h"
@@ -95,9 +96,9 @@ void Player::pause(bool paused) {
     needs_draw_ = true;
 }
 
-bool Player::is_in_motion() const {
-    const bool runs = !clockwork_.is_paused() || clockwork_.is_seeking();
-    return (runs && !is_too_small_ && !shows_help_) || message_seconds_ > 0.0;
+double Player::seconds_to_change() const {
+    if (!stands_still() && !is_too_small_ && !shows_help_) return 0.0;
+    return message_seconds_ > 0.0 ? message_seconds_ : std::numeric_limits<double>::infinity();
 }
 
 void Player::advance(double seconds, const MayGoOn& may_go_on) {
@@ -135,6 +136,8 @@ Wish Player::perform(Action action) {
             return Wish::save;
         case Action::mouse:
             return Wish::toggle_mouse;
+        case Action::take_up:
+            return Wish::take_up;
         case Action::help:
             shows_help_ = true;
             help_scroll_ = 0;

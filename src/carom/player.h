@@ -23,7 +23,7 @@
 namespace carom {
 
 /// What the player asks of the program around the game.
-enum class Wish : std::uint8_t { none, quit, menu, save, toggle_mouse };
+enum class Wish : std::uint8_t { none, quit, menu, save, toggle_mouse, take_up };
 
 class Player {
   public:
@@ -43,8 +43,8 @@ class Player {
     /// Something that is drawn has changed since the last draw().
     bool needs_draw() const { return needs_draw_; }
     void touch() { needs_draw_ = true; }
-    /// Time matters: ticks are being run, or a message waits to fade.
-    bool is_in_motion() const;
+    /// How long nothing will change by itself, s: 0 while ticks are run; infinite in a pause.
+    double seconds_to_change() const;
     /// Motion of the mouse without a button matters now.
     bool wants_motion() const;
 

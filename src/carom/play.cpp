@@ -1,0 +1,138 @@
+#include "carom/play.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "carom/files.h"
+#include "carom/print.h"
+#include "carom/program.h"
+#include "terminal/guardian.h"
+#include "terminal/pacing.h"
+#include "terminal/screen.h"
+
+namespace carom {
+namespace {
+
+/// Share of the time between two frames that ticks may take; the rest is for drawing and input.
+constexpr double share_of_ticks = 0.75;
+/// Time that passed while nobody could see it (a stopped process, a busy machine) does not count
+/// beyond this, s.
+constexpr double longest_gap = 0.25;
+/// With nothing to do, so long, s.
+constexpr double longest_wait = 60.0;
+
+double seconds_now() {
+    using namespace std::chrono;
+    return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
+std::optional<int> colors_of(std::optional<ColorChoice> choice) {
+    switch (choice.value_or(ColorChoice::automatic)) {
+        case ColorChoice::mono:
+            return 0;
+        case ColorChoice::c8:
+            return 8;
+        case ColorChoice::c16:
+            return 16;
+        case ColorChoice::c256:
+            return 256;
+        default:
+            return std::nullopt;
+    }
+}
+
+MouseMode mouse_mode(const ScreenWishes& wishes) {
+    if (!wishes.mouse) return MouseMode::off;
+    return wishes.motion ? MouseMode::motion : MouseMode::drag;
+}
+
+PreferencesText preferences_of_user() {
+    const auto path = preferences_path();
+    if (!path) return {};
+    return read_preferences(read_file(*path).text.value_or(""), *path);
+}
+
+/// The loop: input, time, picture, and again. Returns when the program is over.
+void run(Program& program, Screen& screen, const PacingOptions& pacing_options) {
+    Pacing pacing(pacing_options);
+    const double frame = 1.0 / pacing_options.frames_per_second;
+    program.set_capabilities(screen.capabilities());
+    double last = seconds_now();
+    bool input_came = true;
+    while (!program.is_over()) {
+        const double now = seconds_now();
+        const double deadline = now + share_of_ticks * frame;
+        // A player who sees nothing does not lose the game for it.
+        const double passed = pacing.is_stalled(now) ? 0.0 : std::min(now - last, longest_gap);
+        last = now;
+        program.advance(passed, now, [&] { return seconds_now() < deadline; });
+
+        bool is_late = false;
+        if (program.needs_draw()) {
+            const double drawing = seconds_now();
+            is_late = !pacing.may_draw(drawing, input_came);
+            if (!is_late) {
+                Canvas canvas(screen.capabilities().columns, screen.capabilities().rows);
+                program.draw(canvas);
+                const std::size_t bytes = screen.show(canvas, FrameEnd::asks);
+                if (bytes > 0) pacing.drawn(drawing, bytes);
+                input_came = false;
+            }
+        }
+        screen.set_mouse(mouse_mode(program.screen_wishes()));
+
+        const double before_wait = seconds_now();
+        double wait = program.seconds_to_change(before_wait);
+        if (wait < frame || is_late) wait = std::max(pacing.seconds_to_frame(before_wait), 0.001);
+        const std::vector<InputEvent> events = screen.wait(std::min(wait, longest_wait));
+        pacing.answered(screen.frames_answered(), seconds_now());
+        for (const InputEvent& event : events) {
+            input_came = true;
+            if (event.kind == InputEvent::Kind::resize)
+                program.set_capabilities(screen.capabilities());
+            else
+                program.handle(event, seconds_now());
+            if (program.is_over()) break;
+        }
+    }
+}
+
+int play_here(const PlayOptions& options) {
+    PreferencesText preferences = preferences_of_user();
+    ScreenOptions screen_options;
+    screen_options.colors =
+        colors_of(options.colors ? options.colors : preferences.preferences.colors);
+    screen_options.light_background = preferences.preferences.light_background;
+    PacingOptions pacing;
+    if (options.low_bandwidth) pacing = low_bandwidth_pacing;
+    if (const auto fps = options.fps ? options.fps : preferences.preferences.fps)
+        pacing.frames_per_second = *fps;
+
+    Program program(options, std::move(preferences));
+    if (const auto problems = program.start()) {
+        std::string text;
+        for (const std::string& line : *problems)
+            text += line + "\n";
+        print_note(text);
+        return 2;
+    }
+    screen_options.mouse = mouse_mode(program.screen_wishes());
+    auto opened = Screen::open(screen_options);
+    if (const auto* error = std::get_if<ScreenError>(&opened)) {
+        print_error(error->message);
+        return 2;
+    }
+    run(program, std::get<Screen>(opened), pacing);
+    return 0;
+}
+
+}  // namespace
+
+int play(const PlayOptions& options) {
+    return run_guarded([&] { return play_here(options); },
+                       "the game was kept: carom play --resume takes it up where it stood");
+}
+
+}  // namespace carom

@@ -1,0 +1,249 @@
+#include "game/save_level.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "geometry/elementary.h"
+#include "physics/totals.h"
+
+namespace carom {
+namespace {
+
+/// A line is broken after this many points.
+constexpr std::size_t points_a_line = 6;
+
+/// The number near `guess` of which `f` is exactly `value`; the guess where there is none within a
+/// few units in the last place (then `value` did not come from f).
+template <typename F>
+double inverse_of(double value, double guess, F f) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double below = guess;
+    double above = guess;
+    for (int i = 0; i < 8; ++i) {
+        if (f(below) == value) return below;
+        if (f(above) == value) return above;
+        below = std::nextafter(below, -infinity);
+        above = std::nextafter(above, infinity);
+    }
+    return guess;
+}
+
+double mass_of(double inverse_mass) {
+    return inverse_of(inverse_mass, 1.0 / inverse_mass, [](double m) { return 1.0 / m; });
+}
+
+double degrees_of(double radians) {
+    return inverse_of(radians, radians * 180.0 / pi, [](double d) { return d * pi / 180.0; });
+}
+
+class LevelWriter {
+  public:
+    LevelWriter(const Scene& scene, const World& world)
+        : scene_(scene), world_(world), has_units_(scene.unit != LengthUnit::natural) {}
+
+    std::string write() {
+        head();
+        model();
+        classes();
+        edges();
+        zones();
+        balls();
+        emitters();
+        shows();
+        return std::move(text_);
+    }
+
+  private:
+    template <typename... Arguments>
+    void line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
+        text_ += '\n';
+    }
+
+    std::string with_unit(double value, std::string_view unit) const {
+        return fmt::format("{}{}", value, has_units_ ? unit : "");
+    }
+    std::string with_unit(Vec2 value, std::string_view unit) const {
+        return with_unit(value.x, unit) + "," + with_unit(value.y, unit);
+    }
+    static std::string place(Vec2 value) { return fmt::format("{},{}", value.x, value.y); }
+
+    void head() {
+        line("carom 1 \"{}\"", scene_.title);
+        for (const std::string& comment : scene_.comment)
+            line("#{}{}", comment.empty() ? "" : " ", comment);
+        line("");
+        if (has_units_) line("units m");
+        line("rate {}", world_.rate);
+        line("seed {}", world_.seed);
+        if (scene_.solver) solver(*scene_.solver);
+        if (scene_.game != "sandbox") line("game {}", scene_.game);
+        line("world {} {}", place(scene_.view.low), place(scene_.view.high));
+    }
+
+    void solver(const SolverSettings& settings) {
+        switch (settings.kind) {
+            case SolverKind::substep:
+                return line("solver substep updates={} steps={}", settings.updates, settings.steps);
+            case SolverKind::swept:
+                return line("solver swept substeps={}", settings.substeps);
+            default:
+                return line("solver {}", name(settings.kind));
+        }
+    }
+
+    void model() {
+        const Model& model = world_.model;
+        if (model.gravity) line("use gravity {}", with_unit(*model.gravity, "m/s2"));
+        if (model.drag) line("use drag {}", with_unit(*model.drag, "/s"));
+        if (model.stop_speed) line("use stop {}", with_unit(*model.stop_speed, "m/s"));
+        if (model.speed_limit) line("use limit {}", with_unit(*model.speed_limit, "m/s"));
+        if (model.scatter) line("use scatter {}", with_unit(degrees_of(*model.scatter), "deg"));
+        if (model.wrap) line("use wrap");
+        if (deepest_overlap(world_) > 0.0) line("use overlap");
+    }
+
+    // The kind "ball" and the material "edge" may be those that stand for the unnamed; written out,
+    // they are the same.
+    void classes() {
+        for (std::size_t i = 0; i < world_.kinds.size(); ++i) {
+            const Kind& kind = world_.kinds[i];
+            line("kind {} r={} m={} e={}", scene_.kind_names[i], kind.radius,
+                 with_unit(kind.mass, "kg"), kind.restitution);
+        }
+        for (std::size_t i = 0; i < world_.materials.size(); ++i) {
+            const Material& material = world_.materials[i];
+            line("material {} e={} soften={}", scene_.material_names[i], material.restitution,
+                 with_unit(material.soften, "s/m"));
+        }
+        if (!world_.model.filtered) return;
+        std::vector<std::string> names = scene_.kind_names;
+        names.insert(names.end(), scene_.material_names.begin(), scene_.material_names.end());
+        for (std::size_t a = 0; a < world_.kinds.size(); ++a)
+            for (std::size_t b = a; b < names.size(); ++b)
+                if (world_.meets[a * names.size() + b]) line("collide {} {}", names[a], names[b]);
+    }
+
+    Side side_of(std::size_t i) const {
+        return world_.capsules.side.empty() ? Side::both : world_.capsules.side[i];
+    }
+
+    std::string_view group_of(CapsuleId id) const {
+        for (const Group& group : scene_.groups)
+            if (std::ranges::binary_search(group.capsules, id)) return group.name;
+        return {};
+    }
+
+    /// Whether capsule i + 1 goes on where capsule i ends, as one line.
+    bool goes_on(std::size_t i) const {
+        const Capsules& capsules = world_.capsules;
+        if (i + 1 >= capsules.size()) return false;
+        const Capsule& a = capsules.shape[i];
+        const Capsule& b = capsules.shape[i + 1];
+        return a.end == b.start && !(a.start == a.end) && !(b.start == b.end) &&
+               a.radius == b.radius && capsules.material[i] == capsules.material[i + 1] &&
+               side_of(i) == side_of(i + 1) &&
+               group_of(capsules.id[i]) == group_of(capsules.id[i + 1]);
+    }
+
+    bool is_outline(std::size_t first, std::size_t last) const {
+        const Capsules& capsules = world_.capsules;
+        if (last - first < 2 || !(capsules.shape[first].start == capsules.shape[last].end))
+            return false;
+        return std::ranges::any_of(scene_.outlines, [&](const std::vector<CapsuleId>& outline) {
+            return std::ranges::equal(outline,
+                                      std::span(capsules.id).subspan(first, last - first + 1));
+        });
+    }
+
+    void edges() {
+        for (std::size_t first = 0; first < world_.capsules.size();) {
+            std::size_t last = first;
+            while (goes_on(last) && !ends_outline(first, last))
+                ++last;
+            edge(first, last);
+            first = last + 1;
+        }
+    }
+
+    bool ends_outline(std::size_t first, std::size_t last) const {
+        return world_.capsules.shape[first].start == world_.capsules.shape[last].end;
+    }
+
+    void edge(std::size_t first, std::size_t last) {
+        const Capsules& capsules = world_.capsules;
+        const Capsule& shape = capsules.shape[first];
+        const std::string_view group = group_of(capsules.id[first]);
+        const std::string names = scene_.material_names[capsules.material[first]] +
+                                  (group.empty() ? "" : " ") + std::string(group);
+        if (shape.start == shape.end)
+            return line("peg {} at={} r={}", names, place(shape.start), shape.radius);
+        constexpr std::string_view sides[] = {"", " side=left", " side=right"};
+        text_ += fmt::format("edge {} r={}{} {}", names, shape.radius,
+                             sides[static_cast<std::size_t>(side_of(first))], place(shape.start));
+        const bool closes = is_outline(first, last);
+        for (std::size_t i = first; i <= last - (closes ? 1 : 0); ++i) {
+            if ((i - first) % points_a_line == points_a_line - 1) text_ += " \\\n   ";
+            text_ += " " + place(capsules.shape[i].end);
+        }
+        text_ += closes ? " close\n" : "\n";
+    }
+
+    void zones() {}
+
+    void balls() {
+        const Balls& balls = world_.balls;
+        for (std::size_t i = 0; i < balls.size(); ++i) {
+            const std::uint32_t id = number(balls.id[i]);
+            std::string name_text;
+            if (id < scene_.ball_names.size()) name_text = scene_.ball_names[id];
+            text_ += "ball ";
+            // Names with a suffix belong to copies; here each ball stands for itself.
+            std::ranges::replace(name_text, '.', '_');
+            if (!name_text.empty()) text_ += name_text + " ";
+            text_ += fmt::format("kind={} at={} v={} r={} m={}", scene_.kind_names[balls.kind[i]],
+                                 place(balls.position[i]), with_unit(balls.velocity[i], "m/s"),
+                                 balls.radius[i], with_unit(mass_of(balls.inverse_mass[i]), "kg"));
+            if (!balls.restitution.empty()) text_ += fmt::format(" e={}", balls.restitution[i]);
+            text_ += '\n';
+        }
+    }
+
+    void emitters() {
+        for (const Emitter& emitter : world_.emitters) {
+            if (emitter.emitted >= emitter.count) continue;
+            line("spawn {} at={} v={} jitter={} vjitter={} every={} count={}",
+                 scene_.kind_names[emitter.kind], place(emitter.at),
+                 with_unit(emitter.velocity, "m/s"), place(emitter.jitter),
+                 with_unit(emitter.velocity_jitter, "m/s"), with_unit(emitter.every, "s"),
+                 emitter.count - emitter.emitted);
+        }
+    }
+
+    void shows() {
+        for (const Show& show : scene_.shows) {
+            if (show.what == Show::What::energy)
+                line("show energy");
+            else
+                line("show histogram of={}{}{}", show.of,
+                     show.against.empty() ? "" : " against=", show.against);
+        }
+    }
+
+    const Scene& scene_;
+    const World& world_;
+    bool has_units_;
+    std::string text_;
+};
+
+}  // namespace
+
+std::string level_text(const Scene& scene, const World& world) {
+    return LevelWriter(scene, world).write();
+}
+
+}  // namespace carom
