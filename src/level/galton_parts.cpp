@@ -42,26 +42,29 @@ void build_bins(const Arguments& arguments, const Frame& frame, Context& context
     const double wall = 0.5 * arguments.number_or("wall", 0.0);
     const Vec2 at = arguments.pair_or("at", {});
     const bool is_sink = arguments.flag("sink");
+    const bool is_open = arguments.flag("open");
     const double floor = at.y - depth;
     const Span span = arguments.span_of("count");
     const int naming = name_edges(part_naming(arguments), context);
     const auto x_of = [&](double i) { return at.x + (i - 0.5 * count) * width; };
 
-    for (std::uint32_t i = 0; i <= count; ++i) {
+    for (std::uint32_t i = 0; i <= count && !is_open; ++i) {
         const Vec2 foot{x_of(i), floor};
         if (!add_piece({foot, {foot.x, at.y - wall}, wall}, Side::both, naming,
                        begin_chain(false, context), span, frame, context)) {
             return;
         }
     }
-    if (!is_sink) {
+    if (!is_sink && !is_open) {
         add_piece({{x_of(0), floor}, {x_of(count), floor}, wall}, Side::both, naming,
                   begin_chain(false, context), span, frame, context);
     }
     for (std::uint32_t i = 0; i < count; ++i) {
-        // A census covers the bin; a sink lies below it, deep enough that no ball jumps over it.
+        // A census covers the bin, up to its corners where no walls keep balls out of them; a sink
+        // lies below it, deep enough that no ball jumps over it.
         const double x = x_of(i + 0.5);
-        const double top = is_sink ? floor : std::max(floor, at.y - 0.5 * width);
+        const double rim = is_open ? at.y : std::max(floor, at.y - 0.5 * width);
+        const double top = is_sink ? floor : rim;
         const double bottom = is_sink ? floor - depth - 2.0 * width : floor;
         const Transform& t = frame.transform;
         Zone zone;

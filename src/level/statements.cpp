@@ -197,7 +197,7 @@ std::vector<Statement> make_statements() {
                   material},
          .flags = {"stagger"}},
         {.name = "bins",
-         .usage = "bins [NAME] at=X,Y count=N width= depth= [wall=] [material=] [sink]",
+         .usage = "bins [NAME] at=X,Y count=N width= depth= [wall=] [material=] [sink] [open]",
          .plain_most = 1,
          .keys = {at,
                   {"count", scalar, whole, positive, true},
@@ -205,7 +205,7 @@ std::vector<Statement> make_statements() {
                   {"depth", scalar, length, positive, true},
                   {"wall", scalar, length, not_negative},
                   material},
-         .flags = {"sink"}},
+         .flags = {"sink", "open"}},
         {.name = "cradle",
          .usage = "cradle [NAME] at=X,Y count=N v=SPEED [in=N] [gap=] [swing=] [r=] [m=] [e=] "
                   "[kind=] [material=]",

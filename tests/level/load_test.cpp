@@ -273,6 +273,16 @@ TEST_CASE("bins have walls, a floor, and a zone that covers the inside of each")
     CHECK(scene.counter_names[3] == "tray.4");
 }
 
+TEST_CASE("open bins count and have no walls") {
+    const Scene scene = load_clean("bins slices at=0,10 count=2 width=4 depth=10 open\n");
+    CHECK(scene.world.capsules.size() == 0);
+    REQUIRE(scene.world.zones.size() == 2);
+    CHECK(scene.world.zones[0].effect == Zone::Effect::census);
+    CHECK(is_inside(scene.world.zones[0].shape, {-3.9, 9.9}));
+    CHECK(is_inside(scene.world.zones[0].shape, {-0.1, 0.1}));
+    CHECK_FALSE(is_inside(scene.world.zones[0].shape, {0.1, 5}));
+}
+
 TEST_CASE("a cradle is a row with some balls swung out") {
     const Scene scene = load_clean("cradle row at=0,0 count=5 in=2 v=3 r=1 gap=0.5 swing=4\n");
     const World& world = scene.world;
