@@ -101,7 +101,7 @@ KeyTable described_keys() {
 
 std::string farewell_bytes(int rows) {
     const std::string bytes = unpadded(capability("sgr0")) + unpadded(capability("op")) +
-                              unpadded(capability("rmkx")) + unpadded(capability("cnorm"));
+                              unpadded(capability("cnorm"));
     const char* const other_screen = capability("rmcup");
     if (other_screen != nullptr) return bytes + unpadded(other_screen);
     return bytes + unpadded(tiparm(capability("cup"), rows - 1, 0)) + "\r\n";

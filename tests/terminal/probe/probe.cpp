@@ -2,10 +2,13 @@
 /// file descriptor 3 what it sees. Every write() of this process, ncurses' own included, passes
 /// through here and is counted.
 ///
-///     probe [option...] events          shows a mark, logs every event, ends with q, hangup or end
+///     probe [option...] events          shows a mark, logs every event, ends with q, hangup or
+///     end;
+///                                       m switches the mouse off and to motion, b rings the bell
 ///     probe [option...] frames N        shows N frames of 200 moving discs, logs writes and bytes
 ///     probe [option...] crash SIGNAL    raises the signal with the screen open
 ///     probe [option...] capabilities    logs what the terminal can do
+///     probe [option...] random N        shows N random pictures, logs the last cell by cell, waits
 ///     probe [option...] cells           shows cells of many colours and attributes, waits for a
 ///     key
 ///
@@ -19,6 +22,7 @@
 #include <cstdlib>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "level/load.h"
@@ -75,15 +79,23 @@ std::string described(const InputEvent& event) {
 }
 
 int echo_events(Screen& screen) {
-    for (unsigned round = 0;; ++round) {
+    bool is_ready = false;
+    for (unsigned events = 0;;) {
         const Capabilities& capabilities = screen.capabilities();
         Canvas canvas(capabilities.columns, capabilities.rows);
         canvas.write(0, 0, fmt::format("probe {}x{}", canvas.columns(), canvas.rows()));
-        canvas.write(0, canvas.rows() - 1, fmt::format("round {}", round));
+        canvas.write(0, canvas.rows() - 1, fmt::format("events {}", events));
         screen.show(canvas, FrameEnd::asks);
-        if (round == 0) log("ready");
-        for (const InputEvent& event : screen.wait(0.05)) {
+        if (!std::exchange(is_ready, true)) log(fmt::format("ready {}", getpid()));
+        for (const InputEvent& event : screen.wait(1.0)) {
+            ++events;
             log(described(event));
+            if (event.kind == InputEvent::Kind::key && event.key == U'm' &&
+                event.action == InputEvent::Action::press) {
+                const bool is_off = screen.mouse() == MouseMode::off;
+                screen.set_mouse(is_off ? MouseMode::motion : MouseMode::off);
+            }
+            if (event.kind == InputEvent::Kind::key && event.key == U'b') screen.bell();
             const bool is_end =
                 event.kind == InputEvent::Kind::end || event.kind == InputEvent::Kind::hangup;
             if (is_end || (event.kind == InputEvent::Kind::key && event.key == U'q')) return 7;
@@ -139,6 +151,46 @@ int show_frames(Screen& screen, int count, Renderer renderer) {
     return 0;
 }
 
+// Many random pictures, a few cells different each time; then the last one, cell by cell.
+int show_random(Screen& screen, int count) {
+    const Capabilities& capabilities = screen.capabilities();
+    Canvas canvas(capabilities.columns, capabilities.rows);
+    std::uint64_t state = 42;
+    const auto random = [&](int below) {
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        return static_cast<int>((state >> 33) % static_cast<std::uint64_t>(below));
+    };
+    constexpr std::u32string_view glyphs = U"     xo#.\u2588\u2580\u28ff";
+    for (int frame = 0; frame < count; ++frame) {
+        if (random(20) == 0) canvas.fill({});
+        for (int change = random(60); change >= 0; --change) {
+            Cell cell;
+            cell.glyph = glyphs[static_cast<std::size_t>(random(static_cast<int>(glyphs.size())))];
+            if (random(2) == 0) cell.foreground = static_cast<Color>(random(16) * 16);
+            if (random(4) == 0) cell.background = static_cast<Color>(random(16) * 16);
+            if (random(6) == 0) cell.attributes = static_cast<std::uint8_t>(random(16));
+            const int column = random(canvas.columns());
+            const int row = random(canvas.rows());
+            for (int i = random(6); i >= 0; --i) {
+                canvas.put(column + i, row, cell);
+            }
+        }
+        if (random(50) == 0) screen.redraw();
+        screen.show(canvas);
+    }
+    for (int row = 0; row < canvas.rows(); ++row) {
+        for (int column = 0; column < canvas.columns(); ++column) {
+            const Cell& cell = canvas.at(column, row);
+            log(fmt::format("cell {} {} {:x} {} {} {}", column, row,
+                            static_cast<unsigned>(cell.glyph), cell.foreground, cell.background,
+                            cell.attributes));
+        }
+    }
+    log("shown");
+    screen.wait(-1.0);
+    return 0;
+}
+
 int show_cells(Screen& screen) {
     const Capabilities& capabilities = screen.capabilities();
     Canvas canvas(capabilities.columns, capabilities.rows);
@@ -172,6 +224,8 @@ Arguments parsed(int count, char** values) {
         const std::string_view word = values[i];
         if (word == "guarded") {
             arguments.is_guarded = true;
+        } else if (word == "ascii") {
+            arguments.renderer = Renderer::ascii;
         } else if (word == "halves") {
             arguments.renderer = Renderer::half_blocks;
         } else if (word == "braille") {
@@ -202,9 +256,12 @@ int run(const Arguments& arguments) {
     const int number = arguments.words.size() > 1 ? std::atoi(arguments.words[1].data()) : 0;
     if (what == "events") return echo_events(screen);
     if (what == "frames") return show_frames(screen, number, arguments.renderer);
+    if (what == "random") return show_random(screen, number);
     if (what == "cells") return show_cells(screen);
     if (what == "crash") {
-        screen.show(Canvas(screen.capabilities().columns, screen.capabilities().rows));
+        Canvas canvas(screen.capabilities().columns, screen.capabilities().rows);
+        canvas.write(0, 0, "about to crash");
+        screen.show(canvas);
         std::raise(number);
         return 0;
     }
