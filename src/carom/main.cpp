@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-int answer(const Answer& given) {
+int answer(const UsageAnswer& given) {
     if (given.exit_code == 0) return print_out(given.text) ? 0 : 2;
     print_note(given.text);
     return given.exit_code;
@@ -23,7 +23,7 @@ struct Perform {
     int operator()(const RunOptions& options) const { return run(options); }
     int operator()(const CheckOptions& options) const { return check(options); }
     int operator()(const ListOptions& options) const { return list(options); }
-    int operator()(const Answer& given) const { return answer(given); }
+    int operator()(const UsageAnswer& given) const { return answer(given); }
 };
 
 }  // namespace

@@ -95,7 +95,7 @@ void add_check_and_list(CLI::App& app, Typed& typed) {
     app.add_subcommand("list", "List the levels that ship");
 }
 
-Answer mistake(const CLI::App* command, std::string_view what) {
+UsageAnswer mistake(const CLI::App* command, std::string_view what) {
     const std::string call =
         command->get_parent() == nullptr ? "carom" : "carom " + command->get_name();
     return {.text = fmt::format("carom: error: {}\n       `{} --help` lists what there is\n", what,
@@ -104,7 +104,7 @@ Answer mistake(const CLI::App* command, std::string_view what) {
 }
 
 // What CLI11 could make nothing of.
-Answer unknown_option(const CLI::App* command, std::string_view spelling) {
+UsageAnswer unknown_option(const CLI::App* command, std::string_view spelling) {
     std::vector<std::string> names;
     for (const CLI::Option* option : command->get_options()) {
         for (const std::string& name : option->get_lnames())
@@ -114,14 +114,14 @@ Answer unknown_option(const CLI::App* command, std::string_view spelling) {
                                         suggestion(spelling, {names.begin(), names.end()})));
 }
 
-Answer unknown_command(const CLI::App* app, std::string_view spelling) {
+UsageAnswer unknown_command(const CLI::App* app, std::string_view spelling) {
     const std::string meant = suggestion(spelling, {"play", "run", "check", "list"});
     const std::string what = fmt::format("there is no command '{}'", spelling);
     if (!meant.empty()) return mistake(app, what + meant);
     return mistake(app, fmt::format("{}; to play a level, write `carom play {}`", what, spelling));
 }
 
-Answer unknown_argument(const CLI::App* command, const std::string& argument) {
+UsageAnswer unknown_argument(const CLI::App* command, const std::string& argument) {
     const std::string_view spelling = std::string_view(argument).substr(0, argument.find('='));
     if (spelling.starts_with("-")) return unknown_option(command, spelling);
     if (command->get_parent() == nullptr) return unknown_command(command, spelling);
@@ -209,9 +209,9 @@ Request parse_options(int count, const char* const* arguments) {
     try {
         app.parse(count, arguments);
     } catch (const CLI::CallForVersion&) {
-        return Answer{.text = app.version() + "\n"};
+        return UsageAnswer{.text = app.version() + "\n"};
     } catch (const CLI::CallForHelp&) {
-        return Answer{.text = app.help()};
+        return UsageAnswer{.text = app.help()};
     } catch (const CLI::ArgumentMismatch& error) {
         const std::string_view what = error.what();
         return mistake(chosen(app),

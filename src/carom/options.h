@@ -38,14 +38,14 @@ struct CheckOptions {
 struct ListOptions {};
 
 /// The command line itself is answered: by help, the version, or what is wrong with it.
-struct Answer {
+struct UsageAnswer {
     std::string text;
     int exit_code = 0;  ///< 0: the text is for standard output; 2: for standard error
 };
 
-using Request = std::variant<PlayOptions, RunOptions, CheckOptions, ListOptions, Answer>;
+using Request = std::variant<PlayOptions, RunOptions, CheckOptions, ListOptions, UsageAnswer>;
 
-/// Never throws or exits: a mistake is an Answer with exit code 2.
+/// Never throws or exits: a mistake is an UsageAnswer with exit code 2.
 Request parse_options(int count, const char* const* arguments);
 
 }  // namespace carom

@@ -246,7 +246,7 @@ class Reading {
     void read_key(const Word& word, std::size_t equals) {
         const Word name = word.part(0, equals);
         const Word value = word.part(equals + 1);
-        const auto key = std::ranges::find(statement().keys, name.text, &Key::name);
+        const auto key = std::ranges::find(statement().keys, name.text, &KeyRule::name);
         if (key != statement().keys.end()) {
             if (result_.values.contains(key->name)) {
                 mistake(name.span(), fmt::format("{}= stands here twice", name.text),
@@ -277,7 +277,7 @@ class Reading {
             return;
         }
         std::vector<std::string_view> known;
-        for (const Key& key : statement().keys)
+        for (const KeyRule& key : statement().keys)
             known.push_back(key.name);
         mistake(
             name.span(), fmt::format("{} has no key '{}'", statement().name, name.text),
@@ -286,7 +286,7 @@ class Reading {
                                        : fmt::format("its keys are: {}", fmt::join(known, " "))));
     }
 
-    void read_value(const Key& key, const Word& value) {
+    void read_value(const KeyRule& key, const Word& value) {
         Argument argument{value, {}};
         if (!read_numbers(key, argument)) {
             result_.is_sound = false;
@@ -295,7 +295,7 @@ class Reading {
         result_.values.emplace(key.name, argument);
     }
 
-    bool read_numbers(const Key& key, Argument& argument) {
+    bool read_numbers(const KeyRule& key, Argument& argument) {
         const Word& value = argument.value;
         switch (key.form) {
             case Form::scalar: {
@@ -332,7 +332,7 @@ class Reading {
     }
 
     // Friction and spin are physics that this version does not have: only none of it is accepted.
-    bool read_spin(const Key& key, const Argument& argument) {
+    bool read_spin(const KeyRule& key, const Argument& argument) {
         const auto value = evaluate(argument.value, scope_, context_.rules(), context_.reporter);
         if (!value) return false;
         if (value->number == 0.0) return true;
@@ -343,7 +343,7 @@ class Reading {
         return false;
     }
 
-    bool read_box(const Key& key, Argument& argument) {
+    bool read_box(const KeyRule& key, Argument& argument) {
         const std::vector<Word> pieces = split_outside_brackets(argument.value, ",");
         if (!are_brackets_closed(argument.value)) return false;
         if (pieces.size() != 4) {
@@ -368,7 +368,7 @@ class Reading {
         return false;
     }
 
-    bool read_name(const Key& key, const Word& value) {
+    bool read_name(const KeyRule& key, const Word& value) {
         if (is_identifier(value.text)) return true;
         mistake(value.span(), fmt::format("'{}' is not a name", value.text),
                 fmt::format("write {}=NAME", key.name));
@@ -377,7 +377,7 @@ class Reading {
 
     void check_counts() {
         const Statement& s = statement();
-        for (const Key& key : s.keys) {
+        for (const KeyRule& key : s.keys) {
             if (key.is_required && !result_.values.contains(key.name)) {
                 mistake(result_.node->keyword().span(),
                         fmt::format("{} needs {}=", s.name, key.name),
@@ -407,7 +407,7 @@ class Reading {
         const Statement& s = statement();
         std::string otherwise = fmt::format("write it as: {}", s.usage);
         std::vector<std::string_view> known = s.flags;
-        for (const Key& key : s.keys) {
+        for (const KeyRule& key : s.keys) {
             if (key.name == word.text)
                 otherwise = fmt::format("write {}=... without spaces", key.name);
             known.push_back(key.name);

@@ -16,15 +16,15 @@ std::vector<Statement> make_statements() {
     constexpr auto time = Measure::time;
     constexpr auto mass = Measure::mass;
     constexpr auto speed = Measure::speed;
-    const Key at{"at", pair, length, any, true};
-    const Key kind{"kind", word};
-    const Key material{"material", word};
-    const Key ball_radius{"r", scalar, length, positive};
-    const Key edge_radius{"r", scalar, length, not_negative};
-    const Key side{"side", word};
-    const Key restitution{"e", scalar, number, share};
-    const Key friction{"mu", scalar, number, not_negative};
-    const Key ball_mass{"m", scalar, mass, positive};
+    const KeyRule at{"at", pair, length, any, true};
+    const KeyRule kind{"kind", word};
+    const KeyRule material{"material", word};
+    const KeyRule ball_radius{"r", scalar, length, positive};
+    const KeyRule edge_radius{"r", scalar, length, not_negative};
+    const KeyRule side{"side", word};
+    const KeyRule restitution{"e", scalar, number, share};
+    const KeyRule friction{"mu", scalar, number, not_negative};
+    const KeyRule ball_mass{"m", scalar, mass, positive};
 
     std::vector<Statement> all{
         {.name = "carom",

@@ -31,7 +31,7 @@ enum class Bound {
     up_to_thousand  ///< 1 to 1000
 };
 
-struct Key {
+struct KeyRule {
     std::string_view name;
     Form form = Form::scalar;
     Measure measure = Measure::number;
@@ -55,7 +55,7 @@ struct Statement {
     int points_least = 0;
     int points_most = 0;
     Measure point_measure = Measure::length;
-    std::vector<Key> keys;
+    std::vector<KeyRule> keys;
     std::vector<std::string_view> flags;
     bool takes_any_key = false;  ///< let, part and place: the author invents the keys
     bool is_in_version = true;   ///< pool's and pinball's are not yet

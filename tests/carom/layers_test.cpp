@@ -1,0 +1,169 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "carom/support/process.h"
+
+// The house of docs/architecture.md: who may include whom, and what the deterministic core may not
+// use.
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Source {
+    std::string layer;
+    std::string name;
+    std::vector<std::string> lines;
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::size_t from = 0;
+    while (from < text.size()) {
+        const std::size_t end = std::min(text.find('\n', from), text.size());
+        lines.push_back(text.substr(from, end - from));
+        from = end + 1;
+    }
+    return lines;
+}
+
+std::vector<Source> sources() {
+    std::vector<Source> found;
+    const fs::path root = fs::path(CAROM_SOURCE_DIR) / "src";
+    for (const auto& entry : fs::recursive_directory_iterator(root)) {
+        const fs::path name = entry.path().lexically_relative(root);
+        if (!entry.is_regular_file() || !name.has_parent_path()) continue;
+        found.push_back({.layer = name.begin()->string(),
+                         .name = name.string(),
+                         .lines = lines_of(carom::test::content(entry.path().string()))});
+    }
+    std::ranges::sort(found, {}, &Source::name);
+    return found;
+}
+
+// What stands between the quotes or the brackets of an #include; empty: the line is none.
+std::string included(const std::string& line) {
+    if (!line.starts_with("#include")) return {};
+    const std::size_t open = line.find_first_of("\"<");
+    const std::size_t close = line.find_first_of("\">", open + 1);
+    return line.substr(open + 1, close - open - 1);
+}
+
+bool is_name_part(char c) {
+    return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+// The word as a whole word, comments left out.
+bool uses(std::string_view line, std::string_view word) {
+    line = line.substr(0, line.find("//"));
+    for (std::size_t at = line.find(word); at != line.npos; at = line.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || !is_name_part(line[at - 1])) &&
+            (end == line.size() || !is_name_part(line[end]))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// The name of the type that the line begins to define at the outermost level; empty: none.
+std::string defined_type(const std::string& line) {
+    for (const std::string_view keyword : {"struct ", "class ", "enum class ", "enum "}) {
+        if (!line.starts_with(keyword)) continue;
+        std::size_t end = keyword.size();
+        while (end < line.size() && is_name_part(line[end]))
+            ++end;
+        const bool is_declared_only = end < line.size() && line[end] == ';';
+        return is_declared_only ? "" : line.substr(keyword.size(), end - keyword.size());
+    }
+    return {};
+}
+
+const std::map<std::string, std::vector<std::string>> may_include{
+    {"geometry", {"geometry"}},
+    {"physics", {"geometry", "physics"}},
+    {"level", {"geometry", "physics", "level"}},
+    {"game", {"geometry", "physics", "level", "game"}},
+    {"lab", {"geometry", "physics", "level", "game", "lab"}},
+    {"terminal", {"geometry", "physics", "level", "game", "terminal"}},
+    {"carom", {"geometry", "physics", "level", "game", "lab", "terminal", "carom"}},
+};
+
+const std::vector<std::string> core{"geometry", "physics", "level", "game"};
+
+}  // namespace
+
+TEST_CASE("a layer includes only what stands to its left") {
+    for (const Source& source : sources()) {
+        CAPTURE(source.name);
+        const auto allowed = may_include.find(source.layer);
+        REQUIRE(allowed != may_include.end());
+        for (const std::string& line : source.lines) {
+            const std::string file = included(line);
+            const std::string layer = file.substr(0, file.find('/'));
+            if (!may_include.contains(layer)) continue;
+            CAPTURE(line);
+            CHECK(std::ranges::find(allowed->second, layer) != allowed->second.end());
+        }
+    }
+}
+
+TEST_CASE("ncurses is included by the screen alone") {
+    for (const Source& source : sources()) {
+        if (source.name.starts_with("terminal/screen") || source.name == "terminal/restore.cpp") {
+            continue;
+        }
+        CAPTURE(source.name);
+        for (const std::string& line : source.lines) {
+            const std::string file = included(line);
+            CHECK(file.find("curses") == file.npos);
+            CHECK(file != "term.h");
+        }
+    }
+}
+
+TEST_CASE("the core uses nothing that differs between machines or runs") {
+    const std::vector<std::string> headers{
+        "chrono",        "random",        "thread",     "iostream",  "fstream",
+        "unordered_map", "unordered_set", "filesystem", "future",    "mutex",
+        "locale",        "ctime",         "time.h",     "execution", "regex"};
+    const std::vector<std::string> words{
+        "std::sin",  "std::cos",  "std::tan",    "std::atan",   "std::atan2", "std::asin",
+        "std::acos", "std::pow",  "std::exp",    "std::log",    "std::hypot", "std::fma",
+        "std::exp2", "std::cbrt", "std::log2",   "std::log10",  "std::sinh",  "std::cosh",
+        "std::tanh", "std::erf",  "std::tgamma", "std::rand",   "rand",       "strtod",
+        "std::stod", "atof",      "sscanf",      "std::getenv", "std::time",  "std::hash",
+        "__int128",  "float",     "setlocale"};
+    for (const Source& source : sources()) {
+        if (std::ranges::find(core, source.layer) == core.end()) continue;
+        CAPTURE(source.name);
+        for (const std::string& line : source.lines) {
+            CAPTURE(line);
+            CHECK(std::ranges::find(headers, included(line)) == headers.end());
+            for (const std::string& word : words)
+                CHECK_FALSE(uses(line, word));
+        }
+    }
+}
+
+// One namespace holds all layers: two types of one name in it are undefined behaviour that no
+// compiler reports, since no file sees both.
+TEST_CASE("a type name in a header stands for one type") {
+    std::map<std::string, std::string> defined_in;
+    for (const Source& source : sources()) {
+        if (!source.name.ends_with(".h")) continue;
+        for (const std::string& line : source.lines) {
+            const std::string type = defined_type(line);
+            if (type.empty()) continue;
+            const auto [entry, is_new] = defined_in.emplace(type, source.name);
+            INFO(type, " stands in ", entry->second, " and in ", source.name);
+            CHECK(is_new);
+        }
+    }
+}
