@@ -57,7 +57,7 @@ TEST_CASE("usage that is wrong says what is wrong, and what was probably meant")
         {{"run", level, "--seed", "-5"}, "--seed must be a whole number"},
         {{"run", level, "--report", "-", "--trace", "-"}, "two outputs cannot both go to standard"},
         {{"run", level, "--report", "x", "--trace", "x"}, "two outputs cannot both go to 'x'"},
-        {{"play", level, "--renderer", "brail"}, "did you mean 'braille'?"},
+        {{"play", level, "--renderer", "brialle"}, "did you mean 'braille'?"},
         {{"play", level, "--colors", "7"}, "--colors must be one of auto, mono, 8, 16, 256"},
         {{"list", "galton"}, "'galton' is one argument too many"},
         {{"run", folder.path("none.level")}, "there is no level"},
