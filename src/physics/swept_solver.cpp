@@ -24,10 +24,12 @@ int substeps_needed(const World& world, int wanted) {
     return std::max(wanted, static_cast<int>(std::min(needed, 10'000.0)));
 }
 
-// Whether two bodies that touch approach by no more than rounding.
-bool is_noise(double time, Vec2 normal, Vec2 velocity, Vec2 other) {
+// Whether two bodies that touch approach by no more than rounding. What gravity gives counts: where
+// supports take nearly all of it, the rest has the rounding of the whole.
+bool is_noise(double time, Vec2 normal, Vec2 velocity, Vec2 other, double fall) {
     if (time > 0.0) return false;
-    return -dot(velocity - other, normal) < SweptSolver::noise * (length(velocity) + length(other));
+    return -dot(velocity - other, normal) <
+           SweptSolver::noise * (length(velocity) + length(other) + fall);
 }
 
 }  // namespace
@@ -226,7 +228,8 @@ void SweptSolver::predict(const World& world, std::uint32_t ball, double now, bo
             const auto impact =
                 first_impact(Disc{offset, balls.radius[ball]}, path.velocity - theirs.velocity,
                              Disc{{}, balls.radius[other]}, left);
-            if (impact && !is_noise(impact->time, impact->normal, path.velocity, theirs.velocity))
+            if (impact && !is_noise(impact->time, impact->normal, path.velocity, theirs.velocity,
+                                    resting_speed_))
                 consider({now + impact->time, ContactKind::ball_ball, ball, other, path.version,
                           theirs.version, impact->normal});
         });
@@ -272,7 +275,9 @@ void SweptSolver::predict_edge(const World& world, std::uint32_t ball, std::uint
         }
         impact = first_impact(disc, path.velocity, shape, left);
     }
-    if (!impact || (!hand && is_noise(impact->time, impact->normal, path.velocity, {}))) return;
+    if (!impact ||
+        (!hand && is_noise(impact->time, impact->normal, path.velocity, {}, resting_speed_)))
+        return;
     if (terms.special() && world.model.one_way) {
         const Vec2 there = disc.center + path.velocity * impact->time;
         if (!is_on_solid_side(shape, world.capsules.side[capsule], there)) return;

@@ -48,7 +48,8 @@ class SweptSolver {
     /// What comes to rest parts at this share of its approach, so that rounding does not make it
     /// meet again.
     static constexpr double resting_restitution = 1e-6;
-    /// An approach slower than this share of the speeds of two bodies that touch is rounding.
+    /// An approach slower than this share of the speeds of two bodies that touch, and of what
+    /// gravity gives, is rounding.
     static constexpr double noise = 1e-14;
 
     /// Moves everything by one tick and appends the exchanges to `contacts`. `touched`: see
