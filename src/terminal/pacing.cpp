@@ -17,6 +17,7 @@ constexpr std::size_t least_window = 2;
 constexpr std::size_t most_kept = 256;  // frames remembered while nothing answers
 constexpr double short_queue = 0.015;   // s that a frame may have waited behind others
 constexpr double long_queue = 0.035;    // s at which too many frames are on their way
+constexpr double contentment = 5.0;     // s without another try for more
 constexpr double path_memory = 10.0;    // s after which a way that was shorter is history
 
 }  // namespace
@@ -24,11 +25,12 @@ constexpr double path_memory = 10.0;    // s after which a way that was shorter 
 Pacing::Pacing(const PacingOptions& options) : options_(options) {}
 
 bool Pacing::is_blind(double now) const {
-    return !has_answers_ && !sent_.empty() && now - sent_.front() > blind_after;
+    return !has_answers_ && !sent_.empty() && now - sent_.front().at > blind_after;
 }
 
 bool Pacing::is_stalled(double now) const {
-    return has_answers_ && !sent_.empty() && now - sent_.front() > stalled_after;
+    if (!has_answers_ || sent_.empty()) return false;
+    return has_asked_again_ || now - sent_.front().at > stalled_after;
 }
 
 double Pacing::interval(double now) const {
@@ -39,16 +41,16 @@ double Pacing::interval(double now) const {
 bool Pacing::may_draw(double now, bool urgent) const {
     const double since = now - last_drawn_;
     if (is_stalled(now)) return since >= (urgent ? stalled_urgent_interval : stalled_after);
-    if (!is_blind(now) && sent_.size() >= window_) return false;
+    if (!is_blind(now) && sent_.size() >= window()) return false;
     if (now < bytes_due_) return false;
     return now >= next_due_ - early || (urgent && since >= urgent_interval);
 }
 
 double Pacing::seconds_to_frame(double now) const {
     if (is_stalled(now)) return std::max(0.0, last_drawn_ + stalled_after - now);
-    if (!is_blind(now) && sent_.size() >= window_) {
+    if (!is_blind(now) && sent_.size() >= window()) {
         const double patience = has_answers_ ? stalled_after : blind_after;
-        return std::max(early, sent_.front() + patience - now);
+        return std::max(early, sent_.front().at + patience - now);
     }
     return std::max({0.0, next_due_ - now, bytes_due_ - now});
 }
@@ -63,8 +65,9 @@ void Pacing::drawn(double now, std::size_t bytes) {
         lost_ += sent_.size();
         sent_.clear();
         window_ = least_window;
+        has_asked_again_ = true;
     }
-    sent_.push_back(now);
+    sent_.push_back({.at = now, .was_alone = sent_.empty()});
     ++drawn_;
     if (sent_.size() > most_kept) sent_.pop_front();
     if (options_.bytes_per_second > 0.0) {
@@ -76,28 +79,46 @@ void Pacing::drawn(double now, std::size_t bytes) {
 void Pacing::answered(std::size_t total, double now) {
     lost_ = std::min(lost_, drawn_ - std::min(drawn_, total));  // it came after all
     while (!sent_.empty() && drawn_ - sent_.size() < total + lost_) {
-        const double sent = sent_.front();
+        const Sent frame = sent_.front();
         sent_.pop_front();
         has_answers_ = true;
-        learn(std::max(0.0, now - sent), now);
+        has_asked_again_ = false;
+        learn(frame, now);
     }
 }
 
-// A trip about as short as the shortest had no queue before it, so there is room for one frame
-// more; a long one waited behind our own frames, or somebody else's.
-void Pacing::learn(double round_trip, double now) {
-    round_trip_ = round_trip;
-    const bool is_path_new = shortest_trip_ <= 0.0 || now - seen_short_ > path_memory;
-    if (is_path_new) window_ = least_window;
-    if (is_path_new || round_trip < shortest_trip_) shortest_trip_ = std::max(round_trip, 1.0e-6);
-    const double queue = round_trip - shortest_trip_;
+// A trip about as short as the shortest had no queue before it, so there is room for more frames;
+// a long one waited behind our own frames, or somebody else's.
+void Pacing::learn(const Sent& frame, double now) {
+    round_trip_ = std::max(1.0e-6, now - frame.at);
+    const std::size_t number = drawn_ - sent_.size();  // of frames answered or lost
+    if (frame.was_alone && (is_probing_ || shortest_trip_ <= 0.0)) {
+        shortest_trip_ = round_trip_;
+        is_probing_ = false;
+    }
+    shortest_trip_ = std::min(shortest_trip_, round_trip_);
+    const double queue = round_trip_ - shortest_trip_;
     if (queue <= short_queue) seen_short_ = now;
+    if (now - seen_short_ > path_memory) {  // the way may have become longer
+        is_probing_ = true;
+        seen_short_ = now;
+    }
     const double useful = std::ceil(shortest_trip_ * options_.frames_per_second) + 1.0;
     const auto most = std::max(least_window, static_cast<std::size_t>(std::min(useful, 64.0)));
     const bool is_limit = sent_.size() + 1 >= window_;
-    if (queue <= short_queue && is_limit) ++window_;
-    if (queue > long_queue) --window_;
+    // What a change does shows only once a frame that was sent after it has been answered.
+    if (number <= changed_at_ || frame.was_alone) return;
+    const std::size_t before = window_;
+    if (queue > long_queue) {
+        // As many as the way holds without a queue; and no trying out again for a while.
+        window_ =
+            static_cast<std::size_t>(static_cast<double>(window_) * shortest_trip_ / round_trip_);
+        may_grow_at_ = now + contentment;
+    } else if (queue <= short_queue && is_limit && now >= may_grow_at_) {
+        window_ += std::max<std::size_t>(1, window_ / 3);
+    }
     window_ = std::clamp(window_, least_window, most);
+    if (window_ != before) changed_at_ = drawn_ + (window_ > before ? window_ - before : 0);
 }
 
 }  // namespace carom

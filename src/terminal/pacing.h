@@ -52,19 +52,30 @@ class Pacing {
     bool is_blind(double now) const;
 
     std::size_t unanswered() const { return sent_.size(); }
-    std::size_t window() const { return window_; }     ///< most unanswered frames at present
+    std::size_t window() const {
+        return is_probing_ ? 1 : window_;
+    }                                                  ///< most unanswered frames at present
     double round_trip() const { return round_trip_; }  ///< of the last answered frame, s
 
   private:
+    struct Sent {
+        double at = 0.0;
+        bool was_alone = false;  // nothing else was on its way
+    };
     double interval(double now) const;
-    void learn(double round_trip, double now);
+    void learn(const Sent& frame, double now);
 
     PacingOptions options_;
-    std::deque<double> sent_;   // times of the unanswered frames, oldest first
-    std::size_t drawn_ = 0;     // frames ever
-    std::size_t lost_ = 0;      // answers that are no longer expected
-    bool has_answers_ = false;  // ever
+    std::deque<Sent> sent_;         // the unanswered frames, oldest first
+    std::size_t drawn_ = 0;         // frames ever
+    std::size_t lost_ = 0;          // answers that are no longer expected
+    bool has_answers_ = false;      // ever
+    bool has_asked_again_ = false;  // stalled, and a frame went out since
     std::size_t window_ = 2;
+    std::size_t changed_at_ =
+        0;  // number of the last frame that does not show what the last change did
+    double may_grow_at_ = -1.0e9;
+    bool is_probing_ = false;  // one frame at a time, to see how short the way is now
     double round_trip_ = 0.0;
     double shortest_trip_ = 0.0;  // the way without a queue; 0: not known
     double seen_short_ = 0.0;     // when a trip was last about as short as that
