@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "terminal/draw_parts.h"
 
@@ -12,17 +13,41 @@ namespace {
 // How the inside of a filled ball is told from an edge, and from a ball of another kind, without
 // colour: by its character, or by how many of its dots are lit. Edges are solid.
 struct Texture {
-    char fill;
-    std::uint8_t tone;
+    std::array<std::string_view, 3> stamps;  ///< in ASCII, a ball of one to three columns
+    char fill;                               ///< the inside of a larger one
+    std::uint8_t tone;                       ///< of its dots
 };
-constexpr std::array<Texture, 6> textures = {
-    {{':', 130}, {'o', 0}, {'+', 70}, {' ', 190}, {'x', 40}, {'.', 160}}};
+constexpr std::array<Texture, 6> textures = {{{{"o", "()", "(o)"}, ':', 130},
+                                              {{"@", "{}", "(@)"}, 'o', 0},
+                                              {{"x", "<>", "(x)"}, '+', 70},
+                                              {{"&", "[]", "(+)"}, ' ', 190},
+                                              {{"%", "(}", "(%)"}, 'x', 40},
+                                              {{"e", "{)", "(=)"}, '.', 160}}};
+constexpr std::string_view peg_stamp = "+";
+
+// Where colours tell kinds apart, one texture for all is calmer.
+const Texture& texture_of(const View& view, std::size_t ball) {
+    const std::size_t kind = view.options.look.has_colors() ? 0 : view.world.balls.kind[ball];
+    return textures[kind % textures.size()];
+}
+
+// In ASCII, the radii, in columns, from which a ball is one, two or three characters, and from
+// which it is a shape. Characters stay the same while the ball moves; shapes of so few cells would
+// flicker. Below the first a ball is a dot, which has a place within its cell.
+constexpr std::array<double, 4> stamp_radii = {0.35, 0.75, 1.25, 1.9};
+
+// How many columns a stamp for this radius has; 0: none.
+std::size_t stamp_width(const Raster& raster, double radius) {
+    if (raster.sampling() != Sampling::shapes || radius >= stamp_radii.back()) return 0;
+    const auto above = std::upper_bound(stamp_radii.begin(), stamp_radii.end(), radius);
+    return static_cast<std::size_t>(above - stamp_radii.begin());
+}
 
 // Below this radius, in columns, there is no room for a rim around an inside.
 constexpr double least_rimmed(Sampling sampling) {
     switch (sampling) {
         case Sampling::shapes:
-            return 2.4;
+            return 1.9;
         case Sampling::halves:
             return 2.5;
         case Sampling::dots:
@@ -31,8 +56,10 @@ constexpr double least_rimmed(Sampling sampling) {
     return 0.0;
 }
 
-// Between solid balls that touch, a gap, in columns, keeps them apart to the eye.
-constexpr double solid_gap = 0.12;
+// Balls are drawn smaller by this, in columns, so that those that touch stay apart to the eye.
+constexpr double gap_of(Sampling sampling) {
+    return sampling == Sampling::shapes ? 0.28 : 0.12;
+}
 
 bool is_rimmed(const Raster& raster, const ViewOptions& options, double radius) {
     if (radius < least_rimmed(raster.sampling())) return false;
@@ -46,7 +73,7 @@ Brush rimmed_brush(const Raster& raster, const View& view, std::size_t ball) {
     if (view.options.ball_style == BallStyle::outline) return {ink, 0, ' '};
     // Pixels that are lit or dark have no pattern fine enough for an inside.
     if (raster.sampling() == Sampling::halves) return {ink, 0, '\0'};
-    const Texture& texture = textures[view.world.balls.kind[ball] % textures.size()];
+    const Texture& texture = texture_of(view, ball);
     if (raster.sampling() == Sampling::shapes) return {ink, 0, texture.fill};
     return {ink, texture.tone, '\0'};
 }
@@ -62,15 +89,20 @@ void paint_heading(Raster& raster, RasterPoint center, double radius, Vec2 veloc
 
 void paint_ball(Raster& raster, const View& view, std::size_t ball, RasterPoint center) {
     const double radius = view.world.balls.radius[ball] * view.camera.columns_per_length;
+    if (const std::size_t width = stamp_width(raster, radius)) {
+        raster.stamp(center, texture_of(view, ball).stamps[width - 1], view.inks[ball]);
+        return;
+    }
+    const double gap = gap_of(raster.sampling());
+    const double shown = radius > 4.0 * gap ? radius - gap : radius;
     if (!is_rimmed(raster, view.options, radius)) {
-        const double shown = radius > 4.0 * solid_gap ? radius - solid_gap : radius;
         raster.disc(center, shown, 0.0, {view.inks[ball], 255, '@'});
         return;
     }
     const Brush brush = rimmed_brush(raster, view, ball);
-    raster.disc(center, radius, 2.0 * raster.hairline(), brush);
+    raster.disc(center, shown, 2.0 * raster.hairline(), brush);
     if (view.options.ball_style == BallStyle::outline) {
-        paint_heading(raster, center, radius, view.world.balls.velocity[ball], brush.ink);
+        paint_heading(raster, center, shown, view.world.balls.velocity[ball], brush.ink);
     }
 }
 
@@ -166,8 +198,12 @@ void paint_edges(Raster& raster, const View& view) {
         for (const Vec2 offset : images_of(view.world.model, bounds(shape))) {
             const Capsule image{shape.start + offset, shape.end + offset, shape.radius};
             if (!overlaps(grow(bounds(image), hair), visible)) continue;
-            raster.capsule(to_raster(view.camera, image.start), to_raster(view.camera, image.end),
-                           radius, {ink, 255, '#'});
+            const RasterPoint start = to_raster(view.camera, image.start);
+            if (image.start == image.end && stamp_width(raster, radius) == 1) {
+                raster.stamp(start, peg_stamp, ink);
+                continue;
+            }
+            raster.capsule(start, to_raster(view.camera, image.end), radius, {ink, 255, '#'});
         }
     }
 }

@@ -58,6 +58,13 @@ std::string quantity(double value) {
     return fmt::format("{:<10.5g}", value);
 }
 
+// A component that is only the other's rounding is 0.
+std::string momentum(Vec2 p) {
+    const double noise = 1e-9 * std::max(std::abs(p.x), std::abs(p.y));
+    const auto component = [&](double value) { return std::abs(value) < noise ? 0.0 : value; };
+    return fmt::format("{:<+9.3g} {:<+9.3g}", component(p.x), component(p.y));
+}
+
 std::string duration(double seconds) {
     if (std::abs(seconds) < 1e5) return fmt::format("{:>9.3f} s", seconds);
     return fmt::format("{:>9.5g} s", seconds);
@@ -110,8 +117,7 @@ std::vector<Field> physics_fields(const HudInfo& info, const Look& look) {
         fields.push_back({"PE", quantity(*info.potential_energy), text, 4});
     }
     if (info.energy_drift) fields.push_back(drift_field("drift", *info.energy_drift, 1, look));
-    fields.push_back(
-        {"p", fmt::format("{:<+9.3g} {:<+9.3g}", info.momentum.x, info.momentum.y), text, 2});
+    fields.push_back({"p", momentum(info.momentum), text, 2});
     if (info.momentum_drift) fields.push_back(drift_field("drift", *info.momentum_drift, 5, look));
     return fields;
 }

@@ -287,6 +287,17 @@ void Raster::line(RasterPoint start, RasterPoint end, const Ink& ink, std::uint8
     capsule(start, end, 0.0, {ink, strength, '\0'});
 }
 
+void Raster::stamp(RasterPoint center, std::string_view glyphs, const Ink& ink) {
+    const double row = std::floor(center.y / aspect_);
+    const double first = std::floor(center.x - 0.5 * static_cast<double>(glyphs.size()) + 0.5);
+    if (sampling_ != Sampling::shapes || !(row >= 0.0 && row < rows_)) return;
+    for (std::size_t i = 0; i < glyphs.size(); ++i) {
+        const double column = first + static_cast<double>(i);
+        if (!(column >= 0.0 && column < columns_)) continue;
+        fill_cell(cell_at(static_cast<int>(column), static_cast<int>(row)), {ink, 0, glyphs[i]});
+    }
+}
+
 void Raster::sample(int across, int down, std::uint8_t level, const Ink& ink) {
     if (across < 0 || down < 0 || across >= samples_across() || down >= samples_down()) return;
     RasterCell& cell = cell_at(across / across_, down / down_);

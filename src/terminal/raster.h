@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "terminal/canvas.h"
@@ -59,6 +60,9 @@ class Raster {
     void capsule(RasterPoint start, RasterPoint end, double radius, const Brush& brush);
     /// A hairline from start to end, `strength` (0 to 255) of full.
     void line(RasterPoint start, RasterPoint end, const Ink& ink, std::uint8_t strength = 255);
+    /// Shapes: a few characters in the row of `center`, as near to it as cells allow, in place
+    /// of what is there. Other samplings: nothing.
+    void stamp(RasterPoint center, std::string_view glyphs, const Ink& ink);
     /// Lights one sample, if it is darker than `level`. Dots have no levels: the lower `level`, the
     /// fewer of them are lit.
     void sample(int across, int down, std::uint8_t level, const Ink& ink);

@@ -57,7 +57,8 @@ Cell halves_of(const Levels& levels, Ink upper, Ink lower, const Look& look) {
     const Color bottom = shade(lower.color, below, look);
     if (above == 0) return {U'▄', bottom, default_color, lower.attributes};
     if (below == 0) return {U'▀', top, default_color, upper.attributes};
-    if (top == bottom) return {U'█', top, default_color, upper.attributes};
+    // The ground has the colour too: in many fonts a block leaves a seam at the edge of its cell.
+    if (top == bottom) return {U'█', top, top, upper.attributes};
     return {U'▀', top, bottom, upper.attributes};
 }
 

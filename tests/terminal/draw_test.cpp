@@ -8,6 +8,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -88,13 +89,13 @@ TEST_CASE("a ball between two walls, in ASCII") {
     CHECK(Drawing(41, 11).draw(scene, in(Renderer::ascii)).text() == R"(
     |
     |
-    |              .;*"""""*;,
-    |             ;^:::::::::^;
-    |            :`:::::::::::':
-    |            ]:::::::::::::[
-    |            ':::::::::::::`
-    |             ^;:::::::::;^
-    *              '^\_____/^`
+    |               _/*"""*\_
+    |             ./`:::::::'\,
+    |            .[:::::::::::],
+    |            ]`:::::::::::'[
+    |            '[:::::::::::]`
+    |             '\,:::::::./`
+    *               "*\___/*"
 ggggggggggggggggggggggggggggggggggggggggg
 TTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTT
 )");
@@ -108,13 +109,13 @@ TEST_CASE("a ball between two walls, in braille") {
     CHECK(Drawing(41, 11).draw(scene, in(Renderer::braille)).text() == R"(
     ⣤
     ⣿
-    ⣿               ⣠⢔⢞⢝⢝⢝⢗⢦⢄
-    ⣿             ⢠⢞⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⡄
-    ⣿            ⢠⢗⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⢽⡄
+    ⣿               ⣠⢴⢖⢟⢝⢝⢖⢦⣄
+    ⣿             ⢠⢞⢕⢕⢕⢕⢕⢕⢕⢕⢝⢷⡄
+    ⣿            ⢀⣟⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⢽⡀
     ⣿            ⢸⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⡇
-    ⣿            ⠘⣗⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⢵⠃
-    ⣿             ⠘⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⡵⠃
-    ⠛               ⠑⠳⢵⣕⣕⣕⡵⠕⠋
+    ⣿            ⠈⣗⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⣽⠁
+    ⣿             ⠘⢷⣕⢕⢕⢕⢕⢕⢕⢕⢕⡵⠃
+    ⠛               ⠙⠳⠵⣕⣕⣵⠵⠗⠋
 ⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤
 ⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛
 )");
@@ -141,30 +142,30 @@ TEST_CASE("an outlined ball has a radius that shows where it heads") {
     options.ball_style = BallStyle::outline;
     CHECK(Drawing(22, 11).draw(scene, options).text() == R"(
 
-      .;~~~~~~;,
-    ;*"        "|;
-   ]`         ;^ '[
-  :`        ;^    ':
-  ]       -^       [
-  ':              :`
-   ],            .[
-    ^\_        _/^
-      '^~~~~~~^`
+       _;~~~~;_
+    ./^`      '^|,
+   :^         ;^ ^:
+   [        ;^    ]
+  ][      -^      ][
+   [              ]
+   ';            ;`
+    '*;,      .;*`
+       "^~~~~^"
 
 )");
     // At rest it heads nowhere.
     scene.world.balls.velocity[0] = {};
     CHECK(Drawing(22, 11).draw(scene, options).text() == R"(
 
-      .;~~~~~~;,
-    ;*"        "*;
-   ]`            '[
-  :`              ':
-  ]                [
-  ':              :`
-   ],            .[
-    ^\_        _/^
-      '^~~~~~~^`
+       _;~~~~;_
+    ./^`      '^\,
+   :^            ^:
+   [              ]
+  ][              ][
+   [              ]
+   ';            ;`
+    '*;,      .;*`
+       "^~~~~^"
 
 )");
 }
@@ -208,17 +209,17 @@ TEST_CASE("on a torus, a ball across a side shows on both") {
     scene.world.model.wrap = Box{{0, 0}, {20, 10}};
     put_ball(scene, {19.5, 9.5}, 2.0);
     CHECK(Drawing(41, 11).draw(scene, in(Renderer::ascii)).text() == R"(
-::'[                               ]`::::
-::.[                               ],::::
-_/^                                 ^\___
+::^:                               :^::::
+::;`                               ';::::
+;*`                                 '*;_;
 
 
 
 
 
 
-"*;                                 ;*"""
-::'[                               ]`::::
+^\,                                 ./^"^
+::^:                               :^::::
 )");
 }
 
@@ -236,6 +237,35 @@ TEST_CASE("a ball smaller than a cell is seen in every renderer, at any zoom") {
             }
         }
     }
+}
+
+TEST_CASE("in ASCII, balls of few columns are characters that stay while they move") {
+    for (const auto& [radius, stamp] : {std::pair{0.5, "o"}, {1.0, "()"}, {1.6, "(o)"}}) {
+        for (int step = 0; step < 20; ++step) {
+            Scene scene = table({{0, 0}, {20, 20}});
+            put_ball(scene, {5 + step * 0.31, 8 + step * 0.17}, radius);
+            Drawing drawing(21, 11);
+            drawing.draw(scene, in(Renderer::ascii));
+            CHECK(drawing.text().find(stamp) != std::string::npos);
+            CHECK(cells_that_are(drawing.canvas, U' ') ==
+                  21 * 11 - static_cast<int>(std::string_view(stamp).size()));
+        }
+    }
+    // Without colour, another kind has other characters.
+    Scene scene = table({{0, 0}, {20, 20}});
+    put_ball(scene, {10, 10}, 0.5, {}, 1);
+    ViewOptions options = in(Renderer::ascii);
+    options.look.colors = 0;
+    CHECK(Drawing(21, 11).draw(scene, options).text().find('@') != std::string::npos);
+}
+
+TEST_CASE("in ASCII, a peg of about a column is one character") {
+    Scene scene = table({{0, 0}, {20, 20}});
+    add_capsule(scene.world, {{5, 5}, {5, 5}, 0.5}, 0);
+    add_capsule(scene.world, {{15, 5}, {15, 5}, 3.0}, 0);
+    const std::string text = Drawing(21, 11).draw(scene, in(Renderer::ascii)).text();
+    CHECK(std::count(text.begin(), text.end(), '+') == 1);
+    CHECK(std::count(text.begin(), text.end(), '#') > 1);
 }
 
 TEST_CASE("balls are told from edges, and kinds from each other, without colour") {

@@ -191,7 +191,7 @@ TEST_CASE("half blocks show two colours in a cell") {
     same.sample(0, 0, 255, {2, plain});
     same.sample(0, 1, 255, {2, plain});
     same.show(canvas, 0, 0, {});
-    CHECK(canvas.at(0, 0) == Cell{U'█', 2, default_color, plain});
+    CHECK(canvas.at(0, 0) == Cell{U'█', 2, 2, plain});
 }
 
 TEST_CASE("half blocks without colour are lit or dark") {
