@@ -189,7 +189,9 @@ void draw_physics(const Bar& bar, const HudInfo& info) {
 void draw_first(const Bar& bar, const HudInfo& info, std::vector<Field> fields) {
     bar.clear();
     const int columns = bar.canvas.columns();
-    const int least_title = std::min(columns_of(info.title), columns >= 60 ? 12 : 0);
+    const int least_title = std::min(columns_of(info.title), columns >= 80   ? 20
+                                                             : columns >= 60 ? 12
+                                                                             : 0);
     fields =
         those_that_fit(std::move(fields), columns - 2 - (least_title > 0 ? least_title + gap : 0));
     const int room = columns - 2 - width_of(fields) - gap;

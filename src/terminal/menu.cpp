@@ -25,10 +25,13 @@ MenuLayout layout_of(int columns, int rows, std::span<const MenuEntry> entries) 
         return {{1, title_rows, columns - 2, body - below},
                 {1, title_rows + body - below + 1, columns - 2, below - 1}};
     }
-    int widest = 0;
+    int names = 0;
+    int titles = 0;
     for (const MenuEntry& entry : entries) {
-        widest = std::max(widest, columns_of(entry.name) + columns_of(entry.title) + 5);
+        names = std::max(names, columns_of(entry.name));
+        titles = std::max(titles, columns_of(entry.title));
     }
+    const int widest = names + titles + 4;
     const int list = std::clamp(widest, 30, columns / 2);
     return {{1, title_rows, list, body}, {list + 4, title_rows, columns - list - 5, body}};
 }
@@ -92,22 +95,44 @@ void draw_entry(Canvas& canvas, const CellArea& area, int row, const MenuEntry& 
     write_cut(canvas, titles, row, entry.title, title);
 }
 
+// The preview as it is drawn: the lines of a paragraph, which its author broke for an editor, are
+// joined and broken again for this window.
+std::vector<std::string> preview_lines(const MenuEntry& entry, int columns) {
+    // A line of so many columns goes on in the next, unless blanks set it out as a list, or the
+    // next is indented.
+    constexpr int full_line = 70;
+    std::vector<std::string> lines;
+    std::string paragraph;
+    for (std::size_t i = 0; i < entry.preview.size(); ++i) {
+        const std::string& line = entry.preview[i];
+        const std::string_view next =
+            i + 1 < entry.preview.size() ? std::string_view(entry.preview[i + 1]) : "";
+        paragraph += line;
+        const bool goes_on = columns_of(line) >= full_line &&
+                             line.find("   ") == std::string::npos && !next.empty() &&
+                             next.front() != ' ';
+        if (goes_on) {
+            paragraph += ' ';
+            continue;
+        }
+        for (std::string& line : wrapped(paragraph, columns))
+            lines.push_back(std::move(line));
+        paragraph.clear();
+    }
+    return lines;
+}
+
 // How many rows of the preview its words take, a blank row below them included.
 int words_rows(const MenuEntry& entry, int columns) {
-    std::size_t count = 2;
-    for (const std::string& line : entry.preview)
-        count += wrapped(line, columns).size();
-    return static_cast<int>(count) + 1;
+    return 3 + static_cast<int>(preview_lines(entry, columns).size());
 }
 
 void draw_preview(Canvas& canvas, const CellArea& area, const MenuEntry& entry, const Look& look) {
     if (area.rows < 2 || area.columns < 8) return;
     write_cut(canvas, area, 0, entry.title, ink_of(Role::strong, look));
     int row = 2;
-    for (const std::string& line : entry.preview) {
-        for (const std::string& part : wrapped(line, area.columns)) {
-            write_cut(canvas, area, row++, part, ink_of(Role::text, look));
-        }
+    for (const std::string& line : preview_lines(entry, area.columns)) {
+        write_cut(canvas, area, row++, line, ink_of(Role::text, look));
     }
 }
 

@@ -143,10 +143,10 @@ TEST_CASE("the menu lists levels by group, and says what the selected one is abo
     CHECK(menu(80, 12) == R"(
  carom  pick a level
 
- carom                              Galton board, 12 rows
+ carom                             Galton board, 12 rows
    balls   Balls of all sizes
- > galton  Galton board, 12 rows    Balls fall through rows of pegs, and what
-                                    piles up is a bell.
+ > galton  Galton board, 12 rows   Balls fall through rows of pegs, and what
+                                   piles up is a bell.
  this folder
    mine    My own
    broken  3 errors
@@ -175,6 +175,33 @@ TEST_CASE("the menu lists levels by group, and says what the selected one is abo
  Balls fall through rows of pegs, and
  what piles up is a bell.
  Enter play
+)");
+}
+
+TEST_CASE("a preview's paragraphs are joined and broken anew, its lists are not") {
+    const std::vector<MenuEntry> entries = {
+        {"a",
+         "A",
+         "",
+         {"The first line of a paragraph, which is as long as an editor's window is",
+          "wide, goes on.", "",
+          "Try: + faster   - slower   h histogram   t trails   and one thing more", "x a list"},
+         false}};
+    Canvas canvas(120, 12);
+    draw_menu(canvas, entries, 0, "", {0, false, false});
+    CHECK("\n" + canvas.text() == R"(
+ carom  pick a level
+
+ > a  A                           A
+
+                                  The first line of a paragraph, which is as long as an editor's window is wide, goes
+                                  on.
+
+                                  Try: + faster   - slower   h histogram   t trails   and one thing more
+                                  x a list
+
+
+
 )");
 }
 
