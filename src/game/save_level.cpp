@@ -46,6 +46,7 @@ class LevelWriter {
         : scene_(scene), world_(world), has_units_(scene.unit != LengthUnit::natural) {}
 
     std::string write() {
+        name_classes();
         head();
         model();
         classes();
@@ -107,22 +108,35 @@ class LevelWriter {
         if (deepest_overlap(world_) > 0.0) line("use overlap");
     }
 
-    // The kind "ball" and the material "edge" may be those that stand for the unnamed; written out,
-    // they are the same.
+    // The kind "ball" and the material "edge" may be those that stand for the unnamed. Written out
+    // they are the same; but in `collide` these words mean all balls and all edges.
+    void name_classes() {
+        kinds_ = scene_.kind_names;
+        materials_ = scene_.material_names;
+        if (!world_.model.filtered) return;
+        for (std::vector<std::string>* names : {&kinds_, &materials_})
+            for (std::string& name_text : *names)
+                while (name_text == "ball" || name_text == "edge" ||
+                       std::ranges::count(kinds_, name_text) +
+                               std::ranges::count(materials_, name_text) >
+                           1)
+                    name_text += '_';
+    }
+
     void classes() {
         for (std::size_t i = 0; i < world_.kinds.size(); ++i) {
             const Kind& kind = world_.kinds[i];
-            line("kind {} r={} m={} e={}", scene_.kind_names[i], kind.radius,
-                 with_unit(kind.mass, "kg"), kind.restitution);
+            line("kind {} r={} m={} e={}", kinds_[i], kind.radius, with_unit(kind.mass, "kg"),
+                 kind.restitution);
         }
         for (std::size_t i = 0; i < world_.materials.size(); ++i) {
             const Material& material = world_.materials[i];
-            line("material {} e={} soften={}", scene_.material_names[i], material.restitution,
+            line("material {} e={} soften={}", materials_[i], material.restitution,
                  with_unit(material.soften, "s/m"));
         }
         if (!world_.model.filtered) return;
-        std::vector<std::string> names = scene_.kind_names;
-        names.insert(names.end(), scene_.material_names.begin(), scene_.material_names.end());
+        std::vector<std::string> names = kinds_;
+        names.insert(names.end(), materials_.begin(), materials_.end());
         for (std::size_t a = 0; a < world_.kinds.size(); ++a)
             for (std::size_t b = a; b < names.size(); ++b)
                 if (world_.meets[a * names.size() + b]) line("collide {} {}", names[a], names[b]);
@@ -178,8 +192,8 @@ class LevelWriter {
         const Capsules& capsules = world_.capsules;
         const Capsule& shape = capsules.shape[first];
         const std::string_view group = group_of(capsules.id[first]);
-        const std::string names = scene_.material_names[capsules.material[first]] +
-                                  (group.empty() ? "" : " ") + std::string(group);
+        const std::string names =
+            materials_[capsules.material[first]] + (group.empty() ? "" : " ") + std::string(group);
         if (shape.start == shape.end)
             return line("peg {} at={} r={}", names, place(shape.start), shape.radius);
         constexpr std::string_view sides[] = {"", " side=left", " side=right"};
@@ -193,7 +207,16 @@ class LevelWriter {
         text_ += closes ? " close\n" : "\n";
     }
 
-    void zones() {}
+    // In the order of their counters, so that they are counted in the same order again.
+    void zones() {
+        for (std::size_t i = 0; i < world_.zones.size(); ++i) {
+            const Zone& zone = world_.zones[i];
+            const std::string& full = scene_.zone_names[i];
+            line("zone {} {} {} r={}{}", full.substr(0, full.rfind('.')), place(zone.shape.start),
+                 place(zone.shape.end), zone.shape.radius,
+                 zone.effect == Zone::Effect::sink ? " sink" : "");
+        }
+    }
 
     void balls() {
         const Balls& balls = world_.balls;
@@ -205,10 +228,14 @@ class LevelWriter {
             // Names with a suffix belong to copies; here each ball stands for itself.
             std::ranges::replace(name_text, '.', '_');
             if (!name_text.empty()) text_ += name_text + " ";
-            text_ += fmt::format("kind={} at={} v={} r={} m={}", scene_.kind_names[balls.kind[i]],
-                                 place(balls.position[i]), with_unit(balls.velocity[i], "m/s"),
-                                 balls.radius[i], with_unit(mass_of(balls.inverse_mass[i]), "kg"));
-            if (!balls.restitution.empty()) text_ += fmt::format(" e={}", balls.restitution[i]);
+            const Kind& kind = world_.kinds[balls.kind[i]];
+            text_ += fmt::format("kind={} at={} v={}", kinds_[balls.kind[i]],
+                                 place(balls.position[i]), with_unit(balls.velocity[i], "m/s"));
+            if (balls.radius[i] != kind.radius) text_ += fmt::format(" r={}", balls.radius[i]);
+            if (balls.inverse_mass[i] != 1.0 / kind.mass)
+                text_ += " m=" + with_unit(mass_of(balls.inverse_mass[i]), "kg");
+            if (!balls.restitution.empty() && balls.restitution[i] != kind.restitution)
+                text_ += fmt::format(" e={}", balls.restitution[i]);
             text_ += '\n';
         }
     }
@@ -216,9 +243,8 @@ class LevelWriter {
     void emitters() {
         for (const Emitter& emitter : world_.emitters) {
             if (emitter.emitted >= emitter.count) continue;
-            line("spawn {} at={} v={} jitter={} vjitter={} every={} count={}",
-                 scene_.kind_names[emitter.kind], place(emitter.at),
-                 with_unit(emitter.velocity, "m/s"), place(emitter.jitter),
+            line("spawn {} at={} v={} jitter={} vjitter={} every={} count={}", kinds_[emitter.kind],
+                 place(emitter.at), with_unit(emitter.velocity, "m/s"), place(emitter.jitter),
                  with_unit(emitter.velocity_jitter, "m/s"), with_unit(emitter.every, "s"),
                  emitter.count - emitter.emitted);
         }
@@ -237,6 +263,8 @@ class LevelWriter {
     const Scene& scene_;
     const World& world_;
     bool has_units_;
+    std::vector<std::string> kinds_;
+    std::vector<std::string> materials_;
     std::string text_;
 };
 
