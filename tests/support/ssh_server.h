@@ -1,0 +1,34 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// A real sshd on loopback, for the user who runs the tests, with keys of its own.
+namespace carom::test {
+
+class SshServer {
+  public:
+    /// None where sshd, ssh or ssh-keygen is not installed.
+    static std::optional<SshServer> start();
+    SshServer(SshServer&& other) noexcept;
+    SshServer& operator=(SshServer&&) = delete;
+    ~SshServer();  ///< ends it and removes its files
+
+    /// What to run to run `command` there, on a terminal.
+    std::vector<std::string> client(const std::string& command) const;
+    /// A folder that is gone when the server is.
+    const std::string& folder() const { return folder_; }
+    std::string log() const;
+
+  private:
+    SshServer() = default;
+
+    std::string folder_;
+    int port_ = 0;
+    pid_t process_ = -1;
+};
+
+}  // namespace carom::test
