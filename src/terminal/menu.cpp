@@ -115,8 +115,8 @@ std::vector<std::string> preview_lines(const MenuEntry& entry, int columns) {
             paragraph += ' ';
             continue;
         }
-        for (std::string& line : wrapped(paragraph, columns))
-            lines.push_back(std::move(line));
+        for (std::string& part : wrapped(paragraph, columns))
+            lines.push_back(std::move(part));
         paragraph.clear();
     }
     return lines;
