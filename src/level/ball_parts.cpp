@@ -177,8 +177,10 @@ void build_cradle(const Arguments& arguments, const Frame& frame, Context& conte
     EdgeNaming naming{arguments.node, {}, false, arguments.word("material")};
     const int edges = name_edges(std::move(naming), context);
     for (const double x : {at.x - wall, at.x + wall}) {
+        const int chain = begin_chain(false, context);
+        context.draft.chains.back().has_gaps = false;
         add_piece({{x, at.y - 2.0 * radius}, {x, at.y + 2.0 * radius}, 0.0}, Side::both, edges,
-                  begin_chain(false, context), arguments.node->keyword().span(), frame, context);
+                  chain, arguments.node->keyword().span(), frame, context);
     }
 }
 

@@ -21,6 +21,7 @@ void build_cradle(const Arguments& arguments, const Frame& frame, Context& conte
 // Galton's board (galton_parts.cpp).
 void build_pegs(const Arguments& arguments, const Frame& frame, Context& context);
 void build_bins(const Arguments& arguments, const Frame& frame, Context& context);
+void build_zone(const Arguments& arguments, const Frame& frame, Context& context);
 
 // Drawings (map_drawing.cpp).
 

@@ -106,7 +106,7 @@ class StartCheck {
 
     // The work is bounded: a million balls in one place that never meet are n^2 pairs.
     bool has_time(const StartingBall& ball) {
-        constexpr std::uint64_t most_pairs = 100'000'000;
+        constexpr std::uint64_t most_pairs = 50'000'000;
         if (++pairs_ <= most_pairs) return true;
         if (pairs_ == most_pairs + 1) {
             context_.reporter.warning(ball.origin.span,
@@ -116,8 +116,12 @@ class StartCheck {
         return false;
     }
 
+    // A fill keeps clear of all that stands.
+    static bool is_filled(const StartingBall& ball) { return ball.naming < 0; }
+
     void check_edges(const BoxTree& tree) {
         for (const StartingBall& ball : balls_) {
+            if (is_filled(ball)) continue;
             if (!has_time(ball)) return;
             const auto edge = edge_around(tree, {ball.position, ball.radius}, ball.kind);
             if (!edge) continue;
@@ -148,10 +152,14 @@ class StartCheck {
 
     void check_balls() {
         std::vector<Box> boxes;
-        for (const StartingBall& ball : balls_)
-            boxes.push_back(bounds(disc_of(ball)));
+        for (std::uint32_t i = 0; i < balls_.size(); ++i) {
+            if (is_filled(balls_[i])) continue;
+            boxes.push_back(bounds(disc_of(balls_[i])));
+            checked_.push_back(i);
+        }
         const BoxTree tree(std::move(boxes));
-        for (std::uint32_t i = 0; i < balls_.size() && has_time(balls_[i]); ++i) {
+        for (const std::uint32_t i : checked_) {
+            if (!has_time(balls_[i])) return;
             for (const Vec2 image : images_of(balls_[i]))
                 check_ball(tree, i, image);
         }
@@ -180,8 +188,9 @@ class StartCheck {
     void check_ball(const BoxTree& tree, std::uint32_t i, Vec2 at) {
         const StartingBall& ball = balls_[i];
         const Disc disc{at, ball.radius};
-        tree.query(bounds(disc), [&](std::uint32_t k) {
+        tree.query(bounds(disc), [&](std::uint32_t entry) {
             if (!has_time(ball)) return false;
+            const std::uint32_t k = checked_[entry];
             const StartingBall& other = balls_[k];
             if (k == i || (k > i && at == ball.position)) return true;
             if (told_.contains({i, k}) || told_.contains({k, i})) return true;
@@ -205,6 +214,7 @@ class StartCheck {
     Context& context_;
     const Draft& draft_;
     std::uint64_t pairs_ = 0;
+    std::vector<std::uint32_t> checked_;  ///< balls, by their entry in the tree
     std::set<std::pair<std::uint32_t, std::uint32_t>> told_;
 };
 

@@ -9,19 +9,12 @@
 namespace carom {
 namespace {
 
-constexpr std::string_view reserved_note = "the words ball and edge stand for all of them";
-
 // A name that is free for a kind or a material.
 bool is_free(const Word& name, Context& context) {
     Reporter& reporter = context.reporter;
     if (!is_identifier(name.text)) {
         reporter.error(name.span(), fmt::format("'{}' is not a name", name.text),
                        "a name has letters, digits and '_', and begins with a letter");
-        return false;
-    }
-    if (name.text == "ball" || name.text == "edge") {
-        reporter.error(name.span(), fmt::format("'{}' cannot be a name", name.text),
-                       std::string(reserved_note));
         return false;
     }
     if (context.draft.kinds.size() + context.draft.materials.size() >= max_classes) {

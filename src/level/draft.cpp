@@ -24,7 +24,7 @@ bool plan_balls(std::uint64_t count, const Span& at, Context& context) {
     if (context.draft.balls_planned <= max_items) return true;
     context.reporter.error(at, fmt::format("the level has more than {} balls", max_items),
                            "make fewer of them");
-    context.draft.balls_planned -= count;
+    context.is_full = true;
     return false;
 }
 
@@ -38,6 +38,7 @@ bool add_piece(const Capsule& shape, Side side, int naming, int chain, const Spa
     if (context.draft.capsules.size() >= max_items) {
         context.reporter.error(at, fmt::format("the level has more than {} edges", max_items),
                                "draw fewer of them");
+        context.is_full = true;
         return false;
     }
     const Transform& t = frame.transform;

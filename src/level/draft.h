@@ -34,7 +34,8 @@ struct EdgeNaming {
     const Node* node = nullptr;
     std::vector<Word> plain;
     bool may_begin_with_material = false;
-    std::optional<Word> material;  ///< of a key material=
+    std::optional<Word> material{};  ///< of a key material=
+    bool makes_edges = true;         ///< false: only zones, which have no material
 };
 
 /// What a statement calls its balls, and of which kind they are.
@@ -71,6 +72,7 @@ struct CapsuleDraft {
 
 struct ChainDraft {
     bool is_closed = false;
+    bool has_gaps = true;  ///< false: no ball comes to its ends, so gaps there are no mistake
 };
 
 struct ZoneDraft {

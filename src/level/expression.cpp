@@ -352,14 +352,21 @@ class Parser {
         while (at_ < text_.size() && continues_identifier(text_[at_]))
             ++at_;
         const std::string_view name = since(start);
-        if (const FunctionFacts* f = function_named(name)) return call(start, *f);
-        if (name == "pi") return Value{pi, {}};
+        const FunctionFacts* function = function_named(name);
+        if (function && peek() == '(') return call(start, *function);
         if (peek() == '(') {
             return mistake(start, name.size(), fmt::format("'{}' is not a function", name),
                            did_you_mean(name, function_names(),
                                         "there are sqrt sin cos tan abs min max floor ceil round"));
         }
+        // What the author names comes before what carom names.
         const Variable* variable = scope_.find(name);
+        if (!variable && name == "pi") return Value{pi, {}};
+        if (!variable && function) {
+            return mistake(
+                start, name.size(), fmt::format("{} needs brackets", name),
+                fmt::format("write {}({})", name, function->arguments == 2 ? "a,b" : "x"));
+        }
         if (!variable) return unknown(start, name);
         if (variable->used) *variable->used = true;
         return variable->value;
@@ -394,10 +401,6 @@ class Parser {
     }
 
     Result call(std::size_t start, const FunctionFacts& f) {
-        if (peek() != '(') {
-            return mistake(start, f.name.size(), fmt::format("{} needs brackets", f.name),
-                           fmt::format("write {}({})", f.name, f.arguments == 2 ? "a,b" : "x"));
-        }
         const std::size_t open = at_++;
         if (++depth_ > max_nesting) return too_deep();
         std::array<Value, 2> arguments;
@@ -490,10 +493,6 @@ const Variable* Scope::find(std::string_view name) const {
 std::optional<Value> evaluate(const Word& word, const Scope& scope, const ExpressionRules& rules,
                               Reporter& reporter) {
     return Parser(word, scope, rules, reporter).whole();
-}
-
-bool is_reserved_name(std::string_view name) {
-    return name == "pi" || function_named(name) != nullptr;
 }
 
 std::vector<Word> split_outside_brackets(const Word& word, std::string_view separator) {

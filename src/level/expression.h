@@ -9,7 +9,8 @@
 #include "level/dimension.h"
 #include "level/words.h"
 
-/// Arithmetic wherever a number may stand: + - * / ^, brackets, let names, pi and functions.
+/// Arithmetic wherever a number may stand: + - * / ^, brackets, let names, pi and functions. A let
+/// may be called pi or floor too, and then comes first.
 namespace carom {
 
 /// A name that has a value. Without one it is poisoned: its own mistake has been told already, and
@@ -44,9 +45,6 @@ inline constexpr int max_nesting = 32;
 /// that are not finite, are mistakes.
 std::optional<Value> evaluate(const Word& word, const Scope& scope, const ExpressionRules& rules,
                               Reporter& reporter);
-
-/// Whether the name belongs to a function or to pi.
-bool is_reserved_name(std::string_view name);
 
 /// Where `text` splits at `separator` outside of brackets: the pieces' offsets and lengths.
 std::vector<Word> split_outside_brackets(const Word& word, std::string_view separator);

@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "level/builders.h"
 
 namespace carom {
@@ -48,6 +52,12 @@ void build_bins(const Arguments& arguments, const Frame& frame, Context& context
     const int naming = name_edges(part_naming(arguments), context);
     const auto x_of = [&](double i) { return at.x + (i - 0.5 * count) * width; };
 
+    if (context.draft.zones.size() + count > max_items) {
+        context.reporter.error(span, fmt::format("the level has more than {} bins", max_items),
+                               "make fewer of them");
+        context.is_full = true;
+        return;
+    }
     for (std::uint32_t i = 0; i <= count && !is_open; ++i) {
         const Vec2 foot{x_of(i), floor};
         if (!add_piece({foot, {foot.x, at.y - wall}, wall}, Side::both, naming,
@@ -72,6 +82,20 @@ void build_bins(const Arguments& arguments, const Frame& frame, Context& context
         zone.effect = is_sink ? Zone::Effect::sink : Zone::Effect::census;
         context.draft.zones.push_back({zone, naming, {span, frame.image}});
     }
+}
+
+// One bin alone, as bins are made of: a capsule that counts the balls in it. Zones of one name
+// count as bins of that name.
+void build_zone(const Arguments& arguments, const Frame& frame, Context& context) {
+    const Transform& t = frame.transform;
+    Zone zone;
+    zone.shape = {t.point(arguments.points[0]), t.point(arguments.points[1]),
+                  arguments.number_or("r", 0.0)};
+    zone.effect = arguments.flag("sink") ? Zone::Effect::sink : Zone::Effect::census;
+    EdgeNaming names = part_naming(arguments);
+    names.makes_edges = false;
+    const int naming = name_edges(names, context);
+    context.draft.zones.push_back({zone, naming, {arguments.span_of("r"), frame.image}});
 }
 
 }  // namespace carom

@@ -74,6 +74,7 @@ struct Gap {
 
 void check_gaps(const std::vector<StartingBall>& balls, const Resolved& names, Context& context) {
     const std::vector<CapsuleDraft>& edges = context.draft.capsules;
+    const std::vector<ChainDraft>& chains = context.draft.chains;
     if (balls.empty() && context.draft.emitters.empty()) return;
     const double diameter = 2.0 * smallest_radius(balls, names, context.draft);
     std::vector<Box> boxes;
@@ -88,6 +89,10 @@ void check_gaps(const std::vector<StartingBall>& balls, const Resolved& names, C
         clusters.join(edges.size() + chain, i);
         tree.query(grow(boxes[i], diameter), [&](std::uint32_t k) {
             if (k >= i || edges[k].chain == edges[i].chain) return ++pairs < most_pairs;
+            if (!chains[chain].has_gaps ||
+                !chains[static_cast<std::size_t>(edges[k].chain)].has_gaps) {
+                return ++pairs < most_pairs;
+            }
             const double gap = gap_between(edges[i].shape, edges[k].shape);
             // What an author computed to touch, and rounding parted, is no gap.
             if (gap <= 1e-9 * diameter) {

@@ -110,7 +110,7 @@ class Resolver {
             const auto found = known_material(*material);
             edges.is_sound = found.has_value();
             edges.material = found.value_or(ClassIndex{0});
-        } else {
+        } else if (naming.makes_edges) {
             edges.material = materials_.unnamed();
         }
         if (!words.empty()) take_name(words[0], naming.may_begin_with_material, edges);
@@ -158,6 +158,18 @@ class Resolver {
         }
     }
 
+    // A kind may be called ball, as long as nobody has to guess which balls are meant.
+    bool is_ambiguous(const Word& word, std::string_view all, std::string_view name,
+                      std::size_t of_its_sort) {
+        if (word.text != all || name != all || of_its_sort == 1) return false;
+        const bool is_declared = kinds_.has(all) || materials_.has(all);
+        if (!is_declared) return false;
+        context_.reporter.error(word.span(),
+                                fmt::format("'{}' is the name of one, and the word for all", all),
+                                fmt::format("call that one something else than {}", all));
+        return true;
+    }
+
     // The classes that a word of `collide` stands for; empty: reported.
     std::vector<std::size_t> classes_of(const Word& word) {
         std::vector<std::size_t> classes;
@@ -167,6 +179,8 @@ class Resolver {
             const std::string& name =
                 is_kind ? result_.kind_names[i] : result_.material_names[i - kinds];
             const std::string_view all = is_kind ? "ball" : "edge";
+            if (is_ambiguous(word, all, name, is_kind ? kinds : result_.materials.size()))
+                return {};
             if (word.text == all || word.text == name) classes.push_back(i);
         }
         kinds_.find(word.text);

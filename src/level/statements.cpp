@@ -206,6 +206,13 @@ std::vector<Statement> make_statements() {
                   {"wall", scalar, length, not_negative},
                   material},
          .flags = {"sink", "open"}},
+        {.name = "zone",
+         .usage = "zone [NAME] X,Y X,Y r= [sink]",
+         .plain_most = 1,
+         .points_least = 2,
+         .points_most = 2,
+         .keys = {{"r", scalar, length, positive, true}},
+         .flags = {"sink"}},
         {.name = "cradle",
          .usage = "cradle [NAME] at=X,Y count=N v=SPEED [in=N] [gap=] [swing=] [r=] [m=] [e=] "
                   "[kind=] [material=]",

@@ -70,9 +70,10 @@ class Unroller {
         constexpr std::uint64_t most_characters = 100'000'000;
         for (const Word& word : node.words)
             characters_ += word.text.size();
+        constexpr std::uint64_t work_of_a_cell = 8;  // against that of a character of a word
         for (const Word& line : node.drawing)
-            characters_ += line.text.size() + 1;
-        if (context_.reporter.errors() >= most_errors) stopped_ = true;
+            characters_ += work_of_a_cell * (line.text.size() + 1);
+        if (context_.reporter.errors() >= most_errors || context_.is_full) stopped_ = true;
         if (stopped_) return false;
         if (++steps_ <= max_items && characters_ <= most_characters) return true;
         context_.reporter.error(
@@ -116,6 +117,7 @@ class Unroller {
         if (name == "fill") return build_fill(arguments, frame, context_);
         if (name == "cradle") return build_cradle(arguments, frame, context_);
         if (name == "bins") return build_bins(arguments, frame, context_);
+        if (name == "zone") return build_zone(arguments, frame, context_);
         if (name == "pegs triangle" || name == "pegs grid") {
             return build_pegs(arguments, frame, context_);
         }
@@ -158,12 +160,6 @@ class Unroller {
     }
 
     void set_variable(const Word& name, const Word& expression, const Frame& frame) {
-        if (is_reserved_name(name.text)) {
-            context_.reporter.error(name.span(),
-                                    fmt::format("'{}' has a meaning already", name.text),
-                                    "choose another name");
-            return;
-        }
         LetUse& use = context_.lets[name.text.data()];
         use.span = name.span();
         use.name = std::string(name.text);

@@ -1,0 +1,120 @@
+#include <doctest/doctest.h>
+
+#include "level/support/files.h"
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+std::string repeated(std::string_view text, int count) {
+    std::string result;
+    for (int i = 0; i < count; ++i)
+        result += text;
+    return result;
+}
+
+// Exactly one error, and it says this.
+void check_refused(const LoadResult& result, std::string_view words) {
+    CAPTURE(words);
+    CHECK_FALSE(result.scene);
+    REQUIRE(result.diagnostics.size() == 1);
+    CHECK(result.diagnostics[0].message.find(words) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("a million balls load, one more does not") {
+    const LoadResult most = load_lines("fill count=1e6 box=0,0,3300,3300 r=1\n");
+    REQUIRE(most.scene);
+    CHECK(most.scene->world.balls.size() == 1'000'000);
+    check_refused(load_lines("ball at=-9,0\nfill count=1e6 box=0,0,3300,3300 r=1\n"),
+                  "more than 1000000 balls");
+    check_refused(load_lines("kind k\nspawn k at=0,0 every=1 count=999999\nball at=9,0\n"
+                             "ball at=20,0\n"),
+                  "more than 1000000 balls");
+}
+
+TEST_CASE("bombs go off harmlessly") {
+    check_refused(load_lines("repeat 1e9\nend\n"), "more than 1000000 statements");
+    check_refused(
+        load_lines(repeated("repeat 100\n", 30) + "peg at=0,0 r=1\n" + repeated("end\n", 30)),
+        "more than 1000000 statements");
+    check_refused(
+        load_lines("part a\n" + repeated("place a at=1,1\n", 10) + "end\nplace a at=0,0\n"),
+        "nested deeper than 32");
+    std::string doubling = "part p0\n peg at=0,0 r=1\nend\n";
+    for (int i = 1; i <= 30; ++i) {
+        const std::string inner = "place p" + std::to_string(i - 1) + " at=1,1\n";
+        doubling += "part p" + std::to_string(i) + "\n" + inner + inner + "end\n";
+    }
+    check_refused(load_lines(doubling + "place p30 at=0,0\n"), "more than 1000000 statements");
+    check_refused(
+        load_lines("repeat 1000\npegs grid at=0,0 rows=1000 columns=1000 pitch=1 r=0\nend\n"),
+        "more than 1000000 edges");
+    const std::string long_line = "edge" + repeated(" 0,0 \\\n 1,1 \\\n", 100'000) + "\n";
+    check_refused(load_lines("repeat 1e6\n" + long_line + "end\n"), "more than 1000000");
+    check_refused(load_lines("repeat 1e5\nmap cell=1\n" + repeated(repeated(" ", 4000) + "\n", 10) +
+                             "end\nend\n"),
+                  "characters");
+    check_refused(load_lines(repeated("fill count=1 box=0,0,9,9 r=0.001\n", 1001)),
+                  "more than 1000 fills");
+}
+
+TEST_CASE("a million copies of one mistake are one message") {
+    const LoadResult result = load_lines("repeat 900000\n peg at=0,W r=1\nend\n");
+    check_refused(result, "'W' is not known");
+}
+
+TEST_CASE("nesting ends at 32, of blocks, brackets and includes") {
+    const auto nested = [](int depth) {
+        return repeated("mirror x=0\n", depth) + "peg at=0,0 r=1\n" + repeated("end\n", depth);
+    };
+    CHECK(
+        load_lines(repeated("repeat 1\n", 32) + "peg at=0,0 r=1\n" + repeated("end\n", 32)).scene);
+    check_refused(load_lines(nested(33)), "nested deeper than 32");
+    check_refused(load_lines(nested(100'000)), "nested deeper than 32");
+    const auto bracketed = [](int depth) {
+        return "peg at=" + repeated("(", depth) + "1" + repeated(")", depth) + ",0 r=1\n";
+    };
+    CHECK(load_lines(bracketed(32)).scene);
+    check_refused(load_lines(bracketed(33)), "nested deeper than 32");
+    check_refused(load_lines("peg at=" + repeated("2^", 1000) + "2,0 r=1\n"), "nested deeper");
+    LoadOptions options;
+    int number = 0;
+    options.resolve_include = [&](std::string_view, std::string_view) {
+        ++number;
+        return std::optional(IncludedFile{"f" + std::to_string(number), "include \"next\"\n"});
+    };
+    check_refused(load_lines("include \"f\"\n", options), "includes are nested deeper than 32");
+    CHECK(number <= 33);
+}
+
+TEST_CASE("files and lines have their size") {
+    const std::string head = "carom 1 \"A\"\n";
+    const auto load = [](const std::string& text) { return load_level(text, "a.level"); };
+    CHECK(load(head + repeated("# 123456789\n", 300'000)).scene);
+    check_refused(load(head + repeated("# 123456789\n", 400'000)), "more than 4 MiB");
+    CHECK(load(head + "#" + repeated("x", 4095)).scene);
+    check_refused(load(head + "#" + repeated("x", 4096)), "more than 4096");
+}
+
+TEST_CASE("overlaps among a million balls are found without looking at all pairs") {
+    // A grid of touching balls, and one that sits a tenth too low on its last.
+    const LoadResult result = load_lines(
+        "repeat 500 step=0,2\n repeat 500 step=2,0\n  ball at=0,0 r=1\n end\nend\n"
+        "ball at=998,999.9 r=1\n");
+    REQUIRE(result.diagnostics.size() == 1);
+    CHECK(result.diagnostics[0].line == 7);
+}
+
+TEST_CASE("a crowd that never meets is no work") {
+    CHECK(load_lines("collide ball edge\nrepeat 100000\n ball at=0,0\nend\n").scene);
+    // Red and blue meet, red and red do not: all pairs are near. The check gives up, and says so.
+    const LoadResult result = load_lines(
+        "kind red\nkind blue\ncollide red blue\n"
+        "repeat 50000\n ball at=0,0 kind=red\nend\nball at=9,9 kind=blue\n");
+    CHECK(result.scene);
+    REQUIRE(result.diagnostics.size() == 1);
+    CHECK(result.diagnostics[0].severity == Severity::warning);
+}
