@@ -87,6 +87,13 @@ void build_bins(const Arguments& arguments, const Frame& frame, Context& context
 // One bin alone, as bins are made of: a capsule that counts the balls in it. Zones of one name
 // count as bins of that name.
 void build_zone(const Arguments& arguments, const Frame& frame, Context& context) {
+    if (context.draft.zones.size() >= max_items) {
+        context.reporter.error(arguments.node->keyword().span(),
+                               fmt::format("the level has more than {} zones", max_items),
+                               "make fewer of them");
+        context.is_full = true;
+        return;
+    }
     const Transform& t = frame.transform;
     Zone zone;
     zone.shape = {t.point(arguments.points[0]), t.point(arguments.points[1]),

@@ -22,7 +22,7 @@ std::optional<Call> call_of(const Word& word) {
 }
 
 std::string_view bins_name(const EdgeNaming& naming) {
-    return naming.plain.empty() ? std::string_view("bins") : naming.plain.front().text;
+    return naming.plain.empty() ? naming.node->statement->name : naming.plain.front().text;
 }
 
 Group& group_named(std::vector<Group>& groups,

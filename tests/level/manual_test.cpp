@@ -1,0 +1,93 @@
+#include <doctest/doctest.h>
+
+#include <set>
+
+#include "level/statements.h"
+#include "level/support/files.h"
+#include "level/text.h"
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+struct Example {
+    std::string text;
+    int line = 0;
+};
+
+std::string manual() {
+    return read_file(std::filesystem::path(CAROM_SOURCE_DIR) / "docs/levels.md");
+}
+
+// The blocks that are fenced with ```KIND.
+std::vector<Example> examples(std::string_view kind) {
+    const std::string text = manual();
+    std::vector<Example> found;
+    const std::string fence = "```" + std::string(kind);
+    bool is_inside = false;
+    int number = 0;
+    for (const std::string_view line : split_lines(text)) {
+        ++number;
+        if (is_inside && line == "```") {
+            is_inside = false;
+        } else if (is_inside) {
+            found.back().text += std::string(line) + "\n";
+        } else if (line == fence) {
+            is_inside = true;
+            found.push_back({"", number});
+        }
+    }
+    return found;
+}
+
+LoadOptions with_walls() {
+    LoadOptions options;
+    options.resolve_include = [](std::string_view, std::string_view path) {
+        CHECK(path == "walls.level");
+        return std::optional(IncludedFile{"walls.level", "box 0,0 100,60 r=1\n"});
+    };
+    return options;
+}
+
+}  // namespace
+
+TEST_CASE("every example of the manual loads without a word") {
+    const auto all = examples("carom");
+    CHECK(all.size() > 15);
+    for (const Example& example : all) {
+        const bool is_whole = example.text.substr(0, 5) == "carom";
+        const std::string text = (is_whole ? "" : "carom 1 \"Manual\"\n") + example.text;
+        const LoadResult result = load_level(text, "docs/levels.md", with_walls());
+        CAPTURE(example.line);
+        CHECK(rendered(result) == "");
+        CHECK(result.scene.has_value());
+    }
+}
+
+TEST_CASE("the manual has an example of every statement, and of every key") {
+    std::string all;
+    for (const Example& example : examples("carom"))
+        all += example.text;
+    const std::string text = manual();
+    for (const Statement& statement : statements()) {
+        CAPTURE(statement.name);
+        if (!statement.is_in_version) {
+            CHECK(text.find('`' + std::string(statement.name) + '`') != std::string::npos);
+            continue;
+        }
+        CHECK(("\n" + all).find("\n" + std::string(statement.name)) != std::string::npos);
+        for (const KeyRule& key : statement.keys) {
+            CAPTURE(key.name);
+            CHECK(text.find(std::string(key.name) + "=") != std::string::npos);
+        }
+        for (const std::string_view flag : statement.flags)
+            CHECK(all.find(std::string(flag)) != std::string::npos);
+    }
+}
+
+TEST_CASE("the grammar of the manual is that of the loader") {
+    const auto blocks = examples("grammar");
+    REQUIRE(blocks.size() == 1);
+    CHECK(blocks[0].text == grammar());
+}
