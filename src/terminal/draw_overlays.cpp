@@ -36,9 +36,10 @@ double round_spacing(double columns_per_length) {
     return power * (leading < 2.0 ? 1.0 : leading < 5.0 ? 2.0 : 5.0);
 }
 
-// A line with a head at its end.
+// A line with a head at its end, where samples are fine enough for one.
 void paint_arrow(Raster& raster, RasterPoint from, RasterPoint to, const Ink& ink) {
     raster.line(from, to, ink);
+    if (raster.sampling() == Sampling::halves) return;
     const double dx = to.x - from.x;
     const double dy = to.y - from.y;
     const double length = std::sqrt(dx * dx + dy * dy);
@@ -74,7 +75,9 @@ std::optional<Vec2> place_of_ball(const World& world, std::uint32_t ball) {
 
 void paint_grid(Raster& raster, const View& view) {
     const Ink ink = ink_of(Role::grid, view.options.look);
-    constexpr std::uint8_t faint = 110;
+    // The ink is faint; dots have no faint ink where there is no colour, so there are fewer of
+    // them.
+    const std::uint8_t faint = raster.sampling() == Sampling::dots ? 110 : 255;
     if (view.options.grid) {
         paint_lattice(raster, view, {}, round_spacing(view.camera.columns_per_length), ink, faint);
     }
@@ -90,10 +93,16 @@ void paint_velocities(Raster& raster, const View& view) {
     const double longest = std::clamp(raster.columns() / 8.0, 4.0, 12.0);
     const Balls& balls = view.world.balls;
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        const Vec2 arrow = balls.velocity[i] * (longest / view.memory.fastest);
-        if (!(length_squared(arrow) > 0.05)) continue;
+        const double speed = length(balls.velocity[i]);
+        const double long_by = speed / view.memory.fastest * longest;
+        if (!(long_by > 0.2) || !std::isfinite(speed)) continue;
+        // From the rim on, so that the ball stays in sight.
+        const Vec2 way = balls.velocity[i] / speed;
+        const double radius = balls.radius[i] * view.camera.columns_per_length;
         const RasterPoint center = to_raster(view.camera, balls.position[i]);
-        paint_arrow(raster, center, {center.x + arrow.x, center.y - arrow.y}, ink);
+        const double far = radius + long_by;
+        paint_arrow(raster, {center.x + radius * way.x, center.y - radius * way.y},
+                    {center.x + far * way.x, center.y - far * way.y}, ink);
     }
 }
 

@@ -370,6 +370,77 @@ TEST_CASE("a contact is a line between the two that met") {
           Drawing(40, 11).draw(scene, options).text());
 }
 
+TEST_CASE("a velocity is an arrow from the rim of its ball, as long as it is fast") {
+    Scene scene = table({{0, 0}, {40, 10}});
+    put_ball(scene, {4, 3}, 2.0, {6, 0});
+    put_ball(scene, {4, 8}, 1.0, {-3, 0});
+    put_ball(scene, {30, 5}, 1.0);
+    ViewOptions options = in(Renderer::ascii);
+    options.velocities = true;
+    CHECK(Drawing(41, 6).draw(scene, options).text() == R"(
+
+-{}~()
+
+  ./"\____;_                  ()
+  '\_/""""^"
+
+)");
+}
+
+TEST_CASE("a grid stands at round coordinates, and the broad phase where its cells are") {
+    Scene scene = table({{0, 0}, {30, 10}});
+    ViewOptions options = in(Renderer::ascii);
+    options.grid = true;
+    CHECK(Drawing(31, 6).draw(scene, options).text() == R"(
+|~~~~~~~~~|~~~~~~~~~|~~~~~~~~~|
+|         |         |         |
+|         |         |         |
+|         |         |         |
+|         |         |         |
+|~~~~~~~~~|~~~~~~~~~|~~~~~~~~~|
+)");
+    options.grid = false;
+    options.broad_phase = true;
+    Marks marks;
+    marks.broad_phase = CellGrid{{2, 1}, 6.0};
+    CHECK(Drawing(31, 6).draw(scene, options, marks).text() == R"(
+  |     |     |     |     |
+__|_____|_____|_____|_____|____
+""|"""""|"""""|"""""|"""""|""""
+  |     |     |     |     |
+__|_____|_____|_____|_____|____
+""|"""""|"""""|"""""|"""""|""""
+)");
+    // Cells too small to be told apart are not drawn.
+    marks.broad_phase = CellGrid{{2, 1}, 1.0};
+    CHECK(Drawing(31, 6).draw(scene, options, marks).text() == "\n\n\n\n\n\n\n");
+}
+
+TEST_CASE("trails lie behind balls and edges, and go when they are switched off") {
+    Scene scene = table({{0, 0}, {20, 10}});
+    put_ball(scene, {2, 5}, 1.0);
+    ViewOptions options = in(Renderer::ascii);
+    options.trails = true;
+    Drawing drawing(41, 6);
+    for (int step = 0; step < 8; ++step) {
+        scene.world.balls.position[0].x += 1.5;
+        ++scene.world.tick;
+        drawing.draw(scene, options);
+    }
+    CHECK(drawing.text() == R"(
+
+
+
+             ^^^^^^^^^^^()
+
+
+)");
+    options.trails = false;
+    drawing.draw(scene, options);
+    options.trails = true;
+    CHECK(drawing.draw(scene, options).text() == Drawing(41, 6).draw(scene, options).text());
+}
+
 TEST_CASE("marks show what the player does, by more than colour") {
     Scene scene = table({{0, 0}, {20, 10}});
     put_ball(scene, {10, 5}, 1.5);
