@@ -147,6 +147,21 @@ constexpr HelpGroup groups[] = {
     {Action::pan_left, Action::pan_down, "shift-arrows", "look elsewhere (or H J K L)"},
 };
 
+const HelpGroup* group_of(Action action) {
+    const auto* found = std::ranges::find_if(groups, [action](const HelpGroup& group) {
+        return group.first <= action && action <= group.last;
+    });
+    return found == std::end(groups) ? nullptr : found;
+}
+
+bool has_standard_keys(const KeyMap& keys, const HelpGroup& group) {
+    const KeyMap standard;
+    return std::ranges::all_of(rows, [&](const ActionRow& row) {
+        return row.action < group.first || group.last < row.action ||
+               keys.keys_of(row.action) == standard.keys_of(row.action);
+    });
+}
+
 const HelpSection mouse_help{
     "Mouse",
     {{"left", "drag a ball or an edge; the rest is the view"},
@@ -246,25 +261,21 @@ std::string KeyMap::hint(Action action) const {
 }
 
 std::vector<HelpSection> KeyMap::help() const {
-    const KeyMap standard_keys;
     std::vector<HelpSection> sections;
     for (const ActionRow& row : rows) {
         if (sections.empty() || sections.back().title != row.section)
             sections.push_back({std::string(row.section), {}});
-        const auto* group = std::ranges::find_if(groups, [&](const HelpGroup& g) {
-            return g.first <= row.action && row.action <= g.last;
-        });
-        const bool is_standard = keys_of(row.action) == standard_keys.keys_of(row.action);
-        if (group != std::end(groups) && is_standard) {
+        std::vector<KeyHelp>& lines = sections.back().keys;
+        if (const HelpGroup* group = group_of(row.action);
+            group && has_standard_keys(*this, *group)) {
             if (row.action == group->first)
-                sections.back().keys.push_back(
-                    {std::string(group->keys), std::string(group->help)});
+                lines.push_back({std::string(group->keys), std::string(group->help)});
             continue;
         }
         std::string keys;
         for (const Key& key : keys_of(row.action))
             keys += (keys.empty() ? "" : " ") + shown(key);
-        if (!keys.empty()) sections.back().keys.push_back({keys, std::string(row.help)});
+        if (!keys.empty()) lines.push_back({keys, std::string(row.help)});
     }
     sections.push_back(mouse_help);
     return sections;
