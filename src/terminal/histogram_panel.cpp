@@ -74,12 +74,12 @@ void draw_bars(Canvas& canvas, const CellArea& area, const std::vector<PictureBa
             for (int up = 0; up < area.rows; ++up) {
                 const int row = area.row + area.rows - 1 - up;
                 const double filled = is_gap ? 0.0 : height - up;
-                Cell cell{partial_block(filled, look.utf8), bar_ink.color, default_color,
-                          bar_ink.attributes};
+                // A full cell has the colour as its ground too: blocks leave seams in many fonts.
+                const bool is_full = filled >= 1.0 && look.has_colors() && look.utf8;
+                Cell cell{partial_block(filled, look.utf8), bar_ink.color,
+                          is_full ? bar_ink.color : default_color, bar_ink.attributes};
                 if (cell.glyph == U' ') cell = {};
                 if (bars[i].expected > 0.0 && up == curve_row) {
-                    cell.background =
-                        filled >= 1.0 && look.has_colors() ? bar_ink.color : default_color;
                     cell.glyph = level_line(curve - up, look.utf8);
                     cell.foreground = curve_ink.color;
                     cell.attributes = curve_ink.attributes;
