@@ -87,12 +87,22 @@ class MapBuilder {
         return c == "-" || c == "|" || c == "/" || c == "\\";
     }
 
+    bool joins(int row, int column) const {
+        const std::string_view c = drawing_.at(row, column);
+        return is_line(c) || is_joint(c);
+    }
+
+    // Draws nothing by itself, but lines beside it meet in its middle.
+    bool is_joint(std::string_view c) const { return c == "+" && !legends_.contains(c); }
+
     bool check_letters() {
         bool is_sound = true;
         for (int row = 0; row < drawing_.rows(); ++row) {
             for (int column = 0; column < drawing_.columns(); ++column) {
                 const std::string_view c = drawing_.at(row, column);
-                if (c == " " || c == "." || is_line(c) || legends_.contains(c)) continue;
+                if (c == " " || c == "." || is_line(c) || is_joint(c) || legends_.contains(c)) {
+                    continue;
+                }
                 is_sound = false;
                 const bool is_tab = c == "\t";
                 context_.reporter.error(
@@ -113,7 +123,7 @@ class MapBuilder {
 
     void build_cell(int row, int column) {
         const std::string_view c = drawing_.at(row, column);
-        if (c == " " || c == ".") return;
+        if (c == " " || c == "." || is_joint(c)) return;
         if (c == "-") return build_run(row, column, 0, 1, {0.5, 0.0}, {0.5, 1.0});
         if (c == "|") return build_run(row, column, 1, 0, {0.0, 0.5}, {1.0, 0.5});
         if (c == "/") return build_run(row, column, 1, -1, {0.0, 1.0}, {1.0, 0.0});
@@ -137,6 +147,10 @@ class MapBuilder {
             ++length;
         const int last_row = row + (length - 1) * down;
         const int last_column = column + (length - 1) * right;
+        // A line that runs into the cell of another one goes on to its middle: so they join.
+        const Vec2 half{0.5 * down, 0.5 * right};
+        if (joins(row - down, column - right)) from -= half;
+        if (joins(last_row + down, last_column + right)) to += half;
         add_edge(point(row + from.x, column + from.y), point(last_row + to.x, last_column + to.y),
                  std::nullopt, drawing_.span(row, column));
     }

@@ -316,15 +316,31 @@ TEST_CASE("a drawing becomes edges, balls and pegs") {
     const auto has = [&](const Capsule& wanted) {
         return std::ranges::count(world.capsules.shape, wanted) == 1;
     };
-    CHECK(has({{-9, 8}, {-9, 2}, 0}));    // three | joined
+    CHECK(has({{-9, 8}, {-9, 1}, 0}));    // three | joined
     CHECK(has({{-10, 1}, {6, 1}, 0}));    // eight - joined
     CHECK(has({{-3, 5}, {-3, 5}, 0.5}));  // *
-    CHECK(has({{-8, 4}, {-6, 2}, 0}));    // a backslash, and no continuation
-    CHECK(has({{4, 4}, {2, 2}, 0}));      // /
+    CHECK(has({{-8, 4}, {-5, 1}, 0}));    // a backslash, and no continuation
+    CHECK(has({{4, 4}, {1, 1}, 0}));      // /
     CHECK(has({{-4, 4}, {0, 4}, 0}));     // the roof of ##
     CHECK(has({{-4, 4}, {-4, 2}, 0}));    // its left wall
     CHECK(has({{0, 4}, {0, 2}, 0}));      // its right wall
     CHECK(has({{-4, 2}, {0, 2}, 0}));     // its floor
+}
+
+TEST_CASE("lines of a drawing meet in the cells that they run into") {
+    const Scene scene = load_clean(
+        "map cell=2\n"
+        "+--\n"
+        "| /\n"
+        "---\n"
+        "end\n");
+    const auto& shapes = scene.world.capsules.shape;
+    const auto has = [&](const Capsule& wanted) { return std::ranges::count(shapes, wanted) == 1; };
+    CHECK(shapes.size() == 4);
+    CHECK(has({{1, 5}, {6, 5}, 0}));  // - from the middle of +
+    CHECK(has({{1, 5}, {1, 1}, 0}));  // | from the middle of + to the - below
+    CHECK(has({{0, 1}, {6, 1}, 0}));
+    CHECK(has({{6, 4}, {3, 1}, 0}));  // / to the middle of the - below it on the left
 }
 
 TEST_CASE("collide says who meets") {
