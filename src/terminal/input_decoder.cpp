@@ -142,7 +142,7 @@ void InputDecoder::take_escape(unsigned char byte) {
             break;
     }
     if (byte == escape_byte) {
-        if (std::exchange(is_alt_, false)) emit(key_from_character(key::escape));
+        emit_escape_before();
         is_alt_ = true;
         bytes_ = '\033';
         return;
@@ -179,14 +179,17 @@ void InputDecoder::finish_csi() {
     if (sequence.prefix == 0 && sequence.final == '~' && sequence.number(0) == 200) {
         return begin(State::paste);
     }
+    if (const auto key = was_cut ? std::nullopt : keyboard_.from_sequence(sequence)) {
+        emit(*key);
+        return begin(State::ground);
+    }
+    emit_escape_before();
     if (was_cut) {
         // Too long for anything that is known.
     } else if (const auto answer = answer_in(sequence)) {
         decoded_.answers.push_back(*answer);
     } else if (const auto mouse = mouse_event(sequence, mouse_unit_)) {
         emit(*mouse);
-    } else if (const auto key = keyboard_.from_sequence(sequence)) {
-        emit(*key);
     }
     begin(State::ground);
 }
@@ -207,6 +210,7 @@ void InputDecoder::take_command(unsigned char byte) {
 }
 
 void InputDecoder::finish_command() {
+    emit_escape_before();
     const std::size_t terminator = bytes_.back() == '\\' ? 2 : 1;
     if (bytes_[1] == ']' && bytes_.size() < longest_command) {
         const auto body = std::string_view(bytes_).substr(2, bytes_.size() - 2 - terminator);
@@ -218,6 +222,7 @@ void InputDecoder::finish_command() {
 void InputDecoder::take_old_mouse() {
     constexpr std::size_t whole = 6;
     if (bytes_.size() < whole) return;
+    emit_escape_before();
     const auto value = [&](std::size_t i) { return int{static_cast<unsigned char>(bytes_[i])}; };
     const auto event = old_mouse_event(value(3), value(4), value(5), held_button_);
     if (event) emit(*event);
@@ -237,6 +242,11 @@ bool InputDecoder::take_from_table() {
     emit(*event);
     begin(State::ground);
     return true;
+}
+
+// ESC in front of what is no key was the Escape key: an answer or a report came right behind it.
+void InputDecoder::emit_escape_before() {
+    if (std::exchange(is_alt_, false)) emit(key_from_character(key::escape));
 }
 
 void InputDecoder::begin(State state) {

@@ -57,6 +57,7 @@ class InputDecoder {
     void finish_command();
     void begin(State state);
     void emit(InputEvent event);
+    void emit_escape_before();
 
     KeyTable keys_;
     Keyboard keyboard_;

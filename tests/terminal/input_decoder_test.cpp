@@ -224,6 +224,17 @@ TEST_CASE("the Escape key is told from the start of a sequence by what does not 
     CHECK(decoder.flush().events.size() == 2);
 }
 
+TEST_CASE("the Escape key is not lost to an answer or a report right behind it") {
+    for (const std::string_view behind :
+         {"\033[0n", "\033[<0;1;1M", "\033[M !!", "\033]11;rgb:0/0/0\007", "\033[?999;1$y"}) {
+        InputDecoder decoder;
+        const auto events = decoder.feed("\033" + std::string(behind)).events;
+        REQUIRE_FALSE(events.empty());
+        check_key(events[0], key_event(key::escape));
+        CHECK(decoder.pending() == InputDecoder::Pending::nothing);
+    }
+}
+
 TEST_CASE("what is not understood is swallowed whole") {
     const std::string_view unknown[] = {
         "\033[?1;2;3;4q",
