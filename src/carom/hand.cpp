@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "game/predict.h"
+
 namespace carom {
 namespace {
 
@@ -31,6 +33,14 @@ bool is_held_so(const World& world, const Command& command) {
         return held.id == hold.capsule && held.start_target == hold.start_target &&
                held.end_target == hold.end_target;
     });
+}
+
+/// How many ticks the aiming line looks ahead: a second and a half, or what a picture has time for.
+std::uint64_t foresight(const World& world) {
+    constexpr double seconds = 1.5;
+    constexpr double most_ball_ticks = 20000.0;
+    const double balls = static_cast<double>(world.balls.size()) + 1.0;
+    return static_cast<std::uint64_t>(std::min(seconds * world.rate, most_ball_ticks / balls));
 }
 
 }  // namespace
@@ -147,7 +157,8 @@ void Hand::prepare(Session& session) {
         if (!holds_edge(held.id)) session.apply(command::DropCapsule{held.id});
 }
 
-void Hand::mark(const World& world, std::string_view unit, Marks& marks) const {
+void Hand::mark(const World& world, const SolverSettings& solver, std::string_view unit,
+                Marks& marks) const {
     if (const auto* held = std::get_if<BallInHand>(&state_)) {
         marks.selected_ball = held->ball;
     } else if (const auto* edges = std::get_if<EdgesInHand>(&state_)) {
@@ -156,8 +167,11 @@ void Hand::mark(const World& world, std::string_view unit, Marks& marks) const {
         marks.selected_ball = cue->ball;
         const auto ball = place_of(world, cue->ball);
         if (!ball) return;
-        const double speed = length(cue_velocity(world, *ball, cue->at));
+        const Vec2 velocity = cue_velocity(world, *ball, cue->at);
+        const double speed = length(velocity);
         marks.cue = CueLine{*ball, cue->at, fmt::format("{:.3g}{}", speed, unit)};
+        if (speed > 0.0)
+            marks.path = predicted_path(world, solver, cue->ball, velocity, foresight(world));
     } else if (const auto* edge = std::get_if<NewEdge>(&state_)) {
         marks.new_capsule = edge->shape;
     }

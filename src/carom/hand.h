@@ -49,8 +49,10 @@ class Hand {
     /// by nobody (after a rewind, or when a session is taken up again).
     void prepare(Session& session);
 
-    /// What the player should see of it; `unit` is put behind the speed of the cue.
-    void mark(const World& world, std::string_view unit, Marks& marks) const;
+    /// What the player should see of it; `unit` is put behind the speed of the cue. With the cue
+    /// in the hand also where the ball would go, as far as that is quickly found.
+    void mark(const World& world, const SolverSettings& solver, std::string_view unit,
+              Marks& marks) const;
 
   private:
     struct Nothing {};

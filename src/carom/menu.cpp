@@ -139,7 +139,8 @@ Menu::Choice Menu::handle_key(const InputEvent& event) {
         default:
             break;
     }
-    const bool is_character = event.key > U' ' && event.key < 0x110000 && event.key != 0x7f &&
+    const char32_t least = search_.empty() ? U' ' + 1 : U' ';
+    const bool is_character = event.key >= least && event.key < 0x110000 && event.key != 0x7f &&
                               !(event.modifiers & (control | alt));
     if (is_character && is_one_column(event.key)) {
         std::string text = search_;

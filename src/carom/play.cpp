@@ -65,15 +65,17 @@ void run(Program& program, Screen& screen, const PacingOptions& pacing_options) 
         const double now = seconds_now();
         const double deadline = now + share_of_ticks * frame;
         // A player who sees nothing does not lose the game for it.
-        const double passed = pacing.is_stalled(now) ? 0.0 : std::min(now - last, longest_gap);
+        const bool is_stalled = pacing.is_stalled(now);
+        const double passed = is_stalled ? 0.0 : std::min(now - last, longest_gap);
         last = now;
         program.advance(passed, now, [&] { return seconds_now() < deadline; });
 
         bool is_late = false;
-        if (program.needs_draw()) {
+        if (program.needs_draw() || is_stalled) {
             const double drawing = seconds_now();
             is_late = !pacing.may_draw(drawing, input_came);
             if (!is_late) {
+                if (is_stalled) screen.redraw();  // so that there is something to answer
                 Canvas canvas(screen.capabilities().columns, screen.capabilities().rows);
                 program.draw(canvas);
                 const std::size_t bytes = screen.show(canvas, FrameEnd::asks);

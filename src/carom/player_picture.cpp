@@ -79,7 +79,7 @@ Marks Player::marks() const {
     const World& world = session_.world();
     if (selected_ && index_of(world, *selected_)) marks.selected_ball = selected_;
     if (shows_cursor_) marks.cursor = pointer_;
-    hand_.mark(world, speed_unit(), marks);
+    hand_.mark(world, session_.solver(), speed_unit(), marks);
     if (view_.broad_phase && world.balls.size() > 0) {
         const CellFrame frame = frame_around(world, 2.0 * largest_radius(world.balls));
         marks.broad_phase = CellGrid{frame.origin, frame.cell.x};

@@ -94,8 +94,10 @@ TEST_CASE("the cue shoots away from the hand, faster the longer the pull") {
     const Vec2 from = ball(game, 4);
     hand.move(game, from + Vec2{-2.0, -1.0}, true);
     Marks marks;
-    hand.mark(game.world(), " m/s", marks);
+    hand.mark(game.world(), game.solver(), " m/s", marks);
     REQUIRE(marks.cue);
+    REQUIRE(marks.path.size() > 10);
+    CHECK(marks.path[5].x > marks.path[0].x);
     CHECK(marks.cue->speed == "11.2 m/s");
     hand.open(game);
     CHECK(game.world().balls.velocity[4] == Vec2{2.0, 1.0} * Hand::cue_gain);
