@@ -141,6 +141,12 @@ double energy(const Totals& sums) {
     return sums.kinetic_energy + sums.potential_energy;
 }
 
+// ", or +1.2e-13 of it": what is left of the drift when both numbers look the same.
+std::string change_of(double start, double end) {
+    if (start == 0.0 || start == end) return {};
+    return fmt::format(", or {:+.1e} of it", (end - start) / std::abs(start));
+}
+
 // "substep updates=4 steps=15", as the level would write it.
 std::string written(const SolverSettings& solver) {
     switch (solver.kind) {
@@ -200,13 +206,13 @@ std::string summary(const Scene& scene, const World& world, const RunRecord& rec
         "{} s simulated in {} ticks by {}, in {:.3g} s\n"
         "balls       {} now, {} removed\n"
         "collisions  {} of balls, {} with edges\n"
-        "energy      {:.6g} at the start, {:.6g} now\n"
+        "energy      {:.6g} at the start, {:.6g} now{}\n"
         "overlap     {:.3g} at most\n"
         "fingerprint {}\n",
         scene.title.empty() ? scene.file : scene.title, world.time(), world.tick,
         written(record.solver), seconds, world.balls.size(), world.removed.size(),
-        world.ball_ball_collisions, world.ball_edge_collisions, start, end, record.max_overlap,
-        hexadecimal(fingerprint(world)));
+        world.ball_ball_collisions, world.ball_edge_collisions, start, end, change_of(start, end),
+        record.max_overlap, hexadecimal(fingerprint(world)));
 }
 
 std::string verdicts(const Scene& scene, const RunRecord& record, Verdict verdict) {
