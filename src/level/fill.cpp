@@ -112,7 +112,7 @@ class Placing {
     Placing(const FillDraft& fill, const Obstacles& obstacles, const Chance& chance,
             std::vector<FilledBall>& balls)
         : fill_(fill),
-          obstacles_(obstacles),
+
           chance_(chance),
           balls_(balls),
           tree_(boxes_near(obstacles, fill.box)) {
@@ -213,7 +213,6 @@ class Placing {
     }
 
     const FillDraft& fill_;
-    const Obstacles& obstacles_;
     const Chance& chance_;
     std::vector<FilledBall>& balls_;
     BoxTree tree_;

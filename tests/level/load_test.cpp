@@ -319,8 +319,8 @@ TEST_CASE("a drawing becomes edges, balls and pegs") {
     CHECK(has({{-9, 8}, {-9, 1}, 0}));    // three | joined
     CHECK(has({{-10, 1}, {6, 1}, 0}));    // eight - joined
     CHECK(has({{-3, 5}, {-3, 5}, 0.5}));  // *
-    CHECK(has({{-8, 4}, {-5, 1}, 0}));    // a backslash, and no continuation
-    CHECK(has({{4, 4}, {1, 1}, 0}));      // /
+    CHECK(has({{-9, 5}, {-5, 1}, 0}));    // a backslash, from the | to the -
+    CHECK(has({{5, 5}, {1, 1}, 0}));      // / between the same
     CHECK(has({{-4, 4}, {0, 4}, 0}));     // the roof of ##
     CHECK(has({{-4, 4}, {-4, 2}, 0}));    // its left wall
     CHECK(has({{0, 4}, {0, 2}, 0}));      // its right wall
