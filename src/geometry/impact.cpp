@@ -27,9 +27,9 @@ std::optional<double> time_to_reach(Vec2 offset, Vec2 velocity, double reach, do
 }
 
 // The impact with the long sides of a capsule that has length: none where the path meets an end
-// first.
+// first. The caller says whether they touch, so that rounding cannot make a gap of a touch.
 std::optional<Impact> side_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
-                                  double horizon) {
+                                  bool touching, double horizon) {
     const Vec2 span = capsule.end - capsule.start;
     const double whole = length(span);
     const Vec2 along = span / whole;
@@ -40,7 +40,8 @@ std::optional<Impact> side_impact(const Disc& disc, Vec2 velocity, const Capsule
     const double up = height > 0.0 ? 1.0 : -1.0;
     const double sinking = -rise * up;
     if (!(sinking > 0.0)) return std::nullopt;
-    const double gap = std::max(0.0, height * up - (disc.radius + capsule.radius));
+    const double reach = disc.radius + capsule.radius;
+    const double gap = touching ? 0.0 : std::max(0.0, height * up - reach);
     const double time = gap / sinking;
     if (!(time <= horizon)) return std::nullopt;
     const double place = dot(along, offset) + dot(along, velocity) * time;
@@ -74,15 +75,12 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsul
     const double reach = disc.radius + capsule.radius;
     const bool touching = length_squared(offset) <= reach * reach;
     if (place > 0.0 && place < 1.0) {
-        const auto side = side_impact(disc, velocity, capsule, touching ? 0.0 : horizon);
+        const auto side = side_impact(disc, velocity, capsule, touching, horizon);
         if (side || touching || is_leaving(disc, velocity, capsule)) return side;
     } else {
         if (dot(offset, velocity) >= 0.0) return std::nullopt;
-        if (touching) {
-            const Vec2 end = place == 0.0 ? capsule.start : capsule.end;
-            return first_impact(disc, velocity, Disc{end, capsule.radius}, 0.0);
-        }
-        if (const auto side = side_impact(disc, velocity, capsule, horizon)) return side;
+        if (touching) return Impact{0.0, direction(offset, {})};
+        if (const auto side = side_impact(disc, velocity, capsule, false, horizon)) return side;
     }
     const auto at_start = first_impact(disc, velocity, start_cap, horizon);
     const auto at_end = first_impact(disc, velocity, Disc{capsule.end, capsule.radius}, horizon);
