@@ -123,6 +123,7 @@ void Player::release(const InputEvent& event) {
     // Some terminals do not say which button was let go.
     if (!pressed_ || (event.button != 0 && event.button != *pressed_)) return;
     pressed_.reset();
+    if (!follows_) selected_.reset();
     if (const auto complaint = hand_.open(session_)) complain(*complaint);
     set_reference();
 }

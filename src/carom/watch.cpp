@@ -21,7 +21,7 @@ std::uint64_t hash_of(const std::string& text) {
 
 FileWatch::FileWatch(std::vector<std::string> paths) {
     std::ranges::sort(paths);
-    paths.erase(std::ranges::unique(paths).begin(), paths.end());
+    paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
     for (std::string& path : paths) {
         files_.push_back({std::move(path), {}, 0});
         renew(files_.back());
