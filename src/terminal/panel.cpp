@@ -72,7 +72,8 @@ std::vector<std::string> wrapped(std::string_view text, int columns) {
             if (blank != std::string_view::npos && blank > 0) line = line.substr(0, blank);
         }
         text.remove_prefix(line.size());
-        while (line.ends_with(' ')) line.remove_suffix(1);
+        while (line.ends_with(' '))
+            line.remove_suffix(1);
         lines.emplace_back(line);
         while (!text.empty() && text.front() == ' ')
             text.remove_prefix(1);
