@@ -16,28 +16,26 @@ namespace {
 /// A line is broken after this many points.
 constexpr std::size_t points_a_line = 6;
 
-/// The number near `guess` of which `f` is exactly `value`; the guess where there is none within a
-/// few units in the last place (then `value` did not come from f).
-template <typename F>
-double inverse_of(double value, double guess, F f) {
+/// The mass whose inverse this is. Exact, since it is the inverse of some mass: 1/(1/(1/m)) has the
+/// bits of 1/m.
+double mass_of(double inverse_mass) {
+    return 1.0 / inverse_mass;
+}
+
+/// Degrees that the loader turns into exactly these radians: within a few units in the last place
+/// of the obvious ones.
+double degrees_of(double radians) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double guess = radians * 180.0 / pi;
     double below = guess;
     double above = guess;
     for (int i = 0; i < 8; ++i) {
-        if (f(below) == value) return below;
-        if (f(above) == value) return above;
+        if (below * pi / 180.0 == radians) return below;
+        if (above * pi / 180.0 == radians) return above;
         below = std::nextafter(below, -infinity);
         above = std::nextafter(above, infinity);
     }
     return guess;
-}
-
-double mass_of(double inverse_mass) {
-    return inverse_of(inverse_mass, 1.0 / inverse_mass, [](double m) { return 1.0 / m; });
-}
-
-double degrees_of(double radians) {
-    return inverse_of(radians, radians * 180.0 / pi, [](double d) { return d * pi / 180.0; });
 }
 
 class LevelWriter {

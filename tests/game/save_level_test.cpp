@@ -79,7 +79,7 @@ use gravity 0,-9.81
 use drag 0.1
 use stop 0.001
 use limit 300
-use scatter 20
+use scatter 40.471194469094584
 kind heavy r=1.5 m=7.7 e=0.9
 kind light r=0.5 density=0.1
 material wood e=0.8 soften=0.25
