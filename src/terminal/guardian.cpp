@@ -114,9 +114,10 @@ int run_guarded(const std::function<int()>& play, const std::string& resume_hint
     if (is_restoration_armed() || WIFSIGNALED(status)) restore_after_death();
     if (!WIFSIGNALED(status)) return WEXITSTATUS(status);
     const int signal = WTERMSIG(status);
-    fmt::print(stderr, "carom: the game was ended by signal {} ({})\n", signal, strsignal(signal));
-    if (!resume_hint.empty()) fmt::print(stderr, "{}\n", resume_hint);
-    std::fflush(stderr);
+    std::string message =
+        fmt::format("carom: the game was ended by signal {} ({})\n", signal, strsignal(signal));
+    if (!resume_hint.empty()) message += resume_hint + '\n';
+    std::fputs(message.c_str(), stderr);  // which may be gone, and that is no fault
     return die_of(signal);
 }
 

@@ -49,10 +49,6 @@ bool is_utf8_locale() {
     return std::string_view(nl_langinfo(CODESET)) == "UTF-8";
 }
 
-bool ends_the_game(int signal) {
-    return signal == SIGINT || signal == SIGQUIT || signal == SIGTERM || signal == SIGHUP;
-}
-
 bool is_control_key(const InputEvent& event, char32_t key) {
     return event.kind == InputEvent::Kind::key && event.key == key &&
            (event.modifiers & control) != 0;
@@ -120,6 +116,7 @@ bool Screen::State::send(std::string_view bytes) {
 
 void Screen::State::hang_up() {
     if (std::exchange(is_gone, true)) return;
+    signals.expect_hangup();
     waiting.push_back(event_of(InputEvent::Kind::hangup));
 }
 
@@ -295,8 +292,11 @@ bool Screen::State::wait_once(double seconds) {
         return true;
     }
     idle = 0.0;
-    if (sources[1].revents != 0) take_signals();
-    if (sources[0].revents != 0) take_input();
+    if (sources[1].revents != 0) {
+        take_signals();  // which may read the terminal, so that it is to be asked afresh
+    } else {
+        take_input();
+    }
     return true;
 }
 

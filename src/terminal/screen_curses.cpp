@@ -77,8 +77,8 @@ std::variant<Curses, std::string> Curses::start(const char* term, int most_color
     }
     constexpr const char* common = "xterm-256color";
     const bool is_named = term != nullptr && *term != '\0';
-    if (is_named) state->screen = newterm(term, state->output, stdin);
-    if (state->screen == nullptr) state->screen = newterm(common, state->output, stdin);
+    const char* const used = is_named && is_described(term) ? term : common;
+    if (is_described(used)) state->screen = newterm(used, state->output, stdin);
     if (state->screen == nullptr) {
         return fmt::format(
             "the terminal '{}' is not known here: set TERM to one that is, such as vt100, or "
@@ -90,7 +90,7 @@ std::variant<Curses, std::string> Curses::start(const char* term, int most_color
         return fmt::format(
             "the terminal '{}' cannot place characters: set TERM to what it really is, such as "
             "xterm-256color or vt100",
-            is_named ? term : common);
+            used);
     }
     raw();
     noecho();

@@ -13,17 +13,36 @@ namespace {
 
 constexpr std::array caught{SIGWINCH, SIGINT, SIGQUIT, SIGTERM, SIGHUP, SIGTSTP, SIGCONT};
 std::array<struct sigaction, caught.size()> actions_before;
+std::array<volatile sig_atomic_t, caught.size()> has_come;
 std::array<int, 2> pipe_ends{-1, -1};
+
+void note(int signal) {
+    for (std::size_t i = 0; i < caught.size(); ++i) {
+        if (caught[i] == signal) has_come[i] = 1;
+    }
+}
 
 void on_signal(int signal) {
     const int errno_before = errno;
+    note(signal);
     const char byte = static_cast<char>(signal);
     // A full pipe holds news enough.
     [[maybe_unused]] const ssize_t written = write(pipe_ends[1], &byte, 1);
     errno = errno_before;
 }
 
+void ignore(int signal) {
+    struct sigaction action {};
+    action.sa_handler = SIG_IGN;
+    sigemptyset(&action.sa_mask);
+    sigaction(signal, &action, nullptr);
+}
+
 }  // namespace
+
+bool ends_the_game(int signal) {
+    return signal == SIGINT || signal == SIGQUIT || signal == SIGTERM || signal == SIGHUP;
+}
 
 ScreenSignals::ScreenSignals() {
     if (pipe(pipe_ends.data()) == 0) {
@@ -46,12 +65,20 @@ ScreenSignals::ScreenSignals() {
 
 ScreenSignals::~ScreenSignals() {
     for (std::size_t i = 0; i < caught.size(); ++i) {
-        sigaction(caught[i], &actions_before[i], nullptr);
+        if (ends_the_game(caught[i]) && has_come[i] != 0) {
+            ignore(caught[i]);
+        } else {
+            sigaction(caught[i], &actions_before[i], nullptr);
+        }
     }
     for (int& end : pipe_ends) {
         if (end >= 0) ::close(end);
         end = -1;
     }
+}
+
+void ScreenSignals::expect_hangup() {
+    note(SIGHUP);
 }
 
 int ScreenSignals::handle() const {

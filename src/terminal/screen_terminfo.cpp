@@ -3,9 +3,13 @@
 #define NCURSES_NOMACROS 1
 #include <curses.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <array>
 #include <string_view>
+
+// Last, for it defines macros with names of everyday words.
+#include <term.h>
 
 namespace carom {
 namespace {
@@ -75,6 +79,13 @@ std::string unpadded(const char* text) {
 
 }  // namespace
 
+bool is_described(const char* term) {
+    int problem = 0;
+    if (setupterm(term, STDOUT_FILENO, &problem) == ERR) return false;
+    del_curterm(set_curterm(nullptr));
+    return true;
+}
+
 bool has_capability(const char* name) {
     return capability(name) != nullptr;
 }
@@ -100,8 +111,8 @@ KeyTable described_keys() {
 }
 
 std::string farewell_bytes(int rows) {
-    const std::string bytes = unpadded(capability("sgr0")) + unpadded(capability("op")) +
-                              unpadded(capability("cnorm"));
+    const std::string bytes =
+        unpadded(capability("sgr0")) + unpadded(capability("op")) + unpadded(capability("cnorm"));
     const char* const other_screen = capability("rmcup");
     if (other_screen != nullptr) return bytes + unpadded(other_screen);
     return bytes + unpadded(tiparm(capability("cup"), rows - 1, 0)) + "\r\n";

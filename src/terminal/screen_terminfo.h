@@ -4,8 +4,13 @@
 
 #include "terminal/keyboard.h"
 
-/// What the terminal's description (terminfo) says, once ncurses has found it.
+/// What the terminal's description (terminfo) says. All but is_described() need
+/// ncurses to have started.
 namespace carom {
+
+/// Whether there is a description of this terminal. (newterm() loses memory over one that is not
+/// known.)
+bool is_described(const char* term);
 
 /// Whether it has this string, by its short name, such as "cup".
 bool has_capability(const char* name);

@@ -177,14 +177,21 @@ void TerminalProgram::settle(double seconds) {
     }
 }
 
+bool TerminalProgram::has_ended() {
+    int status = 0;
+    if (!end_ && waitpid(process_, &status, WNOHANG) == process_) end_ = status;
+    return end_.has_value();
+}
+
+std::optional<int> TerminalProgram::wait_for_end_unread(double seconds) {
+    for (const double end = now() + seconds; !has_ended() && now() < end;) {
+        usleep(10'000);
+    }
+    return end_;
+}
+
 std::optional<int> TerminalProgram::wait_for_end(double seconds) {
-    wait_until(
-        [&] {
-            int status = 0;
-            if (!end_ && waitpid(process_, &status, WNOHANG) == process_) end_ = status;
-            return end_.has_value();
-        },
-        seconds);
+    wait_until([&] { return has_ended(); }, seconds);
     if (end_) settle(0.02);
     return end_;
 }

@@ -51,6 +51,8 @@ class TerminalProgram {
     void settle(double seconds = 0.1);
     /// As waitpid() gives it; none: it still runs.
     std::optional<int> wait_for_end(double seconds = 10.0);
+    /// The same, with the terminal reading nothing meanwhile, like one that is stuck.
+    std::optional<int> wait_for_end_unread(double seconds);
     std::optional<int> exit_status();  ///< of one that has returned
 
     const Emulator& screen() const { return emulator_; }
@@ -67,6 +69,7 @@ class TerminalProgram {
   private:
     bool pump(double seconds);
     void flush_input();
+    bool has_ended();
 
     int terminal_ = -1;
     int log_pipe_ = -1;

@@ -177,6 +177,9 @@ int show_random(Screen& screen, int count) {
         }
         if (random(50) == 0) screen.redraw();
         screen.show(canvas);
+        for (const InputEvent& event : screen.wait(0.0)) {
+            if (event.kind == InputEvent::Kind::end) return 7;
+        }
     }
     for (int row = 0; row < canvas.rows(); ++row) {
         for (int column = 0; column < canvas.columns(); ++column) {
