@@ -161,9 +161,9 @@ TEST_CASE("a type name in a header stands for one type") {
         for (const std::string& line : source.lines) {
             const std::string type = defined_type(line);
             if (type.empty()) continue;
-            const auto [entry, is_new] = defined_in.emplace(type, source.name);
-            INFO(type, " stands in ", entry->second, " and in ", source.name);
-            CHECK(is_new);
+            const auto stored = defined_in.emplace(type, source.name);
+            INFO(type, " stands in ", stored.first->second, " and in ", source.name);
+            CHECK(stored.second);
         }
     }
 }
