@@ -219,6 +219,7 @@ void Menu::draw(Canvas& canvas, double aspect, const ViewOptions& view) {
     const std::string footer = search_.empty() ? "enter plays   type to search   q quits"
                                                : fmt::format("search: {}   esc clears", search_);
     draw_menu(canvas, all, selected_, footer, view.look);
+    if (all.empty()) canvas.write(2, 2, search_.empty() ? "no levels here" : "nothing matches");
     const MenuItem* item = selected();
     if (!item || item->path != pictured_ || !picture_) return;
     const CellArea area = menu_picture_area(columns_, rows_, all, selected_);

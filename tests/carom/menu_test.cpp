@@ -69,6 +69,7 @@ TEST_CASE("typing searches names and titles") {
     CHECK(visitor.look().find("search: Id") != std::string::npos);
     visitor.key(U'q');
     CHECK(visitor.selected() == "");
+    CHECK(visitor.look().find("nothing matches") != std::string::npos);
     CHECK(std::holds_alternative<std::monostate>(visitor.key(key::enter)));
     visitor.look();
     visitor.key(key::backspace);
