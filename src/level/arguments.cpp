@@ -1,130 +1,14 @@
+#include "level/arguments.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "level/context.h"
+#include "level/numbers.h"
 #include "level/spelling.h"
 
 namespace carom {
 namespace {
-
-// Beyond these, squares and fourth powers in the physics would overflow or vanish.
-constexpr double largest_quantity = 1e18;
-constexpr double smallest_positive = 1e-18;
-
-// "r=", "rate ", or nothing.
-std::string lead_of(const Label& label) {
-    return label.name.empty() || label.joint.empty() ? ""
-                                                     : fmt::format("{}{}", label.name, label.joint);
-}
-
-std::string remedy_for(const Label& label, Measure measure, const Context& context) {
-    return fmt::format("write {}, such as {}{}", described(measure), lead_of(label),
-                       sample(measure, context.unit));
-}
-
-// The world's number, or a message that names both what is there and what is wanted.
-std::optional<double> converted(const Word& word, const Value& value, const Label& label,
-                                Measure measure, Context& context) {
-    if (context.is_unit_unknown) return value.number;
-    const Dimension wanted = dimension_of(measure);
-    if (measure == Measure::result) return value.number;
-    if (context.unit == LengthUnit::natural) {
-        if (value.is_bare()) return value.number;
-        const Dimension& d = value.dimension;
-        if (d.angle == wanted.angle && d.time == wanted.time) return value.number;
-        context.reporter.error(word.span(),
-                               fmt::format("{} is {}, {} is wanted", word.text,
-                                           described(value.dimension), described(measure)),
-                               remedy_for(label, measure, context));
-        return std::nullopt;
-    }
-    if (value.dimension == wanted || (value.is_bare() && value.number == 0.0)) {
-        return value.number;
-    }
-    if (value.is_bare()) {
-        if (measure == Measure::length) return value.number * scale(context.unit);
-        if (measure == Measure::angle || measure == Measure::soften ||
-            measure == Measure::frequency) {
-            return value.number;
-        }
-        context.reporter.error(
-            word.span(), fmt::format("{} has no unit, {} is wanted", word.text, described(measure)),
-            fmt::format("write it with its unit, such as {}{}", lead_of(label),
-                        sample(measure, context.unit)));
-        return std::nullopt;
-    }
-    context.reporter.error(word.span(),
-                           fmt::format("{} is {}, {} is wanted", word.text,
-                                       described(value.dimension), described(measure)),
-                           remedy_for(label, measure, context));
-    return std::nullopt;
-}
-
-bool holds(double number, Bound bound) {
-    switch (bound) {
-        case Bound::not_negative:
-            return number >= 0.0;
-        case Bound::positive:
-            return number > 0.0;
-        case Bound::share:
-            return number >= 0.0 && number <= 1.0;
-        case Bound::up_to_thousand:
-            return number >= 1.0 && number <= 1000.0;
-        case Bound::any:
-            break;
-    }
-    return true;
-}
-
-std::string_view demand(Bound bound) {
-    switch (bound) {
-        case Bound::not_negative:
-            return "must not be negative";
-        case Bound::positive:
-            return "must be more than 0";
-        case Bound::share:
-            return "must be from 0 to 1";
-        case Bound::up_to_thousand:
-            return "must be from 1 to 1000";
-        case Bound::any:
-            break;
-    }
-    return "";
-}
-
-// Every number of a level passes here. The remedy shows the author's own number, mended.
-std::optional<double> bounded(const Word& word, double number, const Label& label, Measure measure,
-                              Bound bound, Context& context) {
-    const std::string subject(label.name.empty() ? described(measure) : std::string(label.name));
-    const std::string shown = written(number, measure, context.unit);
-    if (measure == Measure::whole && std::floor(number) != number) {
-        context.reporter.error(word.span(),
-                               fmt::format("{} must be a whole number, but is {}", subject, shown),
-                               remedy_for(label, measure, context));
-        return std::nullopt;
-    }
-    if (!holds(number, bound)) {
-        const std::string mended =
-            bound == Bound::share ? "0.8" : written(-number, measure, context.unit);
-        std::string remedy = remedy_for(label, measure, context);
-        if (number < 0.0 && bound != Bound::up_to_thousand) {
-            remedy =
-                fmt::format("write {}, such as {}{}", described(measure), lead_of(label), mended);
-        }
-        context.reporter.error(
-            word.span(), fmt::format("{} {}, but is {}", subject, demand(bound), shown), remedy);
-        return std::nullopt;
-    }
-    const bool is_too_small = bound == Bound::positive && number < smallest_positive;
-    if (std::abs(number) > largest_quantity || is_too_small) {
-        context.reporter.error(word.span(), fmt::format("{} is out of range: {}", subject, shown),
-                               "quantities go from 1e-18 to 1e18");
-        return std::nullopt;
-    }
-    return number;
-}
 
 // Sorts the words of one statement into what they are.
 class Reading {
@@ -202,47 +86,13 @@ class Reading {
 
     void read_point(const Word& word) {
         const std::optional<Vec2> point =
-            read_pair(word, "", statement().point_measure, Bound::any);
+            read_pair(word, "", statement().point_measure, Bound::any, scope_, context_);
         if (!point) {
             result_.is_sound = false;
             return;
         }
         result_.points.push_back(*point);
         result_.point_words.push_back(word);
-    }
-
-    std::optional<Vec2> read_pair(const Word& word, std::string_view name, Measure measure,
-                                  Bound bound) {
-        const std::vector<Word> pieces = split_outside_brackets(word, ",");
-        if (!are_brackets_closed(word)) return std::nullopt;
-        if (pieces.size() != 2) {
-            mistake(word.span(), numbers_wanted(pieces.size(), 2),
-                    fmt::format("write {}{}x,y without spaces", name, name.empty() ? "" : "="));
-            return std::nullopt;
-        }
-        const Label label{name, ""};
-        const auto x = read_number(pieces[0], label, measure, bound, scope_, context_);
-        const auto y = read_number(pieces[1], label, measure, bound, scope_, context_);
-        if (!x || !y) return std::nullopt;
-        return Vec2{*x, *y};
-    }
-
-    static std::string numbers_wanted(std::size_t there, int wanted) {
-        return fmt::format("{} {} here, {} are wanted", there,
-                           there == 1 ? "number stands" : "numbers stand", wanted);
-    }
-
-    // An open bracket hides the commas behind it: that is the mistake, not their number.
-    bool are_brackets_closed(const Word& word) {
-        std::vector<std::size_t> open;
-        for (std::size_t i = 0; i < word.text.size(); ++i) {
-            if (word.text[i] == '(') open.push_back(i);
-            if (word.text[i] == ')' && !open.empty()) open.pop_back();
-        }
-        if (open.empty()) return true;
-        mistake(word.part(open.back(), 1).span(), "the ')' is missing",
-                "arithmetic is written without spaces: (W-2*R)/2");
-        return false;
     }
 
     void read_key(const Word& word, std::size_t equals) {
@@ -308,7 +158,8 @@ class Reading {
                 return number.has_value();
             }
             case Form::pair: {
-                const auto pair = read_pair(value, key.name, key.measure, key.bound);
+                const auto pair =
+                    read_pair(value, key.name, key.measure, key.bound, scope_, context_);
                 argument.numbers[0] = pair.value_or(Vec2{}).x;
                 argument.numbers[1] = pair.value_or(Vec2{}).y;
                 return pair.has_value();
@@ -322,8 +173,11 @@ class Reading {
                 }
                 return range.has_value();
             }
-            case Form::box:
-                return read_box(key, argument);
+            case Form::box: {
+                const auto box = read_box(value, key.name, key.measure, scope_, context_);
+                argument.numbers = box.value_or(argument.numbers);
+                return box.has_value();
+            }
             case Form::word:
                 return read_name(key, value);
             case Form::deferred:
@@ -342,31 +196,6 @@ class Reading {
                 fmt::format("{}={} needs 'use spin', which is not in this version of carom",
                             key.name, argument.value.text),
                 fmt::format("leave {} out", key.name));
-        return false;
-    }
-
-    bool read_box(const KeyRule& key, Argument& argument) {
-        const std::vector<Word> pieces = split_outside_brackets(argument.value, ",");
-        if (!are_brackets_closed(argument.value)) return false;
-        if (pieces.size() != 4) {
-            mistake(argument.value.span(), numbers_wanted(pieces.size(), 4),
-                    fmt::format("write {}=x0,y0,x1,y1 without spaces", key.name));
-            return false;
-        }
-        bool is_complete = true;
-        for (std::size_t i = 0; i < 4; ++i) {
-            const auto number =
-                read_number(pieces[i], {key.name, ""}, key.measure, key.bound, scope_, context_);
-            argument.numbers[i] = number.value_or(0.0);
-            is_complete = is_complete && number;
-        }
-        if (!is_complete) return false;
-        if (argument.numbers[0] < argument.numbers[2] &&
-            argument.numbers[1] < argument.numbers[3]) {
-            return true;
-        }
-        mistake(argument.value.span(), fmt::format("the {} is empty", key.name),
-                "write the lower left corner first: x0,y0,x1,y1");
         return false;
     }
 
@@ -464,36 +293,6 @@ Span Arguments::span_of(std::string_view key) const {
 
 Arguments read_arguments(const Node& node, const Scope& scope, Context& context) {
     return Reading(node, scope, context).read();
-}
-
-std::optional<double> read_number(const Word& word, const Label& label, Measure measure,
-                                  Bound bound, const Scope& scope, Context& context) {
-    const std::optional<Value> value = evaluate(word, scope, context.rules(), context.reporter);
-    if (!value) return std::nullopt;
-    const std::optional<double> number = converted(word, *value, label, measure, context);
-    if (!number) return std::nullopt;
-    return bounded(word, *number, label, measure, bound, context);
-}
-
-std::optional<std::pair<double, double>> read_range(const Word& word, const Label& label,
-                                                    Measure measure, Bound bound,
-                                                    const Scope& scope, Context& context) {
-    const std::vector<Word> ends = split_outside_brackets(word, "..");
-    if (ends.size() > 2) {
-        context.reporter.error(word.span(), "a range has two ends",
-                               fmt::format("write {}a..b", lead_of(label)));
-        return std::nullopt;
-    }
-    const auto low = read_number(ends.front(), label, measure, bound, scope, context);
-    if (ends.size() == 1 || !low) return low ? std::optional(std::pair{*low, *low}) : std::nullopt;
-    const auto high = read_number(ends.back(), label, measure, bound, scope, context);
-    if (!high) return std::nullopt;
-    if (*low > *high) {
-        context.reporter.error(word.span(), fmt::format("the range {} runs backwards", word.text),
-                               "write the smaller end first");
-        return std::nullopt;
-    }
-    return std::pair{*low, *high};
 }
 
 }  // namespace carom

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "level/builders.h"
+#include "level/numbers.h"
 
 namespace carom {
 namespace {
@@ -121,7 +122,7 @@ void build_fill(const Arguments& arguments, const Frame& frame, Context& context
     if (!arguments.plain.empty()) fill.kind = arguments.plain.front();
     fill.count = count;
     fill.number = static_cast<int>(context.draft.fills.size());
-    const double* corners = arguments.values.at("box").numbers;
+    const std::array<double, 4>& corners = arguments.values.at("box").numbers;
     const Vec2 a = frame.transform.point({corners[0], corners[1]});
     const Vec2 b = frame.transform.point({corners[2], corners[3]});
     fill.box = join({a, a}, {b, b});

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "level/context.h"
+#include "level/arguments.h"
 
 /// Statements to the draft: one function a statement that makes something, one for all that only
 /// declare. Pre, for each: arguments.is_sound. Everything passes through the frame's transform.

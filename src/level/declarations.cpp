@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "level/builders.h"
+#include "level/numbers.h"
 #include "level/spelling.h"
 
 namespace carom {

@@ -49,7 +49,7 @@ struct BallNaming {
 /// Where something comes from: for messages, and to tell copies made by `mirror`.
 struct Origin {
     Span span;
-    int image = 0;  ///< which image of the innermost mirrors; 0 also where there is none
+    int image = 0;  ///< which image, of any mirror; 0: the original
 };
 
 struct BallDraft {

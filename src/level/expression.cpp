@@ -8,41 +8,16 @@
 
 #include "geometry/elementary.h"
 #include "level/spelling.h"
+#include "level/value_math.h"
 
 namespace carom {
 namespace {
 
 constexpr double largest = 1e300;
 
-enum class Function { sqrt, sin, cos, tan, abs, min, max, floor, ceil, round };
-
-struct FunctionFacts {
-    std::string_view name;
-    Function function;
-    std::size_t arguments;
-};
-
-constexpr std::array functions{
-    FunctionFacts{"sqrt", Function::sqrt, 1}, FunctionFacts{"sin", Function::sin, 1},
-    FunctionFacts{"cos", Function::cos, 1},   FunctionFacts{"tan", Function::tan, 1},
-    FunctionFacts{"abs", Function::abs, 1},   FunctionFacts{"min", Function::min, 2},
-    FunctionFacts{"max", Function::max, 2},   FunctionFacts{"floor", Function::floor, 1},
-    FunctionFacts{"ceil", Function::ceil, 1}, FunctionFacts{"round", Function::round, 1}};
-
-const FunctionFacts* function_named(std::string_view name) {
-    for (const FunctionFacts& f : functions) {
-        if (f.name == name) return &f;
-    }
-    return nullptr;
-}
-
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
-
-constexpr Dimension length_dimension{1, 0, 0, 0};
-constexpr Dimension time_dimension{0, 0, 1, 0};
-constexpr Dimension angle_dimension{0, 0, 0, 1};
 
 // Recursive descent over one word. `nothing` is both a mistake and poison; the mistake has been
 // reported where it was found, so callers just pass it on.
@@ -83,6 +58,11 @@ class Parser {
     std::string_view since(std::size_t start) const { return text_.substr(start, at_ - start); }
 
     Result finite(std::size_t start, const Value& value) {
+        if (!is_sensible(value.dimension)) {
+            return mistake(start, at_ - start,
+                           fmt::format("{} is {}", since(start), described(value.dimension)),
+                           "no quantity has such a unit");
+        }
         if (std::abs(value.number) <= largest) return value;
         return mistake(start, at_ - start, fmt::format("{} is not a finite number", since(start)),
                        "numbers go up to 1e300, and nothing is divided by 0");
@@ -103,7 +83,7 @@ class Parser {
     }
 
     Result added(std::size_t start, Value left, std::size_t right_start, Value right, double sign) {
-        if (!match(left, right)) {
+        if (!match(left, right, rules_.unit)) {
             return mistake(
                 start, at_ - start,
                 fmt::format("{} is {}, but {} is {}", text_.substr(start, right_start - 1 - start),
@@ -112,23 +92,6 @@ class Parser {
                 "only like can be added to like");
         }
         return finite(start, {left.number + sign * right.number, left.dimension});
-    }
-
-    // Gives both the same dimension where a bare number stands beside a length, an angle or 0.
-    bool match(Value& a, Value& b) const {
-        if (a.dimension == b.dimension) return true;
-        if (!a.is_bare() && !b.is_bare()) return false;
-        Value& bare = a.is_bare() ? a : b;
-        const Dimension other = a.is_bare() ? b.dimension : a.dimension;
-        if (other == length_dimension) {
-            bare.number *= scale(rules_.unit);
-        } else {
-            const bool is_natural_time =
-                rules_.unit == LengthUnit::natural && other == time_dimension;
-            if (!is_natural_time && !(other == angle_dimension) && bare.number != 0.0) return false;
-        }
-        bare.dimension = other;
-        return true;
     }
 
     Result product() {
@@ -167,44 +130,18 @@ class Parser {
         const Result exponent = power();
         --depth_;
         if (!exponent) return exponent;
-        return raised(start, *base, exponent_start, *exponent);
-    }
-
-    Result raised(std::size_t start, const Value& base, std::size_t exponent_start,
-                  const Value& exponent) {
-        constexpr double largest_exponent = 1024.0;
-        if (exponent.is_bare() && exponent.number == 0.5) return square_root(start, base);
-        const bool is_whole = exponent.is_bare() &&
-                              std::floor(exponent.number) == exponent.number &&
-                              std::abs(exponent.number) <= largest_exponent;
-        if (!is_whole) {
+        if (!can_be_exponent(*exponent)) {
             return mistake(exponent_start, at_ - exponent_start,
                            fmt::format("{} cannot be an exponent", since(exponent_start)),
                            "an exponent is a whole number from -1024 to 1024, or 0.5");
         }
-        const int count = static_cast<int>(std::abs(exponent.number));
-        Value result{1.0, {}};
-        for (int i = 0; i < count; ++i) {
-            result.number *= base.number;
-            if (i < max_nesting) result.dimension = result.dimension * base.dimension;
-        }
-        if (exponent.number < 0.0) {
-            result = {1.0 / result.number, Dimension{} / result.dimension};
-        }
-        return finite(start, result);
+        return settled(start, raised(*base, *exponent));
     }
 
-    Result square_root(std::size_t start, const Value& value) {
-        const Dimension& d = value.dimension;
-        if (value.number < 0.0) {
-            return mistake(start, at_ - start, "the square root of a negative number",
-                           "sqrt wants 0 or more");
-        }
-        if (d.length % 2 != 0 || d.mass % 2 != 0 || d.time % 2 != 0 || d.angle % 2 != 0) {
-            return mistake(start, at_ - start, fmt::format("{} has no square root", described(d)),
-                           "take the root of a number, or of a square");
-        }
-        return Value{std::sqrt(value.number), {d.length / 2, d.mass / 2, d.time / 2, d.angle / 2}};
+    // What the arithmetic made of the text since `start`.
+    Result settled(std::size_t start, const Outcome& outcome) {
+        if (outcome.fault.empty()) return finite(start, outcome.value);
+        return mistake(start, at_ - start, outcome.fault, outcome.remedy);
     }
 
     Result too_deep() {
@@ -372,13 +309,6 @@ class Parser {
         return variable->value;
     }
 
-    static std::vector<std::string_view> function_names() {
-        std::vector<std::string_view> names;
-        for (const FunctionFacts& f : functions)
-            names.push_back(f.name);
-        return names;
-    }
-
     Result unknown(std::size_t start, std::string_view name) {
         if (rules_.defined_later) {
             const auto later = rules_.defined_later->find(name);
@@ -419,54 +349,7 @@ class Parser {
         }
         --depth_;
         if (!closes(open)) return std::nullopt;
-        return applied(start, f.function, arguments[0], arguments[1]);
-    }
-
-    Result applied(std::size_t start, Function function, Value a, Value b) {
-        switch (function) {
-            case Function::sqrt:
-                return square_root(start, a);
-            case Function::abs:
-                return Value{std::abs(a.number), a.dimension};
-            case Function::min:
-            case Function::max:
-                if (!match(a, b)) {
-                    return mistake(start, at_ - start,
-                                   fmt::format("{} cannot be compared with {}",
-                                               described(a.dimension), described(b.dimension)),
-                                   "compare like with like");
-                }
-                return (function == Function::min) == (b.number < a.number) ? b : a;
-            case Function::sin:
-            case Function::cos:
-            case Function::tan:
-                if (!a.is_bare() && !(a.dimension == angle_dimension)) {
-                    return mistake(
-                        start, at_ - start,
-                        fmt::format("an angle is wanted, not {}", described(a.dimension)),
-                        "angles are in degrees, as in sin(30)");
-                }
-                return finite(start, {trigonometric(function, a.number), {}});
-            case Function::floor:
-            case Function::ceil:
-            case Function::round:
-                break;
-        }
-        if (!a.is_bare()) {
-            return mistake(start, at_ - start,
-                           fmt::format("{} cannot be rounded", described(a.dimension)),
-                           "divide it by a unit first, as in floor(W/1mm)");
-        }
-        if (function == Function::floor) return Value{std::floor(a.number), {}};
-        if (function == Function::ceil) return Value{std::ceil(a.number), {}};
-        return Value{std::floor(a.number + 0.5), {}};
-    }
-
-    static double trigonometric(Function function, double degrees) {
-        const SinCos at = sin_cos_degrees(degrees);
-        if (function == Function::sin) return at.sin;
-        if (function == Function::cos) return at.cos;
-        return at.sin / at.cos;
+        return settled(start, applied(f.function, arguments[0], arguments[1], rules_.unit));
     }
 
     const Word& word_;

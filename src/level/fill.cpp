@@ -9,6 +9,7 @@
 #include "geometry/closest.h"
 #include "geometry/elementary.h"
 #include "level/lattice.h"
+#include "level/numbers.h"
 #include "level/occupancy.h"
 #include "physics/random.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "level/numbers.h"
 #include "level/spelling.h"
 
 namespace carom {

@@ -6,25 +6,21 @@
 
 #include "level/header.h"
 #include "level/includes.h"
+#include "level/numbers.h"
 #include "level/overrides.h"
+#include "level/parts.h"
 #include "level/spelling.h"
 
 namespace carom {
 namespace {
-
-struct Part {
-    const Node* node = nullptr;
-    Span span;
-    std::vector<std::pair<Word, std::optional<Variable>>> parameters;  ///< none: must be given
-    bool is_placed = false;
-};
 
 class Unroller {
   public:
     Unroller(const LoadOptions& options, Texts& texts, Context& context)
         : includes_(options.resolve_include, texts, context.reporter),
           overrides_(options.overrides, texts, context.reporter),
-          context_(context) {}
+          context_(context),
+          parts_(context) {}
 
     void run(const std::vector<Node>& nodes) {
         Frame frame;
@@ -32,7 +28,7 @@ class Unroller {
         execute(nodes, frame);
         for (const Node* node : overrides_.unused())
             run_new_override(*node, frame);
-        warn_unplaced();
+        parts_.warn_unplaced();
     }
 
   private:
@@ -101,7 +97,7 @@ class Unroller {
         const Arguments arguments = read_arguments(node, *frame.scope, context_);
         if (declare(arguments, *frame.scope, legends_, context_)) return;
         const std::string_view name = node.statement->name;
-        if (name == "part") return define_part(arguments, frame);
+        if (name == "part") return parts_.define(arguments, *frame.scope);
         if (!arguments.is_sound) {
             for (const Word& word : arguments.plain) {
                 context_.draft.poisoned_names.emplace_back(word.text);
@@ -191,7 +187,8 @@ class Unroller {
             Transform transform;
             if (flips_x) transform = mirror_x(arguments.number_or("x", 0.0));
             if (flips_y) transform = after(mirror_y(arguments.number_or("y", 0.0)), transform);
-            execute_inside(*arguments.node, frame, transform, frame.image * 4 + image, {});
+            execute_inside(*arguments.node, frame, transform, image == 0 ? frame.image : ++images_,
+                           {});
         }
     }
 
@@ -235,50 +232,9 @@ class Unroller {
         }
     }
 
-    void define_part(const Arguments& arguments, const Frame& frame) {
-        if (arguments.plain.empty()) return;
-        const Word& name = arguments.plain.front();
-        Part part;
-        part.node = arguments.node;
-        part.span = name.span();
-        for (const auto& [key, expression] : arguments.own_keys) {
-            if (key.text == "at" || key.text == "turn" || key.text == "flip") {
-                context_.reporter.error(key.span(), fmt::format("'{}' belongs to place", key.text),
-                                        "choose another name");
-                continue;
-            }
-            std::optional<Variable> otherwise;
-            if (!expression.text.empty()) {
-                otherwise = Variable{
-                    evaluate(expression, *frame.scope, context_.rules(), context_.reporter),
-                    key.span(), nullptr};
-            }
-            part.parameters.emplace_back(key, otherwise);
-        }
-        const auto [first, is_new] = parts_.emplace(std::string(name.text), std::move(part));
-        if (is_new) return;
-        context_.reporter.error(name.span(),
-                                fmt::format("the part '{}' is defined already, in line {}",
-                                            name.text, first->second.span.line),
-                                "choose another name");
-    }
-
     void execute_place(const Arguments& arguments, const Frame& frame) {
-        const Word& name = arguments.plain.front();
-        const auto found = parts_.find(name.text);
-        if (found == parts_.end()) {
-            std::vector<std::string_view> known;
-            for (const auto& [other, part] : parts_)
-                known.push_back(other);
-            context_.reporter.error(
-                name.span(), fmt::format("there is no part '{}'", name.text),
-                did_you_mean(name.text, known, "define it above: part NAME ... end"));
-            return;
-        }
-        Part& part = found->second;
-        part.is_placed = true;
-        auto names = bind(arguments, part, frame);
-        if (!names) return;
+        auto placed = parts_.bind(arguments, *frame.scope);
+        if (!placed) return;
         Transform transform = shift_by(arguments.pair_or("at", {}));
         if (arguments.has("turn")) {
             transform = after(transform, turn_by(arguments.number_or("turn", 0.0)));
@@ -287,46 +243,7 @@ class Unroller {
         // The part sees the level's names and its own, not those of where it is placed.
         Frame around = frame;
         around.scope = &globals_;
-        execute_inside(*part.node, around, transform, frame.image, std::move(*names));
-    }
-
-    std::optional<std::map<std::string, Variable, std::less<>>> bind(const Arguments& arguments,
-                                                                     const Part& part,
-                                                                     const Frame& frame) {
-        std::map<std::string, Variable, std::less<>> names;
-        std::vector<std::string_view> known;
-        for (const auto& [key, otherwise] : part.parameters)
-            known.push_back(key.text);
-        for (const auto& [key, expression] : arguments.own_keys) {
-            if (std::ranges::count(known, key.text) == 0) {
-                context_.reporter.error(
-                    key.span(),
-                    fmt::format("part {} has no key '{}'", arguments.plain[0].text, key.text),
-                    did_you_mean(key.text, known,
-                                 known.empty()
-                                     ? "it has none"
-                                     : fmt::format("its keys are: {}", fmt::join(known, " "))));
-                return std::nullopt;
-            }
-            names.emplace(
-                std::string(key.text),
-                Variable{evaluate(expression, *frame.scope, context_.rules(), context_.reporter),
-                         key.span(), nullptr});
-        }
-        for (const auto& [key, otherwise] : part.parameters) {
-            if (names.contains(key.text)) continue;
-            if (!otherwise) {
-                context_.reporter.error(
-                    arguments.node->keyword().span(),
-                    fmt::format("part {} needs {}=", arguments.plain[0].text, key.text),
-                    fmt::format("write {}=... here, or give it a value in the "
-                                "part's first line",
-                                key.text));
-                return std::nullopt;
-            }
-            names.emplace(std::string(key.text), *otherwise);
-        }
-        return names;
+        execute_inside(*placed->node, around, transform, frame.image, std::move(placed->names));
     }
 
     void execute_include(const Arguments& arguments, const Frame& frame) {
@@ -373,21 +290,14 @@ class Unroller {
         }
     }
 
-    void warn_unplaced() {
-        for (const auto& [name, part] : parts_) {
-            if (part.is_placed || !part.span.source->included_from.empty()) continue;
-            context_.reporter.warning(part.span, fmt::format("the part '{}' is never placed", name),
-                                      "place it, or take it out");
-        }
-    }
-
     Includes includes_;
     Overrides overrides_;
     Context& context_;
     Scope globals_;
     Legends legends_;
-    std::map<std::string, Part, std::less<>> parts_;
+    Parts parts_;
     std::map<std::string_view, Span> singles_;
+    int images_ = 0;
     std::uint64_t steps_ = 0;
     std::uint64_t characters_ = 0;
     bool stopped_ = false;

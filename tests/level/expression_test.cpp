@@ -95,6 +95,12 @@ TEST_CASE("a let named s hides the unit after a bare number, and only there") {
     CHECK(evaluate(all.part(5), scope, rules, reporter)->dimension == Dimension{1, 0, -1, 0});
 }
 
+TEST_CASE("exponents of units end somewhere") {
+    CHECK(value_of("(1m)^99", LengthUnit::metre));
+    CHECK_FALSE(value_of("(1m)^100", LengthUnit::metre));
+    CHECK_FALSE(value_of("(((1m)^99)^1000)^1000", LengthUnit::metre));
+}
+
 TEST_CASE("poison is silent") {
     SourceText source;
     source.text = "poison*2";

@@ -90,6 +90,13 @@ TEST_CASE("nesting ends at 32, of blocks, brackets and includes") {
     CHECK(number <= 33);
 }
 
+// Images were numbered by powers of four once, which overflowed.
+TEST_CASE("mirrors within mirrors, as deep as it goes") {
+    const LoadResult result =
+        load_lines(repeated("mirror x=0 y=0\n", 32) + "peg at=0,0 r=1\n" + repeated("end\n", 32));
+    check_refused(result, "more than 1000000 statements");
+}
+
 TEST_CASE("files and lines have their size") {
     const std::string head = "carom 1 \"A\"\n";
     const auto load = [](const std::string& text) { return load_level(text, "a.level"); };
