@@ -101,15 +101,15 @@ struct Screen::State {
 bool Screen::State::send(std::string_view bytes) {
     while (!bytes.empty() && !is_gone) {
         const ssize_t written = write(STDOUT_FILENO, bytes.data(), bytes.size());
-        if (written >= 0) {
-            bytes.remove_prefix(static_cast<std::size_t>(written));
-        } else if (errno == EINTR) {
-            // Not dealt with here: that might write into the middle of these bytes.
-            std::ranges::copy(signals.take(), std::back_inserter(deferred));
-            if (std::ranges::any_of(deferred, ends_the_game)) return false;
-        } else {
+        if (written < 0 && errno != EINTR) {
             hang_up();
+            return false;
         }
+        bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(0, written)));
+        if (bytes.empty()) break;
+        // A signal came. It is not dealt with here: that might write into the middle of these.
+        std::ranges::copy(signals.take(), std::back_inserter(deferred));
+        if (std::ranges::any_of(deferred, ends_the_game)) return false;
     }
     return !is_gone;
 }
