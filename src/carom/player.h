@@ -69,18 +69,24 @@ class Player {
     Player continued_with(Session session, bool solver_is_picked) const;
 
   private:
-    // player.cpp: keys
+    // player.cpp: time
     void perform_in_time(Action action);
-    void perform_by_hand(Action action);
-    void perform_on_world(Action action);
-    void perform_on_view(Action action);
     Wish escape();
     void go_to(std::uint64_t tick);
     void second(int direction);
+
+    // player_world.cpp: solver and gravity
+    void perform_on_world(Action action);
     void next_solver();
     void set_gravity(std::optional<Vec2> gravity);
-    void next_overlay();
     void obey(const Command& command, std::string done);
+
+    // player_view.cpp: how it is seen
+    void perform_on_view(Action action);
+    void next_overlay();
+
+    // player_hands.cpp: balls and edges by keys
+    void perform_by_hand(Action action);
     void add_ball();
     void remove_at_pointer(bool only_edges);
     void draw_edge();
