@@ -33,6 +33,7 @@ void add_set(CLI::App& command, Typed& typed) {
                     "may stand several times")
         ->type_name("STATEMENT")
         ->expected(1)
+        ->allow_extra_args(false)
         ->take_all();
 }
 
