@@ -23,9 +23,8 @@ void erase_at(std::vector<T>& values, std::size_t index) {
 void become_lossy(World& world) {
     if (world.model.lossy) return;
     world.model.lossy = true;
-    world.balls.restitution.reserve(world.balls.size() + 1);
-    for (const ClassIndex kind : world.balls.kind)
-        world.balls.restitution.push_back(world.kinds[kind].restitution);
+    // Until now every ball was elastic, whatever its kind says.
+    world.balls.restitution.assign(world.balls.size(), 1.0);
 }
 
 }  // namespace

@@ -42,6 +42,15 @@ TEST_CASE("what a scene does not use costs no bytes, until it is used") {
     CHECK(world.capsules.side == std::vector<Side>{Side::both, Side::left});
 }
 
+TEST_CASE("a ball that is elastic by its own key stays so when the scene begins to lose energy") {
+    World world = scenes::empty();
+    world.kinds[0].restitution = 0.4;
+    add_ball(world, {.position = {0, 0}, .velocity = {}, .restitution = 1.0});
+    CHECK_FALSE(world.model.lossy);
+    add_ball(world, {.position = {9, 0}, .velocity = {}});
+    CHECK(world.balls.restitution == std::vector<double>{1.0, 0.4});
+}
+
 TEST_CASE("the fingerprint sees every bit that moves") {
     World world = scenes::gas(20, 1);
     const std::uint64_t before = fingerprint(world);
