@@ -79,30 +79,9 @@ bool CursesCells::has_shape_of(const Canvas& canvas) const {
 
 void CursesCells::forget(const Canvas& canvas) {
     shown_ = Canvas(canvas.columns(), canvas.rows());
-    styles_.assign(
-        static_cast<std::size_t>(canvas.columns()) * static_cast<std::size_t>(canvas.rows()), {});
-}
-
-CursesCells::Style& CursesCells::style_at(int column, int row) {
-    return styles_[static_cast<std::size_t>(row) * static_cast<std::size_t>(shown_.columns()) +
-                   static_cast<std::size_t>(column)];
-}
-
-CursesCells::Style CursesCells::style_of(const Cell& cell, int colors) {
-    Style style;
-    style.attributes = attributes_of(cell.attributes);
-    if (colors == 0) {
-        if (is_reversed(cell)) style.attributes ^= A_REVERSE;
-    } else {
-        style.pair = pairs_.number(cell.foreground, cell.background, colors);
-    }
-    style.shows_on_blanks =
-        cell.background != default_color || (style.attributes & (A_REVERSE | A_UNDERLINE)) != 0;
-    return style;
 }
 
 void CursesCells::put(const Canvas& canvas, int colors, bool utf8) {
-    pen_ = {};
     const int columns = std::min(canvas.columns(), COLS);
     for (int row = 0; row < std::min(canvas.rows(), LINES); ++row) {
         int first = -1;  // of the span that is being gathered; -1: none
@@ -123,19 +102,18 @@ void CursesCells::put(const Canvas& canvas, int colors, bool utf8) {
 
 void CursesCells::put_span(const Canvas& canvas, int row, int first, int end, int colors,
                            bool utf8) {
-    std::vector<cchar_t> span(static_cast<std::size_t>(end - first));
+    std::vector<cchar_t> span;
     for (int column = first; column < end; ++column) {
         const Cell& cell = canvas.at(column, row);
-        Style& style = style_at(column, row);
-        if (!looks_like(cell, shown_.at(column, row))) {
-            // A cell that becomes blank does so in whatever style is in force, which costs nothing.
-            const bool takes_pen = is_blank(cell) && !pen_.shows_on_blanks;
-            style = takes_pen ? pen_ : style_of(cell, colors);
-            pen_ = style;
+        unsigned attributes = A_NORMAL;
+        int pair = 0;
+        if (!is_blank(cell)) {  // blanks look the same in whatever colour
+            attributes = attributes_of(cell.attributes);
+            if (colors > 0) pair = pairs_.number(cell.foreground, cell.background, colors);
+            if (colors == 0 && is_reversed(cell)) attributes ^= A_REVERSE;
         }
         const wchar_t text[2] = {character_of(cell.glyph, utf8), L'\0'};
-        setcchar(&span[static_cast<std::size_t>(column - first)], text, style.attributes,
-                 static_cast<short>(style.pair), &style.pair);
+        setcchar(&span.emplace_back(), text, attributes, static_cast<short>(pair), &pair);
     }
     mvwadd_wchnstr(stdscr, row, first, span.data(), end - first);
 }

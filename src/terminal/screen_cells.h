@@ -4,8 +4,7 @@
 
 #include "terminal/canvas.h"
 
-/// Cells of a canvas, handed to ncurses: only those that have changed, and so that the terminal
-/// needs few changes of colour.
+/// Cells of a canvas, handed to ncurses: only those that have changed.
 namespace carom {
 
 /// The numbers that ncurses gives to pairs of colours, handed out as they come up.
@@ -33,19 +32,9 @@ class CursesCells {
     void put(const Canvas& canvas, int colors, bool utf8);
 
   private:
-    /// How ncurses shows a cell.
-    struct Style {
-        unsigned attributes = 0;  // of ncurses
-        int pair = 0;
-        bool shows_on_blanks = false;  // a blank in this style does not look like a blank
-    };
-    Style style_of(const Cell& cell, int colors);
-    Style& style_at(int column, int row);
     void put_span(const Canvas& canvas, int row, int first, int end, int colors, bool utf8);
 
     Canvas shown_;
-    std::vector<Style> styles_;  // row by row
-    Style pen_;                  // of the last cell that changed in this frame
     ColorPairs pairs_;
 };
 

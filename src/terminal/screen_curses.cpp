@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "terminal/screen_cells.h"
+#include "terminal/screen_style.h"
 #include "terminal/screen_terminfo.h"
 
 namespace carom {
@@ -41,6 +42,7 @@ struct Curses::State {
     int memory = -1;
     int colors = 0;
     CursesCells cells;
+    StyleFilter styles;
     bool is_whole_due = true;
     bool is_left = false;
     std::string bytes;
@@ -64,6 +66,7 @@ struct Curses::State {
         const off_t length = lseek(memory, 0, SEEK_CUR);
         bytes.resize(length > 0 ? static_cast<std::size_t>(length) : 0);
         if (pread(memory, bytes.data(), bytes.size(), 0) < 0) bytes.clear();
+        bytes = styles.filtered(bytes);
     }
 };
 
@@ -102,6 +105,7 @@ std::variant<Curses, std::string> Curses::start(const char* term, int most_color
         use_default_colors();
         state->colors = colors_in_use(COLORS, most_colors);
     }
+    state->styles = StyleFilter(has_own_colors());
     // Until it has come back from endwin() once, ncurses writes at every move of the cursor. The
     // terminal need not see that.
     state->write_to(state->memory);
@@ -158,6 +162,11 @@ std::string_view Curses::paint(const Canvas& canvas, bool utf8) {
 void Curses::leave() {
     if (std::exchange(state_->is_left, true)) return;
     state_->write_to(state_->terminal);
+    // ncurses takes the terminal to be in no style, but the filter is not always that quick.
+    const std::string plain_style = plain_style_bytes();
+    [[maybe_unused]] const ssize_t written =
+        write(state_->terminal, plain_style.data(), plain_style.size());
+    state_->styles.forget();
     endwin();
 }
 

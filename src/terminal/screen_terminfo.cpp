@@ -110,9 +110,16 @@ KeyTable described_keys() {
     return table;
 }
 
+bool has_own_colors() {
+    return unpadded(capability("op")).find("39;49") != std::string::npos;
+}
+
+std::string plain_style_bytes() {
+    return unpadded(capability("sgr0")) + unpadded(capability("op"));
+}
+
 std::string farewell_bytes(int rows) {
-    const std::string bytes =
-        unpadded(capability("sgr0")) + unpadded(capability("op")) + unpadded(capability("cnorm"));
+    const std::string bytes = plain_style_bytes() + unpadded(capability("cnorm"));
     const char* const other_screen = capability("rmcup");
     if (other_screen != nullptr) return bytes + unpadded(other_screen);
     return bytes + unpadded(tiparm(capability("cup"), rows - 1, 0)) + "\r\n";

@@ -31,6 +31,25 @@ std::optional<int> index_of(const VTermColor& color) {
 
 }  // namespace
 
+std::string described(const CellLook& look) {
+    const bool is_marked = look.is_underlined || look.is_reversed;
+    const auto halves = [](int upper, int lower) {
+        return "halves " + std::to_string(upper) + ' ' + std::to_string(lower);
+    };
+    if (!is_marked) {
+        if (look.glyph == U' ') return halves(look.background, look.background);
+        if (look.glyph == 0x2588) return halves(look.foreground, look.foreground);
+        if (look.glyph == 0x2580) return halves(look.foreground, look.background);
+        if (look.glyph == 0x2584) return halves(look.background, look.foreground);
+    }
+    std::string text = "glyph " + std::to_string(static_cast<unsigned>(look.glyph)) + ' ' +
+                       std::to_string(look.foreground) + ' ' + std::to_string(look.background);
+    if (look.is_bold) text += " bold";
+    if (look.is_underlined) text += " underlined";
+    if (look.is_reversed) text += " reversed";
+    return text;
+}
+
 Emulator::Emulator(int columns, int rows, const EmulatorOptions& options,
                    std::function<void(std::string_view)> reply)
     : terminal_(vterm_new(rows, columns)), options_(options), reply_(std::move(reply)) {
@@ -144,6 +163,16 @@ VTermScreenCell Emulator::cell(int column, int row) const {
     VTermScreenCell cell{};
     vterm_screen_get_cell(screen_, {.row = row, .col = column}, &cell);
     return cell;
+}
+
+CellLook Emulator::look(int column, int row) const {
+    const VTermScreenCell cell = this->cell(column, row);
+    return {.glyph = cell.chars[0] == 0 ? U' ' : static_cast<char32_t>(cell.chars[0]),
+            .foreground = foreground(column, row).value_or(-1),
+            .background = background(column, row).value_or(-1),
+            .is_bold = cell.attrs.bold != 0,
+            .is_underlined = cell.attrs.underline != 0,
+            .is_reversed = cell.attrs.reverse != 0};
 }
 
 std::string Emulator::row(int row) const {

@@ -23,6 +23,19 @@ struct EmulatorOptions {
     int cell_high = 0;
 };
 
+/// What a person sees of a cell, in words that are equal for cells that look the same: a blank has
+/// no foreground, a full block is a blank of the other colour, and so on. Colours: -1 for the
+/// terminal's own.
+struct CellLook {
+    char32_t glyph = U' ';
+    int foreground = -1;
+    int background = -1;
+    bool is_bold = false;
+    bool is_underlined = false;
+    bool is_reversed = false;
+};
+std::string described(const CellLook& look);
+
 class Emulator {
   public:
     /// `reply` gets what the terminal sends back.
@@ -38,6 +51,7 @@ class Emulator {
     std::string text() const;
     std::string row(int row) const;
     VTermScreenCell cell(int column, int row) const;
+    CellLook look(int column, int row) const;
     /// The number of the palette; none: the terminal's own.
     std::optional<int> foreground(int column, int row) const;
     std::optional<int> background(int column, int row) const;
