@@ -315,7 +315,7 @@ std::variant<Screen, ScreenError> Screen::open(const ScreenOptions& options) {
     capabilities.ssh = !environment("SSH_CONNECTION").empty() || !environment("SSH_TTY").empty();
     capabilities.light_background = light_background_from(environment("COLORFGBG")).value_or(false);
     const int most_colors = options.colors.value_or(environment("NO_COLOR").empty() ? 256 : 0);
-    auto started = Curses::start(std::getenv("TERM"), most_colors);
+    auto started = Curses::start(std::getenv("TERM"), most_colors, capabilities.utf8);
     if (const auto* const error = std::get_if<std::string>(&started)) return ScreenError{*error};
     state->curses = std::get<Curses>(std::move(started));
     capabilities.colors = std::min(256, state->curses->colors());
@@ -354,7 +354,7 @@ const Capabilities& Screen::capabilities() const {
 std::size_t Screen::show(const Canvas& canvas, FrameEnd end) {
     State& state = *state_;
     if (!state.is_open || state.is_gone) return 0;
-    const std::string_view change = state.curses->paint(canvas, state.capabilities.utf8);
+    const std::string_view change = state.curses->paint(canvas);
     if (change.empty()) return 0;
     std::string bytes(state.modes.before_frame());
     bytes += change;

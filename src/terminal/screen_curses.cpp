@@ -41,6 +41,7 @@ struct Curses::State {
     int terminal = -1;            // a handle of its own on the terminal
     int memory = -1;
     int colors = 0;
+    bool is_utf8 = false;
     CursesCells cells;
     StyleFilter styles;
     bool is_whole_due = true;
@@ -70,7 +71,7 @@ struct Curses::State {
     }
 };
 
-std::variant<Curses, std::string> Curses::start(const char* term, int most_colors) {
+std::variant<Curses, std::string> Curses::start(const char* term, int most_colors, bool utf8) {
     auto state = std::make_unique<State>();
     state->terminal = dup(STDOUT_FILENO);
     state->memory = memory_file();
@@ -105,7 +106,8 @@ std::variant<Curses, std::string> Curses::start(const char* term, int most_color
         use_default_colors();
         state->colors = colors_in_use(COLORS, most_colors);
     }
-    state->styles = StyleFilter(has_own_colors());
+    state->is_utf8 = utf8;
+    state->styles = StyleFilter(has_own_colors(), utf8);
     // Until it has come back from endwin() once, ncurses writes at every move of the cursor. The
     // terminal need not see that.
     state->write_to(state->memory);
@@ -145,7 +147,7 @@ void Curses::redraw() {
     state_->is_whole_due = true;
 }
 
-std::string_view Curses::paint(const Canvas& canvas, bool utf8) {
+std::string_view Curses::paint(const Canvas& canvas) {
     State& state = *state_;
     if (state.is_left) return {};
     if (std::exchange(state.is_whole_due, false) || !state.cells.has_shape_of(canvas)) {
@@ -153,7 +155,7 @@ std::string_view Curses::paint(const Canvas& canvas, bool utf8) {
         werase(stdscr);
         clearok(curscr, TRUE);
     }
-    state.cells.put(canvas, state.colors, utf8);
+    state.cells.put(canvas, state.colors, state.is_utf8);
     wnoutrefresh(stdscr);
     state.update();
     return state.bytes;

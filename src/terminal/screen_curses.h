@@ -17,9 +17,9 @@ namespace carom {
 
 class Curses {
   public:
-    /// Takes the terminal on standard input and output over. `most_colors`: 0 for none. The error
-    /// is a sentence.
-    static std::variant<Curses, std::string> start(const char* term, int most_colors);
+    /// Takes the terminal on standard input and output over. `most_colors`: 0 for none.
+    /// `utf8`: what the locale says. The error is a sentence.
+    static std::variant<Curses, std::string> start(const char* term, int most_colors, bool utf8);
 
     Curses(Curses&&) noexcept;
     Curses& operator=(Curses&&) noexcept;
@@ -37,7 +37,7 @@ class Curses {
     void set_size(int columns, int rows);
     void redraw();
     /// What to send so that the terminal shows `canvas`; valid until the next call.
-    std::string_view paint(const Canvas& canvas, bool utf8);
+    std::string_view paint(const Canvas& canvas);
 
     /// Gives the terminal back for a while, and takes it again. Both write to it.
     void leave();

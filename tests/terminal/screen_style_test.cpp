@@ -68,6 +68,12 @@ TEST_CASE("twins") {
     CHECK(filtered("\033[31m\u2580\033[39;41m\u2584") == "\033[31m\u2580\033[0;41m\u2584");
 }
 
+TEST_CASE("no block stands for a blank where there is no UTF-8") {
+    StyleFilter filter(true, false);
+    filter.filtered("\033[m.");
+    CHECK(filter.filtered("\033[31;42mx\033[33;41m ") == "\033[31;42mx\033[41m ");
+}
+
 TEST_CASE("what is not understood passes through, and is not relied on") {
     CHECK(filtered("\033[3mx") == "\033[3m\033[mx");
     CHECK(filtered("\033[31mx\033[58;5;1my") == "\033[31mx\033[58;5;1m\033[0;31my");
