@@ -77,7 +77,7 @@ class Screen {
     /// Gives the terminal back as it was. Everything else does nothing from then on.
     void close();
 
-    struct State;  ///< known to screen.cpp alone
+    struct State;  ///< known to screen*.cpp alone
 
   private:
     explicit Screen(std::unique_ptr<State> state);

@@ -42,6 +42,13 @@ bool is_reversed(const Cell& cell) {
     return luminance(rgb_of(cell.background)) > ink;
 }
 
+// A full block on a ground of its own colour is that ground: one byte, and no ink that spills over
+// the border of the cell and stays there, as the blocks of many fonts do.
+bool is_all_ground(const Cell& cell, int colors) {
+    return colors > 0 && cell.glyph == U'█' && cell.background != default_color &&
+           cell.background == cell.foreground && (cell.attributes & reverse) == 0;
+}
+
 wchar_t character_of(char32_t glyph, bool utf8) {
     const auto character = static_cast<wchar_t>(glyph);
     const bool is_ascii = glyph >= U' ' && glyph < 0x7f;
@@ -112,7 +119,8 @@ void CursesCells::put_span(const Canvas& canvas, int row, int first, int end, in
             if (colors > 0) pair = pairs_.number(cell.foreground, cell.background, colors);
             if (colors == 0 && is_reversed(cell)) attributes ^= A_REVERSE;
         }
-        const wchar_t text[2] = {character_of(cell.glyph, utf8), L'\0'};
+        const char32_t glyph = is_all_ground(cell, colors) ? U' ' : cell.glyph;
+        const wchar_t text[2] = {character_of(glyph, utf8), L'\0'};
         setcchar(&span.emplace_back(), text, attributes, static_cast<short>(pair), &pair);
     }
     mvwadd_wchnstr(stdscr, row, first, span.data(), end - first);

@@ -71,7 +71,8 @@ struct Curses::State {
     }
 };
 
-std::variant<Curses, std::string> Curses::start(const char* term, int most_colors, bool utf8) {
+std::variant<Curses, std::string> Curses::start(const std::string& term, int most_colors,
+                                                bool utf8) {
     auto state = std::make_unique<State>();
     state->terminal = dup(STDOUT_FILENO);
     state->memory = memory_file();
@@ -80,14 +81,14 @@ std::variant<Curses, std::string> Curses::start(const char* term, int most_color
         return std::string("too few files may be open");
     }
     constexpr const char* common = "xterm-256color";
-    const bool is_named = term != nullptr && *term != '\0';
-    const char* const used = is_named && is_described(term) ? term : common;
+    const bool is_usable = !term.empty() && is_described(term.c_str());
+    const char* const used = is_usable ? term.c_str() : common;
     if (is_described(used)) state->screen = newterm(used, state->output, stdin);
     if (state->screen == nullptr) {
         return fmt::format(
             "the terminal '{}' is not known here: set TERM to one that is, such as vt100, or "
             "install its description (on Debian the package ncurses-term)",
-            is_named ? term : "");
+            term);
     }
     if (!has_capability("cup")) {
         endwin();
@@ -107,7 +108,7 @@ std::variant<Curses, std::string> Curses::start(const char* term, int most_color
         state->colors = colors_in_use(COLORS, most_colors);
     }
     state->is_utf8 = utf8;
-    state->styles = StyleFilter(has_own_colors(), utf8);
+    state->styles = StyleFilter(has_own_colors());
     // Until it has come back from endwin() once, ncurses writes at every move of the cursor. The
     // terminal need not see that.
     state->write_to(state->memory);

@@ -17,9 +17,11 @@ namespace carom {
 
 class Curses {
   public:
-    /// Takes the terminal on standard input and output over. `most_colors`: 0 for none.
-    /// `utf8`: what the locale says. The error is a sentence.
-    static std::variant<Curses, std::string> start(const char* term, int most_colors, bool utf8);
+    /// Takes the terminal on standard input and output over. `term`: the name of its description;
+    /// empty: a common one. `most_colors`: 0 for none. `utf8`: what the locale says. The error is
+    /// a sentence.
+    static std::variant<Curses, std::string> start(const std::string& term, int most_colors,
+                                                   bool utf8);
 
     Curses(Curses&&) noexcept;
     Curses& operator=(Curses&&) noexcept;

@@ -52,9 +52,6 @@ void StyleFilter::take_glyph(std::string_view glyph) {
         SgrStyle other = *style_;
         other.background = wanted_.background;
         offer(blank, other);
-        other = *style_;
-        other.foreground = wanted_.background;
-        if (has_blocks_ && wanted_.background >= 0 && is_plain(other)) offer(full_block, other);
     }
     if (glyph == full_block && is_plain(wanted_) && style_ && wanted_.foreground >= 0) {
         SgrStyle other = wanted_;
@@ -73,12 +70,25 @@ void StyleFilter::take_glyph(std::string_view glyph) {
     out_ += shown;
 }
 
+// For what blanks cells: they take the background in force.
+void StyleFilter::take_background() {
+    SgrStyle style = wanted_;
+    if (style_ && is_unmarked(*style_) && is_unmarked(wanted_)) {
+        style = *style_;
+        style.background = wanted_.background;
+    }
+    take_style(style);
+}
+
 // The sequence that `rest` starts with; returns its length.
 std::size_t StyleFilter::take_sequence(std::string_view rest) {
     if (rest.size() < 2 || rest[1] != '[') {
         const bool is_charset = rest.size() > 2 && (rest[1] == '(' || rest[1] == ')');
         const std::size_t length = is_charset ? 3 : std::min<std::size_t>(2, rest.size());
-        if (rest.substr(0, length) != "\033(B") out_ += rest.substr(0, length);
+        const std::string_view sequence = rest.substr(0, length);
+        // These may scroll, and so does a new line.
+        if (sequence == "\033M" || sequence == "\033D" || sequence == "\033E") take_background();
+        if (sequence != "\033(B") out_ += sequence;
         return length;
     }
     std::size_t end = 2;
@@ -97,15 +107,8 @@ std::size_t StyleFilter::take_sequence(std::string_view rest) {
         }
         return sequence.size();
     }
-    if (final == 'J' || final == 'K' || final == 'X' || final == '@' || final == 'P' ||
-        final == 'L' || final == 'M') {  // what they blank takes the background in force
-        SgrStyle style = wanted_;
-        if (style_ && is_unmarked(*style_) && is_unmarked(wanted_)) {
-            style = *style_;
-            style.background = wanted_.background;
-        }
-        take_style(style);
-    }
+    constexpr std::string_view blanking = "JKX@PLMST";
+    if (blanking.find(final) != std::string_view::npos) take_background();
     out_ += sequence;
     return sequence.size();
 }
@@ -118,6 +121,7 @@ std::string StyleFilter::filtered(std::string_view bytes) {
         if (byte == 0x1b) {
             length = take_sequence(bytes);
         } else if (byte < 0x20 || byte == 0x7f) {
+            if (bytes[0] == '\n') take_background();
             out_ += bytes[0];
         } else {
             length = std::min(glyph_length(bytes[0]), bytes.size());
