@@ -4,33 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "game/statistics.h"
 #include "physics/totals.h"
 
 namespace carom {
 namespace {
-
-struct Moments {
-    double total = 0.0;
-    double mean = 0.0;
-    double variance = 0.0;
-};
-
-// Of the numbers 0, 1, 2 ... weighted; all zero when nothing weighs anything.
-Moments moments_of(std::span<const double> weights) {
-    Moments moments;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        moments.total += weights[i];
-        sum += weights[i] * static_cast<double>(i);
-    }
-    if (!(moments.total > 0.0)) return moments;
-    moments.mean = sum / moments.total;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        const double off = static_cast<double>(i) - moments.mean;
-        moments.variance += weights[i] * off * off / moments.total;
-    }
-    return moments;
-}
 
 std::optional<double> chi_square(std::span<const double> counts, std::span<const double> shares) {
     const double total = moments_of(counts).total;
@@ -52,14 +30,14 @@ std::optional<double> of_bins(const Quantity& quantity, const World& world) {
     for (const std::uint32_t counter : quantity.counters) {
         counts.push_back(static_cast<double>(all[counter]));
     }
-    const Moments counted = moments_of(counts);
+    const Moments counted = moments_of(std::span<const double>(counts));
     if (quantity.kind == QuantityKind::count) return counted.total;
     if (!(counted.total > 0.0)) return std::nullopt;
     if (quantity.kind == QuantityKind::mean) return counted.mean;
     if (quantity.kind == QuantityKind::variance) return counted.variance;
     if (quantity.expected.size() != counts.size()) return std::nullopt;
     if (quantity.kind == QuantityKind::chi_square) return chi_square(counts, quantity.expected);
-    const double variance = moments_of(quantity.expected).variance;
+    const double variance = moments_of(std::span(quantity.expected)).variance;
     if (!(variance > 0.0)) return std::nullopt;
     return counted.variance / variance;
 }

@@ -6,9 +6,10 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <string_view>
 
-#include "terminal/utf8.h"
+#include "game/statistics.h"
 
 namespace carom {
 
@@ -16,29 +17,6 @@ namespace {
 
 double sum_of(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
-}
-
-struct Moments {
-    double mean = 0.0;
-    double variance = 0.0;
-};
-
-// Of the values 0, 1, 2 ... with these weights; 0 and 0 when there is no weight.
-template <class Weight>
-Moments moments_of(const std::vector<Weight>& weights) {
-    double total = 0.0;
-    double first = 0.0;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        total += static_cast<double>(weights[i]);
-        first += static_cast<double>(weights[i]) * static_cast<double>(i);
-    }
-    if (!(total > 0.0)) return {};
-    Moments result{first / total, 0.0};
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        const double off = static_cast<double>(i) - result.mean;
-        result.variance += static_cast<double>(weights[i]) * off * off / total;
-    }
-    return result;
 }
 
 // A class of the chi-square test.
@@ -112,12 +90,12 @@ double chi_square_tail(double x, int degrees) {
 HistogramFit fit_of(const Histogram& histogram) {
     HistogramFit fit;
     fit.total = std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::uint64_t{0});
-    const Moments counted = moments_of(histogram.counts);
+    const Moments counted = moments_of(std::span(histogram.counts));
     fit.mean = counted.mean;
     fit.variance = counted.variance;
     if (!(sum_of(histogram.expected) > 0.0)) return fit;
 
-    const Moments expected = moments_of(histogram.expected);
+    const Moments expected = moments_of(std::span(histogram.expected));
     fit.mean_expected = expected.mean;
     if (fit.total == 0) return fit;
     if (expected.variance > 0.0) fit.variance_ratio = counted.variance / expected.variance;
