@@ -80,24 +80,50 @@ class Assembly {
             return;
         }
         Obstacles obstacles;
+        std::vector<ClassIndex> owners;
         for (const CapsuleDraft& edge : draft_.capsules)
             obstacles.capsules.push_back(edge.shape);
         for (const StartingBall& ball : placed) {
             obstacles.discs.push_back({ball.position, ball.radius});
+            owners.push_back(ball.kind);
         }
         std::size_t taken = 0;
         for (std::size_t i = 0; i < draft_.fills.size(); ++i) {
             const FillDraft& fill = draft_.fills[i];
             while (taken < fill.balls_before)
                 balls_.push_back(placed[taken++]);
-            add_fill(fill, names_.fills[i].kind, obstacles);
+            add_fill(fill, names_.fills[i].kind, obstacles, owners);
         }
         while (taken < placed.size())
             balls_.push_back(placed[taken++]);
     }
 
-    void add_fill(const FillDraft& fill, ClassIndex kind, Obstacles& obstacles) {
-        const auto filled = place_fill(fill, defaults_of(kind), obstacles, context_);
+    // Those of the obstacles that a ball of this kind may not start inside. Pre: all of them stand
+    // in the order of draft_.capsules, and of `owners`.
+    Obstacles solid_to(ClassIndex kind, const Obstacles& all,
+                       const std::vector<ClassIndex>& owners) const {
+        Obstacles solid;
+        if (draft_.settings.may_overlap) return {{}, {}, false};
+        solid.each_other = names_.kinds_meet(kind, kind);
+        for (std::size_t i = 0; i < all.discs.size(); ++i) {
+            if (names_.kinds_meet(kind, owners[i])) solid.discs.push_back(all.discs[i]);
+        }
+        for (std::size_t i = 0; i < all.capsules.size(); ++i) {
+            if (names_.kind_meets_material(kind, material_of(draft_.capsules[i]))) {
+                solid.capsules.push_back(all.capsules[i]);
+            }
+        }
+        return solid;
+    }
+
+    // `owners`: the kinds of the obstacles' discs.
+    void add_fill(const FillDraft& fill, ClassIndex kind, Obstacles& obstacles,
+                  std::vector<ClassIndex>& owners) {
+        FillObstacles around{obstacles, {}};
+        if (draft_.settings.may_overlap || !names_.all_meet()) {
+            around.solid = [&] { return solid_to(kind, obstacles, owners); };
+        }
+        const auto filled = place_fill(fill, defaults_of(kind), around, context_);
         if (!filled) return;
         for (const FilledBall& from : *filled) {
             StartingBall ball;
@@ -110,6 +136,7 @@ class Assembly {
             ball.origin = fill.origin;
             balls_.push_back(ball);
             obstacles.discs.push_back({ball.position, ball.radius});
+            owners.push_back(kind);
         }
     }
 

@@ -86,12 +86,14 @@ class StartCheck {
         return edge.side == Side::left ? side > 0.0 : side < 0.0;
     }
 
-    // The edge that a ball of this kind would be in, and how deep.
+    // The edge that a ball of this kind would be in, and how deep. `span`: where the ball is said.
     std::optional<std::pair<const CapsuleDraft*, double>> edge_around(const BoxTree& tree,
                                                                       const Disc& disc,
-                                                                      ClassIndex kind) const {
+                                                                      ClassIndex kind,
+                                                                      const Span& span) {
         std::optional<std::pair<const CapsuleDraft*, double>> found;
         tree.query(bounds(disc), [&](std::uint32_t i) {
+            if (!has_time(span)) return false;
             const CapsuleDraft& edge = draft_.capsules[i];
             const ResolvedEdges& naming = names_.edges[static_cast<std::size_t>(edge.naming)];
             const double gap = separation(disc, edge.shape);
@@ -105,12 +107,11 @@ class StartCheck {
     }
 
     // The work is bounded: a million balls in one place that never meet are n^2 pairs.
-    bool has_time(const StartingBall& ball) {
+    bool has_time(const Span& span) {
         constexpr std::uint64_t most_pairs = 50'000'000;
         if (++pairs_ <= most_pairs) return true;
         if (pairs_ == most_pairs + 1) {
-            context_.reporter.warning(ball.origin.span,
-                                      "the level is too crowded to check how its balls start",
+            context_.reporter.warning(span, "the level is too crowded to check how its balls start",
                                       "expect balls that start inside one another");
         }
         return false;
@@ -122,8 +123,9 @@ class StartCheck {
     void check_edges(const BoxTree& tree) {
         for (const StartingBall& ball : balls_) {
             if (is_filled(ball)) continue;
-            if (!has_time(ball)) return;
-            const auto edge = edge_around(tree, {ball.position, ball.radius}, ball.kind);
+            if (!has_time(ball.origin.span)) return;
+            const auto edge =
+                edge_around(tree, {ball.position, ball.radius}, ball.kind, ball.origin.span);
             if (!edge) continue;
             context_.reporter.error(
                 ball.origin.span,
@@ -138,9 +140,10 @@ class StartCheck {
         for (std::size_t i = 0; i < draft_.emitters.size(); ++i) {
             const EmitterDraft& draft = draft_.emitters[i];
             if (!names_.emitters[i].is_sound) continue;
+            if (!has_time(draft.origin.span)) return;
             const ClassIndex kind = names_.emitters[i].kind;
-            const auto edge =
-                edge_around(tree, {draft.emitter.at, names_.kinds[kind].radius}, kind);
+            const auto edge = edge_around(tree, {draft.emitter.at, names_.kinds[kind].radius}, kind,
+                                          draft.origin.span);
             if (!edge) continue;
             context_.reporter.error(
                 draft.origin.span,
@@ -159,7 +162,7 @@ class StartCheck {
         }
         const BoxTree tree(std::move(boxes));
         for (const std::uint32_t i : checked_) {
-            if (!has_time(balls_[i])) return;
+            if (!has_time(balls_[i].origin.span)) return;
             for (const Vec2 image : images_of(balls_[i]))
                 check_ball(tree, i, image);
         }
@@ -189,7 +192,7 @@ class StartCheck {
         const StartingBall& ball = balls_[i];
         const Disc disc{at, ball.radius};
         tree.query(bounds(disc), [&](std::uint32_t entry) {
-            if (!has_time(ball)) return false;
+            if (!has_time(ball.origin.span)) return false;
             const std::uint32_t k = checked_[entry];
             const StartingBall& other = balls_[k];
             if (k == i || (k > i && at == ball.position)) return true;

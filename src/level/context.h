@@ -37,6 +37,8 @@ struct Context {
     std::map<NamingKey, std::size_t> naming_index;
     std::map<NamingKey, std::size_t> ball_naming_index;
     std::uint64_t seed = 0;
+    /// How often fills have looked at an obstacle: bounds the work.
+    std::uint64_t fill_looks = 0;
     /// Too many balls or edges: no more are unrolled.
     bool is_full = false;
 

@@ -320,8 +320,10 @@ class Parser {
         }
         std::vector<std::string_view> known{"pi"};
         for (const Scope* scope = &scope_; scope; scope = scope->outer) {
-            for (const auto& [other, variable] : scope->names)
+            for (const auto& [other, variable] : scope->names) {
+                if (known.size() == max_candidates) break;
                 known.push_back(other);
+            }
         }
         for (const std::string_view function : function_names())
             known.push_back(function);

@@ -17,6 +17,7 @@ namespace carom {
 namespace {
 
 constexpr std::uint32_t attempts = 300;
+constexpr std::uint64_t most_looks = 200'000'000;
 
 // What a draw is for: each has numbers of its own.
 enum class Purpose : std::uint64_t { mass = 1, radius, place, shift, direction, speed, gaussian };
@@ -110,12 +111,14 @@ void draw_velocities(const FillDraft& fill, const Chance& chance, std::vector<Fi
 
 class Placing {
   public:
+    /// `looks`: Context::fill_looks.
     Placing(const FillDraft& fill, const Obstacles& obstacles, const Chance& chance,
-            std::vector<FilledBall>& balls)
+            std::vector<FilledBall>& balls, std::uint64_t& looks)
         : fill_(fill),
-
           chance_(chance),
           balls_(balls),
+          looks_(looks),
+          keeps_apart_(obstacles.each_other),
           tree_(boxes_near(obstacles, fill.box)) {
         // The tree numbers only what is near the box, so its entries are kept beside it.
         for (const Disc& disc : obstacles.discs) {
@@ -124,8 +127,18 @@ class Placing {
         for (const Capsule& capsule : obstacles.capsules) {
             if (overlaps(bounds(capsule), fill.box)) near_capsules_.push_back(capsule);
         }
+        constexpr std::uint64_t looks_to_plant = 20;  // what an entry of a tree costs, about
+        looks_ += looks_to_plant * (near_discs_.size() + near_capsules_.size());
     }
 
+    /// Places all at random, else on a lattice; or says how many found a place.
+    std::uint32_t place() {
+        const std::uint32_t placed = at_random();
+        if (placed == fill_.count || is_exhausted()) return placed;
+        return std::max(placed, on_lattice());
+    }
+
+  private:
     /// How many were placed: all, or those before the first that found no place.
     std::uint32_t at_random() {
         std::vector<std::uint32_t> order(balls_.size());
@@ -139,7 +152,7 @@ class Placing {
         std::uint32_t placed = 0;
         for (const std::uint32_t i : order) {
             if (!find_place(i, occupancy)) return placed;
-            occupancy.add({balls_[i].position, balls_[i].radius});
+            if (keeps_apart_) occupancy.add({balls_[i].position, balls_[i].radius});
             ++placed;
         }
         return placed;
@@ -166,7 +179,6 @@ class Placing {
         return fill_.count;
     }
 
-  private:
     static std::vector<Box> boxes_near(const Obstacles& obstacles, const Box& box) {
         std::vector<Box> boxes;
         for (const Disc& disc : obstacles.discs) {
@@ -178,9 +190,13 @@ class Placing {
         return boxes;
     }
 
-    bool is_free(const Disc& disc) const {
-        bool is_free = true;
+    bool is_exhausted() const { return looks_ > most_looks; }
+
+    bool is_free(const Disc& disc) {
+        bool is_free = !is_exhausted();
         tree_.query(bounds(disc), [&](std::uint32_t i) {
+            if (++looks_ > most_looks) is_free = false;
+            if (!is_free) return false;
             is_free = i < near_discs_.size()
                           ? separation(disc, near_discs_[i]) >= 0.0
                           : separation(disc, near_capsules_[i - near_discs_.size()]) >= 0.0;
@@ -204,7 +220,7 @@ class Placing {
     }
 
     // Somewhere within the site's own room, if nothing stands there.
-    Vec2 shifted(Vec2 site, double radius, double pitch, std::uint32_t i) const {
+    Vec2 shifted(Vec2 site, double radius, double pitch, std::uint32_t i) {
         const double room = (0.5 * pitch - radius) * 0.7;  // the square inside the circle
         if (room <= 0.0) return site;
         const Vec2 place = site + Vec2{chance_.between(-room, room, Purpose::shift, i, 0),
@@ -216,6 +232,8 @@ class Placing {
     const FillDraft& fill_;
     const Chance& chance_;
     std::vector<FilledBall>& balls_;
+    std::uint64_t& looks_;
+    bool keeps_apart_;
     BoxTree tree_;
     std::vector<Disc> near_discs_;
     std::vector<Capsule> near_capsules_;
@@ -225,20 +243,30 @@ class Placing {
 
 std::optional<std::vector<FilledBall>> place_fill(const FillDraft& fill,
                                                   const FillDefaults& defaults,
-                                                  const Obstacles& obstacles, Context& context) {
+                                                  const FillObstacles& obstacles,
+                                                  Context& context) {
+    if (context.fill_looks > most_looks) return std::nullopt;  // told already
     const Chance chance(context.seed, fill.number);
     std::vector<FilledBall> balls(fill.count);
     if (!draw_sizes(fill, defaults, chance, balls, context)) return std::nullopt;
     draw_velocities(fill, chance, balls);
-    Placing placing(fill, obstacles, chance, balls);
-    const std::uint32_t at_random = placing.at_random();
-    if (at_random == fill.count) return balls;
-    const std::uint32_t on_lattice = placing.on_lattice();
-    if (on_lattice == fill.count) return balls;
-    context.reporter.error(fill.origin.span,
-                           fmt::format("the box has room for only {} of {} balls",
-                                       std::max(at_random, on_lattice), fill.count),
-                           "make the box larger, or the balls smaller or fewer");
+    const auto place_among = [&](const Obstacles& among) {
+        return Placing(fill, among, chance, balls, context.fill_looks).place();
+    };
+    std::uint32_t placed = place_among(obstacles.all);
+    if (placed < fill.count && obstacles.solid && context.fill_looks <= most_looks) {
+        placed = place_among(obstacles.solid());
+    }
+    if (placed == fill.count) return balls;
+    if (context.fill_looks > most_looks) {
+        context.reporter.error(fill.origin.span, "the level is too crowded for this fill",
+                               "draw less into its box, or fill it in fewer parts");
+        return std::nullopt;
+    }
+    context.reporter.error(
+        fill.origin.span,
+        fmt::format("the box has room for only {} of {} balls", placed, fill.count),
+        "make the box larger, or the balls smaller or fewer");
     return std::nullopt;
 }
 

@@ -102,7 +102,11 @@ void check_gaps(const std::vector<StartingBall>& balls, const Resolved& names, C
             }
             return ++pairs < most_pairs;
         });
-        if (pairs >= most_pairs) return;
+        if (pairs < most_pairs) continue;
+        context.reporter.warning(edges[i].origin.span,
+                                 "the level is too crowded to look for gaps that no ball can pass",
+                                 "expect such gaps among its edges");
+        return;
     }
     std::set<std::pair<int, int>> told;
     for (const Gap& gap : gaps) {

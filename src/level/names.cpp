@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <map>
+#include <set>
 
 #include "geometry/elementary.h"
 #include "level/spelling.h"
@@ -77,14 +78,21 @@ class Resolver {
     }
 
   private:
+    // Nobody reads the hundredth remedy, and to look for it takes time.
+    std::string remedy(const Word& word, const std::vector<std::string_view>& known,
+                       std::string otherwise) const {
+        if (context_.reporter.errors() > 10 * max_diagnostics) return otherwise;
+        return did_you_mean(word.text, known, std::move(otherwise));
+    }
+
     ResolvedBalls resolve_kind(const std::optional<Word>& name) {
         if (!name) return {kinds_.unnamed(), true};
         if (const auto kind = kinds_.find(name->text)) {
             return {*kind, draft_.kinds[*kind].is_sound};
         }
-        context_.reporter.error(name->span(), fmt::format("there is no kind '{}'", name->text),
-                                did_you_mean(name->text, kind_names_,
-                                             fmt::format("define it: kind {} r=...", name->text)));
+        context_.reporter.error(
+            name->span(), fmt::format("there is no kind '{}'", name->text),
+            remedy(*name, kind_names_, fmt::format("define it: kind {} r=...", name->text)));
         return {0, false};
     }
 
@@ -92,8 +100,7 @@ class Resolver {
         if (const auto material = materials_.find(name.text)) return material;
         context_.reporter.error(
             name.span(), fmt::format("there is no material '{}'", name.text),
-            did_you_mean(name.text, material_names_,
-                         fmt::format("define it: material {} e=...", name.text)));
+            remedy(name, material_names_, fmt::format("define it: material {} e=...", name.text)));
         return std::nullopt;
     }
 
@@ -171,7 +178,13 @@ class Resolver {
     }
 
     // The classes that a word of `collide` stands for; empty: reported.
-    std::vector<std::size_t> classes_of(const Word& word) {
+    const std::vector<std::size_t>& classes_of(const Word& word) {
+        std::vector<std::size_t>& known = classes_[word.text];
+        if (known.empty()) known = find_classes(word);
+        return known;
+    }
+
+    std::vector<std::size_t> find_classes(const Word& word) {
         std::vector<std::size_t> classes;
         const std::size_t kinds = result_.kinds.size();
         for (std::size_t i = 0; i < kinds + result_.materials.size(); ++i) {
@@ -191,7 +204,7 @@ class Resolver {
         known.insert(known.end(), material_names_.begin(), material_names_.end());
         context_.reporter.error(
             word.span(), fmt::format("'{}' is neither a kind nor a material", word.text),
-            did_you_mean(word.text, known, "name kinds, materials, or the words ball and edge"));
+            remedy(word, known, "name kinds, materials, or the words ball and edge"));
         return {};
     }
 
@@ -200,9 +213,12 @@ class Resolver {
         const std::size_t kinds = result_.kinds.size();
         const std::size_t classes = kinds + result_.materials.size();
         result_.meets.assign(classes * classes, 0);
+        // Each pair of words once: `ball ball` alone can be a million pairs of kinds.
+        std::set<std::pair<std::string_view, std::string_view>> done;
         for (const CollideDraft& collide : draft_.collides) {
-            const std::vector<std::size_t> a = classes_of(collide.a);
-            const std::vector<std::size_t> b = classes_of(collide.b);
+            if (!done.emplace(collide.a.text, collide.b.text).second) continue;
+            const std::vector<std::size_t>& a = classes_of(collide.a);
+            const std::vector<std::size_t>& b = classes_of(collide.b);
             for (const std::size_t i : a) {
                 for (const std::size_t k : b) {
                     result_.meets[i * classes + k] = result_.meets[k * classes + i] = 1;
@@ -245,6 +261,7 @@ class Resolver {
     std::vector<std::string_view> material_names_;
     Classes kinds_;
     Classes materials_;
+    std::map<std::string_view, std::vector<std::size_t>> classes_;  ///< by a word of `collide`
     Resolved result_;
 };
 

@@ -30,14 +30,13 @@ int edit_distance(std::string_view a, std::string_view b) {
 
 std::optional<std::string_view> nearest_word(std::string_view word,
                                              const std::vector<std::string_view>& candidates) {
-    constexpr std::size_t longest = 64;  // nobody misspells a word that long; bounds the work,
-    constexpr int most = 1000;           // and so does this
-    int tried = 0;
+    constexpr std::size_t longest = 64;  // nobody misspells a word that long; bounds the work
+    std::size_t tried = 0;
     if (word.empty() || word.size() > longest) return std::nullopt;
     std::optional<std::string_view> best;
     std::size_t best_distance = std::max(std::size_t{1}, word.size() / 3);
     for (const std::string_view candidate : candidates) {
-        if (++tried > most) break;
+        if (++tried > max_candidates) break;
         if (candidate.size() < 2 || candidate.size() > word.size() + best_distance ||
             candidate.size() + best_distance < word.size()) {
             continue;

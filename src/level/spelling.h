@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,9 @@ namespace carom {
 
 /// Letters to insert, drop, change or swap with their neighbour to turn one word into the other.
 int edit_distance(std::string_view a, std::string_view b);
+
+/// More candidates than these are not looked at.
+inline constexpr std::size_t max_candidates = 1000;
 
 /// The candidate nearest to `word`, if no further than a third of its letters (at least one); the
 /// first of equals.

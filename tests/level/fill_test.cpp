@@ -146,3 +146,32 @@ TEST_CASE("the radius may be an expression of the mass") {
     CHECK(most > 5.9);
     CHECK(load_lines("fill count=5 box=0,0,99,99 m=1..6 r=m-3\n").diagnostics.size() == 1);
 }
+
+// A fill once refused to overlap what its balls never meet.
+TEST_CASE("a fill that does not fit may overlap what its balls never meet") {
+    const auto count = [](const std::string& lines) {
+        const LoadResult result = load_lines(lines);
+        CAPTURE(lines);
+        CHECK(result.scene.has_value());
+        return result.scene ? result.scene->world.balls.size() : 0;
+    };
+    const std::string full = "box 0,0 10,10\nball large at=5,5 r=4.9\n";
+    CHECK(count("kind ghost\ncollide ghost edge\ncollide ball edge\n" + full +
+                "fill ghost count=500 box=0,0,10,10 r=1\n") == 501);
+    CHECK(count("kind ghost\ncollide ghost ghost\ncollide ball edge\n" + full +
+                "fill ghost count=50 box=0,0,10,10 r=0.5\n") == 51);
+    CHECK(count("use overlap\n" + full + "fill count=500 box=0,0,10,10 r=1\n") == 501);
+    // Those that meet each other keep apart, and all keep out of the edges that they meet.
+    const auto is_refused = [](const std::string& lines) { return !load_lines(lines).scene; };
+    CHECK(is_refused("kind ghost\ncollide ghost ghost\ncollide ball edge\n" + full +
+                     "fill ghost count=500 box=0,0,10,10 r=1\n"));
+    CHECK(
+        is_refused("kind ghost\ncollide ghost edge\nedge 0,5 10,5 r=4\n"
+                   "fill ghost count=5 box=0,0,10,10 r=1\n"));
+    // Where there is room, they keep clear of everything.
+    const World world = load_clean(
+                            "kind ghost r=0.5\ncollide ghost edge\nbox 0,0 40,40\n"
+                            "fill ghost count=100 box=0,0,40,40\n")
+                            .world;
+    check_clear(world);
+}

@@ -125,3 +125,34 @@ TEST_CASE("a crowd that never meets is no work") {
     REQUIRE(result.diagnostics.size() == 1);
     CHECK(result.diagnostics[0].severity == Severity::warning);
 }
+
+// Each of these once took minutes: what lies in one place is near to all else that lies there.
+TEST_CASE("crowds of things that never meet, or hardly, are no endless work") {
+    const std::string edges = "repeat 100000\n edge -1,0 1,0\nend\n";
+    const LoadResult ghosts = load_lines(
+        "kind red\nkind blue\ncollide red blue\nball at=9,9 kind=blue\n"
+        "repeat 100000\n ball at=0,0 kind=red\nend\n" +
+        edges);
+    CHECK(ghosts.scene);
+    REQUIRE(ghosts.diagnostics.size() == 2);
+    CHECK(ghosts.diagnostics[0].message.find("too crowded to check how its balls start") !=
+          std::string::npos);
+    CHECK(ghosts.diagnostics[1].message.find("too crowded to look for gaps") != std::string::npos);
+    const std::string diagonals = "repeat 100000\n edge -100,-100 100,100\nend\n";
+    check_refused(load_lines(diagonals + "fill count=200000 box=-100,-100,100,100 r=0.01\n"),
+                  "too crowded for this fill");
+    check_refused(load_lines("fill count=20000 box=0,0,3000,3000\n" +
+                             repeated("fill count=1 box=0,0,3000,3000\n", 999)),
+                  "too crowded for this fill");
+}
+
+TEST_CASE("a thousand kinds, and a line of the file for each pair that meets, or for none") {
+    std::string kinds;
+    for (int i = 0; i < 1000; ++i)
+        kinds += "kind k" + std::to_string(i) + "\n";
+    CHECK(load_lines(kinds + "ball at=0,0\n" + repeated("collide ball ball\n", 50'000)).scene);
+    const LoadResult unknown =
+        load_lines(kinds + repeated("ball at=0,0 kind=kindly_unknown\n", 100'000));
+    CHECK_FALSE(unknown.scene);
+    CHECK(unknown.diagnostics.size() == 20);
+}
