@@ -96,6 +96,11 @@ void declare_use(const Arguments& a, const Scope& scope, Context& context) {
     }
 }
 
+bool has_setting(SolverKind solver, std::string_view key) {
+    if (key == "updates" || key == "steps") return solver == SolverKind::substep;
+    return key != "substeps" || solver == SolverKind::swept;
+}
+
 void declare_solver(const Arguments& a, Context& context) {
     const Word& word = a.plain.front();
     const std::optional<SolverKind> kind = solver_named(word.text);
@@ -115,6 +120,11 @@ void declare_solver(const Arguments& a, Context& context) {
                         word.text),
             offer);
         return;
+    }
+    for (const auto& [key, argument] : a.values) {
+        if (has_setting(*kind, key)) continue;
+        context.reporter.error(argument.value.span(), fmt::format("{} has no {}", word.text, key),
+                               fmt::format("leave {}= out", key));
     }
     SolverSettings settings;
     settings.kind = *kind;

@@ -4,37 +4,41 @@
 
 #include <algorithm>
 
+#include "level/text.h"
+
 namespace carom {
 namespace {
 
 constexpr int widest = 100;  // characters of a source line that are shown
 
+// U+0080 to U+009F are control characters too: two bytes, the first 0xc2, the second below 0xa0.
+bool is_control(std::string_view character) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+    if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7f;
+    return character.size() == 2 && byte(0) == 0xc2 && byte(1) < 0xa0;
+}
+
 // One string a character, fit for a terminal: a caret below the nth stands under the nth.
-std::vector<std::string> printable_characters(std::string_view line) {
+std::vector<std::string> printable_characters(std::string_view text) {
     std::vector<std::string> result;
-    for (const char c : line) {
-        const auto byte = static_cast<unsigned char>(c);
-        if ((byte & 0xc0u) == 0x80u && !result.empty()) {
-            result.back() += c;
-        } else if (c == '\t') {
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t length = character_length(text, i);
+        const std::string_view character = text.substr(i, std::max(length, std::size_t{1}));
+        if (character == "\t") {
             result.emplace_back(" ");
-        } else if (byte < 0x20 || byte == 0x7f) {
-            result.emplace_back("?");
         } else {
-            result.emplace_back(1, c);
+            result.emplace_back(length == 0 || is_control(character) ? "?" : character);
         }
+        i += character.size();
     }
     return result;
 }
 
-// U+0080 to U+009F are control characters too: two bytes, the first 0xc2, the second below 0xa0.
-std::string shown(const std::string& character) {
-    const bool is_control = character.size() == 2 && character[0] == '\xc2' &&
-                            static_cast<unsigned char>(character[1]) < 0xa0;
-    return is_control ? "?" : character;
-}
-
 }  // namespace
+
+std::string printable(std::string_view text) {
+    return fmt::format("{}", fmt::join(printable_characters(text), ""));
+}
 
 std::string render(const Diagnostic& d) {
     const std::vector<std::string> line = printable_characters(d.source);
@@ -48,7 +52,7 @@ std::string render(const Diagnostic& d) {
     std::string text = first > 0 ? "..." : "";
     std::string marks(text.size(), ' ');
     for (int i = first; i < last; ++i)
-        text += shown(line[static_cast<std::size_t>(i)]);
+        text += line[static_cast<std::size_t>(i)];
     if (last < size) text += "...";
     while (!text.empty() && text.back() == ' ')
         text.pop_back();
@@ -58,13 +62,13 @@ std::string render(const Diagnostic& d) {
     const std::string number = fmt::format("{:>5}", d.line);
     const std::string gutter(number.size() + 1, ' ');
     std::string result =
-        fmt::format("{}:{}:{}: {}: {}\n", d.file, d.line, d.column,
-                    d.severity == Severity::error ? "error" : "warning", d.message);
+        fmt::format("{}:{}:{}: {}: {}\n", printable(d.file), d.line, d.column,
+                    d.severity == Severity::error ? "error" : "warning", printable(d.message));
     result += fmt::format("{} |{}{}\n", number, text.empty() ? "" : " ", text);
     result += fmt::format("{}| {}\n", gutter, marks);
-    if (!d.remedy.empty()) result += fmt::format("{}= {}\n", gutter, d.remedy);
+    if (!d.remedy.empty()) result += fmt::format("{}= {}\n", gutter, printable(d.remedy));
     for (const IncludedFrom& from : d.included_from) {
-        result += fmt::format("{}included from {}:{}\n", gutter, from.file, from.line);
+        result += fmt::format("{}included from {}:{}\n", gutter, printable(from.file), from.line);
     }
     return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// What is wrong with a level, for the person who wrote it.
@@ -26,6 +27,10 @@ struct Diagnostic {
     std::vector<IncludedFrom> included_from;  ///< innermost first
 };
 
+/// The text, fit for a terminal: '?' for control characters and for bytes that are not UTF-8, a
+/// space for a tab.
+std::string printable(std::string_view text);
+
 /// As people read it:
 ///
 ///     levels/canyon.level:12:22: error: r must not be negative, but is -0.2
@@ -33,8 +38,8 @@ struct Diagnostic {
 ///           |                      ^~~~
 ///           = write a length, such as r=0.2
 ///
-/// with a line `included from ...` for each file of the chain. Control characters of the source are
-/// shown as '?', tabs as one space, and long lines are cut around the span. Ends with a newline.
+/// with a line `included from ...` for each file of the chain. All of it is `printable`, and long
+/// lines are cut around the span. Ends with a newline.
 std::string render(const Diagnostic& diagnostic);
 
 }  // namespace carom

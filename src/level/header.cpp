@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "level/spelling.h"
@@ -55,7 +56,21 @@ void read_title_line(const Node& node, Scene& scene, Reporter& reporter) {
         }
         return;
     }
-    scene.title = std::string(unquoted(words[1].text));
+    scene.title = printable(unquoted(words[1].text));
+}
+
+// Takes away blanks at the ends, empty lines below, and as many blanks on the left as all have:
+// what one line is indented against another stays.
+void trim(std::vector<std::string>& lines) {
+    std::size_t margin = std::string::npos;
+    for (std::string& line : lines) {
+        line.erase(line.find_last_not_of(' ') + 1);
+        if (!line.empty()) margin = std::min(margin, line.find_first_not_of(' '));
+    }
+    for (std::string& line : lines)
+        line.erase(0, margin);
+    while (!lines.empty() && lines.back().empty())
+        lines.pop_back();
 }
 
 // Lines that begin with '#' at the top of the file, or right below its first statement.
@@ -75,14 +90,14 @@ std::vector<std::string> opening_comment(const SourceText& source, int first_sta
                 if (is_blank && comment.empty()) continue;
                 return;
             }
-            const std::size_t from = text.find_first_not_of(" \t#", at);
-            comment.emplace_back(from == std::string_view::npos ? "" : text.substr(from));
+            std::size_t from = std::min(text.find_first_not_of('#', at), text.size());
+            if (from < text.size() && text[from] == ' ') ++from;
+            comment.emplace_back(printable(text.substr(from)));
         }
     };
     collect(0);
     if (comment.empty()) collect(static_cast<std::size_t>(first_statement_line));
-    while (!comment.empty() && comment.back().empty())
-        comment.pop_back();
+    trim(comment);
     return comment;
 }
 

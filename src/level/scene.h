@@ -49,8 +49,9 @@ struct Group {
 
 struct Scene {
     std::string file;
-    std::string title;
-    /// The comment that opens the file, without the marks: what it shows and what to try.
+    std::string title;  ///< printable, as the comment is
+    /// The comment that opens the file, without the marks and the blanks that all of its lines
+    /// begin with: what it shows and what to try.
     std::vector<std::string> comment;
     World world;
     Box view;  ///< what the camera shows

@@ -9,7 +9,8 @@ unsigned byte_at(std::string_view text, std::size_t i) {
     return static_cast<unsigned char>(text[i]);
 }
 
-// Bytes of the valid UTF-8 character at `i`, or 0 (RFC 3629: no overlong forms, no surrogates).
+}  // namespace
+
 std::size_t character_length(std::string_view text, std::size_t i) {
     const unsigned first = byte_at(text, i);
     if (first < 0x80) return 1;
@@ -29,8 +30,6 @@ std::size_t character_length(std::string_view text, std::size_t i) {
     }
     return length;
 }
-
-}  // namespace
 
 int characters(std::string_view text) {
     int count = 0;
@@ -54,7 +53,7 @@ std::vector<std::string_view> split_lines(std::string_view text) {
 
 std::optional<TextFault> find_fault(std::string_view text) {
     if (text.size() > max_file_bytes) {
-        return TextFault{1, 1, fmt::format("the file has {} bytes, more than 4 MiB", text.size()),
+        return TextFault{1, 1, "the file has more than 4 MiB",
                          "split it, or draw with repeat and part"};
     }
     int line_number = 0;

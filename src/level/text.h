@@ -46,6 +46,10 @@ struct TextFault {
 inline constexpr std::size_t max_file_bytes = 4u << 20;
 inline constexpr std::size_t max_line_bytes = 4096;
 
+/// Bytes of the valid UTF-8 character at `i`, or 0 (RFC 3629: no overlong forms, no surrogates).
+/// Pre: i < text.size().
+std::size_t character_length(std::string_view text, std::size_t i);
+
 /// The first fault: over 4 MiB, a NUL byte, not UTF-8, a line over 4,096 bytes.
 std::optional<TextFault> find_fault(std::string_view text);
 

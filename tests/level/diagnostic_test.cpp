@@ -32,6 +32,22 @@ TEST_CASE("a message as people read it") {
           "        included from outer.level:9\n");
 }
 
+TEST_CASE("nothing of a message steers the terminal, or is half a character") {
+    Diagnostic d;
+    d.file = "a\x1b[2J";
+    d.message = "'\x1b[31m' is \xff";
+    d.remedy = "see \xc2\x9b"
+               "1m";
+    d.source = "\x9b\xc3\xa4";
+    d.included_from = {{"b\r", 3}};
+    CHECK(render(d) ==
+          "a?[2J:1:1: error: '?[31m' is ?\n"
+          "    1 | ?\xc3\xa4\n"
+          "      | ^\n"
+          "      = see ?1m\n"
+          "      included from b?:3\n");
+}
+
 TEST_CASE("control characters cannot reach the terminal") {
     Diagnostic d;
     d.file = "a";

@@ -419,9 +419,21 @@ TEST_CASE("the comment that opens the file") {
     };
     const std::vector<std::string> two{"Shows this.", "Try that."};
     CHECK(comment("# Shows this.\n#Try that.\ncarom 1 \"A\"\n# not this\n") == two);
-    CHECK(comment("carom 1 \"A\"  # beside\n\n# Shows this.\n#   Try that.\n#\nball at=0,0\n") ==
-          two);
+    CHECK(comment("carom 1 \"A\"  # beside\n\n#   Shows this. \r\n#\t Try that.\n#\nball at=0,0\n") ==
+          std::vector<std::string>{"Shows this.", "Try that."});
+    // What is set against the margin, such as the second line of a list, stays so.
+    const std::vector<std::string> list{"Try: one", "     two", "", "End"};
+    CHECK(comment("carom 1 \"A\"\n# Try: one\n#      two\n#\n# End\n#\n") == list);
     CHECK(comment("carom 1 \"A\"\nball at=0,0\n# late\n").empty());
+}
+
+// The title and the comment are shown in menus and printed: a level must not steer the terminal.
+TEST_CASE("control characters of the title and the comment are not shown") {
+    const Scene scene =
+        load_level("carom 1 \"A\x1b[31mB\"\n# \x1b]0;x\x07\nball at=0,0\n", "a.level")
+            .scene.value();
+    CHECK(scene.title == "A?[31mB");
+    CHECK(scene.comment == std::vector<std::string>{"?]0;x?"});
 }
 
 TEST_CASE("lines may end in CR LF, begin with a byte order mark, and go on") {
