@@ -53,6 +53,19 @@ std::vector<std::string> files_of(const Scene& scene, const std::string& path) {
     return files;
 }
 
+// Writes one setting into the preferences. What went wrong, if anything; what cannot be read is
+// left as it is. Who has no such place wants none.
+std::optional<std::string> change_preferences(std::string_view name, std::string_view value) {
+    const auto path = preferences_path();
+    const auto folder = configuration_folder();
+    if (!path || !folder) return std::nullopt;
+    if (auto fault = make_folder(*folder)) return fault;
+    FileText text = read_file(*path);
+    std::error_code ignored;
+    if (!text.text && std::filesystem::exists(*path, ignored)) return text.error;
+    return write_file_atomically(*path, with_setting(text.text.value_or(""), name, value));
+}
+
 }  // namespace
 
 Program::Program(PlayOptions options, PreferencesText preferences)
@@ -239,11 +252,11 @@ void Program::reload(Game& game) {
 }
 
 void Program::keep_setting(std::string_view name, std::string_view value) {
-    const auto path = preferences_path();
-    const auto folder = configuration_folder();
-    if (!path || !folder || make_folder(*folder)) return;
-    const std::string text = read_file(*path).text.value_or("");
-    write_file_atomically(*path, with_setting(text, name, value));
+    const std::optional<std::string> fault = change_preferences(name, value);
+    auto* game = std::get_if<Game>(&page_);
+    if (!fault || !game || has_told_lost_settings_) return;
+    has_told_lost_settings_ = true;
+    game->player.say(fmt::format("such choices are not kept: {}", *fault));
 }
 
 void Program::keep_preferences(const ViewOptions& before, const ViewOptions& after) {

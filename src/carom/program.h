@@ -107,6 +107,7 @@ class Program {
     Capabilities capabilities_;
     ViewOptions view_;
     bool mouse_ = true;
+    bool has_told_lost_settings_ = false;  ///< once is enough
     bool is_over_ = false;
     double next_autosave_ = 0.0;
     double next_look_ = 0.0;  ///< at watched files

@@ -228,6 +228,29 @@ TEST_CASE("what is changed by keys is preferred from then on, and a person's com
     CHECK(running.program.is_over());
 }
 
+// It was ignored without a word once.
+TEST_CASE("preferences that cannot be written are told once, and the game goes on") {
+    const Home home;
+    const auto is_told = [&] {
+        Running running(playing("test.level"));
+        REQUIRE_FALSE(running.program.start());
+        running.key(U't');
+        const bool told = running.sees("such choices are not kept: cannot");
+        running.pass(60.0);
+        CHECK_FALSE(running.sees("not kept"));
+        running.key(U't');
+        CHECK_FALSE(running.sees("not kept"));
+        return told;
+    };
+    std::ofstream(home.path / "config") << "in the way";
+    CHECK(is_told());
+    // What cannot be read is not written over either.
+    fs::remove(home.path / "config");
+    fs::create_directories(home.preferences());
+    CHECK(is_told());
+    CHECK(fs::is_directory(home.preferences()));
+}
+
 TEST_CASE("a mistake in the preferences is shown, and the game is played") {
     const Home home;
     Running running(playing("test.level"), "renderer = fancy\n");
