@@ -111,6 +111,7 @@ class Player {
     void lay_out(const Canvas& canvas, double aspect);
     Marks marks() const;
     HudInfo hud() const;
+    std::vector<HudCheck> checks() const;
     std::vector<KeyHelp> hints() const;
     std::string mode() const;
     void draw_panels(Canvas& canvas);

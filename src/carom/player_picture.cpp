@@ -5,6 +5,7 @@
 
 #include "carom/player.h"
 #include "game/conserved.h"
+#include "lab/judge.h"
 #include "physics/cell_frame.h"
 #include "physics/totals.h"
 #include "terminal/histogram.h"
@@ -130,16 +131,33 @@ std::vector<KeyHelp> Player::hints() const {
     }
     hint(Action::help, "help");
     if (hand_.is_empty()) {
+        if (session_.latest() > 0) hint(Action::restart, "again");
         if (!mouse_is_off_ && !shows_cursor_) {
             hints.push_back({"drag", "move"});
             hints.push_back({"right drag", "shoot"});
         }
-        hint(Action::solver, "solver");
         hint(Action::renderer, "look");
         hint(Action::menu, "menu");
         hint(Action::quit, "quit");
+        hint(Action::solver, "solver");
     }
     return hints;
+}
+
+// The experiments of the level as it stands in its file, as far as the world knows how they go.
+std::vector<HudCheck> Player::checks() const {
+    std::vector<HudCheck> checks;
+    const Scene& scene = session_.scene();
+    if (scene.overridden) return checks;
+    for (const Expect& expect : scene.expects) {
+        using enum QuantityKind;
+        if (expect.what.kind == escaped || expect.what.kind == overlap) continue;
+        // The panel says these.
+        if (is_of_bins(expect.what.kind) && histogram_area_.rows > 0) continue;
+        if (const auto measured = measure(expect.what, session_.world(), {}))
+            checks.push_back({expect.quantity, *measured, expect.value, expect.tolerance});
+    }
+    return checks;
 }
 
 HudInfo Player::hud() const {
@@ -156,6 +174,8 @@ HudInfo Player::hud() const {
     info.rate = world.rate;
     info.terms = terms_in_force(world.model);
     info.balls = world.balls.size();
+    info.collisions = world.ball_ball_collisions + world.ball_edge_collisions;
+    info.checks = checks();
     info.kinetic_energy = sums.kinetic_energy;
     if (world.model.gravity) info.potential_energy = sums.potential_energy;
     info.momentum = sums.momentum;

@@ -81,6 +81,18 @@ Field drift_field(std::string_view label, double drift, int rank, const Look& lo
     return {std::string(label), padded(std::move(text), 8), ink_of(role, look), rank};
 }
 
+// "2817 of 3141", "5.9871 of 6": green once it is as it should be.
+Field check_field(const HudCheck& check, int rank, const Look& look) {
+    const std::string value = fmt::format("{:.8g}", check.value);
+    const bool is_whole = check.tolerance == 0.0;
+    const std::string measured =
+        is_whole ? fmt::format("{:.8g}", check.measured) : fmt::format("{:.5g}", check.measured);
+    const bool holds = std::abs(check.measured - check.value) <= check.tolerance;
+    const int width = is_whole ? columns_of(value) : std::max(7, columns_of(value));
+    return {check.quantity, fmt::format("{:>{}} of {}", measured, width, value),
+            ink_of(holds ? Role::good : Role::text, look), rank};
+}
+
 // How the play goes: running or not, how fast, and how far back.
 Field state_field(const HudInfo& info, const Look& look) {
     if (info.is_paused) {
@@ -112,13 +124,23 @@ std::vector<Field> play_fields(const HudInfo& info, const Look& look) {
 std::vector<Field> physics_fields(const HudInfo& info, const Look& look) {
     const Ink text = ink_of(Role::text, look);
     std::vector<Field> fields;
+    int rank = 1;
+    bool has_collisions = false;
+    for (const HudCheck& check : info.checks) {
+        fields.push_back(check_field(check, rank, look));
+        rank = 8;
+        has_collisions = has_collisions || check.quantity == "collisions";
+    }
+    if (!has_collisions) {
+        fields.push_back({"collisions", fmt::format("{:<8}", info.collisions), text, 5});
+    }
     fields.push_back({"KE", quantity(info.kinetic_energy), text, 0});
     if (info.potential_energy) {
-        fields.push_back({"PE", quantity(*info.potential_energy), text, 4});
+        fields.push_back({"PE", quantity(*info.potential_energy), text, 6});
     }
-    if (info.energy_drift) fields.push_back(drift_field("drift", *info.energy_drift, 1, look));
-    fields.push_back({"p", momentum(info.momentum), text, 2});
-    if (info.momentum_drift) fields.push_back(drift_field("drift", *info.momentum_drift, 5, look));
+    if (info.energy_drift) fields.push_back(drift_field("drift", *info.energy_drift, 2, look));
+    fields.push_back({"p", momentum(info.momentum), text, 4});
+    if (info.momentum_drift) fields.push_back(drift_field("drift", *info.momentum_drift, 7, look));
     return fields;
 }
 
@@ -189,9 +211,8 @@ void draw_physics(const Bar& bar, const HudInfo& info) {
 void draw_first(const Bar& bar, const HudInfo& info, std::vector<Field> fields) {
     bar.clear();
     const int columns = bar.canvas.columns();
-    const int least_title = std::min(columns_of(info.title), columns >= 80   ? 20
-                                                             : columns >= 60 ? 12
-                                                                             : 0);
+    // Half of a line for a title, if it is that long; in a narrow window what it needs least.
+    const int least_title = columns >= 60 ? std::min(columns_of(info.title), columns / 2 - 8) : 0;
     fields =
         those_that_fit(std::move(fields), columns - 2 - (least_title > 0 ? least_title + gap : 0));
     const int room = columns - 2 - width_of(fields) - gap;

@@ -20,6 +20,14 @@ struct KeyHelp {
     std::string what;  ///< "pause"
 };
 
+/// What the level says a quantity should be, and what it is now.
+struct HudCheck {
+    std::string quantity;  ///< "collisions"
+    double measured = 0.0;
+    double value = 0.0;
+    double tolerance = 0.0;
+};
+
 struct HudInfo {
     std::string title;
     std::string solver;             ///< with its settings, as "substep 4x15"
@@ -31,6 +39,8 @@ struct HudInfo {
     double rate = 0.0;               ///< ticks a second of the level's own time
     std::vector<std::string> terms;  ///< the model in force
     std::size_t balls = 0;
+    std::uint64_t collisions = 0;  ///< since the start
+    std::vector<HudCheck> checks;  ///< the most important first
     double kinetic_energy = 0.0;
     std::optional<double> potential_energy;  ///< under gravity
     Vec2 momentum;

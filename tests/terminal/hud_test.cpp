@@ -19,6 +19,7 @@ HudInfo galton() {
     info.rate = 120;
     info.terms = {"gravity 0,-9.81", "restitution", "scatter 20deg"};
     info.balls = 137;
+    info.collisions = 4711;
     info.kinetic_energy = 123.456789;
     info.potential_energy = -17.25;
     info.momentum = {0.123, -4.5};
@@ -63,9 +64,9 @@ TEST_CASE("status lines in a wide window say it all") {
     const std::string text = drawn(galton(), 200, 24);
     for (const char* part :
          {"Galton board, 12 rows", "> x1", "12.345 s", "tick 1481", "swept (auto)",
-          "120/120 ticks/s", "balls 137", "KE 123.46", "PE -17.25", "drift +1.3e-13", "p +0.123",
-          "-4.5", "drift 0", "model gravity 0,-9.81, restitution, scatter 20deg", "space pause",
-          "q quit"}) {
+          "120/120 ticks/s", "balls 137", "collisions 4711", "KE 123.46", "PE -17.25",
+          "drift +1.3e-13", "p +0.123", "-4.5", "drift 0",
+          "model gravity 0,-9.81, restitution, scatter 20deg", "space pause", "q quit"}) {
         CAPTURE(std::string(part));
         CAPTURE(text);
         CHECK(text.find(part) != std::string::npos);
@@ -85,6 +86,31 @@ TEST_CASE("status lines in small windows keep what matters most") {
     CHECK(drawn(galton(), 20, 8) == R"(
  Galton b  > x1
 )");
+}
+
+TEST_CASE("what the level expects stands first, and is green once it holds") {
+    HudInfo info = galton();
+    info.checks = {{"collisions", 2817, 3141, 0.0}, {"energy", 1.25, 1.0, 0.5}};
+    const std::string text = drawn(info, 160, 24);
+    CHECK(text.find(" collisions 2817 of 3141  energy    1.25 of 1  KE") != std::string::npos);
+    CHECK(text.find("4711") == std::string::npos);  // said once
+    CHECK(drawn(info, 80, 24).find(" collisions 2817 of 3141  KE") != std::string::npos);
+
+    const Look look{256, true, false};
+    const auto color = [&](double measured) {
+        info.checks = {{"collisions", measured, 3141, 0.0}};
+        Canvas canvas(80, 24);
+        draw_hud(canvas, info, look);
+        return canvas.at(12, 22).foreground;
+    };
+    CHECK(color(3141) == ink_of(Role::good, look).color);
+    CHECK(color(2817) == ink_of(Role::text, look).color);
+}
+
+TEST_CASE("a long title gets half of the line before the least important numbers do") {
+    HudInfo info = galton();
+    info.title = "A title that is quite a bit longer than others";
+    CHECK(drawn(info, 80, 24).find(" A title that is quite a bit long") != std::string::npos);
 }
 
 TEST_CASE("no line is ever longer than the window, whatever it has to say") {
