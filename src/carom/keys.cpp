@@ -48,7 +48,7 @@ constexpr ActionRow rows[] = {
     {Action::save, "save", "w", "save as a level", "World"},
 
     {Action::renderer, "renderer", "v", "the next way to draw", "View"},
-    {Action::colors, "colors", "c", "colour by kind, speed, mass", "View"},
+    {Action::colors, "colors", "c", "colour by kind, speed, mass, ball", "View"},
     {Action::trails, "trails", "t", "trails", "View"},
     {Action::overlay, "overlay", "o", "the next overlay", "View"},
     {Action::velocities, "velocities", "1", "velocities", "View"},

@@ -7,7 +7,7 @@ namespace carom {
 namespace {
 
 /// How near something must be to be meant, in columns.
-constexpr double reach = 0.8;
+constexpr double reach = 1.5;
 /// One step of the wheel.
 constexpr double wheel_factor = 1.15;
 

@@ -24,8 +24,8 @@ void Player::perform_on_view(Action action) {
             return say(std::string(names[static_cast<std::size_t>(view_.renderer)]));
         }
         case Action::colors: {
-            constexpr std::string_view names[] = {"kind", "speed", "mass"};
-            const auto next = (static_cast<std::size_t>(view_.color_by) + 1) % 3;
+            constexpr std::string_view names[] = {"kind", "speed", "mass", "ball"};
+            const auto next = (static_cast<std::size_t>(view_.color_by) + 1) % std::size(names);
             view_.color_by = static_cast<ColorBy>(next);
             return say(fmt::format("colour by {}", names[next]));
         }

@@ -30,8 +30,10 @@ constexpr Named<ColorChoice> color_choices[] = {{"auto", ColorChoice::automatic}
 constexpr Named<std::optional<bool>> backgrounds[] = {
     {"auto", std::nullopt}, {"dark", false}, {"light", true}};
 constexpr Named<bool> switches[] = {{"on", true}, {"off", false}};
-constexpr Named<ColorBy> color_bys[] = {
-    {"kind", ColorBy::kind}, {"speed", ColorBy::speed}, {"mass", ColorBy::mass}};
+constexpr Named<ColorBy> color_bys[] = {{"kind", ColorBy::kind},
+                                        {"speed", ColorBy::speed},
+                                        {"mass", ColorBy::mass},
+                                        {"ball", ColorBy::ball}};
 constexpr Named<BallStyle> ball_styles[] = {{"filled", BallStyle::filled},
                                             {"outline", BallStyle::outline}};
 

@@ -19,7 +19,7 @@
 ///     background = light      auto, dark, light
 ///     fps = 30                frames a second, 1..1000
 ///     mouse = off             on, off
-///     color-by = speed        kind, speed, mass
+///     color-by = speed        kind, speed, mass, ball
 ///     balls = outline         filled, outline
 ///     trails = on             on, off
 namespace carom {

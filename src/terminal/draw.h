@@ -25,7 +25,12 @@ enum class Renderer : std::uint8_t {
     braille       ///< eight dots a cell, one colour
 };
 
-enum class ColorBy : std::uint8_t { kind, speed, mass, ball };
+enum class ColorBy : std::uint8_t {
+    kind,  ///< by ball where all are of one kind
+    speed,
+    mass,
+    ball
+};
 enum class BallStyle : std::uint8_t {
     filled,
     outline  ///< with a radius that shows where the ball heads

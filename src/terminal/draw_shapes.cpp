@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <string_view>
 
 #include "terminal/draw_parts.h"
@@ -140,7 +141,11 @@ std::vector<Ink> ball_inks(const World& world, const ViewOptions& options,
         for (std::size_t i = 0; i < balls.size(); ++i)
             inks[i] = ink_of_ball(i);
     };
-    switch (options.color_by) {
+    const auto are_of_one_kind = [&] {
+        return std::ranges::adjacent_find(balls.kind, std::not_equal_to{}) == balls.kind.end();
+    };
+    const bool is_by_kind = options.color_by == ColorBy::kind;
+    switch (is_by_kind && are_of_one_kind() ? ColorBy::ball : options.color_by) {
         case ColorBy::kind:
             each([&](std::size_t i) { return ink_of_class(balls.kind[i], options.look); });
             break;
@@ -199,11 +204,17 @@ void paint_edges(Raster& raster, const View& view) {
             const Capsule image{shape.start + offset, shape.end + offset, shape.radius};
             if (!overlaps(grow(bounds(image), hair), visible)) continue;
             const RasterPoint start = to_raster(view.camera, image.start);
-            if (image.start == image.end && stamp_width(raster, radius) == 1) {
+            const bool is_peg = image.start == image.end;
+            if (is_peg && raster.sampling() == Sampling::shapes && radius < stamp_radii[1]) {
                 raster.stamp(start, peg_stamp, ink);
                 continue;
             }
-            raster.capsule(start, to_raster(view.camera, image.end), radius, {ink, 255, '#'});
+            const Brush brush{ink, 255, '#'};
+            if (is_peg) {
+                raster.disc(start, std::max(radius, raster.hairline()), 0.0, brush);
+            } else {
+                raster.capsule(start, to_raster(view.camera, image.end), radius, brush);
+            }
         }
     }
 }

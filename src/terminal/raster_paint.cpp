@@ -24,6 +24,10 @@ double distance_to(double x, double a, double b) {
     return std::max({0.0, a - x, x - b});
 }
 
+double middle_of_sample(double x, double width) {
+    return (std::floor(x / width) + 0.5) * width;
+}
+
 bool is_finite(RasterPoint p) {
     return std::isfinite(p.x) && std::isfinite(p.y);
 }
@@ -161,6 +165,12 @@ void Raster::disc(RasterPoint center, double radius, double rim, const Brush& br
 
 void Raster::capsule(RasterPoint start, RasterPoint end, double radius, const Brush& brush) {
     if (!is_finite(start) || !is_finite(end) || !std::isfinite(radius) || radius < 0.0) return;
+    // An upright or level line as thin as a pixel is one pixel thick wherever it stands, not two
+    // faint ones: of a row of bars, all look alike. (Characters have shapes for those between.)
+    if (radius <= hairline_ && sampling_ != Sampling::shapes) {
+        if (start.x == end.x) start.x = end.x = middle_of_sample(start.x, width_);
+        if (start.y == end.y) start.y = end.y = middle_of_sample(start.y, height_);
+    }
     const double thickness = std::max(radius, hairline_);
     const double clearance = std::max(width_, height_);
     const double reach = thickness + clearance;

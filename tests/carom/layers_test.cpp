@@ -77,8 +77,8 @@ std::string defined_type(const std::string& line) {
     for (const std::string_view keyword : {"struct ", "class ", "enum class ", "enum "}) {
         if (!line.starts_with(keyword)) continue;
         std::size_t end = keyword.size();
-        while (end < line.size() && is_name_part(line[end]))
-            ++end;
+        while (end < line.size() && (is_name_part(line[end]) || line[end] == ':'))
+            ++end;  // with the type that it is part of
         const bool is_declared_only = end < line.size() && line[end] == ';';
         return is_declared_only ? "" : line.substr(keyword.size(), end - keyword.size());
     }
