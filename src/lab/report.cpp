@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "lab/choice.h"
 #include "lab/json.h"
 #include "physics/fingerprint.h"
 
@@ -22,19 +23,6 @@ double mass_of(const World& world, std::size_t ball) {
     const double inverse = world.balls.inverse_mass[ball];
     const double of_kind = world.kinds[world.balls.kind[ball]].mass;
     return 1.0 / of_kind == inverse ? of_kind : 1.0 / inverse;
-}
-
-void write_settings(JsonWriter& json, const SolverSettings& solver) {
-    json.key("settings");
-    json.begin_object(Layout::one_line);
-    if (solver.kind == SolverKind::substep) {
-        json.field("updates", static_cast<std::uint64_t>(solver.updates));
-        json.field("steps", static_cast<std::uint64_t>(solver.steps));
-    }
-    if (solver.kind == SolverKind::swept) {
-        json.field("substeps", static_cast<std::uint64_t>(solver.substeps));
-    }
-    json.end_object();
 }
 
 void write_balls(JsonWriter& json, const Scene& scene, const World& world) {
@@ -147,18 +135,6 @@ std::string change_of(double start, double end) {
     return fmt::format(", or {:+.1e} of it", (end - start) / std::abs(start));
 }
 
-// "substep updates=4 steps=15", as the level would write it.
-std::string written(const SolverSettings& solver) {
-    switch (solver.kind) {
-        case SolverKind::substep:
-            return fmt::format("substep updates={} steps={}", solver.updates, solver.steps);
-        case SolverKind::swept:
-            return fmt::format("swept substeps={}", solver.substeps);
-        default:
-            return std::string(name(solver.kind));
-    }
-}
-
 }  // namespace
 
 std::string report_json(std::string_view level, const Scene& scene, const World& world,
@@ -167,6 +143,7 @@ std::string report_json(std::string_view level, const Scene& scene, const World&
     json.begin_object(Layout::lines);
     json.field("level", level);
     json.field("solver", name(record.solver.kind));
+    json.key("settings");
     write_settings(json, record.solver);
     json.field("rate", world.rate);
     json.field("seed", world.seed);

@@ -13,7 +13,8 @@ enum class RandomStream : std::uint32_t {
     scatter = 3,
     rack = 4,
     player = 5,
-    level = 6
+    level = 6,
+    lab = 7
 };
 
 /// 64 uniform bits for the `index`th draw of `who` (an id) in `stream`.
