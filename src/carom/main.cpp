@@ -4,6 +4,8 @@
 #include <variant>
 
 #include "carom/check.h"
+#include "carom/compare.h"
+#include "carom/measure.h"
 #include "carom/options.h"
 #include "carom/play.h"
 #include "carom/print.h"
@@ -21,6 +23,8 @@ int answer(const UsageAnswer& given) {
 struct Perform {
     int operator()(const PlayOptions& options) const { return play(options); }
     int operator()(const RunOptions& options) const { return run(options); }
+    int operator()(const MeasureOptions& options) const { return measure(options); }
+    int operator()(const CompareOptions& options) const { return compare(options); }
     int operator()(const CheckOptions& options) const { return check(options); }
     int operator()(const ListOptions& options) const { return list(options); }
     int operator()(const UsageAnswer& given) const { return answer(given); }

@@ -31,6 +31,19 @@ std::vector<std::string_view> available_names() {
     return names;
 }
 
+std::vector<std::string> parts_of(const std::string& text) {
+    std::vector<std::string> parts;
+    std::size_t from = 0;
+    while (from <= text.size()) {
+        const std::size_t comma = std::min(text.find(',', from), text.size());
+        parts.push_back(text.substr(from, comma - from));
+        from = comma + 1;
+    }
+    return parts;
+}
+
+constexpr NumberRange rate_range{.least = 1e-3, .most = 1e9};
+
 template <class Choice>
 struct Named {
     std::string_view name;
@@ -84,11 +97,10 @@ std::optional<std::uint64_t> OptionReader::whole(std::string_view option, const 
 }
 
 std::optional<double> OptionReader::rate(const std::string& text) {
-    return number("--rate", text, {.least = 1e-3, .most = 1e9});
+    return number("--rate", text, rate_range);
 }
 
-std::optional<SolverSettings> OptionReader::solver(const std::string& text) {
-    if (text.empty() || text == "auto") return std::nullopt;
+std::optional<SolverKind> OptionReader::available_solver(const std::string& text) {
     const std::optional<SolverKind> kind = solver_named(text);
     if (!kind) {
         std::vector<std::string_view> names = available_names();
@@ -97,7 +109,65 @@ std::optional<SolverSettings> OptionReader::solver(const std::string& text) {
         return std::nullopt;
     }
     if (std::optional<std::string> why = unavailable(*kind)) refuse(std::move(*why));
+    return kind;
+}
+
+std::optional<SolverSettings> OptionReader::solver(const std::string& text) {
+    if (text.empty() || text == "auto") return std::nullopt;
+    const std::optional<SolverKind> kind = available_solver(text);
+    if (!kind) return std::nullopt;
     return SolverSettings{.kind = *kind};
+}
+
+std::vector<CompareOptions::Side> OptionReader::solvers(const std::string& text,
+                                                        std::size_t count) {
+    std::vector<CompareOptions::Side> sides;
+    if (text.empty()) return sides;
+    for (const std::string& part : parts_of(text)) {
+        const std::size_t at = std::min(part.find('@'), part.size());
+        const std::optional<SolverKind> kind = available_solver(part.substr(0, at));
+        if (!kind) return {};
+        CompareOptions::Side side{.kind = *kind, .rate = {}};
+        if (at < part.size()) {
+            side.rate = number("the rate after @", part.substr(at + 1), rate_range);
+            if (part.size() == at + 1) refuse("--solvers: a rate must follow the @");
+        }
+        sides.push_back(side);
+    }
+    if (count != 0 && sides.size() != count)
+        refuse(fmt::format("--solvers must name {}, as in swept,discrete@480, but is '{}'",
+                           count == 2 ? "two" : fmt::format("{}", count), text));
+    return sides;
+}
+
+std::vector<double> OptionReader::rates(const std::string& text) {
+    std::vector<double> rates;
+    if (text.empty()) return rates;
+    for (const std::string& part : parts_of(text)) {
+        if (part.empty())
+            refuse(fmt::format("--rates must be numbers with commas between, but is '{}'", text));
+        if (const auto rate = number("--rates", part, rate_range)) rates.push_back(*rate);
+    }
+    return rates;
+}
+
+std::optional<double> OptionReader::duration(std::string_view option, const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    struct Unit {
+        std::string_view name;
+        double seconds;
+    };
+    // Those that end in another's name come first.
+    for (const Unit& unit :
+         {Unit{"ns", 1e-9}, Unit{"us", 1e-6}, Unit{"ms", 1e-3}, Unit{"s", 1.0}}) {
+        if (!text.ends_with(unit.name)) continue;
+        const auto value = parsed<double>(text.substr(0, text.size() - unit.name.size()));
+        if (value && *value > 0.0 && std::isfinite(*value)) return *value * unit.seconds;
+        break;
+    }
+    refuse(fmt::format("{} must be a time with its unit, such as 2ms or 500us, but is '{}'", option,
+                       text));
+    return std::nullopt;
 }
 
 std::optional<RendererChoice> OptionReader::renderer(const std::string& text) {

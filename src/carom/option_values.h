@@ -4,7 +4,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "carom/options.h"
 #include "carom/play.h"
 #include "physics/solver.h"
 
@@ -28,6 +30,13 @@ class OptionReader {
     std::optional<double> rate(const std::string& text);
     /// None for "auto" too: then the level's own solver stands, or else carom picks.
     std::optional<SolverSettings> solver(const std::string& text);
+    /// "swept,event@240": solvers, each with a rate of its own if it has one. Exactly `count` of
+    /// them, where that is not 0. Empty after a mistake, and for an empty text.
+    std::vector<CompareOptions::Side> solvers(const std::string& text, std::size_t count);
+    /// "60,120,240": ticks a second.
+    std::vector<double> rates(const std::string& text);
+    /// Seconds, from a number with its unit: "2ms", "500us", "80ns", "0.1s".
+    std::optional<double> duration(std::string_view option, const std::string& text);
     std::optional<RendererChoice> renderer(const std::string& text);
     std::optional<ColorChoice> colors(const std::string& text);
 
@@ -35,6 +44,8 @@ class OptionReader {
     const std::optional<std::string>& mistake() const { return mistake_; }
 
   private:
+    std::optional<SolverKind> available_solver(const std::string& text);
+
     std::optional<std::string> mistake_;
 };
 

@@ -21,6 +21,7 @@ struct Typed {
     std::string solver, rate, seed;
     std::vector<std::string> overrides;
     std::string time, ticks, report, events, trace;
+    std::string solvers, rates, repeats, horizon, tolerance, budget, nudge, csv, json;
     std::string renderer, colors, fps, rewind;
     bool explain = false, no_mouse = false, low_bandwidth = false, watch = false, paused = false,
          resume = false;
@@ -37,12 +38,30 @@ void add_set(CLI::App& command, Typed& typed) {
         ->take_all();
 }
 
-void add_simulation_options(CLI::App& command, Typed& typed) {
-    command.add_option("--solver", typed.solver, "discrete, substep, swept, or auto (the default)")
-        ->type_name("NAME");
+// "discrete, substep, swept".
+std::string solver_names() {
+    std::string names;
+    for (const SolverKind kind : solvers_available())
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", name(kind));
+    return names;
+}
+
+void add_level(CLI::App& command, Typed& typed) {
+    command.add_option("LEVEL", typed.level, "A file, or the name of a level that ships")
+        ->type_name("")
+        ->required();
+}
+
+void add_level_options(CLI::App& command, Typed& typed) {
     command.add_option("--rate", typed.rate, "Ticks a second")->type_name("HZ");
     command.add_option("--seed", typed.seed, "Starts the level's random stream")->type_name("N");
     add_set(command, typed);
+}
+
+void add_simulation_options(CLI::App& command, Typed& typed) {
+    command.add_option("--solver", typed.solver, solver_names() + ", or auto (the default)")
+        ->type_name("NAME");
+    add_level_options(command, typed);
 }
 
 void add_play(CLI::App& app, Typed& typed) {
@@ -68,9 +87,7 @@ void add_play(CLI::App& app, Typed& typed) {
 
 void add_run(CLI::App& app, Typed& typed) {
     CLI::App& run = *app.add_subcommand("run", "Simulate a level without a screen");
-    run.add_option("LEVEL", typed.level, "A file, or the name of a level that ships")
-        ->type_name("")
-        ->required();
+    add_level(run, typed);
     run.add_option("--time", typed.time,
                    "Simulated seconds, rounded to whole ticks; 10 where neither is given")
         ->type_name("S");
@@ -84,6 +101,66 @@ void add_run(CLI::App& app, Typed& typed) {
     run.add_flag("--explain", typed.explain,
                  "Say which physics is in force, and which solver runs and why");
     run.footer("FILE may be -, standard output, for one of the three.");
+}
+
+void add_measure(CLI::App& app, Typed& typed) {
+    CLI::App& measure = *app.add_subcommand(
+        "measure", "Measure what every solver costs on a level, and how far it is off");
+    add_level(measure, typed);
+    measure.add_option("--time", typed.time, "Simulated seconds; 2 where nothing is said")
+        ->type_name("S");
+    measure.add_option("--solvers", typed.solvers, "Those to try, of " + solver_names())
+        ->type_name("A,B...");
+    measure
+        .add_option("--rates", typed.rates,
+                    "Ticks a second to try; a quarter to four times the level's where nothing is "
+                    "said")
+        ->type_name("HZ,HZ...");
+    measure
+        .add_option("--repeats", typed.repeats,
+                    "Runs of each, for its cost; 3 where nothing is said")
+        ->type_name("N");
+    measure
+        .add_option("--horizon", typed.horizon, "When errors are compared, in simulated seconds")
+        ->type_name("S");
+    measure
+        .add_option("--tolerance", typed.tolerance,
+                    "Names the cheapest whose error is this or less, in ball radii")
+        ->type_name("R");
+    measure
+        .add_option("--budget", typed.budget,
+                    "Names the most accurate that takes this or less for a tick of the level, as "
+                    "in 2ms")
+        ->type_name("TIME");
+    add_level_options(measure, typed);
+    measure.add_option("--csv", typed.csv, "A row for each choice and horizon")->type_name("FILE");
+    measure.add_option("--json", typed.json, "All of it, as one JSON object")->type_name("FILE");
+    measure.footer("FILE may be -, standard output, for one of the two.");
+}
+
+void add_compare(CLI::App& app, Typed& typed) {
+    CLI::App& compare =
+        *app.add_subcommand("compare", "Say when two solvers part, and how fast: exit code 0 or 1");
+    add_level(compare, typed);
+    compare
+        .add_option("--solvers", typed.solvers,
+                    "The two, of " + solver_names() + "; a rate may follow, as in swept@480")
+        ->type_name("A,B")
+        ->required();
+    compare.add_option("--time", typed.time, "Simulated seconds; 10 where nothing is said")
+        ->type_name("S");
+    compare
+        .add_option("--tolerance", typed.tolerance,
+                    "They part when a ball is further from its twin than this, in ball radii; "
+                    "1e-3 where nothing is said")
+        ->type_name("R");
+    compare
+        .add_option("--nudge", typed.nudge,
+                    "Starts every ball of the second this far from its twin, in ball radii")
+        ->type_name("R");
+    add_level_options(compare, typed);
+    compare.add_option("--json", typed.json, "All of it, as one JSON object; - is standard output")
+        ->type_name("FILE");
 }
 
 void add_check_and_list(CLI::App& app, Typed& typed) {
@@ -116,7 +193,8 @@ UsageAnswer unknown_option(const CLI::App* command, std::string_view spelling) {
 }
 
 UsageAnswer unknown_command(const CLI::App* app, std::string_view spelling) {
-    const std::string meant = suggestion(spelling, {"play", "run", "check", "list"});
+    const std::string meant =
+        suggestion(spelling, {"play", "run", "measure", "compare", "check", "list"});
     const std::string what = fmt::format("there is no command '{}'", spelling);
     if (!meant.empty()) return mistake(app, what + meant);
     return mistake(app, fmt::format("{}; to play a level, write `carom play {}`", what, spelling));
@@ -151,6 +229,50 @@ RunOptions run_options(const Typed& typed, OptionReader& read) {
             .explain = typed.explain};
 }
 
+std::vector<SolverKind> kinds_of(const std::vector<CompareOptions::Side>& sides,
+                                 OptionReader& read) {
+    std::vector<SolverKind> kinds;
+    for (const CompareOptions::Side& side : sides) {
+        if (side.rate) read.refuse("--solvers of measure takes no rates: they come from --rates");
+        kinds.push_back(side.kind);
+    }
+    return kinds;
+}
+
+MeasureOptions measure_options(const Typed& typed, OptionReader& read) {
+    MeasureOptions options{
+        .level = typed.level,
+        .rate = read.rate(typed.rate),
+        .seed = read.whole("--seed", typed.seed),
+        .overrides = typed.overrides,
+        .time = read.number("--time", typed.time, {.least = 1e-6, .most = 1e6}),
+        .repeats = {},
+        .rates = read.rates(typed.rates),
+        .solvers = kinds_of(read.solvers(typed.solvers, 0), read),
+        .horizon = read.number("--horizon", typed.horizon, {.least = 1e-6, .most = 1e6}),
+        .tolerance = read.number("--tolerance", typed.tolerance, {.least = 1e-15, .most = 1e3}),
+        .budget = read.duration("--budget", typed.budget),
+        .csv = typed.csv,
+        .json = typed.json};
+    if (const auto repeats = read.whole("--repeats", typed.repeats)) {
+        if (*repeats < 1 || *repeats > 1000) read.refuse("--repeats must be from 1 to 1000");
+        options.repeats = static_cast<int>(*repeats);
+    }
+    return options;
+}
+
+CompareOptions compare_options(const Typed& typed, OptionReader& read) {
+    return {.level = typed.level,
+            .rate = read.rate(typed.rate),
+            .seed = read.whole("--seed", typed.seed),
+            .overrides = typed.overrides,
+            .solvers = read.solvers(typed.solvers, 2),
+            .time = read.number("--time", typed.time, {.least = 1e-6, .most = 1e9}),
+            .tolerance = read.number("--tolerance", typed.tolerance, {.least = 1e-15, .most = 1e3}),
+            .nudge = read.number("--nudge", typed.nudge, {.least = 0, .most = 1}),
+            .json = typed.json};
+}
+
 PlayOptions play_options(const Typed& typed, OptionReader& read) {
     PlayOptions options{.level = typed.level,
                         .solver = read.solver(typed.solver),
@@ -177,6 +299,10 @@ Request understood(const CLI::App* command, const Typed& typed) {
     const std::string name = command->get_parent() == nullptr ? "" : command->get_name();
     if (name == "run") {
         request = run_options(typed, read);
+    } else if (name == "measure") {
+        request = measure_options(typed, read);
+    } else if (name == "compare") {
+        request = compare_options(typed, read);
     } else if (name == "check") {
         request = CheckOptions{.levels = typed.levels, .overrides = typed.overrides};
     } else if (name == "list") {
@@ -201,6 +327,8 @@ Request parse_options(int count, const char* const* arguments) {
     Typed typed;
     add_play(app, typed);
     add_run(app, typed);
+    add_measure(app, typed);
+    add_compare(app, typed);
     add_check_and_list(app, typed);
     app.require_subcommand(0, 1);
     app.allow_extras();

@@ -28,6 +28,43 @@ struct RunOptions {
     bool explain = false;
 };
 
+/// `carom measure LEVEL`. Paths as above.
+struct MeasureOptions {
+    std::string level;
+    std::optional<double> rate;  ///< the level's, ticks a second
+    std::optional<std::uint64_t> seed;
+    std::vector<std::string> overrides;
+
+    std::optional<double> time;  ///< s
+    std::optional<int> repeats;
+    std::vector<double> rates;        ///< to try, ticks a second; empty: the usual ones
+    std::vector<SolverKind> solvers;  ///< to try; empty: all
+    std::optional<double> horizon;    ///< s
+    std::optional<double> tolerance;  ///< ball radii
+    std::optional<double> budget;     ///< s a tick of the level
+    std::string csv;
+    std::string json;
+};
+
+/// `carom compare LEVEL`
+struct CompareOptions {
+    std::string level;
+    std::optional<double> rate;  ///< the level's, ticks a second
+    std::optional<std::uint64_t> seed;
+    std::vector<std::string> overrides;
+
+    /// The two; a rate of its own where one was given, as in swept@480.
+    struct Side {
+        SolverKind kind = SolverKind::swept;
+        std::optional<double> rate;
+    };
+    std::vector<Side> solvers;        ///< two
+    std::optional<double> time;       ///< s
+    std::optional<double> tolerance;  ///< ball radii
+    std::optional<double> nudge;      ///< ball radii that the second starts away from the first
+    std::string json;
+};
+
 /// `carom check LEVEL...`
 struct CheckOptions {
     std::vector<std::string> levels;
@@ -43,7 +80,8 @@ struct UsageAnswer {
     int exit_code = 0;  ///< 0: the text is for standard output; 2: for standard error
 };
 
-using Request = std::variant<PlayOptions, RunOptions, CheckOptions, ListOptions, UsageAnswer>;
+using Request = std::variant<PlayOptions, RunOptions, MeasureOptions, CompareOptions, CheckOptions,
+                             ListOptions, UsageAnswer>;
 
 /// Never throws or exits: a mistake is an UsageAnswer with exit code 2.
 Request parse_options(int count, const char* const* arguments);
