@@ -1,6 +1,7 @@
 #include "carom/player.h"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
@@ -368,6 +369,24 @@ TEST_CASE("no drift in a closed box, and none is claimed while a hand is in it")
     person.mouse(InputEvent::Action::press, person.ball(4));
     person.pass(0.1);
     CHECK_FALSE(person.sees("drift"));
+}
+
+TEST_CASE("the status line says what the level expects, and how it stands") {
+    Scene scene = busy_box();
+    Expect balls{"balls", {QuantityKind::balls, {}, {}, {}}, 99.0, 0.0, {}, 1};
+    Expect deepest{"overlap", {QuantityKind::overlap, {}, {}, {}}, 0.0, 0.0, {}, 2};
+    scene.expects = {balls, deepest};
+    const auto seen = [&] {
+        Player player(Session(scene, {.kind = SolverKind::swept}), ascii_view(), KeyMap());
+        Canvas window(120, 24);
+        player.draw(window, 2.0);
+        return window.text();
+    };
+    const std::string wanted = fmt::format("balls {:>2} of 99", scene.world.balls.size());
+    CHECK(seen().find(wanted) != std::string::npos);
+    CHECK(seen().find("overlap") == std::string::npos);  // only a run measures it
+    scene.overridden = true;
+    CHECK(seen().find("of 99") == std::string::npos);
 }
 
 TEST_CASE("any keys in any order do no harm") {

@@ -528,3 +528,25 @@ TEST_CASE("speed colours go from slow to fast, and calm down slowly") {
     drawing.draw(scene, options);
     CHECK(drawing.canvas.at(31, 5).foreground == ink_of_scale(0.5, options.look).color);
 }
+
+TEST_CASE("balls of a single kind have each their own colour, else each kind has its own") {
+    Scene scene = table({{0, 0}, {20, 10}});
+    put_ball(scene, {5, 5}, 2.0);
+    put_ball(scene, {15, 5}, 2.0);
+    const auto colors = [&] {
+        const Drawing drawing = Drawing(41, 11).draw(scene, in(Renderer::ascii));
+        return std::pair{drawing.canvas.at(10, 5).foreground, drawing.canvas.at(30, 5).foreground};
+    };
+    CHECK(colors().first != colors().second);
+    put_ball(scene, {10, 9}, 0.5, {}, 1);
+    CHECK(colors().first == colors().second);
+}
+
+TEST_CASE("a peg is a + in characters however small, and one pixel in half blocks") {
+    Scene scene = table({{0, 0}, {40, 20}});
+    add_capsule(scene.world, {{20.3, 10.2}, {20.3, 10.2}, 0.05}, 0);
+    CHECK(cells_that_are(Drawing(41, 11).draw(scene, in(Renderer::ascii)).canvas, U'+') == 1);
+    const Canvas canvas = Drawing(41, 11).draw(scene, in(Renderer::half_blocks)).canvas;
+    CHECK(cells_that_are(canvas, U'▀') + cells_that_are(canvas, U'▄') == 1);
+    CHECK(cells_that_are(canvas, U' ') == 41 * 11 - 1);
+}

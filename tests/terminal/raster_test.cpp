@@ -139,6 +139,27 @@ TEST_CASE("a line of radius 0 has no gaps at any angle") {
     }
 }
 
+TEST_CASE("upright and level hairlines are one pixel thick, wherever they stand") {
+    constexpr int least_seen = 43;  // of three shades
+    for (const Sampling sampling : {Sampling::halves, Sampling::dots}) {
+        for (double place = 3.0; place < 5.0; place += 0.1) {
+            Raster upright(sampling, 10, 5, 2.0);
+            upright.capsule({place, -1.0}, {place, 11.0}, 0.0, solid);
+            Raster level(sampling, 10, 5, 2.0);
+            level.capsule({-1.0, place}, {11.0, place}, 0.0, solid);
+            int lit_across = 0;
+            int lit_down = 0;
+            for (int i = 0; i < upright.samples_across(); ++i)
+                lit_across += upright.level_at(i, 5) >= least_seen;
+            for (int i = 0; i < level.samples_down(); ++i)
+                lit_down += level.level_at(5, i) >= least_seen;
+            CAPTURE(place);
+            CHECK(lit_across == 1);
+            CHECK(lit_down == 1);
+        }
+    }
+}
+
 TEST_CASE("dots show where in the cell a small disc is") {
     Raster raster(Sampling::shapes, 4, 1, 2.0);
     raster.disc({0.25, 0.3}, 0.01, 0.0, solid);
