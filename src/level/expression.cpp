@@ -3,21 +3,15 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "geometry/elementary.h"
+#include "level/literal.h"
 #include "level/spelling.h"
 #include "level/value_math.h"
 
 namespace carom {
 namespace {
-
-constexpr double largest = 1e300;
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 // Recursive descent over one word. `nothing` is both a mistake and poison; the mistake has been
 // reported where it was found, so callers just pass it on.
@@ -63,7 +57,7 @@ class Parser {
                            fmt::format("{} is {}", since(start), described(value.dimension)),
                            "no quantity has such a unit");
         }
-        if (std::abs(value.number) <= largest) return value;
+        if (std::abs(value.number) <= largest_number) return value;
         return mistake(start, at_ - start, fmt::format("{} is not a finite number", since(start)),
                        "numbers go up to 1e300, and nothing is divided by 0");
     }
@@ -151,9 +145,7 @@ class Parser {
 
     Result atom() {
         const char c = peek();
-        if (is_digit(c) || (c == '.' && at_ + 1 < text_.size() && is_digit(text_[at_ + 1]))) {
-            return number();
-        }
+        if (begins_literal(text_.substr(at_))) return number();
         if (starts_identifier(c)) return name();
         if (c == '(') {
             const std::size_t open = at_++;
@@ -187,101 +179,16 @@ class Parser {
         return false;
     }
 
-    // Digits with at most one point and an exponent; "0..10" is 0 and a range.
     Result number() {
         const std::size_t start = at_;
-        while (is_digit(peek()))
-            ++at_;
-        if (peek() == '.' && text_.substr(at_, 2) != "..") {
-            ++at_;
-            while (is_digit(peek()))
-                ++at_;
+        const auto is_let = [&](std::string_view name) { return scope_.find(name) != nullptr; };
+        const Literal literal = read_literal(text_.substr(start), rules_.unit, is_let);
+        if (!literal.fault.empty()) {
+            return mistake(start + literal.fault_at, literal.fault_length, literal.fault,
+                           literal.remedy);
         }
-        if (peek() == 'e' || peek() == 'E') {
-            std::size_t digits = at_ + 1;
-            if (digits < text_.size() && (text_[digits] == '-' || text_[digits] == '+')) ++digits;
-            if (digits < text_.size() && is_digit(text_[digits])) {
-                at_ = digits;
-                while (is_digit(peek()))
-                    ++at_;
-            }
-        }
-        double value = 0.0;
-        const std::string_view digits = since(start);
-        const auto [end, fault] =
-            std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        if (fault == std::errc::result_out_of_range || value > largest) {
-            return mistake(start, at_ - start, fmt::format("{} is out of range", digits),
-                           "numbers go from 1e-300 to 1e300");
-        }
-        return with_unit(start, value);
-    }
-
-    std::string_view letters_at(std::size_t from) const {
-        std::size_t end = from;
-        while (end < text_.size() && starts_identifier(text_[end]))
-            ++end;
-        return text_.substr(from, end - from);
-    }
-
-    // A unit goes as far as it can: 0.8m/s2 is one. After a bare number, /s is a unit unless a let
-    // is called s.
-    Result with_unit(std::size_t start, double number) {
-        Value value{number, {}};
-        const std::string_view letters = letters_at(at_);
-        if (!letters.empty()) {
-            const Unit* unit = unit_named(letters);
-            if (!unit) {
-                const std::string_view written = text_.substr(at_, letters.size());
-                return mistake(at_, letters.size(), fmt::format("'{}' is not a unit", written),
-                               did_you_mean(written, unit_names(),
-                                            "units are mm cm m in, g kg, ms s, m/s, m/s2, deg; "
-                                            "a product needs its '*'"));
-            }
-            at_ += letters.size();
-            times(value, *unit, exponent_here(), false);
-        }
-        while (peek() == '/') {
-            const std::string_view below = letters_at(at_ + 1);
-            const Unit* unit = unit_named(below);
-            const std::size_t after = at_ + 1 + below.size();
-            if (!unit || (letters.empty() && (unit->dimension.time != 1 || scope_.find(below)))) {
-                break;
-            }
-            at_ = after;
-            times(value, *unit, exponent_here(), true);
-        }
-        if (at_ < text_.size() && continues_identifier(text_[at_])) {
-            const std::string_view rest = text_.substr(at_);
-            return mistake(at_, rest.size(), fmt::format("'{}' is not expected here", rest),
-                           "a product needs its '*'");
-        }
-        return allowed(start, value);
-    }
-
-    int exponent_here() {
-        if (peek() != '2' && peek() != '3') return 1;
-        return text_[at_++] - '0';
-    }
-
-    static void times(Value& value, const Unit& unit, int exponent, bool below) {
-        for (int i = 0; i < exponent; ++i) {
-            value.number = below ? value.number / unit.size : value.number * unit.size;
-            value.dimension =
-                below ? value.dimension / unit.dimension : value.dimension * unit.dimension;
-        }
-    }
-
-    // A level in natural units has times and angles, and no other units.
-    Result allowed(std::size_t start, Value value) {
-        if (rules_.unit == LengthUnit::natural) {
-            if (value.dimension.length != 0 || value.dimension.mass != 0) {
-                return mistake(start, at_ - start,
-                               fmt::format("{} has a unit, but the level has none", since(start)),
-                               "leave the unit out, or begin with a line such as 'units mm'");
-            }
-        }
-        return finite(start, value);
+        at_ += literal.length;
+        return finite(start, literal.value);
     }
 
     Result name() {
