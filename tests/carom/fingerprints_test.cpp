@@ -1,5 +1,4 @@
 #include <doctest/doctest.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -8,51 +7,19 @@
 #include <string>
 #include <vector>
 
-#include "carom/level_files.h"
 #include "carom/support/process.h"
-#include "physics/fingerprint.h"
-#include "physics/solver.h"
+#include "golden/golden.h"
 
 // The same bits everywhere: every level that ships, under every solver, must reach the state that
 // tests/golden/fingerprints.txt has for it, whatever the compiler and its options.
-// `scripts/update-golden` writes that file anew, for a change that is meant to change the bits.
+// `scripts/update-golden` writes that file anew, for a change that is meant to change the bits;
+// `scripts/determinism` compares it with what many compilers and machines give.
 
 using namespace carom;
 
 namespace {
 
 const std::string golden_file = CAROM_SOURCE_DIR "/tests/golden/fingerprints.txt";
-
-// Ten balls take a tick in no time; thousands would take minutes in a build for debugging.
-std::uint64_t ticks_for(const World& world) {
-    return world.balls.size() > 200 ? 120 : 600;
-}
-
-// "LEVEL SOLVER TICKS FINGERPRINT"
-std::string line_for(const std::string& level, const Scene& scene, SolverKind kind) {
-    // A level's own settings hold for its own solver.
-    SolverSettings settings{.kind = kind};
-    if (scene.solver && scene.solver->kind == kind) settings = *scene.solver;
-    World world = scene.world;
-    Solver solver(settings);
-    const std::uint64_t ticks = ticks_for(world);
-    while (world.tick < ticks)
-        solver.tick(world);
-    return fmt::format("{} {} {} {}", level, name(kind), ticks, hexadecimal(fingerprint(world)));
-}
-
-std::vector<std::string> lines_now() {
-    std::vector<std::string> lines;
-    for (const LevelEntry& level : levels_in(CAROM_SOURCE_DIR "/levels")) {
-        const LoadedLevel loaded = load_level_file(level.path, {});
-        CAPTURE(level.path);
-        REQUIRE(loaded.result.scene.has_value());
-        for (const SolverKind kind : solvers_available()) {
-            lines.push_back(line_for(level.name, *loaded.result.scene, kind));
-        }
-    }
-    return lines;
-}
 
 std::vector<std::string> golden_lines() {
     std::vector<std::string> lines;
@@ -65,7 +32,7 @@ std::vector<std::string> golden_lines() {
 }  // namespace
 
 TEST_CASE("golden fingerprints of every level under every solver") {
-    const std::vector<std::string> now = lines_now();
+    const std::vector<std::string> now = test::fingerprint_lines(CAROM_SOURCE_DIR "/levels");
     if (std::getenv("CAROM_UPDATE_GOLDEN") != nullptr) {
         std::ofstream file(golden_file);
         for (const std::string& line : now)

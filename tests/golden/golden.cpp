@@ -1,0 +1,84 @@
+#include "golden/golden.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+#include "level/load.h"
+#include "physics/fingerprint.h"
+#include "physics/solver.h"
+
+namespace carom::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Ten balls take a tick in no time; thousands would take minutes in a build for debugging.
+std::uint64_t ticks_for(const World& world) {
+    return world.balls.size() > 200 ? 120 : 600;
+}
+
+std::optional<std::string> content(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return std::nullopt;
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+LoadResult load(const fs::path& path) {
+    LoadOptions options;
+    options.resolve_include = [](std::string_view from,
+                                 std::string_view what) -> std::optional<IncludedFile> {
+        const fs::path file = fs::path(from).parent_path() / what;
+        auto text = content(file);
+        if (!text) return std::nullopt;
+        return IncludedFile{file.string(), std::move(*text)};
+    };
+    return load_level(content(path).value_or(""), path.string(), options);
+}
+
+std::string line_for(const std::string& level, const Scene& scene, SolverKind kind) {
+    // A level's own settings hold for its own solver.
+    SolverSettings settings{.kind = kind};
+    if (scene.solver && scene.solver->kind == kind) settings = *scene.solver;
+    World world = scene.world;
+    Solver solver(settings);
+    const std::uint64_t ticks = ticks_for(world);
+    while (world.tick < ticks)
+        solver.tick(world);
+    return fmt::format("{} {} {} {}", level, name(kind), ticks, hexadecimal(fingerprint(world)));
+}
+
+std::vector<fs::path> levels_of(const std::string& folder) {
+    std::vector<fs::path> paths;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".level") paths.push_back(entry.path());
+    std::ranges::sort(paths, {}, [](const fs::path& path) { return path.stem().string(); });
+    return paths;
+}
+
+}  // namespace
+
+std::vector<std::string> fingerprint_lines(const std::string& folder,
+                                           const std::vector<std::string>& names) {
+    std::vector<std::string> lines;
+    for (const fs::path& path : levels_of(folder)) {
+        const std::string level = path.stem().string();
+        if (!names.empty() && std::ranges::count(names, level) == 0) continue;
+        const LoadResult loaded = load(path);
+        if (!loaded.scene) {
+            lines.push_back(level + ": " + render(loaded.diagnostics.front()));
+            continue;
+        }
+        for (const SolverKind kind : solvers_available())
+            lines.push_back(line_for(level, *loaded.scene, kind));
+    }
+    return lines;
+}
+
+}  // namespace carom::test
