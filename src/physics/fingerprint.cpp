@@ -65,6 +65,15 @@ std::uint64_t fingerprint(const World& world) {
         hash.add(held.start_target);
         hash.add(held.end_target);
     }
+    for (const BallPath& path : world.paths) {
+        hash.add(std::uint64_t{number(path.id)});
+        hash.add(path.time);
+        hash.add(path.position);
+        hash.add(path.velocity);
+        hash.add(path.acceleration);
+        hash.add(std::uint64_t{path.quick});
+        hash.add(static_cast<std::uint64_t>(path.motion));
+    }
     return hash.state();
 }
 

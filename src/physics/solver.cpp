@@ -1,5 +1,6 @@
 #include "physics/solver.h"
 
+#include "physics/event_engine.h"
 #include "physics/overlap_solver.h"
 #include "physics/surroundings.h"
 #include "physics/swept_solver.h"
@@ -8,7 +9,8 @@ namespace carom {
 namespace {
 
 constexpr std::array<std::string_view, 5> names{"discrete", "substep", "swept", "contact", "event"};
-constexpr std::array available{SolverKind::discrete, SolverKind::substep, SolverKind::swept};
+constexpr std::array available{SolverKind::discrete, SolverKind::substep, SolverKind::swept,
+                               SolverKind::event};
 
 }  // namespace
 
@@ -30,12 +32,16 @@ struct Solver::State {
     SolverSettings settings;
     OverlapSolver overlap;
     SweptSolver swept;
+    EventEngine<double> event;
+    std::unique_ptr<EventEngine<Wide>> extended;  // large, and seldom asked for
     std::vector<Contact> contacts;
     std::vector<std::uint8_t> touched;
 };
 
 Solver::Solver(const SolverSettings& settings) : state_(std::make_unique<State>()) {
     state_->settings = settings;
+    if (settings.kind == SolverKind::event && settings.extended)
+        state_->extended = std::make_unique<EventEngine<Wide>>();
 }
 Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
@@ -49,15 +55,26 @@ std::span<const Contact> Solver::contacts() const {
 }
 
 const CellFrame& Solver::cells() const {
-    return state_->settings.kind == SolverKind::swept ? state_->swept.cells()
-                                                      : state_->overlap.cells();
+    switch (state_->settings.kind) {
+        case SolverKind::swept:
+            return state_->swept.cells();
+        case SolverKind::event:
+            return state_->extended ? state_->extended->cells() : state_->event.cells();
+        default:
+            return state_->overlap.cells();
+    }
 }
 
-void Solver::tick(World& world) {
+TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) {
     State& state = *state_;
     state.contacts.clear();
+    const bool can_give_up = keep_going && state.settings.kind == SolverKind::event;
+    std::optional<World> before;  // births must be taken back
+    if (can_give_up && !world.emitters.empty()) before = world;
     emit(world);
     state.touched.assign(world.balls.size(), 0);
+    if (state.settings.kind != SolverKind::event) world.paths.clear();
+    TickOutcome outcome = TickOutcome::done;
     switch (state.settings.kind) {
         case SolverKind::discrete:
             state.overlap.tick(world, 1, 1, state.contacts, state.touched);
@@ -66,6 +83,19 @@ void Solver::tick(World& world) {
             state.overlap.tick(world, state.settings.updates, state.settings.steps, state.contacts,
                                state.touched);
             break;
+        case SolverKind::event: {
+            const auto ended =
+                state.extended
+                    ? state.extended->tick(world, state.contacts, state.touched, keep_going)
+                    : state.event.tick(world, state.contacts, state.touched, keep_going);
+            if (ended == EventOutcome::given_up) {
+                state.contacts.clear();
+                if (before) world = std::move(*before);
+                return TickOutcome::given_up;
+            }
+            if (ended == EventOutcome::too_dense) outcome = TickOutcome::too_dense;
+            break;
+        }
         default:
             state.swept.tick(world, state.settings.substeps, state.contacts, state.touched);
     }
@@ -83,6 +113,7 @@ void Solver::tick(World& world) {
         }
     }
     drain_sinks(world);
+    return outcome;
 }
 
 }  // namespace carom

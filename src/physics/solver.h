@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -23,6 +24,10 @@ struct SolverSettings {
     int updates = 4;   ///< substep: simulation updates a tick, 1..1000
     int steps = 15;    ///< substep: most steps in one update, 1..1000
     int substeps = 1;  ///< swept: straight pieces that a tick's paths are cut into, 1..1000
+    /// event: computed with about 32 digits (geometry/wide.h), as the reference for itself and the
+    /// others. About 20 times slower. Its paths are not part of the world, so only one solver
+    /// object that ticks without interruption has all the digits.
+    bool extended = false;
 
     friend bool operator==(const SolverSettings&, const SolverSettings&) = default;
 };
@@ -40,6 +45,15 @@ struct SolverPick {
 };
 SolverPick pick_solver(const World& world);
 
+/// How a tick ended.
+enum class TickOutcome : std::uint8_t {
+    done,
+    given_up,  ///< `keep_going` said so: the world is as it was before the tick
+    /// More events than a tick may have (100 million): time stood still for the rest of the tick,
+    /// which counts as done.
+    too_dense
+};
+
 /// Advances worlds. Holds settings and scratch memory, but nothing that the next tick depends on:
 /// one solver may serve several worlds in turn, and a snapshot of the world alone is enough to go
 /// on.
@@ -53,8 +67,9 @@ class Solver {
 
     const SolverSettings& settings() const;
 
-    /// One tick: emitters, what is held, motion and collisions, sinks.
-    void tick(World& world);
+    /// One tick: emitters, what is held, motion and collisions, sinks. `keep_going`, where there is
+    /// one, is asked now and then in a long tick of `event`; the other solvers do not ask.
+    TickOutcome tick(World& world, const std::function<bool()>& keep_going = {});
 
     /// The exchanges of momentum of the last tick, in the order in which they were made. Valid
     /// until the next tick.

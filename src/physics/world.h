@@ -100,6 +100,45 @@ struct HeldCapsule {
     Vec2 end_target;
 };
 
+/// How a ball moves, for the solver `event`.
+enum class Motion : std::uint8_t {
+    free,     ///< flies
+    sliding,  ///< along the side of an edge
+    turning,  ///< round an end of an edge, a peg or a ball that rests
+    resting,  ///< does not move until it is hit or its support goes
+    held      ///< a hand moves it: a straight line, whatever acts on it
+};
+
+/// What carries a ball, by number; on a torus, which image of it.
+struct PathSupport {
+    enum class By : std::uint8_t { nothing, edge, ball };
+    By by = By::nothing;
+    std::int8_t across = 0;
+    std::int8_t along = 0;
+    std::uint32_t number = 0;
+
+    friend bool operator==(const PathSupport&, const PathSupport&) = default;
+};
+
+/// The path that a ball has been on since its last event: at `position` with `velocity` at `time`,
+/// and `acceleration` since (before drag). The solver `event` goes from one event to the next,
+/// however many ticks lie between: so that the next tick starts from the very path and not from
+/// its rounded end, the path belongs to the state.
+struct BallPath {
+    BallId id{};
+    Motion motion = Motion::free;
+    double time = 0.0;  ///< s since the start
+    Vec2 position;
+    Vec2 velocity;
+    Vec2 acceleration;
+    Vec2 center;  ///< turning: of the circle
+    PathSupport support;
+    PathSupport second_support;
+    std::uint32_t quick = 0;  ///< collisions in a row without way between them
+
+    friend bool operator==(const BallPath&, const BallPath&) = default;
+};
+
 /// A ball that is no longer there.
 struct Removal {
     BallId id{};
@@ -128,6 +167,13 @@ struct World {
 
     std::vector<HeldBall> held_balls;        ///< ascending by id
     std::vector<HeldCapsule> held_capsules;  ///< ascending by id
+
+    /// Ascending by id; empty unless the last tick was one of the solver `event`. A path counts
+    /// only while it leads through the ball's position and velocity, bit by bit, so what moves a
+    /// ball from outside need not know of it.
+    std::vector<BallPath> paths;
+    Vec2 paths_gravity;       ///< what acted on `paths`: another field, and they count no more
+    double paths_drag = 0.0;  ///< 1/s
 
     std::uint32_t next_ball = 0;
     std::uint32_t next_capsule = 0;

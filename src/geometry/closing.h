@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "geometry/wide.h"
+
+/// When a gap closes: the root finders of the solver `event`. Only the first moment counts at which
+/// a gap goes from positive to negative; a gap that opens, stays or merely touches zero has none.
+/// So an impact that has been dealt with is never found again.
+namespace carom {
+
+/// A gap between two bodies at one moment.
+template <typename Real>
+struct Gap {
+    Real gap;   ///< length; negative is depth of overlap
+    Real rate;  ///< length/s
+    /// Second derivative, length/s^2.
+    Real bend;
+};
+
+/// What counts as touching and as rounding.
+template <typename Real>
+struct ClosingTolerance {
+    Real touch;  ///< length: gaps up to this touch
+    Real slow;   ///< length/s: bodies that touch and approach more slowly than this have no impact
+};
+
+/// First time >= 0 at which gap + rate t + bend t^2 / 2 goes from positive to negative. Exact to
+/// rounding: no term cancels. A gap that touches and closes faster than `slow`: 0.
+template <typename Real>
+std::optional<Real> quadratic_closing(const Gap<Real>& now,
+                                      const ClosingTolerance<Real>& tolerance) {
+    const Real zero{};
+    if (now.gap <= tolerance.touch) {
+        const Real& slow = tolerance.slow;
+        if (now.rate < -slow) return zero;
+        if (!(now.bend < zero)) return std::nullopt;
+        // Touching: out and back, or pressed together until they approach noticeably.
+        if (now.rate > slow) return (now.rate + now.rate) / -now.bend;
+        return (now.rate + slow) / -now.bend;
+    }
+    const Real discriminant = now.rate * now.rate - Real(2.0) * now.bend * now.gap;
+    if (now.rate < zero) {
+        if (!(discriminant > zero)) return std::nullopt;
+        return Real(2.0) * now.gap / (square_root(discriminant) - now.rate);
+    }
+    if (!(now.bend < zero)) return std::nullopt;
+    return (now.rate + square_root(discriminant)) / -now.bend;
+}
+
+/// First time in begin..end at which a gap of any shape closes. look(t) gives the gap at a time;
+/// its second derivative is nowhere below -pull while the gap is open.
+///
+/// Method: gap + rate s - pull s^2 / 2 is a lower bound, so its first root is a safe step; near the
+/// end the steps shrink quadratically. The result is the first time at which the gap is at most
+/// `touch` and closes faster than `slow`: it is late by no more than rounding, and no impact is
+/// passed over whose depth would reach `touch`. A gap that bends away before its overlap would
+/// reach 4 touch only grazes.
+template <typename Real, typename Look>
+std::optional<Real> first_closing(Look&& look, Real begin, Real end, Real pull,
+                                  const ClosingTolerance<Real>& tolerance) {
+    const Real zero{};
+    Real time = begin;
+    for (std::uint32_t round = 0; round < 1'000'000; ++round) {
+        const Gap<Real> now = look(time);
+        Real step{};
+        if (now.gap <= tolerance.touch) {
+            const bool grazes =
+                now.bend > zero && now.rate * now.rate < Real(8.0) * now.bend * tolerance.touch;
+            const Real& slow = tolerance.slow;
+            if (now.rate < -slow && !grazes) return time;
+            if (!(pull > zero)) return std::nullopt;
+            if (grazes && now.rate < zero)
+                step = Real(-2.0) * now.rate / now.bend;
+            else
+                step = (now.rate > slow ? now.rate + now.rate : now.rate + slow) / pull;
+        } else if (now.rate < zero) {
+            step = Real(2.0) * now.gap /
+                   (square_root(now.rate * now.rate + Real(2.0) * pull * now.gap) - now.rate);
+        } else {
+            if (!(pull > zero)) return std::nullopt;
+            step =
+                (now.rate + square_root(now.rate * now.rate + Real(2.0) * pull * now.gap)) / pull;
+        }
+        const Real least = Real(precision<Real>) * absolute(time);
+        time += step > least ? step : least;
+        if (!(time <= end)) return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+}  // namespace carom

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <optional>
+
+#include "geometry/closing.h"
+#include "geometry/shapes.h"
+#include "physics/event_path.h"
+
+/// When two paths, or a path and an edge, first meet: see geometry/closing.h for what counts.
+namespace carom {
+
+/// Bodies that gravity presses together and that touch have an impact only once they approach at
+/// the speed of a fall through this share of the smaller radius. What rises less after a bounce,
+/// rests.
+inline constexpr double resting_rise = 1e-9;
+/// The same of two balls that both move: what they are pressed together then, and what they lose no
+/// more of once they rise less. So their impacts stay finite in number.
+inline constexpr double lively_rise = 1e-5;
+
+/// Approaches below this share of the speeds are rounding, and no impacts. What is left of an
+/// approach after an impact is less (event_impact.cpp), so that no impact is found twice.
+template <typename Real>
+inline constexpr double impact_noise = 1024.0 * precision<Real>;
+
+/// A capsule in another number type.
+template <typename Real>
+struct Edge {
+    Vector<Real> start;
+    Vector<Real> end;
+    Real radius{};
+
+    Edge() = default;
+    Edge(const Capsule& shape, Vec2 shift)
+        : start(Vector<Real>(shape.start) + Vector<Real>(shift)),
+          end(Vector<Real>(shape.end) + Vector<Real>(shift)),
+          radius(shape.radius) {}
+    bool is_point() const { return start == end; }
+};
+
+/// An edge in a hand: its ends move from `time` on, until `stop`.
+template <typename Real>
+struct MovingEdge {
+    Edge<Real> edge;  ///< at `time`
+    Vector<Real> start_velocity;
+    Vector<Real> end_velocity;
+    Real time{};
+    Real stop{};
+
+    Edge<Real> at(const Real& when) const;
+};
+
+/// Where a ball touches an edge, or would.
+template <typename Real>
+struct EdgeContact {
+    Real gap{};           ///< length
+    Vector<Real> normal;  ///< from the edge to the ball, unit
+    Real place{};         ///< of the nearest point of the spine, 0 at the start, 1 at the end
+};
+template <typename Real>
+EdgeContact<Real> contact_with(const Edge<Real>& edge, const Vector<Real>& position,
+                               const Real& radius);
+
+/// What is rounding at this place: gaps up to this are touches. Length.
+template <typename Real>
+Real rounding_at(const Vector<Real>& position, const Real& reach);
+
+/// First impact of two balls, no earlier than both paths begin and no later than `end`. `shift` is
+/// added to the second path's place (an image on a torus); `reach` is the sum of the radii, `small`
+/// the smaller.
+template <typename Real>
+std::optional<Real> ball_closing(const EventPath<Real>& a, const EventPath<Real>& b,
+                                 const Vector<Real>& shift, const Real& reach, const Real& small,
+                                 const Field<Real>& field, const Real& end);
+
+/// The same of a ball and an edge that stands still.
+template <typename Real>
+std::optional<Real> edge_closing(const EventPath<Real>& path, const Edge<Real>& edge,
+                                 const Real& radius, const Field<Real>& field, const Real& end);
+
+/// The same of a ball and an edge in a hand, between `begin` and `end`. The bound on its motion
+/// takes the edge to turn no faster than twice the difference of its ends' speeds over its length.
+template <typename Real>
+std::optional<Real> hand_closing(const EventPath<Real>& path, const MovingEdge<Real>& edge,
+                                 const Real& radius, const Field<Real>& field, const Real& begin,
+                                 const Real& end);
+
+}  // namespace carom

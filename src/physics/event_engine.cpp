@@ -1,0 +1,370 @@
+#include "physics/event_engine.h"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "physics/flight.h"
+
+namespace carom {
+namespace {
+
+template <typename Real>
+Field<Real> field_of(const Model& model) {
+    Field<Real> field;
+    field.gravity = Vector<Real>(model.gravity.value_or(Vec2{}));
+    field.has_drag = model.drag.has_value();
+    field.drag = Real(model.drag.value_or(0.0));
+    return field;
+}
+
+bool are_same(const Capsules& a, const Capsules& b) {
+    return a.id == b.id && a.shape == b.shape && a.material == b.material && a.side == b.side;
+}
+
+}  // namespace
+
+template <typename Real>
+EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contacts,
+                                     std::vector<std::uint8_t>& touched,
+                                     const std::function<bool()>& keep_going) {
+    world_ = &world;
+    events_ = 0;
+    now_ = Real(world.time());
+    end_ = Real(static_cast<double>(world.tick + 1) / world.rate);
+    begin(world);
+    left_.is_valid = false;
+    EventOutcome outcome = EventOutcome::done;
+    const auto before = [this](std::uint32_t a, std::uint32_t b) { return is_before(a, b); };
+    while (!queue_.is_empty()) {
+        const std::uint32_t ball = queue_.first();
+        const Event event = next_[ball];
+        if (event.kind == Kind::none || !(event.time <= end_)) break;
+        ++events_;
+        if (events_ > most_events) {
+            outcome = EventOutcome::too_dense;
+            break;
+        }
+        constexpr std::uint64_t ask_every = 4096;
+        if (events_ % ask_every == 0 && keep_going && !keep_going()) return EventOutcome::given_up;
+        if (now_ < event.time) now_ = event.time;
+        if (event.kind == Kind::crossing) {
+            change_cell(ball, event.other);
+            predict(ball);
+        } else if (event.kind == Kind::own) {
+            end_own(ball);
+        } else if (event.kind == Kind::ball_ball && event.other_version != version_[event.other]) {
+            predict(ball);
+        } else {
+            impact(ball, event, contacts, touched);
+        }
+        if (hand_stopped_) {
+            hand_stopped_ = false;
+            for (std::uint32_t i = 0; i < paths_.size(); ++i)
+                predict(i);
+            queue_.build(before);
+        }
+        queue_.update(ball, before);
+    }
+    if (outcome == EventOutcome::too_dense) {
+        // Time stands still: where everything is now, it is at the end of the tick.
+        for (std::uint32_t i = 0; i < paths_.size(); ++i) {
+            const BallState<Real> state = state_at(paths_[i], field_, now_);
+            paths_[i] = {};
+            paths_[i].time = end_;
+            paths_[i].position = state.position;
+            paths_[i].velocity = state.velocity;
+            paths_[i].acceleration = field_.gravity;
+        }
+    }
+    now_ = end_;
+    write(world);
+    if (outcome == EventOutcome::too_dense) left_.is_valid = false;
+    return outcome;
+}
+
+template <typename Real>
+Vec2 EventEngine<Real>::shown_position(const EventPath<Real>& path, const Real& time) const {
+    const Vec2 position(state_at(path, field_, time).position);
+    return world_->model.wrap ? wrapped(position, *world_->model.wrap) : position;
+}
+
+template <typename Real>
+bool EventEngine<Real>::leads_through(const EventPath<Real>& path, std::size_t ball) const {
+    if (path.motion == Motion::held || path.time > now_) return false;
+    if (path.motion == Motion::turning && piece_end(path, field_) < now_) return false;
+    const BallState<Real> state = state_at(path, field_, now_);
+    return shown_position(path, now_) == world_->balls.position[ball] &&
+           Vec2(state.velocity) == world_->balls.velocity[ball];
+}
+
+// Whether what carries the ball is still there.
+template <typename Real>
+bool EventEngine<Real>::has_support(const std::vector<std::uint8_t>& is_kept,
+                                    std::size_t ball) const {
+    const EventPath<Real>& path = paths_[ball];
+    for (const PathSupport& support : {path.support, path.second_support}) {
+        const Vector<Real> shift = torus_shift(support.across, support.along);
+        const Vector<Real> position = state_at(path, field_, now_).position;
+        const Real near =
+            radius(static_cast<std::uint32_t>(ball)) * Real(1e-6) + rounding_at(position, Real{});
+        if (support.by == PathSupport::By::edge) {
+            const auto index = index_of(*world_, CapsuleId{support.number});
+            if (!index || is_held(*world_, CapsuleId{support.number})) return false;
+            const Edge<Real> edge(world_->capsules.shape[*index], Vec2(shift));
+            const Real gap =
+                contact_with(edge, position, radius(static_cast<std::uint32_t>(ball))).gap;
+            if (near < absolute(gap)) return false;
+        } else if (support.by == PathSupport::By::ball) {
+            const auto index = index_of(*world_, BallId{support.number});
+            // It rests, so it is where it was.
+            if (!index || !is_kept[*index] || paths_[*index].motion != Motion::resting)
+                return false;
+        }
+    }
+    return true;
+}
+
+template <typename Real>
+bool EventEngine<Real>::is_continued(const World& world) const {
+    if constexpr (std::is_same_v<Real, double>) {
+        if (world.paths.size() != paths_.size()) return false;
+        for (std::size_t i = 0; i < paths_.size(); ++i)
+            if (!(world.paths[i] == stored_path(world.paths[i].id, paths_[i]))) return false;
+    }
+    return left_.is_valid && !left_.had_hands && world.held_balls.empty() &&
+           world.held_capsules.empty() && left_.tick == world.tick && left_.rate == world.rate &&
+           left_.model == world.model && left_.ids == world.balls.id &&
+           left_.radii == world.balls.radius && left_.inverse_masses == world.balls.inverse_mass &&
+           left_.meets == world.meets && are_same(left_.capsules, world.capsules);
+}
+
+template <typename Real>
+void EventEngine<Real>::begin(World& world) {
+    is_begun_anew_ = false;
+    edge_contacts_ = world.balls.edge_contacts;
+    constexpr std::uint64_t look_at_frame_every = 64;
+    if (is_continued(world) && world.tick % look_at_frame_every != 0) {
+        std::size_t changed = 0;
+        for (std::size_t i = 0; i < paths_.size(); ++i)
+            changed += left_.positions[i] != world.balls.position[i] ||
+                       left_.velocities[i] != world.balls.velocity[i];
+        if (changed <= paths_.size() / 8 + 1) {
+            if (changed > 0) take_what_changed(world);
+            return;
+        }
+    }
+    begin_anew(world);
+    is_begun_anew_ = true;
+}
+
+// Some balls were moved or pushed from outside: they begin new paths.
+template <typename Real>
+void EventEngine<Real>::take_what_changed(const World& world) {
+    std::vector<std::uint32_t> changed;
+    for (std::uint32_t i = 0; i < paths_.size(); ++i) {
+        if (left_.positions[i] == world.balls.position[i] &&
+            left_.velocities[i] == world.balls.velocity[i])
+            continue;
+        changed.push_back(i);
+        const bool was_resting = paths_[i].motion == Motion::resting;
+        if (left_.positions[i] != world.balls.position[i]) {
+            cells_.leave(i);
+            start_path(i, now_, Vector<Real>(world.balls.position[i]),
+                       Vector<Real>(world.balls.velocity[i]));
+            cells_.enter(i, world.balls.position[i]);
+        } else {
+            start_path(i, now_, state_at(paths_[i], field_, now_).position,
+                       Vector<Real>(world.balls.velocity[i]));
+        }
+        if (was_resting) release_what_rests_on(i, changed);
+    }
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    for (const std::uint32_t i : changed)
+        settle(i);
+    for (const std::uint32_t i : changed) {
+        predict(i);
+        queue_.update(i, [this](std::uint32_t a, std::uint32_t b) { return is_before(a, b); });
+    }
+}
+
+template <typename Real>
+void EventEngine<Real>::begin_anew(const World& world) {
+    const std::size_t count = world.balls.size();
+    field_ = field_of<Real>(world.model);
+    torus_ = world.model.wrap ? size(*world.model.wrap) : Vec2{};
+
+    // Paths that the world, or for other numbers this engine, remembers.
+    std::vector<EventPath<Real>> known(count);
+    std::vector<std::uint8_t> is_kept(count, 0);
+    const bool same_field = world.paths_gravity == world.model.gravity.value_or(Vec2{}) &&
+                            world.paths_drag == world.model.drag.value_or(0.0);
+    if constexpr (std::is_same_v<Real, double>) {
+        std::size_t at = 0;
+        for (std::size_t i = 0; i < count && same_field; ++i) {
+            while (at < world.paths.size() && world.paths[at].id < world.balls.id[i])
+                ++at;
+            if (at < world.paths.size() && world.paths[at].id == world.balls.id[i]) {
+                known[i] = path_from(world.paths[at]);
+                is_kept[i] = 1;
+            }
+        }
+    } else if (left_.is_valid && left_.tick == world.tick && left_.model == world.model) {
+        std::size_t at = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            while (at < left_.ids.size() && left_.ids[at] < world.balls.id[i])
+                ++at;
+            if (at < left_.ids.size() && left_.ids[at] == world.balls.id[i]) {
+                known[i] = paths_[at];
+                is_kept[i] = 1;
+            }
+        }
+    }
+    inverse_mass_.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+        inverse_mass_[i] = Real(world.balls.inverse_mass[i]);
+    paths_ = std::move(known);
+    version_.resize(count, 0);
+    next_.assign(count, {});
+    body_of_ball_.assign(count, EventCells::none);
+    take_hands(world);
+    for (std::size_t i = 0; i < count; ++i)
+        is_kept[i] = is_kept[i] && !(inverse_mass_[i] == Real{}) && leads_through(paths_[i], i);
+    // What rests on something that is gone begins anew, and so on up the heap.
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!is_kept[i] || has_support(is_kept, i)) continue;
+            is_kept[i] = 0;
+            changed = true;
+        }
+    }
+    cells_.reset(world, world.balls.position);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (is_kept[i]) {
+            // The path may be some tori away from where the ball is shown.
+            if (world.model.wrap) {
+                const Vec2 way =
+                    Vec2(state_at(paths_[i], field_, now_).position) - world.balls.position[i];
+                const auto tori = [](double x, double torus) {
+                    return static_cast<int>(x / torus + (x < 0.0 ? -0.5 : 0.5));
+                };
+                cells_.shift(i, tori(way.x, torus_.x), tori(way.y, torus_.y));
+            }
+            continue;
+        }
+        const bool is_in_hand = inverse_mass_[i] == Real{};
+        Vector<Real> velocity(world.balls.velocity[i]);
+        if (is_in_hand) velocity = paths_[i].velocity;
+        start_path(i, now_, Vector<Real>(world.balls.position[i]), velocity);
+        if (is_in_hand) {
+            paths_[i].motion = Motion::held;
+            paths_[i].acceleration = {};
+        }
+    }
+    if (world.model.ball_edge) edges_.update(world, cells_.frame(), 1.01 * cells_.largest());
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (!is_kept[i]) settle(i);
+    for (std::uint32_t i = 0; i < count; ++i)
+        predict(i);
+    queue_.reset(count);
+    queue_.build([this](std::uint32_t a, std::uint32_t b) { return is_before(a, b); });
+}
+
+template <typename Real>
+void EventEngine<Real>::take_hands(const World& world) {
+    const Real duration = end_ - now_;
+    for (const HeldBall& held : world.held_balls) {
+        const auto index = index_of(world, held.id);
+        if (!index) continue;
+        Vec2 way = held.target - world.balls.position[*index];
+        if (world.model.wrap) way = nearest_image(way, torus_);
+        inverse_mass_[*index] = Real{};
+        paths_[*index].velocity = Vector<Real>(way) / duration;
+    }
+    hands_.clear();
+    for (const HeldCapsule& held : world.held_capsules) {
+        const auto index = index_of(world, held.id);
+        if (!index) continue;
+        const Capsule& shape = world.capsules.shape[*index];
+        Hand hand;
+        hand.capsule = static_cast<std::uint32_t>(*index);
+        hand.edge.edge = Edge<Real>(shape, {});
+        hand.edge.start_velocity = Vector<Real>(held.start_target - shape.start) / duration;
+        hand.edge.end_velocity = Vector<Real>(held.end_target - shape.end) / duration;
+        hand.edge.time = now_;
+        hand.edge.stop = end_;
+        hands_.push_back(hand);
+    }
+}
+
+// From `time` on the ball flies. On a torus its path begins in the frame.
+template <typename Real>
+void EventEngine<Real>::start_path(std::uint32_t ball, const Real& time, Vector<Real> position,
+                                   const Vector<Real>& velocity) {
+    if (world_->model.wrap) {
+        const Vec2 shown(position);
+        const Vec2 inside = wrapped(shown, *world_->model.wrap);
+        const auto tori = [](double way, double torus) {
+            return static_cast<int>(way / torus + (way < 0.0 ? -0.5 : 0.5));
+        };
+        const int across = tori(inside.x - shown.x, torus_.x);
+        const int along = tori(inside.y - shown.y, torus_.y);
+        if (across != 0 || along != 0) {
+            position += torus_shift(across, along);
+            if (!next_.empty()) cells_.shift(ball, across, along);
+        }
+    }
+    EventPath<Real>& path = paths_[ball];
+    path = {};
+    path.time = time;
+    path.position = position;
+    path.velocity = velocity;
+    path.acceleration = field_.gravity;
+    ++version_[ball];
+}
+
+template <typename Real>
+void EventEngine<Real>::write(World& world) {
+    Balls& balls = world.balls;
+    for (std::size_t i = 0; i < paths_.size(); ++i) {
+        const BallState<Real> state = state_at(paths_[i], field_, end_);
+        const Vec2 position(state.position);
+        balls.position[i] = world.model.wrap ? wrapped(position, *world.model.wrap) : position;
+        balls.velocity[i] = paths_[i].motion == Motion::held ? Vec2{} : Vec2(state.velocity);
+        if (world.model.speed_limit)
+            balls.velocity[i] = limited(balls.velocity[i], *world.model.speed_limit);
+    }
+    balls.edge_contacts = edge_contacts_;
+    for (const Hand& hand : hands_) {
+        const Edge<Real> shape = hand.edge.at(end_);
+        world.capsules.shape[hand.capsule].start = Vec2(shape.start);
+        world.capsules.shape[hand.capsule].end = Vec2(shape.end);
+    }
+    if constexpr (std::is_same_v<Real, double>) {
+        world.paths.resize(paths_.size());
+        for (std::size_t i = 0; i < paths_.size(); ++i)
+            world.paths[i] = stored_path(balls.id[i], paths_[i]);
+        world.paths_gravity = world.model.gravity.value_or(Vec2{});
+        world.paths_drag = world.model.drag.value_or(0.0);
+    }
+    left_.tick = world.tick + 1;
+    left_.rate = world.rate;
+    left_.had_hands = !world.held_balls.empty() || !hands_.empty();
+    left_.positions = balls.position;
+    left_.velocities = balls.velocity;
+    if (is_begun_anew_) {
+        left_.model = world.model;
+        left_.ids = balls.id;
+        left_.radii = balls.radius;
+        left_.inverse_masses = balls.inverse_mass;
+        left_.meets = world.meets;
+        left_.capsules = world.capsules;
+    }
+    left_.is_valid = true;
+}
+
+template class EventEngine<double>;
+template class EventEngine<Wide>;
+
+}  // namespace carom

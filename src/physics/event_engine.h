@@ -1,0 +1,257 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "physics/capsule_cells.h"
+#include "physics/contact.h"
+#include "physics/event_cells.h"
+#include "physics/event_closing.h"
+#include "physics/event_path.h"
+#include "physics/event_queue.h"
+#include "physics/reflection.h"
+
+namespace carom {
+
+/// How a tick of the solver `event` ended.
+enum class EventOutcome : std::uint8_t {
+    done,
+    given_up,   ///< asked to stop: the world is as it was before the tick
+    too_dense,  ///< more than `EventEngine::most_events`: time stood still for the rest of the tick
+};
+
+/// The solver `event`: from one event to the next, on exact paths.
+///
+/// Every ball is on a path (EventPath) until an event changes it: an impact, the end of the edge
+/// that it slides along, the end of a piece of its way round an end. Paths change at events only,
+/// never at a tick or where a ball goes from cell to cell, so neither the rate nor the cells show
+/// in the result beyond the rounding of what is read at the end of a tick. Each ball has one event
+/// in the queue, the first of those found for it; one that another ball's change has made void is
+/// found out when its turn comes, and predicted anew. Events are taken in the order (time, kind,
+/// lower id, higher id).
+///
+/// Impacts at the same instant: reflection.h. Bodies touch, for that, within `touching` of the
+/// smaller radius.
+///
+/// Rest: where gravity presses a ball on something, a rebound that would rise less than
+/// `resting_rise` of its radius is none: the ball slides, turns or rests on what it touches from
+/// then on. What it can rest on: edges, and balls that rest themselves. A ball that rests on balls
+/// does not press on them: heaps stand as they came to rest, and this solver does not say how the
+/// weight of one is borne. A ball that bounces on balls that move loses no more once it rises less
+/// than `lively_rise` of a radius, so their impacts stay finite in number (after Luding and
+/// McNamara, How to handle the inelastic collapse of a dissipative hard-sphere gas, Granular Matter
+/// 1, 1998). Heaps in which balls press on moving balls from all sides are too dense for events:
+/// a ball that has had `most_tiring` impacts in quick succession, and is slow, lies still where it
+/// is for a quarter of the time in which it would fall through its radius, and longer if what it
+/// touches then carries it. That loses energy and momentum, and never gains any. Without gravity,
+/// two balls that have met `most_quick` times in a row within `touching` of a radius pass their
+/// impulse without restitution, for the same reason.
+///
+/// What is in a hand moves in a straight line during a tick; the numeric bound that finds its
+/// impacts is in event_closing.h. A hand that would squeeze a ball against something stops for the
+/// tick.
+template <typename Real>
+class EventEngine {
+  public:
+    static constexpr std::uint64_t most_events = 100'000'000;
+    static constexpr double touching = 1e-10;
+    static constexpr std::uint32_t most_quick = 64;
+    static constexpr std::uint32_t most_tiring = 256;
+    static constexpr double quick_succession = 1.0 / 64.0;  ///< of the fall through a radius
+
+    /// Moves everything by one tick and appends the exchanges to `contacts` (bodies by index).
+    /// `touched`: see surroundings.h. `keep_going`, where there is one, is asked every few thousand
+    /// events.
+    EventOutcome tick(World& world, std::vector<Contact>& contacts,
+                      std::vector<std::uint8_t>& touched, const std::function<bool()>& keep_going);
+
+    const CellFrame& cells() const { return cells_.frame(); }
+    /// Events dealt with in the last tick, of any kind.
+    std::uint64_t events() const { return events_; }
+
+  private:
+    enum class Kind : std::uint8_t { ball_ball, ball_edge, hand, own, crossing, none };
+    struct Event {
+        Real time{};
+        Kind kind = Kind::none;
+        std::int8_t across = 0;  ///< tori from the other's path to the image that is met
+        std::int8_t along = 0;
+        std::uint32_t other = 0;  ///< ball, capsule or direction
+        std::uint32_t other_version = 0;
+    };
+    struct Hand {
+        std::uint32_t capsule = 0;
+        MovingEdge<Real> edge;
+    };
+    struct Body {
+        std::uint32_t ball = 0;
+        Vector<Real> position;
+        bool is_scanned = false;
+        bool is_changed = false;
+        bool was_resting = false;
+    };
+    struct Touch {
+        ImpactContact<Real> contact;
+        Kind kind = Kind::ball_ball;
+        std::uint32_t other = 0;  ///< ball or capsule
+        PathSupport support;      ///< what it would be
+        Real gap{};
+    };
+    struct Support {
+        Vector<Real> normal;
+        Vector<Real> center;  ///< of a round end
+        bool is_side = false;
+        PathSupport by;
+    };
+
+    // event_engine.cpp: a tick, and what lasts from one to the next.
+    bool is_continued(const World& world) const;
+    void begin(World& world);
+    void begin_anew(const World& world);
+    void take_what_changed(const World& world);
+    void take_hands(const World& world);
+    bool leads_through(const EventPath<Real>& path, std::size_t ball) const;
+    bool has_support(const std::vector<std::uint8_t>& is_kept, std::size_t ball) const;
+    void write(World& world);
+    Vec2 shown_position(const EventPath<Real>& path, const Real& time) const;
+    void start_path(std::uint32_t ball, const Real& time, Vector<Real> position,
+                    const Vector<Real>& velocity);
+
+    // event_predict.cpp: which event comes next.
+    void predict(std::uint32_t ball);
+    void predict_crossing(std::uint32_t ball, Event& best) const;
+    void predict_own(std::uint32_t ball, Event& best) const;
+    std::optional<Real> end_of_turn(std::uint32_t ball) const;
+    void predict_balls(std::uint32_t ball, Event& best) const;
+    void predict_pair(std::uint32_t ball, std::uint32_t other, int across, int along,
+                      Event& best) const;
+    void predict_edges(std::uint32_t ball, Event& best) const;
+    void change_cell(std::uint32_t ball, std::uint32_t direction);
+    bool is_before(std::uint32_t a, std::uint32_t b) const;
+    bool comes_first(std::uint32_t ball_a, const Event& a, std::uint32_t ball_b,
+                     const Event& b) const;
+    void consider(std::uint32_t ball, const Event& event, Event& best) const;
+    template <typename Visit>
+    void for_each_edge_near(std::uint32_t ball, Visit&& visit) const;
+    bool is_solid_for(std::uint32_t capsule, const Vector<Real>& position, Vec2 shift) const;
+
+    // event_impact.cpp: what happens then.
+    void impact(std::uint32_t ball, const Event& event, std::vector<Contact>& contacts,
+                std::vector<std::uint8_t>& touched);
+    std::uint32_t body_of(std::uint32_t ball);
+    void scan(std::uint32_t body);
+    Real pressing_speed(const Touch& touch) const;
+    void add_ball_touch(std::uint32_t body, std::uint32_t other, int across, int along,
+                        bool is_certain);
+    void add_edge_touch(std::uint32_t body, std::uint32_t capsule, int across, int along,
+                        bool is_certain);
+    void add_hand_touch(std::uint32_t body, const Hand& hand, bool is_certain);
+    double restitution_of(const Touch& touch, bool is_alone);
+    void pass_impulses(const std::vector<std::uint32_t>& which, bool is_alone,
+                       std::vector<Contact>& contacts);
+    void stop_hands();
+    void part_pressed();
+
+    // event_rest.cpp: what carries a ball.
+    void settle(std::uint32_t ball);
+    std::vector<Support> supports_of(std::uint32_t ball, bool also_moving) const;
+    std::optional<std::pair<std::size_t, std::size_t>> bearing_two(
+        const std::vector<Support>& supports) const;
+    void rest(std::uint32_t ball, const Support& first, const Support* second);
+    void release_what_rests_on(std::uint32_t ball, std::vector<std::uint32_t>& released);
+    void end_own(std::uint32_t ball);
+    Real fall_time(std::uint32_t ball) const;
+    std::uint32_t tiredness(std::uint32_t ball, const EventPath<Real>& before) const;
+    void lie_down_if_tired(std::uint32_t ball);
+
+    Real radius(std::uint32_t ball) const { return Real(world_->balls.radius[ball]); }
+    Vector<Real> torus_shift(int across, int along) const {
+        return {Real(torus_.x) * Real(double(across)), Real(torus_.y) * Real(double(along))};
+    }
+    bool balls_meet(std::uint32_t a, std::uint32_t b) const {
+        return !world_->model.filtered ||
+               kinds_meet(*world_, world_->balls.kind[a], world_->balls.kind[b]);
+    }
+    bool ball_meets(std::uint32_t ball, std::uint32_t capsule) const {
+        return !world_->model.filtered || kind_meets_material(*world_, world_->balls.kind[ball],
+                                                              world_->capsules.material[capsule]);
+    }
+
+    const World* world_ = nullptr;  ///< during a tick
+    Field<Real> field_;
+    Vec2 torus_;
+    Real now_{};
+    Real end_{};
+    std::uint64_t events_ = 0;
+
+    std::vector<EventPath<Real>> paths_;
+    std::vector<std::uint32_t> version_;
+    std::vector<Event> next_;
+    std::vector<Real> inverse_mass_;
+    std::vector<std::uint32_t> edge_contacts_;
+    std::vector<Hand> hands_;
+    EventCells cells_;
+    CapsuleCells edges_;
+    EventQueue queue_;
+    bool hand_stopped_ = false;
+    bool is_begun_anew_ = false;
+
+    std::vector<Body> bodies_;
+    std::vector<ImpactBody<Real>> impact_bodies_;
+    std::vector<Touch> touches_;
+    std::vector<std::uint32_t> body_of_ball_;
+
+    /// The world as the last tick left it, to see whether the next one goes on from there.
+    struct Left {
+        bool is_valid = false;
+        std::uint64_t tick = 0;
+        double rate = 0.0;
+        Model model;
+        std::vector<BallId> ids;
+        std::vector<Vec2> positions;
+        std::vector<Vec2> velocities;
+        std::vector<double> radii;
+        std::vector<double> inverse_masses;
+        std::vector<std::uint8_t> meets;
+        Capsules capsules;
+        bool had_hands = false;
+    };
+    Left left_;
+};
+
+template <typename Real>
+template <typename Visit>
+void EventEngine<Real>::for_each_edge_near(std::uint32_t ball, Visit&& visit) const {
+    if (!world_->model.ball_edge) return;
+    const auto at_image = [&](std::uint32_t capsule, int across, int along) {
+        if (!ball_meets(ball, capsule)) return;
+        visit(capsule, Vec2{torus_.x * across, torus_.y * along}, across, along);
+    };
+    if (!cells_.is_giant(ball)) {
+        const int across = cells_.tori_across(ball);
+        const int along = cells_.tori_along(ball);
+        for (const CapsuleEntry entry : edges_.in_cell(cells_.cell(ball)))
+            at_image(entry.index, entry.across + across, entry.along + along);
+        return;
+    }
+    int across = 0;
+    int along = 0;
+    if (world_->model.wrap) {
+        const Vec2 way(state_at(paths_[ball], field_, now_).position -
+                       Vector<Real>(world_->model.wrap->low));
+        across = static_cast<int>(std::floor(way.x / torus_.x));
+        along = static_cast<int>(std::floor(way.y / torus_.y));
+    }
+    const int reach = world_->model.wrap ? 1 : 0;
+    for (std::uint32_t capsule = 0; capsule < world_->capsules.size(); ++capsule) {
+        if (is_held(*world_, world_->capsules.id[capsule])) continue;
+        for (int i = across - reach; i <= across + reach; ++i)
+            for (int j = along - reach; j <= along + reach; ++j)
+                at_image(capsule, i, j);
+    }
+}
+
+}  // namespace carom

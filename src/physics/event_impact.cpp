@@ -1,0 +1,435 @@
+#include <algorithm>
+#include <numeric>
+
+#include "physics/bounce.h"
+#include "physics/event_engine.h"
+
+// What an impact does.
+namespace carom {
+namespace {
+
+// Approaches below this share of the speeds are rounding.
+template <typename Real>
+constexpr double approach_noise = 0.125 * impact_noise<Real>;
+
+}  // namespace
+
+template <typename Real>
+std::uint32_t EventEngine<Real>::body_of(std::uint32_t ball) {
+    if (body_of_ball_[ball] != EventCells::none) return body_of_ball_[ball];
+    const auto body = static_cast<std::uint32_t>(bodies_.size());
+    const EventPath<Real>& path = paths_[ball];
+    const BallState<Real> state = state_at(path, field_, now_);
+    bodies_.push_back({ball, state.position, false, false, path.motion == Motion::resting});
+    impact_bodies_.push_back({state.velocity, inverse_mass_[ball]});
+    body_of_ball_[ball] = body;
+    return body;
+}
+
+template <typename Real>
+void EventEngine<Real>::add_ball_touch(std::uint32_t body, std::uint32_t other, int across,
+                                       int along, bool is_certain) {
+    const std::uint32_t ball = bodies_[body].ball;
+    if (!balls_meet(ball, other)) return;
+    const std::uint32_t known = body_of_ball_[other];
+    if (known != EventCells::none && bodies_[known].is_scanned && !is_certain) return;
+    const Vector<Real> shift = torus_shift(across, along);
+    const Vector<Real> theirs = known != EventCells::none
+                                    ? bodies_[known].position
+                                    : state_at(paths_[other], field_, now_).position;
+    const Vector<Real> offset = bodies_[body].position - theirs - shift;
+    const Real our_radius = radius(ball);
+    const Real their_radius = radius(other);
+    const Real reach = our_radius + their_radius;
+    const Real small = our_radius < their_radius ? our_radius : their_radius;
+    const Real near =
+        small * Real(touching) + Real(16.0) * rounding_at(bodies_[body].position, reach);
+    const Real limit = reach + near;
+    if (!is_certain && length_squared(offset) > limit * limit) return;
+    const Real away = length(offset);
+    Touch touch;
+    touch.kind = Kind::ball_ball;
+    touch.other = other;
+    touch.gap = away - reach;
+    touch.contact.a = body;
+    touch.contact.b = body_of(other);
+    touch.contact.normal =
+        away > Real{} ? offset / away : Vector<Real>{ball < other ? Real(1.0) : Real(-1.0), Real{}};
+    touch.support = {PathSupport::By::ball, static_cast<std::int8_t>(across),
+                     static_cast<std::int8_t>(along), number(world_->balls.id[other])};
+    touches_.push_back(touch);
+}
+
+template <typename Real>
+void EventEngine<Real>::add_edge_touch(std::uint32_t body, std::uint32_t capsule, int across,
+                                       int along, bool is_certain) {
+    const Vec2 shift{torus_.x * across, torus_.y * along};
+    const Edge<Real> edge(world_->capsules.shape[capsule], shift);
+    const Real size = radius(bodies_[body].ball);
+    const auto contact = contact_with(edge, bodies_[body].position, size);
+    const Real near = size * Real(touching) +
+                      Real(16.0) * rounding_at(bodies_[body].position, size + edge.radius);
+    if (!is_certain && contact.gap > near) return;
+    if (!is_certain && !is_solid_for(capsule, bodies_[body].position, shift)) return;
+    Touch touch;
+    touch.kind = Kind::ball_edge;
+    touch.other = capsule;
+    touch.gap = contact.gap;
+    touch.contact.a = body;
+    touch.contact.normal = contact.normal;
+    touch.support = {PathSupport::By::edge, static_cast<std::int8_t>(across),
+                     static_cast<std::int8_t>(along), number(world_->capsules.id[capsule])};
+    touches_.push_back(touch);
+}
+
+template <typename Real>
+void EventEngine<Real>::add_hand_touch(std::uint32_t body, const Hand& hand, bool is_certain) {
+    const Real size = radius(bodies_[body].ball);
+    const auto contact = contact_with(hand.edge.at(now_), bodies_[body].position, size);
+    const Real near =
+        size * Real(touching) + Real(16.0) * rounding_at(bodies_[body].position, size);
+    if (!is_certain && contact.gap > near) return;
+    Touch touch;
+    touch.kind = Kind::hand;
+    touch.other = hand.capsule;
+    touch.gap = contact.gap;
+    touch.contact.a = body;
+    touch.contact.normal = contact.normal;
+    if (now_ < hand.edge.stop)
+        touch.contact.surface =
+            dot(contact.normal,
+                hand.edge.start_velocity +
+                    (hand.edge.end_velocity - hand.edge.start_velocity) * contact.place);
+    touches_.push_back(touch);
+}
+
+// Bodies that gravity may press together are not driven apart again and again by approaches that
+// are too slow for an impact of their own.
+template <typename Real>
+Real EventEngine<Real>::pressing_speed(const Touch& touch) const {
+    if (!world_->model.gravity || !world_->model.lossy) return Real{};
+    Real small = radius(bodies_[touch.contact.a].ball);
+    double rise = resting_rise;
+    if (touch.kind == Kind::ball_ball) {
+        small = std::min(small, radius(touch.other));
+        if (!bodies_[touch.contact.a].was_resting && !bodies_[touch.contact.b].was_resting)
+            rise = lively_rise;
+    }
+    return square_root(Real(2.0 * rise) * length(field_.gravity) * small);
+}
+
+// All that the body touches at this instant.
+template <typename Real>
+void EventEngine<Real>::scan(std::uint32_t body) {
+    if (bodies_[body].is_scanned) return;
+    const std::uint32_t ball = bodies_[body].ball;
+    const auto is_first = [&](Kind kind, std::uint32_t other) {
+        // The contact that the event is about is there already.
+        const Touch& first = touches_.front();
+        if (first.kind != kind) return true;
+        if (kind != Kind::ball_ball) return first.contact.a != body || first.other != other;
+        return !(first.contact.a == body && first.other == other) &&
+               !(bodies_[first.contact.a].ball == other && first.other == ball);
+    };
+    const auto with_ball = [&](std::uint32_t other, int across, int along) {
+        if (is_first(Kind::ball_ball, other)) add_ball_touch(body, other, across, along, false);
+    };
+    if (world_->model.ball_ball) {
+        if (!cells_.is_giant(ball)) {
+            cells_.for_each_near(ball, with_ball);
+            for (const std::uint32_t giant : cells_.giants())
+                with_ball(giant, 0, 0);
+        } else {
+            for (std::uint32_t other = 0; other < paths_.size(); ++other)
+                if (other != ball) with_ball(other, 0, 0);
+        }
+    }
+    for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2, int across, int along) {
+        if (is_first(Kind::ball_edge, capsule)) add_edge_touch(body, capsule, across, along, false);
+    });
+    for (const Hand& hand : hands_)
+        if (ball_meets(ball, hand.capsule) && is_first(Kind::hand, hand.capsule))
+            add_hand_touch(body, hand, false);
+    bodies_[body].is_scanned = true;
+}
+
+// What the pair's restitution is worth here: see the rules in event_engine.h.
+template <typename Real>
+double EventEngine<Real>::restitution_of(const Touch& touch, bool is_alone) {
+    const Body& body = bodies_[touch.contact.a];
+    const std::uint32_t ball = body.ball;
+    const Real approach = approach_of<Real>(touch.contact, impact_bodies_);
+    const double speed = static_cast<double>(approach);
+    double restitution = 1.0;
+    const EventPath<Real>& path = paths_[ball];
+    if (touch.kind == Kind::ball_ball) {
+        const EventPath<Real>& theirs = paths_[touch.other];
+        if (world_->model.lossy)
+            restitution =
+                std::min(world_->balls.restitution[ball], world_->balls.restitution[touch.other]);
+        const bool is_pushed = impact_bodies_[touch.contact.a].inverse_mass == Real{} ||
+                               impact_bodies_[touch.contact.b].inverse_mass == Real{};
+        if (is_pushed && (path.motion == Motion::held || theirs.motion == Motion::held))
+            return hand_restitution;
+        if (restitution < 1.0 && path.quick > most_quick && theirs.quick > most_quick) return 0.0;
+        if (!is_alone || !world_->model.gravity) return restitution;
+        const Real press = -dot(path.acceleration - theirs.acceleration, touch.contact.normal);
+        if (!(press > Real{})) return restitution;
+        const Real rebound = approach * Real(restitution);
+        const Real small = std::min(radius(ball), radius(touch.other));
+        const Real rise = rebound * rebound / (Real(2.0) * press);
+        const bool one_rests = body.was_resting || bodies_[touch.contact.b].was_resting;
+        if (one_rests) return is_alone && rise < Real(resting_rise) * small ? 0.0 : restitution;
+        return rise < Real(lively_rise) * small ? 1.0 : restitution;
+    }
+    const Material& material = world_->materials[world_->capsules.material[touch.other]];
+    if (world_->model.lossy) restitution = restitution_at(material, std::max(0.0, speed));
+    if (touch.kind == Kind::hand && touch.contact.surface > Real{}) {
+        // As bounce_off, as a share of the approach.
+        Vec2 velocity(impact_bodies_[touch.contact.a].velocity);
+        const Vec2 normal(touch.contact.normal);
+        const double surface = static_cast<double>(touch.contact.surface);
+        const Exchange done = bounce_off(velocity, 1.0, normal, surface, restitution);
+        return done.approach > 0.0
+                   ? std::max(0.0, (dot(velocity, normal) - surface) / done.approach)
+                   : 0.0;
+    }
+    if (restitution < 1.0 && path.quick > most_quick && !world_->model.gravity) return 0.0;
+    if (!is_alone || !world_->model.gravity) return restitution;
+    const Real press = -dot(path.acceleration, touch.contact.normal);
+    if (!(press > Real{})) return restitution;
+    const Real rebound = approach * Real(restitution);
+    return rebound * rebound < Real(2.0 * resting_rise) * press * radius(ball) ? 0.0 : restitution;
+}
+
+template <typename Real>
+void EventEngine<Real>::pass_impulses(const std::vector<std::uint32_t>& which, bool is_alone,
+                                      std::vector<Contact>& contacts) {
+    std::vector<ImpactContact<Real>> group;
+    std::vector<Real> approach;
+    for (const std::uint32_t index : which) {
+        Touch& touch = touches_[index];
+        touch.contact.restitution = Real(restitution_of(touch, is_alone));
+        group.push_back(touch.contact);
+        if (touch.kind == Kind::ball_edge && world_->model.scatter && is_alone) {
+            const std::uint32_t ball = bodies_[touch.contact.a].ball;
+            const Vec2 velocity(impact_bodies_[touch.contact.a].velocity);
+            if (touch.contact.restitution > Real{})
+                group.back().normal = Vector<Real>(
+                    scattered_normal(*world_, world_->balls.id[ball], edge_contacts_[ball]++,
+                                     Vec2(touch.contact.normal), velocity,
+                                     static_cast<double>(touch.contact.restitution)));
+        }
+        approach.push_back(approach_of<Real>(group.back(), impact_bodies_));
+    }
+    // A ball at rest that is met so softly that the other comes to rest on it does not wake.
+    std::vector<Real> masses;
+    const bool is_soft = is_alone && touches_[which[0]].kind == Kind::ball_ball &&
+                         group[0].restitution == Real{} && world_->model.gravity;
+    if (is_soft) {
+        for (const std::uint32_t body : {group[0].a, group[0].b}) {
+            masses.push_back(impact_bodies_[body].inverse_mass);
+            const bool both = bodies_[group[0].a].was_resting && bodies_[group[0].b].was_resting;
+            if (bodies_[body].was_resting && !both) impact_bodies_[body].inverse_mass = Real{};
+        }
+    }
+    const std::vector<Real> passed = reflect<Real>(impact_bodies_, group);
+    if (is_soft) {
+        impact_bodies_[group[0].a].inverse_mass = masses[0];
+        impact_bodies_[group[0].b].inverse_mass = masses[1];
+    }
+    for (std::size_t i = 0; i < which.size(); ++i) {
+        const Touch& touch = touches_[which[i]];
+        if (!(passed[i] > Real{})) continue;
+        const std::uint32_t ball = bodies_[touch.contact.a].ball;
+        const bool on_ball = touch.kind == Kind::ball_ball;
+        const bool swapped = on_ball && touch.other < ball;
+        const Real size = radius(ball);
+        for (const std::uint32_t body : {touch.contact.a, touch.contact.b})
+            if (body != ImpactContact<Real>::fixed && !(is_soft && bodies_[body].was_resting))
+                bodies_[body].is_changed = true;
+        const Vec2 point(bodies_[touch.contact.a].position - touch.contact.normal * size);
+        const Vec2 normal(group[i].normal);
+        contacts.push_back(
+            {.time = static_cast<double>(now_),
+             .kind = on_ball ? ContactKind::ball_ball : ContactKind::ball_edge,
+             .a = swapped ? touch.other : ball,
+             .b = swapped ? ball : touch.other,
+             .point = world_->model.wrap ? wrapped(point, *world_->model.wrap) : point,
+             .normal = swapped ? -normal : normal,
+             .approach = static_cast<double>(approach[i]),
+             .impulse = static_cast<double>(passed[i])});
+    }
+}
+
+template <typename Real>
+void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
+                               std::vector<Contact>& contacts, std::vector<std::uint8_t>& touched) {
+    bodies_.clear();
+    impact_bodies_.clear();
+    touches_.clear();
+    const std::uint32_t body = body_of(ball);
+    if (event.kind == Kind::ball_ball)
+        add_ball_touch(body, event.other, event.across, event.along, true);
+    else if (event.kind == Kind::hand)
+        add_hand_touch(body, hands_[event.other], true);
+    else
+        add_edge_touch(body, event.other, event.across, event.along, true);
+    const bool has_pair = touches_.front().contact.b != ImpactContact<Real>::fixed;
+    bodies_[body].is_changed = true;
+    if (has_pair && !bodies_[touches_.front().contact.b].was_resting)
+        bodies_[touches_.front().contact.b].is_changed = true;
+    scan(body);
+    if (has_pair) scan(touches_.front().contact.b);
+
+    const std::size_t most_rounds = 200;
+    std::vector<std::uint32_t> approaching;
+    for (std::size_t round = 0;; ++round) {
+        approaching.clear();
+        for (std::uint32_t i = 0; i < touches_.size(); ++i) {
+            const Touch& touch = touches_[i];
+            const auto& a = impact_bodies_[touch.contact.a];
+            Real speeds = length(a.velocity) + absolute(touch.contact.surface);
+            Real inverse = a.inverse_mass;
+            if (touch.contact.b != ImpactContact<Real>::fixed) {
+                speeds += length(impact_bodies_[touch.contact.b].velocity);
+                inverse += impact_bodies_[touch.contact.b].inverse_mass;
+            }
+            if (!(inverse > Real{})) continue;
+            const Real rounding = Real(approach_noise<Real>) * speeds;
+            const Real slow = round == 0 && i == 0 ? Real{} : pressing_speed(touch);
+            if (approach_of<Real>(touch.contact, impact_bodies_) > std::max(rounding, slow))
+                approaching.push_back(i);
+        }
+        if (approaching.empty()) break;
+        // Many rounds: losing contacts that are shut in. From here on they stop, all at once.
+        if (round > most_rounds + 8 * touches_.size()) break;
+        if (round > most_rounds / 2 + 4 * touches_.size()) {
+            approaching.clear();
+            for (std::uint32_t i = 0; i < touches_.size(); ++i)
+                approaching.push_back(i);
+            std::erase_if(approaching, [&](std::uint32_t i) {
+                const auto& contact = touches_[i].contact;
+                Real inverse = impact_bodies_[contact.a].inverse_mass;
+                if (contact.b != ImpactContact<Real>::fixed)
+                    inverse += impact_bodies_[contact.b].inverse_mass;
+                return !(inverse > Real{});
+            });
+            std::vector<ImpactContact<Real>> all;
+            for (const std::uint32_t i : approaching) {
+                all.push_back(touches_[i].contact);
+                all.back().restitution = Real{};
+            }
+            reflect<Real>(impact_bodies_, all);
+            for (Body& each : bodies_)
+                each.is_changed = true;
+        } else {
+            pass_impulses(approaching, round == 0 && approaching.size() == 1, contacts);
+        }
+        const std::size_t count = bodies_.size();
+        for (std::uint32_t i = 0; i < count; ++i)
+            if (bodies_[i].is_changed) scan(i);
+    }
+    // A held ball goes no further against what cannot give way.
+    bool squeezed = false;
+    for (const Touch& touch : touches_) {
+        const std::uint32_t held = bodies_[touch.contact.a].ball;
+        if (touch.kind == Kind::ball_ball) continue;
+        if (paths_[held].motion == Motion::held) {
+            auto& velocity = impact_bodies_[touch.contact.a].velocity;
+            const Real into = touch.contact.surface - dot(velocity, touch.contact.normal);
+            if (into > Real{}) velocity += touch.contact.normal * into;
+        }
+        if (touch.kind == Kind::hand && paths_[held].quick > most_quick) squeezed = true;
+    }
+    for (const Touch& touch : touches_)
+        if (touch.kind == Kind::ball_ball &&
+            paths_[bodies_[touch.contact.a].ball].quick > most_quick &&
+            (paths_[bodies_[touch.contact.a].ball].motion == Motion::held ||
+             paths_[touch.other].motion == Motion::held))
+            squeezed = true;
+
+    part_pressed();
+    std::vector<std::uint32_t> changed;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const Body& each = bodies_[i];
+        touched[each.ball] |= each.is_changed;
+        body_of_ball_[each.ball] = EventCells::none;
+        if (!each.is_changed) continue;
+        const EventPath<Real> before = paths_[each.ball];
+        const Real way = length(each.position - before.position);
+        start_path(each.ball, now_, each.position, impact_bodies_[i].velocity);
+        EventPath<Real>& path = paths_[each.ball];
+        path.quick = world_->model.gravity
+                         ? tiredness(each.ball, before)
+                         : (way < Real(touching) * radius(each.ball) ? before.quick + 1 : 0);
+        if (before.motion == Motion::held) {
+            path.motion = Motion::held;
+            path.acceleration = {};
+        }
+        changed.push_back(each.ball);
+    }
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        if (bodies_[i].is_changed && bodies_[i].was_resting)
+            release_what_rests_on(bodies_[i].ball, changed);
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    for (const std::uint32_t each : changed)
+        settle(each);
+    for (const std::uint32_t each : changed)
+        lie_down_if_tired(each);
+    if (squeezed) stop_hands();
+    const auto before = [this](std::uint32_t a, std::uint32_t b) { return is_before(a, b); };
+    for (const std::uint32_t each : changed) {
+        predict(each);
+        queue_.update(each, before);
+    }
+    if (!std::binary_search(changed.begin(), changed.end(), ball)) predict(ball);
+}
+
+// Balls that move and are pressed together sink in by a hair before they meet again: they are taken
+// apart to touch, the free ones of them, by their masses.
+template <typename Real>
+void EventEngine<Real>::part_pressed() {
+    if (!world_->model.gravity || !world_->model.lossy) return;
+    for (const Touch& touch : touches_) {
+        if (touch.kind != Kind::ball_ball) continue;
+        Body& a = bodies_[touch.contact.a];
+        Body& b = bodies_[touch.contact.b];
+        const Real small = std::min(radius(a.ball), radius(b.ball));
+        if (!(touch.gap < Real(-0.5 * lively_rise) * small)) continue;
+        const auto share = [&](const Body& body, std::uint32_t index, const Vector<Real>& way) {
+            if (!body.is_changed || paths_[body.ball].motion != Motion::free) return Real{};
+            for (const Touch& edge : touches_)  // never into an edge
+                if (edge.kind != Kind::ball_ball && edge.contact.a == index &&
+                    dot(edge.contact.normal, way) < Real{})
+                    return Real{};
+            return impact_bodies_[index].inverse_mass;
+        };
+        const Real ours = share(a, touch.contact.a, touch.contact.normal);
+        const Real theirs = share(b, touch.contact.b, -touch.contact.normal);
+        if (!(ours + theirs > Real{})) continue;
+        const Vector<Real> way = touch.contact.normal * (-touch.gap / (ours + theirs));
+        a.position += way * ours;
+        b.position -= way * theirs;
+    }
+}
+
+// A hand that would squeeze a ball stops for the rest of the tick.
+template <typename Real>
+void EventEngine<Real>::stop_hands() {
+    for (Hand& hand : hands_)
+        if (now_ < hand.edge.stop) hand.edge.stop = now_;
+    for (std::uint32_t i = 0; i < paths_.size(); ++i) {
+        if (paths_[i].motion != Motion::held) continue;
+        start_path(i, now_, state_at(paths_[i], field_, now_).position, {});
+        paths_[i].motion = Motion::held;
+        paths_[i].acceleration = {};
+    }
+    hand_stopped_ = true;
+}
+
+template class EventEngine<double>;
+template class EventEngine<Wide>;
+
+}  // namespace carom

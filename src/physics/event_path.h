@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/vector.h"
+#include "physics/world.h"
+
+/// How a ball moves between two events of the solver `event`, exactly.
+namespace carom {
+
+/// A path, over any number type; World stores the double ones (BallPath says what each part means).
+template <typename Real>
+struct EventPath {
+    Real time{};
+    Vector<Real> position;
+    Vector<Real> velocity;
+    Vector<Real> acceleration;
+    Vector<Real> center;
+    Motion motion = Motion::free;
+    PathSupport support;
+    PathSupport second_support;
+    std::uint32_t quick = 0;
+};
+
+EventPath<double> path_from(const BallPath& stored);
+BallPath stored_path(BallId id, const EventPath<double>& path);
+
+template <typename Real>
+struct BallState {
+    Vector<Real> position;
+    Vector<Real> velocity;
+};
+
+/// What acts on every ball.
+template <typename Real>
+struct Field {
+    Vector<Real> gravity;
+    Real drag{};  ///< 1/s; 0: none
+    bool has_drag = false;
+};
+
+/// Where the ball is at `time`, and how fast. Pre: time >= path.time, and for Motion::turning no
+/// later than its piece lasts.
+template <typename Real>
+BallState<Real> state_at(const EventPath<Real>& path, const Field<Real>& field, const Real& time);
+
+/// The place alone, of a path without drag that does not turn: three multiplications.
+template <typename Real>
+inline Vector<Real> parabola_at(const EventPath<Real>& path, const Real& time) {
+    const Real since = time - path.time;
+    return path.position + (path.velocity + path.acceleration * (Real(0.5) * since)) * since;
+}
+
+/// Whether the path is a parabola: no drag in force on it, and no turning.
+template <typename Real>
+inline bool is_parabola(const EventPath<Real>& path, const Field<Real>& field) {
+    return path.motion != Motion::turning && (!field.has_drag || path.motion == Motion::held);
+}
+
+/// The largest acceleration, length/s^2, that the ball has from `time` on, up to `end`.
+template <typename Real>
+Real most_acceleration(const EventPath<Real>& path, const Field<Real>& field, const Real& time,
+                       const Real& end);
+
+/// A ball that slides round a round end, a peg or another ball without friction moves as a
+/// pendulum. Its angle is a Taylor series in time; a piece of it lasts until the angle could have
+/// changed by 0.05 rad, so the series is exact to rounding.
+template <typename Real>
+struct Turn {
+    Real radius{};        ///< of the circle of the centre, length
+    Vector<Real> normal;  ///< from the centre of the circle to the ball, unit
+    Real speed{};         ///< along perpendicular(normal), length/s
+    Real press{};         ///< acceleration with which it is pressed on, length/s^2; < 0: it leaves
+};
+template <typename Real>
+Turn<Real> turn_at(const EventPath<Real>& path, const Field<Real>& field, const Real& time);
+
+/// When the present piece ends: a function of the path alone.
+template <typename Real>
+Real piece_end(const EventPath<Real>& path, const Field<Real>& field);
+
+}  // namespace carom

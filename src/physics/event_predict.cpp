@@ -1,0 +1,318 @@
+#include <algorithm>
+#include <array>
+
+#include "physics/bounce.h"
+#include "physics/event_engine.h"
+
+// Which event of a ball comes next.
+namespace carom {
+namespace {
+
+struct Step {
+    int columns = 0;
+    int rows = 0;
+};
+constexpr std::uint32_t look_again = 4;
+constexpr std::array<Step, 4> steps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+
+// The first time in begin..end at which `value` (0 at most, say) has changed its sign. Pre: it
+// does.
+template <typename Real, typename Value>
+Real change_of_sign(Value&& value, Real begin, Real end) {
+    for (int i = 0; i < 200; ++i) {
+        const Real middle = begin + (end - begin) * Real(0.5);
+        if (!(begin < middle) || !(middle < end)) break;
+        if (value(middle) < Real{})
+            end = middle;
+        else
+            begin = middle;
+    }
+    return end;
+}
+
+}  // namespace
+
+// The order of events: time, kind, lower id, higher id; then whose event it is.
+template <typename Real>
+bool EventEngine<Real>::comes_first(std::uint32_t ball_a, const Event& a, std::uint32_t ball_b,
+                                    const Event& b) const {
+    if (a.kind == Kind::none || b.kind == Kind::none)
+        return b.kind == Kind::none && (a.kind != Kind::none || ball_a < ball_b);
+    if (!(a.time == b.time)) return a.time < b.time;
+    if (a.kind != b.kind) return a.kind < b.kind;
+    const auto low = [](std::uint32_t ball, const Event& e) {
+        return e.kind == Kind::ball_ball ? std::min(ball, e.other) : ball;
+    };
+    const auto high = [](std::uint32_t ball, const Event& e) {
+        return e.kind == Kind::ball_ball ? std::max(ball, e.other) : e.other;
+    };
+    if (low(ball_a, a) != low(ball_b, b)) return low(ball_a, a) < low(ball_b, b);
+    if (high(ball_a, a) != high(ball_b, b)) return high(ball_a, a) < high(ball_b, b);
+    return ball_a < ball_b;
+}
+
+template <typename Real>
+bool EventEngine<Real>::is_before(std::uint32_t a, std::uint32_t b) const {
+    return comes_first(a, next_[a], b, next_[b]);
+}
+
+template <typename Real>
+void EventEngine<Real>::consider(std::uint32_t ball, const Event& event, Event& best) const {
+    if (comes_first(ball, event, ball, best)) best = event;
+}
+
+template <typename Real>
+void EventEngine<Real>::predict(std::uint32_t ball) {
+    // How far to look: until it leaves its cell, or for some ticks.
+    Event best{now_ + Real(16.0 / world_->rate), Kind::crossing, 0, 0, look_again, 0};
+    predict_crossing(ball, best);
+    predict_own(ball, best);
+    if (world_->model.ball_ball) predict_balls(ball, best);
+    if (world_->model.ball_edge && paths_[ball].motion != Motion::resting)
+        predict_edges(ball, best);
+    next_[ball] = best;
+}
+
+// When the centre comes to a border of its cell. This is bookkeeping: it never changes a path.
+template <typename Real>
+void EventEngine<Real>::predict_crossing(std::uint32_t ball, Event& best) const {
+    const EventPath<Real>& path = paths_[ball];
+    if (cells_.is_giant(ball) || path.motion == Motion::resting) return;
+    const CellFrame& frame = cells_.frame();
+    const BallState<Real> now = state_at(path, field_, now_);
+    const bool is_simple = is_parabola(path, field_);
+    const Real last = path.motion == Motion::turning ? piece_end(path, field_) : best.time;
+    for (std::uint32_t direction = 0; direction < steps.size(); ++direction) {
+        const auto [columns, rows] = steps[direction];
+        const int place = columns != 0 ? cells_.column(ball) : cells_.row(ball);
+        const int count = columns != 0 ? frame.columns : frame.rows;
+        const int way = columns + rows;
+        if (!frame.wraps && (way > 0 ? place >= count - 1 : place <= 0)) continue;
+        const double origin = columns != 0 ? frame.origin.x : frame.origin.y;
+        const double width = columns != 0 ? frame.cell.x : frame.cell.y;
+        const Real border(origin + width * (way > 0 ? place + 1 : place));
+        const Real sign(static_cast<double>(way));
+        const auto along = [is_column = columns != 0](const Vector<Real>& v) {
+            return is_column ? v.x : v.y;
+        };
+        std::optional<Real> time;
+        const ClosingTolerance<Real> exact{};
+        if (is_simple) {
+            const auto since = quadratic_closing<Real>(
+                {(border - along(now.position)) * sign, -along(now.velocity) * sign,
+                 -along(path.acceleration) * sign},
+                exact);
+            if (since) time = now_ + *since;
+        } else {
+            // Not exact, but never late: a cell is a little wider than it need be.
+            const Real most = most_acceleration(path, field_, now_, last);
+            const auto since = quadratic_closing<Real>(
+                {(border - along(now.position)) * sign, -along(now.velocity) * sign, -most}, exact);
+            if (since) {
+                const Real crossing = now_ + *since;
+                const Vector<Real> there =
+                    crossing < last ? state_at(path, field_, crossing).position : now.position;
+                const Real slack(1e-3 * width);
+                if (!(crossing < last)) continue;
+                if ((border - along(there)) * sign <= slack)
+                    time = crossing;
+                else  // look again then
+                    consider(ball, {crossing, Kind::crossing, 0, 0, look_again, 0}, best);
+            }
+        }
+        if (time) consider(ball, {*time, Kind::crossing, 0, 0, direction, 0}, best);
+    }
+}
+
+template <typename Real>
+void EventEngine<Real>::change_cell(std::uint32_t ball, std::uint32_t direction) {
+    if (direction < steps.size())
+        cells_.step(ball, steps[direction].columns, steps[direction].rows);
+}
+
+// The end of the side along which the ball slides; the end of a piece of its turn.
+template <typename Real>
+void EventEngine<Real>::predict_own(std::uint32_t ball, Event& best) const {
+    const EventPath<Real>& path = paths_[ball];
+    if (path.motion == Motion::turning) {
+        if (const auto time = end_of_turn(ball))
+            consider(ball, {*time, Kind::own, 0, 0, 0, 0}, best);
+        return;
+    }
+    if (path.motion == Motion::resting && path.support.by == PathSupport::By::nothing)
+        consider(ball, {path.time + fall_time(ball) * Real(0.25), Kind::own, 0, 0, 0, 0}, best);
+    if (path.motion != Motion::sliding) return;
+    const auto capsule = index_of(*world_, CapsuleId{path.support.number});
+    const Edge<Real> edge(world_->capsules.shape[*capsule],
+                          Vec2(torus_shift(path.support.across, path.support.along)));
+    const Vector<Real> span = edge.end - edge.start;
+    const Real whole = length(span);
+    const Vector<Real> along = span / whole;
+    const Real place = dot(along, path.position - edge.start);
+    const Real rate = dot(along, path.velocity);
+    const Real bend = dot(along, path.acceleration);
+    const ClosingTolerance<Real> exact{};
+    for (const bool to_end : {false, true}) {
+        const Gap<Real> gap =
+            to_end ? Gap<Real>{whole - place, -rate, -bend} : Gap<Real>{place, rate, bend};
+        std::optional<Real> time;
+        if (is_parabola(path, field_)) {
+            const auto since = quadratic_closing<Real>(gap, exact);
+            if (since) time = path.time + *since;
+        } else {
+            const Real horizon = best.time;
+            const Real pull = most_acceleration(path, field_, path.time, horizon);
+            time = first_closing<Real>(
+                [&](const Real& when) -> Gap<Real> {
+                    const BallState<Real> state = state_at(path, field_, when);
+                    const Real there = dot(along, state.position - edge.start);
+                    const Real speed = dot(along, state.velocity);
+                    return to_end ? Gap<Real>{whole - there, -speed, Real{}}
+                                  : Gap<Real>{there, speed, Real{}};
+                },
+                path.time, horizon, pull, {rounding_at(path.position, whole), Real{}});
+        }
+        if (time) consider(ball, {*time, Kind::own, 0, 0, 0, 0}, best);
+    }
+}
+
+// A turn ends where its piece does, or before: where it turns back, where nothing presses it on any
+// more, or where the side of an edge begins.
+template <typename Real>
+std::optional<Real> EventEngine<Real>::end_of_turn(std::uint32_t ball) const {
+    const EventPath<Real>& path = paths_[ball];
+    Real last = piece_end(path, field_);
+    const Turn<Real> first = turn_at(path, field_, path.time);
+    const auto shorten = [&](auto&& value) {
+        if (!(value(last) < Real{})) return;
+        last = change_of_sign<Real>(value, path.time, last);
+    };
+    const Real zero{};
+    if (!(first.speed == zero))
+        shorten([&](const Real& time) {
+            const Real speed = turn_at(path, field_, time).speed;
+            return first.speed < zero ? -speed : speed;
+        });
+    shorten([&](const Real& time) { return turn_at(path, field_, time).press; });
+    if (path.support.by != PathSupport::By::edge) return last;
+    const bool is_left_turn = !(turn_at(path, field_, last).speed < zero);
+    for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int, int) {
+        const Edge<Real> edge(world_->capsules.shape[capsule], shift);
+        if (edge.is_point() || !(edge.start == path.center || edge.end == path.center)) return;
+        const Vector<Real> side = perpendicular(edge.end - edge.start);
+        for (const Vector<Real>& normal : {side, -side}) {
+            // Which way the side lies, as seen from the ball.
+            const auto before = [&](const Vector<Real>& there) {
+                return is_left_turn ? cross(there, normal) : cross(normal, there);
+            };
+            if (!(before(first.normal) > zero) || !(dot(first.normal, normal) > zero)) continue;
+            shorten([&](const Real& time) { return before(turn_at(path, field_, time).normal); });
+        }
+    });
+    return last;
+}
+
+template <typename Real>
+void EventEngine<Real>::predict_balls(std::uint32_t ball, Event& best) const {
+    if (!cells_.is_giant(ball))
+        cells_.for_each_near(ball, [&](std::uint32_t other, int across, int along) {
+            predict_pair(ball, other, across, along, best);
+        });
+    const auto with_images = [&](std::uint32_t other) {
+        if (other == ball) return;
+        if (!world_->model.wrap) return predict_pair(ball, other, 0, 0, best);
+        const Vector<Real> ours = state_at(paths_[ball], field_, now_).position;
+        const Vector<Real> theirs = state_at(paths_[other], field_, now_).position;
+        const Vec2 way(ours - theirs);
+        const int across = static_cast<int>(std::floor(way.x / torus_.x + 0.5));
+        const int along = static_cast<int>(std::floor(way.y / torus_.y + 0.5));
+        for (int i = across - 1; i <= across + 1; ++i)
+            for (int j = along - 1; j <= along + 1; ++j)
+                predict_pair(ball, other, i, j, best);
+    };
+    if (cells_.is_giant(ball))
+        for (std::uint32_t other = 0; other < paths_.size(); ++other)
+            with_images(other);
+    else
+        for (const std::uint32_t giant : cells_.giants())
+            with_images(giant);
+}
+
+template <typename Real>
+void EventEngine<Real>::predict_pair(std::uint32_t ball, std::uint32_t other, int across, int along,
+                                     Event& best) const {
+    const EventPath<Real>& ours = paths_[ball];
+    const EventPath<Real>& theirs = paths_[other];
+    if (world_->model.filtered && !balls_meet(ball, other)) return;
+    if (ours.motion == Motion::held && theirs.motion == Motion::held) return;
+    if (ours.motion == Motion::resting && theirs.motion == Motion::resting) return;
+    const auto rests_on = [this](const EventPath<Real>& path, std::uint32_t support) {
+        const auto id = number(world_->balls.id[support]);
+        return (path.support.by == PathSupport::By::ball && path.support.number == id) ||
+               (path.second_support.by == PathSupport::By::ball &&
+                path.second_support.number == id);
+    };
+    if (ours.motion != Motion::free && rests_on(ours, other)) return;
+    if (theirs.motion != Motion::free && rests_on(theirs, ball)) return;
+    const Real our_radius = radius(ball);
+    const Real their_radius = radius(other);
+    // As seen from the one with the lower number, whoever asks: the same bits.
+    const Real reach = our_radius + their_radius;
+    const Real small = our_radius < their_radius ? our_radius : their_radius;
+    auto time = ball < other ? ball_closing(ours, theirs, torus_shift(across, along), reach, small,
+                                            field_, best.time)
+                             : ball_closing(theirs, ours, torus_shift(-across, -along), reach,
+                                            small, field_, best.time);
+    if (!time) return;
+    if (*time < now_) time = now_;
+    consider(ball,
+             {*time, Kind::ball_ball, static_cast<std::int8_t>(across),
+              static_cast<std::int8_t>(along), other, version_[other]},
+             best);
+}
+
+template <typename Real>
+bool EventEngine<Real>::is_solid_for(std::uint32_t capsule, const Vector<Real>& position,
+                                     Vec2 shift) const {
+    if (!world_->model.one_way) return true;
+    return is_on_solid_side(world_->capsules.shape[capsule], world_->capsules.side[capsule],
+                            Vec2(position) - shift);
+}
+
+template <typename Real>
+void EventEngine<Real>::predict_edges(std::uint32_t ball, Event& best) const {
+    const EventPath<Real>& path = paths_[ball];
+    const auto rests_on = [&](std::uint32_t capsule, int across, int along) {
+        const auto is = [&](const PathSupport& support) {
+            return support.by == PathSupport::By::edge && support.across == across &&
+                   support.along == along && support.number == number(world_->capsules.id[capsule]);
+        };
+        return path.motion != Motion::free && (is(path.support) || is(path.second_support));
+    };
+    for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int across, int along) {
+        if (rests_on(capsule, across, along)) return;
+        const Edge<Real> edge(world_->capsules.shape[capsule], shift);
+        auto time = edge_closing(path, edge, radius(ball), field_, best.time);
+        if (!time) return;
+        if (*time < now_) time = now_;
+        if (!is_solid_for(capsule, state_at(path, field_, *time).position, shift)) return;
+        consider(ball,
+                 {*time, Kind::ball_edge, static_cast<std::int8_t>(across),
+                  static_cast<std::int8_t>(along), capsule, 0},
+                 best);
+    });
+    for (std::uint32_t i = 0; i < hands_.size(); ++i) {
+        if (!ball_meets(ball, hands_[i].capsule)) continue;
+        const Real horizon = end_ < best.time ? end_ : best.time;
+        const Real begin = path.time < now_ ? now_ : path.time;
+        const auto time = hand_closing(path, hands_[i].edge, radius(ball), field_, begin, horizon);
+        if (!time) continue;
+        if (!is_solid_for(hands_[i].capsule, state_at(path, field_, *time).position, {})) continue;
+        consider(ball, {*time, Kind::hand, 0, 0, i, 0}, best);
+    }
+}
+
+template class EventEngine<double>;
+template class EventEngine<Wide>;
+
+}  // namespace carom

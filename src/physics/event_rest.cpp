@@ -1,0 +1,279 @@
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "physics/event_engine.h"
+
+// What carries a ball: sliding along an edge, turning round an end, rest.
+namespace carom {
+namespace {
+
+// The share of gravity that is rounding.
+template <typename Real>
+Real noise_of(const Vector<Real>& gravity) {
+    return Real(256.0 * precision<Real>) * length(gravity);
+}
+
+}  // namespace
+
+// What the ball touches and is pressed on, without bouncing: sides first.
+template <typename Real>
+std::vector<typename EventEngine<Real>::Support> EventEngine<Real>::supports_of(
+    std::uint32_t ball, bool also_moving) const {
+    const EventPath<Real>& path = paths_[ball];
+    const Real size = radius(ball);
+    std::vector<Support> sides;
+    std::vector<Support> points;
+    // What still moves, moves within the height of a lively hop.
+    const Real near = size * Real(also_moving ? 4.0 * lively_rise : touching);
+    const auto carries = [&](const Vector<Real>& normal) {
+        const Real press = -dot(field_.gravity, normal);
+        if (!(press > noise_of(field_.gravity))) return false;
+        const Real rate = dot(path.velocity, normal);
+        const Real noise = Real(256.0 * precision<Real>) * length(path.velocity);
+        return absolute(rate) <= noise || rate * rate <= Real(2.0 * resting_rise) * press * size;
+    };
+    for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int across, int along) {
+        const Edge<Real> edge(world_->capsules.shape[capsule], shift);
+        const auto contact = contact_with(edge, path.position, size);
+        const Real rounding = Real(16.0) * rounding_at(path.position, size + edge.radius);
+        if (contact.gap > near + rounding || !is_solid_for(capsule, path.position, shift)) return;
+        Support support;
+        support.by = {PathSupport::By::edge, static_cast<std::int8_t>(across),
+                      static_cast<std::int8_t>(along), number(world_->capsules.id[capsule])};
+        if (!edge.is_point()) {
+            const Vector<Real> span = edge.end - edge.start;
+            const Real whole = length(span);
+            const Vector<Real> direction = span / whole;
+            const Real place = dot(direction, path.position - edge.start);
+            const Real slack = (near + rounding) * Real(4.0);
+            const Vector<Real> left = perpendicular(direction);
+            const Vector<Real> normal =
+                dot(left, path.position - edge.start) < Real{} ? -left : left;
+            // At an end the way that it goes decides whether it is beside the edge.
+            Real way = dot(direction, path.velocity);
+            if (absolute(way) <= Real(256.0 * precision<Real>) * length(path.velocity))
+                way = dot(direction, field_.gravity);
+            const bool is_side = (place > slack && place < whole - slack) ||
+                                 (place >= -slack && place <= slack && way > Real{}) ||
+                                 (place >= whole - slack && place <= whole + slack && way < Real{});
+            if (is_side) {
+                support.normal = normal;
+                support.is_side = true;
+                if (carries(normal)) sides.push_back(support);
+                return;
+            }
+            support.center = place < whole * Real(0.5) ? edge.start : edge.end;
+        } else {
+            support.center = edge.start;
+        }
+        const Vector<Real> arm = path.position - support.center;
+        const Real away = length(arm);
+        if (!(away > Real{})) return;
+        support.normal = arm / away;
+        if (carries(support.normal)) points.push_back(support);
+    });
+    const auto with_ball = [&](std::uint32_t other, int across, int along) {
+        if (other == ball || !balls_meet(ball, other)) return;
+        if (!also_moving && paths_[other].motion != Motion::resting) return;
+        Support support;
+        support.center =
+            state_at(paths_[other], field_, now_).position + torus_shift(across, along);
+        const Vector<Real> arm = path.position - support.center;
+        const Real away = length(arm);
+        const Real reach = size + radius(other);
+        if (!(away > Real{}) ||
+            away - reach > near + Real(16.0) * rounding_at(path.position, reach))
+            return;
+        support.normal = arm / away;
+        support.by = {PathSupport::By::ball, static_cast<std::int8_t>(across),
+                      static_cast<std::int8_t>(along), number(world_->balls.id[other])};
+        if (carries(support.normal)) points.push_back(support);
+    };
+    if (world_->model.ball_ball && !cells_.is_giant(ball)) cells_.for_each_near(ball, with_ball);
+    if (world_->model.ball_ball && cells_.is_giant(ball))
+        for (std::uint32_t other = 0; other < paths_.size(); ++other)
+            with_ball(other, 0, 0);
+    sides.insert(sides.end(), points.begin(), points.end());
+    return sides;
+}
+
+// Two that between them bear all of gravity, the first such pair.
+template <typename Real>
+std::optional<std::pair<std::size_t, std::size_t>> EventEngine<Real>::bearing_two(
+    const std::vector<Support>& supports) const {
+    const Real zero{};
+    for (std::size_t i = 0; i < supports.size(); ++i)
+        for (std::size_t j = i + 1; j < supports.size(); ++j) {
+            const Vector<Real>& first = supports[i].normal;
+            const Vector<Real>& second = supports[j].normal;
+            const Real turn = cross(first, second);
+            if (absolute(turn) < Real(1e-9)) continue;
+            if (!(cross(-field_.gravity, second) / turn < zero) &&
+                !(cross(first, -field_.gravity) / turn < zero))
+                return std::pair(i, j);
+        }
+    return std::nullopt;
+}
+
+// Decides on what a ball that has just begun a path lies, if on anything.
+template <typename Real>
+void EventEngine<Real>::settle(std::uint32_t ball) {
+    const EventPath<Real>& path = paths_[ball];
+    if (!world_->model.gravity || path.motion != Motion::free) return;
+    const std::vector<Support> supports = supports_of(ball, false);
+    if (const auto two = bearing_two(supports)) {
+        const Real turn = cross(supports[two->first].normal, supports[two->second].normal);
+        const Real fall =
+            Real(8.0 * resting_rise) * length(field_.gravity) * radius(ball) / (turn * turn);
+        if (length_squared(path.velocity) <= fall)
+            return rest(ball, supports[two->first], &supports[two->second]);
+    }
+    for (std::size_t i = 0; i < supports.size(); ++i) {
+        const Vector<Real>& normal = supports[i].normal;
+        const Vector<Real> along = field_.gravity - normal * dot(field_.gravity, normal);
+        bool is_free = true;
+        for (std::size_t j = 0; j < supports.size(); ++j)
+            if (j != i && dot(along, supports[j].normal) < -noise_of(field_.gravity))
+                is_free = false;
+        if (is_free) return rest(ball, supports[i], nullptr);
+    }
+}
+
+template <typename Real>
+void EventEngine<Real>::rest(std::uint32_t ball, const Support& first, const Support* second) {
+    EventPath<Real>& path = paths_[ball];
+    if (second) {
+        path.motion = Motion::resting;
+        path.velocity = path.acceleration = {};
+        path.support = first.by;
+        path.second_support = second->by;
+        return;
+    }
+    const Vector<Real> velocity = path.velocity - first.normal * dot(path.velocity, first.normal);
+    Vector<Real> along = field_.gravity - first.normal * dot(field_.gravity, first.normal);
+    if (length(along) <= noise_of(field_.gravity)) along = {};
+    const bool is_still = velocity == Vector<Real>{} && along == Vector<Real>{};
+    if (!first.is_side && !is_still) {
+        const Real circle = length(path.position - first.center);
+        const Real press = -dot(field_.gravity, first.normal) - length_squared(velocity) / circle;
+        if (!(press > Real{})) return;
+        path.center = first.center;
+    }
+    path.support = first.by;
+    path.velocity = velocity;
+    path.acceleration = along;
+    path.motion = is_still ? Motion::resting : (first.is_side ? Motion::sliding : Motion::turning);
+}
+
+// The ball's support has changed its path: what lies on it flies, until it settles again.
+template <typename Real>
+void EventEngine<Real>::release_what_rests_on(std::uint32_t ball,
+                                              std::vector<std::uint32_t>& released) {
+    std::vector<std::uint32_t> gone{ball};
+    while (!gone.empty()) {
+        const std::uint32_t support = gone.back();
+        gone.pop_back();
+        const auto id = number(world_->balls.id[support]);
+        const auto look = [&](std::uint32_t other, int, int) {
+            const EventPath<Real>& path = paths_[other];
+            const auto is = [id](const PathSupport& by) {
+                return by.by == PathSupport::By::ball && by.number == id;
+            };
+            if (path.motion == Motion::free || (!is(path.support) && !is(path.second_support)))
+                return;
+            const BallState<Real> state = state_at(path, field_, now_);
+            if (path.motion == Motion::resting) gone.push_back(other);
+            const std::uint32_t quick = path.quick;
+            start_path(other, now_, state.position, state.velocity);
+            paths_[other].quick = quick;
+            released.push_back(other);
+        };
+        if (cells_.is_giant(support)) {
+            for (std::uint32_t other = 0; other < paths_.size(); ++other)
+                if (other != support) look(other, 0, 0);
+        } else {
+            cells_.for_each_near(support, look);
+            for (const std::uint32_t giant : cells_.giants())
+                if (giant != support) look(giant, 0, 0);
+        }
+    }
+}
+
+// The ball has come to the end of the side along which it slid, or of a piece of its turn.
+template <typename Real>
+void EventEngine<Real>::end_own(std::uint32_t ball) {
+    const EventPath<Real> before = paths_[ball];
+    const BallState<Real> state = state_at(before, field_, now_);
+    start_path(ball, now_, state.position, state.velocity);
+    if (before.motion == Motion::resting && bearing_two(supports_of(ball, true))) {
+        // Tired, and what it touches carries it, though that may not have come to rest: on it lies.
+        paths_[ball].motion = Motion::resting;
+        paths_[ball].acceleration = {};
+        paths_[ball].quick = before.quick;
+        predict(ball);
+        return;
+    }
+    paths_[ball].quick = before.quick;
+    if (before.motion == Motion::turning) {
+        // The ball of a turn keeps to its circle, whatever else it touches there, until it leaves.
+        const Turn<Real> turn = turn_at(before, field_, now_);
+        if (!(turn.press > Real{})) {
+            // Rounding must not put it back on.
+            predict(ball);
+            return;
+        }
+    }
+    settle(ball);
+    if (before.motion == Motion::resting && paths_[ball].motion != Motion::resting) {
+        std::vector<std::uint32_t> released;
+        release_what_rests_on(ball, released);
+        const auto is_first = [this](std::uint32_t a, std::uint32_t b) { return is_before(a, b); };
+        std::sort(released.begin(), released.end());
+        released.erase(std::unique(released.begin(), released.end()), released.end());
+        for (const std::uint32_t each : released)
+            settle(each);
+        predict(ball);
+        queue_.update(ball, is_first);
+        for (const std::uint32_t each : released) {
+            predict(each);
+            queue_.update(each, is_first);
+        }
+        return;
+    }
+    predict(ball);
+}
+
+// How long a ball takes to fall through its radius.
+template <typename Real>
+Real EventEngine<Real>::fall_time(std::uint32_t ball) const {
+    return square_root(Real(2.0) * radius(ball) / length(field_.gravity));
+}
+
+// One more for an impact in quick succession, fewer for a time without.
+template <typename Real>
+std::uint32_t EventEngine<Real>::tiredness(std::uint32_t ball,
+                                           const EventPath<Real>& before) const {
+    const Real quick = fall_time(ball) * Real(quick_succession);
+    const double pauses = static_cast<double>((now_ - before.time) / quick);
+    if (pauses < 1.0) return before.quick + 1;
+    return pauses < before.quick ? before.quick - static_cast<std::uint32_t>(pauses) : 0;
+}
+
+template <typename Real>
+void EventEngine<Real>::lie_down_if_tired(std::uint32_t ball) {
+    EventPath<Real>& path = paths_[ball];
+    if (path.quick <= most_tiring || !world_->model.gravity || !world_->model.lossy) return;
+    if (path.motion == Motion::resting || path.motion == Motion::held) return;
+    // Fast balls that rattle in a narrow place go on.
+    if (Real(2.0) * length(field_.gravity) * radius(ball) < length_squared(path.velocity)) return;
+    path.motion = Motion::resting;
+    path.velocity = path.acceleration = {};
+    path.support = path.second_support = {};
+    path.quick = most_tiring / 4 * 3;
+}
+
+template class EventEngine<double>;
+template class EventEngine<Wide>;
+
+}  // namespace carom

@@ -1,0 +1,239 @@
+#include "physics/reflection.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace carom {
+namespace {
+
+template <typename Real>
+class Matrix {
+  public:
+    explicit Matrix(std::size_t size) : size_(size), values_(size * size) {}
+    Real& at(std::size_t row, std::size_t column) { return values_[row * size_ + column]; }
+    const Real& at(std::size_t row, std::size_t column) const {
+        return values_[row * size_ + column];
+    }
+
+  private:
+    std::size_t size_;
+    std::vector<Real> values_;
+};
+
+// How much the approach of contact i falls for an impulse of 1 at contact j.
+template <typename Real>
+Real coupling(const ImpactContact<Real>& i, const ImpactContact<Real>& j,
+              std::span<const ImpactBody<Real>> bodies) {
+    Real sum{};
+    const auto add = [&](std::uint32_t x, std::uint32_t y, bool same_side) {
+        if (x != y || x == ImpactContact<Real>::fixed) return;
+        const Real part = dot(i.normal, j.normal) * bodies[x].inverse_mass;
+        sum += same_side ? part : -part;
+    };
+    add(i.a, j.a, true);
+    add(i.a, j.b, false);
+    add(i.b, j.a, false);
+    add(i.b, j.b, true);
+    return sum;
+}
+
+// The solution of the rows and columns in `active`, of least size where there are several: the
+// matrix is made definite by a trace of its largest entry, and the error that makes is taken back
+// by repetition.
+template <typename Real>
+std::vector<Real> solve(const Matrix<Real>& matrix, const std::vector<Real>& right,
+                        const std::vector<std::size_t>& active) {
+    const std::size_t count = active.size();
+    Real largest{};
+    for (const std::size_t i : active)
+        if (largest < matrix.at(i, i)) largest = matrix.at(i, i);
+    const Real trace = largest * Real(1e-9);
+    Matrix<Real> root(count);  // Cholesky
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j <= i; ++j) {
+            Real sum = matrix.at(active[i], active[j]);
+            if (i == j) sum += trace;
+            for (std::size_t k = 0; k < j; ++k)
+                sum -= root.at(i, k) * root.at(j, k);
+            root.at(i, j) = i == j ? square_root(sum > trace * Real(0.5) ? sum : trace * Real(0.5))
+                                   : sum / root.at(j, j);
+        }
+    std::vector<Real> solution(count);
+    std::vector<Real> rest(count);
+    for (int round = 0; round < 5; ++round) {
+        for (std::size_t i = 0; i < count; ++i) {
+            rest[i] = right[active[i]];
+            for (std::size_t j = 0; j < count; ++j)
+                rest[i] -= matrix.at(active[i], active[j]) * solution[j];
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t k = 0; k < i; ++k)
+                rest[i] -= root.at(i, k) * rest[k];
+            rest[i] = rest[i] / root.at(i, i);
+        }
+        for (std::size_t i = count; i-- > 0;) {
+            for (std::size_t k = i + 1; k < count; ++k)
+                rest[i] -= root.at(k, i) * rest[k];
+            rest[i] = rest[i] / root.at(i, i);
+            solution[i] += rest[i];
+        }
+    }
+    return solution;
+}
+
+// Pushing impulses that stop every approach, by block pivoting: those that would pull are left out,
+// and come back where what is left out approaches again.
+template <typename Real>
+std::vector<Real> stopping_impulses(const Matrix<Real>& matrix, const std::vector<Real>& approach) {
+    const std::size_t count = approach.size();
+    const Real largest = *std::max_element(approach.begin(), approach.end());
+    const Real noise = largest * Real(1e-12);
+    std::vector<std::uint8_t> is_active(count, 1);
+    std::vector<Real> impulses(count);
+    const std::size_t most_rounds = 4 * count + 8;
+    for (std::size_t round = 0; round < most_rounds; ++round) {
+        std::vector<std::size_t> active;
+        for (std::size_t i = 0; i < count; ++i)
+            if (is_active[i]) active.push_back(i);
+        const std::vector<Real> solution = solve(matrix, approach, active);
+        std::fill(impulses.begin(), impulses.end(), Real{});
+        bool pulls = false;
+        for (std::size_t i = 0; i < active.size(); ++i) {
+            if (solution[i] < Real{}) {
+                is_active[active[i]] = 0;
+                pulls = true;
+            } else {
+                impulses[active[i]] = solution[i];
+            }
+        }
+        if (pulls) continue;
+        bool approaches = false;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (is_active[i]) continue;
+            Real left = approach[i];
+            for (const std::size_t j : active)
+                left -= matrix.at(i, j) * impulses[j];
+            if (left > noise) {
+                is_active[i] = 1;
+                approaches = true;
+            }
+        }
+        if (!approaches) break;
+    }
+    return impulses;
+}
+
+// Beyond this many contacts that hang together the impulses are found by relaxation.
+constexpr std::size_t most_dense = 240;
+
+template <typename Real>
+std::vector<Real> relaxed_impulses(const std::vector<ImpactContact<Real>>& contacts,
+                                   std::vector<ImpactBody<Real>> bodies) {
+    std::vector<Real> impulses(contacts.size());
+    for (int round = 0; round < 400; ++round)
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            const auto& contact = contacts[i];
+            const Real stiffness = coupling<Real>(contact, contact, bodies);
+            Real next = impulses[i] + approach_of<Real>(contact, bodies) / stiffness;
+            if (next < Real{}) next = Real{};
+            const Vector<Real> push = contact.normal * (next - impulses[i]);
+            bodies[contact.a].velocity += push * bodies[contact.a].inverse_mass;
+            if (contact.b != ImpactContact<Real>::fixed)
+                bodies[contact.b].velocity -= push * bodies[contact.b].inverse_mass;
+            impulses[i] = next;
+        }
+    return impulses;
+}
+
+// Contacts that share a body that can be moved, each group in the order given.
+template <typename Real>
+std::vector<std::vector<std::uint32_t>> groups_of(std::span<const ImpactBody<Real>> bodies,
+                                                  std::span<const ImpactContact<Real>> contacts) {
+    std::vector<std::uint32_t> leader(bodies.size());
+    std::iota(leader.begin(), leader.end(), 0u);
+    const auto find = [&](std::uint32_t body) {
+        while (leader[body] != body)
+            body = leader[body] = leader[leader[body]];
+        return body;
+    };
+    const auto moves = [&](std::uint32_t body) {
+        return body != ImpactContact<Real>::fixed && bodies[body].inverse_mass > Real{};
+    };
+    for (const auto& contact : contacts)
+        if (moves(contact.a) && moves(contact.b)) {
+            const std::uint32_t a = find(contact.a);
+            const std::uint32_t b = find(contact.b);
+            leader[std::max(a, b)] = std::min(a, b);
+        }
+    std::vector<std::vector<std::uint32_t>> by_leader(bodies.size());
+    for (std::uint32_t i = 0; i < contacts.size(); ++i)
+        by_leader[find(moves(contacts[i].a) ? contacts[i].a : contacts[i].b)].push_back(i);
+    std::erase_if(by_leader, [](const auto& group) { return group.empty(); });
+    return by_leader;
+}
+
+}  // namespace
+
+template <typename Real>
+Real approach_of(const ImpactContact<Real>& contact, std::span<const ImpactBody<Real>> bodies) {
+    const Real ours = dot(bodies[contact.a].velocity, contact.normal);
+    if (contact.b == ImpactContact<Real>::fixed) return contact.surface - ours;
+    return dot(bodies[contact.b].velocity, contact.normal) - ours;
+}
+
+template <typename Real>
+std::vector<Real> reflect(std::span<ImpactBody<Real>> bodies,
+                          std::span<const ImpactContact<Real>> contacts) {
+    std::vector<Real> passed(contacts.size());
+    const auto push = [&](std::uint32_t index, const Real& impulse) {
+        const auto& contact = contacts[index];
+        const Vector<Real> way = contact.normal * impulse;
+        bodies[contact.a].velocity += way * bodies[contact.a].inverse_mass;
+        if (contact.b != ImpactContact<Real>::fixed)
+            bodies[contact.b].velocity -= way * bodies[contact.b].inverse_mass;
+        passed[index] = impulse;
+    };
+    for (const auto& group : groups_of<Real>(bodies, contacts)) {
+        const std::size_t count = group.size();
+        if (count == 1) {
+            const auto& contact = contacts[group[0]];
+            push(group[0], (Real(1.0) + contact.restitution) * approach_of<Real>(contact, bodies) /
+                               coupling<Real>(contact, contact, bodies));
+            continue;
+        }
+        Real restitution = contacts[group[0]].restitution;
+        for (const std::uint32_t index : group)
+            if (contacts[index].restitution < restitution)
+                restitution = contacts[index].restitution;
+        std::vector<Real> impulses;
+        if (count <= most_dense) {
+            Matrix<Real> matrix(count);
+            std::vector<Real> approach(count);
+            for (std::size_t i = 0; i < count; ++i) {
+                approach[i] = approach_of<Real>(contacts[group[i]], bodies);
+                for (std::size_t j = 0; j < count; ++j)
+                    matrix.at(i, j) =
+                        coupling<Real>(contacts[group[i]], contacts[group[j]], bodies);
+            }
+            impulses = stopping_impulses(matrix, approach);
+        } else {
+            std::vector<ImpactContact<Real>> own;
+            for (const std::uint32_t index : group)
+                own.push_back(contacts[index]);
+            impulses =
+                relaxed_impulses(own, std::vector<ImpactBody<Real>>(bodies.begin(), bodies.end()));
+        }
+        for (std::size_t i = 0; i < count; ++i)
+            push(group[i], (Real(1.0) + restitution) * impulses[i]);
+    }
+    return passed;
+}
+
+template double approach_of(const ImpactContact<double>&, std::span<const ImpactBody<double>>);
+template Wide approach_of(const ImpactContact<Wide>&, std::span<const ImpactBody<Wide>>);
+template std::vector<double> reflect(std::span<ImpactBody<double>>,
+                                     std::span<const ImpactContact<double>>);
+template std::vector<Wide> reflect(std::span<ImpactBody<Wide>>,
+                                   std::span<const ImpactContact<Wide>>);
+
+}  // namespace carom
