@@ -51,6 +51,7 @@ std::string brief(const SolverSettings& solver) {
         text += fmt::format(" steps={}", solver.steps);
     if (solver.kind == SolverKind::swept && solver.substeps != usual.substeps)
         text += fmt::format(" substeps={}", solver.substeps);
+    if (solver.kind == SolverKind::event && solver.extended) text += " extended";
     return text;
 }
 
@@ -63,6 +64,7 @@ void write_settings(JsonWriter& json, const SolverSettings& solver) {
     if (solver.kind == SolverKind::swept) {
         json.field("substeps", static_cast<std::uint64_t>(solver.substeps));
     }
+    if (solver.kind == SolverKind::event) json.field("extended", solver.extended);
     json.end_object();
 }
 
@@ -104,8 +106,8 @@ std::uint64_t ticks_each(double rate, double common) {
 }
 
 Reference reference_settings(double rate) {
-    return {.truth = {{.kind = SolverKind::swept}, rate * 16.0},
-            .check = {{.kind = SolverKind::swept}, rate * 8.0}};
+    return {.truth = {{.kind = SolverKind::event, .extended = true}, rate},
+            .check = {{.kind = SolverKind::event}, rate}};
 }
 
 }  // namespace carom

@@ -53,8 +53,8 @@ struct Reference {
     Choice truth;
     Choice check;
 };
-/// `event` in about 32 digits, checked by `event` in doubles, both at the level's rate; in a carom
-/// without it, `swept` at 16 times that rate, checked at 8 times.
+/// `event` in about 32 digits, checked by `event` in doubles, both at the level's rate: what a tick
+/// is for (births, sinks, stops) then happens as the level says.
 Reference reference_settings(double rate);
 
 }  // namespace carom

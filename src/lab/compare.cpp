@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "lab/difference.h"
 #include "lab/nudge.h"
@@ -28,11 +29,13 @@ Runner runner_of(const Scene& scene, const Choice& choice, double common) {
     return runner;
 }
 
-void run_period(Runner& runner) {
+// False: given up.
+bool run_period(Runner& runner, const std::function<bool()>& keep_going) {
     for (std::uint64_t i = 0; i < runner.period; ++i) {
-        runner.solver.tick(runner.world);
+        if (runner.solver.tick(runner.world, keep_going) == TickOutcome::given_up) return false;
         note_meetings(runner.meetings, runner.solver.contacts());
     }
+    return keep_going();
 }
 
 // Returns the RMS difference.
@@ -66,13 +69,13 @@ Comparison compare(const Scene& scene, const CompareSettings& settings, const Go
     const auto periods =
         static_cast<std::uint64_t>(std::llround(std::max(1.0, settings.time * common)));
     for (std::uint64_t i = 1; i <= periods && !comparison.is_lost; ++i) {
-        run_period(first);
-        run_period(second);
+        const auto keep_going = [&] { return go_on(i, periods); };
+        comparison.is_interrupted =
+            !run_period(first, keep_going) || !run_period(second, keep_going);
+        if (comparison.is_interrupted) break;
         const double time = static_cast<double>(i) / common;
         comparison.is_lost =
             !(note_difference(comparison, first.world, second.world, time) <= elsewhere);
-        comparison.is_interrupted = !go_on(i, periods);
-        if (comparison.is_interrupted) break;
     }
 
     // Where they have parted, a contact that only one of them has had is the reason.

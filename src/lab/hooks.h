@@ -5,7 +5,8 @@
 
 namespace carom {
 
-/// Told, tick by tick, of the ticks done and of all that there are to do; false ends the work.
+/// Told, tick by tick and within long ticks, of the ticks done and of all that there are to do;
+/// false ends the work.
 using GoOn = std::function<bool(std::uint64_t done, std::uint64_t total)>;
 
 /// What the lab asks of its caller while it works.

@@ -44,21 +44,31 @@ std::uint64_t ticks_of(const Bench& bench, double rate) {
     return bench.points.back() * ticks_each(rate, bench.common);
 }
 
-bool goes_on(Bench& bench) {
+// How a tick ended, and what it cost in seconds; given_up where the caller has had enough, in the
+// tick or after it.
+struct Ticked {
+    TickOutcome outcome = TickOutcome::done;
+    double seconds = 0.0;
+};
+Ticked tick(Bench& bench, World& world, Solver& solver) {
+    const auto keep_going = [&] { return bench.hooks.go_on(bench.done, bench.total); };
+    const double before = bench.hooks.clock();
+    const TickOutcome outcome = solver.tick(world, keep_going);
+    const double seconds = bench.hooks.clock() - before;
     ++bench.done;
-    return bench.hooks.go_on(bench.done, bench.total);
+    return {keep_going() ? outcome : TickOutcome::given_up, seconds};
 }
 
-// Runs up to the instant of a horizon. False: interrupted.
-bool run_to(Bench& bench, World& world, Solver& solver, std::uint64_t point,
-            std::vector<Meeting>* meetings) {
+// Runs up to the instant of a horizon, or to the first tick that is not done.
+TickOutcome run_to(Bench& bench, World& world, Solver& solver, std::uint64_t point,
+                   std::vector<Meeting>* meetings) {
     const std::uint64_t ticks = point * ticks_each(world.rate, bench.common);
     while (world.tick < ticks) {
-        solver.tick(world);
+        const TickOutcome outcome = tick(bench, world, solver).outcome;
         if (meetings != nullptr) note_meetings(*meetings, solver.contacts());
-        if (!goes_on(bench)) return false;
+        if (outcome != TickOutcome::done) return outcome;
     }
-    return true;
+    return TickOutcome::done;
 }
 
 std::optional<Truth> find_truth(Bench& bench, const Reference& reference, double radius) {
@@ -69,10 +79,13 @@ std::optional<Truth> find_truth(Bench& bench, const Reference& reference, double
     Solver check(reference.check.solver);
     const std::uint64_t before = bench.done;
     for (const std::uint64_t point : bench.points) {
-        if (!run_to(bench, world, solver, point, &truth.meetings)) return std::nullopt;
-        if (!run_to(bench, twin, check, point, nullptr)) return std::nullopt;
+        const TickOutcome of_truth = run_to(bench, world, solver, point, &truth.meetings);
+        if (of_truth == TickOutcome::given_up) return std::nullopt;
+        const TickOutcome of_check = run_to(bench, twin, check, point, nullptr);
+        if (of_check == TickOutcome::given_up) return std::nullopt;
+        const bool are_done = of_truth == TickOutcome::done && of_check == TickOutcome::done;
         const double doubt = difference(world, twin).rms / radius;
-        if (!(doubt <= bench.settings.tolerance)) {
+        if (!are_done || !(doubt <= bench.settings.tolerance)) {
             truth.chaos = static_cast<double>(point) / bench.common;
             break;
         }
@@ -109,9 +122,10 @@ std::optional<Measured> observed(Bench& bench, const Choice& choice, const Truth
     const std::uint64_t ticks = ticks_of(bench, choice.rate);
     const std::uint64_t period = ticks_each(choice.rate, bench.common);
     while (world.tick < ticks) {
-        const double before = bench.hooks.clock();
-        solver.tick(world);
-        seconds += bench.hooks.clock() - before;
+        const Ticked ticked = tick(bench, world, solver);
+        if (ticked.outcome == TickOutcome::given_up) return std::nullopt;
+        if (ticked.outcome == TickOutcome::too_dense) ++row.too_dense;
+        seconds += ticked.seconds;
         ball_ticks += world.balls.size();
         row.max_overlap = std::max(row.max_overlap, deepest_overlap(world) / radius);
         escape.note_births(world);
@@ -122,7 +136,6 @@ std::optional<Measured> observed(Bench& bench, const Choice& choice, const Truth
             if (world.tick == bench.points[next] * period)
                 row.errors.push_back(error_at(truth, next, world, meetings, radius));
         }
-        if (!goes_on(bench)) return std::nullopt;
     }
     row.cost = {seconds, seconds};
     row.ball_seconds = static_cast<double>(ball_ticks) / choice.rate;
@@ -139,10 +152,9 @@ std::optional<double> timed(Bench& bench, const Choice& choice) {
     const std::uint64_t ticks = ticks_of(bench, choice.rate);
     double seconds = 0.0;
     while (world.tick < ticks) {
-        const double before = bench.hooks.clock();
-        solver.tick(world);
-        seconds += bench.hooks.clock() - before;
-        if (!goes_on(bench)) return std::nullopt;
+        const Ticked ticked = tick(bench, world, solver);
+        if (ticked.outcome == TickOutcome::given_up) return std::nullopt;
+        seconds += ticked.seconds;
     }
     return seconds;
 }

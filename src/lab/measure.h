@@ -56,7 +56,9 @@ struct Measured {
     /// scene does not keep it.
     std::optional<double> momentum_drift;
     double max_overlap = 0.0;  ///< deepest at the end of any tick, radii
-    std::size_t escaped = 0;  ///< balls outside the closed outline that they started in, at the end
+    /// Balls outside the closed outline that they started in, at the end.
+    std::size_t escaped = 0;
+    std::uint64_t too_dense = 0;  ///< ticks in which time stood still (TickOutcome::too_dense)
 };
 
 struct Measurement {

@@ -79,6 +79,7 @@ void write_rows(JsonWriter& json, const Measurement& measurement) {
         write_optional(json, "momentum_drift", row.momentum_drift);
         json.field("max_overlap", row.max_overlap);
         json.field("escaped", std::uint64_t{row.escaped});
+        json.field("too_dense_ticks", row.too_dense);
         write_errors(json, measurement, row);
         write_cost(json, measurement, row, front[i]);
         json.end_object();

@@ -40,6 +40,13 @@ std::string named(const Choice& choice) {
     return fmt::format("{} at {} ticks a second", brief(choice.solver), rate_text(choice.rate));
 }
 
+// "event extended, checked by event, at 120 ticks a second".
+std::string reference_text(const Reference& reference) {
+    if (reference.truth.rate != reference.check.rate)
+        return fmt::format("{},\n  checked by {}", named(reference.truth), named(reference.check));
+    return fmt::format("{}, checked by {}", brief(reference.truth.solver), named(reference.check));
+}
+
 std::string believed(const Measurement& measurement) {
     if (measurement.horizons.empty())
         return "The reference cannot be believed for even one tick: chaos is faster than that.\n";
@@ -54,10 +61,9 @@ std::string believed(const Measurement& measurement) {
 std::string heading(std::string_view title, const Measurement& measurement) {
     return fmt::format(
         "{}: {} balls, {} s at {} ticks a second; best of {} runs\n"
-        "Reference: {}, checked by {}.\n{}",
+        "Reference: {}.\n{}",
         title, measurement.balls, measurement.time, rate_text(measurement.rate),
-        measurement.repeats, named(measurement.reference.truth), named(measurement.reference.check),
-        believed(measurement));
+        measurement.repeats, reference_text(measurement.reference), believed(measurement));
 }
 
 // The first columns of every table.
@@ -192,6 +198,11 @@ std::string measure_text(std::string_view title, const Measurement& measurement)
         "\nRelative drift of energy and momentum; deepest overlap, in radii; collisions\n"
         "missed, extra, and out of order by the same instant; balls that got out.\n\n";
     text += fault_table(measurement, front);
+    for (const Measured& row : measurement.rows) {
+        if (row.too_dense > 0)
+            text += fmt::format("{}: time stood still for the rest of {} ticks, too dense.\n",
+                                named(row.choice), row.too_dense);
+    }
     if (!measurement.headline) return text;
     text += "\nThe error as it grows:\n\n" + error_table(measurement, front);
     return text + plot_of(measurement, front);

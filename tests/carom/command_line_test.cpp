@@ -44,9 +44,9 @@ TEST_CASE("usage that is wrong says what is wrong, and what was probably meant")
         {{"run", level, "--slover", "swept"},
          "there is no option '--slover'; did you mean '--solver'?"},
         {{"run", level, "--solver", "swpt"}, "there is no solver 'swpt'; did you mean 'swept'?"},
-        {{"run", level, "--solver", "event"},
-         "this version of carom does not have the solver 'event'; it has discrete, substep, swept"},
-        {{"run", level, "--solver", "contact"}, "does not have the solver 'contact'"},
+        {{"run", level, "--solver", "contact"},
+         "this version of carom does not have the solver 'contact'; it has discrete, substep, "
+         "swept, event"},
         {{"run", level, "--solver"}, "--solver needs a value"},
         {{"run", level, "--time", "-1"}, "--time must be a number from 0"},
         {{"run", level, "--time", "soon"}, "but is 'soon'"},
@@ -79,7 +79,7 @@ TEST_CASE("help and version go to standard output") {
     const Finished help = run_carom({"--help"});
     CHECK(help.exit_code == 0);
     CHECK(help.err.empty());
-    for (const char* command : {"play", "run", "check", "list"}) {
+    for (const char* command : {"play", "run", "measure", "compare", "check", "list"}) {
         CAPTURE(command);
         CHECK(has(help.out, command));
         const Finished of_command = run_carom({command, "--help"});

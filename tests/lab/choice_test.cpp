@@ -54,6 +54,7 @@ TEST_CASE("the words for settings") {
           "substep updates=8 steps=3");
     CHECK(brief({.kind = SolverKind::swept, .substeps = 4}) == "swept substeps=4");
     CHECK(brief({.kind = SolverKind::discrete}) == "discrete");
+    CHECK(brief({.kind = SolverKind::event, .extended = true}) == "event extended");
 }
 
 TEST_CASE("the reference and its check are solvers that there are, and differ") {

@@ -92,6 +92,22 @@ TEST_CASE("a ball that passes through a wall is off, missing a contact, and out"
     CHECK(bad.energy_drift == doctest::Approx(0.0));
 }
 
+TEST_CASE("event is as far off as its doubt, at any rate") {
+    const Measurement measurement = measured(
+        load(crowd),
+        {.time = 0.5, .repeats = 1, .rates = {30, 60, 120}, .solvers = {SolverKind::event}});
+    REQUIRE(measurement.rows.size() == 3);
+    for (const Measured& row : measurement.rows) {
+        for (std::size_t i = 0; i < measurement.horizons.size(); ++i) {
+            CHECK(row.errors[i].rms <= 10.0 * measurement.doubts[i] + 1e-14);
+            CHECK(row.errors[i].contacts.missed == 0);
+            CHECK(row.errors[i].contacts.extra == 0);
+            CHECK(row.errors[i].contacts.out_of_order == 0);
+        }
+        CHECK(row.too_dense == 0);
+    }
+}
+
 TEST_CASE("errors are told in ball radii") {
     const MeasureSettings settings{.time = 0.2, .repeats = 1, .rates = {60}};
     const Measurement measurement = measured(load(thin_walls), settings);
@@ -260,5 +276,7 @@ TEST_CASE("the JSON has its keys, and what was picked") {
     CHECK(has(json, "\"budget\": {\"asked\": 0.0012, \"choice\": {\"solver\": \"s"));
     CHECK(has(json, "\"tolerance\": {\"asked\": 1e-09, \"choice\": {"));
     CHECK(has(json, "\"pareto\": true"));
+    CHECK(has(json, "\"reference\": {\"solver\": \"event\", \"settings\": {\"extended\": true}"));
+    CHECK(has(json, "\"check\": {\"solver\": \"event\", \"settings\": {\"extended\": false}"));
     CHECK(has(measure_json("thin", measurement, 1e-9, {}), "\"choice\": null"));
 }
