@@ -287,6 +287,11 @@ bool continues_gesture(const Command& earlier, const Command& later) {
     return hand_was_closed ? hand_goes_on || is_drop(later) : is_drop(earlier) && is_drop(later);
 }
 
+bool moves_capsule(const Command& command) {
+    return std::holds_alternative<HoldCapsule>(command) ||
+           std::holds_alternative<PlaceCapsule>(command);
+}
+
 bool moves_same_hand(const Command& earlier, const Command& later) {
     const auto what = moved(earlier);
     return what && what == moved(later);

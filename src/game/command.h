@@ -93,6 +93,10 @@ void obey(World& world, const Command& command);
 /// dropping, is one, and so are placings that follow each other. A gesture is undone as a whole.
 bool continues_gesture(const Command& earlier, const Command& later);
 
+/// Whether it moves an edge by hand. Edges do not hinder each other, so that two such commands of
+/// one tick may change places.
+bool moves_capsule(const Command& command);
+
 /// Whether both move the same ball or edge by hand: of two such in one gesture and one tick only
 /// the later counts.
 bool moves_same_hand(const Command& earlier, const Command& later);

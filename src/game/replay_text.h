@@ -1,27 +1,43 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "game/command.h"
+#include "game/fingerprint_mark.h"
+#include "level/scene.h"
 #include "physics/solver.h"
 
 /// A game written down: everything that, by the determinism of the core, gives it again bit by bit.
 ///
+/// The level's own text is in it, with all that it includes, so that a replay needs no other file:
+/// it can be watched and verified on another machine, and after the level has been changed. Levels
+/// are a few kilobytes; the commands of a minute of dragging are more.
+///
 /// The text, one statement a line, numbers so that they read back to the same bits:
 ///
-///     carom replay 1
-///     level levels/gas.level              the rest of the line, as it was asked for
-///     hash 0123456789abcdef               of the level's text and all that it includes
+///     carom replay 2
+///     program 0.1.0                       the carom that recorded it
+///     level galton.level                  what it was called: the rest of the line
+///     file 0                              its text, each line behind a bar; what follows the last
+///     |carom 1 "Galton board"             line end of a file stands behind the last bar, so that
+///     |include "parts/pegs.level"         a text that ends with a line end closes with an empty
+///     |                                   bar
+///     file 1
+///     |peg 0,0
+///     |
+///     include 0 1 parts/pegs.level        in file 0, this path means file 1
+///     hash 0123456789abcdef               of these texts and the statements of `set`
+///     set use gravity 0,-1.6              overrides, any number of them
 ///     solver substep updates=4 steps=15 substeps=1
 ///     rate 120
 ///     seed 7
-///     set use gravity 0,-1.6              overrides, any number of them
 ///     at 0 strike 3 1.5,-2                tick, command, its numbers
+///     mark 0 0123456789abcdef             the fingerprint after that tick and its commands
 ///     at 12 hold-ball 3 10,20
 ///     at 40 drop-ball 3
 ///     at 50 hold-edge 2 0,0 10,5
@@ -34,30 +50,26 @@
 ///     at 64 remove-edge 5
 ///     at 65 gravity 0,-9.81               or: gravity off
 ///     at 66 solver swept updates=4 steps=15 substeps=1
-///     mark 600 0123456789abcdef           the fingerprint after that tick
-///     end 1200                            the last tick
+///     mark 120 0123456789abcdef
 ///     stands 1100                         where the player stood; absent: at the end
+///     end 1200                            the last tick
 ///
 /// The lines `at` and `mark` are each in ascending order of ticks. Nothing may be missing but
-/// `set`, `at`, `mark` and `stands`; `end` or `stands` closes the text, so that a torn file is
-/// noticed.
+/// `include`, `set`, `at`, `mark` and `stands`. `end` is the last line: without it the recording is
+/// not whole.
 namespace carom {
 
-/// What the world's fingerprint was.
-struct FingerprintMark {
-    std::uint64_t tick = 0;
-    std::uint64_t fingerprint = 0;
-
-    friend bool operator==(const FingerprintMark&, const FingerprintMark&) = default;
-};
-
 struct Replay {
-    std::string level;  ///< no line ends in it
+    std::string program;             ///< version of the carom that recorded it; no line ends in it
+    std::string level;               ///< no line ends in it
+    std::vector<std::string> texts;  ///< the level's, then those of what it includes
+    std::vector<Include> includes;   ///< indices into `texts`
     std::uint64_t level_hash = 0;
-    SolverSettings solver;  ///< at the start
-    double rate = 120.0;    ///< ticks a second
-    std::uint64_t seed = 0;
+    int hash_line = 1;                   ///< where a text that was read says the hash, for messages
     std::vector<std::string> overrides;  ///< no line ends in them
+    SolverSettings solver;               ///< at the start
+    double rate = 120.0;                 ///< ticks a second
+    std::uint64_t seed = 0;
     std::vector<TimedCommand> commands;
     std::vector<FingerprintMark> marks;
     std::uint64_t end = 0;     ///< the last tick
@@ -66,10 +78,11 @@ struct Replay {
 
 std::string replay_text(const Replay& replay);
 
-/// What is wrong with a text, and where.
+/// What is wrong with a text, where, and what to do.
 struct ReplayError {
     int line = 1;
     std::string message;
+    std::string remedy;
 };
 std::variant<Replay, ReplayError> read_replay(std::string_view text);
 

@@ -1,10 +1,82 @@
 #pragma once
 
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "geometry/vec2.h"
 
 namespace carom {
 
-/// How replay texts say Side, by its value.
-inline constexpr std::string_view side_names[] = {"both", "left", "right"};
+/// The words of one line, taken from the left. A word that is missing or wrong gives none, and so
+/// does everything after it.
+class Words {
+  public:
+    explicit Words(std::string_view line) : rest_(line) {}
+
+    std::optional<std::string_view> next() {
+        if (failed_ || rest_.empty()) return std::nullopt;
+        const std::size_t end = rest_.substr(0, rest_.find(' ')).size();
+        const std::string_view word = rest_.substr(0, end);
+        rest_.remove_prefix(end < rest_.size() ? end + 1 : end);
+        return word;
+    }
+    std::string_view rest() const { return rest_; }
+    /// All that is left of the line.
+    std::string_view take_rest() { return std::exchange(rest_, {}); }
+    bool done() const { return !failed_ && rest_.empty(); }
+    void fail() { failed_ = true; }
+
+    template <typename T>
+    T integer(int base = 10) {
+        T value{};
+        const auto word = next();
+        if (!word) return failed<T>();
+        const auto [end, error] =
+            std::from_chars(word->data(), word->data() + word->size(), value, base);
+        return error == std::errc{} && end == word->data() + word->size() ? value : failed<T>();
+    }
+    double real() {
+        const auto word = next();
+        return word ? real_of(*word) : failed<double>();
+    }
+    Vec2 point() {
+        const auto word = next();
+        const std::size_t comma = word ? word->find(',') : std::string_view::npos;
+        if (comma == std::string_view::npos) return failed<Vec2>();
+        return {real_of(word->substr(0, comma)), real_of(word->substr(comma + 1))};
+    }
+    /// The number of `key=number`, if that is what comes next.
+    std::optional<double> optional_real(std::string_view key) {
+        if (!rest_.starts_with(key)) return std::nullopt;
+        return real_of(next()->substr(key.size()));
+    }
+    int setting(std::string_view key) {
+        if (!rest_.starts_with(key)) return failed<int>();
+        rest_.remove_prefix(key.size());
+        return integer<int>();
+    }
+
+  private:
+    template <typename T>
+    T failed() {
+        failed_ = true;
+        return T{};
+    }
+    double real_of(std::string_view text) {
+        double value = 0.0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+            return failed<double>();
+        return value;
+    }
+
+    std::string_view rest_;
+    bool failed_ = false;
+};
 
 }  // namespace carom

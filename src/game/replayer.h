@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "game/replay_text.h"
 #include "game/session.h"
@@ -13,13 +14,20 @@
 /// Between a session and its replay.
 namespace carom {
 
-/// The session so far, written down, its replayable future included, with a fingerprint where it
-/// stands. `level` and `overrides`: what the scene was loaded from and with. Pre:
-/// session.is_complete().
+/// What a replay says before its first command: a scene, the solver at its start, and what it was
+/// loaded from and with. The names of the files are not in it, but for `level`.
+Replay begin_replay(const Scene& scene, const SolverSettings& solver, std::string level,
+                    std::span<const std::string> overrides);
+
+/// The session so far, written down, its replayable future included, with its marks and one where
+/// it stands. Pre: session.is_complete().
 Replay record(const Session& session, std::string level, std::span<const std::string> overrides);
 
+/// The scene that a replay begins with, from the texts in it; or why there is none.
+std::variant<Scene, ReplayError> scene_of(const Replay& replay);
+
 /// Plays a replay again, a bounded number of ticks at a time, so that a long one can show how far
-/// it is.
+/// it is, and compares its marks.
 class Replayer {
   public:
     /// Pre: the scene was loaded from the replay's level, with its seed, rate and overrides, and
@@ -30,22 +38,26 @@ class Replayer {
     bool advance(std::uint64_t ticks);
     /// 0..1 of the way.
     double progress() const;
+
     /// Why the replay cannot be trusted: a refused command or a wrong fingerprint, with its tick.
     const std::optional<std::string>& failure() const { return failure_; }
+    /// The last mark that was the same, and the first that was not; none: there was none.
+    const std::optional<FingerprintMark>& last_equal() const { return last_equal_; }
+    const std::optional<FingerprintMark>& first_different() const { return first_different_; }
 
     const Session& session() const { return session_; }
     /// The session, to go on with.
-    Session take() && { return std::move(session_); }
+    Session take() &&;
 
   private:
-    void obey();
     void check();
 
     Replay replay_;
     Session session_;
-    std::size_t next_command_ = 0;
     std::size_t next_mark_ = 0;
     std::optional<std::string> failure_;
+    std::optional<FingerprintMark> last_equal_;
+    std::optional<FingerprintMark> first_different_;
 };
 
 }  // namespace carom

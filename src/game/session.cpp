@@ -1,8 +1,12 @@
 #include "game/session.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
+
+#include "physics/fingerprint.h"
 
 namespace carom {
 namespace {
@@ -35,8 +39,10 @@ Session::Session(Scene scene, const SolverSettings& solver, std::size_t rewind_b
       rewind_bytes_(rewind_bytes) {}
 
 std::optional<std::string> Session::apply(const Command& command) {
+    if (is_following_) return "this is a recording, which is only watched";
     if (auto why_not = refusal(world_, command)) return why_not;
     forget_future();
+    forget_marks_from(world_.tick);
     obey_now(command);
     log(command);
     return std::nullopt;
@@ -55,7 +61,7 @@ void Session::use_solver(const SolverSettings& settings) {
 void Session::log(const Command& command) {
     const auto earlier = std::find_if(log_.rbegin(), log_.rend(), [&](const TimedCommand& logged) {
         return logged.tick != world_.tick || !continues_gesture(logged.command, command) ||
-               moves_same_hand(logged.command, command);
+               moves_same_hand(logged.command, command) || !moves_capsule(logged.command);
     });
     if (earlier != log_.rend() && earlier->tick == world_.tick &&
         moves_same_hand(earlier->command, command))
@@ -70,6 +76,7 @@ void Session::forget_future() {
     if (obeyed_ == log_.size() && latest_ == world_.tick) return;
     log_.resize(obeyed_);
     history_.forget_from(world_.tick);
+    forget_marks_from(world_.tick);
     latest_ = world_.tick;
     const auto balls = world_.held_balls;
     const auto capsules = world_.held_capsules;
@@ -89,7 +96,7 @@ std::size_t Session::log_bytes() const {
 
 // The newer half of the log stays, and with it the way back to its oldest command.
 void Session::bound_log() {
-    if (log_bytes() > rewind_bytes_ / 2 && log_.size() > 1) {
+    if (!keeps_all_commands_ && log_bytes() > rewind_bytes_ / 2 && log_.size() > 1) {
         const Snapshot* kept = history_.at_or_before(log_[log_.size() / 2].tick);
         if (kept && kept->world.tick > earliest())
             base_ = *kept;
@@ -106,20 +113,53 @@ void Session::bound_log() {
 }
 
 void Session::obey_log_of_this_tick() {
-    while (obeyed_ < log_.size() && log_[obeyed_].tick == world_.tick)
-        obey_now(log_[obeyed_++].command);
+    while (obeyed_ < log_.size() && log_[obeyed_].tick == world_.tick) {
+        const Command& command = log_[obeyed_].command;
+        if (is_following_) {
+            if (const auto why_not = refusal(world_, command)) {
+                fault_ = fmt::format("at tick {}: {}", world_.tick, *why_not);
+                log_.resize(obeyed_);
+                latest_ = world_.tick;
+                return;
+            }
+        }
+        obey_now(command);
+        ++obeyed_;
+    }
+}
+
+void Session::follow(std::vector<TimedCommand> commands, std::uint64_t end) {
+    log_ = std::move(commands);
+    latest_ = end;
+    keeps_all_commands_ = true;
+    is_following_ = true;
+    obey_log_of_this_tick();
+}
+
+void Session::mark() {
+    if (world_.tick % mark_interval(world_.rate) != 0) return;
+    if (!marks_.empty() && marks_.back().tick >= world_.tick) return;
+    marks_.push_back({world_.tick, fingerprint(world_)});
+}
+
+void Session::forget_marks_from(std::uint64_t tick) {
+    while (!marks_.empty() && marks_.back().tick >= tick)
+        marks_.pop_back();
 }
 
 void Session::advance() {
+    mark();
     solver_.tick(world_);
     contacts_.assign(solver_.contacts().begin(), solver_.contacts().end());
     latest_ = std::max(latest_, world_.tick);
     obey_log_of_this_tick();
 }
 
-void Session::step_forward() {
+bool Session::step_forward() {
+    if (is_at_end()) return false;
     if (world_.tick % History::spacing == 0) history_.keep(world_, solver_.settings());
     advance();
+    return true;
 }
 
 bool Session::step_back() {
@@ -132,9 +172,9 @@ bool Session::go_to(std::uint64_t tick) {
     const bool forward_is_shorter =
         tick >= world_.tick && (!nearest || nearest->world.tick <= world_.tick);
     if (!forward_is_shorter) restore(tick);
-    while (world_.tick < tick)
-        step_forward();
-    return true;
+    while (world_.tick < tick && step_forward()) {
+    }
+    return world_.tick == tick;
 }
 
 // From the last snapshot before the tick, not at it: the last tick is computed again, so that its
@@ -165,7 +205,7 @@ void Session::restore(std::uint64_t tick) {
 bool Session::step_to_collision(std::uint64_t limit) {
     for (; limit > 0; --limit) {
         const std::vector<Pair> before = pairs_of(contacts_);
-        step_forward();
+        if (!step_forward()) return false;
         const std::vector<Pair> now = pairs_of(contacts_);
         if (!std::ranges::includes(before, now)) return true;
     }
@@ -180,6 +220,7 @@ bool Session::undo() {
     const std::uint64_t tick = log_[first].tick;
     log_.resize(first);
     history_.forget_from(tick);
+    forget_marks_from(tick);
     latest_ = tick;
     restore(tick);
     return true;
@@ -189,6 +230,7 @@ void Session::restart() {
     log_.clear();
     log_.shrink_to_fit();
     history_.clear();
+    marks_.clear();
     base_.reset();
     latest_ = 0;
     first_solver_ = solver_.settings();

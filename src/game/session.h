@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "game/command.h"
+#include "game/fingerprint_mark.h"
 #include "game/history.h"
 #include "level/scene.h"
 #include "physics/solver.h"
@@ -47,8 +48,9 @@ class Session {
     /// it still held is dropped: that hand is in a future that no longer is.
     std::optional<std::string> apply(const Command& command);
 
-    /// One tick forward. Behind latest(), this replays the commands that follow.
-    void step_forward();
+    /// One tick forward. Behind latest(), this replays the commands that follow. False, and nothing
+    /// happens, only at the end of what is followed.
+    bool step_forward();
     /// One tick back, to exactly the state that was. False at the start, or where the memory ends.
     bool step_back();
     /// Goes to a tick in earliest()..latest() by the shortest way; false when it is outside.
@@ -70,6 +72,23 @@ class Session {
     std::span<const TimedCommand> commands() const { return log_; }
     /// Whether commands() go back to the start, so that the session can be written down.
     bool is_complete() const { return !base_; }
+    /// One for each interval that has been reached, in ascending order of ticks.
+    std::span<const FingerprintMark> marks() const { return marks_; }
+    /// The log of commands may outgrow its share of the memory, so that it stays complete.
+    void keep_all_commands() { keeps_all_commands_ = true; }
+
+    /// What will be done is known up to the tick `end`: step_forward() does it, and goes no
+    /// further; commands are refused. Pre: nothing has happened yet; the commands are in ascending
+    /// order of ticks, none after `end`.
+    void follow(std::vector<TimedCommand> commands, std::uint64_t end);
+    bool is_following() const { return is_following_; }
+    /// There is nothing left to follow.
+    bool is_at_end() const { return is_following_ && world_.tick >= latest_; }
+    void stop_following() { is_following_ = false; }
+    /// Why a command that was followed could not be obeyed: a sentence that begins with its tick.
+    /// What is followed then ends there.
+    const std::optional<std::string>& fault() const { return fault_; }
+
     /// The solver at the start: SetSolver commands tell the rest.
     const SolverSettings& first_solver() const { return first_solver_; }
 
@@ -86,6 +105,8 @@ class Session {
     void forget_future();
     void log(const Command& command);
     void bound_log();
+    void mark();
+    void forget_marks_from(std::uint64_t tick);
     std::size_t log_bytes() const;
     void use_solver(const SolverSettings& settings);
 
@@ -100,7 +121,11 @@ class Session {
     History history_;
     std::vector<TimedCommand> log_;
     std::size_t obeyed_ = 0;  ///< commands of log_ that world_ has obeyed
+    std::vector<FingerprintMark> marks_;
     std::uint64_t latest_ = 0;
+    bool keeps_all_commands_ = false;
+    bool is_following_ = false;
+    std::optional<std::string> fault_;
     std::size_t rewind_bytes_ = 0;
 };
 

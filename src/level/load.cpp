@@ -1,5 +1,8 @@
 #include "level/load.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "level/assemble.h"
 #include "level/unroll.h"
 
@@ -23,6 +26,36 @@ class TextHash {
     std::uint64_t hash_ = 0xcbf29ce484222325u;
 };
 
+struct FoundInclude {
+    std::string from;
+    std::string path;
+    std::string file;
+};
+
+// The caller's resolver, which also notes what it has found.
+IncludeResolver noting(const IncludeResolver& resolver, std::vector<FoundInclude>& found) {
+    if (!resolver) return {};
+    return [&](std::string_view from, std::string_view path) {
+        auto file = resolver(from, path);
+        if (file) found.push_back({std::string(from), std::string(path), file->file});
+        return file;
+    };
+}
+
+// Includes that are carried out again and again, as in a `repeat`, are one.
+std::vector<Include> links(const std::vector<FoundInclude>& found,
+                           const std::vector<std::string>& files) {
+    const auto index = [&](const std::string& name) {
+        return static_cast<std::size_t>(std::ranges::find(files, name) - files.begin());
+    };
+    std::vector<Include> links;
+    for (const FoundInclude& include : found) {
+        Include link{index(include.from), index(include.file), include.path};
+        if (std::ranges::count(links, link) == 0) links.push_back(std::move(link));
+    }
+    return links;
+}
+
 }  // namespace
 
 LoadResult load_level(std::string_view text, std::string_view file, const LoadOptions& options) {
@@ -36,8 +69,11 @@ LoadResult load_level(std::string_view text, std::string_view file, const LoadOp
         return {std::nullopt, context.reporter.diagnostics()};
     }
     scene.file = std::string(file);
-    unroll(main, options, texts, scene, context);
-    assemble(options, scene, context);
+    std::vector<FoundInclude> found;
+    LoadOptions noted = options;
+    noted.resolve_include = noting(options.resolve_include, found);
+    unroll(main, noted, texts, scene, context);
+    assemble(noted, scene, context);
 
     LoadResult result;
     result.diagnostics = context.reporter.diagnostics();
@@ -45,8 +81,11 @@ LoadResult load_level(std::string_view text, std::string_view file, const LoadOp
     TextHash hash;
     for (const SourceText& source : texts.sources) {
         hash.add(source.text);
-        if (source.name != "--set") scene.files.push_back(source.name);
+        if (source.name == "--set") continue;
+        scene.files.push_back(source.name);
+        scene.texts.push_back(source.text);
     }
+    scene.includes = links(found, scene.files);
     scene.text_hash = hash.value();
     result.scene = std::move(scene);
     return result;

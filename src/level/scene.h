@@ -47,6 +47,15 @@ struct Group {
     std::vector<std::uint32_t> counters;
 };
 
+/// That `path`, as an include in one file says it, is another file. Both by Scene::files.
+struct Include {
+    std::size_t from = 0;
+    std::size_t file = 0;
+    std::string path;
+
+    friend bool operator==(const Include&, const Include&) = default;
+};
+
 struct Scene {
     std::string file;
     std::string title;  ///< printable, as the comment is
@@ -69,8 +78,10 @@ struct Scene {
     std::vector<std::vector<CapsuleId>> outlines;
     std::vector<Show> shows;
     std::vector<Expect> expects;
-    /// The level's text and all that was included, for hashes and for --watch.
+    /// The level's text and all that was included, for hashes, for --watch and for recordings.
     std::vector<std::string> files;
+    std::vector<std::string> texts;  ///< by `files`
+    std::vector<Include> includes;   ///< in the order in which they were first met
     std::uint64_t text_hash = 0;
     /// There is an override, or options changed solver, rate or seed: `expect` is not judged.
     bool overridden = false;

@@ -22,6 +22,7 @@ struct Folder {
 Replay replay_of(const std::string& level, std::uint64_t end = 5) {
     Replay replay;
     replay.level = level;
+    replay.texts = {"carom 1 \"A\"\n"};
     replay.end = end;
     replay.stands = end;
     return replay;

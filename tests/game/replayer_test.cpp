@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "game/support/scenes.h"
+#include "level/load.h"
 #include "physics/fingerprint.h"
 
 using namespace carom;
@@ -82,7 +83,20 @@ TEST_CASE("a replay of something else is noticed") {
         Replayer replayer(written_and_read(cut_off()), other);
         while (replayer.advance(1000)) {
         }
-        CHECK(replayer.failure() == "at tick 500: the fingerprint differs");
+        CHECK(replayer.failure() == "at tick 0: the fingerprint differs");
+    }
+    SUBCASE("a command was changed: the interval is told") {
+        Replay replay = written_and_read(cut_off());
+        for (TimedCommand& timed : replay.commands)
+            if (auto* add = std::get_if<command::AddBall>(&timed.command))
+                add->spec.position.x -= 1e-9;
+        Replayer replayer(replay, busy_box());
+        while (replayer.advance(1000)) {
+        }
+        REQUIRE(replayer.last_equal());
+        REQUIRE(replayer.first_different());
+        CHECK(replayer.last_equal()->tick == 0);
+        CHECK(replayer.first_different()->tick == 120);
     }
     SUBCASE("a command that makes no sense") {
         Replay replay = written_and_read(cut_off());
@@ -98,4 +112,39 @@ TEST_CASE("a session in which nothing has happened yet is a replay too") {
     CHECK_FALSE(replayer.advance(1));
     CHECK_FALSE(replayer.failure());
     CHECK(replayer.progress() == 1.0);
+}
+
+TEST_CASE("the level in a replay loads without any file, includes and overrides with it") {
+    LoadOptions options;
+    options.overrides = {"use gravity 0,-3"};
+    options.seed = 5;
+    options.rate = 250.0;
+    options.resolve_include = [](std::string_view from, std::string_view path) {
+        const bool is_first = from == "/home/me/levels/a.level";
+        return std::optional(
+            IncludedFile{(is_first ? "/home/me/levels/" : "/share/") + std::string(path),
+                         is_first ? "include \"lib\"\n" : "let R=2\n"});
+    };
+    const LoadResult loaded = load_level("carom 1 \"A\"\ninclude \"lib\"\nball at=0,0 r=R",
+                                         "/home/me/levels/a.level", options);
+    REQUIRE(loaded.scene);
+    Session session(*loaded.scene, swept);
+    const auto read = read_replay(replay_text(record(session, "a.level", options.overrides)));
+    REQUIRE(std::holds_alternative<Replay>(read));
+    Replay replay = std::get<Replay>(read);
+    const auto scene = scene_of(replay);
+    REQUIRE(std::holds_alternative<Scene>(scene));
+    CHECK(fingerprint(std::get<Scene>(scene).world) == fingerprint(session.world()));
+    CHECK(std::get<Scene>(scene).world.rate == 250.0);
+    CHECK(std::get<Scene>(scene).world.seed == 5);
+
+    const auto refused = [](const Replay& changed) {
+        const auto result = scene_of(changed);
+        REQUIRE(std::holds_alternative<ReplayError>(result));
+        return std::get<ReplayError>(result).message;
+    };
+    replay.texts[0] += " ";
+    CHECK(refused(replay).starts_with("the level in it has been changed: its hash is "));
+    replay.texts[0] += "r=-1\nnonsense";
+    CHECK(refused(replay).starts_with("the level in it does not load: a.level:3: "));
 }

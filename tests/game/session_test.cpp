@@ -250,3 +250,93 @@ TEST_CASE("the search for a collision is bounded") {
     CHECK_FALSE(session.step_to_collision(100));
     CHECK(session.world().tick == 100);
 }
+
+TEST_CASE(
+    "a session marks its fingerprint once a simulated second, after the commands of that tick") {
+    Session session(busy_box(), swept);
+    const std::vector<std::uint64_t> fingerprints = play_busily(session);
+    const auto check_marks = [&](std::size_t count) {
+        REQUIRE(session.marks().size() == count);
+        for (std::size_t i = 0; i < count; ++i) {
+            CHECK(session.marks()[i].tick == 120 * i);
+            CHECK(session.marks()[i].fingerprint == fingerprints[120 * i]);
+        }
+    };
+    // The tick that comes after has to begin before a mark is made: more commands may come.
+    check_marks((session.latest() + 119) / 120);
+    SUBCASE("going back and forth changes none") {
+        REQUIRE(session.go_to(100));
+        REQUIRE(session.go_to(600));
+        check_marks((session.latest() + 119) / 120);
+    }
+    SUBCASE("another future forgets those that it makes wrong") {
+        REQUIRE(session.go_to(240));
+        REQUIRE_FALSE(session.apply(command::SetGravity{Vec2{0.0, 3.0}}));
+        check_marks(2);
+        session.step_forward();
+        REQUIRE(session.marks().size() == 3);
+        CHECK(session.marks()[2].fingerprint != fingerprints[240]);
+    }
+    SUBCASE("so do undoing and starting again") {
+        REQUIRE(session.undo());
+        for (const FingerprintMark& mark : session.marks())
+            CHECK(mark.tick < session.world().tick);
+        session.restart();
+        CHECK(session.marks().empty());
+    }
+}
+
+TEST_CASE("what is followed is what was done, goes no further, and obeys nobody") {
+    Session original(busy_box(), swept);
+    const std::vector<std::uint64_t> fingerprints = play_busily(original);
+    Session session(busy_box(), swept);
+    session.follow({original.commands().begin(), original.commands().end()}, 600);
+    CHECK(session.apply(hold(1, {9.0, 9.0})));
+    CHECK(fingerprint(session.world()) == fingerprints[0]);
+    while (session.step_forward())
+        REQUIRE(fingerprint(session.world()) == fingerprints[session.world().tick]);
+    CHECK(session.world().tick == 600);
+    CHECK(session.is_at_end());
+    CHECK_FALSE(session.step_to_collision(1000));
+    REQUIRE(session.go_to(333));
+    CHECK(fingerprint(session.world()) == fingerprints[333]);
+    CHECK_FALSE(session.fault());
+    session.stop_following();
+    CHECK_FALSE(session.apply(command::SetGravity{}));
+    CHECK(session.latest() == 333);
+}
+
+TEST_CASE("a command that cannot be followed ends it there, with the reason") {
+    Session session(busy_box(), swept);
+    session.follow({{5, command::Strike{BallId{99}, {1.0, 1.0}}}}, 100);
+    while (session.step_forward()) {
+    }
+    CHECK(session.world().tick == 5);
+    CHECK(session.fault() == "at tick 5: there is no ball 99");
+}
+
+TEST_CASE("all commands are kept where that is asked for, whatever they take") {
+    Session session(busy_box(), swept, 1 << 16);
+    session.keep_all_commands();
+    for (int tick = 0; tick < 2000; ++tick) {
+        REQUIRE_FALSE(session.apply(hold(1, {10.0 + 0.001 * tick, 12.0})));
+        session.step_forward();
+    }
+    CHECK(session.is_complete());
+    CHECK(session.commands().size() == 2000);
+}
+
+// Of the placings of one tick only the last of each ball was kept, at the place of its first: then
+// the ball was put where another still lay, and the session could not be taken up.
+TEST_CASE("balls that change places in a pause can be placed again in the order of the log") {
+    Session session(busy_box(), swept);
+    const Vec2 one = session.world().balls.position[0];
+    const Vec2 two = session.world().balls.position[1];
+    REQUIRE_FALSE(session.apply(command::PlaceBall{BallId{0}, {-20.0, -20.0}}));
+    REQUIRE_FALSE(session.apply(command::PlaceBall{BallId{1}, one}));
+    REQUIRE_FALSE(session.apply(command::PlaceBall{BallId{0}, two}));
+    Session again(busy_box(), swept);
+    again.follow({session.commands().begin(), session.commands().end()}, 0);
+    CHECK_FALSE(again.fault());
+    CHECK(fingerprint(again.world()) == fingerprint(session.world()));
+}

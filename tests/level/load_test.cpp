@@ -419,8 +419,9 @@ TEST_CASE("the comment that opens the file") {
     };
     const std::vector<std::string> two{"Shows this.", "Try that."};
     CHECK(comment("# Shows this.\n#Try that.\ncarom 1 \"A\"\n# not this\n") == two);
-    CHECK(comment("carom 1 \"A\"  # beside\n\n#   Shows this. \r\n#\t Try that.\n#\nball at=0,0\n") ==
-          std::vector<std::string>{"Shows this.", "Try that."});
+    CHECK(
+        comment("carom 1 \"A\"  # beside\n\n#   Shows this. \r\n#\t Try that.\n#\nball at=0,0\n") ==
+        std::vector<std::string>{"Shows this.", "Try that."});
     // What is set against the margin, such as the second line of a list, stays so.
     const std::vector<std::string> list{"Try: one", "     two", "", "End"};
     CHECK(comment("carom 1 \"A\"\n# Try: one\n#      two\n#\n# End\n#\n") == list);
@@ -461,6 +462,21 @@ TEST_CASE("includes share names and settings, and are read once") {
     CHECK(scene.world.balls.position[0].x == 10.0);
     CHECK(reads == 1);
     CHECK(scene.files == std::vector<std::string>{"test.level", "lib/lib.level"});
+    REQUIRE(scene.texts.size() == 2);
+    CHECK(scene.texts[0].ends_with("place post at=W+9,0\n"));
+    CHECK(scene.texts[1].starts_with("let W=10"));
+    CHECK(scene.includes == std::vector<Include>{{0, 1, "lib.level"}});
+}
+
+TEST_CASE("a file that is included from two places is one text, and every path to it is known") {
+    LoadOptions options;
+    options.resolve_include = [&](std::string_view, std::string_view path) {
+        return std::optional(IncludedFile{
+            std::string(path), path == "a" ? "include \"b\"\nball at=0,0\n" : "# nothing\n"});
+    };
+    const Scene scene = load_clean("include \"b\"\ninclude \"a\"\nball at=5,0\n", options);
+    CHECK(scene.files == std::vector<std::string>{"test.level", "b", "a"});
+    CHECK(scene.includes == std::vector<Include>{{0, 1, "b"}, {0, 2, "a"}, {2, 1, "b"}});
 }
 
 TEST_CASE("the hash changes with every text and override") {

@@ -28,6 +28,8 @@ Scene busy_box() {
     Scene scene;
     scene.file = "busy.level";
     scene.title = "Busy box";
+    scene.files = {scene.file};
+    scene.texts = {"carom 1 \"Busy box\"\n"};
     scene.text_hash = 0x1234;
     scene.view = {{0.0, 0.0}, {40.0, 30.0}};
     World& world = scene.world;

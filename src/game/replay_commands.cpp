@@ -1,0 +1,156 @@
+#include "game/replay_commands.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string_view>
+
+namespace carom {
+namespace {
+
+using namespace command;
+
+/// How replays say Side, by its value.
+constexpr std::string_view side_names[] = {"both", "left", "right"};
+
+std::string text_of(Vec2 v) {
+    return fmt::format("{},{}", v.x, v.y);
+}
+
+struct CommandText {
+    std::string operator()(const Strike& c) const {
+        return fmt::format("strike {} {}", number(c.ball), text_of(c.velocity));
+    }
+    std::string operator()(const HoldBall& c) const {
+        return fmt::format("hold-ball {} {}", number(c.ball), text_of(c.target));
+    }
+    std::string operator()(const DropBall& c) const {
+        return fmt::format("drop-ball {}", number(c.ball));
+    }
+    std::string operator()(const HoldCapsule& c) const {
+        return fmt::format("hold-edge {} {} {}", number(c.capsule), text_of(c.start_target),
+                           text_of(c.end_target));
+    }
+    std::string operator()(const DropCapsule& c) const {
+        return fmt::format("drop-edge {}", number(c.capsule));
+    }
+    std::string operator()(const PlaceBall& c) const {
+        return fmt::format("place-ball {} {}", number(c.ball), text_of(c.position));
+    }
+    std::string operator()(const PlaceCapsule& c) const {
+        return fmt::format("place-edge {} {} {}", number(c.capsule), text_of(c.start),
+                           text_of(c.end));
+    }
+    std::string operator()(const AddBall& c) const {
+        const BallSpec& spec = c.spec;
+        std::string text = fmt::format("add-ball {} {} {}", spec.kind, text_of(spec.position),
+                                       text_of(spec.velocity));
+        if (spec.radius) text += fmt::format(" r={}", *spec.radius);
+        if (spec.mass) text += fmt::format(" m={}", *spec.mass);
+        if (spec.restitution) text += fmt::format(" e={}", *spec.restitution);
+        return text;
+    }
+    std::string operator()(const RemoveBall& c) const {
+        return fmt::format("remove-ball {}", number(c.ball));
+    }
+    std::string operator()(const AddCapsule& c) const {
+        return fmt::format("add-edge {} {} {} {} {}", c.material, text_of(c.shape.start),
+                           text_of(c.shape.end), c.shape.radius,
+                           side_names[static_cast<std::size_t>(c.side)]);
+    }
+    std::string operator()(const RemoveCapsule& c) const {
+        return fmt::format("remove-edge {}", number(c.capsule));
+    }
+    std::string operator()(const SetGravity& c) const {
+        return "gravity " + (c.gravity ? text_of(*c.gravity) : "off");
+    }
+    std::string operator()(const SetSolver& c) const { return "solver " + replay_text(c.settings); }
+};
+
+BallId ball_of(Words& words) {
+    return BallId{words.integer<std::uint32_t>()};
+}
+
+CapsuleId capsule_of(Words& words) {
+    return CapsuleId{words.integer<std::uint32_t>()};
+}
+
+Side side_of(Words& words) {
+    const auto word = words.next();
+    for (std::size_t side = 0; side < std::size(side_names); ++side)
+        if (word == side_names[side]) return static_cast<Side>(side);
+    words.fail();
+    return Side::both;
+}
+
+Command add_ball_of(Words& words) {
+    BallSpec spec;
+    spec.kind = words.integer<ClassIndex>();
+    spec.position = words.point();
+    spec.velocity = words.point();
+    spec.radius = words.optional_real("r=");
+    spec.mass = words.optional_real("m=");
+    spec.restitution = words.optional_real("e=");
+    return AddBall{spec};
+}
+
+Command add_edge_of(Words& words) {
+    AddCapsule add;
+    add.material = words.integer<ClassIndex>();
+    add.shape.start = words.point();
+    add.shape.end = words.point();
+    add.shape.radius = words.real();
+    add.side = side_of(words);
+    return add;
+}
+
+Command gravity_of(Words& words) {
+    if (words.rest() != "off") return SetGravity{words.point()};
+    words.next();
+    return SetGravity{};
+}
+
+}  // namespace
+
+std::string replay_text(const Command& command) {
+    return std::visit(CommandText{}, command);
+}
+
+std::string replay_text(const SolverSettings& settings) {
+    return fmt::format("{} updates={} steps={} substeps={}", name(settings.kind), settings.updates,
+                       settings.steps, settings.substeps);
+}
+
+SolverSettings read_solver(Words& words) {
+    SolverSettings settings;
+    const auto kind = solver_named(words.next().value_or(""));
+    if (!kind) words.fail();
+    settings.kind = kind.value_or(settings.kind);
+    settings.updates = words.setting("updates=");
+    settings.steps = words.setting("steps=");
+    settings.substeps = words.setting("substeps=");
+    for (const int count : {settings.updates, settings.steps, settings.substeps})
+        if (count < 1 || count > 1000) words.fail();
+    return settings;
+}
+
+std::optional<Command> read_command(Words& words) {
+    const std::string_view what = words.next().value_or("");
+    // Arguments in braces are evaluated from left to right.
+    if (what == "strike") return Strike{ball_of(words), words.point()};
+    if (what == "hold-ball") return HoldBall{ball_of(words), words.point()};
+    if (what == "drop-ball") return DropBall{ball_of(words)};
+    if (what == "hold-edge") return HoldCapsule{capsule_of(words), words.point(), words.point()};
+    if (what == "drop-edge") return DropCapsule{capsule_of(words)};
+    if (what == "place-ball") return PlaceBall{ball_of(words), words.point()};
+    if (what == "place-edge") return PlaceCapsule{capsule_of(words), words.point(), words.point()};
+    if (what == "add-ball") return add_ball_of(words);
+    if (what == "remove-ball") return RemoveBall{ball_of(words)};
+    if (what == "add-edge") return add_edge_of(words);
+    if (what == "remove-edge") return RemoveCapsule{capsule_of(words)};
+    if (what == "gravity") return gravity_of(words);
+    if (what == "solver") return SetSolver{read_solver(words)};
+    return std::nullopt;
+}
+
+}  // namespace carom
