@@ -6,7 +6,7 @@ file(RELATIVE_PATH carom_levels_from_binary
 
 set_source_files_properties(src/carom/level_files.cpp PROPERTIES COMPILE_DEFINITIONS
   "CAROM_LEVELS_FROM_BINARY=\"${carom_levels_from_binary}\";CAROM_SOURCE_LEVELS=\"${PROJECT_SOURCE_DIR}/levels\"")
-set_source_files_properties(src/carom/options.cpp PROPERTIES COMPILE_DEFINITIONS
+set_source_files_properties(src/carom/version.cpp PROPERTIES COMPILE_DEFINITIONS
   CAROM_VERSION=\"${PROJECT_VERSION}\")
 
 install(TARGETS carom RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -60,7 +60,10 @@ std::uint64_t Clockwork::advance(Session& session, double seconds, const MayGoOn
             due_ -= std::floor(due_);
             break;
         }
-        session.step_forward();
+        if (!session.step_forward()) {
+            pause(true);
+            break;
+        }
         ++ticks;
         due_ -= 1.0;
     }
@@ -75,6 +78,10 @@ std::uint64_t Clockwork::seek(Session& session, const MayGoOn& may_go_on) {
     do {
         ++ticks;
         if (session.step_to_collision(1)) {
+            seeking_ = 0;
+            return ticks;
+        }
+        if (session.is_at_end()) {
             seeking_ = 0;
             return ticks;
         }

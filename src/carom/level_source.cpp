@@ -24,6 +24,12 @@ Problems problems_of(const LoadedLevel& loaded) {
 
 }  // namespace
 
+Problems lines_of(std::string_view text) {
+    Problems lines;
+    add_lines(lines, text);
+    return lines;
+}
+
 LevelSource source_of(const PlayOptions& options, const std::string& argument) {
     return {argument,     options.solver,    options.rate,
             options.seed, options.overrides, options.rewind_bytes};

@@ -31,6 +31,9 @@ LoadedLevel load(const LevelSource& source);
 /// Why a level cannot be played, line by line.
 using Problems = std::vector<std::string>;
 
+/// A text, line by line.
+Problems lines_of(std::string_view text);
+
 struct OpenedGame {
     Session session;
     bool solver_is_picked = false;      ///< by carom

@@ -10,6 +10,7 @@
 #include "carom/play.h"
 #include "carom/print.h"
 #include "carom/run.h"
+#include "carom/verify.h"
 
 namespace carom {
 namespace {
@@ -25,6 +26,7 @@ struct Perform {
     int operator()(const RunOptions& options) const { return run(options); }
     int operator()(const MeasureOptions& options) const { return measure(options); }
     int operator()(const CompareOptions& options) const { return compare(options); }
+    int operator()(const VerifyOptions& options) const { return verify(options); }
     int operator()(const CheckOptions& options) const { return check(options); }
     int operator()(const ListOptions& options) const { return list(options); }
     int operator()(const UsageAnswer& given) const { return answer(given); }

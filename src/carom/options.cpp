@@ -10,6 +10,7 @@
 
 #include "carom/option_values.h"
 #include "carom/suggest.h"
+#include "carom/version.h"
 
 namespace carom {
 namespace {
@@ -20,7 +21,7 @@ struct Typed {
     std::vector<std::string> levels;
     std::string solver, rate, seed;
     std::vector<std::string> overrides;
-    std::string time, ticks, report, events, trace;
+    std::string time, ticks, report, events, trace, record, replay;
     std::string solvers, rates, repeats, horizon, tolerance, budget, nudge, csv, json;
     std::string renderer, colors, fps, rewind;
     bool explain = false, no_mouse = false, low_bandwidth = false, watch = false, paused = false,
@@ -64,25 +65,44 @@ void add_simulation_options(CLI::App& command, Typed& typed) {
     add_level_options(command, typed);
 }
 
+void add_view_options(CLI::App& command, Typed& typed) {
+    command.add_option("--renderer", typed.renderer, "ascii, half, braille, or auto (the default)")
+        ->type_name("NAME");
+    command.add_option("--colors", typed.colors, "mono, 8, 16, 256, or auto (the default)")
+        ->type_name("N");
+    command.add_option("--fps", typed.fps, "Frames a second")->type_name("N");
+    command.add_flag("--no-mouse", typed.no_mouse, "Leave the mouse to the terminal");
+    command.add_flag("--low-bandwidth", typed.low_bandwidth,
+                     "15 frames a second, ASCII and no trails, for slow links");
+    command.add_flag("--paused", typed.paused, "Start paused");
+    command.add_option("--rewind", typed.rewind, "Most memory for stepping back, in MiB")
+        ->type_name("MIB");
+}
+
 void add_play(CLI::App& app, Typed& typed) {
     CLI::App& play = *app.add_subcommand("play", "Play a level in the terminal");
     play.add_option("LEVEL", typed.level,
                     "A file, or the name of a level that ships; absent: the menu")
         ->type_name("");
     add_simulation_options(play, typed);
-    play.add_option("--renderer", typed.renderer, "ascii, half, braille, or auto (the default)")
-        ->type_name("NAME");
-    play.add_option("--colors", typed.colors, "mono, 8, 16, 256, or auto (the default)")
-        ->type_name("N");
-    play.add_option("--fps", typed.fps, "Frames a second")->type_name("N");
-    play.add_flag("--no-mouse", typed.no_mouse, "Leave the mouse to the terminal");
-    play.add_flag("--low-bandwidth", typed.low_bandwidth,
-                  "15 frames a second, ASCII and no trails, for slow links");
+    add_view_options(play, typed);
+    play.add_option("--record", typed.record, "Keep a recording, for carom replay and verify")
+        ->type_name("FILE");
     play.add_flag("--watch", typed.watch, "Load the level again whenever its file is saved");
-    play.add_flag("--paused", typed.paused, "Start paused");
     play.add_flag("--resume", typed.resume, "Take up the session that was cut off");
-    play.add_option("--rewind", typed.rewind, "Most memory for stepping back, in MiB")
-        ->type_name("MIB");
+}
+
+void add_replay_and_verify(CLI::App& app, Typed& typed) {
+    CLI::App& replay = *app.add_subcommand("replay", "Watch a recording in the terminal");
+    CLI::App& verify = *app.add_subcommand(
+        "verify",
+        "Play a recording without a screen and compare its fingerprints: exit code 0 or 1");
+    for (CLI::App* command : {&replay, &verify}) {
+        command->add_option("FILE", typed.replay, "A recording, as --record makes them")
+            ->type_name("")
+            ->required();
+    }
+    add_view_options(replay, typed);
 }
 
 void add_run(CLI::App& app, Typed& typed) {
@@ -98,9 +118,11 @@ void add_run(CLI::App& app, Typed& typed) {
     run.add_option("--events", typed.events, "Every contact, one JSON object a line")
         ->type_name("FILE");
     run.add_option("--trace", typed.trace, "Every ball at every tick, as CSV")->type_name("FILE");
+    run.add_option("--record", typed.record, "A recording without commands, for carom verify")
+        ->type_name("FILE");
     run.add_flag("--explain", typed.explain,
                  "Say which physics is in force, and which solver runs and why");
-    run.footer("FILE may be -, standard output, for one of the three.");
+    run.footer("FILE may be -, standard output, for one of them.");
 }
 
 void add_measure(CLI::App& app, Typed& typed) {
@@ -193,8 +215,8 @@ UsageAnswer unknown_option(const CLI::App* command, std::string_view spelling) {
 }
 
 UsageAnswer unknown_command(const CLI::App* app, std::string_view spelling) {
-    const std::string meant =
-        suggestion(spelling, {"play", "run", "measure", "compare", "check", "list"});
+    const std::string meant = suggestion(
+        spelling, {"play", "run", "replay", "verify", "measure", "compare", "check", "list"});
     const std::string what = fmt::format("there is no command '{}'", spelling);
     if (!meant.empty()) return mistake(app, what + meant);
     return mistake(app, fmt::format("{}; to play a level, write `carom play {}`", what, spelling));
@@ -226,6 +248,7 @@ RunOptions run_options(const Typed& typed, OptionReader& read) {
             .report = typed.report,
             .events = typed.events,
             .trace = typed.trace,
+            .record = typed.record,
             .explain = typed.explain};
 }
 
@@ -284,9 +307,13 @@ PlayOptions play_options(const Typed& typed, OptionReader& read) {
                         .fps = read.number("--fps", typed.fps, {.least = 1, .most = 1000}),
                         .mouse = typed.no_mouse ? std::optional(false) : std::nullopt,
                         .low_bandwidth = typed.low_bandwidth,
+                        .record = typed.record,
+                        .replay = typed.replay,
                         .watch = typed.watch,
                         .paused = typed.paused,
                         .resume = typed.resume};
+    if (!typed.record.empty() && typed.level.empty() && !typed.resume)
+        read.refuse("--record needs to know the LEVEL");
     if (const auto mebibytes = read.number("--rewind", typed.rewind, {.least = 0, .most = 65536})) {
         options.rewind_bytes = static_cast<std::size_t>(*mebibytes * 1048576.0);
     }
@@ -303,6 +330,8 @@ Request understood(const CLI::App* command, const Typed& typed) {
         request = measure_options(typed, read);
     } else if (name == "compare") {
         request = compare_options(typed, read);
+    } else if (name == "verify") {
+        request = VerifyOptions{.file = typed.replay};
     } else if (name == "check") {
         request = CheckOptions{.levels = typed.levels, .overrides = typed.overrides};
     } else if (name == "list") {
@@ -321,12 +350,13 @@ Request parse_options(int count, const char* const* arguments) {
         "carom: balls and edges in a terminal, on physics that can be trusted.\n"
         "Without a command it opens the menu.",
         "carom");
-    app.set_version_flag("--version", "carom " CAROM_VERSION);
+    app.set_version_flag("--version", fmt::format("carom {}", version()));
     app.footer(
         "`carom COMMAND --help` lists a command's options. The manual: man carom, and docs/.");
     Typed typed;
     add_play(app, typed);
     add_run(app, typed);
+    add_replay_and_verify(app, typed);
     add_measure(app, typed);
     add_compare(app, typed);
     add_check_and_list(app, typed);

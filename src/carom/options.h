@@ -25,6 +25,7 @@ struct RunOptions {
     std::string report;
     std::string events;
     std::string trace;
+    std::string record;
     bool explain = false;
 };
 
@@ -65,6 +66,11 @@ struct CompareOptions {
     std::string json;
 };
 
+/// `carom verify FILE`
+struct VerifyOptions {
+    std::string file;
+};
+
 /// `carom check LEVEL...`
 struct CheckOptions {
     std::vector<std::string> levels;
@@ -80,8 +86,8 @@ struct UsageAnswer {
     int exit_code = 0;  ///< 0: the text is for standard output; 2: for standard error
 };
 
-using Request = std::variant<PlayOptions, RunOptions, MeasureOptions, CompareOptions, CheckOptions,
-                             ListOptions, UsageAnswer>;
+using Request = std::variant<PlayOptions, RunOptions, MeasureOptions, CompareOptions, VerifyOptions,
+                             CheckOptions, ListOptions, UsageAnswer>;
 
 /// Never throws or exits: a mistake is an UsageAnswer with exit code 2.
 Request parse_options(int count, const char* const* arguments);

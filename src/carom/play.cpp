@@ -126,7 +126,14 @@ int play_here(const PlayOptions& options) {
         print_error(error->message);
         return 2;
     }
-    run(program, std::get<Screen>(opened), pacing);
+    {
+        Screen screen = std::move(std::get<Screen>(opened));
+        run(program, screen, pacing);
+    }
+    if (program.lost_recording()) {
+        print_error(*program.lost_recording());
+        return 2;
+    }
     return 0;
 }
 

@@ -31,6 +31,9 @@ struct PlayOptions {
     std::optional<bool> mouse;   ///< false: the mouse is left to the terminal
     bool low_bandwidth = false;  ///< 15 frames a second, ASCII, no trails
 
+    std::string record;  ///< a file for the recording; empty: none
+    std::string replay;  ///< a recording, to be watched instead of playing a level; empty: none
+
     bool watch = false;   ///< load the level again whenever its files are saved
     bool paused = false;  ///< start paused
     /// Take up the session that was cut off, without asking; with no level, the last one.

@@ -84,12 +84,31 @@ void Player::advance(double seconds, const MayGoOn& may_go_on) {
     if (is_too_small_ || shows_help_) return;
     if (stands_still()) return;
     const bool was_seeking = clockwork_.is_seeking();
-    hand_.prepare(session_);
+    prepare();
+    const bool was_at_end = session_.is_at_end();
     if (clockwork_.advance(session_, seconds, may_go_on) > 0) needs_draw_ = true;
     if (was_seeking && !clockwork_.is_seeking()) {
-        if (clockwork_.search_failed()) complain("nothing met for ten minutes of the level's time");
+        if (session_.is_at_end())
+            say("nothing meets any more: the recording ends here");
+        else if (clockwork_.search_failed())
+            complain("nothing met for ten minutes of the level's time");
         needs_draw_ = true;
     }
+    if (session_.is_at_end() && !was_at_end && !was_seeking) say("the recording ends here");
+}
+
+void Player::prepare() {
+    if (!is_watching()) hand_.prepare(session_);
+}
+
+// What others do to the world is no drift of its energy.
+void Player::watch_commands() {
+    const auto commands = session_.commands();
+    const auto next =
+        std::ranges::upper_bound(commands, session_.world().tick, {}, &TimedCommand::tick);
+    const auto count = static_cast<std::size_t>(next - commands.begin());
+    if (count != commands_watched_) set_reference();
+    commands_watched_ = count;
 }
 
 void Player::set_reference() {
@@ -120,7 +139,9 @@ Wish Player::perform(Action action) {
         default:
             break;
     }
-    if (action <= Action::restart)
+    if (is_watching() && action >= Action::grab && action <= Action::turn_gravity)
+        say("a recording is only watched");
+    else if (action <= Action::restart)
         perform_in_time(action);
     else if (action <= Action::undo)
         perform_by_hand(action);
@@ -155,8 +176,8 @@ void Player::perform_in_time(Action action) {
             break;
         case Action::step_forward:
             clockwork_.pause(true);
-            hand_.prepare(session_);
-            session_.step_forward();
+            prepare();
+            step();
             break;
         case Action::step_back:
             clockwork_.pause(true);
@@ -167,7 +188,7 @@ void Player::perform_in_time(Action action) {
                 go_to(session_.world().tick - 1);
             break;
         case Action::next_collision:
-            hand_.prepare(session_);
+            prepare();
             clockwork_.seek_collision();
             break;
         case Action::second_forward:
@@ -189,8 +210,12 @@ void Player::perform_in_time(Action action) {
             say("normal speed");
             break;
         default:
-            hand_.forget();
-            session_.restart();
+            if (is_watching()) {
+                go_to(0);
+            } else {
+                hand_.forget();
+                session_.restart();
+            }
             set_reference();
             energy_.clear();
             say("from the start");
@@ -211,9 +236,16 @@ void Player::second(int direction) {
         go_to(now - session_.earliest() > rate ? now - rate : session_.earliest());
         return;
     }
-    hand_.prepare(session_);
-    for (std::uint64_t tick = 0; tick < rate; ++tick)
-        session_.step_forward();
+    prepare();
+    for (std::uint64_t tick = 0; tick < rate && step(); ++tick) {
+    }
+}
+
+/// False at the end of a recording.
+bool Player::step() {
+    if (session_.step_forward()) return true;
+    say("the recording ends here");
+    return false;
 }
 
 }  // namespace carom

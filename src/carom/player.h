@@ -55,6 +55,8 @@ class Player {
 
     void pause(bool paused);
     const Session& session() const { return session_; }
+    /// A recording is watched: only time and view obey the keys.
+    bool is_watching() const { return session_.is_following(); }
     const Clockwork& clockwork() const { return clockwork_; }
     const ViewOptions& view() const { return view_; }
     const Hand& hand() const { return hand_; }
@@ -74,6 +76,8 @@ class Player {
     Wish escape();
     void go_to(std::uint64_t tick);
     void second(int direction);
+    bool step();
+    void prepare();
 
     // player_world.cpp: solver and gravity
     void perform_on_world(Action action);
@@ -126,6 +130,7 @@ class Player {
         double momentum_scale = 0.0;  ///< sum of magnitudes
     };
     void set_reference();
+    void watch_commands();
 
     Session session_;
     Clockwork clockwork_;
@@ -142,6 +147,7 @@ class Player {
     bool shows_energy_ = false;
     EnergyHistory energy_;
     Reference reference_;
+    std::size_t commands_watched_ = 0;
     bool solver_is_picked_ = false;
 
     Vec2 pointer_;

@@ -94,6 +94,10 @@ void Player::press(const InputEvent& event) {
         return;
     }
     if (!hand_.is_empty()) return;
+    if (is_watching()) {
+        panning_from_ = place;
+        return;
+    }
     const bool is_cue = event.button == right_button || cue_is_armed_ ||
                         (event.button == left_button && (event.modifiers & (shift | control)));
     if (event.button == middle_button) {

@@ -124,7 +124,7 @@ std::vector<KeyHelp> Player::hints() const {
     } else {
         hint(Action::pause, "pause");
     }
-    if (hand_.is_empty() && (shows_cursor_ || selected_)) {
+    if (hand_.is_empty() && (shows_cursor_ || selected_) && !is_watching()) {
         hint(Action::grab, "take");
         hint(Action::cue, "cue");
         hint(Action::remove, "remove");
@@ -132,14 +132,14 @@ std::vector<KeyHelp> Player::hints() const {
     hint(Action::help, "help");
     if (hand_.is_empty()) {
         if (session_.latest() > 0) hint(Action::restart, "again");
-        if (!mouse_is_off_ && !shows_cursor_) {
+        if (!mouse_is_off_ && !shows_cursor_ && !is_watching()) {
             hints.push_back({"drag", "move"});
             hints.push_back({"right drag", "shoot"});
         }
         hint(Action::renderer, "look");
         hint(Action::menu, "menu");
         hint(Action::quit, "quit");
-        hint(Action::solver, "solver");
+        if (!is_watching()) hint(Action::solver, "solver");
     }
     return hints;
 }
@@ -164,7 +164,7 @@ HudInfo Player::hud() const {
     const World& world = session_.world();
     const Totals sums = totals(world);
     HudInfo info;
-    info.title = session_.scene().title;
+    info.title = (is_watching() ? "recording: " : "") + session_.scene().title;
     info.solver = solver_text(session_.solver());
     info.solver_is_picked = solver_is_picked_;
     info.time = world.time();
@@ -229,6 +229,7 @@ void Player::draw(Canvas& canvas, double aspect) {
     }
     canvas.fill({});
     lay_out(canvas, aspect);
+    if (is_watching()) watch_commands();
     const World& world = session_.world();
     const Totals sums = totals(world);
     energy_.add({world.tick, sums.kinetic_energy, sums.potential_energy});

@@ -100,6 +100,12 @@ void Program::set_capabilities(const Capabilities& capabilities) {
 }
 
 std::optional<Problems> Program::start() {
+    if (!options_.replay.empty()) return open_recording();
+    if (!options_.record.empty()) {
+        recording_.emplace(options_.record);
+        if (const auto obstacle = recording_->obstacle())
+            return Problems{fmt::format("carom: error: {}", *obstacle)};
+    }
     const auto folder = resume_folder();
     if (options_.resume) {
         std::string path;
@@ -141,6 +147,7 @@ std::optional<Problems> Program::open(const LevelSource& source) {
     auto opened = open_game(source);
     if (auto* problems = std::get_if<Problems>(&opened)) return std::move(*problems);
     OpenedGame& game = std::get<OpenedGame>(opened);
+    if (recording_) game.session.keep_all_commands();
     Player player(std::move(game.session), view(), preferences_.keys, game.solver_is_picked);
     if (!game.warnings.empty()) player.say(game.warnings.front());
     if (!preference_problems_.empty()) player.complain(preference_problems_.front());
@@ -165,13 +172,38 @@ std::optional<Problems> Program::open(const LevelSource& source) {
     return std::nullopt;
 }
 
+std::optional<Problems> Program::open_recording() {
+    auto opened = open_replay(options_.replay);
+    if (const auto* error = std::get_if<std::string>(&opened)) return lines_of(*error);
+    auto& [replay, scene] = std::get<OpenedReplay>(opened);
+    Session session(std::move(scene), replay.solver, options_.rewind_bytes);
+    session.follow(std::move(replay.commands), replay.end);
+    Player player(std::move(session), view(), preferences_.keys);
+    LevelSource source = source_of(options_, replay.level);
+    enter(std::move(source), std::move(player), std::nullopt);
+    std::get<Game>(page_).expected = std::move(replay.marks);
+    return std::nullopt;
+}
+
+void Program::compare_marks(Game& game) {
+    const Session& session = game.player.session();
+    if (session.fault())
+        game.player.set_problem("the recording cannot be followed " + *session.fault());
+    if (session.marks().size() == game.marks_compared) return;
+    game.marks_compared = session.marks().size();
+    if (const auto tick = first_difference(game.expected, session.marks()))
+        game.player.set_problem(fmt::format(
+            "this is not what was recorded: at tick {} the fingerprint differs", *tick));
+}
+
 void Program::enter(LevelSource source, Player player, std::optional<CutOffGame> offer) {
     player.set_mouse_is_off(!mouse_);
     if (options_.paused) player.pause(true);
     FileWatch watch;
     if (options_.watch) watch = FileWatch(files_of(player.session().scene(), source.path));
     ResumeFile resume_file;
-    if (const auto folder = resume_folder()) resume_file = ResumeFile(*folder, source.path);
+    const auto folder = resume_folder();
+    if (folder && !player.is_watching()) resume_file = ResumeFile(*folder, source.path);
     page_.emplace<Game>(Game{std::move(source), std::move(player), std::move(watch),
                              std::move(resume_file), 0, 0, std::move(offer)});
 }
@@ -217,6 +249,25 @@ void Program::finish_taking_up() {
     forget(done.game);
 }
 
+/// Writes the recording; false when it cannot be written. Then the game stays, as one that was cut
+/// off.
+bool Program::end_game() {
+    auto* game = std::get_if<Game>(&page_);
+    if (game && recording_) {
+        const Recording recording = *std::exchange(recording_, std::nullopt);
+        lost_recording_ =
+            recording.write(game->player.session(), game->source.path, game->source.overrides);
+        if (lost_recording_) {
+            autosave(*game);
+            *lost_recording_ +=
+                "; carom play --resume --record FILE takes the game up and records all of it";
+            return false;
+        }
+    }
+    leave_game();
+    return true;
+}
+
 void Program::leave_game() {
     if (auto* game = std::get_if<Game>(&page_)) game->resume_file.remove();
 }
@@ -226,7 +277,7 @@ void Program::autosave(Game& game) {
     const std::uint64_t tick = session.world().tick;
     const std::size_t commands = session.commands().size();
     if (tick == game.saved_tick && commands == game.saved_commands) return;
-    if (!session.is_complete()) return;
+    if (!session.is_complete() || game.player.is_watching()) return;
     game.saved_tick = tick;
     game.saved_commands = commands;
     if (const auto problem =
@@ -235,7 +286,12 @@ void Program::autosave(Game& game) {
 }
 
 void Program::cut_off() {
-    if (auto* game = std::get_if<Game>(&page_)) autosave(*game);
+    auto* game = std::get_if<Game>(&page_);
+    if (!game) return;
+    autosave(*game);
+    if (recording_)
+        lost_recording_ =
+            recording_->write(game->player.session(), game->source.path, game->source.overrides);
 }
 
 void Program::reload(Game& game) {
@@ -245,6 +301,7 @@ void Program::reload(Game& game) {
         return;
     }
     OpenedGame& fresh = std::get<OpenedGame>(opened);
+    if (recording_) fresh.session.keep_all_commands();
     game.player = game.player.continued_with(std::move(fresh.session), fresh.solver_is_picked);
     game.player.say(fresh.warnings.empty() ? "the level has changed: from the start"
                                            : fresh.warnings.front());

@@ -10,6 +10,7 @@
 #include "carom/play.h"
 #include "carom/player.h"
 #include "carom/preferences.h"
+#include "carom/recording.h"
 #include "carom/resume.h"
 #include "carom/watch.h"
 #include "terminal/capabilities.h"
@@ -43,8 +44,10 @@ class Program {
     bool is_over() const { return is_over_; }
     ScreenWishes screen_wishes() const;
 
-    /// The game has been cut off: writes what is needed to take it up again.
+    /// The game has been cut off: writes what is needed to take it up again, and the recording.
     void cut_off();
+    /// A recording that could not be written: for the person, once the screen is gone.
+    const std::optional<std::string>& lost_recording() const { return lost_recording_; }
 
   private:
     /// A game with the files around it.
@@ -55,7 +58,9 @@ class Program {
         ResumeFile resume_file;
         std::uint64_t saved_tick = 0;
         std::size_t saved_commands = 0;
-        std::optional<CutOffGame> offer;  ///< what "take up" would take up
+        std::optional<CutOffGame> offer;          ///< what "take up" would take up
+        std::vector<FingerprintMark> expected{};  ///< of a recording that is watched
+        std::size_t marks_compared = 0;
     };
     /// A text; where it is about a level that is watched, until that is mended.
     struct Notice {
@@ -76,11 +81,14 @@ class Program {
     void show_menu(std::string_view choose);
     /// None: it is on; else the problems.
     std::optional<Problems> open(const LevelSource& source);
+    std::optional<Problems> open_recording();
     void open_or_tell(const LevelSource& source);
     void take_up(const CutOffGame& game);
     void finish_taking_up();
     void enter(LevelSource source, Player player, std::optional<CutOffGame> offer);
     void leave_game();
+    bool end_game();
+    void compare_marks(Game& game);
     void tell(std::string title, Problems problems);
 
     void handle_game(Game& game, const InputEvent& event, double now);
@@ -106,6 +114,8 @@ class Program {
     std::vector<std::string> preference_problems_;
     Capabilities capabilities_;
     ViewOptions view_;
+    std::optional<Recording> recording_;  ///< of the game that is played, until it ends
+    std::optional<std::string> lost_recording_;
     bool mouse_ = true;
     bool has_told_lost_settings_ = false;  ///< once is enough
     bool is_over_ = false;

@@ -47,13 +47,15 @@ void Program::handle_game(Game& game, const InputEvent& event, double now) {
     if (next_autosave_ < now) next_autosave_ = now + autosave_interval;
     switch (wish) {
         case Wish::quit:
-            leave_game();
+            end_game();
             is_over_ = true;
             break;
         case Wish::menu: {
-            leave_game();
             const std::string path = game.source.path;
-            show_menu(path);
+            if (end_game())
+                show_menu(path);
+            else
+                tell("The recording is lost", {*lost_recording_});
             break;
         }
         case Wish::save:
@@ -137,6 +139,7 @@ void Program::advance_game(Game& game, double seconds, double now, const MayGoOn
         if (game.watch.has_changed()) reload(game);
     }
     game.player.advance(seconds, may_go_on);
+    if (game.player.is_watching()) compare_marks(game);
     if (now >= next_autosave_) {
         next_autosave_ = now + autosave_interval;
         autosave(game);

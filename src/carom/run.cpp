@@ -13,8 +13,12 @@
 #include "carom/option_values.h"
 #include "carom/print.h"
 #include "carom/progress.h"
+#include "carom/recording.h"
+#include "carom/version.h"
+#include "game/replayer.h"
 #include "lab/report.h"
 #include "lab/streams.h"
+#include "physics/fingerprint.h"
 
 namespace carom {
 namespace {
@@ -33,10 +37,11 @@ class Outputs {
         open(report_, options.report);
         open(events_, options.events);
         open(trace_, options.trace);
+        open(record_, options.record);
         if (trace_) trace_->write(trace_header());
     }
 
-    bool any() const { return report_ || events_ || trace_; }
+    bool any() const { return report_ || events_ || trace_ || record_; }
 
     void write_start(const World& world) {
         if (trace_) trace_->write(trace_rows(world));
@@ -47,6 +52,9 @@ class Outputs {
     }
     void write_report(std::string_view json) {
         if (report_) report_->write(json);
+    }
+    void write_recording(const Replay& replay) {
+        if (record_) record_->write(replay_text(replay));
     }
     void commit() {
         for (std::optional<OutputFile>* file : all()) {
@@ -73,20 +81,25 @@ class Outputs {
     static void open(std::optional<OutputFile>& file, const std::string& path) {
         if (!path.empty()) file.emplace(path);
     }
-    std::array<std::optional<OutputFile>*, 3> all() { return {&report_, &events_, &trace_}; }
+    std::array<std::optional<OutputFile>*, 4> all() {
+        return {&report_, &events_, &trace_, &record_};
+    }
 
     std::optional<OutputFile> report_;
     std::optional<OutputFile> events_;
     std::optional<OutputFile> trace_;
+    std::optional<OutputFile> record_;
 };
 
 bool to_standard_output(const RunOptions& options) {
-    return options.report == "-" || options.events == "-" || options.trace == "-";
+    return options.report == "-" || options.events == "-" || options.trace == "-" ||
+           options.record == "-";
 }
 
 // Two outputs under one name would overwrite each other.
 std::optional<std::string> clash(const RunOptions& options) {
-    const std::array<const std::string*, 3> paths{&options.report, &options.events, &options.trace};
+    const std::array<const std::string*, 4> paths{&options.report, &options.events, &options.trace,
+                                                  &options.record};
     for (std::size_t i = 0; i < paths.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (paths[i]->empty() || *paths[i] != *paths[j]) continue;
@@ -97,10 +110,14 @@ std::optional<std::string> clash(const RunOptions& options) {
     return std::nullopt;
 }
 
+void mark(Replay& replay, const World& world) {
+    replay.marks.push_back({world.tick, fingerprint(world)});
+}
+
 // Runs until the end, a signal, an output that fails, or readers that have gone. Returns what the
 // solver took, in seconds.
 double simulate(const Scene& scene, World& world, RunRecord& record, Solver& solver,
-                Outputs& outputs, std::uint64_t ticks) {
+                Outputs& outputs, Replay& replay, std::uint64_t ticks) {
     using Clock = std::chrono::steady_clock;
     Clock::duration cost{};
     Progress progress(ticks);
@@ -109,6 +126,7 @@ double simulate(const Scene& scene, World& world, RunRecord& record, Solver& sol
         solver.tick(world);
         cost += Clock::now() - before;
         note_tick(record, scene, world);
+        if (world.tick % mark_interval(world.rate) == 0) mark(replay, world);
         outputs.write_tick(world, solver);
         if (!outputs.error().empty() || outputs.is_pointless()) break;
         progress.update(world.tick);
@@ -139,11 +157,17 @@ int run_scene(const RunOptions& options, const Scene& scene) {
     World world = scene.world;
     Solver solver(settings);
     RunRecord record = begin_record(scene, settings);
+    Replay replay = begin_replay(scene, settings, name_in_recording(scene.file), options.overrides);
+    replay.program = version();
+    mark(replay, world);
     outputs.write_start(world);
     const std::uint64_t ticks = ticks_to_run(options, world.rate);
-    const double seconds = simulate(scene, world, record, solver, outputs, ticks);
+    const double seconds = simulate(scene, world, record, solver, outputs, replay, ticks);
     if (world.tick == ticks) note_end(record, scene, world);
     outputs.write_report(report_json(options.level, scene, world, record, seconds));
+    if (replay.marks.back().tick < world.tick) mark(replay, world);
+    replay.end = replay.stands = world.tick;
+    outputs.write_recording(replay);
     outputs.commit();
     if (!outputs.error().empty()) {
         print_error(outputs.error());

@@ -102,3 +102,19 @@ TEST_CASE("a mistake is an answer, and the first one counts") {
     CHECK(answer.text.find("--rate") != std::string::npos);
     CHECK(answer.text.find("--seed") == std::string::npos);
 }
+
+TEST_CASE("recordings are made, watched and verified") {
+    CHECK(parse_as<PlayOptions>({"play", "gas", "--record", "a.replay"}).record == "a.replay");
+    CHECK(parse_as<RunOptions>({"run", "gas", "--record", "a.replay"}).record == "a.replay");
+    CHECK(parse_as<VerifyOptions>({"verify", "a.replay"}).file == "a.replay");
+    const auto watch = parse_as<PlayOptions>({"replay", "a.replay", "--paused", "--fps", "30"});
+    CHECK(watch.replay == "a.replay");
+    CHECK(watch.level.empty());
+    CHECK(watch.paused);
+    CHECK(watch.fps == 30.0);
+    // Which game would it be?
+    CHECK(parse_as<UsageAnswer>({"play", "--record", "a.replay"}).exit_code == 2);
+    CHECK(parse_as<PlayOptions>({"play", "--resume", "--record", "a"}).record == "a");
+    CHECK(parse_as<UsageAnswer>({"verify"}).exit_code == 2);
+    CHECK(parse_as<UsageAnswer>({"replay", "a", "--solver", "swept"}).exit_code == 2);
+}

@@ -429,3 +429,44 @@ TEST_CASE("any keys in any order do no harm") {
     for (const Vec2 position : person.world().balls.position)
         CHECK(std::isfinite(position.x + position.y));
 }
+
+TEST_CASE("a recording is watched: time and view obey the keys, the world does not") {
+    Person person;
+    Session session(busy_box(), {.kind = SolverKind::swept});
+    session.follow({{30, command::Strike{BallId{4}, {55.0, 13.0}}},
+                    {40, command::HoldBall{BallId{2}, {20.0, 12.0}}}},
+                   240);
+    person.player = Player(std::move(session), ascii_view(), KeyMap());
+    CHECK(person.sees("recording"));
+    const Session& watched = person.player.session();
+    for (const char32_t key : std::u32string(U"aexEugGsk"))
+        person.key(key);
+    CHECK(person.sees("a recording is only watched"));
+    person.mouse(InputEvent::Action::press, watched.world().balls.position[0]);
+    person.mouse(InputEvent::Action::move, {30.0, 20.0});
+    person.mouse(InputEvent::Action::release, {30.0, 20.0});
+    person.player.advance(0.5, always);
+    CHECK(watched.world().tick == 60);
+    CHECK(watched.commands().size() == 2);
+    CHECK(watched.world().held_balls.size() == 1);  // by the hand in the recording
+    CHECK_FALSE(watched.fault());
+    person.key(U',');
+    CHECK(watched.world().tick == 59);
+    person.key(U'>');
+    CHECK(watched.world().tick == 179);
+    person.key(U'>');
+    CHECK(watched.world().tick == 240);
+    CHECK(person.sees("the recording ends here"));
+    person.key(U'.');
+    CHECK(watched.world().tick == 240);
+    person.key(U'n');
+    person.player.advance(0.1, always);
+    CHECK_FALSE(person.player.clockwork().is_seeking());
+    person.key(U'r');
+    CHECK(watched.world().tick == 0);
+    CHECK(watched.commands().size() == 2);
+    person.key(U' ');
+    person.player.advance(10.0, always);
+    CHECK(watched.world().tick == 240);
+    CHECK(person.player.clockwork().is_paused());
+}

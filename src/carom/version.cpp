@@ -1,0 +1,9 @@
+#include "carom/version.h"
+
+namespace carom {
+
+std::string_view version() {
+    return CAROM_VERSION;
+}
+
+}  // namespace carom
