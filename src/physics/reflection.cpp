@@ -82,44 +82,55 @@ std::vector<Real> solve(const Matrix<Real>& matrix, const std::vector<Real>& rig
 }
 
 // Pushing impulses that stop every approach, by block pivoting: those that would pull are left out,
-// and come back where what is left out approaches again.
+// and come back where what is left out approaches again. Where changing all of them at once leads
+// no nearer, one is changed at a time, the last, which cannot go round in circles (Judice and
+// Pires, A block principal pivoting algorithm for linear complementarity problems, 1994).
 template <typename Real>
 std::vector<Real> stopping_impulses(const Matrix<Real>& matrix, const std::vector<Real>& approach) {
     const std::size_t count = approach.size();
     const Real largest = *std::max_element(approach.begin(), approach.end());
     const Real noise = largest * Real(1e-12);
+    constexpr int patience = 3;
     std::vector<std::uint8_t> is_active(count, 1);
     std::vector<Real> impulses(count);
-    const std::size_t most_rounds = 4 * count + 8;
+    std::vector<std::size_t> active;
+    std::vector<std::size_t> wrong;
+    std::size_t fewest = count + 1;
+    int tries = patience;
+    const std::size_t most_rounds = 64 * count + 64;
     for (std::size_t round = 0; round < most_rounds; ++round) {
-        std::vector<std::size_t> active;
+        active.clear();
         for (std::size_t i = 0; i < count; ++i)
             if (is_active[i]) active.push_back(i);
         const std::vector<Real> solution = solve(matrix, approach, active);
         std::fill(impulses.begin(), impulses.end(), Real{});
-        bool pulls = false;
+        wrong.clear();
         for (std::size_t i = 0; i < active.size(); ++i) {
-            if (solution[i] < Real{}) {
-                is_active[active[i]] = 0;
-                pulls = true;
-            } else {
-                impulses[active[i]] = solution[i];
-            }
+            if (solution[i] < Real{}) wrong.push_back(active[i]);
+            impulses[active[i]] = solution[i];
         }
-        if (pulls) continue;
-        bool approaches = false;
         for (std::size_t i = 0; i < count; ++i) {
             if (is_active[i]) continue;
             Real left = approach[i];
             for (const std::size_t j : active)
                 left -= matrix.at(i, j) * impulses[j];
-            if (left > noise) {
-                is_active[i] = 1;
-                approaches = true;
-            }
+            if (left > noise) wrong.push_back(i);
         }
-        if (!approaches) break;
+        if (wrong.empty()) break;
+        if (wrong.size() < fewest) {
+            fewest = wrong.size();
+            tries = patience;
+        } else {
+            --tries;
+        }
+        if (tries >= 0)
+            for (const std::size_t i : wrong)
+                is_active[i] ^= 1;
+        else
+            is_active[*std::max_element(wrong.begin(), wrong.end())] ^= 1;
     }
+    for (Real& impulse : impulses)
+        if (impulse < Real{}) impulse = Real{};
     return impulses;
 }
 
