@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 namespace carom {
 namespace {
@@ -38,16 +39,17 @@ Real coupling(const ImpactContact<Real>& i, const ImpactContact<Real>& j,
 }
 
 // The solution of the rows and columns in `active`, of least size where there are several: the
-// matrix is made definite by a trace of its largest entry, and the error that makes is taken back
-// by repetition.
+// matrix is made definite by a trace on its diagonal, and the error that makes is taken back by
+// repetition. Pre: the diagonal is between 1 and 4.
 template <typename Real>
 std::vector<Real> solve(const Matrix<Real>& matrix, const std::vector<Real>& right,
                         const std::vector<std::size_t>& active) {
     const std::size_t count = active.size();
+    const Real trace(1e-11);
     Real largest{};
     for (const std::size_t i : active)
-        if (largest < matrix.at(i, i)) largest = matrix.at(i, i);
-    const Real trace = largest * Real(1e-9);
+        if (largest < absolute(right[i])) largest = absolute(right[i]);
+    const Real noise = largest * Real(precision<Real>);
     Matrix<Real> root(count);  // Cholesky
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = 0; j <= i; ++j) {
@@ -60,12 +62,16 @@ std::vector<Real> solve(const Matrix<Real>& matrix, const std::vector<Real>& rig
         }
     std::vector<Real> solution(count);
     std::vector<Real> rest(count);
-    for (int round = 0; round < 5; ++round) {
+    constexpr int most_rounds = 40;
+    for (int round = 0; round < most_rounds; ++round) {
+        Real worst{};
         for (std::size_t i = 0; i < count; ++i) {
             rest[i] = right[active[i]];
             for (std::size_t j = 0; j < count; ++j)
                 rest[i] -= matrix.at(active[i], active[j]) * solution[j];
+            if (worst < absolute(rest[i])) worst = absolute(rest[i]);
         }
+        if (worst <= noise) break;
         for (std::size_t i = 0; i < count; ++i) {
             for (std::size_t k = 0; k < i; ++k)
                 rest[i] -= root.at(i, k) * rest[k];
@@ -83,10 +89,11 @@ std::vector<Real> solve(const Matrix<Real>& matrix, const std::vector<Real>& rig
 
 // Pushing impulses that stop every approach, by block pivoting: those that would pull are left out,
 // and come back where what is left out approaches again. Where changing all of them at once leads
-// no nearer, one is changed at a time, the last, which cannot go round in circles (Judice and
-// Pires, A block principal pivoting algorithm for linear complementarity problems, 1994).
+// no nearer, one is changed at a time, the last (Judice and Pires, A block principal pivoting
+// algorithm for linear complementarity problems, 1994). None where rounding keeps it from an end.
 template <typename Real>
-std::vector<Real> stopping_impulses(const Matrix<Real>& matrix, const std::vector<Real>& approach) {
+std::optional<std::vector<Real>> stopping_impulses(const Matrix<Real>& matrix,
+                                                   const std::vector<Real>& approach) {
     const std::size_t count = approach.size();
     const Real largest = *std::max_element(approach.begin(), approach.end());
     const Real noise = largest * Real(1e-12);
@@ -97,7 +104,7 @@ std::vector<Real> stopping_impulses(const Matrix<Real>& matrix, const std::vecto
     std::vector<std::size_t> wrong;
     std::size_t fewest = count + 1;
     int tries = patience;
-    const std::size_t most_rounds = 64 * count + 64;
+    const std::size_t most_rounds = 4 * count + 16;
     for (std::size_t round = 0; round < most_rounds; ++round) {
         active.clear();
         for (std::size_t i = 0; i < count; ++i)
@@ -116,7 +123,7 @@ std::vector<Real> stopping_impulses(const Matrix<Real>& matrix, const std::vecto
                 left -= matrix.at(i, j) * impulses[j];
             if (left > noise) wrong.push_back(i);
         }
-        if (wrong.empty()) break;
+        if (wrong.empty()) return impulses;
         if (wrong.size() < fewest) {
             fewest = wrong.size();
             tries = patience;
@@ -129,17 +136,29 @@ std::vector<Real> stopping_impulses(const Matrix<Real>& matrix, const std::vecto
         else
             is_active[*std::max_element(wrong.begin(), wrong.end())] ^= 1;
     }
-    for (Real& impulse : impulses)
-        if (impulse < Real{}) impulse = Real{};
-    return impulses;
+    return std::nullopt;
+}
+
+// A power of two whose square is near `size`, from below: scaling by it rounds nothing.
+template <typename Real>
+Real scale_of(const Real& size) {
+    Real scale(1.0);
+    while (scale * scale * Real(4.0) <= size)
+        scale = scale * Real(2.0);
+    while (size < scale * scale)
+        scale = scale * Real(0.5);
+    return scale;
 }
 
 // Beyond this many contacts that hang together the impulses are found by relaxation.
 constexpr std::size_t most_dense = 240;
 
+// What relaxation has not brought to its end is scaled so that, passed once more, it takes all that
+// it gave: with restitution 1 energy stays, with less it falls, whatever is left to approach.
 template <typename Real>
 std::vector<Real> relaxed_impulses(const std::vector<ImpactContact<Real>>& contacts,
                                    std::vector<ImpactBody<Real>> bodies) {
+    const std::vector<ImpactBody<Real>> before = bodies;
     std::vector<Real> impulses(contacts.size());
     for (int round = 0; round < 400; ++round)
         for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -153,6 +172,16 @@ std::vector<Real> relaxed_impulses(const std::vector<ImpactContact<Real>>& conta
                 bodies[contact.b].velocity -= push * bodies[contact.b].inverse_mass;
             impulses[i] = next;
         }
+    Real wanted{};
+    Real given{};
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const Real approach = approach_of<Real>(contacts[i], before);
+        wanted += impulses[i] * approach;
+        given += impulses[i] * (approach - approach_of<Real>(contacts[i], bodies));
+    }
+    if (given > Real{})
+        for (Real& impulse : impulses)
+            impulse = impulse * (wanted / given);
     return impulses;
 }
 
@@ -216,18 +245,27 @@ std::vector<Real> reflect(std::span<ImpactBody<Real>> bodies,
         for (const std::uint32_t index : group)
             if (contacts[index].restitution < restitution)
                 restitution = contacts[index].restitution;
-        std::vector<Real> impulses;
+        std::optional<std::vector<Real>> impulses;
         if (count <= most_dense) {
+            // Scaled to a diagonal of about 1: masses may be far apart.
             Matrix<Real> matrix(count);
             std::vector<Real> approach(count);
+            std::vector<Real> scale(count);
             for (std::size_t i = 0; i < count; ++i) {
-                approach[i] = approach_of<Real>(contacts[group[i]], bodies);
+                const auto& contact = contacts[group[i]];
+                scale[i] = scale_of(coupling<Real>(contact, contact, bodies));
+                approach[i] = approach_of<Real>(contact, bodies) / scale[i];
+            }
+            for (std::size_t i = 0; i < count; ++i)
                 for (std::size_t j = 0; j < count; ++j)
                     matrix.at(i, j) =
-                        coupling<Real>(contacts[group[i]], contacts[group[j]], bodies);
-            }
+                        coupling<Real>(contacts[group[i]], contacts[group[j]], bodies) /
+                        (scale[i] * scale[j]);
             impulses = stopping_impulses(matrix, approach);
-        } else {
+            for (std::size_t i = 0; impulses && i < count; ++i)
+                (*impulses)[i] = (*impulses)[i] / scale[i];
+        }
+        if (!impulses) {
             std::vector<ImpactContact<Real>> own;
             for (const std::uint32_t index : group)
                 own.push_back(contacts[index]);
@@ -235,7 +273,7 @@ std::vector<Real> reflect(std::span<ImpactBody<Real>> bodies,
                 relaxed_impulses(own, std::vector<ImpactBody<Real>>(bodies.begin(), bodies.end()));
         }
         for (std::size_t i = 0; i < count; ++i)
-            push(group[i], (Real(1.0) + restitution) * impulses[i]);
+            push(group[i], (Real(1.0) + restitution) * (*impulses)[i]);
     }
     return passed;
 }
