@@ -1,0 +1,157 @@
+#include "geometry/wide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <doctest/doctest.h>
+
+using namespace carom;
+
+namespace {
+
+// A small generator, so that geometry's tests need nothing above geometry.
+class Draws {
+  public:
+    explicit Draws(std::uint64_t seed) : state_(seed) {}
+    // Uniform in [low, high).
+    double between(double low, double high) {
+        return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
+    }
+    // Of either sign, uniform in the exponent.
+    double sized(int low, int high) {
+        const double value = std::ldexp(between(1.0, 2.0), static_cast<int>(between(low, high)));
+        return bits() % 2 == 0 ? value : -value;
+    }
+    Wide wide(int low, int high) {
+        const double value = sized(low, high);
+        return exact_sum_of_ordered(value, value * 0x1p-54 * between(-1.0, 1.0));
+    }
+
+  private:
+    std::uint64_t bits() {
+        state_ ^= state_ << 13;
+        state_ ^= state_ >> 7;
+        state_ ^= state_ << 17;
+        return state_ * 0x2545f4914f6cdd1dULL;
+    }
+    std::uint64_t state_;
+};
+
+// 128 bits, of both compilers' own.
+__extension__ using Whole = unsigned __int128;
+__extension__ using SignedWhole = __int128;
+
+constexpr int rounds = 20'000;
+constexpr double unit = 0x1p-102;  // the error that the header states
+
+bool is_normal(const Wide& a) {
+    return a.high == a.high + a.low;
+}
+// Whether they are the same but for `units` of rounding, of the size of `scale`.
+bool are_near(const Wide& a, const Wide& b, double units, double scale) {
+    return std::fabs((a - b).high) <= units * unit * std::fabs(scale);
+}
+
+}  // namespace
+
+TEST_CASE("wide: the sum of two doubles and its error are exact") {
+    Draws draws(1);
+    for (int i = 0; i < rounds; ++i) {
+        const double a = draws.sized(-40, 40);
+        const double b = draws.sized(-40, 40);
+        const Wide sum = exact_sum(a, b);
+        CHECK(sum.high == a + b);
+        CHECK(is_normal(sum));
+        // Taking away what was added leaves nothing: the doubles in between are exact.
+        CHECK(sum - Wide(a) == Wide(b));
+        CHECK(sum - Wide(b) == Wide(a));
+        CHECK(sum == exact_sum(b, a));
+        if (std::fabs(a) >= std::fabs(b)) CHECK(exact_sum_of_ordered(a, b) == sum);
+    }
+}
+
+TEST_CASE("wide: the product of two doubles and its error are exact") {
+    Draws draws(2);
+    for (int i = 0; i < rounds; ++i) {
+        // Numbers of 26 bits have exact products, of which the parts' products can be told.
+        const double a = std::floor(draws.between(0x1p51, 0x1p52)) + 0x1p52;
+        const double b = std::floor(draws.between(0x1p51, 0x1p52)) + 0x1p52;
+        const auto whole = static_cast<Whole>(a) * static_cast<Whole>(b);
+        const Wide product = exact_product(a, b);
+        CHECK(product.high == a * b);
+        const auto back =
+            static_cast<SignedWhole>(product.high) + static_cast<SignedWhole>(product.low);
+        CHECK(static_cast<Whole>(back) == whole);
+        // Scaling by a power of two changes nothing.
+        CHECK(exact_product(a * 0x1p-400, b * 0x1p300).low == product.low * 0x1p-100);
+    }
+}
+
+TEST_CASE("wide: identities hold to 102 bits") {
+    Draws draws(3);
+    for (int i = 0; i < rounds; ++i) {
+        const Wide a = draws.wide(-30, 30);
+        const Wide b = draws.wide(-30, 30);
+        const Wide c = draws.wide(-30, 30);
+        const double size = std::max(std::fabs(a.high), std::fabs(b.high));
+        CHECK(is_normal(a + b));
+        CHECK(is_normal(a * b));
+        CHECK(is_normal(a / b));
+        CHECK(a + b == b + a);
+        CHECK(a * b == b * a);
+        CHECK(a - a == Wide());
+        CHECK(are_near((a + b) - a, b, 2, size));
+        CHECK(are_near(a * b / b, a, 3, a.high));
+        CHECK(are_near(a / b * b, a, 3, a.high));
+        CHECK(are_near(a * (b + c), a * b + a * c, 6,
+                       a.high * (std::fabs(b.high) + std::fabs(c.high))));
+        CHECK(are_near((a + b) * (a - b), a * a - b * b, 8, size * size));
+        CHECK(a / a == Wide(1.0));
+        const Wide positive = absolute(a);
+        CHECK(positive.high > 0.0);
+        const Wide root = square_root(positive);
+        CHECK(is_normal(root));
+        CHECK(are_near(root * root, positive, 3, positive.high));
+        CHECK(are_near(square_root(positive * positive), positive, 3, positive.high));
+    }
+}
+
+TEST_CASE("wide: exact where the result is a double") {
+    Draws draws(4);
+    for (int i = 0; i < rounds; ++i) {
+        const double a = std::floor(draws.between(1.0, 0x1p26));
+        const double b = std::floor(draws.between(1.0, 0x1p26));
+        CHECK(Wide(a) * Wide(b) == Wide(a * b));
+        CHECK(Wide(a * b) / Wide(b) == Wide(a));
+        CHECK(are_near(square_root(Wide(a * a)), Wide(a), 1, a));
+    }
+    CHECK(square_root(Wide()) == Wide());
+    CHECK(square_root(2.25) == 1.5);
+}
+
+TEST_CASE("wide: order is that of the sums") {
+    Draws draws(5);
+    for (int i = 0; i < rounds; ++i) {
+        const Wide a = draws.wide(-3, 3);
+        const Wide near = a + Wide(std::ldexp(a.high, -80) * draws.between(-1.0, 1.0));
+        const double difference = (near - a).high;
+        CHECK((near > a) == (difference > 0.0));
+        CHECK((near < a) == (difference < 0.0));
+        CHECK((near >= a) == (difference >= 0.0));
+        CHECK((near <= a) == (difference <= 0.0));
+        CHECK(absolute(-a) == absolute(a));
+    }
+    CHECK(absolute(Wide(0.0, -1e-30)) == Wide(0.0, 1e-30));
+}
+
+TEST_CASE("wide: the root of two has 31 right digits") {
+    // sqrt(2) = 1.41421356237309504880168872420969807856967...; the double nearest to it, and what
+    // is left, which is known to 16 digits of its own.
+    const Wide root = square_root(Wide(2.0));
+    CHECK(root.high == 1.4142135623730951);
+    CHECK(root.low == doctest::Approx(-9.667293313452913e-17).epsilon(1e-14));
+    // A third of one, and back.
+    const Wide third = Wide(1.0) / Wide(3.0);
+    CHECK(std::fabs((third * Wide(3.0) - Wide(1.0)).high) <= unit);
+}
