@@ -52,7 +52,7 @@ std::optional<Real> point_closing(const EventPath<Real>& path, const Vector<Real
                                   const Real& reach, const Real& small, const Field<Real>& field,
                                   const Real& end) {
     const Real last = last_moment(path, field, end);
-    const Real pull = most_acceleration(path, field, path.time, last);
+    const Real pull = most_acceleration(path, field, path.time);
     const auto limits = tolerance(path.position, reach, length(path.velocity), pull, small);
     if (!(pull > Real{}) && is_parabola(path, field)) {
         const Vector<Real> offset = path.position - point;
@@ -117,7 +117,7 @@ std::optional<Real> side_closing(const EventPath<Real>& path, const Edge<Real>& 
         }
     } else {
         const Real last = last_moment(path, field, end);
-        const Real pull = most_acceleration(path, field, path.time, last);
+        const Real pull = most_acceleration(path, field, path.time);
         const auto limits = tolerance(path.position, reach, length(path.velocity), pull, radius);
         found = first_closing<Real>(
             [&](const Real& time) -> Gap<Real> {
@@ -212,7 +212,7 @@ std::optional<Real> ball_closing(const EventPath<Real>& a, const EventPath<Real>
     }
     const Real last = lesser(last_moment(a, field, end), last_moment(b, field, end));
     if (last < begin) return std::nullopt;
-    Real pull = most_acceleration(a, field, begin, last) + most_acceleration(b, field, begin, last);
+    Real pull = most_acceleration(a, field, begin) + most_acceleration(b, field, begin);
     if (is_parabola(a, field) && is_parabola(b, field))
         pull = length(a.acceleration - b.acceleration);
     const auto look = [&](const Real& time) {
@@ -259,7 +259,7 @@ std::optional<Real> hand_closing(const EventPath<Real>& path, const MovingEdge<R
     const Real whole = length(shape.end - shape.start);
     const BallState<Real> now = state_at(path, field, begin);
     const Real speed = length(now.velocity) + greater(length(from), length(to));
-    Real pull = most_acceleration(path, field, begin, last);
+    Real pull = most_acceleration(path, field, begin);
     const Real zero{};
     if (whole > zero) {
         const Real turning = Real(2.0) * length(to - from) / whole;

@@ -105,15 +105,16 @@ bool EventEngine<Real>::has_support(const std::vector<std::uint8_t>& is_kept,
     for (const PathSupport& support : {path.support, path.second_support}) {
         const Vector<Real> shift = torus_shift(support.across, support.along);
         const Vector<Real> position = state_at(path, field_, now_).position;
-        const Real near =
-            radius(static_cast<std::uint32_t>(ball)) * Real(1e-6) + rounding_at(position, Real{});
+        const Real size = radius(static_cast<std::uint32_t>(ball));
+        const Real near = size * Real(1e-6) + rounding_at(position, Real{});
+        // In a heap it may have been pressed into its support by as much as a lively hop.
+        const Real deep = near + size * Real(4.0 * lively_rise);
         if (support.by == PathSupport::By::edge) {
             const auto index = index_of(*world_, CapsuleId{support.number});
             if (!index || is_held(*world_, CapsuleId{support.number})) return false;
             const Edge<Real> edge(world_->capsules.shape[*index], Vec2(shift));
-            const Real gap =
-                contact_with(edge, position, radius(static_cast<std::uint32_t>(ball))).gap;
-            if (near < absolute(gap)) return false;
+            const Real gap = contact_with(edge, position, size).gap;
+            if (near < gap || gap < -deep) return false;
         } else if (support.by == PathSupport::By::ball) {
             const auto index = index_of(*world_, BallId{support.number});
             // It rests, so it is where it was.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -202,6 +203,7 @@ class EventEngine {
     std::vector<Body> bodies_;
     std::vector<ImpactBody<Real>> impact_bodies_;
     std::vector<Touch> touches_;
+    std::vector<std::array<int, 3>> near_;  ///< ball, tori across and along
     std::vector<std::uint32_t> body_of_ball_;
 
     /// The world as the last tick left it, to see whether the next one goes on from there.

@@ -131,8 +131,10 @@ void EventEngine<Real>::scan(std::uint32_t body) {
         return !(first.contact.a == body && first.other == other) &&
                !(bodies_[first.contact.a].ball == other && first.other == ball);
     };
+    near_.clear();
     const auto with_ball = [&](std::uint32_t other, int across, int along) {
-        if (is_first(Kind::ball_ball, other)) add_ball_touch(body, other, across, along, false);
+        if (is_first(Kind::ball_ball, other))
+            near_.push_back({static_cast<int>(other), across, along});
     };
     if (world_->model.ball_ball) {
         if (!cells_.is_giant(ball)) {
@@ -144,6 +146,10 @@ void EventEngine<Real>::scan(std::uint32_t body) {
                 if (other != ball) with_ball(other, 0, 0);
         }
     }
+    // By number: where the cells are must not show, not even in rounding.
+    std::sort(near_.begin(), near_.end());
+    for (const auto& [other, across, along] : near_)
+        add_ball_touch(body, static_cast<std::uint32_t>(other), across, along, false);
     for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2, int across, int along) {
         if (is_first(Kind::ball_edge, capsule)) add_edge_touch(body, capsule, across, along, false);
     });
@@ -268,8 +274,12 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     bodies_.clear();
     impact_bodies_.clear();
     touches_.clear();
-    const std::uint32_t body = body_of(ball);
-    if (event.kind == Kind::ball_ball)
+    // Seen from the lower number, whoever's event it is: the other may not know of it yet.
+    const bool is_swapped = event.kind == Kind::ball_ball && event.other < ball;
+    const std::uint32_t body = body_of(is_swapped ? event.other : ball);
+    if (is_swapped)
+        add_ball_touch(body, ball, -event.across, -event.along, true);
+    else if (event.kind == Kind::ball_ball)
         add_ball_touch(body, event.other, event.across, event.along, true);
     else if (event.kind == Kind::hand)
         add_hand_touch(body, hands_[event.other], true);

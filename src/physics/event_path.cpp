@@ -170,11 +170,11 @@ BallState<Real> state_at(const EventPath<Real>& path, const Field<Real>& field, 
 }
 
 template <typename Real>
-Real most_acceleration(const EventPath<Real>& path, const Field<Real>& field, const Real& time,
-                       const Real& end) {
+Real most_acceleration(const EventPath<Real>& path, const Field<Real>& field, const Real& time) {
     if (path.motion == Motion::turning) {
         const Turn<Real> now = turn_at(path, field, time);
-        const Real speed = absolute(now.speed) + length(field.gravity) * (end - time);
+        const Real speed =
+            absolute(now.speed) + length(field.gravity) * (piece_end(path, field) - time);
         Real most = length(field.gravity) + speed * speed / now.radius;
         if (field.has_drag) most += field.drag * speed;
         return most;
@@ -190,10 +190,8 @@ Real most_acceleration(const EventPath<Real>& path, const Field<Real>& field, co
 
 template BallState<double> state_at(const EventPath<double>&, const Field<double>&, const double&);
 template BallState<Wide> state_at(const EventPath<Wide>&, const Field<Wide>&, const Wide&);
-template double most_acceleration(const EventPath<double>&, const Field<double>&, const double&,
-                                  const double&);
-template Wide most_acceleration(const EventPath<Wide>&, const Field<Wide>&, const Wide&,
-                                const Wide&);
+template double most_acceleration(const EventPath<double>&, const Field<double>&, const double&);
+template Wide most_acceleration(const EventPath<Wide>&, const Field<Wide>&, const Wide&);
 template Turn<double> turn_at(const EventPath<double>&, const Field<double>&, const double&);
 template Turn<Wide> turn_at(const EventPath<Wide>&, const Field<Wide>&, const Wide&);
 template double piece_end(const EventPath<double>&, const Field<double>&);

@@ -57,10 +57,11 @@ inline bool is_parabola(const EventPath<Real>& path, const Field<Real>& field) {
     return path.motion != Motion::turning && (!field.has_drag || path.motion == Motion::held);
 }
 
-/// The largest acceleration, length/s^2, that the ball has from `time` on, up to `end`.
+/// The largest acceleration, length/s^2, that the ball has from `time` on, for Motion::turning
+/// while its piece lasts. It does not depend on how far anybody looks, so neither do the impacts
+/// that are found with it.
 template <typename Real>
-Real most_acceleration(const EventPath<Real>& path, const Field<Real>& field, const Real& time,
-                       const Real& end);
+Real most_acceleration(const EventPath<Real>& path, const Field<Real>& field, const Real& time);
 
 /// A ball that slides round a round end, a peg or another ball without friction moves as a
 /// pendulum. Its angle is a Taylor series in time; a piece of it lasts until the angle could have

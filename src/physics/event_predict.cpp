@@ -105,7 +105,7 @@ void EventEngine<Real>::predict_crossing(std::uint32_t ball, Event& best) const 
             if (since) time = now_ + *since;
         } else {
             // Not exact, but never late: a cell is a little wider than it need be.
-            const Real most = most_acceleration(path, field_, now_, last);
+            const Real most = most_acceleration(path, field_, now_);
             const auto since = quadratic_closing<Real>(
                 {(border - along(now.position)) * sign, -along(now.velocity) * sign, -most}, exact);
             if (since) {
@@ -161,7 +161,7 @@ void EventEngine<Real>::predict_own(std::uint32_t ball, Event& best) const {
             if (since) time = path.time + *since;
         } else {
             const Real horizon = best.time;
-            const Real pull = most_acceleration(path, field_, path.time, horizon);
+            const Real pull = most_acceleration(path, field_, path.time);
             time = first_closing<Real>(
                 [&](const Real& when) -> Gap<Real> {
                     const BallState<Real> state = state_at(path, field_, when);

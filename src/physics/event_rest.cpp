@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "physics/event_engine.h"
@@ -94,6 +95,13 @@ std::vector<typename EventEngine<Real>::Support> EventEngine<Real>::supports_of(
     if (world_->model.ball_ball && cells_.is_giant(ball))
         for (std::uint32_t other = 0; other < paths_.size(); ++other)
             with_ball(other, 0, 0);
+    // By number, wherever the cells are.
+    std::sort(points.begin(), points.end(), [](const Support& a, const Support& b) {
+        const auto key = [](const PathSupport& by) {
+            return std::tuple(by.by, by.number, by.across, by.along);
+        };
+        return key(a.by) < key(b.by);
+    });
     sides.insert(sides.end(), points.begin(), points.end());
     return sides;
 }
