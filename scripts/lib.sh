@@ -2,7 +2,7 @@
 # working folder. Everything that is said goes to standard error: standard output is the program's.
 
 play_packages=(g++ cmake ninja-build pkg-config libncurses-dev libfmt-dev libcli11-dev)
-test_packages=(doctest-dev libvterm-dev ncurses-term openssh-server openssh-client)
+test_packages=(doctest-dev libgmp-dev libvterm-dev ncurses-term openssh-server openssh-client)
 
 say() { printf '%s\n' "$*" >&2; }
 
