@@ -17,7 +17,39 @@ struct Gap {
     Real rate;  ///< length/s
     /// Second derivative, length/s^2.
     Real bend;
+    /// The part of it that is the relative acceleration along the normal, length/s^2, and what
+    /// turns the normal: speed, length/s, over distance, length. All 0: not known.
+    Real lean{};
+    Real speed{};
+    Real distance{};
 };
+
+/// A safe step for bodies that touch and do not approach noticeably. The normal turns by less than
+/// m in a time of m d / 2 v and of sqrt(m d / pull), so for that long the gap bends by no less than
+/// lean - m pull: the best of a few m is far longer than what the pull alone, with any direction,
+/// would allow.
+template <typename Real>
+Real touching_step(const Gap<Real>& now, const Real& pull, const Real& slow) {
+    const auto way = [&](const Real& against) {
+        return (now.rate > slow ? now.rate + now.rate : now.rate + slow) / against;
+    };
+    Real best = way(pull);
+    if (!(now.distance > Real{})) return best;
+    for (const double turn : {0.125, 0.01, 0.001}) {
+        const Real m(turn);
+        Real limit = square_root(m * now.distance / pull);
+        if (now.speed * limit > m * now.distance * Real(0.5))
+            limit = m * now.distance * Real(0.5) / now.speed;
+        const Real against = m * pull - now.lean;
+        Real step = limit;
+        if (against > Real{}) {
+            const Real reach = way(against);
+            if (reach < step) step = reach;
+        }
+        if (best < step) best = step;
+    }
+    return best;
+}
 
 /// What counts as touching and as rounding.
 template <typename Real>
@@ -74,7 +106,7 @@ std::optional<Real> first_closing(Look&& look, Real begin, Real end, Real pull,
             if (grazes && now.rate < zero)
                 step = Real(-2.0) * now.rate / now.bend;
             else
-                step = (now.rate > slow ? now.rate + now.rate : now.rate + slow) / pull;
+                step = touching_step(now, pull, slow);
         } else if (now.rate < zero) {
             step = Real(2.0) * now.gap /
                    (square_root(now.rate * now.rate + Real(2.0) * pull * now.gap) - now.rate);

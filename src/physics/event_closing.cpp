@@ -15,8 +15,9 @@ const Real& greater(const Real& a, const Real& b) {
 template <typename Real>
 ClosingTolerance<Real> tolerance(const Vector<Real>& position, const Real& reach,
                                  const Real& speeds, const Real& pull, const Real& small,
-                                 double rise = resting_rise) {
-    const Real noise = Real(impact_noise<Real>) * speeds;
+                                 const Real& pressing, double rise = resting_rise) {
+    const Real noise =
+        Real(impact_noise<Real>) * speeds + Real(pressing_noise) * square_root(pressing * small);
     const Real slow = pull > Real{} ? square_root(Real(2.0 * rise) * pull * small) : Real{};
     return {rounding_at(position, reach), greater(noise, slow)};
 }
@@ -26,11 +27,19 @@ template <typename Real>
 Gap<Real> gap_of(const Vector<Real>& offset, const Vector<Real>& velocity,
                  const Vector<Real>& acceleration, const Real& reach) {
     const Real away = length(offset);
-    if (!(away > Real{})) return {-reach, Real{}, Real{}};
+    if (!(away > Real{})) return {-reach, Real{}, Real{}, Real{}, Real{}, Real{}};
     const Vector<Real> normal = offset / away;
     const Real rate = dot(normal, velocity);
     const Real across = cross(normal, velocity);
-    return {away - reach, rate, across * across / away + dot(normal, acceleration)};
+    const Real lean = dot(normal, acceleration);
+    return {away - reach, rate, across * across / away + lean, lean, length(velocity), away};
+}
+
+// Where the acceleration itself changes, what it is now says nothing of what it will be.
+template <typename Real>
+Gap<Real> without_lean(Gap<Real> gap, bool is_constant) {
+    if (!is_constant) gap.distance = Real{};
+    return gap;
 }
 
 template <typename Real>
@@ -53,7 +62,8 @@ std::optional<Real> point_closing(const EventPath<Real>& path, const Vector<Real
                                   const Real& end) {
     const Real last = last_moment(path, field, end);
     const Real pull = most_acceleration(path, field, path.time);
-    const auto limits = tolerance(path.position, reach, length(path.velocity), pull, small);
+    const auto limits =
+        tolerance(path.position, reach, length(path.velocity), pull, small, field.pressing);
     if (!(pull > Real{}) && is_parabola(path, field)) {
         const Vector<Real> offset = path.position - point;
         const Real closing = -dot(offset, path.velocity);
@@ -73,8 +83,9 @@ std::optional<Real> point_closing(const EventPath<Real>& path, const Vector<Real
     return first_closing<Real>(
         [&](const Real& time) {
             const BallState<Real> state = state_at(path, field, time);
-            return gap_of(state.position - point, state.velocity,
-                          acceleration_at(path, field, state.velocity), reach);
+            return without_lean(gap_of(state.position - point, state.velocity,
+                                       acceleration_at(path, field, state.velocity), reach),
+                                is_parabola(path, field));
         },
         path.time, last, pull, limits);
 }
@@ -98,7 +109,7 @@ std::optional<Real> side_closing(const EventPath<Real>& path, const Edge<Real>& 
     std::optional<Real> found;
     if (is_parabola(path, field)) {
         auto limits = tolerance(path.position, reach, length(path.velocity),
-                                bend < zero ? -bend : zero, radius);
+                                bend < zero ? -bend : zero, radius, field.pressing);
         limits.touch += rounding_at(offset, reach);
         const Real gap = height - reach;
         if (!(gap < -limits.touch)) {
@@ -118,7 +129,8 @@ std::optional<Real> side_closing(const EventPath<Real>& path, const Edge<Real>& 
     } else {
         const Real last = last_moment(path, field, end);
         const Real pull = most_acceleration(path, field, path.time);
-        const auto limits = tolerance(path.position, reach, length(path.velocity), pull, radius);
+        const auto limits =
+            tolerance(path.position, reach, length(path.velocity), pull, radius, field.pressing);
         found = first_closing<Real>(
             [&](const Real& time) -> Gap<Real> {
                 const BallState<Real> state = state_at(path, field, time);
@@ -200,11 +212,18 @@ std::optional<Real> ball_closing(const EventPath<Real>& a, const EventPath<Real>
         const Real away = length(offset);
         const Real gap = away - reach;
         if (gap <= rounding_at(a.position, reach)) {
+            const Real rate = closing / away;
             const Real noise =
                 Real(impact_noise<Real>) * (length(a.velocity) + length(b.velocity) +
-                                            length(a.acceleration) * (since_a + since_b));
-            return closing > noise * away && begin <= end ? std::optional<Real>(begin)
-                                                          : std::nullopt;
+                                            length(a.acceleration) * (since_a + since_b)) +
+                Real(pressing_noise) * square_root(field.pressing * small);
+            if (!(rate > noise) || end < begin) return std::nullopt;
+            // In a heap what closes slowly may sink in by a hair before it counts.
+            const Real hair = Real(lively_rise) * small;
+            const Real slow = square_root(Real(2.0) * field.pressing * hair);
+            if (!(rate < slow) || !(-hair < gap)) return begin;
+            const Real time = begin + (gap + hair) / rate;
+            return time <= end ? std::optional<Real>(time) : std::nullopt;
         }
         // Both terms of the denominator are positive, so nothing cancels.
         const Real time = begin + gap * (away + reach) / (closing + square_root(discriminant));
@@ -218,15 +237,18 @@ std::optional<Real> ball_closing(const EventPath<Real>& a, const EventPath<Real>
     const auto look = [&](const Real& time) {
         const BallState<Real> at_a = state_at(a, field, time);
         const BallState<Real> at_b = state_at(b, field, time);
-        return gap_of(
-            at_a.position - at_b.position - shift, at_a.velocity - at_b.velocity,
-            acceleration_at(a, field, at_a.velocity) - acceleration_at(b, field, at_b.velocity),
-            reach);
+        return without_lean(
+            gap_of(
+                at_a.position - at_b.position - shift, at_a.velocity - at_b.velocity,
+                acceleration_at(a, field, at_a.velocity) - acceleration_at(b, field, at_b.velocity),
+                reach),
+            is_parabola(a, field) && is_parabola(b, field));
     };
     const bool one_rests = a.motion == Motion::resting || b.motion == Motion::resting;
-    return first_closing<Real>(look, begin, last, pull,
-                               tolerance(a.position, reach, length(a.velocity) + length(b.velocity),
-                                         pull, small, one_rests ? resting_rise : lively_rise));
+    return first_closing<Real>(
+        look, begin, last, pull,
+        tolerance(a.position, reach, length(a.velocity) + length(b.velocity), pull, small,
+                  field.pressing, one_rests ? resting_rise : lively_rise));
 }
 
 template <typename Real>
@@ -271,8 +293,9 @@ std::optional<Real> hand_closing(const EventPath<Real>& path, const MovingEdge<R
         const Vector<Real> surface = from + (to - from) * contact.place;
         return {contact.gap, dot(contact.normal, state.velocity - surface), zero};
     };
-    return first_closing<Real>(look, begin, last, pull,
-                               tolerance(now.position, radius, speed, pull, radius));
+    return first_closing<Real>(
+        look, begin, last, pull,
+        tolerance(now.position, radius, speed, pull, radius, field.pressing));
 }
 
 #define CAROM_FOR(Real)                                                                           \

@@ -22,6 +22,10 @@ inline constexpr double lively_rise = 1e-5;
 template <typename Real>
 inline constexpr double impact_noise = 1024.0 * precision<Real>;
 
+/// The same where balls come to be pressed together: a share of the speed that gravity gives in a
+/// fall through a radius.
+inline constexpr double pressing_noise = 8e-10;
+
 /// A capsule in another number type.
 template <typename Real>
 struct Edge {

@@ -14,6 +14,7 @@ Field<Real> field_of(const Model& model) {
     field.gravity = Vector<Real>(model.gravity.value_or(Vec2{}));
     field.has_drag = model.drag.has_value();
     field.drag = Real(model.drag.value_or(0.0));
+    if (model.lossy) field.pressing = length(field.gravity);
     return field;
 }
 

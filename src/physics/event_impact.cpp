@@ -306,7 +306,13 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
                 inverse += impact_bodies_[touch.contact.b].inverse_mass;
             }
             if (!(inverse > Real{})) continue;
-            const Real rounding = Real(approach_noise<Real>) * speeds;
+            const Real small =
+                touch.kind == Kind::ball_ball
+                    ? std::min(radius(bodies_[touch.contact.a].ball), radius(touch.other))
+                    : radius(bodies_[touch.contact.a].ball);
+            const Real rounding =
+                Real(approach_noise<Real>) * speeds +
+                Real(0.125 * pressing_noise) * square_root(field_.pressing * small);
             const Real slow = round == 0 && i == 0 ? Real{} : pressing_speed(touch);
             if (approach_of<Real>(touch.contact, impact_bodies_) > std::max(rounding, slow))
                 approaching.push_back(i);
@@ -410,10 +416,16 @@ void EventEngine<Real>::part_pressed() {
         if (!(touch.gap < Real(-0.5 * lively_rise) * small)) continue;
         const auto share = [&](const Body& body, std::uint32_t index, const Vector<Real>& way) {
             if (!body.is_changed || paths_[body.ball].motion != Motion::free) return Real{};
-            for (const Touch& edge : touches_)  // never into an edge
-                if (edge.kind != Kind::ball_ball && edge.contact.a == index &&
-                    dot(edge.contact.normal, way) < Real{})
-                    return Real{};
+            const Vector<Real> there = body.position - way * touch.gap;
+            bool is_barred = false;  // never into an edge
+            for_each_edge_near(body.ball, [&](std::uint32_t capsule, Vec2 shift, int, int) {
+                const Edge<Real> edge(world_->capsules.shape[capsule], shift);
+                const Real size = radius(body.ball);
+                const Real gap = contact_with(edge, there, size).gap;
+                is_barred = is_barred ||
+                            (gap < Real{} && gap < contact_with(edge, body.position, size).gap);
+            });
+            if (is_barred) return Real{};
             return impact_bodies_[index].inverse_mass;
         };
         const Real ours = share(a, touch.contact.a, touch.contact.normal);

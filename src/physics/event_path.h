@@ -37,6 +37,8 @@ struct Field {
     Vector<Real> gravity;
     Real drag{};  ///< 1/s; 0: none
     bool has_drag = false;
+    /// Gravity's length where impacts lose energy, so that balls come to be pressed together; or 0.
+    Real pressing{};
 };
 
 /// Where the ball is at `time`, and how fast. Pre: time >= path.time, and for Motion::turning no

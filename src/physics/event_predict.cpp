@@ -205,7 +205,9 @@ std::optional<Real> EventEngine<Real>::end_of_turn(std::uint32_t ball) const {
             const auto before = [&](const Vector<Real>& there) {
                 return is_left_turn ? cross(there, normal) : cross(normal, there);
             };
-            if (!(before(first.normal) > zero) || !(dot(first.normal, normal) > zero)) continue;
+            // A side that begins here is behind, or it would carry the ball now.
+            const Real here = Real(2.0 * touching) * radius(ball) / first.radius;
+            if (!(before(first.normal) > here) || !(dot(first.normal, normal) > zero)) continue;
             shorten([&](const Real& time) { return before(turn_at(path, field_, time).normal); });
         }
     });
