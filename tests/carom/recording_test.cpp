@@ -25,7 +25,8 @@ struct Folder : TemporaryFolder {
     std::string walls = file("walls.txt", "edge r=1  0,0  40,0  40,30  0,30  close\n");
 
     std::string record(const std::vector<std::string>& options) const {
-        std::vector<std::string> arguments{"run", level_file, "--record", path("a.replay")};
+        std::vector<std::string> arguments{"run",      level_file, "--record", path("a.replay"),
+                                           "--solver", "swept"};
         arguments.insert(arguments.end(), options.begin(), options.end());
         REQUIRE(run_carom(arguments).exit_code == 0);
         return content(path("a.replay"));

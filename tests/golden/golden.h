@@ -4,7 +4,7 @@
 #include <vector>
 
 /// The fingerprints that must be the same with every compiler, with every option and on every
-/// machine. Needs nothing above src/level, so that it can be built for machines without a terminal.
+/// machine. Needs nothing above src/game, so that it can be built for machines without a terminal.
 namespace carom::test {
 
 /// "LEVEL SOLVER TICKS FINGERPRINT" for every level of the folder under every solver, in order.
@@ -12,5 +12,9 @@ namespace carom::test {
 /// "LEVEL: " and what is wrong with it, which is in no file of golden lines.
 std::vector<std::string> fingerprint_lines(const std::string& folder,
                                            const std::vector<std::string>& names = {});
+
+/// "FILE TICKS FINGERPRINT" for every recording (*.replay) of the folder, played to its end: what
+/// players do gives the same bits too. One that cannot be read or played gives "FILE: " and why.
+std::vector<std::string> replay_lines(const std::string& folder);
 
 }  // namespace carom::test
