@@ -147,19 +147,21 @@ void Session::forget_marks_from(std::uint64_t tick) {
         marks_.pop_back();
 }
 
-void Session::advance() {
+// False: the tick was given up.
+bool Session::advance() {
     mark();
-    solver_.tick(world_);
+    outcome_ = solver_.tick(world_, keep_going_);
+    if (outcome_ == TickOutcome::given_up) return false;
     contacts_.assign(solver_.contacts().begin(), solver_.contacts().end());
     latest_ = std::max(latest_, world_.tick);
     obey_log_of_this_tick();
+    return true;
 }
 
 bool Session::step_forward() {
     if (is_at_end()) return false;
     if (world_.tick % History::spacing == 0) history_.keep(world_, solver_.settings());
-    advance();
-    return true;
+    return advance();
 }
 
 bool Session::step_back() {
@@ -171,15 +173,15 @@ bool Session::go_to(std::uint64_t tick) {
     const Snapshot* nearest = tick > 0 ? history_.at_or_before(tick - 1) : nullptr;
     const bool forward_is_shorter =
         tick >= world_.tick && (!nearest || nearest->world.tick <= world_.tick);
-    if (!forward_is_shorter) restore(tick);
+    if (!forward_is_shorter && !restore(tick)) return false;
     while (world_.tick < tick && step_forward()) {
     }
     return world_.tick == tick;
 }
 
 // From the last snapshot before the tick, not at it: the last tick is computed again, so that its
-// contacts are known.
-void Session::restore(std::uint64_t tick) {
+// contacts are known. False: a tick was given up, and the present is before it.
+bool Session::restore(std::uint64_t tick) {
     const Snapshot* from = tick > earliest() ? history_.at_or_before(tick - 1) : nullptr;
     contacts_.clear();
     if (from) {
@@ -198,8 +200,9 @@ void Session::restore(std::uint64_t tick) {
     while (world_.tick < tick) {
         if (tick - world_.tick <= dense || world_.tick % History::spacing == 0)
             history_.keep(world_, solver_.settings());
-        advance();
+        if (!advance()) return false;
     }
+    return true;
 }
 
 bool Session::step_to_collision(std::uint64_t limit) {

@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "game/command.h"
@@ -49,11 +51,12 @@ class Session {
     std::optional<std::string> apply(const Command& command);
 
     /// One tick forward. Behind latest(), this replays the commands that follow. False, and nothing
-    /// happens, only at the end of what is followed.
+    /// happens, only at the end of what is followed, and where the tick was given up.
     bool step_forward();
     /// One tick back, to exactly the state that was. False at the start, or where the memory ends.
     bool step_back();
-    /// Goes to a tick in earliest()..latest() by the shortest way; false when it is outside.
+    /// Goes to a tick in earliest()..latest() by the shortest way; false when it is outside, and
+    /// where a tick on the way was given up: the present is then before it.
     bool go_to(std::uint64_t tick);
     /// Forward to the first tick in which two bodies meet that did not meet in the tick before;
     /// at most `limit` ticks. False when there was none in them.
@@ -61,6 +64,11 @@ class Session {
     /// Goes back to just before the last gesture at or before the present (all of a drag counts as
     /// one) and forgets it with all that followed. False when there is nothing left to undo.
     bool undo();
+
+    /// Asked now and then within a long tick, wherever one is computed; false gives it up.
+    void set_keep_going(std::function<bool()> keep_going) { keep_going_ = std::move(keep_going); }
+    /// How the last tick that was begun ended.
+    TickOutcome outcome() const { return outcome_; }
 
     /// The earliest tick that can be gone back to, and the latest that has been reached.
     std::uint64_t earliest() const { return base_ ? base_->world.tick : 0; }
@@ -98,10 +106,10 @@ class Session {
     std::size_t snapshot_count() const { return history_.size(); }
 
   private:
-    void advance();
+    bool advance();
     void obey_now(const Command& command);
     void obey_log_of_this_tick();
-    void restore(std::uint64_t tick);
+    bool restore(std::uint64_t tick);
     void forget_future();
     void log(const Command& command);
     void bound_log();
@@ -115,6 +123,8 @@ class Session {
     Solver solver_;
     World world_;
     std::vector<Contact> contacts_;
+    std::function<bool()> keep_going_;
+    TickOutcome outcome_ = TickOutcome::done;
 
     /// Where the way back ends, before the commands of log_ at its tick; none: the scene itself.
     std::optional<Snapshot> base_;

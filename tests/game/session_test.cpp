@@ -340,3 +340,41 @@ TEST_CASE("balls that change places in a pause can be placed again in the order 
     CHECK_FALSE(again.fault());
     CHECK(fingerprint(again.world()) == fingerprint(session.world()));
 }
+
+TEST_CASE("a long tick that is given up has not happened, and can be begun again") {
+    Scene scene = busy_box();
+    scene.world.rate = 1.0;
+    for (Vec2& velocity : scene.world.balls.velocity)
+        velocity *= 200.0;
+    const SolverSettings event{.kind = SolverKind::event};
+    Session session(scene, event);
+    const std::uint64_t start = fingerprint(session.world());
+    int asked = 0;
+    session.set_keep_going([&] {
+        ++asked;
+        return false;
+    });
+    CHECK_FALSE(session.step_forward());
+    CHECK(asked == 1);
+    CHECK(session.outcome() == TickOutcome::given_up);
+    CHECK(fingerprint(session.world()) == start);
+    CHECK(session.latest() == 0);
+    CHECK_FALSE(session.step_to_collision(10));
+
+    Session patient(scene, event);
+    session.set_keep_going({});
+    for (int i = 0; i < 3; ++i) {
+        CHECK(session.step_forward());
+        CHECK(patient.step_forward());
+    }
+    CHECK(session.outcome() == TickOutcome::done);
+    CHECK(fingerprint(session.world()) == fingerprint(patient.world()));
+
+    // On the way back, too: the present is then before the tick that was asked for.
+    session.set_keep_going([] { return false; });
+    CHECK_FALSE(session.go_to(2));
+    CHECK(session.world().tick < 2);
+    session.set_keep_going({});
+    CHECK(session.go_to(3));
+    CHECK(fingerprint(session.world()) == fingerprint(patient.world()));
+}
