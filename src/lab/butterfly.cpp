@@ -1,6 +1,11 @@
 #include "lab/butterfly.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "lab/difference.h"
 #include "lab/nudge.h"
+#include "physics/cell_frame.h"
 
 namespace carom {
 namespace {
@@ -22,9 +27,45 @@ Butterfly::Butterfly(const World& start, const SolverSettings& solver,
         nudge(copies_[i], settings.size, settings.seed, i);
 }
 
-void Butterfly::step() {
+bool Butterfly::step(const std::function<bool()>& may_go_on,
+                     const std::function<bool()>& keep_going) {
+    while (next_ < copies_.size()) {
+        if (solver_.tick(copies_[next_], keep_going) == TickOutcome::given_up) return false;
+        ++next_;
+        if (next_ < copies_.size() && may_go_on && !may_go_on()) return false;
+    }
+    next_ = 0;
+    return true;
+}
+
+void Butterfly::obey(const Command& command) {
+    if (const auto* change = std::get_if<command::SetSolver>(&command))
+        solver_ = Solver(change->settings);
     for (World& world : copies_)
-        solver_.tick(world);
+        if (!refusal(world, command)) carom::obey(world, command);
+}
+
+double Butterfly::spread() const {
+    const Balls& first = copies_.front().balls;
+    const std::optional<Vec2> torus = torus_of(copies_.front());
+    std::vector<double> sum(first.size(), 0.0);
+    std::vector<double> count(first.size(), 0.0);
+    for (std::size_t copy = 1; copy < copies_.size(); ++copy) {
+        const Balls& balls = copies_[copy].balls;
+        std::size_t j = 0;
+        for (std::size_t i = 0; i < first.size(); ++i) {
+            while (j < balls.size() && balls.id[j] < first.id[i])
+                ++j;
+            if (j == balls.size() || balls.id[j] != first.id[i]) continue;
+            const Vec2 apart = balls.position[j] - first.position[i];
+            sum[i] += length_squared(torus ? nearest_image(apart, *torus) : apart);
+            count[i] += 1.0;
+        }
+    }
+    double most = 0.0;
+    for (std::size_t i = 0; i < first.size(); ++i)
+        if (count[i] > 0.0) most = std::max(most, std::sqrt(sum[i] / count[i]) / first.radius[i]);
+    return most;
 }
 
 Density density(std::span<const World> copies, const Box& view, std::size_t columns,

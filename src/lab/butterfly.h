@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "game/command.h"
 #include "physics/solver.h"
 #include "physics/world.h"
 
@@ -23,16 +25,26 @@ class Butterfly {
     /// Copy 0 is `start` itself; the others are nudged (lab/nudge.h).
     Butterfly(const World& start, const SolverSettings& solver, const ButterflySettings& settings);
 
-    /// A tick of every copy.
-    void step();
+    /// A tick of every copy. `may_go_on` is asked between copies, `keep_going` within long ticks.
+    /// Where one of them says no, the next call goes on where this one has stopped: false is
+    /// returned.
+    bool step(const std::function<bool()>& may_go_on = {},
+              const std::function<bool()>& keep_going = {});
+    /// Every copy obeys, but those where it makes no sense any more. Pre: the last step() was true.
+    void obey(const Command& command);
 
-    /// The worlds, whose balls are where they are in each copy.
+    /// The worlds, whose balls are where they are in each copy. Where step() was false, some are a
+    /// tick ahead.
     std::span<const World> copies() const { return copies_; }
     double time() const { return copies_.front().time(); }
+    /// How far the copies of one ball are from the first copy's, root mean square, in its radii; of
+    /// the ball whose copies are furthest. 0 where there is only one copy, or there are no balls.
+    double spread() const;
 
   private:
     Solver solver_;
     std::vector<World> copies_;
+    std::size_t next_ = 0;  ///< copy to be advanced
 };
 
 /// How many balls of all copies are in each cell of a grid.

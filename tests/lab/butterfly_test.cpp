@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "lab/difference.h"
@@ -82,4 +83,49 @@ TEST_CASE("the density counts every ball that is in view once") {
     CHECK(density(copies, view, 8, 4, BallId{1}).at(7, 0) == 3);
     CHECK(sum(density(copies, view, 8, 4, BallId{9})) == 0);
     CHECK(sum(density(copies, {{0, 0}, {39.9, 39.9}}, 8, 4)) == 3);
+}
+
+TEST_CASE("a step that is interrupted goes on where it stopped, to the same bits") {
+    const World start = pegs_and_ball();
+    Butterfly at_once(start, {}, {.copies = 10, .size = 1e-6, .seed = 5});
+    Butterfly in_bits(start, {}, {.copies = 10, .size = 1e-6, .seed = 5});
+    for (int i = 0; i < 50; ++i) {
+        CHECK(at_once.step());
+        int asked = 0;
+        while (!in_bits.step([&] { return ++asked % 3 != 0; })) {
+        }
+        CHECK(asked == 9);
+    }
+    for (std::size_t i = 0; i < 10; ++i)
+        CHECK(fingerprint(at_once.copies()[i]) == fingerprint(in_bits.copies()[i]));
+}
+
+TEST_CASE("the spread is the root mean square distance of the worst ball, in its radii") {
+    World start = pegs_and_ball();
+    start.balls.radius[1] = 0.5;
+    const Butterfly butterfly(start, {}, {.copies = 5, .size = 1e-3, .seed = 5});
+    double most = 0.0;
+    for (std::size_t ball = 0; ball < 2; ++ball) {
+        double sum = 0.0;
+        for (const World& copy : butterfly.copies())
+            sum += length_squared(copy.balls.position[ball] - start.balls.position[ball]);
+        most = std::max(most, std::sqrt(sum / 4.0) / start.balls.radius[ball]);
+    }
+    CHECK(butterfly.spread() == doctest::Approx(most).epsilon(1e-12));
+    CHECK(Butterfly(start, {}, {.copies = 1}).spread() == 0.0);
+}
+
+TEST_CASE("every copy obeys, and changes its solver") {
+    const World start = pegs_and_ball();
+    Butterfly butterfly(start, {}, {.copies = 3});
+    butterfly.obey(command::RemoveBall{BallId{0}});
+    butterfly.obey(command::SetSolver{{.kind = SolverKind::discrete}});
+    World alone = butterfly.copies()[2];
+    CHECK(alone.balls.size() == 1);
+    Solver solver({.kind = SolverKind::discrete});
+    for (int i = 0; i < 300; ++i) {
+        butterfly.step();
+        solver.tick(alone);
+    }
+    CHECK(fingerprint(alone) == fingerprint(butterfly.copies()[2]));
 }
