@@ -210,14 +210,23 @@ std::string verdicts(const Scene& scene, const RunRecord& record, Verdict verdic
 }
 
 std::string explanation(const Scene& scene) {
-    std::string text = "model   ";
-    const std::vector<std::string> terms = terms_in_force(scene.world.model);
-    text += terms.empty() ? "elastic, frictionless, weightless discs"
-                          : fmt::format("{}", fmt::join(terms, "\n        "));
-    const SolverPick pick = pick_solver(scene.world);
-    const SolverSettings solver = scene.solver ? *scene.solver : pick.settings;
-    return text + fmt::format("\nsolver  {}: {}\nrate    {} ticks a second\n", written(solver),
-                              scene.solver ? "asked for" : pick.reason, scene.world.rate);
+    return explanation(scene.world.model, scene.world.rate, pick_solver(scene.world), scene.solver);
+}
+
+std::string explanation(const Model& model, double rate, const SolverPick& pick,
+                        const std::optional<SolverSettings>& asked_for) {
+    const std::vector<std::string> terms = terms_in_force(model);
+    const std::string model_text = terms.empty()
+                                       ? "elastic, frictionless, weightless discs"
+                                       : fmt::format("{}", fmt::join(terms, "\n        "));
+    const std::string picked = fmt::format("{}: {}", written(pick.settings), pick.reason);
+    const std::string solver_text =
+        asked_for
+            ? fmt::format("solver  {}: asked for\nauto    would take {}", written(*asked_for),
+                          picked)
+            : fmt::format("solver  {}, taken by auto: {}", written(pick.settings), pick.reason);
+    return fmt::format("model   {}\n{}\nrate    {} ticks a second\n", model_text, solver_text,
+                       rate);
 }
 
 }  // namespace carom

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,5 +26,9 @@ std::string verdicts(const Scene& scene, const RunRecord& record, Verdict verdic
 
 /// What `--explain` prints: the terms of the model in force, and the solver with the reason why.
 std::string explanation(const Scene& scene);
+/// The same of a game: `pick` is what `auto` takes for it, `asked_for` what the level or the player
+/// wants instead.
+std::string explanation(const Model& model, double rate, const SolverPick& pick,
+                        const std::optional<SolverSettings>& asked_for);
 
 }  // namespace carom

@@ -141,7 +141,7 @@ TEST_CASE("the summary and the verdicts are for people") {
             "expect a.x 1 within 0 at=5\n",
             32);
     const std::string text = summary(finished.scene, finished.world, finished.record, 0.25);
-    CHECK(has(text, "A test\n0.5 s simulated in 32 ticks by swept"));
+    CHECK(has(text, "A test\n0.5 s simulated in 32 ticks by event"));
     CHECK(verdicts(finished.scene, finished.record, Verdict::holds) ==
           "test.level:4: holds: expect a.x 0.5 within 1e-12: it is 0.5\n");
     CHECK(verdicts(finished.scene, finished.record, Verdict::fails) ==
@@ -151,9 +151,12 @@ TEST_CASE("the summary and the verdicts are for people") {
 }
 
 TEST_CASE("the explanation names the terms and the solver") {
-    CHECK(explanation(load("ball a at=0,0\n")).starts_with("model   elastic, frictionless"));
+    const std::string picked = explanation(load("ball a at=0,0\n"));
+    CHECK(picked.starts_with("model   elastic, frictionless"));
+    CHECK(has(picked, ", taken by auto: "));
+    CHECK(has(picked, "rate    120 ticks a second\n"));
     const std::string text =
         explanation(load("solver discrete\nuse gravity 0,-2\nuse drag 1\nball a at=0,0\n"));
     CHECK(has(text, "model   gravity 0,-2\n        drag 1\n"));
-    CHECK(has(text, "solver  discrete: asked for\nrate    120 ticks a second\n"));
+    CHECK(has(text, "solver  discrete: asked for\nauto    would take "));
 }
