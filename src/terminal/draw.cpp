@@ -69,8 +69,10 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
         memory.trails = {};
     }
     paint_zones(raster, view);
+    // A cloud is wider than its balls, and would hide the walls that it leans on.
+    if (!marks.copies.empty()) paint_cloud(raster, view);
     paint_edges(raster, view);
-    paint_balls(raster, view);
+    if (marks.copies.empty()) paint_balls(raster, view);
     paint_velocities(raster, view);
     paint_contacts(raster, view, contacts);
     paint_marks(raster, view);

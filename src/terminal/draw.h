@@ -80,6 +80,9 @@ struct Marks {
     std::optional<Capsule> new_capsule;  ///< while an edge is being drawn
     std::vector<Vec2> path;              ///< a line of dots, such as a predicted path
     std::optional<CellGrid> broad_phase;
+    /// Copies of the world: their balls are drawn in place of its own, as a density.
+    std::span<const World> copies;
+    std::optional<Vec2> parting;  ///< where a ball and its twin in another picture parted
 };
 
 /// What a picture remembers of those before it. One for each view; start with a fresh one for each

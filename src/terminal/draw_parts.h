@@ -45,6 +45,7 @@ void paint_grid(Raster& raster, const View& view);
 void paint_zones(Raster& raster, const View& view);
 void paint_edges(Raster& raster, const View& view);
 void paint_balls(Raster& raster, const View& view);
+void paint_cloud(Raster& raster, const View& view);
 void paint_velocities(Raster& raster, const View& view);
 void paint_contacts(Raster& raster, const View& view, std::span<const Contact> contacts);
 void paint_marks(Raster& raster, const View& view);

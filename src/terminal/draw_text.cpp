@@ -142,7 +142,8 @@ void write_labels(Canvas& canvas, const View& view) {
     const Labels labels = view.options.labels;
     const bool is_wanted =
         labels == Labels::all || (labels == Labels::automatic && !view.options.look.has_colors());
-    if (!is_wanted) return;
+    const bool is_cloud = !view.marks.copies.empty();
+    if (!is_wanted || (is_cloud && labels != Labels::all)) return;
     const Balls& balls = view.world.balls;
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const double radius = balls.radius[i] * view.camera.columns_per_length;
@@ -180,6 +181,14 @@ void write_marks(Canvas& canvas, const View& view) {
             const Ink ink = ink_of(Role::selected, look);
             write_at_point(canvas, view, shape.start, "O", ink);
             write_at_point(canvas, view, shape.end, "O", ink);
+        }
+    }
+    if (marks.parting) {
+        if (auto at = cell_of(view.camera, *marks.parting)) {
+            Ink ink = ink_of(Role::error, look);
+            ink.attributes |= bold | reverse;
+            --at->column;
+            write_within(canvas, view.camera.area, *at, look.utf8 ? "›×‹" : ">X<", ink);
         }
     }
     if (marks.cue) {

@@ -113,6 +113,8 @@ std::vector<Field> play_fields(const HudInfo& info, const Look& look) {
     fields.push_back({"tick", padded(std::move(tick), 7), text, 5});
     fields.push_back({"", info.solver + (info.solver_is_picked ? " (auto)" : ""),
                       ink_of(Role::strong, look), 2});
+    if (info.solver_is_picked && !info.reason.empty())
+        fields.push_back({"", info.reason, ink_of(Role::faint, look), 9});
     const bool is_late = !info.is_paused && info.ticks_per_second < 0.9 * info.rate * info.speed;
     fields.push_back({"", fmt::format("{:>5.0f}/{:.0f} ticks/s", info.ticks_per_second, info.rate),
                       is_late ? ink_of(Role::warning, look) : text, 3});
@@ -124,6 +126,7 @@ std::vector<Field> play_fields(const HudInfo& info, const Look& look) {
 std::vector<Field> physics_fields(const HudInfo& info, const Look& look) {
     const Ink text = ink_of(Role::text, look);
     std::vector<Field> fields;
+    if (!info.beside.empty()) fields.push_back({"", info.beside, ink_of(Role::warning, look), -1});
     int rank = 1;
     bool has_collisions = false;
     for (const HudCheck& check : info.checks) {
@@ -230,6 +233,12 @@ void draw_hints(const Bar& bar, const HudInfo& info) {
         const Role role = info.message_is_error ? Role::error : Role::warning;
         const int columns = bar.canvas.columns() - 2;
         bar.write(1, cut_to(info.message, columns), ink_of(role, bar.look));
+        return;
+    }
+    // There is no other line for it.
+    if (hud_rows(bar.canvas.columns(), bar.canvas.rows()) == 2 && !info.beside.empty()) {
+        bar.write(1, cut_to(info.beside, bar.canvas.columns() - 2),
+                  ink_of(Role::warning, bar.look));
         return;
     }
     int column = 1;

@@ -32,7 +32,9 @@ struct HudInfo {
     std::string title;
     std::string solver;             ///< with its settings, as "substep 4x15"
     bool solver_is_picked = false;  ///< by carom, not by level or player
-    double time = 0.0;              ///< s
+    std::string reason;             ///< why it was picked; shown where there is room
+    std::string beside;  ///< what runs beside the game, and how it compares; may be empty
+    double time = 0.0;   ///< s
     std::uint64_t tick = 0;
     std::uint64_t latest_tick = 0;   ///< more than `tick` after a step back
     double ticks_per_second = 0.0;   ///< really run, measured

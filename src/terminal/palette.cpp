@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace carom {
 
@@ -48,14 +49,25 @@ Rgb rgb_of(int color) {
     return {step(i / 36), step(i / 6 % 6), step(i % 6)};
 }
 
-Color nearest_color(const Rgb& wanted) {
+// How far a colour's hue and its strength are off: the distance of what is left without the grey.
+int tint_error(const Rgb& a, const Rgb& b) {
+    const int red = a.red - b.red;
+    const int green = a.green - b.green;
+    const int blue = a.blue - b.blue;
+    const int grey = (red + green + blue) / 3;
+    const auto square = [](int x) { return x * x; };
+    return square(red - grey) + square(green - grey) + square(blue - grey);
+}
+
+// `tint_weight`: how much more a wrong hue counts than a wrong brightness.
+Color nearest_color(const Rgb& wanted, int tint_weight) {
     const auto square = [](int x) { return x * x; };
     int nearest = first_of_cube;
-    int least = 3 * 256 * 256;
+    int least = std::numeric_limits<int>::max();
     for (int color = first_of_cube; color < 256; ++color) {
         const Rgb have = rgb_of(color);
         const int error = square(have.red - wanted.red) + square(have.green - wanted.green) +
-                          square(have.blue - wanted.blue);
+                          square(have.blue - wanted.blue) + tint_weight * tint_error(have, wanted);
         if (error < least) {
             least = error;
             nearest = color;
@@ -64,22 +76,39 @@ Color nearest_color(const Rgb& wanted) {
     return static_cast<Color>(nearest);
 }
 
+// A share of the colour on black, or on white.
+Color mixed(int color, int percent, bool light_background, int tint_weight) {
+    const Rgb full = rgb_of(color);
+    const int white = light_background ? 255 * (100 - percent) : 0;
+    const auto mix = [&](int channel) { return (channel * percent + white) / 100; };
+    return nearest_color({mix(full.red), mix(full.green), mix(full.blue)}, tint_weight);
+}
+
 using ShadeTable = std::array<std::array<Color, 3>, 256>;
 
-// A share of the colour on black, or on white.
 ShadeTable make_shades(bool light_background) {
     constexpr std::array<int, 3> percent = {22, 48, 74};
     ShadeTable table{};
     for (int color = 0; color < 256; ++color) {
-        const Rgb full = rgb_of(color);
-        for (std::size_t level = 0; level < 3; ++level) {
-            const int share = percent[level];
-            const int white = light_background ? 255 * (100 - share) : 0;
-            const auto mix = [&](int channel) { return (channel * share + white) / 100; };
+        for (std::size_t level = 0; level < 3; ++level)
             table[static_cast<std::size_t>(color)][level] =
-                nearest_color({mix(full.red), mix(full.green), mix(full.blue)});
-        }
+                mixed(color, percent[level], light_background, 0);
     }
+    return table;
+}
+
+// From nothing to all of the colour.
+constexpr int fade_steps = 10;
+// Neighbouring steps of another hue would look like another ball.
+constexpr int fade_tint_weight = 6;
+using FadeTable = std::array<std::array<Color, fade_steps + 1>, 256>;
+
+FadeTable make_fades(bool light_background) {
+    FadeTable table{};
+    for (int color = 0; color < 256; ++color)
+        for (int step = 0; step <= fade_steps; ++step)
+            table[static_cast<std::size_t>(color)][static_cast<std::size_t>(step)] =
+                mixed(color, 100 * step / fade_steps, light_background, fade_tint_weight);
     return table;
 }
 
@@ -211,6 +240,13 @@ Color shade(Color color, int level, const Look& look) {
     if (look.colors < 256 || level >= 3 || color < 0 || color > 255) return color;
     const ShadeTable& table = tables[look.light_background ? 1 : 0];
     return table[static_cast<std::size_t>(color)][static_cast<std::size_t>(std::max(level, 0))];
+}
+
+Color dimmed(Color color, double share, const Look& look) {
+    static const std::array<FadeTable, 2> tables = {make_fades(false), make_fades(true)};
+    if (look.colors < 256 || !(share < 1.0) || color < 0 || color > 255) return color;
+    const auto step = static_cast<std::size_t>(std::max(0.0, share) * fade_steps + 0.5);
+    return tables[look.light_background ? 1 : 0][static_cast<std::size_t>(color)][step];
 }
 
 }  // namespace carom

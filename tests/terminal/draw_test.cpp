@@ -550,3 +550,61 @@ TEST_CASE("a peg is a + in characters however small, and one pixel in half block
     CHECK(cells_that_are(canvas, U'▀') + cells_that_are(canvas, U'▄') == 1);
     CHECK(cells_that_are(canvas, U' ') == 41 * 11 - 1);
 }
+
+TEST_CASE("copies that are one are a solid ball, and scattered ones a cloud around them") {
+    Scene scene = table({{0.0, 0.0}, {40.0, 20.0}});
+    put_ball(scene, {20.0, 10.0}, 4.0);
+    std::vector<World> copies(100, scene.world);
+    Marks marks;
+    marks.copies = copies;
+    Drawing together(40, 10);
+    together.draw(scene, in(Renderer::ascii), marks);
+    CHECK(together.canvas.at(20, 5).glyph == U'@');
+    CHECK(together.canvas.at(5, 5).glyph == U' ');
+
+    for (std::size_t i = 0; i < copies.size(); ++i)
+        copies[i].balls.position[0].x = 8.0 + 24.0 * static_cast<double>(i) / 99.0;
+    marks.copies = copies;
+    Drawing apart(40, 10);
+    apart.draw(scene, in(Renderer::ascii), marks);
+    // A third of the copies cover the middle, few its ends.
+    CHECK(apart.canvas.at(20, 5).glyph == U'*');
+    CHECK(std::string_view(".:-").find(static_cast<char>(apart.canvas.at(6, 5).glyph)) !=
+          std::string_view::npos);
+    CHECK(apart.canvas.at(1, 5).glyph == U' ');
+
+    Drawing pixels(40, 10);
+    ViewOptions options = in(Renderer::half_blocks);
+    pixels.draw(scene, options, marks);
+    CHECK(pixels.canvas.at(20, 5).foreground != pixels.canvas.at(6, 5).foreground);
+    CHECK(pixels.canvas.at(6, 5).glyph != U' ');
+}
+
+TEST_CASE("a ball of one copy in two hundred is still seen, and one that is nowhere is not") {
+    Scene scene = table({{0.0, 0.0}, {40.0, 20.0}});
+    put_ball(scene, {20.0, 10.0}, 2.0);
+    std::vector<World> copies(200, scene.world);
+    copies[7].balls.position[0] = {5.0, 10.0};
+    copies[8].balls.position[0] = {std::numeric_limits<double>::quiet_NaN(), 10.0};
+    copies[9].balls.position[0] = {1e300, -1e300};
+    Marks marks;
+    marks.copies = copies;
+    for (const Renderer renderer : {Renderer::ascii, Renderer::half_blocks}) {
+        Drawing drawing(40, 10);
+        drawing.draw(scene, in(renderer), marks);
+        CHECK(drawing.canvas.at(5, 5).glyph != U' ');
+    }
+}
+
+TEST_CASE("the place of a parting is marked") {
+    Scene scene = table({{0.0, 0.0}, {40.0, 20.0}});
+    Marks marks;
+    marks.parting = Vec2{20.5, 9.0};
+    ViewOptions options = in(Renderer::ascii);
+    options.look = {0, false, false};
+    Drawing drawing(40, 10);
+    drawing.draw(scene, options, marks);
+    CHECK(drawing.text().find(">X<") != std::string::npos);
+    CHECK(drawing.canvas.at(20, 5).glyph == U'X');
+    CHECK((drawing.canvas.at(20, 5).attributes & reverse) != 0);
+}

@@ -196,3 +196,20 @@ TEST_CASE("without UTF-8 there is nothing but ASCII") {
         }
     }
 }
+
+TEST_CASE("the reason for the solver stands where there is room") {
+    HudInfo info = galton();
+    info.reason = "nothing passes through anything";
+    CHECK(drawn(info, 140, 24).find("swept (auto)  nothing passes through anything") !=
+          std::string::npos);
+    CHECK(drawn(info, 80, 24) == drawn(galton(), 80, 24));
+    info.solver_is_picked = false;
+    CHECK(drawn(info, 140, 24).find("nothing") == std::string::npos);
+}
+
+TEST_CASE("what runs beside the game stands first, in a window of any height") {
+    HudInfo info = galton();
+    info.beside = "parted at t=1.250, ball 5";
+    CHECK(drawn(info, 80, 24).find("\n parted at t=1.250, ball 5  KE 123.46") != std::string::npos);
+    CHECK(drawn(info, 40, 12).find("\n parted at t=1.250, ball 5\n") != std::string::npos);
+}
