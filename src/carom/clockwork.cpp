@@ -61,7 +61,7 @@ std::uint64_t Clockwork::advance(Session& session, double seconds, const MayGoOn
             break;
         }
         if (!session.step_forward()) {
-            pause(true);
+            if (session.is_at_end()) pause(true);
             break;
         }
         ++ticks;
@@ -85,6 +85,7 @@ std::uint64_t Clockwork::seek(Session& session, const MayGoOn& may_go_on) {
             seeking_ = 0;
             return ticks;
         }
+        if (session.outcome() == TickOutcome::given_up) return ticks;
         if (--seeking_ == 0) search_failed_ = true;
     } while (is_seeking() && may_go_on());
     return ticks;

@@ -10,6 +10,8 @@ namespace carom {
 
 /// Asked between ticks: whether there is time for another before the next frame.
 using MayGoOn = std::function<bool()>;
+/// Asked within a long tick: whether it may go on; see Session::set_keep_going.
+using KeepGoing = std::function<bool()>;
 
 class Clockwork {
   public:

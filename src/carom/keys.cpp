@@ -67,6 +67,9 @@ constexpr ActionRow rows[] = {
     {Action::pan_down, "pan-down", "shift-down J", "look down", "View"},
     {Action::fit, "fit", "0", "all of it", "View"},
     {Action::follow, "follow", "f", "follow the ball", "View"},
+    {Action::split, "split", "S", "beside it, another solver", "View"},
+    {Action::butterfly, "butterfly", "b", "200 copies, a hair apart", "View"},
+    {Action::explain, "explain", "i", "which solver, which terms, why", "View"},
 
     {Action::mouse, "mouse", "m", "give the mouse to the terminal", "Program"},
     {Action::take_up, "take-up", "R", "take up the game that was cut off", "Program"},

@@ -65,6 +65,9 @@ enum class Action : std::uint8_t {
     pan_down,
     fit,
     follow,
+    split,
+    butterfly,
+    explain,
     // program
     mouse,
     take_up,

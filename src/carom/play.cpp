@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
+#include <utility>
+#include <vector>
 
 #include "carom/files.h"
 #include "carom/print.h"
@@ -22,6 +25,8 @@ constexpr double share_of_ticks = 0.75;
 constexpr double longest_gap = 0.25;
 /// With nothing to do, so long, s.
 constexpr double longest_wait = 60.0;
+/// How often a long tick is interrupted to look for input, s.
+constexpr double look_interval = 0.01;
 
 double seconds_now() {
     using namespace std::chrono;
@@ -54,13 +59,47 @@ PreferencesText preferences_of_user() {
     return read_preferences(read_file(*path).text.value_or(""), *path);
 }
 
+/// Looks for input while a tick is computed, and keeps what came for when the tick is over or given
+/// up.
+class LookOut {
+  public:
+    LookOut(const Program& program, Screen& screen) : program_(program), screen_(screen) {}
+
+    /// Whether the tick may go on.
+    bool sees_nothing() {
+        const double now = seconds_now();
+        if (now >= next_look_) {
+            next_look_ = now + look_interval;
+            for (const InputEvent& event : screen_.wait(0.0)) {
+                ends_tick_ = ends_tick_ || program_.ends_tick(event);
+                seen_.push_back(event);
+            }
+        }
+        return !ends_tick_;
+    }
+    std::vector<InputEvent> take() {
+        ends_tick_ = false;
+        return std::exchange(seen_, {});
+    }
+
+  private:
+    const Program& program_;
+    Screen& screen_;
+    double next_look_ = 0.0;
+    bool ends_tick_ = false;
+    std::vector<InputEvent> seen_;
+};
+
 /// The loop: input, time, picture, and again. Returns when the program is over.
 void run(Program& program, Screen& screen, const PacingOptions& pacing_options) {
     Pacing pacing(pacing_options);
     const double frame = 1.0 / pacing_options.frames_per_second;
+    LookOut look_out(program, screen);
+    program.set_keep_going([&look_out] { return look_out.sees_nothing(); });
     program.set_capabilities(screen.capabilities());
     double last = seconds_now();
     bool input_came = true;
+    bool ticks_are_long = false;  // longer than frames, now
     while (!program.is_over()) {
         const double now = seconds_now();
         const double deadline = now + share_of_ticks * frame;
@@ -68,7 +107,13 @@ void run(Program& program, Screen& screen, const PacingOptions& pacing_options) 
         const bool is_stalled = pacing.is_stalled(now);
         const double passed = is_stalled ? 0.0 : std::min(now - last, longest_gap);
         last = now;
-        program.advance(passed, now, [&] { return seconds_now() < deadline; });
+        // Where the next tick may take long, what a key has done is shown before it.
+        const bool is_answer = input_came && std::exchange(ticks_are_long, false);
+        if (!is_answer) {
+            program.advance(passed, now, [&] { return seconds_now() < deadline; });
+            ticks_are_long = seconds_now() - now > frame;
+        }
+        std::vector<InputEvent> events = look_out.take();
 
         bool is_late = false;
         if (program.needs_draw() || is_stalled) {
@@ -88,17 +133,22 @@ void run(Program& program, Screen& screen, const PacingOptions& pacing_options) 
         const double before_wait = seconds_now();
         double wait = program.seconds_to_change(before_wait);
         if (wait < frame || is_late) wait = std::max(pacing.seconds_to_frame(before_wait), 0.001);
-        const std::vector<InputEvent> events = screen.wait(std::min(wait, longest_wait));
+        if (!events.empty()) wait = 0.0;
+        std::ranges::copy(screen.wait(std::min(wait, longest_wait)), std::back_inserter(events));
         pacing.answered(screen.frames_answered(), seconds_now());
-        for (const InputEvent& event : events) {
-            input_came = true;
-            if (event.kind == InputEvent::Kind::resize)
-                program.set_capabilities(screen.capabilities());
-            else
-                program.handle(event, seconds_now());
-            if (program.is_over()) break;
+        // What is done for one may take long, and more may come meanwhile.
+        for (; !events.empty() && !program.is_over(); events = look_out.take()) {
+            for (const InputEvent& event : events) {
+                input_came = true;
+                if (event.kind == InputEvent::Kind::resize)
+                    program.set_capabilities(screen.capabilities());
+                else
+                    program.handle(event, seconds_now());
+                if (program.is_over()) break;
+            }
         }
     }
+    program.set_keep_going({});
 }
 
 int play_here(const PlayOptions& options) {

@@ -34,6 +34,7 @@ Player::Player(Session session, const ViewOptions& view, KeyMap keys, bool solve
 Player Player::continued_with(Session session, bool solver_is_picked) const {
     Player next(std::move(session), view_, keys_, solver_is_picked);
     next.clockwork_ = clockwork_;
+    next.set_keep_going(keep_going_);
     next.mouse_is_off_ = mouse_is_off_;
     next.shows_cursor_ = shows_cursor_;
     if (next.session_.scene().view == session_.scene().view) {
@@ -71,8 +72,26 @@ void Player::pause(bool paused) {
     needs_draw_ = true;
 }
 
+void Player::set_keep_going(const KeepGoing& keep_going) {
+    keep_going_ = keep_going;
+    session_.set_keep_going(keep_going);
+}
+
+bool Player::ends_tick(const InputEvent& event) const {
+    using enum InputEvent::Action;
+    switch (event.kind) {
+        case InputEvent::Kind::mouse:
+            return event.action == press || event.action == release;
+        case InputEvent::Kind::key:
+            return event.action != release && keys_.action_of(key_of(event));
+        default:
+            return true;
+    }
+}
+
 double Player::seconds_to_change() const {
-    if (!stands_still() && !is_too_small_ && !shows_help_) return 0.0;
+    const bool is_idle = stands_still() && !is_ahead();
+    if (!is_idle && !is_too_small_ && page_ == Page::none) return 0.0;
     return message_seconds_ > 0.0 ? message_seconds_ : std::numeric_limits<double>::infinity();
 }
 
@@ -81,12 +100,17 @@ void Player::advance(double seconds, const MayGoOn& may_go_on) {
         message_seconds_ -= seconds;
         needs_draw_ = needs_draw_ || message_seconds_ <= 0.0;
     }
-    if (is_too_small_ || shows_help_) return;
-    if (stands_still()) return;
+    if (is_too_small_ || page_ != Page::none) return;
+    // What runs beside the game keeps up with it, or the game waits.
+    if (!keep_up(may_go_on) || stands_still()) return;
     const bool was_seeking = clockwork_.is_seeking();
     prepare();
+    keep_up(may_go_on);
     const bool was_at_end = session_.is_at_end();
-    if (clockwork_.advance(session_, seconds, may_go_on) > 0) needs_draw_ = true;
+    const auto both_may_go_on = [&] { return keep_up(may_go_on) && may_go_on(); };
+    if (clockwork_.advance(session_, seconds, both_may_go_on) > 0) needs_draw_ = true;
+    keep_up(may_go_on);
+    tell_outcome();
     if (was_seeking && !clockwork_.is_seeking()) {
         if (session_.is_at_end())
             say("nothing meets any more: the recording ends here");
@@ -133,8 +157,8 @@ Wish Player::perform(Action action) {
         case Action::take_up:
             return Wish::take_up;
         case Action::help:
-            shows_help_ = true;
-            help_scroll_ = 0;
+            page_ = Page::help;
+            page_scroll_ = 0;
             return Wish::none;
         default:
             break;
@@ -149,6 +173,7 @@ Wish Player::perform(Action action) {
         perform_on_world(action);
     else
         perform_on_view(action);
+    keep_up([] { return false; });
     return Wish::none;
 }
 
@@ -226,6 +251,7 @@ void Player::perform_in_time(Action action) {
 void Player::go_to(std::uint64_t tick) {
     hand_.forget();
     session_.go_to(tick);
+    if (rival_) rival_->follow(session_, keep_going_, keep_going_);
     if (session_.world().tick < reference_.tick) set_reference();
 }
 
@@ -243,9 +269,19 @@ void Player::second(int direction) {
 
 /// False at the end of a recording.
 bool Player::step() {
-    if (session_.step_forward()) return true;
-    say("the recording ends here");
-    return false;
+    // A parting is not to be missed; the butterfly catches up later.
+    if (rival_) rival_->follow(session_, keep_going_, keep_going_);
+    const bool is_done = session_.step_forward();
+    if (rival_) rival_->follow(session_, keep_going_, keep_going_);
+    if (session_.is_at_end() && !is_done) say("the recording ends here");
+    if (session_.outcome() == TickOutcome::given_up) say("the tick took long and was given up");
+    tell_outcome();
+    return is_done;
+}
+
+void Player::tell_outcome() {
+    if (session_.outcome() == TickOutcome::too_dense)
+        complain("too dense for events: time stood still");
 }
 
 }  // namespace carom

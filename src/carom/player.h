@@ -10,6 +10,8 @@
 #include "carom/clockwork.h"
 #include "carom/hand.h"
 #include "carom/keys.h"
+#include "carom/rival.h"
+#include "carom/swarm.h"
 #include "game/session.h"
 #include "terminal/camera.h"
 #include "terminal/canvas.h"
@@ -17,6 +19,7 @@
 #include "terminal/energy.h"
 #include "terminal/hud.h"
 #include "terminal/input.h"
+#include "terminal/split.h"
 
 /// One game being played: takes what the person does, lets time pass, and draws. Knows no terminal,
 /// no files and no clock, so tests play it as a person would.
@@ -48,6 +51,11 @@ class Player {
     /// Motion of the mouse without a button matters now.
     bool wants_motion() const;
 
+    /// Asked now and then within long ticks; false gives them up.
+    void set_keep_going(const KeepGoing& keep_going);
+    /// Whether a tick that is being computed shall be given up for it.
+    bool ends_tick(const InputEvent& event) const;
+
     void say(std::string message);
     void complain(std::string message);
     /// Stays until the next call; none: all is well. For the errors of a level that is watched.
@@ -78,6 +86,7 @@ class Player {
     void second(int direction);
     bool step();
     void prepare();
+    void tell_outcome();
 
     // player_world.cpp: solver and gravity
     void perform_on_world(Action action);
@@ -106,10 +115,19 @@ class Player {
     void move_cursor(double columns, double rows);
     void zoom(CellPoint fixed, double factor);
     void pan(double columns, double rows);
-    void scroll_help(const InputEvent& event);
+    void scroll_page(const InputEvent& event);
     double slack() const;
     std::optional<BallId> ball_at_pointer() const;
     bool stands_still() const { return clockwork_.is_paused() && !clockwork_.is_seeking(); }
+
+    // player_beside.cpp: another solver, or the butterfly, beside the game
+    void next_rival();
+    void toggle_butterfly();
+    bool keep_up(const MayGoOn& may_go_on);
+    bool is_ahead() const;
+    std::string beside() const;
+    void draw_rival(Canvas& canvas);
+    CellPoint in_first_half(CellPoint place) const;
 
     // player_picture.cpp: drawing
     void lay_out(const Canvas& canvas, double aspect);
@@ -119,6 +137,9 @@ class Player {
     std::vector<KeyHelp> hints() const;
     std::string mode() const;
     void draw_panels(Canvas& canvas);
+    void draw_page(Canvas& canvas);
+    std::vector<std::string> explanation_lines() const;
+    void draw_game(Canvas& canvas, double aspect);
     std::string_view speed_unit() const;
     bool has_histogram() const;
 
@@ -141,6 +162,10 @@ class Player {
     ViewMemory memory_;
     Camera camera_;
     bool is_fitted_ = true;
+    std::optional<Rival> rival_;
+    std::optional<Swarm> swarm_;
+    ViewMemory rival_memory_;
+    Split split_;  ///< with a rival
     CellArea histogram_area_;
     CellArea energy_area_;
     bool shows_histogram_ = false;
@@ -159,17 +184,22 @@ class Player {
     std::optional<std::uint8_t> pressed_;  ///< the button that the hand follows
     std::optional<Vec2> last_gravity_;
 
-    bool shows_help_ = false;
-    int help_scroll_ = 0;
+    enum class Page : std::uint8_t { none, help, explanation };
+    Page page_ = Page::none;  ///< over the game
+    int page_scroll_ = 0;
     bool is_too_small_ = false;
     bool mouse_is_off_ = false;
     bool needs_draw_ = true;
+    KeepGoing keep_going_;
 
     std::string message_;
     bool message_is_error_ = false;
     double message_seconds_ = 0.0;  ///< left
     std::optional<std::string> problem_;
 };
+
+/// The solver of this kind as the level wants it, if it says so, else as it comes.
+SolverSettings settings_of(SolverKind kind, const Scene& scene);
 
 /// "swept", "substep 4x15": a solver with the settings that it has.
 std::string solver_text(const SolverSettings& settings);

@@ -25,31 +25,31 @@ Wish Player::handle(const InputEvent& event) {
     if (event.kind != InputEvent::Kind::key || event.action == InputEvent::Action::release)
         return Wish::none;
     const auto action = keys_.action_of(key_of(event));
-    if (shows_help_ && action != Action::quit) {
-        scroll_help(event);
+    if (page_ != Page::none && action != Action::quit) {
+        scroll_page(event);
         return Wish::none;
     }
     return action ? perform(*action) : Wish::none;
 }
 
-void Player::scroll_help(const InputEvent& event) {
+void Player::scroll_page(const InputEvent& event) {
     needs_draw_ = true;
     switch (event.key) {
         case key::up:
-            help_scroll_ -= 1;
+            page_scroll_ -= 1;
             break;
         case key::down:
-            help_scroll_ += 1;
+            page_scroll_ += 1;
             break;
         case key::page_up:
-            help_scroll_ -= 10;
+            page_scroll_ -= 10;
             break;
         case key::page_down:
         case key::space:
-            help_scroll_ += 10;
+            page_scroll_ += 10;
             break;
         default:
-            shows_help_ = false;
+            page_ = Page::none;
     }
 }
 
@@ -64,14 +64,14 @@ std::optional<BallId> Player::ball_at_pointer() const {
 
 void Player::handle_mouse(const InputEvent& event) {
     using enum InputEvent::Action;
-    if (shows_help_) {
-        if (event.action == press) shows_help_ = false;
-        if (event.action == wheel_down) ++help_scroll_;
-        if (event.action == wheel_up) --help_scroll_;
+    if (page_ != Page::none) {
+        if (event.action == press) page_ = Page::none;
+        if (event.action == wheel_down) ++page_scroll_;
+        if (event.action == wheel_up) --page_scroll_;
         needs_draw_ = true;
         return;
     }
-    const CellPoint place{event.column, event.row};
+    const CellPoint place = in_first_half({event.column, event.row});
     if (panning_from_ && event.action == move) {
         pan(panning_from_->column - place.column, panning_from_->row - place.row);
         panning_from_ = place;
@@ -87,7 +87,7 @@ void Player::handle_mouse(const InputEvent& event) {
 
 void Player::press(const InputEvent& event) {
     needs_draw_ = true;
-    const CellPoint place{event.column, event.row};
+    const CellPoint place = in_first_half({event.column, event.row});
     if (hand_.has_new_edge() || hand_.has_cue()) {
         // A key began it, and the mouse goes on: from here, if it has not gone anywhere yet.
         pressed_ = event.button;

@@ -51,7 +51,7 @@ void Player::lay_out(const Canvas& canvas, double aspect) {
     histogram_area_ = {};
     energy_area_ = {};
     const bool histogram = shows_histogram_ && has_histogram();
-    const int panels = (histogram ? 1 : 0) + (shows_energy_ ? 1 : 0);
+    const int panels = rival_ ? 0 : (histogram ? 1 : 0) + (shows_energy_ ? 1 : 0);
     if (panels > 0 && area.columns >= wide) {
         CellArea side = cut_right(area, std::max(least_panel_columns, area.columns * 2 / 5));
         if (histogram && shows_energy_) energy_area_ = cut_bottom(side, side.rows / 2);
@@ -59,6 +59,10 @@ void Player::lay_out(const Canvas& canvas, double aspect) {
     } else if (panels > 0 && area.rows >= 2 * least_panel_rows) {
         CellArea bottom = cut_bottom(area, std::max(least_panel_rows, area.rows / 3));
         (histogram ? histogram_area_ : energy_area_) = bottom;
+    }
+    if (rival_) {
+        split_ = split(area, session_.scene().view, aspect);
+        area = split_.first;
     }
     if (is_fitted_)
         camera_ = fit_camera(session_.scene().view, area, aspect);
@@ -85,6 +89,8 @@ Marks Player::marks() const {
         const CellFrame frame = frame_around(world, 2.0 * largest_radius(world.balls));
         marks.broad_phase = CellGrid{frame.origin, frame.cell.x};
     }
+    if (swarm_) marks.copies = swarm_->copies();
+    if (rival_ && rival_->parting()) marks.parting = rival_->parting()->place;
     return marks;
 }
 
@@ -167,6 +173,8 @@ HudInfo Player::hud() const {
     info.title = (is_watching() ? "recording: " : "") + session_.scene().title;
     info.solver = solver_text(session_.solver());
     info.solver_is_picked = solver_is_picked_;
+    if (solver_is_picked_) info.reason = pick_solver(session_.scene().world).reason;
+    info.beside = beside();
     info.time = world.time();
     info.tick = world.tick;
     info.latest_tick = session_.latest();
@@ -220,13 +228,20 @@ void Player::draw(Canvas& canvas, double aspect) {
     needs_draw_ = false;
     is_too_small_ = is_too_small(canvas.columns(), canvas.rows());
     if (is_too_small_) return draw_too_small(canvas);
-    if (shows_help_) {
-        const std::vector<HelpSection> sections = keys_.help();
-        const PageExtent extent =
-            draw_help(canvas, sections, help_scroll_, "any key goes back", view_.look);
-        help_scroll_ = extent.scroll;
-        return;
-    }
+    if (page_ != Page::none) return draw_page(canvas);
+    draw_game(canvas, aspect);
+}
+
+void Player::draw_page(Canvas& canvas) {
+    constexpr std::string_view footer = "any key goes back";
+    const PageExtent extent =
+        page_ == Page::help ? draw_help(canvas, keys_.help(), page_scroll_, footer, view_.look)
+                            : draw_text_page(canvas, "How this is computed", explanation_lines(),
+                                             page_scroll_, footer, view_.look);
+    page_scroll_ = extent.scroll;
+}
+
+void Player::draw_game(Canvas& canvas, double aspect) {
     canvas.fill({});
     lay_out(canvas, aspect);
     if (is_watching()) watch_commands();
@@ -235,6 +250,7 @@ void Player::draw(Canvas& canvas, double aspect) {
     energy_.add({world.tick, sums.kinetic_energy, sums.potential_energy});
     draw_world(canvas, camera_, session_.scene(), world, session_.contacts(), marks(), view_,
                memory_);
+    if (rival_) draw_rival(canvas);
     draw_panels(canvas);
     draw_hud(canvas, hud(), view_.look);
 }

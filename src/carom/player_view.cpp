@@ -48,6 +48,14 @@ void Player::perform_on_view(Action action) {
             view_.ball_style =
                 view_.ball_style == BallStyle::filled ? BallStyle::outline : BallStyle::filled;
             return;
+        case Action::split:
+            return next_rival();
+        case Action::butterfly:
+            return toggle_butterfly();
+        case Action::explain:
+            page_ = Page::explanation;
+            page_scroll_ = 0;
+            return;
         case Action::histogram:
             if (!has_histogram()) return say("this level shows no histogram");
             shows_histogram_ = !shows_histogram_;

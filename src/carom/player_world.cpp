@@ -8,14 +8,10 @@
 namespace carom {
 namespace {
 
-SolverSettings after(const SolverSettings& current, const std::optional<SolverSettings>& of_level) {
+SolverKind after(SolverKind current) {
     const auto all = solvers_available();
-    auto place = std::ranges::find(all, current.kind);
-    const SolverKind next = place == all.end() || ++place == all.end() ? all.front() : *place;
-    if (of_level && of_level->kind == next) return *of_level;
-    SolverSettings settings;
-    settings.kind = next;
-    return settings;
+    auto place = std::ranges::find(all, current);
+    return place == all.end() || ++place == all.end() ? all.front() : *place;
 }
 
 /// Gravity for a scene that has none: a fall through the view takes about a second and a half.
@@ -25,6 +21,13 @@ Vec2 gentle_gravity(const Scene& scene) {
 }
 
 }  // namespace
+
+SolverSettings settings_of(SolverKind kind, const Scene& scene) {
+    if (scene.solver && scene.solver->kind == kind) return *scene.solver;
+    SolverSettings settings;
+    settings.kind = kind;
+    return settings;
+}
 
 std::string solver_text(const SolverSettings& settings) {
     const std::string name_text{name(settings.kind)};
@@ -53,7 +56,7 @@ void Player::set_gravity(std::optional<Vec2> gravity) {
 }
 
 void Player::next_solver() {
-    const SolverSettings settings = after(session_.solver(), session_.scene().solver);
+    const SolverSettings settings = settings_of(after(session_.solver().kind), session_.scene());
     solver_is_picked_ = false;
     obey(command::SetSolver{settings}, "solver " + solver_text(settings));
 }

@@ -198,6 +198,7 @@ void Program::compare_marks(Game& game) {
 
 void Program::enter(LevelSource source, Player player, std::optional<CutOffGame> offer) {
     player.set_mouse_is_off(!mouse_);
+    player.set_keep_going(keep_going_);
     if (options_.paused) player.pause(true);
     FileWatch watch;
     if (options_.watch) watch = FileWatch(files_of(player.session().scene(), source.path));

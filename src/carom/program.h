@@ -36,6 +36,11 @@ class Program {
     /// `now`: s on a clock that does not go back.
     void handle(const InputEvent& event, double now);
     void advance(double seconds, double now, const MayGoOn& may_go_on);
+    /// Asked now and then within long ticks, wherever they are computed; false gives them up.
+    void set_keep_going(const KeepGoing& keep_going);
+    /// Whether a tick that is being computed shall be given up for it: not for the motion of a
+    /// mouse and the like, which waits until the tick is done.
+    bool ends_tick(const InputEvent& event) const;
     bool needs_draw() const;
     void draw(Canvas& canvas);
     /// How long to wait for input at most, s.
@@ -121,6 +126,7 @@ class Program {
     bool is_over_ = false;
     double next_autosave_ = 0.0;
     double next_look_ = 0.0;  ///< at watched files
+    KeepGoing keep_going_;
     std::variant<std::monostate, Menu, Game, Notice, TakingUp> page_;
 };
 

@@ -122,6 +122,16 @@ void Program::handle_taking_up(const InputEvent& event) {
     if (event.key == key::escape) show_menu({});
 }
 
+void Program::set_keep_going(const KeepGoing& keep_going) {
+    keep_going_ = keep_going;
+    if (auto* game = std::get_if<Game>(&page_)) game->player.set_keep_going(keep_going_);
+}
+
+bool Program::ends_tick(const InputEvent& event) const {
+    const auto* game = std::get_if<Game>(&page_);
+    return !game || game->player.ends_tick(event);
+}
+
 void Program::advance(double seconds, double now, const MayGoOn& may_go_on) {
     if (auto* game = std::get_if<Game>(&page_))
         advance_game(*game, seconds, now, may_go_on);

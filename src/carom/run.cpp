@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "carom/files.h"
 #include "carom/interrupt.h"
@@ -114,17 +115,29 @@ void mark(Replay& replay, const World& world) {
     replay.marks.push_back({world.tick, fingerprint(world)});
 }
 
+void tell_too_dense(const World& world) {
+    print_note(
+        fmt::format("note: too dense for events: time stood still in tick {} ({:.6g} s), and "
+                    "maybe in later ones\n",
+                    world.tick, world.time()));
+}
+
 // Runs until the end, a signal, an output that fails, or readers that have gone. Returns what the
 // solver took, in seconds.
 double simulate(const Scene& scene, World& world, RunRecord& record, Solver& solver,
                 Outputs& outputs, Replay& replay, std::uint64_t ticks) {
     using Clock = std::chrono::steady_clock;
     Clock::duration cost{};
+    bool is_told = false;
     Progress progress(ticks);
     while (world.tick < ticks && InterruptGuard::signal() == 0) {
         const Clock::time_point before = Clock::now();
-        solver.tick(world);
+        const TickOutcome outcome =
+            solver.tick(world, [] { return InterruptGuard::signal() == 0; });
         cost += Clock::now() - before;
+        if (outcome == TickOutcome::given_up) break;
+        if (outcome == TickOutcome::too_dense && !std::exchange(is_told, true))
+            tell_too_dense(world);
         note_tick(record, scene, world);
         if (world.tick % mark_interval(world.rate) == 0) mark(replay, world);
         outputs.write_tick(world, solver);

@@ -470,3 +470,108 @@ TEST_CASE("a recording is watched: time and view obey the keys, the world does n
     CHECK(watched.world().tick == 240);
     CHECK(person.player.clockwork().is_paused());
 }
+
+TEST_CASE("a split window shows another solver, the next one, and at last the game alone") {
+    Person person;
+    person.key(U'S');
+    CHECK(person.sees("| event  tick 0"));
+    CHECK(person.sees("together since t=0.000"));
+    person.pass(0.25);
+    CHECK(person.sees(" swept  tick 30"));
+    CHECK(person.sees("| event  tick 30"));
+    person.key(U'S');
+    CHECK(person.sees("| substep 4x15  tick 30"));
+    person.key(U'S');
+    CHECK(person.sees("| discrete  tick 30"));
+    person.key(U'S');
+    CHECK_FALSE(person.sees("tick 30 "));
+    CHECK(person.sees("one solver alone"));
+}
+
+TEST_CASE("a parting is marked in both halves, told, and goes when time goes back") {
+    Person person;
+    for (int i = 0; i < 3; ++i)
+        person.key(U'S');
+    REQUIRE(person.sees("| discrete"));
+    person.pass(2.0);
+    const std::string text = person.look();
+    CHECK(text.find("parted at t=") != std::string::npos);
+    const std::size_t mark = text.find(">X<");
+    REQUIRE(mark != std::string::npos);
+    CHECK(text.find(">X<", mark + 1) != std::string::npos);
+    person.key(U'r');
+    CHECK(person.sees("together since t=0.000"));
+    CHECK_FALSE(person.sees(">X<"));
+}
+
+TEST_CASE("in a split window, one step at a time misses no parting") {
+    Person stepping;
+    Person running;
+    for (Person* person : {&stepping, &running})
+        for (int i = 0; i < 3; ++i)
+            person->key(U'S');
+    running.pass(1.0);
+    for (int i = 0; i < 120; ++i)
+        stepping.key(U'.');
+    const auto parting = [](Person& person) {
+        const std::string text = person.look();
+        const std::size_t at = text.find("parted at");
+        return at == std::string::npos ? std::string() : text.substr(at, 24);
+    };
+    CHECK_FALSE(parting(running).empty());
+    CHECK(parting(stepping) == parting(running));
+}
+
+TEST_CASE("in a split window, the mouse takes the same ball in either half") {
+    Person person;
+    person.key(U' ');
+    person.key(U'S');
+    person.look();
+    const CellPoint left = to_cells(person.player.camera(), person.ball(4));
+    CellPoint right = left;
+    right.column += 40;
+    person.mouse_in_cells(InputEvent::Action::press, right, 1, no_modifier);
+    CHECK(person.player.hand().has_ball());
+}
+
+TEST_CASE("the butterfly says how far its copies are apart") {
+    Person person;
+    person.key(U'b');
+    CHECK(person.sees("200 copies, radii apart: 8"));
+    person.pass(0.5);
+    CHECK(person.sees("200 copies, radii apart:"));
+    person.key(U'S');
+    CHECK(person.sees("together since"));
+    person.key(U'b');
+    CHECK(person.sees("200 copies"));
+    person.key(U'b');
+    CHECK_FALSE(person.sees("200 copies"));
+}
+
+TEST_CASE("a page says which solver is in force, and why") {
+    Person person;
+    person.key(U'i');
+    CHECK(person.sees("solver  swept substeps=1: asked for"));
+    CHECK(person.sees("auto    would take "));
+    person.key(U'i');
+    CHECK_FALSE(person.sees("asked for"));
+}
+
+TEST_CASE("a key ends a long tick, the motion of the mouse does not") {
+    const Person person;
+    InputEvent event;
+    event.key = U'q';
+    CHECK(person.player.ends_tick(event));
+    event.key = U'@';  // does nothing
+    CHECK_FALSE(person.player.ends_tick(event));
+    event.key = U'q';
+    event.action = InputEvent::Action::release;
+    CHECK_FALSE(person.player.ends_tick(event));
+    event.kind = InputEvent::Kind::mouse;
+    event.action = InputEvent::Action::move;
+    CHECK_FALSE(person.player.ends_tick(event));
+    event.action = InputEvent::Action::press;
+    CHECK(person.player.ends_tick(event));
+    event.kind = InputEvent::Kind::hangup;
+    CHECK(person.player.ends_tick(event));
+}

@@ -1,0 +1,54 @@
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "support/terminal_program.h"
+
+using carom::test::TerminalProgram;
+namespace fs = std::filesystem;
+
+namespace {
+
+// A tick is a second of a gas that makes millions of collisions in it: many seconds of work.
+const char* const level = R"(carom 1 "Long ticks"
+rate 1
+solver event
+kind light r=0.5
+box 0,0 140,75
+fill light count=500 box=0,0,140,75 speed=1000000
+)";
+
+struct LevelFile {
+    fs::path path =
+        fs::temp_directory_path() / ("carom-long-" + std::to_string(::getpid()) + ".level");
+    LevelFile() { std::ofstream(path) << level; }
+    ~LevelFile() { fs::remove(path); }
+};
+
+}  // namespace
+
+TEST_CASE("play answers keys inside a long tick") {
+    const LevelFile file;
+    const std::string folder = fs::temp_directory_path().string() + "/carom-long-home";
+    TerminalProgram game(
+        {CAROM_BINARY_DIR "/carom", "play", file.path.string()},
+        {.environment = {{"XDG_CONFIG_HOME", folder}, {"XDG_STATE_HOME", folder}}});
+    REQUIRE(game.wait_for_text("Long ticks"));
+    game.send(".");
+    game.settle();
+    // The tick is under way; each of these ends it, and is shown before the next one is begun.
+    game.send("?");
+    CHECK(game.wait_for_text("any key goes back"));
+    game.send("x");
+    CHECK(game.wait_for_text("took long"));
+    game.send(" ");
+    game.settle(1.5);
+    game.send("G");
+    CHECK(game.wait_for_text("gravity"));
+    game.send("q");
+    CHECK(game.wait_for_end());
+    fs::remove_all(folder);
+}
