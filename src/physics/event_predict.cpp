@@ -81,6 +81,7 @@ void EventEngine<Real>::predict_crossing(std::uint32_t ball, Event& best) const 
     const CellFrame& frame = cells_.frame();
     const BallState<Real> now = state_at(path, field_, now_);
     const bool is_simple = is_parabola(path, field_);
+    const bool is_straight = is_simple && path.acceleration == Vector<Real>{};
     const Real last = path.motion == Motion::turning ? piece_end(path, field_) : best.time;
     for (std::uint32_t direction = 0; direction < steps.size(); ++direction) {
         const auto [columns, rows] = steps[direction];
@@ -95,6 +96,8 @@ void EventEngine<Real>::predict_crossing(std::uint32_t ball, Event& best) const 
         const auto along = [is_column = columns != 0](const Vector<Real>& v) {
             return is_column ? v.x : v.y;
         };
+        // A straight line crosses only what lies ahead.
+        if (is_straight && !(along(now.velocity) * sign > Real{})) continue;
         std::optional<Real> time;
         const ClosingTolerance<Real> exact{};
         if (is_simple) {

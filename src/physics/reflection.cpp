@@ -233,12 +233,19 @@ std::vector<Real> reflect(std::span<ImpactBody<Real>> bodies,
             bodies[contact.b].velocity -= way * bodies[contact.b].inverse_mass;
         passed[index] = impulse;
     };
+    const auto push_alone = [&](std::uint32_t index) {
+        const auto& contact = contacts[index];
+        push(index, (Real(1.0) + contact.restitution) * approach_of<Real>(contact, bodies) /
+                        coupling<Real>(contact, contact, bodies));
+    };
+    if (contacts.size() == 1) {
+        push_alone(0);
+        return passed;
+    }
     for (const auto& group : groups_of<Real>(bodies, contacts)) {
         const std::size_t count = group.size();
         if (count == 1) {
-            const auto& contact = contacts[group[0]];
-            push(group[0], (Real(1.0) + contact.restitution) * approach_of<Real>(contact, bodies) /
-                               coupling<Real>(contact, contact, bodies));
+            push_alone(group[0]);
             continue;
         }
         Real restitution = contacts[group[0]].restitution;
