@@ -219,14 +219,12 @@ std::string explanation(const Model& model, double rate, const SolverPick& pick,
     const std::string model_text = terms.empty()
                                        ? "elastic, frictionless, weightless discs"
                                        : fmt::format("{}", fmt::join(terms, "\n        "));
-    const std::string picked = fmt::format("{}: {}", written(pick.settings), pick.reason);
+    const std::string picked = written(pick.settings);
     const std::string solver_text =
-        asked_for
-            ? fmt::format("solver  {}: asked for\nauto    would take {}", written(*asked_for),
-                          picked)
-            : fmt::format("solver  {}, taken by auto: {}", written(pick.settings), pick.reason);
-    return fmt::format("model   {}\n{}\nrate    {} ticks a second\n", model_text, solver_text,
-                       rate);
+        asked_for ? fmt::format("{}: asked for\nauto    would take {}", written(*asked_for), picked)
+                  : fmt::format("{}: taken by auto", picked);
+    return fmt::format("model   {}\nsolver  {}\nreason  {}\nrate    {} ticks a second\n",
+                       model_text, solver_text, pick.reason, rate);
 }
 
 }  // namespace carom

@@ -153,7 +153,7 @@ TEST_CASE("the summary and the verdicts are for people") {
 TEST_CASE("the explanation names the terms and the solver") {
     const std::string picked = explanation(load("ball a at=0,0\n"));
     CHECK(picked.starts_with("model   elastic, frictionless"));
-    CHECK(has(picked, ", taken by auto: "));
+    CHECK(has(picked, ": taken by auto\nreason  "));
     CHECK(has(picked, "rate    120 ticks a second\n"));
     const std::string text =
         explanation(load("solver discrete\nuse gravity 0,-2\nuse drag 1\nball a at=0,0\n"));
