@@ -14,6 +14,9 @@ namespace {
 constexpr std::array rival_kinds = {SolverKind::event, SolverKind::swept, SolverKind::contact,
                                     SolverKind::substep, SolverKind::discrete};
 
+/// Most memory for the butterfly's copies as they begin.
+constexpr std::size_t most_swarm_bytes = std::size_t{512} << 20;
+
 /// The first kind after `last` that there is and that is not the game's own; none after the last.
 std::optional<SolverKind> next_kind(std::optional<SolverKind> last, SolverKind own) {
     auto from = rival_kinds.begin();
@@ -43,6 +46,8 @@ void Player::toggle_butterfly() {
         swarm_.reset();
         return say("the butterfly is gone");
     }
+    if (bytes_of(session_.world()) > most_swarm_bytes / Swarm::copy_count)
+        return complain("too many balls for 200 copies of them");
     rival_.reset();
     swarm_.emplace(session_);
 }

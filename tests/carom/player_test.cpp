@@ -548,6 +548,18 @@ TEST_CASE("the butterfly says how far its copies are apart") {
     CHECK_FALSE(person.sees("200 copies"));
 }
 
+TEST_CASE("there is no butterfly of more balls than fit into memory 200 times") {
+    Scene scene = busy_box();
+    for (Vec2 place{100.0, 0.0}; place.x < 60100.0; place.x += 1.0)
+        add_ball(scene.world, carom::test::ball_at_rest(place));
+    Player player(Session(scene, {.kind = SolverKind::swept}), ascii_view(), KeyMap());
+    Canvas window(80, 24);
+    player.perform(Action::butterfly);
+    player.draw(window, 2.0);
+    CHECK(window.text().find("too many balls for 200 copies") != std::string::npos);
+    CHECK(window.text().find("200 copies, radii") == std::string::npos);
+}
+
 TEST_CASE("a page says which solver is in force, and why") {
     Person person;
     person.key(U'i');
