@@ -35,8 +35,10 @@ std::optional<std::size_t> parted_ball(const World& a, const World& b) {
 }  // namespace
 
 std::span<const TimedCommand> commands_at(const Session& session, std::uint64_t tick) {
-    const auto found = std::ranges::equal_range(session.commands(), tick, {}, &TimedCommand::tick);
-    return {found.begin(), found.end()};
+    const std::span<const TimedCommand> all = session.commands();
+    const auto first = std::ranges::lower_bound(all, tick, {}, &TimedCommand::tick);
+    const auto last = std::ranges::upper_bound(all, tick, {}, &TimedCommand::tick);
+    return {first, last};
 }
 
 bool is_same_state(const World& a, const World& b) {
