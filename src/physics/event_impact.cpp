@@ -294,6 +294,7 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
 
     const std::size_t most_rounds = 200;
     std::vector<std::uint32_t> approaching;
+    bool is_shut_in = false;
     for (std::size_t round = 0;; ++round) {
         approaching.clear();
         for (std::uint32_t i = 0; i < touches_.size(); ++i) {
@@ -321,6 +322,7 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
         // Many rounds: losing contacts that are shut in. From here on they stop, all at once.
         if (round > most_rounds + 8 * touches_.size()) break;
         if (round > most_rounds / 2 + 4 * touches_.size()) {
+            is_shut_in = true;
             approaching.clear();
             for (std::uint32_t i = 0; i < touches_.size(); ++i)
                 approaching.push_back(i);
@@ -356,11 +358,12 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
             const Real into = touch.contact.surface - dot(velocity, touch.contact.normal);
             if (into > Real{}) velocity += touch.contact.normal * into;
         }
-        if (touch.kind == Kind::hand && paths_[held].quick > most_quick) squeezed = true;
+        if (touch.kind == Kind::hand && (is_shut_in || paths_[held].quick > most_quick))
+            squeezed = true;
     }
     for (const Touch& touch : touches_)
         if (touch.kind == Kind::ball_ball &&
-            paths_[bodies_[touch.contact.a].ball].quick > most_quick &&
+            (is_shut_in || paths_[bodies_[touch.contact.a].ball].quick > most_quick) &&
             (paths_[bodies_[touch.contact.a].ball].motion == Motion::held ||
              paths_[touch.other].motion == Motion::held))
             squeezed = true;
