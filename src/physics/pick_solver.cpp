@@ -2,9 +2,9 @@
 
 namespace carom {
 
-// What each solver promises is in docs/accuracy.md, and measured there. Free paths that are straight
-// lines are where `event` is both exact and the cheaper one; heaps are what `swept` pays for: many
-// balls that lose energy under gravity and are not drained.
+// What each solver promises is in docs/accuracy.md, and measured there. Free paths that are
+// straight lines are where `event` is both exact and the cheaper one; heaps are what `swept` pays
+// for: many balls that lose energy under gravity and are not drained.
 SolverPick pick_solver(const World& world) {
     if (!world.model.gravity && !world.model.drag)
         return {{.kind = SolverKind::event},
