@@ -273,7 +273,7 @@ TEST_CASE("the JSON has its keys, and what was picked") {
         CHECK(at != json.npos);
         from = at;
     }
-    CHECK(has(json, "\"budget\": {\"asked\": 0.0012, \"choice\": {\"solver\": \"s"));
+    CHECK(has(json, "\"budget\": {\"asked\": 0.0012, \"choice\": {\"solver\": \""));
     CHECK(has(json, "\"tolerance\": {\"asked\": 1e-09, \"choice\": {"));
     CHECK(has(json, "\"pareto\": true"));
     CHECK(has(json, "\"reference\": {\"solver\": \"event\", \"settings\": {\"extended\": true}"));
