@@ -36,8 +36,9 @@ TEST_CASE("nothing of a message steers the terminal, or is half a character") {
     Diagnostic d;
     d.file = "a\x1b[2J";
     d.message = "'\x1b[31m' is \xff";
-    d.remedy = "see \xc2\x9b"
-               "1m";
+    d.remedy =
+        "see \xc2\x9b"
+        "1m";
     d.source = "\x9b\xc3\xa4";
     d.included_from = {{"b\r", 3}};
     CHECK(render(d) ==
