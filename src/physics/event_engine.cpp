@@ -334,9 +334,13 @@ void EventEngine<Real>::write(World& world) {
         const Vec2 position(state.position);
         balls.position[i] = world.model.wrap ? wrapped(position, *world.model.wrap) : position;
         balls.velocity[i] = paths_[i].motion == Motion::held ? Vec2{} : Vec2(state.velocity);
-        if (world.model.speed_limit)
-            balls.velocity[i] = limited(balls.velocity[i], *world.model.speed_limit);
     }
+    // What the paths say: a velocity that is limited below differs from it, and begins a new path.
+    left_.positions = balls.position;
+    left_.velocities = balls.velocity;
+    if (world.model.speed_limit)
+        for (Vec2& velocity : balls.velocity)
+            velocity = limited(velocity, *world.model.speed_limit);
     balls.edge_contacts = edge_contacts_;
     for (const Hand& hand : hands_) {
         const Edge<Real> shape = hand.edge.at(end_);
@@ -353,8 +357,6 @@ void EventEngine<Real>::write(World& world) {
     left_.tick = world.tick + 1;
     left_.rate = world.rate;
     left_.had_hands = !world.held_balls.empty() || !hands_.empty();
-    left_.positions = balls.position;
-    left_.velocities = balls.velocity;
     if (is_begun_anew_) {
         left_.model = world.model;
         left_.ids = balls.id;

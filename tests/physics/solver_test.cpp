@@ -136,6 +136,27 @@ TEST_CASE("the same world gives the same bits, and a snapshot goes on as if it h
     }
 }
 
+TEST_CASE("no ball falls faster than the limit, tick after tick, in every solver") {
+    for (const SolverKind kind : solvers_available()) {
+        CAPTURE(name(kind));
+        World world = scenes::empty();
+        world.model.gravity = Vec2{0, -10};
+        world.model.speed_limit = 2.0;
+        add_ball(world, {.position = {0, 0}, .velocity = {0, 0}});
+        Solver solver({.kind = kind});
+        run(world, solver, 24);  // at the limit from here on
+        for (int i = 0; i < 120; ++i) {
+            const double before = world.balls.position[0].y;
+            run(world, solver, 1);
+            CHECK(length(world.balls.velocity[0]) <= 2.0 * (1 + 1e-15));
+            // In a tick gravity may add what the limit takes away at its end.
+            const double way = before - world.balls.position[0].y;
+            CHECK(way <= (2.0 + 10.0 / world.rate) / world.rate);
+            CHECK(way >= 2.0 / world.rate * (1 - 1e-12));
+        }
+    }
+}
+
 TEST_CASE("collide keeps pairs apart, and a sink counts and removes") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
