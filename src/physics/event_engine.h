@@ -139,9 +139,7 @@ class EventEngine {
     void for_each_edge_near(std::uint32_t ball, Visit&& visit) const;
     bool is_solid_for(std::uint32_t capsule, const Vector<Real>& position, Vec2 shift) const;
 
-    // event_impact.cpp: what happens then.
-    void impact(std::uint32_t ball, const Event& event, std::vector<Contact>& contacts,
-                std::vector<std::uint8_t>& touched);
+    // event_touch.cpp: what touches what then.
     std::uint32_t body_of(std::uint32_t ball);
     void scan(std::uint32_t body);
     Real pressing_speed(const Touch& touch) const;
@@ -150,6 +148,10 @@ class EventEngine {
     void add_edge_touch(std::uint32_t body, std::uint32_t capsule, int across, int along,
                         bool is_certain);
     void add_hand_touch(std::uint32_t body, const Hand& hand, bool is_certain);
+
+    // event_impact.cpp: what happens then.
+    void impact(std::uint32_t ball, const Event& event, std::vector<Contact>& contacts,
+                std::vector<std::uint8_t>& touched);
     double restitution_of(const Touch& touch, bool is_alone);
     void pass_impulses(const std::vector<std::uint32_t>& which, bool is_alone,
                        std::vector<Contact>& contacts);

@@ -1,0 +1,156 @@
+#include <algorithm>
+
+#include "physics/event_engine.h"
+
+// What touches what at the instant of an impact.
+namespace carom {
+
+template <typename Real>
+std::uint32_t EventEngine<Real>::body_of(std::uint32_t ball) {
+    if (body_of_ball_[ball] != EventCells::none) return body_of_ball_[ball];
+    const auto body = static_cast<std::uint32_t>(bodies_.size());
+    const EventPath<Real>& path = paths_[ball];
+    const BallState<Real> state = state_at(path, field_, now_);
+    bodies_.push_back({ball, state.position, false, false, path.motion == Motion::resting});
+    impact_bodies_.push_back({state.velocity, inverse_mass_[ball]});
+    body_of_ball_[ball] = body;
+    return body;
+}
+
+template <typename Real>
+void EventEngine<Real>::add_ball_touch(std::uint32_t body, std::uint32_t other, int across,
+                                       int along, bool is_certain) {
+    const std::uint32_t ball = bodies_[body].ball;
+    if (!balls_meet(ball, other)) return;
+    const std::uint32_t known = body_of_ball_[other];
+    if (known != EventCells::none && bodies_[known].is_scanned && !is_certain) return;
+    const Vector<Real> shift = torus_shift(across, along);
+    const Vector<Real> theirs = known != EventCells::none
+                                    ? bodies_[known].position
+                                    : state_at(paths_[other], field_, now_).position;
+    const Vector<Real> offset = bodies_[body].position - theirs - shift;
+    const Real our_radius = radius(ball);
+    const Real their_radius = radius(other);
+    const Real reach = our_radius + their_radius;
+    const Real small = our_radius < their_radius ? our_radius : their_radius;
+    const Real near =
+        small * Real(touching) + Real(16.0) * rounding_at(bodies_[body].position, reach);
+    const Real limit = reach + near;
+    if (!is_certain && length_squared(offset) > limit * limit) return;
+    const Real away = length(offset);
+    Touch touch;
+    touch.kind = Kind::ball_ball;
+    touch.other = other;
+    touch.gap = away - reach;
+    touch.contact.a = body;
+    touch.contact.b = body_of(other);
+    touch.contact.normal =
+        away > Real{} ? offset / away : Vector<Real>{ball < other ? Real(1.0) : Real(-1.0), Real{}};
+    touch.support = {PathSupport::By::ball, static_cast<std::int8_t>(across),
+                     static_cast<std::int8_t>(along), number(world_->balls.id[other])};
+    touches_.push_back(touch);
+}
+
+template <typename Real>
+void EventEngine<Real>::add_edge_touch(std::uint32_t body, std::uint32_t capsule, int across,
+                                       int along, bool is_certain) {
+    const Vec2 shift{torus_.x * across, torus_.y * along};
+    const Edge<Real> edge(world_->capsules.shape[capsule], shift);
+    const Real size = radius(bodies_[body].ball);
+    const auto contact = contact_with(edge, bodies_[body].position, size);
+    const Real near = size * Real(touching) +
+                      Real(16.0) * rounding_at(bodies_[body].position, size + edge.radius);
+    if (!is_certain && contact.gap > near) return;
+    if (!is_certain && !is_solid_for(capsule, bodies_[body].position, shift)) return;
+    Touch touch;
+    touch.kind = Kind::ball_edge;
+    touch.other = capsule;
+    touch.gap = contact.gap;
+    touch.contact.a = body;
+    touch.contact.normal = contact.normal;
+    touch.support = {PathSupport::By::edge, static_cast<std::int8_t>(across),
+                     static_cast<std::int8_t>(along), number(world_->capsules.id[capsule])};
+    touches_.push_back(touch);
+}
+
+template <typename Real>
+void EventEngine<Real>::add_hand_touch(std::uint32_t body, const Hand& hand, bool is_certain) {
+    const Real size = radius(bodies_[body].ball);
+    const auto contact = contact_with(hand.edge.at(now_), bodies_[body].position, size);
+    const Real near =
+        size * Real(touching) + Real(16.0) * rounding_at(bodies_[body].position, size);
+    if (!is_certain && contact.gap > near) return;
+    Touch touch;
+    touch.kind = Kind::hand;
+    touch.other = hand.capsule;
+    touch.gap = contact.gap;
+    touch.contact.a = body;
+    touch.contact.normal = contact.normal;
+    if (now_ < hand.edge.stop)
+        touch.contact.surface =
+            dot(contact.normal,
+                hand.edge.start_velocity +
+                    (hand.edge.end_velocity - hand.edge.start_velocity) * contact.place);
+    touches_.push_back(touch);
+}
+
+// Bodies that gravity may press together are not driven apart again and again by approaches that
+// are too slow for an impact of their own.
+template <typename Real>
+Real EventEngine<Real>::pressing_speed(const Touch& touch) const {
+    if (!world_->model.gravity || !world_->model.lossy) return Real{};
+    Real small = radius(bodies_[touch.contact.a].ball);
+    double rise = resting_rise;
+    if (touch.kind == Kind::ball_ball) {
+        small = std::min(small, radius(touch.other));
+        if (!bodies_[touch.contact.a].was_resting && !bodies_[touch.contact.b].was_resting)
+            rise = lively_rise;
+    }
+    return square_root(Real(2.0 * rise) * length(field_.gravity) * small);
+}
+
+// All that the body touches at this instant.
+template <typename Real>
+void EventEngine<Real>::scan(std::uint32_t body) {
+    if (bodies_[body].is_scanned) return;
+    const std::uint32_t ball = bodies_[body].ball;
+    const auto is_first = [&](Kind kind, std::uint32_t other) {
+        // The contact that the event is about is there already.
+        const Touch& first = touches_.front();
+        if (first.kind != kind) return true;
+        if (kind != Kind::ball_ball) return first.contact.a != body || first.other != other;
+        return !(first.contact.a == body && first.other == other) &&
+               !(bodies_[first.contact.a].ball == other && first.other == ball);
+    };
+    near_.clear();
+    const auto with_ball = [&](std::uint32_t other, int across, int along) {
+        if (is_first(Kind::ball_ball, other))
+            near_.push_back({static_cast<int>(other), across, along});
+    };
+    if (world_->model.ball_ball) {
+        if (!cells_.is_giant(ball)) {
+            cells_.for_each_near(ball, with_ball);
+            for (const std::uint32_t giant : cells_.giants())
+                with_ball(giant, 0, 0);
+        } else {
+            for (std::uint32_t other = 0; other < paths_.size(); ++other)
+                if (other != ball) with_ball(other, 0, 0);
+        }
+    }
+    // By number: where the cells are must not show, not even in rounding.
+    std::sort(near_.begin(), near_.end());
+    for (const auto& [other, across, along] : near_)
+        add_ball_touch(body, static_cast<std::uint32_t>(other), across, along, false);
+    for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2, int across, int along) {
+        if (is_first(Kind::ball_edge, capsule)) add_edge_touch(body, capsule, across, along, false);
+    });
+    for (const Hand& hand : hands_)
+        if (ball_meets(ball, hand.capsule) && is_first(Kind::hand, hand.capsule))
+            add_hand_touch(body, hand, false);
+    bodies_[body].is_scanned = true;
+}
+
+template class EventEngine<double>;
+template class EventEngine<Wide>;
+
+}  // namespace carom
