@@ -47,7 +47,9 @@ enum class EventOutcome : std::uint8_t {
 /// 1, 1998). Heaps in which balls press on moving balls from all sides are too dense for events:
 /// a ball that has had `most_tiring` impacts in quick succession, and is slow, lies still where it
 /// is for a quarter of the time in which it would fall through its radius, and longer if what it
-/// touches then carries it. That loses energy and momentum, and never gains any. Without gravity,
+/// touches then carries it. That loses energy and momentum. Balls that are pressed together and
+/// overlap by more than half of `lively_rise` are taken apart where nothing bars the way, which
+/// lifts them by as much; where they are barred, they sink in further. Without gravity,
 /// two balls that have met `most_quick` times in a row within `touching` of a radius pass their
 /// impulse without restitution, for the same reason.
 ///
@@ -70,8 +72,6 @@ class EventEngine {
                       std::vector<std::uint8_t>& touched, const std::function<bool()>& keep_going);
 
     const CellFrame& cells() const { return cells_.frame(); }
-    /// Events dealt with in the last tick, of any kind.
-    std::uint64_t events() const { return events_; }
 
   private:
     enum class Kind : std::uint8_t { ball_ball, ball_edge, hand, own, crossing, none };

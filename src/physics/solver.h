@@ -25,8 +25,8 @@ struct SolverSettings {
     int steps = 15;    ///< substep: most steps in one update, 1..1000
     int substeps = 1;  ///< swept: straight pieces that a tick's paths are cut into, 1..1000
     /// event: computed with about 32 digits (geometry/wide.h), as the reference for itself and the
-    /// others. About 20 times slower. Its paths are not part of the world, so only one solver
-    /// object that ticks without interruption has all the digits.
+    /// others. About 5 times slower in a gas. Its paths are not part of the world, so only one
+    /// solver object that ticks without interruption has all the digits.
     bool extended = false;
 
     friend bool operator==(const SolverSettings&, const SolverSettings&) = default;

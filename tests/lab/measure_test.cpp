@@ -10,19 +10,12 @@
 
 #include "lab/measure_data.h"
 #include "lab/measure_text.h"
-#include "level/load.h"
+#include "lab/support/load.h"
 
 using namespace carom;
+using test::load;
 
 namespace {
-
-Scene load(const std::string& statements) {
-    LoadResult result = load_level("carom 1 \"A test\"\n" + statements, "test.level");
-    for (const Diagnostic& diagnostic : result.diagnostics)
-        MESSAGE(render(diagnostic));
-    REQUIRE(result.scene.has_value());
-    return *result.scene;
-}
 
 // A fast ball between walls without thickness, and a slow one.
 const char* const thin_walls =

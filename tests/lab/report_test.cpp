@@ -6,19 +6,12 @@
 #include <vector>
 
 #include "lab/streams.h"
-#include "level/load.h"
+#include "lab/support/load.h"
 
 using namespace carom;
+using test::load;
 
 namespace {
-
-Scene load(const std::string& statements) {
-    LoadResult result = load_level("carom 1 \"A test\"\n" + statements, "test.level");
-    for (const Diagnostic& diagnostic : result.diagnostics)
-        MESSAGE(render(diagnostic));
-    REQUIRE(result.scene.has_value());
-    return *result.scene;
-}
 
 struct Finished {
     Scene scene;
