@@ -25,6 +25,7 @@ class Assembly {
         names_ = resolve_names(context_);
         collect_balls();
         check_start(balls_, names_, context_);
+        check_resolution(balls_, rate(), context_);
         Groups groups(draft_, names_, context_);
         groups.name_balls(balls_);
         if (context_.reporter.has_errors()) {
@@ -37,6 +38,10 @@ class Assembly {
     }
 
   private:
+    double rate() const {
+        return options_.rate.value_or(draft_.settings.rate.value_or(World{}.rate));
+    }
+
     StartingBall starting_ball(const BallDraft& draft) const {
         const ResolvedBalls& of = names_.balls[static_cast<std::size_t>(draft.naming)];
         const Kind& kind = names_.kinds[of.kind];
@@ -144,7 +149,7 @@ class Assembly {
         World& world = scene_.world;
         const SettingsDraft& s = draft_.settings;
         world.seed = context_.seed;
-        world.rate = options_.rate.value_or(s.rate.value_or(world.rate));
+        world.rate = rate();
         world.kinds = names_.kinds;
         world.materials = names_.materials;
         make_model(world.model);
