@@ -38,7 +38,7 @@ void write_balls(JsonWriter& json, const Scene& scene, const World& world) {
         json.field("y", balls.position[i].y);
         json.field("vx", balls.velocity[i].x);
         json.field("vy", balls.velocity[i].y);
-        json.field("w", 0.0);
+        json.field("w", world.model.spin ? balls.spin[i] : 0.0);
         json.field("radius", balls.radius[i]);
         json.field("mass", mass_of(world, i));
         json.end_object();

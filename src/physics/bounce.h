@@ -9,8 +9,9 @@
 #include "physics/world.h"
 
 /// The bounce: what an impact does to velocities. Along the normal Newton's law of restitution
-/// holds, across it nothing changes (no friction). Source: any mechanics text; the one-dimensional
-/// pair is in docs/physics.md.
+/// holds (`bounce`, `bounce_off`); across it nothing changes, unless the scene has friction: then
+/// `rub` or `rub_on` comes after. Source: any mechanics text; the one-dimensional pair is in
+/// docs/physics.md.
 namespace carom {
 
 /// Momentum that the contact passed, along its normal, and how fast the two closed.
@@ -46,6 +47,63 @@ inline Exchange bounce_off(Vec2& velocity, double inverse_mass, Vec2 normal, dou
     const double after = std::max(with_hand, -restitution * speed);
     velocity += normal * (after - speed);
     return {(after - speed) / inverse_mass, surface - speed};
+}
+
+/// A ball that turns, at a contact with friction: its spin, rad/s, counter-clockwise, and radius.
+struct Rim {
+    double& spin;
+    double radius;
+};
+
+/// Coulomb's law at one contact.
+struct Friction {
+    double coefficient = 0.0;  ///< mu >= 0
+    double inertia = 0.5;      ///< moment of inertia / (m r^2) of every ball: Model::spin
+};
+
+/// Friction of two balls, after `pressed` >= 0 has passed along `normal`, which points from b to a.
+///
+/// The points that touch slip past one another along t = perpendicular(normal) at
+///     u = (v_a - v_b) . t - (r_a w_a + r_b w_b).
+/// With I = inertia m r^2 it takes the impulse -u / ((1/m_a + 1/m_b) (1 + 1/inertia)) along t to
+/// stop that; friction passes it, but no more than coefficient * pressed either way: the points
+/// stick, or slip on. It never turns the slip round, so it never makes energy, and what one ball
+/// gains in momentum and angular momentum the other loses. Returns the impulse on a along t.
+///
+/// An inverse mass of 0 is a body that nothing moves or turns. Both 0: nothing happens.
+/// Source: Coulomb's law in impulses, as in Walton's model of rough spheres without tangential
+/// restitution (Walton and Braun, J. Rheology 30 (1986) 949; Foerster et al., Phys. Fluids 6 (1994)
+/// 1108).
+inline double rub(Vec2& velocity_a, Rim a, double inverse_mass_a, Vec2& velocity_b, Rim b,
+                  double inverse_mass_b, Vec2 normal, double pressed, Friction friction) {
+    const double inverse = inverse_mass_a + inverse_mass_b;
+    if (!(inverse > 0.0)) return 0.0;
+    const Vec2 along = perpendicular(normal);
+    const double slip =
+        dot(velocity_a - velocity_b, along) - (a.radius * a.spin + b.radius * b.spin);
+    const double most = friction.coefficient * std::max(0.0, pressed);
+    const double stopping = -slip / (inverse * (1.0 + 1.0 / friction.inertia));
+    const double impulse = std::clamp(stopping, -most, most);
+    velocity_a += along * (impulse * inverse_mass_a);
+    velocity_b -= along * (impulse * inverse_mass_b);
+    a.spin -= impulse * inverse_mass_a / (friction.inertia * a.radius);
+    b.spin -= impulse * inverse_mass_b / (friction.inertia * b.radius);
+    return impulse;
+}
+
+/// The same for a ball on a body that nothing moves and whose surface goes along at `surface`,
+/// which is not 0 only where a hand moves it; there friction may speed the ball up, never beyond
+/// the hand.
+inline double rub_on(Vec2& velocity, Rim rim, double inverse_mass, Vec2 normal, Vec2 surface,
+                     double pressed, Friction friction) {
+    Vec2 moved = surface;
+    double still = 0.0;
+    return rub(velocity, rim, inverse_mass, moved, {still, 1.0}, 0.0, normal, pressed, friction);
+}
+
+/// Friction between balls of two kinds.
+inline double friction_between(const Kind& a, const Kind& b) {
+    return std::sqrt(a.friction * b.friction);
 }
 
 /// Restitution of a ball and an edge of this material at this speed of approach.

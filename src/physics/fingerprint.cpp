@@ -47,6 +47,8 @@ std::uint64_t fingerprint(const World& world) {
     }
     for (const std::uint32_t contacts : balls.edge_contacts)
         hash.add(std::uint64_t{contacts});
+    for (const double spin : balls.spin)
+        hash.add(spin);
     hash.add(std::uint64_t{world.capsules.size()});
     for (std::size_t i = 0; i < world.capsules.size(); ++i) {
         hash.add(std::uint64_t{number(world.capsules.id[i])});

@@ -16,6 +16,7 @@ std::vector<std::string> terms_in_force(const Model& model) {
     if (model.lossy) terms.push_back("restitution");
     if (model.scatter)
         terms.push_back(fmt::format("scatter {:.6g}deg", *model.scatter * (180.0 / pi)));
+    if (model.spin) terms.push_back(fmt::format("spin {}", *model.spin));
     if (model.wrap) terms.push_back("wrap");
     if (model.one_way) terms.push_back("one-way");
     if (model.filtered) terms.push_back("collide");

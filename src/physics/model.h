@@ -26,6 +26,9 @@ struct Model {
     /// The normal of a contact of ball and edge is turned by a seeded uniform angle within +- this,
     /// radians.
     std::optional<double> scatter;
+    /// Friction acts at contacts and balls turn: the moment of inertia / (m r^2), in (0, 1]; 1/2 is
+    /// a disc, 2/5 a solid ball.
+    std::optional<double> spin;
     /// The torus: what leaves on one side comes back on the other. Low included, high excluded.
     std::optional<Box> wrap;
     /// Some restitution is below 1, or some edge is soft: balls carry a restitution.

@@ -134,7 +134,7 @@ void OverlapSolver::part_overlaps(World& world, bool all_active) {
                 const double reach = balls.radius[i] + balls.radius[j];
                 const double squared = length_squared(offset);
                 if (squared >= reach * reach) return;
-                if (terms.filtered() && !kinds_meet(world, balls.kind[i], balls.kind[j])) return;
+                if (terms.special() && !kinds_meet(world, balls.kind[i], balls.kind[j])) return;
                 note(i);
                 note(j);
                 const Vec2 normal = direction(offset, when_coincident);
@@ -183,7 +183,7 @@ void OverlapSolver::push_out_of_edge(World& world, std::uint32_t ball, std::uint
     const double reach = balls.radius[ball] + shape.radius;
     const double squared = length_squared(offset);
     if (squared >= reach * reach) return;
-    if (terms.filtered() &&
+    if (terms.special() &&
         !kind_meets_material(world, balls.kind[ball], world.capsules.material[capsule]))
         return;
     if (terms.special() && world.model.one_way &&

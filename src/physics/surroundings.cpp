@@ -65,9 +65,17 @@ void emit(World& world) {
 void stop_slow_balls(World& world, const std::vector<std::uint8_t>& touched) {
     if (!world.model.stop_speed) return;
     const double limit = *world.model.stop_speed * *world.model.stop_speed;
-    for (std::size_t i = 0; i < world.balls.size(); ++i)
-        if (length_squared(world.balls.velocity[i]) < limit && (!world.model.gravity || touched[i]))
-            world.balls.velocity[i] = {};
+    Balls& balls = world.balls;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (!(length_squared(balls.velocity[i]) < limit)) continue;
+        if (world.model.gravity && !touched[i]) continue;
+        if (world.model.spin) {
+            const double rim = balls.spin[i] * balls.radius[i];
+            if (!(rim * rim < limit)) continue;
+            balls.spin[i] = 0.0;
+        }
+        balls.velocity[i] = {};
+    }
 }
 
 void drain_sinks(World& world) {
@@ -101,6 +109,7 @@ void drain_sinks(World& world) {
     keep(balls.kind, gone);
     keep(balls.restitution, gone);
     keep(balls.edge_contacts, gone);
+    keep(balls.spin, gone);
 }
 
 }  // namespace carom

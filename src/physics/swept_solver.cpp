@@ -220,7 +220,7 @@ void SweptSolver::predict(const World& world, std::uint32_t ball, double now, bo
     if (world.model.ball_ball) {
         cells_.for_each_sharing(ball, [&](std::uint32_t other) {
             if (only_later && other < ball) return;
-            if (terms.filtered() && !kinds_meet(world, balls.kind[ball], balls.kind[other])) return;
+            if (terms.special() && !kinds_meet(world, balls.kind[ball], balls.kind[other])) return;
             const Path& theirs = paths_[other];
             Vec2 offset = position - position_at(other, now);
             if (terms.wrap()) offset = nearest_image(offset, torus_);
@@ -253,7 +253,7 @@ template <Terms terms>
 void SweptSolver::predict_edge(const World& world, std::uint32_t ball, std::uint32_t capsule,
                                Vec2 shift, double now, std::optional<Event>& best) const {
     const Balls& balls = world.balls;
-    if (terms.filtered() &&
+    if (terms.special() &&
         !kind_meets_material(world, balls.kind[ball], world.capsules.material[capsule]))
         return;
     const Path& path = paths_[ball];

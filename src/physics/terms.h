@@ -13,23 +13,25 @@ namespace carom {
 struct Terms {
     unsigned flags = 0;
 
-    static constexpr unsigned lossy_flag = 1;     ///< some restitution is below 1
-    static constexpr unsigned special_flag = 2;   ///< scatter, one-way edges, or something is held
-    static constexpr unsigned wrap_flag = 4;      ///< a torus
-    static constexpr unsigned filtered_flag = 8;  ///< not every pair meets
+    static constexpr unsigned lossy_flag = 1;  ///< some restitution is below 1
+    /// Scatter, one-way edges, a filter of who meets whom, or something is held: which of these,
+    /// the world says.
+    static constexpr unsigned special_flag = 2;
+    static constexpr unsigned wrap_flag = 4;  ///< a torus
+    static constexpr unsigned spin_flag = 8;  ///< friction, and balls turn
 
     constexpr bool lossy() const { return (flags & lossy_flag) != 0; }
     constexpr bool special() const { return (flags & special_flag) != 0; }
     constexpr bool wrap() const { return (flags & wrap_flag) != 0; }
-    constexpr bool filtered() const { return (flags & filtered_flag) != 0; }
+    constexpr bool spin() const { return (flags & spin_flag) != 0; }
 };
 
 inline Terms terms_of(const World& world) {
     const Model& model = world.model;
-    const bool special =
-        model.scatter || model.one_way || !world.held_balls.empty() || !world.held_capsules.empty();
+    const bool special = model.scatter || model.one_way || model.filtered ||
+                         !world.held_balls.empty() || !world.held_capsules.empty();
     return {(model.lossy ? Terms::lossy_flag : 0) | (special ? Terms::special_flag : 0) |
-            (model.wrap ? Terms::wrap_flag : 0) | (model.filtered ? Terms::filtered_flag : 0)};
+            (model.wrap ? Terms::wrap_flag : 0) | (model.spin ? Terms::spin_flag : 0)};
 }
 
 /// Calls `body.template operator()<Terms>()` compiled for `terms`.

@@ -45,6 +45,11 @@ Totals totals(const World& world) {
         momentum_x.add(mass * velocity.x);
         momentum_y.add(mass * velocity.y);
         angular.add(mass * cross(position, velocity));
+        if (!world.model.spin) continue;
+        const double radius = world.balls.radius[i];
+        const double inertia = *world.model.spin * mass * radius * radius;
+        kinetic.add(0.5 * inertia * world.balls.spin[i] * world.balls.spin[i]);
+        angular.add(inertia * world.balls.spin[i]);
     }
     // + 0.0 turns a negative zero into a positive one, for print.
     return {kinetic.value() + 0.0,

@@ -5,8 +5,9 @@
 /// The quantities that physics keeps, and how deep bodies are in each other.
 namespace carom {
 
-/// Sums over all balls. Potential energy is that of gravity, 0 at the origin; angular momentum is
-/// about the origin. Units: mass, length and s of the level.
+/// Sums over all balls. Where balls turn, kinetic energy and angular momentum count that. Potential
+/// energy is that of gravity, 0 at the origin; angular momentum is about the origin. Units: mass,
+/// length and s of the level.
 struct Totals {
     double kinetic_energy = 0.0;
     double potential_energy = 0.0;

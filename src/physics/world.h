@@ -29,7 +29,8 @@ struct Balls {
     std::vector<ClassIndex> kind;      ///< index into World::kinds
     std::vector<double> restitution;   ///< ball on ball, 0..1; empty unless Model::lossy
     std::vector<std::uint32_t>
-        edge_contacts;  ///< contacts with edges so far; empty unless Model::scatter
+        edge_contacts;         ///< contacts with edges so far; empty unless Model::scatter
+    std::vector<double> spin;  ///< rad/s, counter-clockwise; empty unless Model::spin
 
     std::size_t size() const { return id.size(); }
 };
@@ -39,6 +40,9 @@ struct Kind {
     double radius = 1.0;
     double mass = 3.14159265358979323846;
     double restitution = 1.0;
+    /// Ball on ball, >= 0: the coefficient of a pair is the geometric mean of their kinds'. Counts
+    /// only where Model::spin.
+    double friction = 0.0;
 };
 
 /// What a kind of edge is made of (ball on edge).
@@ -46,6 +50,8 @@ struct Material {
     double restitution = 1.0;
     /// Restitution at approach speed v is restitution / (1 + soften v). s/length, >= 0.
     double soften = 0.0;
+    /// Ball on edge, >= 0, whatever the ball. Counts only where Model::spin.
+    double friction = 0.0;
 };
 
 /// Which balls an edge pushes, seen from its start to its end.
@@ -194,6 +200,7 @@ struct BallSpec {
     std::optional<double> radius;
     std::optional<double> mass;
     std::optional<double> restitution;
+    double spin = 0.0;  ///< rad/s, counter-clockwise; for nothing unless Model::spin
 };
 
 /// Pre: kind is an index into world.kinds; radius and mass positive and finite. A restitution below

@@ -9,6 +9,7 @@
 #include "physics/random.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
+#include "physics/surroundings.h"
 #include "physics/totals.h"
 
 using namespace carom;
@@ -40,6 +41,28 @@ TEST_CASE("what a scene does not use costs no bytes, until it is used") {
     add_capsule(world, {{0, 5}, {1, 5}, 0}, 0, Side::left);
     CHECK(world.model.one_way);
     CHECK(world.capsules.side == std::vector<Side>{Side::both, Side::left});
+    CHECK(world.balls.spin.empty());
+}
+
+TEST_CASE("spin stays with its ball, and counts in the sums and in the fingerprint") {
+    World world = scenes::empty();
+    world.model.spin = 0.4;
+    for (const double spin : {1.0, 2.0, 3.0, 4.0})
+        add_ball(
+            world,
+            {.position = {9 * spin, 0}, .velocity = {}, .radius = 2.0, .mass = 3.0, .spin = spin});
+    const double inertia = 0.4 * 3.0 * 2.0 * 2.0;
+    CHECK(totals(world).kinetic_energy == doctest::Approx(0.5 * inertia * (1 + 4 + 9 + 16)));
+    CHECK(totals(world).angular_momentum == doctest::Approx(inertia * (1 + 2 + 3 + 4)));
+    remove_ball(world, BallId{1});
+    CHECK(world.balls.spin == std::vector<double>{1.0, 3.0, 4.0});
+    World other = world;
+    other.balls.spin[0] = 1.5;
+    CHECK(fingerprint(other) != fingerprint(world));
+    world.counters.push_back(0);
+    world.zones.push_back({.shape = {{27, 0}, {27, 0}, 1}, .effect = Zone::Effect::sink});
+    drain_sinks(world);
+    CHECK(world.balls.spin == std::vector<double>{1.0, 4.0});
 }
 
 TEST_CASE("a ball that is elastic by its own key stays so when the scene begins to lose energy") {

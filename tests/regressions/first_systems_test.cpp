@@ -181,8 +181,9 @@ TEST_CASE("admired for running in 2 MB: ten thousand balls are well inside it") 
         balls.id.size() * sizeof(BallId) + balls.position.size() * sizeof(Vec2) +
         balls.velocity.size() * sizeof(Vec2) + balls.radius.size() * sizeof(double) +
         balls.inverse_mass.size() * sizeof(double) + balls.kind.size() * sizeof(ClassIndex) +
-        balls.restitution.size() * sizeof(double) + balls.edge_contacts.size() * 4;
-    CHECK(bytes / 10'000 == 54);  // an elastic gas: no restitution, no counts
+        balls.restitution.size() * sizeof(double) + balls.edge_contacts.size() * 4 +
+        balls.spin.size() * sizeof(double);
+    CHECK(bytes / 10'000 == 54);  // an elastic gas: no restitution, no counts, no spin
 }
 
 TEST_CASE("a squeeze without a solution blasts out") {
