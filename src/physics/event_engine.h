@@ -135,6 +135,9 @@ class EventEngine {
     bool comes_first(std::uint32_t ball_a, const Event& a, std::uint32_t ball_b,
                      const Event& b) const;
     void consider(std::uint32_t ball, const Event& event, Event& best) const;
+    /// Every other ball that may be near, as visit(other, tori across, tori along).
+    template <typename Visit>
+    void for_each_ball_near(std::uint32_t ball, Visit&& visit) const;
     template <typename Visit>
     void for_each_edge_near(std::uint32_t ball, Visit&& visit) const;
     bool is_solid_for(std::uint32_t capsule, const Vector<Real>& position, Vec2 shift) const;
@@ -225,6 +228,33 @@ class EventEngine {
     };
     Left left_;
 };
+
+template <typename Real>
+template <typename Visit>
+void EventEngine<Real>::for_each_ball_near(std::uint32_t ball, Visit&& visit) const {
+    if (!world_->model.ball_ball) return;
+    const bool is_giant = cells_.is_giant(ball);
+    if (!is_giant) cells_.for_each_near(ball, visit);
+    if (cells_.giants().empty()) return;
+    // Giants reach beyond cells: on a torus, the nearest image and those around it.
+    const auto with_images = [&](std::uint32_t other) {
+        if (other == ball) return;
+        if (!world_->model.wrap) return visit(other, 0, 0);
+        const Vec2 way(state_at(paths_[ball], field_, now_).position -
+                       state_at(paths_[other], field_, now_).position);
+        const int across = static_cast<int>(std::floor(way.x / torus_.x + 0.5));
+        const int along = static_cast<int>(std::floor(way.y / torus_.y + 0.5));
+        for (int i = across - 1; i <= across + 1; ++i)
+            for (int j = along - 1; j <= along + 1; ++j)
+                visit(other, i, j);
+    };
+    if (is_giant)
+        for (std::uint32_t other = 0; other < paths_.size(); ++other)
+            with_images(other);
+    else
+        for (const std::uint32_t giant : cells_.giants())
+            with_images(giant);
+}
 
 template <typename Real>
 template <typename Visit>

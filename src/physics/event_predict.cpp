@@ -219,28 +219,9 @@ std::optional<Real> EventEngine<Real>::end_of_turn(std::uint32_t ball) const {
 
 template <typename Real>
 void EventEngine<Real>::predict_balls(std::uint32_t ball, Event& best) const {
-    if (!cells_.is_giant(ball))
-        cells_.for_each_near(ball, [&](std::uint32_t other, int across, int along) {
-            predict_pair(ball, other, across, along, best);
-        });
-    const auto with_images = [&](std::uint32_t other) {
-        if (other == ball) return;
-        if (!world_->model.wrap) return predict_pair(ball, other, 0, 0, best);
-        const Vector<Real> ours = state_at(paths_[ball], field_, now_).position;
-        const Vector<Real> theirs = state_at(paths_[other], field_, now_).position;
-        const Vec2 way(ours - theirs);
-        const int across = static_cast<int>(std::floor(way.x / torus_.x + 0.5));
-        const int along = static_cast<int>(std::floor(way.y / torus_.y + 0.5));
-        for (int i = across - 1; i <= across + 1; ++i)
-            for (int j = along - 1; j <= along + 1; ++j)
-                predict_pair(ball, other, i, j, best);
-    };
-    if (cells_.is_giant(ball))
-        for (std::uint32_t other = 0; other < paths_.size(); ++other)
-            with_images(other);
-    else
-        for (const std::uint32_t giant : cells_.giants())
-            with_images(giant);
+    for_each_ball_near(ball, [&](std::uint32_t other, int across, int along) {
+        predict_pair(ball, other, across, along, best);
+    });
 }
 
 template <typename Real>

@@ -75,7 +75,7 @@ std::vector<typename EventEngine<Real>::Support> EventEngine<Real>::supports_of(
         if (carries(support.normal)) points.push_back(support);
     });
     const auto with_ball = [&](std::uint32_t other, int across, int along) {
-        if (other == ball || !balls_meet(ball, other)) return;
+        if (!balls_meet(ball, other)) return;
         if (!also_moving && paths_[other].motion != Motion::resting) return;
         Support support;
         support.center =
@@ -91,10 +91,7 @@ std::vector<typename EventEngine<Real>::Support> EventEngine<Real>::supports_of(
                       static_cast<std::int8_t>(along), number(world_->balls.id[other])};
         if (carries(support.normal)) points.push_back(support);
     };
-    if (world_->model.ball_ball && !cells_.is_giant(ball)) cells_.for_each_near(ball, with_ball);
-    if (world_->model.ball_ball && cells_.is_giant(ball))
-        for (std::uint32_t other = 0; other < paths_.size(); ++other)
-            with_ball(other, 0, 0);
+    for_each_ball_near(ball, with_ball);
     // By number, wherever the cells are.
     std::sort(points.begin(), points.end(), [](const Support& a, const Support& b) {
         const auto key = [](const PathSupport& by) {
@@ -197,14 +194,7 @@ void EventEngine<Real>::release_what_rests_on(std::uint32_t ball,
             paths_[other].quick = quick;
             released.push_back(other);
         };
-        if (cells_.is_giant(support)) {
-            for (std::uint32_t other = 0; other < paths_.size(); ++other)
-                if (other != support) look(other, 0, 0);
-        } else {
-            cells_.for_each_near(support, look);
-            for (const std::uint32_t giant : cells_.giants())
-                if (giant != support) look(giant, 0, 0);
-        }
+        for_each_ball_near(support, look);
     }
 }
 

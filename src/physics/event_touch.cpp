@@ -127,16 +127,7 @@ void EventEngine<Real>::scan(std::uint32_t body) {
         if (is_first(Kind::ball_ball, other))
             near_.push_back({static_cast<int>(other), across, along});
     };
-    if (world_->model.ball_ball) {
-        if (!cells_.is_giant(ball)) {
-            cells_.for_each_near(ball, with_ball);
-            for (const std::uint32_t giant : cells_.giants())
-                with_ball(giant, 0, 0);
-        } else {
-            for (std::uint32_t other = 0; other < paths_.size(); ++other)
-                if (other != ball) with_ball(other, 0, 0);
-        }
-    }
+    for_each_ball_near(ball, with_ball);
     // By number: where the cells are must not show, not even in rounding.
     std::sort(near_.begin(), near_.end());
     for (const auto& [other, across, along] : near_)
