@@ -105,6 +105,9 @@ void CapsuleCells::update(const World& world, const CellFrame& frame, double mar
     for_each_entry(
         [&](std::uint32_t cell, CapsuleEntry entry) { entries_[fill_[cell]++] = entry; });
     frame_.wraps = wraps;
+    occupied_.clear();
+    for (std::uint32_t cell = 0; cell < frame.count(); ++cell)
+        if (start_[cell + 1] != start_[cell]) occupied_.push_back(cell);
 }
 
 }  // namespace carom

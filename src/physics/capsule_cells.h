@@ -29,6 +29,9 @@ class CapsuleCells {
         return std::span(entries_).subspan(start_[cell], start_[cell + 1] - start_[cell]);
     }
 
+    /// The cells that have any, ascending.
+    std::span<const std::uint32_t> occupied() const { return occupied_; }
+
   private:
     bool is_current(const World& world, const CellFrame& frame, double margin) const;
     template <typename Visit>
@@ -41,6 +44,7 @@ class CapsuleCells {
     std::vector<std::uint32_t> start_;
     std::vector<CapsuleEntry> entries_;
     std::vector<std::uint32_t> fill_;
+    std::vector<std::uint32_t> occupied_;
 };
 
 /// Whether a hand holds the capsule.

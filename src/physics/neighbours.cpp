@@ -1,0 +1,124 @@
+#include "physics/neighbours.h"
+
+#include <algorithm>
+
+#include "geometry/closest.h"
+
+namespace carom {
+
+bool is_overlap(const World& world, const EdgePair& pair, double margin) {
+    Capsule shape = world.capsules.shape[pair.capsule];
+    if (world.model.wrap) {
+        const Vec2 torus = size(*world.model.wrap);
+        const Vec2 shift{pair.across * torus.x, pair.along * torus.y};
+        shape.start += shift;
+        shape.end += shift;
+    }
+    const Vec2 position = world.balls.position[pair.ball];
+    const Vec2 offset = position - closest_point(shape.start, shape.end, position);
+    const double reach = world.balls.radius[pair.ball] + shape.radius + margin;
+    return length_squared(offset) < reach * reach;
+}
+
+void Neighbours::look(const World& world, double margin) {
+    const Balls& balls = world.balls;
+    margin_ = margin;
+    torus_ = world.model.wrap ? size(*world.model.wrap) : Vec2{};
+    reference_.clear();
+    radius_.clear();
+    if (margin > 0.0) {
+        reference_ = balls.position;
+        radius_ = balls.radius;
+    }
+    grid_.build(balls.position, balls.radius, margin, world.model.wrap);
+    found_.clear();
+    if (world.model.ball_ball)
+        grid_.for_each_pair([&](std::uint32_t a, std::uint32_t b) {
+            found_.push_back({std::min(a, b), std::max(a, b)});
+        });
+    others_start_.clear();
+    sort_pairs(balls.size());
+    look_for_edges(world);
+}
+
+// By the first ball, counting; then the few of each by the second.
+void Neighbours::sort_pairs(std::size_t balls) {
+    start_.assign(balls, 0);
+    for (const BallPair& pair : found_)
+        ++start_[pair.first];
+    std::uint32_t end = 0;
+    for (std::uint32_t& start : start_)
+        start = end += start;
+    pairs_.resize(found_.size());
+    for (const BallPair& pair : found_)
+        pairs_[--start_[pair.first]] = pair;
+    for (std::size_t i = 1; i < pairs_.size(); ++i) {
+        const BallPair pair = pairs_[i];
+        std::size_t at = i;
+        for (; at > 0 && pair < pairs_[at - 1]; --at)
+            pairs_[at] = pairs_[at - 1];
+        pairs_[at] = pair;
+    }
+}
+
+void Neighbours::look_for_edges(const World& world) {
+    edges_.clear();
+    cells_of_edges_.resize(world.model.ball_edge ? grid_.levels() : 0);
+    for (std::size_t level = 0; level < cells_of_edges_.size(); ++level) {
+        const CellFrame& frame = grid_.frame(level);
+        CapsuleCells& cells = cells_of_edges_[level];
+        cells.update(world, frame, grid_.largest(level));
+        for (const std::uint32_t cell : cells.occupied()) {
+            const int column = static_cast<int>(cell % static_cast<std::uint32_t>(frame.columns));
+            const int row = static_cast<int>(cell / static_cast<std::uint32_t>(frame.columns));
+            grid_.for_each_in_cell(level, column, row, [&](std::uint32_t ball) {
+                for (const CapsuleEntry entry : cells.in_cell(cell)) {
+                    const EdgePair pair{ball, entry.index, entry.along, entry.across};
+                    if (is_overlap(world, pair, margin_)) edges_.push_back(pair);
+                }
+            });
+        }
+    }
+    std::sort(edges_.begin(), edges_.end());
+}
+
+bool Neighbours::covers(std::uint32_t ball, Vec2 position) const {
+    if (!(margin_ > 0.0)) return false;
+    Vec2 way = position - reference_[ball];
+    if (torus_.x > 0.0) way = nearest_image(way, torus_);
+    constexpr double share = 0.999;  // of the margin; the rest is for rounding
+    return length_squared(way) <= share * margin_ * (share * margin_);
+}
+
+bool Neighbours::cover(const World& world) const {
+    const Balls& balls = world.balls;
+    if (!(margin_ > 0.0) || radius_ != balls.radius) return false;
+    if (torus_ != (world.model.wrap ? size(*world.model.wrap) : Vec2{})) return false;
+    for (std::uint32_t i = 0; i < balls.size(); ++i)
+        if (!covers(i, balls.position[i])) return false;
+    return true;
+}
+
+void Neighbours::list_by_ball() {
+    if (!others_start_.empty()) return;
+    others_start_.assign(start_.size() + 2, 0);
+    for (const BallPair& pair : pairs_) {
+        ++others_start_[pair.first + 2];
+        ++others_start_[pair.second + 2];
+    }
+    for (std::size_t i = 2; i < others_start_.size(); ++i)
+        others_start_[i] += others_start_[i - 1];
+    // Those before the ball first, in the order of pairs: so each list ascends.
+    others_.resize(2 * pairs_.size());
+    for (const BallPair& pair : pairs_)
+        others_[others_start_[pair.second + 1]++] = pair.first;
+    for (const BallPair& pair : pairs_)
+        others_[others_start_[pair.first + 1]++] = pair.second;
+}
+
+std::span<const EdgePair> Neighbours::edges_of(std::uint32_t ball) const {
+    const auto [first, last] = std::ranges::equal_range(edges_, ball, {}, &EdgePair::ball);
+    return {first, last};
+}
+
+}  // namespace carom

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "physics/capsule_cells.h"
+#include "physics/disc_grid.h"
+#include "physics/world.h"
+
+/// Who is near whom: pairs of balls, and of balls and edges, in an order that knows no cells.
+namespace carom {
+
+/// Two balls by index, first < second.
+struct BallPair {
+    std::uint32_t first = 0;
+    std::uint32_t second = 0;
+
+    friend auto operator<=>(const BallPair&, const BallPair&) = default;
+};
+
+/// A ball and an edge by index; on a torus, which image of the edge.
+struct EdgePair {
+    std::uint32_t ball = 0;
+    std::uint32_t capsule = 0;
+    std::int8_t along = 0;
+    std::int8_t across = 0;
+
+    friend auto operator<=>(const EdgePair&, const EdgePair&) = default;
+};
+
+/// What `look` found stays good until some ball has gone further than the margin from where it was
+/// then, so that several steps can share it. Lists are in ascending order. Filters of who meets
+/// whom, and hands, are the caller's business; held capsules are left out.
+class Neighbours {
+  public:
+    /// Notes all pairs of bodies that are nearer to one another than twice `margin` (ball and ball)
+    /// or `margin` (ball and edge), margin >= 0, measured from surface to surface. Margin 0: those
+    /// that overlap.
+    void look(const World& world, double margin);
+
+    /// Whether every two bodies that overlap now are among those noted: same balls, and none has
+    /// gone further than the margin. With margin 0: false.
+    bool cover(const World& world) const;
+    /// The same for a single ball, which is now at `position`.
+    bool covers(std::uint32_t ball, Vec2 position) const;
+
+    double margin() const { return margin_; }
+    std::span<const BallPair> pairs() const { return pairs_; }
+    std::span<const EdgePair> edges() const { return edges_; }
+
+    /// The balls in pairs with `ball`, ascending. Pre: `list_by_ball` since the last `look`.
+    std::span<const std::uint32_t> of(std::uint32_t ball) const {
+        return std::span(others_).subspan(others_start_[ball],
+                                          others_start_[ball + 1] - others_start_[ball]);
+    }
+    void list_by_ball();
+    std::span<const EdgePair> edges_of(std::uint32_t ball) const;
+
+    /// Calls visit(capsule, across, along) for the edges that a ball may touch that is now at
+    /// `position`, covered or not; perhaps for some that it does not.
+    template <typename Visit>
+    void for_each_edge_at(std::uint32_t ball, Vec2 position, Visit&& visit) const {
+        if (cells_of_edges_.empty()) return;
+        const std::size_t level = grid_.level_of(ball);
+        const CellFrame& frame = grid_.frame(level);
+        const std::uint32_t cell = frame.index(frame.column(position.x), frame.row(position.y));
+        for (const CapsuleEntry entry : cells_of_edges_[level].in_cell(cell))
+            visit(EdgePair{ball, entry.index, entry.along, entry.across});
+    }
+
+    const DiscGrid& grid() const { return grid_; }
+
+  private:
+    void sort_pairs(std::size_t balls);
+    void look_for_edges(const World& world);
+
+    double margin_ = 0.0;
+    Vec2 torus_;
+    DiscGrid grid_;
+    std::vector<CapsuleCells> cells_of_edges_;  // by level
+    std::vector<Vec2> reference_;               // where the balls were; empty with margin 0
+    std::vector<double> radius_;                // the same
+    std::vector<BallPair> found_;
+    std::vector<std::uint32_t> start_;
+    std::vector<BallPair> pairs_;
+    std::vector<EdgePair> edges_;
+    std::vector<std::uint32_t> others_start_;
+    std::vector<std::uint32_t> others_;
+};
+
+/// Whether the ball overlaps the edge.
+bool is_overlap(const World& world, const EdgePair& pair, double margin = 0.0);
+
+}  // namespace carom
