@@ -117,7 +117,10 @@ void Neighbours::list_by_ball() {
 }
 
 std::span<const EdgePair> Neighbours::edges_of(std::uint32_t ball) const {
-    const auto [first, last] = std::ranges::equal_range(edges_, ball, {}, &EdgePair::ball);
+    const auto first = std::ranges::lower_bound(edges_, ball, {}, &EdgePair::ball);
+    auto last = first;
+    while (last != edges_.end() && last->ball == ball)
+        ++last;
     return {first, last};
 }
 
