@@ -75,3 +75,14 @@ build() {
     cmake --build "$folder" --parallel "$(nproc)" "${targets[@]}" >&2 ||
         fail "the build in $folder failed"
 }
+
+# The programs of benchmarks/ in build/release, which is the build of players and tests too. Arguments
+# go to cmake.
+configure_benchmarks() {
+    # Tests need more packages; a folder that has them switched on keeps them.
+    [ -f build/release/.configured ] || configure release build/release -DCAROM_TESTS=OFF
+    cmake -DCAROM_BENCHMARKS=ON "$@" build/release >build/release/configure.log 2>&1 || {
+        cat build/release/configure.log >&2
+        fail "the build in build/release could not be configured"
+    }
+}

@@ -1,0 +1,185 @@
+#include "runs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include "level_scene.h"
+
+namespace carom::bench {
+namespace {
+
+constexpr std::int64_t tenth_of_a_second = 6;  // ticks
+
+std::string quoted(const std::string& word) {
+    std::string text = "'";
+    for (const char c : word)
+        text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
+// The words that start the program; empty: it is not there.
+std::string call_of(const Places& places, const std::string& program) {
+    const bool is_script = program.ends_with(".mjs");
+    const std::string path = (is_script ? places.scripts : places.programs) + "/" + program;
+    if (!std::filesystem::exists(path)) return {};
+    return (is_script ? "node " : "") + quoted(path);
+}
+
+// By what its first run took, with the ticks that do not count; none where that failed.
+int runs_for(const Result& result, int rounds) {
+    if (result.seconds.empty()) return 0;
+    const double seconds = result.seconds.front() * result.ticks / result.measured;
+    if (seconds >= 60.0) return 1;
+    return seconds >= 10.0 ? std::min(rounds, 3) : rounds;
+}
+
+std::optional<Frame> frame_at(const std::vector<Frame>& frames, std::int64_t tick) {
+    const auto found = std::ranges::find(frames, tick, &Frame::tick);
+    if (found == frames.end()) return std::nullopt;
+    return *found;
+}
+
+// What carom is called with, after the list and the frames.
+std::vector<std::string> carom_arguments(const std::string& level, std::vector<std::string> scene,
+                                         const std::vector<std::string>& own) {
+    scene.insert(scene.begin(), level);
+    scene.insert(scene.end(), own.begin(), own.end());
+    return scene;
+}
+
+// A scene that is ready to be run.
+struct Stage {
+    const Places& places;
+    std::string level;
+    World world;
+    SceneList list;
+    std::string list_path;
+    std::string frames_path;
+    std::optional<Frame> reference;
+};
+
+// Where all balls are after 0.1 s by the solver `event`.
+std::optional<Frame> reference_of(const Stage& stage, const BenchScene& scene) {
+    if (scene.sort != SceneSort::gas) return std::nullopt;
+    SceneList head = stage.list;
+    head.plan = {.ticks = tenth_of_a_second, .measured_from = 0, .sample_every = tenth_of_a_second};
+    const std::string path = stage.places.scratch + "/reference.list";
+    std::ofstream(path) << scene_list_text(head);
+    const auto arguments = carom_arguments(stage.level, scene.settings, {"solver event"});
+    if (!run_engine(stage.places, "bench_carom", path, stage.frames_path, arguments))
+        return std::nullopt;
+    return frame_at(read_frames(stage.frames_path), tenth_of_a_second);
+}
+
+// Once; only the first run of an engine is judged, since all are alike.
+void run_contestant(const Stage& stage, const BenchScene& scene, Result& result) {
+    const bool is_first = result.seconds.empty();
+    std::vector<std::string> arguments;
+    if (result.contestant.program == "bench_carom")
+        arguments = carom_arguments(stage.level, scene.settings, result.contestant.settings);
+    std::filesystem::remove(stage.frames_path);
+    auto run = run_engine(stage.places, result.contestant.program, stage.list_path,
+                          is_first ? stage.frames_path : "-", arguments);
+    if (!run) return;
+    result.engine = run->engine;
+    result.ticks = run->figures["ticks"];
+    result.measured = run->figures["measured"];
+    result.seconds.push_back(run->figures["seconds"]);
+    if (is_first) {
+        result.accuracy =
+            judge(stage.world, stage.list, read_frames(stage.frames_path), stage.reference);
+    }
+}
+
+}  // namespace
+
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2.0;
+}
+
+double Result::median_seconds() const {
+    return median(seconds);
+}
+
+std::optional<RunFigures> run_engine(const Places& places, const std::string& program,
+                                     const std::string& list, const std::string& frames,
+                                     const std::vector<std::string>& arguments) {
+    const std::string call = call_of(places, program);
+    if (call.empty()) return std::nullopt;
+    std::string line = fmt::format("timeout 1800 {} {} {}", call, quoted(list), quoted(frames));
+    for (const std::string& argument : arguments)
+        line += " " + quoted(argument);
+    line += " 2>" + quoted(places.scratch + "/errors");
+    std::FILE* pipe = popen(line.c_str(), "r");
+    if (!pipe) return std::nullopt;
+    std::string output;
+    std::array<char, 4096> part{};
+    while (const std::size_t size = std::fread(part.data(), 1, part.size(), pipe))
+        output.append(part.data(), size);
+    if (pclose(pipe) != 0) return std::nullopt;
+    RunFigures run;
+    std::istringstream in(output);
+    for (std::string word; in >> word;) {
+        if (word == "engine") {
+            std::getline(in >> std::ws, run.engine);
+        } else {
+            in >> run.figures[word];
+        }
+    }
+    return run;
+}
+
+SceneResults run_scene(const Places& places, const BenchScene& scene, int rounds,
+                       const std::function<void(const std::string&)>& say) {
+    SceneResults all{.scene = scene};
+    const std::string level = places.scenes + "/" + scene.level;
+    const LoadedScene loaded = load_scene(level, scene.settings);
+    if (!loaded.scene) {
+        all.error = loaded.error;
+        return all;
+    }
+    const ListedScene listed = list_of(loaded.scene->world, scene.plan);
+    if (!listed.list) {
+        all.error = listed.error;
+        return all;
+    }
+    all.balls = listed.list->balls.size();
+    Stage stage{.places = places,
+                .level = level,
+                .world = loaded.scene->world,
+                .list = *listed.list,
+                .list_path = places.scratch + "/scene.list",
+                .frames_path = places.scratch + "/run.frames"};
+    std::ofstream(stage.list_path) << scene_list_text(stage.list);
+    stage.reference = reference_of(stage, scene);
+
+    std::vector<Result> results;
+    for (const Contestant& contestant : scene.contestants)
+        results.push_back({.contestant = contestant});
+    for (int round = 0; round < rounds; ++round) {
+        for (Result& result : results) {
+            if (round > 0 && round >= runs_for(result, rounds)) continue;
+            say(fmt::format("{}: {}, run {}", scene.name, result.contestant.name, round + 1));
+            run_contestant(stage, scene, result);
+        }
+    }
+    for (Result& result : results) {
+        if (result.seconds.empty()) {
+            all.absent.push_back(result.contestant.name);
+        } else {
+            all.results.push_back(std::move(result));
+        }
+    }
+    return all;
+}
+
+}  // namespace carom::bench

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "judge.h"
+#include "suite.h"
+
+/// Runs engines as processes, by turns.
+namespace carom::bench {
+
+/// Where things are.
+struct Places {
+    std::string programs;  ///< folder of bench_carom, bench_box2d, ...
+    std::string scripts;  ///< folder of the engines in JavaScript with their packages; may be empty
+    std::string scenes;   ///< benchmarks/scenes
+    std::string scratch;  ///< for lists and frames
+};
+
+/// What one run printed. Figures by name: seconds, ticks, measured, heap, collisions.
+struct RunFigures {
+    std::string engine;  ///< as the program calls itself
+    std::map<std::string, double> figures;
+};
+
+/// None: the program is not there, failed, or took more than half an hour.
+std::optional<RunFigures> run_engine(const Places& places, const std::string& program,
+                                     const std::string& list, const std::string& frames,
+                                     const std::vector<std::string>& arguments);
+
+struct Result {
+    Contestant contestant;
+    std::string engine;
+    std::vector<double> seconds;  ///< of each run, for `measured` ticks
+    double measured = 0.0;        ///< ticks
+    double ticks = 0.0;
+    Accuracy accuracy;
+
+    double median_seconds() const;
+    double milliseconds_a_tick() const { return 1e3 * median_seconds() / measured; }
+};
+
+struct SceneResults {
+    BenchScene scene;
+    std::size_t balls = 0;
+    std::vector<Result> results;      ///< in the order of the contestants
+    std::vector<std::string> absent;  ///< contestants that did not run
+    std::string error;                ///< why there are no results at all
+};
+
+double median(std::vector<double> values);
+
+/// Runs all contestants by turns, `rounds` times those that are quick, less often what takes long
+/// (three times from 10 s on, once from 60 s on). `say` hears of each run.
+SceneResults run_scene(const Places& places, const BenchScene& scene, int rounds,
+                       const std::function<void(const std::string&)>& say);
+
+}  // namespace carom::bench

@@ -1,0 +1,99 @@
+#include "term_scenes.h"
+
+namespace carom::bench {
+namespace {
+
+class Scenes {
+  public:
+    explicit Scenes(std::string gas) : gas_(std::move(gas)) {}
+
+    CountedScene bare() const { return {.name = "gas", .text = gas_, .overrides = {"let n=500"}}; }
+    CountedScene with(const std::string& statements) const {
+        CountedScene scene = bare();
+        scene.text += statements + "\n";
+        return scene;
+    }
+    CountedScene with_override(const std::string& statement) const {
+        CountedScene scene = bare();
+        scene.overrides.push_back(statement);
+        return scene;
+    }
+
+  private:
+    std::string gas_;
+};
+
+// Every edge lets through what comes from behind it, where no ball is.
+void make_one_way(World& world) {
+    const Vec2 inside = world.balls.position.front();
+    world.model.one_way = true;
+    world.capsules.side.clear();
+    for (const Capsule& shape : world.capsules.shape) {
+        const bool is_left = cross(shape.end - shape.start, inside - shape.start) > 0.0;
+        world.capsules.side.push_back(is_left ? Side::left : Side::right);
+    }
+}
+
+// A wall in a hand that goes hardly anywhere.
+void hold_wall(World& world) {
+    const Capsule& wall = world.capsules.shape.front();
+    const Vec2 step{1e-12, 0.0};
+    world.held_capsules = {{.id = world.capsules.id.front(),
+                            .start_target = wall.start + step,
+                            .end_target = wall.end + step}};
+}
+
+// One that is not due for a thousand seconds.
+void add_emitter(World& world) {
+    world.emitters.push_back({.every = 1000.0, .count = 2, .emitted = 1});
+}
+
+void add_spent_emitter(World& world) {
+    world.emitters.push_back({.every = 1.0, .count = 1, .emitted = 1});
+}
+
+}  // namespace
+
+CountedScene bare_scene(const std::string& gas) {
+    return Scenes(gas).bare();
+}
+
+std::vector<TermScene> term_scenes(const std::string& gas) {
+    const Scenes scenes(gas);
+    CountedScene one_way = scenes.bare();
+    one_way.prepare = make_one_way;
+    CountedScene held = scenes.bare();
+    held.before_tick = hold_wall;
+    CountedScene let_go = scenes.bare();
+    let_go.prepare = hold_wall;
+    let_go.before_tick = [](World& world) {
+        if (world.tick > 0) world.held_capsules.clear();
+    };
+    CountedScene emitter = scenes.bare();
+    emitter.prepare = add_emitter;
+    CountedScene spent_emitter = scenes.bare();
+    spent_emitter.prepare = add_spent_emitter;
+    const std::string nobody = "kind nobody r=1\ncollide atom atom\ncollide atom edge\n";
+    return {
+        {"gravity", scenes.with("use gravity 0,-1e-9"), scenes.with("use gravity 0,0")},
+        {"drag", scenes.with("use drag 1e-9"), scenes.with("use drag 0")},
+        {"restitution", scenes.with_override("kind atom r=1 m=1 e=0.999999999"),
+         scenes.with_override("kind atom r=1 m=1 e=1")},
+        {"stop", scenes.with("use stop 1e-9"), scenes.with("use stop 0")},
+        {"speed limit", scenes.with("use limit 1e9"), std::nullopt},
+        {"spin and friction",
+         scenes.with("use spin\nmaterial smooth mu=1e-9\nedge smooth -1,-1 -1,-1.5 r=1"),
+         std::nullopt},
+        {"torus", scenes.with("world -2,-2 side+2,side+2\nuse wrap"),
+         scenes.with("world -2,-2 side+2,side+2")},
+        {"scatter", scenes.with("use scatter 1e-9"), scenes.with("use scatter 0")},
+        {"one-way edges", one_way, std::nullopt},
+        {"filter", scenes.with(nobody + "ball kind=nobody at=-1,-1"),
+         scenes.with("collide atom atom\ncollide atom edge\n")},
+        {"edge in a hand", held, let_go},
+        {"sink", scenes.with("zone -1,-1 -1,-1 r=0.1 sink"), std::nullopt},
+        {"emitter", emitter, spent_emitter},
+    };
+}
+
+}  // namespace carom::bench
