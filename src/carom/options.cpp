@@ -21,7 +21,7 @@ struct Typed {
     std::vector<std::string> levels;
     std::string solver, rate, seed;
     std::vector<std::string> overrides;
-    std::string time, ticks, report, events, trace, record, replay;
+    std::string time, ticks, report, events, trace, record, replay, cast;
     std::string solvers, rates, repeats, horizon, tolerance, budget, nudge, csv, json;
     std::string renderer, colors, fps, rewind;
     bool explain = false, no_mouse = false, low_bandwidth = false, watch = false, paused = false,
@@ -77,6 +77,8 @@ void add_view_options(CLI::App& command, Typed& typed) {
     command.add_flag("--paused", typed.paused, "Start paused");
     command.add_option("--rewind", typed.rewind, "Most memory for stepping back, in MiB")
         ->type_name("MIB");
+    command.add_option("--cast", typed.cast, "Film the screen, for asciinema play")
+        ->type_name("FILE");
 }
 
 void add_play(CLI::App& app, Typed& typed) {
@@ -309,11 +311,14 @@ PlayOptions play_options(const Typed& typed, OptionReader& read) {
                         .low_bandwidth = typed.low_bandwidth,
                         .record = typed.record,
                         .replay = typed.replay,
+                        .cast = typed.cast,
                         .watch = typed.watch,
                         .paused = typed.paused,
                         .resume = typed.resume};
     if (!typed.record.empty() && typed.level.empty() && !typed.resume)
         read.refuse("--record needs to know the LEVEL");
+    if (!typed.cast.empty() && (typed.cast == typed.record || typed.cast == typed.replay))
+        read.refuse("--cast needs a file of its own");
     if (const auto mebibytes = read.number("--rewind", typed.rewind, {.least = 0, .most = 65536})) {
         options.rewind_bytes = static_cast<std::size_t>(*mebibytes * 1048576.0);
     }

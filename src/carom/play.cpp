@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
+#include <filesystem>
 #include <iterator>
 #include <utility>
 #include <vector>
 
+#include "carom/cast.h"
 #include "carom/files.h"
 #include "carom/print.h"
 #include "carom/program.h"
@@ -59,6 +62,15 @@ PreferencesText preferences_of_user() {
     return read_preferences(read_file(*path).text.value_or(""), *path);
 }
 
+/// Of a film: what is played, without the folders, which are the player's own.
+std::string title_of(const PlayOptions& options) {
+    const auto name = [](const std::string& path) {
+        return std::filesystem::path(path).filename().string();
+    };
+    if (!options.replay.empty()) return "carom replay " + name(options.replay);
+    return options.level.empty() ? "carom" : "carom play " + name(options.level);
+}
+
 /// Looks for input while a tick is computed, and keeps what came for when the tick is over or given
 /// up.
 class LookOut {
@@ -91,7 +103,7 @@ class LookOut {
 };
 
 /// The loop: input, time, picture, and again. Returns when the program is over.
-void run(Program& program, Screen& screen, const PacingOptions& pacing_options) {
+void run(Program& program, Screen& screen, const PacingOptions& pacing_options, Cast* cast) {
     Pacing pacing(pacing_options);
     const double frame = 1.0 / pacing_options.frames_per_second;
     LookOut look_out(program, screen);
@@ -125,6 +137,8 @@ void run(Program& program, Screen& screen, const PacingOptions& pacing_options) 
                 program.draw(canvas);
                 const std::size_t bytes = screen.show(canvas, FrameEnd::asks);
                 if (bytes > 0) pacing.drawn(drawing, bytes);
+                if (bytes > 0 && cast)
+                    cast->add(drawing, canvas.columns(), canvas.rows(), screen.last_frame());
                 input_came = false;
             }
         }
@@ -170,6 +184,15 @@ int play_here(const PlayOptions& options) {
         print_note(text);
         return 2;
     }
+    std::optional<Cast> cast;
+    if (!options.cast.empty()) {
+        const char* const terminal = std::getenv("TERM");
+        cast.emplace(options.cast, title_of(options), terminal ? terminal : "");
+        if (const auto obstacle = cast->obstacle()) {
+            print_error(*obstacle);
+            return 2;
+        }
+    }
     screen_options.mouse = mouse_mode(program.screen_wishes());
     auto opened = Screen::open(screen_options);
     if (const auto* error = std::get_if<ScreenError>(&opened)) {
@@ -178,13 +201,12 @@ int play_here(const PlayOptions& options) {
     }
     {
         Screen screen = std::move(std::get<Screen>(opened));
-        run(program, screen, pacing);
+        run(program, screen, pacing, cast ? &*cast : nullptr);
     }
-    if (program.lost_recording()) {
-        print_error(*program.lost_recording());
-        return 2;
-    }
-    return 0;
+    const auto lost_cast = cast ? cast->finish(seconds_now()) : std::nullopt;
+    for (const auto& lost : {program.lost_recording(), lost_cast})
+        if (lost) print_error(*lost);
+    return program.lost_recording() || lost_cast ? 2 : 0;
 }
 
 }  // namespace

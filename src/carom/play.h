@@ -33,6 +33,7 @@ struct PlayOptions {
 
     std::string record;  ///< a file for the recording; empty: none
     std::string replay;  ///< a recording, to be watched instead of playing a level; empty: none
+    std::string cast;    ///< a file for a film of the screen; empty: none
 
     bool watch = false;   ///< load the level again whenever its files are saved
     bool paused = false;  ///< start paused

@@ -73,6 +73,7 @@ const Capabilities& Screen::capabilities() const {
 
 std::size_t Screen::show(const Canvas& canvas, FrameEnd end) {
     State& state = *state_;
+    state.frame = {};
     if (!state.is_open || state.is_gone) return 0;
     const std::string_view change = state.curses->paint(canvas);
     if (change.empty()) return 0;
@@ -85,7 +86,12 @@ std::size_t Screen::show(const Canvas& canvas, FrameEnd end) {
         return 0;
     }
     if (end == FrameEnd::asks) ++state.asked;
+    state.frame = change;
     return bytes.size();
+}
+
+std::string_view Screen::last_frame() const {
+    return state_->frame;
 }
 
 void Screen::redraw() {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -59,6 +60,10 @@ class Screen {
     /// the bytes written: 0 where nothing changed and nothing is asked, or where the terminal is
     /// gone.
     std::size_t show(const Canvas& canvas, FrameEnd end = FrameEnd::silent);
+    /// What the last show() sent to change the picture, without what stands around it: whole
+    /// characters and whole sequences; empty where it returned 0. The first frame of all, and of
+    /// each size, starts from nothing. Valid until the next show().
+    std::string_view last_frame() const;
     /// The next show() sends everything: for a screen that something else has written over.
     void redraw();
 

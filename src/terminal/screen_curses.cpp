@@ -153,6 +153,7 @@ std::string_view Curses::paint(const Canvas& canvas) {
     if (state.is_left) return {};
     if (std::exchange(state.is_whole_due, false) || !state.cells.has_shape_of(canvas)) {
         state.cells.forget(canvas);
+        state.styles.distrust();  // what has written over the screen has its own colours
         werase(stdscr);
         clearok(curscr, TRUE);
     }

@@ -24,6 +24,7 @@ struct Screen::State {
     termios modes_before{};
     std::vector<InputEvent> waiting;  // for the next wait()
     std::vector<int> deferred;        // signals that came while something was being sent
+    std::string_view frame;           // that was sent last
     double idle = 0.0;                // s waited in vain for the rest of what has begun
     unsigned asked = 0;               // for the terminal's status
     unsigned answered = 0;            // at most `asked`

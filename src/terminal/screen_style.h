@@ -28,7 +28,10 @@ class StyleFilter {
     /// carries over to the next call; what is not understood passes through.
     std::string filtered(std::string_view bytes);
 
-    /// Nothing is known of what the terminal is in; what comes next is in no style.
+    /// Nothing is known of what the terminal is in.
+    void distrust() { style_.reset(); }
+
+    /// The same, and what comes next is in no style.
     void forget() {
         style_.reset();
         wanted_ = {};
