@@ -39,13 +39,12 @@ class Outputs {
         open(events_, options.events);
         open(trace_, options.trace);
         open(record_, options.record);
-        if (trace_) trace_->write(trace_header());
     }
 
     bool any() const { return report_ || events_ || trace_ || record_; }
 
     void write_start(const World& world) {
-        if (trace_) trace_->write(trace_rows(world));
+        if (trace_) trace_->write(trace_header(world) + trace_rows(world));
     }
     void write_tick(const World& world, const Solver& solver) {
         if (events_) events_->write(event_lines(solver.contacts(), world.tick));

@@ -98,6 +98,7 @@ Refusal refused(const World& world, const AddBall& add) {
     const double restitution = spec.restitution.value_or(world.kinds[spec.kind].restitution);
     if (auto why = unless_finite(is_finite(spec.position), "the place")) return why;
     if (auto why = unless_finite(is_finite(spec.velocity), "the speed")) return why;
+    if (auto why = unless_finite(std::isfinite(spec.spin), "the spin")) return why;
     if (!(radius > 0.0) || !std::isfinite(radius)) return "its radius must be positive";
     if (!(mass > 0.0) || !std::isfinite(mass) || !std::isfinite(1.0 / mass))
         return "its mass must be positive";

@@ -48,6 +48,7 @@ struct CommandText {
         if (spec.radius) text += fmt::format(" r={}", *spec.radius);
         if (spec.mass) text += fmt::format(" m={}", *spec.mass);
         if (spec.restitution) text += fmt::format(" e={}", *spec.restitution);
+        if (spec.spin != 0.0) text += fmt::format(" w={}", spec.spin);
         return text;
     }
     std::string operator()(const RemoveBall& c) const {
@@ -91,6 +92,7 @@ Command add_ball_of(Words& words) {
     spec.radius = words.optional_real("r=");
     spec.mass = words.optional_real("m=");
     spec.restitution = words.optional_real("e=");
+    spec.spin = words.optional_real("w=").value_or(0.0);
     return AddBall{spec};
 }
 

@@ -22,20 +22,30 @@ double mass_of(double inverse_mass) {
     return 1.0 / inverse_mass;
 }
 
-/// Degrees that the loader turns into exactly these radians: within a few units in the last place
-/// of the obvious ones.
-double degrees_of(double radians) {
+/// What the loader, which does `read`, turns into exactly `wanted`: within a few units in the last
+/// place of the guess.
+template <typename Read>
+double unread(double guess, double wanted, Read read) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const double guess = radians * 180.0 / pi;
     double below = guess;
     double above = guess;
     for (int i = 0; i < 8; ++i) {
-        if (below * pi / 180.0 == radians) return below;
-        if (above * pi / 180.0 == radians) return above;
+        if (read(below) == wanted) return below;
+        if (read(above) == wanted) return above;
         below = std::nextafter(below, -infinity);
         above = std::nextafter(above, infinity);
     }
     return guess;
+}
+
+double degrees_of(double radians) {
+    return unread(radians * 180.0 / pi, radians, [](double x) { return x * pi / 180.0; });
+}
+
+/// In rad/s, which the loader holds in degrees for a while.
+double spin_of(double spin) {
+    constexpr double degrees = 180.0 / pi;
+    return unread(spin, spin, [](double x) { return x * degrees / degrees; });
 }
 
 class LevelWriter {
@@ -102,6 +112,7 @@ class LevelWriter {
         if (model.stop_speed) line("use stop {}", with_unit(*model.stop_speed, "m/s"));
         if (model.speed_limit) line("use limit {}", with_unit(*model.speed_limit, "m/s"));
         if (model.scatter) line("use scatter {}", with_unit(degrees_of(*model.scatter), "deg"));
+        if (model.spin) line("use spin inertia={}", *model.spin);
         if (model.wrap) line("use wrap");
         if (deepest_overlap(world_) > 0.0) line("use overlap");
     }
@@ -124,13 +135,13 @@ class LevelWriter {
     void classes() {
         for (std::size_t i = 0; i < world_.kinds.size(); ++i) {
             const Kind& kind = world_.kinds[i];
-            line("kind {} r={} m={} e={}", kinds_[i], kind.radius, with_unit(kind.mass, "kg"),
-                 kind.restitution);
+            line("kind {} r={} m={} e={}{}", kinds_[i], kind.radius, with_unit(kind.mass, "kg"),
+                 kind.restitution, friction(kind.friction));
         }
         for (std::size_t i = 0; i < world_.materials.size(); ++i) {
             const Material& material = world_.materials[i];
-            line("material {} e={} soften={}", materials_[i], material.restitution,
-                 with_unit(material.soften, "s/m"));
+            line("material {} e={} soften={}{}", materials_[i], material.restitution,
+                 with_unit(material.soften, "s/m"), friction(material.friction));
         }
         if (!world_.model.filtered) return;
         std::vector<std::string> names = kinds_;
@@ -138,6 +149,10 @@ class LevelWriter {
         for (std::size_t a = 0; a < world_.kinds.size(); ++a)
             for (std::size_t b = a; b < names.size(); ++b)
                 if (world_.meets[a * names.size() + b]) line("collide {} {}", names[a], names[b]);
+    }
+
+    static std::string friction(double coefficient) {
+        return coefficient > 0.0 ? fmt::format(" mu={}", coefficient) : "";
     }
 
     Side side_of(std::size_t i) const {
@@ -234,6 +249,9 @@ class LevelWriter {
                 text_ += " m=" + with_unit(mass_of(balls.inverse_mass[i]), "kg");
             if (!balls.restitution.empty() && balls.restitution[i] != kind.restitution)
                 text_ += fmt::format(" e={}", balls.restitution[i]);
+            if (!balls.spin.empty() && balls.spin[i] != 0.0)
+                text_ += " w=" + (has_units_ ? fmt::format("{}rad/s", spin_of(balls.spin[i]))
+                                             : fmt::format("{}", balls.spin[i]));
             text_ += '\n';
         }
     }

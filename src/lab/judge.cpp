@@ -56,6 +56,8 @@ std::optional<double> of_ball(const Quantity& quantity, const World& world) {
             return velocity.x;
         case QuantityKind::vy:
             return velocity.y;
+        case QuantityKind::w:
+            return world.model.spin ? world.balls.spin[*index] : 0.0;
         default:
             return length(velocity);
     }

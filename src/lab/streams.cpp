@@ -25,8 +25,8 @@ std::string event_lines(std::span<const Contact> contacts, std::uint64_t tick) {
     return lines;
 }
 
-std::string trace_header() {
-    return "tick,time,id,x,y,vx,vy\n";
+std::string trace_header(const World& world) {
+    return world.model.spin ? "tick,time,id,x,y,vx,vy,w\n" : "tick,time,id,x,y,vx,vy\n";
 }
 
 std::string trace_rows(const World& world) {
@@ -34,8 +34,10 @@ std::string trace_rows(const World& world) {
     for (std::size_t i = 0; i < world.balls.size(); ++i) {
         const Vec2 position = world.balls.position[i];
         const Vec2 velocity = world.balls.velocity[i];
-        fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{}\n", world.tick, world.time(),
+        fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{}", world.tick, world.time(),
                        number(world.balls.id[i]), position.x, position.y, velocity.x, velocity.y);
+        if (world.model.spin) fmt::format_to(std::back_inserter(rows), ",{}", world.balls.spin[i]);
+        rows += '\n';
     }
     return rows;
 }

@@ -20,8 +20,8 @@ namespace carom {
 /// velocity. Ids: of balls, and of the edge for the b of a "ball_edge".
 std::string event_lines(std::span<const Contact> contacts, std::uint64_t tick);
 
-/// The first line of a trace, CSV: tick,time,id,x,y,vx,vy.
-std::string trace_header();
+/// The first line of a trace, CSV: tick,time,id,x,y,vx,vy and, where balls turn, w.
+std::string trace_header(const World& world);
 /// One row a ball, by id, of the world as it stands.
 std::string trace_rows(const World& world);
 

@@ -151,10 +151,10 @@ class Reading {
         const Word& value = argument.value;
         switch (key.form) {
             case Form::scalar: {
-                if (key.name == "mu" || key.name == "w") return read_spin(key, argument);
                 const auto number =
                     read_number(value, {key.name}, key.measure, key.bound, scope_, context_);
                 argument.numbers[0] = number.value_or(0.0);
+                if (number && *number != 0.0) note_need(key, value);
                 return number.has_value();
             }
             case Form::pair: {
@@ -187,16 +187,11 @@ class Reading {
         return true;
     }
 
-    // Friction and spin are physics that this version does not have: only none of it is accepted.
-    bool read_spin(const KeyRule& key, const Argument& argument) {
-        const auto value = evaluate(argument.value, scope_, context_.rules(), context_.reporter);
-        if (!value) return false;
-        if (value->number == 0.0) return true;
-        mistake(argument.value.span(),
-                fmt::format("{}={} needs 'use spin', which is not in this version of carom",
-                            key.name, argument.value.text),
-                fmt::format("leave {} out", key.name));
-        return false;
+    // Whether the level says `use spin` is known when all of it is read.
+    void note_need(const KeyRule& key, const Word& value) {
+        if (key.name != "mu" && key.name != "w") return;
+        if (context_.needs_noted.insert(value.text.data()).second)
+            context_.draft.spin_needs.push_back({key.name, value});
     }
 
     bool read_name(const KeyRule& key, const Word& value) {

@@ -23,6 +23,7 @@ class Assembly {
     void run() {
         drop_mirror_twins(draft_);
         names_ = resolve_names(context_);
+        check_terms(context_);
         collect_balls();
         check_start(balls_, names_, context_);
         check_resolution(balls_, rate(), context_);
@@ -53,6 +54,7 @@ class Assembly {
         ball.mass = draft.mass.value_or(
             kinds.mass.value_or(kinds.density * pi * ball.radius * ball.radius));
         ball.restitution = draft.restitution.value_or(kind.restitution);
+        ball.spin = draft.spin;
         ball.kind = of.kind;
         ball.naming = draft.naming;
         ball.origin = draft.origin;
@@ -160,7 +162,8 @@ class Assembly {
                              .velocity = ball.velocity,
                              .radius = ball.radius,
                              .mass = ball.mass,
-                             .restitution = ball.restitution});
+                             .restitution = ball.restitution,
+                             .spin = ball.spin});
         }
         for (const CapsuleDraft& edge : draft_.capsules) {
             add_capsule(world, edge.shape, material_of(edge), edge.side);
@@ -193,6 +196,7 @@ class Assembly {
         model.stop_speed = s.stop_speed;
         model.speed_limit = s.speed_limit;
         model.scatter = s.scatter;
+        model.spin = s.spin;
         if (s.wrap) model.wrap = s.world;
         model.lossy = is_lossy();
         model.filtered = !names_.all_meet();

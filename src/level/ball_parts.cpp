@@ -79,6 +79,7 @@ void build_ball(const Arguments& arguments, const Frame& frame, Context& context
     ball.radius = arguments.number("r");
     ball.mass = arguments.number("m");
     ball.restitution = arguments.number("e");
+    ball.spin = arguments.number_or("w", 0.0);
     ball.naming = name_balls(ball_naming(arguments, false), context);
     ball.origin.span = arguments.span_of("at");
     add_ball_draft(ball, frame, context);

@@ -223,6 +223,15 @@ class StartCheck {
 
 }  // namespace
 
+void check_terms(Context& context) {
+    if (context.draft.settings.spin) return;
+    for (const SpinNeed& need : context.draft.spin_needs) {
+        context.reporter.error(need.value.span(),
+                               fmt::format("{}={} needs 'use spin'", need.key, need.value.text),
+                               fmt::format("add a line 'use spin', or leave {}= out", need.key));
+    }
+}
+
 void check_start(const std::vector<StartingBall>& balls, const Resolved& names, Context& context) {
     StartCheck(balls, names, context).run();
 }

@@ -12,6 +12,9 @@ namespace carom {
 /// Each ball is told once, and each statement once for each statement that it collides with.
 void check_start(const std::vector<StartingBall>& balls, const Resolved& names, Context& context);
 
+/// An error for each value that needs a term which the level does not use.
+void check_terms(Context& context);
+
 /// An error where numbers are too coarse for a ball: at its place their spacing is more than 1/64
 /// of its radius. A warning where they are for its way: what it travels in a tick is lost in
 /// rounding. One message for the level. `rate`: ticks a second.

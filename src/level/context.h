@@ -36,6 +36,8 @@ struct Context {
     std::map<const char*, LetUse> lets;
     std::map<NamingKey, std::size_t> naming_index;
     std::map<NamingKey, std::size_t> ball_naming_index;
+    /// Values of Draft::spin_needs: unrolled a thousand times, one is still one. Only looked up.
+    std::set<const char*> needs_noted;
     std::uint64_t seed = 0;
     /// How often fills have looked at an obstacle: bounds the work.
     std::uint64_t fill_looks = 0;

@@ -48,6 +48,7 @@ void declare_kind(const Arguments& a, Context& context) {
     kind.mass = a.number("m");
     kind.density = a.number("density");
     kind.restitution = a.number("e");
+    kind.friction = a.number_or("mu", 0.0);
     kind.is_sound = a.is_sound;
     context.draft.kinds.push_back(std::move(kind));
 }
@@ -55,7 +56,8 @@ void declare_kind(const Arguments& a, Context& context) {
 void declare_material(const Arguments& a, Context& context) {
     if (a.plain.empty() || !is_free(a.plain.front(), context)) return;
     context.draft.materials.push_back(
-        {a.plain.front(), {a.number_or("e", 1.0), a.number_or("soften", 0.0)}});
+        {a.plain.front(),
+         {a.number_or("e", 1.0), a.number_or("soften", 0.0), a.number_or("mu", 0.0)}});
 }
 
 // The one number of "use drag 0.1" and its like; 0 is the same as no such line.
@@ -91,7 +93,7 @@ void declare_use(const Arguments& a, const Scope& scope, Context& context) {
         }
     } else if (term == "wrap") {
         s.wrap = a.node->keyword().span();
-    } else {
+    } else if (term == "overlap") {
         s.may_overlap = true;
     }
 }
@@ -225,9 +227,10 @@ void declare_expect(const Arguments& a, const Scope& scope, Context& context) {
 
 bool declare(const Arguments& a, const Scope& scope, Legends& legends, Context& context) {
     const std::string_view name = a.statement->name;
-    // A kind or a material with a mistake exists all the same: only the mistake is told.
+    // A kind, a material or spin with a mistake exists all the same: only the mistake is told.
     if (name == "kind") return declare_kind(a, context), true;
     if (name == "material") return declare_material(a, context), true;
+    if (name == "use spin") context.draft.settings.spin = a.number_or("inertia", 0.5);
     const bool is_use = name.substr(0, 4) == "use ";
     const bool is_legend = name.substr(0, 7) == "legend ";
     const bool is_show = name.substr(0, 5) == "show ";

@@ -77,6 +77,7 @@ constexpr std::array measures{
     MeasureFacts{Measure::frequency, rate_dimension, "a rate", "120", "120"},
     MeasureFacts{Measure::density, {-2, 1, 0, 0}, "a density", "1", "1kg/m2"},
     MeasureFacts{Measure::soften, {-1, 0, 1, 0}, "a number", "0.4", "0.4"},
+    MeasureFacts{Measure::angular_speed, {0, 0, -1, 1}, "an angular speed", "10", "10rad/s"},
     MeasureFacts{Measure::result, {}, "a number", "0.5", "0.5"}};
 
 const MeasureFacts& facts(Measure measure) {
@@ -172,6 +173,7 @@ std::string written(double number, Measure measure, LengthUnit unit) {
                           measure == Measure::frequency || measure == Measure::angle ||
                           number == 0.0;
     if (is_plain) return fmt::format("{:.6g}", number);
+    if (measure == Measure::angular_speed) return fmt::format("{:.6g}rad/s", number);
     if (measure == Measure::length) return fmt::format("{:.6g}", number / scale(unit));
     return fmt::format("{:.6g}{}", number, si_symbol(dimension_of(measure)));
 }

@@ -20,6 +20,7 @@ struct KindDraft {
     std::optional<double> mass;
     std::optional<double> density;
     std::optional<double> restitution;
+    double friction = 0.0;
     bool is_sound = true;  ///< false: it had a mistake, so nothing is concluded from it
 };
 
@@ -58,7 +59,8 @@ struct BallDraft {
     std::optional<double> radius;
     std::optional<double> mass;
     std::optional<double> restitution;
-    int naming = 0;  ///< index into Draft::ball_namings
+    double spin = 0.0;  ///< rad/s
+    int naming = 0;     ///< index into Draft::ball_namings
     Origin origin;
 };
 
@@ -128,12 +130,19 @@ struct ExpectDraft {
     std::optional<double> at;
 };
 
+/// A value other than 0 that means something only under `use spin`.
+struct SpinNeed {
+    std::string_view key;
+    Word value;
+};
+
 struct SettingsDraft {
     std::optional<Vec2> gravity;
     std::optional<double> drag;
     std::optional<double> stop_speed;
     std::optional<double> speed_limit;
     std::optional<double> scatter;  ///< radians
+    std::optional<double> spin;     ///< moment of inertia / (m r^2)
     std::optional<Span> wrap;
     bool may_overlap = false;
     std::optional<Box> world;
@@ -156,6 +165,7 @@ struct Draft {
     std::vector<EmitterDraft> emitters;
     std::vector<FillDraft> fills;
     std::vector<CollideDraft> collides;
+    std::vector<SpinNeed> spin_needs;
     std::vector<ShowDraft> shows;
     std::vector<ExpectDraft> expects;
     /// Names of balls, edges and bins whose statements had a mistake: they exist all the same.

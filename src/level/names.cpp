@@ -148,6 +148,7 @@ class Resolver {
             kind.mass =
                 draft.mass.value_or(draft.density.value_or(1.0) * pi * kind.radius * kind.radius);
             kind.restitution = draft.restitution.value_or(1.0);
+            kind.friction = draft.friction;
             result_.kinds.push_back(kind);
             result_.kind_names.emplace_back(draft.name.text);
         }

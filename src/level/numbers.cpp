@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "geometry/elementary.h"
+
 namespace carom {
 namespace {
 
@@ -30,6 +32,8 @@ std::optional<double> converted(const Word& word, const Value& value, const Labe
     if (context.is_unit_unknown) return value.number;
     const Dimension wanted = dimension_of(measure);
     if (measure == Measure::result) return value.number;
+    if (measure == Measure::angular_speed && value.dimension == wanted)
+        return value.number / (180.0 / pi);
     if (context.unit == LengthUnit::natural) {
         if (value.is_bare()) return value.number;
         const Dimension& d = value.dimension;
@@ -70,6 +74,8 @@ bool holds(double number, Bound bound) {
             return number > 0.0;
         case Bound::share:
             return number >= 0.0 && number <= 1.0;
+        case Bound::positive_share:
+            return number > 0.0 && number <= 1.0;
         case Bound::up_to_thousand:
             return number >= 1.0 && number <= 1000.0;
         case Bound::any:
@@ -86,6 +92,8 @@ std::string_view demand(Bound bound) {
             return "must be more than 0";
         case Bound::share:
             return "must be from 0 to 1";
+        case Bound::positive_share:
+            return "must be more than 0, and 1 at most";
         case Bound::up_to_thousand:
             return "must be from 1 to 1000";
         case Bound::any:
@@ -106,8 +114,9 @@ std::optional<double> bounded(const Word& word, double number, const Label& labe
         return std::nullopt;
     }
     if (!holds(number, bound)) {
-        const std::string mended =
-            bound == Bound::share ? "0.8" : written(-number, measure, context.unit);
+        const std::string mended = bound == Bound::share || bound == Bound::positive_share
+                                       ? "0.8"
+                                       : written(-number, measure, context.unit);
         std::string remedy = remedy_for(label, measure, context);
         if (number < 0.0 && bound != Bound::up_to_thousand) {
             remedy =
@@ -117,7 +126,8 @@ std::optional<double> bounded(const Word& word, double number, const Label& labe
             word.span(), fmt::format("{} {}, but is {}", subject, demand(bound), shown), remedy);
         return std::nullopt;
     }
-    const bool is_too_small = bound == Bound::positive && number < smallest_positive;
+    const bool is_positive = bound == Bound::positive || bound == Bound::positive_share;
+    const bool is_too_small = is_positive && number < smallest_positive;
     if (std::abs(number) > largest_quantity || is_too_small) {
         context.reporter.error(word.span(), fmt::format("{} is out of range: {}", subject, shown),
                                "quantities go from 1e-18 to 1e18");

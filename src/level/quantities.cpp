@@ -5,7 +5,7 @@
 namespace carom {
 namespace {
 
-constexpr std::array<std::string_view, 24> names{"collisions",
+constexpr std::array<std::string_view, 25> names{"collisions",
                                                  "ball_ball",
                                                  "ball_edge",
                                                  "kinetic_energy",
@@ -24,6 +24,7 @@ constexpr std::array<std::string_view, 24> names{"collisions",
                                                  "vx",
                                                  "vy",
                                                  "speed",
+                                                 "w",
                                                  "count",
                                                  "mean",
                                                  "variance",
@@ -33,7 +34,7 @@ constexpr std::array<std::string_view, 24> names{"collisions",
 }  // namespace
 
 bool is_of_ball(QuantityKind kind) {
-    return kind >= QuantityKind::x && kind <= QuantityKind::speed;
+    return kind >= QuantityKind::x && kind <= QuantityKind::w;
 }
 
 bool is_of_bins(QuantityKind kind) {

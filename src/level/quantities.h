@@ -30,6 +30,7 @@ enum class QuantityKind : std::uint8_t {
     vx,
     vy,
     speed,
+    w,  ///< spin, rad/s, counter-clockwise; 0 where balls do not turn
     // Of a group of bins, NAME in brackets, as in mean(bins). A ball counts as the number of its
     // bin, 0 for the leftmost.
     count,           ///< balls in all bins
@@ -41,7 +42,7 @@ enum class QuantityKind : std::uint8_t {
 
 struct Quantity {
     QuantityKind kind = QuantityKind::collisions;
-    BallId ball{};  ///< for x, y, vx, vy and speed
+    BallId ball{};  ///< for x, y, vx, vy, speed and w
     /// For count to chi_square: indices into World::counters, from left to right ...
     std::vector<std::uint32_t> counters;
     /// ... and the share of each, for variance_ratio and chi_square: what the level's `show

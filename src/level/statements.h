@@ -27,8 +27,9 @@ enum class Bound {
     any,
     not_negative,
     positive,
-    share,          ///< 0 to 1
-    up_to_thousand  ///< 1 to 1000
+    share,           ///< 0 to 1
+    positive_share,  ///< more than 0, and 1 at most
+    up_to_thousand   ///< 1 to 1000
 };
 
 struct KeyRule {

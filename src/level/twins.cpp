@@ -9,7 +9,7 @@ namespace carom {
 namespace {
 
 // Where a thing is and how it moves; an edge's ends in a fixed order.
-using Spot = std::array<double, 5>;
+using Spot = std::array<double, 6>;
 
 struct Item {
     std::tuple<int, int, int> statement;  // source, line, column
@@ -86,8 +86,8 @@ void drop_mirror_twins(Draft& draft) {
     drop_twins(
         draft.balls,
         [](const BallDraft& b) {
-            return Spot{b.position.x, b.position.y, b.velocity.x, b.velocity.y,
-                        b.radius.value_or(0.0)};
+            return Spot{b.position.x, b.position.y,           b.velocity.x,
+                        b.velocity.y, b.radius.value_or(0.0), b.spin};
         },
         &draft.fills);
     drop_twins(draft.emitters, [](const EmitterDraft& e) {

@@ -24,7 +24,7 @@ void OverlapSolver::tick(World& world, int updates, int steps, std::vector<Conta
         if (const auto index = index_of(world, held.id)) inverse_mass_[*index] = 0.0;
     const auto first = static_cast<std::ptrdiff_t>(contacts.size());
     for (int i = 0; i < updates; ++i) {
-        move_hands(world, 1.0 / (updates - i));
+        move_hands(world, 1.0 / (updates - i), duration);
         with_terms(terms_of(world), [&]<Terms terms>() {
             update<terms>(world, duration, steps, start + duration * (i + 1), contacts);
         });
@@ -35,9 +35,20 @@ void OverlapSolver::tick(World& world, int updates, int steps, std::vector<Conta
     }
 }
 
+// How fast a hand moves the edge at this point: it counts only along the edge (friction), since
+// what is in its way is pushed out.
+Vec2 OverlapSolver::hand_velocity(const World& world, std::uint32_t capsule, Vec2 point) const {
+    const Capsule& shape = world.capsules.shape[capsule];
+    for (std::size_t i = 0; i < world.held_capsules.size(); ++i)
+        if (world.held_capsules[i].id == world.capsules.id[capsule])
+            return hands_[i].start + (hands_[i].end - hands_[i].start) *
+                                         closest_parameter(shape.start, shape.end, point);
+    return {};
+}
+
 // Hands go `share` of what is left of their way, whatever is in it; balls are pushed out of it
 // afterwards.
-void OverlapSolver::move_hands(World& world, double share) {
+void OverlapSolver::move_hands(World& world, double share, double duration) {
     for (const HeldBall& held : world.held_balls) {
         const auto index = index_of(world, held.id);
         if (!index) continue;
@@ -47,12 +58,17 @@ void OverlapSolver::move_hands(World& world, double share) {
         position += way * share;
         world.balls.velocity[*index] = {};
     }
-    for (const HeldCapsule& held : world.held_capsules) {
+    hands_.assign(world.held_capsules.size(), {});
+    for (std::size_t i = 0; i < world.held_capsules.size(); ++i) {
+        const HeldCapsule& held = world.held_capsules[i];
         const auto index = index_of(world, held.id);
         if (!index) continue;
         Capsule& shape = world.capsules.shape[*index];
-        shape.start += (held.start_target - shape.start) * share;
-        shape.end += (held.end_target - shape.end) * share;
+        const Vec2 start = (held.start_target - shape.start) * share;
+        const Vec2 end = (held.end_target - shape.end) * share;
+        hands_[i] = {start / duration, end / duration};
+        shape.start += start;
+        shape.end += end;
     }
 }
 
@@ -101,6 +117,7 @@ void OverlapSolver::move(World& world, int step) {
         if (terms.special() && inverse_mass_[i] == 0.0) {
             way = {};
             balls.velocity[i] = {};
+            if (terms.spin()) balls.spin[i] = 0.0;
         }
         if (world.model.speed_limit) {
             balls.velocity[i] = limited(balls.velocity[i], *world.model.speed_limit);
@@ -242,6 +259,13 @@ void OverlapSolver::exchange_momentum(World& world, double time, std::vector<Con
                 terms.lossy() ? std::min(balls.restitution[i], balls.restitution[j]) : 1.0;
             const Exchange done = bounce(balls.velocity[i], inverse_mass_[i], balls.velocity[j],
                                          inverse_mass_[j], normal, restitution);
+            if (terms.spin()) {
+                const Kind& kind_i = world.kinds[balls.kind[i]];
+                const Kind& kind_j = world.kinds[balls.kind[j]];
+                rub(balls.velocity[i], {balls.spin[i], balls.radius[i]}, inverse_mass_[i],
+                    balls.velocity[j], {balls.spin[j], balls.radius[j]}, inverse_mass_[j], normal,
+                    done.impulse, {friction_between(kind_i, kind_j), *world.model.spin});
+            }
             const Vec2 point = balls.position[j] + normal * balls.radius[j];
             if (i > j) normal = -normal;
             contacts.push_back({time, ContactKind::ball_ball, std::min(i, j), std::max(i, j), point,
@@ -258,11 +282,18 @@ void OverlapSolver::exchange_momentum(World& world, double time, std::vector<Con
         if (!(speed > 0.0)) continue;
         const Material& material = world.materials[world.capsules.material[pair.other]];
         const double restitution = terms.lossy() ? restitution_at(material, speed) : 1.0;
+        const Vec2 flat = normal;
         if (terms.special() && world.model.scatter)
             normal = scattered_normal(world, balls.id[i], balls.edge_contacts[i]++, normal,
                                       balls.velocity[i], restitution);
         const Exchange done =
             bounce_off(balls.velocity[i], inverse_mass_[i], normal, 0.0, restitution);
+        if (terms.spin()) {
+            const Vec2 surface =
+                terms.special() ? hand_velocity(world, pair.other, nearest) : Vec2{};
+            rub_on(balls.velocity[i], {balls.spin[i], balls.radius[i]}, inverse_mass_[i], flat,
+                   surface, done.impulse, {material.friction, *world.model.spin});
+        }
         contacts.push_back({time, ContactKind::ball_edge, i, pair.other,
                             nearest + normal * shape.radius, normal, done.approach, done.impulse});
     }

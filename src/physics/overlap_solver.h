@@ -14,8 +14,8 @@
 /// (an edge or a held ball does not give way); a ball whose way was cut short keeps the rest of its
 /// time for the next step, time spent = time * distance covered / distance intended, and gives
 /// gravity back what it took for that rest. Momentum is exchanged when all overlaps are parted,
-/// along the normals as they are then, and only by pairs that approach. `discrete` is one update of
-/// one step.
+/// along the normals as they are then, and only by pairs that approach; friction follows each
+/// exchange, with its impulse. `discrete` is one update of one step.
 ///
 /// Fails by nature: what moves further than its size in a step passes through what is thin or
 /// small; a row of touching balls is parted only pair by pair; under gravity pushing apart changes
@@ -39,6 +39,11 @@ class OverlapSolver {
         Vec2 shift;  // of the capsule's image
     };
 
+    struct HandWay {
+        Vec2 start;  // velocities of the ends
+        Vec2 end;
+    };
+
     template <Terms terms>
     void update(World& world, double duration, int steps, double end_time,
                 std::vector<Contact>& contacts);
@@ -51,7 +56,8 @@ class OverlapSolver {
     template <Terms terms>
     void exchange_momentum(World& world, double time, std::vector<Contact>& contacts);
     void keep_time(World& world);
-    void move_hands(World& world, double share);
+    void move_hands(World& world, double share, double duration);
+    Vec2 hand_velocity(const World& world, std::uint32_t capsule, Vec2 point) const;
 
     PointCells cells_;
     CapsuleCells edges_;
@@ -61,6 +67,7 @@ class OverlapSolver {
     std::vector<double> left_;              // s of the update, by ball
     std::vector<Vec2> origin_;              // where the step began
     std::vector<double> intended_;          // length of the way it would have gone
+    std::vector<HandWay> hands_;            // by World::held_capsules
     std::vector<double> inverse_mass_;      // 0 where a hand holds the ball
     std::vector<Pair> pairs_;
     std::vector<std::uint32_t> moved_;

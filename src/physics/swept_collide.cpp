@@ -80,6 +80,7 @@ void SweptSolver::rest_on(std::uint32_t ball, Vec2 normal, const World& world) {
     if (dot(path.support, normal) < 0.999) path.other_support = path.support;
     path.support = normal;
     path.gravity = left_by_supports(*world.model.gravity, path.support, path.other_support);
+    if (world.model.spin) spin_rate_[ball] = 0.0;
 }
 
 // A bounce takes the ball off what it rested on.
@@ -88,6 +89,7 @@ void SweptSolver::let_go(std::uint32_t ball, const World& world) {
     path.support = path.other_support = {};
     path.gravity = world.model.gravity.value_or(Vec2{});
     path.carried = path.still;
+    if (world.model.spin) spin_rate_[ball] = 0.0;
 }
 
 std::optional<Contact> SweptSolver::collide_balls(World& world, const Event& event) {
@@ -99,6 +101,10 @@ std::optional<Contact> SweptSolver::collide_balls(World& world, const Event& eve
     const double now = event.time;
     Vec2 velocity_a = velocity_at(world, i, now);
     Vec2 velocity_b = velocity_at(world, j, now);
+    if (world.model.spin) {
+        advance_spin(world, i, now);
+        advance_spin(world, j, now);
+    }
     double inverse_a = a.still ? 0.0 : inverse_mass_[i];
     double inverse_b = b.still ? 0.0 : inverse_mass_[j];
     const double approach = -dot(velocity_a - velocity_b, normal);
@@ -149,6 +155,9 @@ std::optional<Contact> SweptSolver::collide_balls(World& world, const Event& eve
             if (up < 0.0 && a.carried) rest_on(j, -normal, world);
         }
     }
+    if (world.model.spin)
+        rub_balls(world, event, velocity_a, inverse_a, velocity_b, inverse_b,
+                  is_contact ? done.impulse : 0.0, resting);
     for (const std::uint32_t ball : {i, j}) {
         if (!resting && is_contact) let_go(ball, world);
         count_impact(ball, resting || !is_contact);
@@ -182,8 +191,8 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
     const Vec2 position = position_at(i, now);
     const Vec2 normal = event.normal;
     const bool by_hand = hand_of(event.other) != nullptr;
-    const double surface =
-        by_hand ? dot(surface_velocity(world, event.other, position, now), normal) : 0.0;
+    const Vec2 surface_way = by_hand ? surface_velocity(world, event.other, position, now) : Vec2{};
+    const double surface = by_hand ? dot(surface_way, normal) : 0.0;
     if (path.still) {
         // Nothing can move this ball: the hand that comes against it stops.
         for (Hand& hand : hands_) {
@@ -195,6 +204,7 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
         return std::nullopt;
     }
     Vec2 velocity = velocity_at(world, i, now);
+    if (world.model.spin) advance_spin(world, i, now);
     const double approach = surface - dot(velocity, normal);
     if (is_held_ball(i)) {
         count_impact(i, true);
@@ -221,7 +231,11 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
         along = normal;
         after = velocity;
     }
+    const auto rub = [&] {
+        rub_edge(world, i, normal, surface_way, material.friction, done.impulse, after);
+    };
     if (!resting) {
+        if (world.model.spin) rub();
         if (approach > 0.0) let_go(i, world);
     } else {
         if (pushed) {
@@ -232,6 +246,11 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
             done = {part / inverse_mass_[i], approach};
         }
         rest_on(i, normal, world);
+        if (world.model.spin) {
+            rub();
+            if (path.support == normal)
+                hold_back(world, i, surface_way, material.friction, now, after);
+        }
     }
     count_impact(i, resting || !(approach > 0.0));
     take_path(world, i, now, after);

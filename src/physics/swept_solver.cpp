@@ -76,6 +76,7 @@ void SweptSolver::begin_paths(World& world, double share_of_way) {
         if (world.model.wrap) way = nearest_image(way, torus_);
         paths_[*index].velocity = way * (share_of_way / duration_);
     }
+    spin_rate_.assign(world.model.spin ? balls.size() : 0, 0.0);
     hands_.clear();
     for (const HeldCapsule& held : world.held_capsules) {
         const auto index = index_of(world, held.id);
@@ -95,6 +96,10 @@ void SweptSolver::finish_paths(World& world) {
         Vec2 position = position_at(ball, duration_);
         if (world.model.wrap) position = wrapped(position, *world.model.wrap);
         balls.position[i] = position;
+        if (world.model.spin)
+            balls.spin[i] = path.still || is_held_ball(ball)
+                                ? 0.0
+                                : balls.spin[i] + spin_rate_[i] * (duration_ - path.time);
         if (path.still || is_held_ball(ball)) {
             balls.velocity[i] = {};
             continue;

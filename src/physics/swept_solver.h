@@ -34,6 +34,13 @@ namespace carom {
 /// `most_impacts` of any kind, lies still until the substep ends; nothing moves it until then. That
 /// loses energy and momentum, never gains any, and bounds the work.
 ///
+/// Friction: the impulse of an impact rubs at once (bounce.h). On an edge on which a ball rests,
+/// the weight rubs as a constant acceleration for what is left of the substep: as much of it as
+/// stops the slip by then, gravity along the edge included, but no more than the coefficient
+/// allows; so a rolling ball accelerates by g sin / (1 + inertia), and when a slip ends is rounded
+/// to a substep. Where two edges bear all of the weight, it brakes the spin alone. The weight on a
+/// ball rubs at once. A ball that lies still does not turn.
+///
 /// A hand pushes: see bounce_off. Where a ball that lies still is in its way, the hand stops for
 /// the substep.
 ///
@@ -112,6 +119,15 @@ class SweptSolver {
     void let_go(std::uint32_t ball, const World& world);
     void count_impact(std::uint32_t ball, bool resting);
     void rest_on(std::uint32_t ball, Vec2 normal, const World& world);
+    /// Friction, in swept_friction.cpp. Pre, for all of them: Model::spin.
+    void advance_spin(World& world, std::uint32_t ball, double now) const;
+    void rub_balls(World& world, const Event& event, Vec2& velocity_a, double inverse_a,
+                   Vec2& velocity_b, double inverse_b, double impulse, bool resting);
+    void rub_edge(World& world, std::uint32_t ball, Vec2 normal, Vec2 surface, double coefficient,
+                  double impulse, Vec2& velocity) const;
+    /// Of the weight of a ball that has just come to rest on an edge.
+    void hold_back(World& world, std::uint32_t ball, Vec2 surface, double coefficient, double now,
+                   Vec2& velocity);
     Vec2 surface_velocity(const World& world, std::uint32_t capsule, Vec2 point, double now) const;
     Vec2 position_at(std::uint32_t ball, double now) const;
     Capsule shape_at(const World& world, std::uint32_t capsule, double now) const;
@@ -127,6 +143,7 @@ class SweptSolver {
     Vec2 torus_;
     std::vector<Path> paths_;
     std::vector<double> inverse_mass_;
+    std::vector<double> spin_rate_;  ///< rad/s^2 since the path's time; empty unless Model::spin
     std::vector<Hand> hands_;
     bool hand_stopped_ = false;  ///< in the last collision: every prediction must be made again
     std::vector<Event> queue_;

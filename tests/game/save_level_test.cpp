@@ -42,6 +42,7 @@ void check_same(const World& a, const World& b) {
         CHECK(a.balls.kind[i] == b.balls.kind[i]);
     }
     CHECK(a.balls.restitution == b.balls.restitution);
+    CHECK(a.balls.spin == b.balls.spin);
     CHECK(a.capsules.shape == b.capsules.shape);
     CHECK(a.capsules.material == b.capsules.material);
     CHECK(a.capsules.side == b.capsules.side);
@@ -59,6 +60,7 @@ void check_same(const World& a, const World& b) {
     for (std::size_t i = 0; i < a.materials.size(); ++i) {
         CHECK(same_bits(a.materials[i].restitution, b.materials[i].restitution));
         CHECK(same_bits(a.materials[i].soften, b.materials[i].soften));
+        CHECK(same_bits(a.materials[i].friction, b.materials[i].friction));
     }
     REQUIRE(a.zones.size() == b.zones.size());
     for (std::size_t i = 0; i < a.zones.size(); ++i) {
@@ -106,12 +108,14 @@ const std::string metric = R"(carom 1 "In millimetres"
 units mm
 use gravity 0.1m/s2,-9.81m/s2
 use wrap
+use spin inertia=2/5
 world -1270,-635 1270,635
-kind pool r=28.575 m=170g e=0.95
-material rubber e=0.85 soften=0.4
+kind pool r=28.575 m=170g e=0.95 mu=0.05
+material rubber e=0.85 soften=0.4 mu=1/7
 edge rubber r=8  -1000/3,100  200,100/7  350,200
 ball cue kind=pool at=-1270/2,0 v=1.7m/s,-3cm/s
-ball kind=pool at=0,-300
+ball kind=pool at=0,-300 w=100rad/s/7
+ball kind=pool at=100,-300 w=-777deg/s
 ball at=300,300 r=50 m=1kg/3
 )";
 

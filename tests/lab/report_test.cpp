@@ -119,10 +119,17 @@ TEST_CASE("events are JSON lines, with the normal from b to a") {
 TEST_CASE("a trace has a row a ball") {
     Scene scene = load("rate 4\nball a at=1,2 v=0.1,0\nball b at=9,9\n");
     Solver solver({.kind = SolverKind::swept});
-    CHECK(trace_header() == "tick,time,id,x,y,vx,vy\n");
+    CHECK(trace_header(scene.world) == "tick,time,id,x,y,vx,vy\n");
     CHECK(trace_rows(scene.world) == "0,0,0,1,2,0.1,0\n0,0,1,9,9,0,0\n");
     solver.tick(scene.world);
     CHECK(trace_rows(scene.world) == "1,0.25,0,1.025,2,0.1,0\n1,0.25,1,9,9,0,0\n");
+}
+
+TEST_CASE("where balls turn, the report and the trace say how fast") {
+    Scene scene = load("use spin\nball a at=1,2 w=-2.5\nexpect a.w -2.5 within 0\n");
+    CHECK(trace_header(scene.world) == "tick,time,id,x,y,vx,vy,w\n");
+    CHECK(trace_rows(scene.world) == "0,0,0,1,2,0,0,-2.5\n");
+    CHECK(judge(scene.expects.at(0), scene.world, {}).verdict == Verdict::holds);
 }
 
 TEST_CASE("the summary and the verdicts are for people") {
