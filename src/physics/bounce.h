@@ -36,12 +36,29 @@ inline Exchange bounce(Vec2& velocity_a, double inverse_mass_a, Vec2& velocity_b
 /// approach, so that a hand that turns or speeds up does not meet it again at once.
 inline constexpr double hand_restitution = 0.05;
 
+/// A ball leaves what a coil drives faster than its surface by at least this share of the surface's
+/// speed. A ball that lies on a flipper as it turns is pressed on by what it gains, and would meet
+/// it again and again, ever more softly: so it hops along, a few times a tick at most.
+inline constexpr double driven_lift = 0.02;
+
+/// What is left of a ball's approach to a driven surface, as a share of it. Pre: approach > 0.
+inline double driven_restitution(double restitution, double surface, double approach) {
+    return std::max(restitution, driven_lift * surface / approach);
+}
+
 /// A ball against a body that nothing moves and whose surface moves at `surface` along the normal,
-/// which is not 0 only where a hand moves it: the ball leaves as it would leave a still one, or
-/// with the hand if that is faster.
+/// which is not 0 only where a hand or a coil moves it. From a hand the ball leaves as it would
+/// leave a still body, or with the hand if that is faster. What a coil drives (`is_driven`) throws,
+/// as a wall that moves.
 inline Exchange bounce_off(Vec2& velocity, double inverse_mass, Vec2 normal, double surface,
-                           double restitution) {
+                           double restitution, bool is_driven = false) {
     const double speed = dot(velocity, normal);
+    if (is_driven) {
+        const double approach = surface - speed;
+        const double change = (1.0 + driven_restitution(restitution, surface, approach)) * approach;
+        velocity += normal * change;
+        return {change / inverse_mass, approach};
+    }
     const double with_hand =
         surface > 0.0 ? surface + hand_restitution * (surface - speed) : surface;
     const double after = std::max(with_hand, -restitution * speed);
@@ -111,6 +128,15 @@ inline double restitution_at(const Material& material, double approach) {
     return material.restitution / (1.0 + material.soften * approach);
 }
 
+/// What an edge that kicks adds along the normal, length/s, on top of the bounce of a ball that
+/// comes at `approach` and touches it nearest to `point`.
+inline double kick_at(const Material& material, const Capsule& shape, Vec2 point, double approach) {
+    if (!(material.kick > 0.0) || approach < material.kick_from) return 0.0;
+    if (!material.kicks_in_the_middle) return material.kick;
+    const double along = closest_parameter(shape.start, shape.end, point);
+    return material.kick * 4.0 * along * (1.0 - along);
+}
+
 /// The normal of ball `id`'s contact number `contact` with an edge, turned by its seeded angle. A
 /// draw that would send the ball into the edge is drawn again, at most 16 times; then the normal
 /// stays. `restitution` as in the bounce that follows.
@@ -120,6 +146,7 @@ Vec2 scattered_normal(const World& world, BallId id, std::uint32_t contact, Vec2
 /// Whether an edge pushes a ball whose centre is at `center`.
 inline bool is_on_solid_side(const Capsule& capsule, Side side, Vec2 center) {
     if (side == Side::both) return true;
+    if (side == Side::none) return false;
     const double left = cross(capsule.end - capsule.start, center - capsule.start);
     return side == Side::left ? left >= 0.0 : left <= 0.0;
 }

@@ -113,6 +113,7 @@ bool EventEngine<Real>::has_support(const std::vector<std::uint8_t>& is_kept,
         if (support.by == PathSupport::By::edge) {
             const auto index = index_of(*world_, CapsuleId{support.number});
             if (!index || is_held(*world_, CapsuleId{support.number})) return false;
+            if (world_->model.one_way && world_->capsules.side[*index] == Side::none) return false;
             const Edge<Real> edge(world_->capsules.shape[*index], Vec2(shift));
             const Real gap = contact_with(edge, position, size).gap;
             if (near < gap || gap < -deep) return false;
@@ -291,6 +292,7 @@ void EventEngine<Real>::take_hands(const World& world) {
         const Capsule& shape = world.capsules.shape[*index];
         Hand hand;
         hand.capsule = static_cast<std::uint32_t>(*index);
+        hand.is_driven = held.is_driven;
         hand.edge.edge = Edge<Real>(shape, {});
         hand.edge.start_velocity = Vector<Real>(held.start_target - shape.start) / duration;
         hand.edge.end_velocity = Vector<Real>(held.end_target - shape.end) / duration;

@@ -85,6 +85,7 @@ class EventEngine {
     };
     struct Hand {
         std::uint32_t capsule = 0;
+        bool is_driven = false;  ///< by a coil: it throws
         MovingEdge<Real> edge;
     };
     struct Body {
@@ -98,6 +99,7 @@ class EventEngine {
         ImpactContact<Real> contact;
         Kind kind = Kind::ball_ball;
         std::uint32_t other = 0;  ///< ball or capsule
+        bool is_driven = false;   ///< the capsule, by a coil
         PathSupport support;      ///< what it would be
         Real gap{};
     };

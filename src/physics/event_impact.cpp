@@ -44,6 +44,8 @@ double EventEngine<Real>::restitution_of(const Touch& touch, bool is_alone) {
     }
     const Material& material = world_->materials[world_->capsules.material[touch.other]];
     if (world_->model.lossy) restitution = restitution_at(material, std::max(0.0, speed));
+    if (touch.is_driven && approach > Real{})
+        return driven_restitution(restitution, static_cast<double>(touch.contact.surface), speed);
     if (touch.kind == Kind::hand && touch.contact.surface > Real{}) {
         // As bounce_off, as a share of the approach.
         Vec2 velocity(impact_bodies_[touch.contact.a].velocity);
@@ -110,6 +112,12 @@ void EventEngine<Real>::pass_impulses(const std::vector<std::uint32_t>& which, b
                 bodies_[body].is_changed = true;
         const Vec2 point(bodies_[touch.contact.a].position - touch.contact.normal * size);
         const Vec2 normal(group[i].normal);
+        if (world_->model.kicks && touch.kind != Kind::ball_ball)
+            impact_bodies_[touch.contact.a].velocity +=
+                group[i].normal *
+                Real(kick_at(world_->materials[world_->capsules.material[touch.other]],
+                             world_->capsules.shape[touch.other], point,
+                             static_cast<double>(approach[i])));
         contacts.push_back(
             {.time = static_cast<double>(now_),
              .kind = on_ball ? ContactKind::ball_ball : ContactKind::ball_edge,

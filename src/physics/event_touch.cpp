@@ -83,6 +83,7 @@ void EventEngine<Real>::add_hand_touch(std::uint32_t body, const Hand& hand, boo
     Touch touch;
     touch.kind = Kind::hand;
     touch.other = hand.capsule;
+    touch.is_driven = hand.is_driven;
     touch.gap = contact.gap;
     touch.contact.a = body;
     touch.contact.normal = contact.normal;

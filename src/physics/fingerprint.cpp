@@ -54,6 +54,11 @@ std::uint64_t fingerprint(const World& world) {
         hash.add(std::uint64_t{number(world.capsules.id[i])});
         hash.add(world.capsules.shape[i]);
     }
+    for (const Flipper& flipper : world.flippers) {
+        hash.add(flipper.progress);
+        hash.add(flipper.rate);
+        hash.add(std::uint64_t{flipper.is_pressed});
+    }
     for (const Emitter& emitter : world.emitters)
         hash.add(std::uint64_t{emitter.emitted});
     for (const std::uint64_t count : world.counters)
@@ -75,6 +80,13 @@ std::uint64_t fingerprint(const World& world) {
         hash.add(path.acceleration);
         hash.add(std::uint64_t{path.quick});
         hash.add(static_cast<std::uint64_t>(path.motion));
+    }
+    for (const PressedPair& pair : world.pressed) {
+        hash.add(std::uint64_t{number(pair.ball)});
+        hash.add(std::uint64_t{pair.other});
+        hash.add(static_cast<std::uint64_t>(pair.kind));
+        hash.add(pair.impulse);
+        hash.add(pair.rub);
     }
     return hash.state();
 }

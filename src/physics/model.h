@@ -33,8 +33,10 @@ struct Model {
     std::optional<Box> wrap;
     /// Some restitution is below 1, or some edge is soft: balls carry a restitution.
     bool lossy = false;
-    /// Some capsules push only balls on one of their sides.
+    /// Some capsules push only balls on one of their sides, or none for the moment.
     bool one_way = false;
+    /// Some edges kick what hits them: Material::kick.
+    bool kicks = false;
     /// Not every pair meets: see World::meets.
     bool filtered = false;
     /// Some pair of balls may meet. False: no ball-ball work at all.

@@ -35,8 +35,8 @@ void OverlapSolver::tick(World& world, int updates, int steps, std::vector<Conta
     }
 }
 
-// How fast a hand moves the edge at this point: it counts only along the edge (friction), since
-// what is in its way is pushed out.
+// How fast a hand or a coil moves the edge at this point. A hand's counts only along the edge
+// (friction), since what is in its way is pushed out; what is driven throws as well.
 Vec2 OverlapSolver::hand_velocity(const World& world, std::uint32_t capsule, Vec2 point) const {
     const Capsule& shape = world.capsules.shape[capsule];
     for (std::size_t i = 0; i < world.held_capsules.size(); ++i)
@@ -44,6 +44,12 @@ Vec2 OverlapSolver::hand_velocity(const World& world, std::uint32_t capsule, Vec
             return hands_[i].start + (hands_[i].end - hands_[i].start) *
                                          closest_parameter(shape.start, shape.end, point);
     return {};
+}
+
+bool OverlapSolver::is_driven(const World& world, std::uint32_t capsule) const {
+    return std::ranges::any_of(world.held_capsules, [&](const HeldCapsule& held) {
+        return held.is_driven && held.id == world.capsules.id[capsule];
+    });
 }
 
 // Hands go `share` of what is left of their way, whatever is in it; balls are pushed out of it
@@ -278,7 +284,10 @@ void OverlapSolver::exchange_momentum(World& world, double time, std::vector<Con
         shape.end += pair.shift;
         const Vec2 nearest = closest_point(shape.start, shape.end, balls.position[i]);
         Vec2 normal = direction(balls.position[i] - nearest, when_coincident);
-        const double speed = -dot(balls.velocity[i], normal);
+        const Vec2 surface = terms.special() ? hand_velocity(world, pair.other, nearest) : Vec2{};
+        const bool driven = terms.special() && is_driven(world, pair.other);
+        const double throwing = driven ? dot(surface, normal) : 0.0;
+        const double speed = throwing - dot(balls.velocity[i], normal);
         if (!(speed > 0.0)) continue;
         const Material& material = world.materials[world.capsules.material[pair.other]];
         const double restitution = terms.lossy() ? restitution_at(material, speed) : 1.0;
@@ -287,10 +296,10 @@ void OverlapSolver::exchange_momentum(World& world, double time, std::vector<Con
             normal = scattered_normal(world, balls.id[i], balls.edge_contacts[i]++, normal,
                                       balls.velocity[i], restitution);
         const Exchange done =
-            bounce_off(balls.velocity[i], inverse_mass_[i], normal, 0.0, restitution);
+            bounce_off(balls.velocity[i], inverse_mass_[i], normal, throwing, restitution, driven);
+        if (terms.special() && world.model.kicks)
+            balls.velocity[i] += normal * kick_at(material, shape, nearest, speed);
         if (terms.spin()) {
-            const Vec2 surface =
-                terms.special() ? hand_velocity(world, pair.other, nearest) : Vec2{};
             rub_on(balls.velocity[i], {balls.spin[i], balls.radius[i]}, inverse_mass_[i], flat,
                    surface, done.impulse, {material.friction, *world.model.spin});
         }

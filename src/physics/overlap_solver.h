@@ -15,7 +15,8 @@
 /// time for the next step, time spent = time * distance covered / distance intended, and gives
 /// gravity back what it took for that rest. Momentum is exchanged when all overlaps are parted,
 /// along the normals as they are then, and only by pairs that approach; friction follows each
-/// exchange, with its impulse. `discrete` is one update of one step.
+/// exchange, with its impulse. `discrete` is one update of
+/// one step.
 ///
 /// Fails by nature: what moves further than its size in a step passes through what is thin or
 /// small; a row of touching balls is parted only pair by pair; under gravity pushing apart changes
@@ -57,6 +58,7 @@ class OverlapSolver {
     void exchange_momentum(World& world, double time, std::vector<Contact>& contacts);
     void keep_time(World& world);
     void move_hands(World& world, double share, double duration);
+    bool is_driven(const World& world, std::uint32_t capsule) const;
     Vec2 hand_velocity(const World& world, std::uint32_t capsule, Vec2 point) const;
 
     PointCells cells_;

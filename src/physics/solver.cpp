@@ -69,13 +69,14 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     State& state = *state_;
     state.contacts.clear();
     const bool can_give_up = keep_going && state.settings.kind == SolverKind::event;
-    std::optional<World> before;  // births must be taken back
-    if (can_give_up && !world.emitters.empty()) before = world;
+    std::optional<World> before;  // what precedes the motion must be taken back
+    if (can_give_up && (!world.emitters.empty() || !world.flippers.empty())) before = world;
     emit(world);
     state.touched.assign(world.balls.size(), 0);
     if (state.settings.kind != SolverKind::event) world.paths.clear();
     TickOutcome outcome = TickOutcome::done;
     switch (state.settings.kind) {
+    drive_flippers(world);
         case SolverKind::discrete:
             state.overlap.tick(world, 1, 1, state.contacts, state.touched);
             break;
@@ -108,6 +109,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
             contact.b = number(world.balls.id[contact.b]);
             ++world.ball_ball_collisions;
         } else {
+    rest_flippers(world);
             contact.b = number(world.capsules.id[contact.b]);
             ++world.ball_edge_collisions;
         }

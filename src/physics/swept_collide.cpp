@@ -190,7 +190,9 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
     const double now = event.time;
     const Vec2 position = position_at(i, now);
     const Vec2 normal = event.normal;
-    const bool by_hand = hand_of(event.other) != nullptr;
+    const Hand* const mover = hand_of(event.other);
+    const bool by_hand = mover != nullptr;
+    const bool is_driven = by_hand && mover->is_driven;
     const Vec2 surface_way = by_hand ? surface_velocity(world, event.other, position, now) : Vec2{};
     const double surface = by_hand ? dot(surface_way, normal) : 0.0;
     if (path.still) {
@@ -215,7 +217,7 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
     const double restitution =
         world.model.lossy ? restitution_at(material, std::max(0.0, approach)) : 1.0;
     const bool pushed = surface > 0.0;
-    bool resting = pushed || (restitution < 1.0 && approach < resting_speed_);
+    bool resting = (pushed && !is_driven) || (restitution < 1.0 && approach < resting_speed_);
     Vec2 along = normal;
     Vec2 after = velocity;
     Exchange done{0.0, approach};
@@ -224,7 +226,10 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
         if (world.model.scatter)
             along = scattered_normal(world, world.balls.id[i], world.balls.edge_contacts[i]++,
                                      normal, velocity, restitution);
-        done = bounce_off(after, inverse_mass_[i], along, surface, restitution);
+        done = bounce_off(after, inverse_mass_[i], along, surface, restitution, is_driven);
+        if (world.model.kicks)
+            after +=
+                along * kick_at(material, shape_at(world, event.other, now), position, approach);
     }
     if (!resting && dot(chord(world, after, gravity, now), normal) < surface) {
         resting = true;
@@ -239,7 +244,8 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
         if (approach > 0.0) let_go(i, world);
     } else {
         if (pushed) {
-            done = bounce_off(after, inverse_mass_[i], normal, surface, restitution);
+            done = bounce_off(after, inverse_mass_[i], normal, surface,
+                              is_driven ? 0.0 : restitution, is_driven);
         } else {
             const double part = approach > 0.0 ? approach * (1.0 + resting_restitution) : approach;
             after = velocity + normal * part;
@@ -252,7 +258,7 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
                 hold_back(world, i, surface_way, material.friction, now, after);
         }
     }
-    count_impact(i, resting || !(approach > 0.0));
+    count_impact(i, (resting && !(is_driven && pushed)) || !(approach > 0.0));
     take_path(world, i, now, after);
     if (!(approach > 0.0)) return std::nullopt;
     return Contact{.time = now,

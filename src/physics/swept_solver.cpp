@@ -84,7 +84,8 @@ void SweptSolver::begin_paths(World& world, double share_of_way) {
         const Capsule& shape = world.capsules.shape[*index];
         hands_.push_back({static_cast<std::uint32_t>(*index),
                           (held.start_target - shape.start) * (share_of_way / duration_),
-                          (held.end_target - shape.end) * (share_of_way / duration_)});
+                          (held.end_target - shape.end) * (share_of_way / duration_),
+                          held.is_driven});
     }
 }
 

@@ -97,6 +97,7 @@ class SweptSolver {
         std::uint32_t index = 0;
         Vec2 start_velocity;
         Vec2 end_velocity;
+        bool is_driven = false;     ///< by a coil: it throws
         double stopped_at = -1.0;   ///< s in the substep; negative: moves
         std::uint32_t version = 0;  ///< 1 once it has stopped
     };

@@ -14,8 +14,8 @@ struct Terms {
     unsigned flags = 0;
 
     static constexpr unsigned lossy_flag = 1;  ///< some restitution is below 1
-    /// Scatter, one-way edges, a filter of who meets whom, or something is held: which of these,
-    /// the world says.
+    /// Scatter, one-way edges, edges that kick, a filter of who meets whom, or something is held or
+    /// driven: which of these, the world says.
     static constexpr unsigned special_flag = 2;
     static constexpr unsigned wrap_flag = 4;  ///< a torus
     static constexpr unsigned spin_flag = 8;  ///< friction, and balls turn
@@ -28,7 +28,7 @@ struct Terms {
 
 inline Terms terms_of(const World& world) {
     const Model& model = world.model;
-    const bool special = model.scatter || model.one_way || model.filtered ||
+    const bool special = model.scatter || model.one_way || model.kicks || model.filtered ||
                          !world.held_balls.empty() || !world.held_capsules.empty();
     return {(model.lossy ? Terms::lossy_flag : 0) | (special ? Terms::special_flag : 0) |
             (model.wrap ? Terms::wrap_flag : 0) | (model.spin ? Terms::spin_flag : 0)};

@@ -20,6 +20,12 @@ void erase_at(std::vector<T>& values, std::size_t index) {
     if (!values.empty()) values.erase(values.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
+void become_one_way(World& world) {
+    if (world.model.one_way) return;
+    world.model.one_way = true;
+    world.capsules.side.assign(world.capsules.size(), Side::both);
+}
+
 void become_lossy(World& world) {
     if (world.model.lossy) return;
     world.model.lossy = true;
@@ -53,10 +59,8 @@ CapsuleId add_capsule(World& world, const Capsule& shape, ClassIndex material, S
     const Material& made_of = world.materials[material];
     if (made_of.restitution < 1.0 || made_of.soften > 0.0) become_lossy(world);
     Capsules& capsules = world.capsules;
-    if (side != Side::both && !world.model.one_way) {
-        world.model.one_way = true;
-        capsules.side.assign(capsules.size(), Side::both);
-    }
+    if (made_of.kick > 0.0) world.model.kicks = true;
+    if (side != Side::both) become_one_way(world);
     const CapsuleId id{world.next_capsule++};
     capsules.id.push_back(id);
     capsules.shape.push_back(shape);
@@ -71,6 +75,13 @@ std::optional<std::size_t> index_of(const World& world, BallId id) {
 
 std::optional<std::size_t> index_of(const World& world, CapsuleId id) {
     return find(world.capsules.id, id);
+}
+
+void set_side(World& world, CapsuleId id, Side side) {
+    const auto index = index_of(world, id);
+    if (!index) return;
+    if (side != Side::both) become_one_way(world);
+    if (world.model.one_way) world.capsules.side[*index] = side;
 }
 
 void remove_ball(World& world, BallId id) {
@@ -99,6 +110,7 @@ void remove_capsule(World& world, CapsuleId id) {
     erase_at(capsules.material, *index);
     erase_at(capsules.side, *index);
     std::erase_if(world.held_capsules, [id](const HeldCapsule& held) { return held.id == id; });
+    std::erase_if(world.flippers, [id](const Flipper& flipper) { return flipper.capsule == id; });
 }
 
 std::vector<std::uint64_t> census(const World& world) {

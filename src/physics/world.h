@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "geometry/shapes.h"
+#include "physics/contact.h"
+#include "physics/flipper.h"
 #include "physics/ids.h"
 #include "physics/model.h"
 
@@ -52,10 +54,17 @@ struct Material {
     double soften = 0.0;
     /// Ball on edge, >= 0, whatever the ball. Counts only where Model::spin.
     double friction = 0.0;
+    /// A coil behind the edge adds this speed along the normal to a ball that comes at `kick_from`
+    /// or faster, length/s, both >= 0. Counts only where Model::kicks.
+    double kick = 0.0;
+    double kick_from = 0.0;
+    /// The kick is that of the middle of the edge, and falls off to 0 at its ends as a parabola.
+    bool kicks_in_the_middle = false;
 };
 
-/// Which balls an edge pushes, seen from its start to its end.
-enum class Side : std::uint8_t { both, left, right };
+/// Which balls an edge pushes, seen from its start to its end; `none`: it is out of the way, as a
+/// drop target that is down.
+enum class Side : std::uint8_t { both, left, right, none };
 
 struct Capsules {
     std::vector<CapsuleId> id;
@@ -104,6 +113,8 @@ struct HeldCapsule {
     CapsuleId id{};
     Vec2 start_target;
     Vec2 end_target;
+    /// It is driven, not held: it throws what it meets, as a wall that moves.
+    bool is_driven = false;
 };
 
 /// How a ball moves, for the solver `event`.
@@ -145,6 +156,20 @@ struct BallPath {
     friend bool operator==(const BallPath&, const BallPath&) = default;
 };
 
+/// A ball that presses on another or on an edge: what the solver `contact` starts the next tick
+/// from.
+struct PressedPair {
+    BallId ball{};            ///< of two balls the lower
+    std::uint32_t other = 0;  ///< number of the other ball, or of the edge
+    ContactKind kind = ContactKind::ball_ball;
+    std::int8_t across = 0;  ///< which image of the edge on a torus
+    std::int8_t along = 0;
+    double impulse = 0.0;  ///< in a substep, along the normal, mass * length/s
+    double rub = 0.0;      ///< the same, across it
+
+    friend bool operator==(const PressedPair&, const PressedPair&) = default;
+};
+
 /// A ball that is no longer there.
 struct Removal {
     BallId id{};
@@ -171,6 +196,8 @@ struct World {
     std::vector<std::uint64_t> counters;  ///< what sinks have counted; see also `census`
     std::vector<Removal> removed;
 
+    std::vector<Flipper> flippers;  ///< each of another capsule, ascending by it
+
     std::vector<HeldBall> held_balls;        ///< ascending by id
     std::vector<HeldCapsule> held_capsules;  ///< ascending by id
 
@@ -180,6 +207,9 @@ struct World {
     std::vector<BallPath> paths;
     Vec2 paths_gravity;       ///< what acted on `paths`: another field, and they count no more
     double paths_drag = 0.0;  ///< 1/s
+
+    /// Ascending by ball; empty unless the last tick was one of the solver `contact`.
+    std::vector<PressedPair> pressed;
 
     std::uint32_t next_ball = 0;
     std::uint32_t next_capsule = 0;
@@ -208,13 +238,18 @@ struct BallSpec {
 BallId add_ball(World& world, const BallSpec& spec);
 
 /// Pre: material is an index into world.materials. A material with restitution below 1 or soften >
-/// 0 makes the model lossy, a side other than both makes it one_way.
+/// 0 makes the model lossy, one with a kick makes it one that kicks, and a side other than both
+/// makes it one_way.
 CapsuleId add_capsule(World& world, const Capsule& shape, ClassIndex material,
                       Side side = Side::both);
 
 /// The ball's index, or none when it is not (or no longer) there.
 std::optional<std::size_t> index_of(const World& world, BallId id);
 std::optional<std::size_t> index_of(const World& world, CapsuleId id);
+
+/// From now on the edge pushes on this side; the model becomes one_way where it has to. Nothing
+/// happens when there is no such edge.
+void set_side(World& world, CapsuleId id, Side side);
 
 /// By the player; `removed` gets an entry. Nothing happens when there is no such ball.
 void remove_ball(World& world, BallId id);
