@@ -50,6 +50,7 @@ void EventCells::reset(const World& world, const std::vector<Vec2>& positions) {
     cell_.resize(count);
     column_.resize(count);
     row_.resize(count);
+    tori_.resize(frame_.wraps ? count : 0);
     for (std::size_t i = count; i-- > 0;)
         enter(static_cast<std::uint32_t>(i), positions[i]);
 }
@@ -65,8 +66,14 @@ void EventCells::enter(std::uint32_t ball, Vec2 position) {
 }
 
 void EventCells::link(std::uint32_t ball) {
-    cell_[ball] = frame_.index(frame_.bounded(column_[ball], frame_.columns),
-                               frame_.bounded(row_[ball], frame_.rows));
+    int column = column_[ball];
+    int row = row_[ball];
+    if (frame_.wraps) {
+        column = frame_.bounded(column, frame_.columns);
+        row = frame_.bounded(row, frame_.rows);
+        tori_[ball] = {(column_[ball] - column) / frame_.columns, (row_[ball] - row) / frame_.rows};
+    }
+    cell_[ball] = frame_.index(column, row);
     if (is_giant_[ball]) return;
     before_[ball] = none;
     next_[ball] = head_[cell_[ball]];

@@ -186,49 +186,14 @@ EdgeContact<Real> contact_with(const Edge<Real>& edge, const Vector<Real>& posit
 }
 
 template <typename Real>
-Real rounding_at(const Vector<Real>& position, const Real& reach) {
-    return Real(4.0 * precision<Real>) * (absolute(position.x) + absolute(position.y) + reach);
-}
-
-template <typename Real>
 std::optional<Real> ball_closing(const EventPath<Real>& a, const EventPath<Real>& b,
                                  const Vector<Real>& shift, const Real& reach, const Real& small,
                                  const Field<Real>& field, const Real& end) {
-    const Real begin = greater(a.time, b.time);
-    const Real zero{};
     if (is_parabola(a, field) && is_parabola(b, field) && a.acceleration == b.acceleration) {
-        // Straight lines as seen from one another.
-        const Real since_a = begin - a.time;
-        const Real since_b = begin - b.time;
-        const Vector<Real> velocity =
-            a.velocity - b.velocity + a.acceleration * (since_a - since_b);
-        const Vector<Real> offset = parabola_at(a, begin) - parabola_at(b, begin) - shift;
-        const Real closing = -dot(offset, velocity);
-        if (!(closing > zero)) return std::nullopt;
-        const Real speed_squared = length_squared(velocity);
-        const Real miss = cross(offset, velocity);
-        const Real discriminant = speed_squared * reach * reach - miss * miss;
-        if (!(discriminant > zero)) return std::nullopt;
-        const Real away = length(offset);
-        const Real gap = away - reach;
-        if (gap <= rounding_at(a.position, reach)) {
-            const Real rate = closing / away;
-            const Real noise =
-                Real(impact_noise<Real>) * (length(a.velocity) + length(b.velocity) +
-                                            length(a.acceleration) * (since_a + since_b)) +
-                Real(pressing_noise) * square_root(field.pressing * small);
-            if (!(rate > noise) || end < begin) return std::nullopt;
-            // In a heap what closes slowly may sink in by a hair before it counts.
-            const Real hair = Real(lively_rise) * small;
-            const Real slow = square_root(Real(2.0) * field.pressing * hair);
-            if (!(rate < slow) || !(-hair < gap)) return begin;
-            const Real time = begin + (gap + hair) / rate;
-            return time <= end ? std::optional<Real>(time) : std::nullopt;
-        }
-        // Both terms of the denominator are positive, so nothing cancels.
-        const Real time = begin + gap * (away + reach) / (closing + square_root(discriminant));
-        return time <= end ? std::optional<Real>(time) : std::nullopt;
+        const auto time = straight_closing(a, b, a.acceleration, shift, reach, small, field);
+        return time && *time <= end ? time : std::nullopt;
     }
+    const Real begin = greater(a.time, b.time);
     const Real last = lesser(last_moment(a, field, end), last_moment(b, field, end));
     if (last < begin) return std::nullopt;
     Real pull = most_acceleration(a, field, begin) + most_acceleration(b, field, begin);
@@ -301,7 +266,6 @@ std::optional<Real> hand_closing(const EventPath<Real>& path, const MovingEdge<R
 #define CAROM_FOR(Real)                                                                           \
     template Edge<Real> MovingEdge<Real>::at(const Real&) const;                                  \
     template EdgeContact<Real> contact_with(const Edge<Real>&, const Vector<Real>&, const Real&); \
-    template Real rounding_at(const Vector<Real>&, const Real&);                                  \
     template std::optional<Real> ball_closing(const EventPath<Real>&, const EventPath<Real>&,     \
                                               const Vector<Real>&, const Real&, const Real&,      \
                                               const Field<Real>&, const Real&);                   \

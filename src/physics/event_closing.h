@@ -66,7 +66,17 @@ EdgeContact<Real> contact_with(const Edge<Real>& edge, const Vector<Real>& posit
 
 /// What is rounding at this place: gaps up to this are touches. Length.
 template <typename Real>
-Real rounding_at(const Vector<Real>& position, const Real& reach);
+inline Real rounding_at(const Vector<Real>& position, const Real& reach) {
+    return Real(4.0 * precision<Real>) * (absolute(position.x) + absolute(position.y) + reach);
+}
+
+/// First impact of two balls on parabolas of the same `acceleration`, which are straight lines as
+/// seen from one another, no earlier than both paths begin. `shift`, `reach` and `small`: as below.
+template <typename Real>
+inline std::optional<Real> straight_closing(const EventPath<Real>& a, const EventPath<Real>& b,
+                                            const Vector<Real>& acceleration,
+                                            const Vector<Real>& shift, const Real& reach,
+                                            const Real& small, const Field<Real>& field);
 
 /// First impact of two balls, no earlier than both paths begin and no later than `end`. `shift` is
 /// added to the second path's place (an image on a torus); `reach` is the sum of the radii, `small`
@@ -87,5 +97,44 @@ template <typename Real>
 std::optional<Real> hand_closing(const EventPath<Real>& path, const MovingEdge<Real>& edge,
                                  const Real& radius, const Field<Real>& field, const Real& begin,
                                  const Real& end);
+
+// Here, since nearly all the time of a gas goes into it.
+template <typename Real>
+inline std::optional<Real> straight_closing(const EventPath<Real>& a, const EventPath<Real>& b,
+                                            const Vector<Real>& acceleration,
+                                            const Vector<Real>& shift, const Real& reach,
+                                            const Real& small, const Field<Real>& field) {
+    const Real begin = a.time < b.time ? b.time : a.time;
+    const Real zero{};
+    const Real half(0.5);
+    const Real since_a = begin - a.time;
+    const Real since_b = begin - b.time;
+    const Vector<Real> velocity = a.velocity - b.velocity + acceleration * (since_a - since_b);
+    const Vector<Real> offset =
+        (a.position + (a.velocity + acceleration * (half * since_a)) * since_a) -
+        (b.position + (b.velocity + acceleration * (half * since_b)) * since_b) - shift;
+    const Real closing = -dot(offset, velocity);
+    if (!(closing > zero)) return std::nullopt;
+    const Real speed_squared = length_squared(velocity);
+    const Real miss = cross(offset, velocity);
+    const Real discriminant = speed_squared * reach * reach - miss * miss;
+    if (!(discriminant > zero)) return std::nullopt;
+    const Real away = length(offset);
+    const Real gap = away - reach;
+    if (gap <= rounding_at(a.position, reach)) {
+        const Real rate = closing / away;
+        const Real noise = Real(impact_noise<Real>) * (length(a.velocity) + length(b.velocity) +
+                                                       length(acceleration) * (since_a + since_b)) +
+                           Real(pressing_noise) * square_root(field.pressing * small);
+        if (!(rate > noise)) return std::nullopt;
+        // In a heap what closes slowly may sink in by a hair before it counts.
+        const Real hair = Real(lively_rise) * small;
+        const Real slow = square_root(Real(2.0) * field.pressing * hair);
+        if (!(rate < slow) || !(-hair < gap)) return begin;
+        return begin + (gap + hair) / rate;
+    }
+    // Both terms of the denominator are positive, so nothing cancels.
+    return begin + gap * (away + reach) / (closing + square_root(discriminant));
+}
 
 }  // namespace carom

@@ -49,8 +49,7 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
         if (events_ % ask_every == 0 && keep_going && !keep_going()) return EventOutcome::given_up;
         if (now_ < event.time) now_ = event.time;
         if (event.kind == Kind::crossing) {
-            change_cell(ball, event.other);
-            predict(ball);
+            enter_next_cell(ball, event.other);
         } else if (event.kind == Kind::own) {
             end_own(ball);
         } else if (event.kind == Kind::ball_ball && event.other_version != version_[event.other]) {
@@ -229,6 +228,8 @@ void EventEngine<Real>::begin_anew(const World& world) {
     paths_ = std::move(known);
     version_.resize(count, 0);
     next_.assign(count, {});
+    meeting_.resize(count);
+    is_meeting_known_.resize(count);
     body_of_ball_.assign(count, EventCells::none);
     take_hands(world);
     for (std::size_t i = 0; i < count; ++i)

@@ -125,14 +125,18 @@ class EventEngine {
 
     // event_predict.cpp: which event comes next.
     void predict(std::uint32_t ball);
+    void choose_next(std::uint32_t ball);
+    void enter_next_cell(std::uint32_t ball, std::uint32_t direction);
+    bool is_flying(std::uint32_t ball) const;
+    bool meet_flying(std::uint32_t ball, std::uint32_t other, int across, int along);
     void predict_crossing(std::uint32_t ball, Event& best) const;
+    void predict_crossing_of_line(std::uint32_t ball, Event& best) const;
     void predict_own(std::uint32_t ball, Event& best) const;
     std::optional<Real> end_of_turn(std::uint32_t ball) const;
     void predict_balls(std::uint32_t ball, Event& best) const;
     void predict_pair(std::uint32_t ball, std::uint32_t other, int across, int along,
                       Event& best) const;
     void predict_edges(std::uint32_t ball, Event& best) const;
-    void change_cell(std::uint32_t ball, std::uint32_t direction);
     bool is_before(std::uint32_t a, std::uint32_t b) const;
     bool comes_first(std::uint32_t ball_a, const Event& a, std::uint32_t ball_b,
                      const Event& b) const;
@@ -198,6 +202,9 @@ class EventEngine {
     std::vector<EventPath<Real>> paths_;
     std::vector<std::uint32_t> version_;
     std::vector<Event> next_;
+    /// Whom a ball that flies among flying balls meets first, wherever: see event_predict.cpp.
+    std::vector<Event> meeting_;
+    std::vector<std::uint8_t> is_meeting_known_;
     std::vector<Real> inverse_mass_;
     std::vector<std::uint32_t> edge_contacts_;
     std::vector<Hand> hands_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "physics/bounce.h"
 #include "physics/event_engine.h"
@@ -62,15 +63,114 @@ void EventEngine<Real>::consider(std::uint32_t ball, const Event& event, Event& 
 }
 
 template <typename Real>
+bool EventEngine<Real>::is_flying(std::uint32_t ball) const {
+    return paths_[ball].motion == Motion::free && !field_.has_drag;
+}
+
+// All anew: after its path has changed, or another's that it was to meet.
+//
+// Balls that fly move in straight lines as seen from one another, so whom such a ball meets first
+// is known however far ahead, and stays known from cell to cell: only the new neighbours are looked
+// at there. The paths of others are looked at no further than the next event. One-way edges are
+// looked at whenever all is predicted anew, which happens at every cell then.
+template <typename Real>
 void EventEngine<Real>::predict(std::uint32_t ball) {
-    // How far to look: until it leaves its cell, or for some ticks.
-    Event best{now_ + Real(16.0 / world_->rate), Kind::crossing, 0, 0, look_again, 0};
-    predict_crossing(ball, best);
+    meeting_[ball] = {};
+    bool is_known = is_flying(ball) && cells_.giants().empty() && !world_->model.one_way;
+    if (is_known && world_->model.ball_ball)
+        cells_.for_each_near(ball, [&](std::uint32_t other, int across, int along) {
+            is_known = is_known && meet_flying(ball, other, across, along);
+        });
+    is_meeting_known_[ball] = is_known;
+    choose_next(ball);
+}
+
+// The first of all that can happen to the ball, from now on.
+template <typename Real>
+void EventEngine<Real>::choose_next(std::uint32_t ball) {
+    const bool is_known = is_meeting_known_[ball] != 0;
+    const bool is_line = is_known && !world_->model.gravity;
+    Event best;
+    best.time = Real(std::numeric_limits<double>::infinity());
+    // How far to look where it takes longer the further one looks.
+    if (!is_line || !hands_.empty())
+        best = {now_ + Real(16.0 / world_->rate), Kind::crossing, 0, 0, look_again, 0};
+    if (is_known) consider(ball, meeting_[ball], best);
+    if (is_line)
+        predict_crossing_of_line(ball, best);
+    else
+        predict_crossing(ball, best);
     predict_own(ball, best);
-    if (world_->model.ball_ball) predict_balls(ball, best);
+    if (!is_known && world_->model.ball_ball) predict_balls(ball, best);
     if (world_->model.ball_edge && paths_[ball].motion != Motion::resting)
         predict_edges(ball, best);
     next_[ball] = best;
+}
+
+template <typename Real>
+void EventEngine<Real>::enter_next_cell(std::uint32_t ball, std::uint32_t direction) {
+    bool is_known = is_meeting_known_[ball] != 0;
+    if (direction < steps.size()) {
+        const auto [columns, rows] = steps[direction];
+        cells_.step(ball, columns, rows);
+        if (is_known && world_->model.ball_ball)
+            cells_.for_each_new(ball, columns, rows,
+                                [&](std::uint32_t other, int across, int along) {
+                                    is_known = is_known && meet_flying(ball, other, across, along);
+                                });
+    }
+    if (is_known)
+        choose_next(ball);
+    else
+        predict(ball);
+}
+
+// One more neighbour of a ball that flies. False where that one does not.
+template <typename Real>
+bool EventEngine<Real>::meet_flying(std::uint32_t ball, std::uint32_t other, int across,
+                                    int along) {
+    if (!is_flying(other)) return false;
+    if (!balls_meet(ball, other)) return true;
+    const Real our_radius = radius(ball);
+    const Real their_radius = radius(other);
+    // As seen from the one with the lower number, whoever asks: the same bits.
+    const Real reach = our_radius + their_radius;
+    const Real small = our_radius < their_radius ? our_radius : their_radius;
+    const EventPath<Real>& ours = paths_[ball];
+    const EventPath<Real>& theirs = paths_[other];
+    auto time = ball < other ? straight_closing(ours, theirs, field_.gravity,
+                                                torus_shift(across, along), reach, small, field_)
+                             : straight_closing(theirs, ours, field_.gravity,
+                                                torus_shift(-across, -along), reach, small, field_);
+    if (!time) return true;
+    if (*time < now_) time = now_;
+    consider(ball,
+             {*time, Kind::ball_ball, static_cast<std::int8_t>(across),
+              static_cast<std::int8_t>(along), other, version_[other]},
+             meeting_[ball]);
+    return true;
+}
+
+// The same as the next function for a straight line, which crosses only what lies ahead.
+template <typename Real>
+void EventEngine<Real>::predict_crossing_of_line(std::uint32_t ball, Event& best) const {
+    const EventPath<Real>& path = paths_[ball];
+    const CellFrame& frame = cells_.frame();
+    const auto cross = [&](const Real& from, const Real& speed, int place, int count, double origin,
+                           double width, std::uint32_t ahead) {
+        const Real zero{};
+        if (speed == zero) return;
+        const bool up = speed > zero;
+        if (!frame.wraps && (up ? place >= count - 1 : place <= 0)) return;
+        const Real border(origin + width * (up ? place + 1 : place));
+        const Real time = path.time + (border - from) / speed;
+        consider(ball, {time < now_ ? now_ : time, Kind::crossing, 0, 0, up ? ahead : ahead + 1, 0},
+                 best);
+    };
+    cross(path.position.x, path.velocity.x, cells_.column(ball), frame.columns, frame.origin.x,
+          frame.cell.x, 0);
+    cross(path.position.y, path.velocity.y, cells_.row(ball), frame.rows, frame.origin.y,
+          frame.cell.y, 2);
 }
 
 // When the centre comes to a border of its cell. This is bookkeeping: it never changes a path.
@@ -125,12 +225,6 @@ void EventEngine<Real>::predict_crossing(std::uint32_t ball, Event& best) const 
         }
         if (time) consider(ball, {*time, Kind::crossing, 0, 0, direction, 0}, best);
     }
-}
-
-template <typename Real>
-void EventEngine<Real>::change_cell(std::uint32_t ball, std::uint32_t direction) {
-    if (direction < steps.size())
-        cells_.step(ball, steps[direction].columns, steps[direction].rows);
 }
 
 // The end of the side along which the ball slides; the end of a piece of its turn.
