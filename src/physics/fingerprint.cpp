@@ -49,6 +49,8 @@ std::uint64_t fingerprint(const World& world) {
         hash.add(std::uint64_t{contacts});
     for (const double spin : balls.spin)
         hash.add(spin);
+    for (const Vec2 roll : balls.roll)
+        hash.add(roll);
     hash.add(std::uint64_t{world.capsules.size()});
     for (std::size_t i = 0; i < world.capsules.size(); ++i) {
         hash.add(std::uint64_t{number(world.capsules.id[i])});

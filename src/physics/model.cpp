@@ -17,6 +17,9 @@ std::vector<std::string> terms_in_force(const Model& model) {
     if (model.scatter)
         terms.push_back(fmt::format("scatter {:.6g}deg", *model.scatter * (180.0 / pi)));
     if (model.spin) terms.push_back(fmt::format("spin {}", *model.spin));
+    if (model.cloth)
+        terms.push_back(fmt::format("cloth {} {} {}", model.cloth->slide, model.cloth->roll,
+                                    model.cloth->spin));
     if (model.wrap) terms.push_back("wrap");
     if (model.one_way) terms.push_back("one-way");
     if (model.kicks) terms.push_back("kicks");

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/shapes.h"
+#include "physics/cloth.h"
 
 /// What a scene requires of the physics, and nothing more.
 ///
@@ -29,6 +30,8 @@ struct Model {
     /// Friction acts at contacts and balls turn: the moment of inertia / (m r^2), in (0, 1]; 1/2 is
     /// a disc, 2/5 a solid ball.
     std::optional<double> spin;
+    /// The balls lie on cloth, seen from above. Only with `spin`, and without gravity and drag.
+    std::optional<Cloth> cloth;
     /// The torus: what leaves on one side comes back on the other. Low included, high excluded.
     std::optional<Box> wrap;
     /// Some restitution is below 1, or some edge is soft: balls carry a restitution.

@@ -5,6 +5,7 @@
 
 #include "geometry/closest.h"
 #include "physics/bounce.h"
+#include "physics/cloth_contact.h"
 #include "physics/flight.h"
 
 namespace carom {
@@ -89,6 +90,7 @@ void OverlapSolver::update(World& world, double duration, int steps, double end_
     left_.assign(count, duration);
     origin_.resize(count);
     intended_.resize(count);
+    if (world.model.cloth) before_.resize(count);
     const double largest = largest_radius(world.balls);
     for (int step = 0; step < steps && !active_.empty(); ++step) {
         move<terms>(world, step);
@@ -118,12 +120,18 @@ void OverlapSolver::move(World& world, int step) {
     for (const std::uint32_t i : active_) {
         if (step > 0 && flight.duration != left_[i])
             flight = flight_over(world.model.drag, left_[i]);
-        Vec2 way = travel(flight, balls.velocity[i], gravity);
-        balls.velocity[i] = velocity_after(flight, balls.velocity[i], gravity);
+        Vec2 way;
+        if (terms.spin() && world.model.cloth) {
+            way = move_on_cloth(world, i);
+        } else {
+            way = travel(flight, balls.velocity[i], gravity);
+            balls.velocity[i] = velocity_after(flight, balls.velocity[i], gravity);
+        }
         if (terms.special() && inverse_mass_[i] == 0.0) {
             way = {};
             balls.velocity[i] = {};
             if (terms.spin()) balls.spin[i] = 0.0;
+            if (terms.spin() && world.model.cloth) balls.roll[i] = {};
         }
         if (world.model.speed_limit) {
             balls.velocity[i] = limited(balls.velocity[i], *world.model.speed_limit);
@@ -134,6 +142,29 @@ void OverlapSolver::move(World& world, int step) {
         origin_[i] = balls.position[i] - way;
         intended_[i] = length(way);
     }
+}
+
+namespace {
+
+ClothState<double> state_on_cloth(const Balls& balls, std::size_t i) {
+    return {{}, Vector<double>(balls.velocity[i]), Vector<double>(balls.roll[i]), balls.spin[i]};
+}
+
+void take_state(Balls& balls, std::size_t i, const ClothState<double>& state) {
+    balls.velocity[i] = Vec2(state.velocity);
+    balls.roll[i] = Vec2(state.roll);
+    balls.spin[i] = state.spin;
+}
+
+}  // namespace
+
+// How far the ball goes on cloth in the time that it has left; its state becomes that at the end.
+Vec2 OverlapSolver::move_on_cloth(World& world, std::uint32_t ball) {
+    before_[ball] = state_on_cloth(world.balls, ball);
+    const auto after =
+        cloth_state_after(*world.model.cloth, *world.model.spin, before_[ball], left_[ball]);
+    take_state(world.balls, ball, after);
+    return Vec2(after.position);
 }
 
 template <Terms terms>
@@ -242,6 +273,10 @@ void OverlapSolver::keep_time(World& world) {
         if (world.model.gravity) balls.velocity[i] -= *world.model.gravity * left;
         // A ball that got nowhere gives up the rest of its time.
         if (covered < 1e-9 || left < 1e-9 * left_[i]) continue;
+        if (world.model.cloth)
+            take_state(balls, i,
+                       cloth_state_after(*world.model.cloth, *world.model.spin, before_[i],
+                                         left_[i] - left));
         left_[i] = left;
         is_active_[i] = 1;
         active_.push_back(i);
@@ -268,9 +303,15 @@ void OverlapSolver::exchange_momentum(World& world, double time, std::vector<Con
             if (terms.spin()) {
                 const Kind& kind_i = world.kinds[balls.kind[i]];
                 const Kind& kind_j = world.kinds[balls.kind[j]];
-                rub(balls.velocity[i], {balls.spin[i], balls.radius[i]}, inverse_mass_[i],
-                    balls.velocity[j], {balls.spin[j], balls.radius[j]}, inverse_mass_[j], normal,
-                    done.impulse, {friction_between(kind_i, kind_j), *world.model.spin});
+                const Friction friction{friction_between(kind_i, kind_j), *world.model.spin};
+                if (world.model.cloth)
+                    rub_on_cloth(balls.velocity[i], roller(balls, i), inverse_mass_[i],
+                                 balls.velocity[j], roller(balls, j), inverse_mass_[j], normal,
+                                 done.impulse, friction);
+                else
+                    rub(balls.velocity[i], {balls.spin[i], balls.radius[i]}, inverse_mass_[i],
+                        balls.velocity[j], {balls.spin[j], balls.radius[j]}, inverse_mass_[j],
+                        normal, done.impulse, friction);
             }
             const Vec2 point = balls.position[j] + normal * balls.radius[j];
             if (i > j) normal = -normal;
@@ -300,8 +341,13 @@ void OverlapSolver::exchange_momentum(World& world, double time, std::vector<Con
         if (terms.special() && world.model.kicks)
             balls.velocity[i] += normal * kick_at(material, shape, nearest, speed);
         if (terms.spin()) {
-            rub_on(balls.velocity[i], {balls.spin[i], balls.radius[i]}, inverse_mass_[i], flat,
-                   surface, done.impulse, {material.friction, *world.model.spin});
+            const Friction friction{material.friction, *world.model.spin};
+            if (world.model.cloth)
+                rub_edge_on_cloth(balls.velocity[i], roller(balls, i), inverse_mass_[i], flat,
+                                  surface, done.impulse, friction);
+            else
+                rub_on(balls.velocity[i], {balls.spin[i], balls.radius[i]}, inverse_mass_[i], flat,
+                       surface, done.impulse, friction);
         }
         contacts.push_back({time, ContactKind::ball_edge, i, pair.other,
                             nearest + normal * shape.radius, normal, done.approach, done.impulse});

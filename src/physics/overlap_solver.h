@@ -50,6 +50,7 @@ class OverlapSolver {
                 std::vector<Contact>& contacts);
     template <Terms terms>
     void move(World& world, int step);
+    Vec2 move_on_cloth(World& world, std::uint32_t ball);
     template <Terms terms>
     void part_overlaps(World& world, bool all_active);
     template <Terms terms>
@@ -65,12 +66,13 @@ class OverlapSolver {
     CapsuleCells edges_;
     std::vector<std::uint32_t> active_;
     std::vector<std::uint8_t> is_active_;
-    std::vector<std::uint8_t> is_touched_;  // in this step
-    std::vector<double> left_;              // s of the update, by ball
-    std::vector<Vec2> origin_;              // where the step began
-    std::vector<double> intended_;          // length of the way it would have gone
-    std::vector<HandWay> hands_;            // by World::held_capsules
-    std::vector<double> inverse_mass_;      // 0 where a hand holds the ball
+    std::vector<std::uint8_t> is_touched_;    // in this step
+    std::vector<double> left_;                // s of the update, by ball
+    std::vector<Vec2> origin_;                // where the step began
+    std::vector<double> intended_;            // length of the way it would have gone
+    std::vector<ClothState<double>> before_;  // the step, on cloth
+    std::vector<HandWay> hands_;              // by World::held_capsules
+    std::vector<double> inverse_mass_;        // 0 where a hand holds the ball
     std::vector<Pair> pairs_;
     std::vector<std::uint32_t> moved_;
 };

@@ -6,6 +6,9 @@ namespace carom {
 // straight lines are where `event` is both exact and the cheaper one; heaps are what `swept` pays
 // for: many balls that lose energy under gravity and are not drained.
 SolverPick pick_solver(const World& world) {
+    if (world.model.cloth)
+        return {{.kind = SolverKind::swept},
+                "nothing passes through anything, and the way of a ball on cloth is exact"};
     if (!world.model.gravity && !world.model.drag)
         return {{.kind = SolverKind::event},
                 "exact from impact to impact, and cheapest where nothing bends the paths"};

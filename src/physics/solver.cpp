@@ -28,6 +28,10 @@ std::span<const SolverKind> solvers_available() {
     return available;
 }
 
+bool knows_cloth(SolverKind kind) {
+    return kind != SolverKind::contact && kind != SolverKind::event;
+}
+
 struct Solver::State {
     SolverSettings settings;
     OverlapSolver overlap;
@@ -72,11 +76,11 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     std::optional<World> before;  // what precedes the motion must be taken back
     if (can_give_up && (!world.emitters.empty() || !world.flippers.empty())) before = world;
     emit(world);
+    drive_flippers(world);
     state.touched.assign(world.balls.size(), 0);
     if (state.settings.kind != SolverKind::event) world.paths.clear();
     TickOutcome outcome = TickOutcome::done;
     switch (state.settings.kind) {
-    drive_flippers(world);
         case SolverKind::discrete:
             state.overlap.tick(world, 1, 1, state.contacts, state.touched);
             break;
@@ -100,6 +104,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
         default:
             state.swept.tick(world, state.settings.substeps, state.contacts, state.touched);
     }
+    rest_flippers(world);
     stop_slow_balls(world, state.touched);
     ++world.tick;
     // Inside a solver bodies go by index; outside by id.
@@ -109,7 +114,6 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
             contact.b = number(world.balls.id[contact.b]);
             ++world.ball_ball_collisions;
         } else {
-    rest_flippers(world);
             contact.b = number(world.capsules.id[contact.b]);
             ++world.ball_edge_collisions;
         }

@@ -38,6 +38,9 @@ std::optional<SolverKind> solver_named(std::string_view name);
 /// The solvers that this carom has, cheapest first.
 std::span<const SolverKind> solvers_available();
 
+/// Whether the solver moves balls on cloth as Model::cloth says.
+bool knows_cloth(SolverKind kind);
+
 /// What `auto` picks for a world, and the reason in one sentence. Depends on the world alone.
 struct SolverPick {
     SolverSettings settings;

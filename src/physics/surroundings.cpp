@@ -72,8 +72,10 @@ void stop_slow_balls(World& world, const std::vector<std::uint8_t>& touched) {
         if (world.model.spin) {
             const double rim = balls.spin[i] * balls.radius[i];
             if (!(rim * rim < limit)) continue;
+            if (world.model.cloth && !(length_squared(balls.roll[i]) < limit)) continue;
             balls.spin[i] = 0.0;
         }
+        if (world.model.cloth) balls.roll[i] = {};
         balls.velocity[i] = {};
     }
 }
@@ -110,6 +112,7 @@ void drain_sinks(World& world) {
     keep(balls.restitution, gone);
     keep(balls.edge_contacts, gone);
     keep(balls.spin, gone);
+    keep(balls.roll, gone);
 }
 
 }  // namespace carom

@@ -29,6 +29,7 @@ Vec2 SweptSolver::velocity_at(const World& world, std::uint32_t ball, double now
     const Path& path = paths_[ball];
     if (is_held_ball(ball) || path.still) return path.velocity;
     const double since = now - path.time;
+    if (world.model.cloth) return Vec2(on_cloth(world, ball, path.start_velocity, since).velocity);
     const Flight flight = flight_over(world.model.drag, since);
     Vec2 velocity = velocity_after(flight, path.start_velocity, path.gravity);
     const double pull = length(path.gravity);
@@ -42,9 +43,11 @@ Vec2 SweptSolver::velocity_at(const World& world, std::uint32_t ball, double now
 }
 
 // The velocity along the chord of the flight that starts now.
-Vec2 SweptSolver::chord(const World& world, Vec2 velocity, Vec2 gravity, double now) const {
+Vec2 SweptSolver::chord(const World& world, std::uint32_t ball, Vec2 velocity, Vec2 gravity,
+                        double now) const {
     const double left = duration_ - now;
     if (!(left > 0.0)) return velocity;
+    if (world.model.cloth) return Vec2(on_cloth(world, ball, velocity, left).position) / left;
     return travel(flight_over(world.model.drag, left), velocity, gravity) / left;
 }
 
@@ -55,8 +58,9 @@ void SweptSolver::take_path(const World& world, std::uint32_t ball, double now, 
     path.position = position_at(ball, now);
     path.time = now;
     path.start_velocity = path.still ? Vec2{} : velocity;
-    path.velocity = path.still || is_held_ball(ball) ? path.start_velocity
-                                                     : chord(world, velocity, path.gravity, now);
+    path.velocity = path.still || is_held_ball(ball)
+                        ? path.start_velocity
+                        : chord(world, ball, velocity, path.gravity, now);
     ++path.version;
     const Vec2 to = path.position + path.velocity * (duration_ - now);
     cells_.enter(ball,
@@ -67,7 +71,8 @@ void SweptSolver::count_impact(std::uint32_t ball, bool resting) {
     Path& path = paths_[ball];
     ++path.impacts;
     if (resting) ++path.resting_impacts;
-    if (path.resting_impacts < most_resting_impacts && path.impacts < most_impacts) return;
+    const int most = most_resting_impacts * (slides_first_ ? 2 : 1);
+    if (path.resting_impacts < most && path.impacts < most_impacts) return;
     path.still = true;
     path.carried = true;
 }
@@ -112,8 +117,8 @@ std::optional<Contact> SweptSolver::collide_balls(World& world, const Event& eve
         world.model.lossy ? std::min(world.balls.restitution[i], world.balls.restitution[j]) : 1.0;
     const bool pushed = is_held_ball(i) || is_held_ball(j);
     const auto meets_again = [&](Vec2 va, Vec2 vb) {
-        const Vec2 chord_a = a.still || is_held_ball(i) ? va : chord(world, va, a.gravity, now);
-        const Vec2 chord_b = b.still || is_held_ball(j) ? vb : chord(world, vb, b.gravity, now);
+        const Vec2 chord_a = a.still || is_held_ball(i) ? va : chord(world, i, va, a.gravity, now);
+        const Vec2 chord_b = b.still || is_held_ball(j) ? vb : chord(world, j, vb, b.gravity, now);
         return -dot(chord_a - chord_b, normal) > noise * (length(chord_a) + length(chord_b));
     };
     bool resting = pushed || (restitution < 1.0 && approach < resting_speed_);
@@ -161,6 +166,10 @@ std::optional<Contact> SweptSolver::collide_balls(World& world, const Event& eve
     for (const std::uint32_t ball : {i, j}) {
         if (!resting && is_contact) let_go(ball, world);
         count_impact(ball, resting || !is_contact);
+    }
+    if (world.model.cloth) {
+        stop_sliding_if_pressed(world, i, velocity_a);
+        stop_sliding_if_pressed(world, j, velocity_b);
     }
     take_path(world, i, now, velocity_a);
     take_path(world, j, now, velocity_b);
@@ -231,7 +240,7 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
             after +=
                 along * kick_at(material, shape_at(world, event.other, now), position, approach);
     }
-    if (!resting && dot(chord(world, after, gravity, now), normal) < surface) {
+    if (!resting && dot(chord(world, i, after, gravity, now), normal) < surface) {
         resting = true;
         along = normal;
         after = velocity;
@@ -259,6 +268,7 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
         }
     }
     count_impact(i, (resting && !(is_driven && pushed)) || !(approach > 0.0));
+    if (world.model.cloth) stop_sliding_if_pressed(world, i, after);
     take_path(world, i, now, after);
     if (!(approach > 0.0)) return std::nullopt;
     return Contact{.time = now,

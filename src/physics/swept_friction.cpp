@@ -2,12 +2,21 @@
 #include <cmath>
 
 #include "physics/bounce.h"
+#include "physics/cloth_contact.h"
 #include "physics/swept_solver.h"
 
 // Friction in the solver `swept`, once the velocities along the normal are settled.
 namespace carom {
 
 void SweptSolver::advance_spin(World& world, std::uint32_t ball, double now) const {
+    if (world.model.cloth) {
+        if (paths_[ball].still || is_held_ball(ball)) return;
+        const auto there =
+            on_cloth(world, ball, paths_[ball].start_velocity, now - paths_[ball].time);
+        world.balls.roll[ball] = Vec2(there.roll);
+        world.balls.spin[ball] = there.spin;
+        return;
+    }
     const double rate = spin_rate_[ball];
     if (rate == 0.0) return;
     double& spin = world.balls.spin[ball];
@@ -18,6 +27,22 @@ void SweptSolver::advance_spin(World& world, std::uint32_t ball, double now) con
     // what it gives to the other, and the rest is lost.
     const double there = std::sqrt(spin * spin + rate * rate * since * (duration_ - now));
     spin = spin < 0.0 ? -there : there;
+}
+
+ClothState<double> SweptSolver::on_cloth(const World& world, std::uint32_t ball, Vec2 velocity,
+                                         double duration) const {
+    const ClothState<double> state{{},
+                                   Vector<double>(velocity),
+                                   Vector<double>(world.balls.roll[ball]),
+                                   world.balls.spin[ball]};
+    return cloth_state_after(*world.model.cloth, *world.model.spin, state, duration);
+}
+
+void SweptSolver::stop_sliding_if_pressed(World& world, std::uint32_t ball, Vec2& velocity) {
+    if (paths_[ball].resting_impacts != most_resting_impacts) return;
+    const double inertia = *world.model.spin;
+    Vec2& roll = world.balls.roll[ball];
+    roll = velocity = (velocity + roll * inertia) / (1.0 + inertia);
 }
 
 void SweptSolver::rub_balls(World& world, const Event& event, Vec2& velocity_a, double inverse_a,
@@ -34,14 +59,24 @@ void SweptSolver::rub_balls(World& world, const Event& event, Vec2& velocity_a, 
     }
     const Kind& kind_a = world.kinds[balls.kind[i]];
     const Kind& kind_b = world.kinds[balls.kind[j]];
+    const Friction friction{friction_between(kind_a, kind_b), *world.model.spin};
+    if (world.model.cloth) {
+        rub_on_cloth(velocity_a, roller(balls, i), inverse_a, velocity_b, roller(balls, j),
+                     inverse_b, event.normal, pressed, friction);
+        return;
+    }
     rub(velocity_a, {balls.spin[i], balls.radius[i]}, inverse_a, velocity_b,
-        {balls.spin[j], balls.radius[j]}, inverse_b, event.normal, pressed,
-        {friction_between(kind_a, kind_b), *world.model.spin});
+        {balls.spin[j], balls.radius[j]}, inverse_b, event.normal, pressed, friction);
 }
 
 void SweptSolver::rub_edge(World& world, std::uint32_t ball, Vec2 normal, Vec2 surface,
                            double coefficient, double impulse, Vec2& velocity) const {
     Balls& balls = world.balls;
+    if (world.model.cloth) {
+        rub_edge_on_cloth(velocity, roller(balls, ball), inverse_mass_[ball], normal, surface,
+                          impulse, {coefficient, *world.model.spin});
+        return;
+    }
     rub_on(velocity, {balls.spin[ball], balls.radius[ball]}, inverse_mass_[ball], normal, surface,
            impulse, {coefficient, *world.model.spin});
 }

@@ -43,6 +43,7 @@ void SweptSolver::tick(World& world, int substeps, std::vector<Contact>& contact
     duration_ = duration;
     resting_speed_ =
         world.model.gravity ? resting_approach * length(*world.model.gravity) * duration : 0.0;
+    slides_first_ = world.model.cloth.has_value();
     torus_ = world.model.wrap ? size(*world.model.wrap) : Vec2{};
     inverse_mass_ = world.balls.inverse_mass;
     for (const HeldBall& held : world.held_balls)
@@ -67,7 +68,9 @@ void SweptSolver::begin_paths(World& world, double share_of_way) {
         paths_[i].position = balls.position[i];
         paths_[i].start_velocity = velocity;
         paths_[i].gravity = gravity;
-        paths_[i].velocity = travel(flight_, velocity, gravity) / duration_;
+        paths_[i].velocity =
+            world.model.cloth ? chord(world, static_cast<std::uint32_t>(i), velocity, gravity, 0.0)
+                              : travel(flight_, velocity, gravity) / duration_;
     }
     for (const HeldBall& held : world.held_balls) {
         const auto index = index_of(world, held.id);
@@ -103,6 +106,14 @@ void SweptSolver::finish_paths(World& world) {
                                 : balls.spin[i] + spin_rate_[i] * (duration_ - path.time);
         if (path.still || is_held_ball(ball)) {
             balls.velocity[i] = {};
+            if (world.model.cloth) balls.roll[i] = {};
+            continue;
+        }
+        if (world.model.cloth) {
+            const auto after = on_cloth(world, ball, path.start_velocity, duration_ - path.time);
+            balls.velocity[i] = Vec2(after.velocity);
+            balls.roll[i] = Vec2(after.roll);
+            balls.spin[i] = after.spin;
             continue;
         }
         const Flight flight =

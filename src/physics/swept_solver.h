@@ -6,6 +6,7 @@
 
 #include "geometry/impact.h"
 #include "physics/capsule_cells.h"
+#include "physics/cloth.h"
 #include "physics/contact.h"
 #include "physics/flight.h"
 #include "physics/swept_cells.h"
@@ -40,6 +41,10 @@ namespace carom {
 /// allows; so a rolling ball accelerates by g sin / (1 + inertia), and when a slip ends is rounded
 /// to a substep. Where two edges bear all of the weight, it brakes the spin alone. The weight on a
 /// ball rubs at once. A ball that lies still does not turn.
+///
+/// On cloth the path is the chord of the exact way through sliding, rolling and rest. What pushes
+/// on others so that it meets them `most_resting_impacts` times in a substep stops sliding: it
+/// rolls at once as it would once the cloth has stopped the slip.
 ///
 /// A hand pushes: see bounce_off. Where a ball that lies still is in its way, the hand stops for
 /// the substep.
@@ -115,7 +120,13 @@ class SweptSolver {
     std::optional<Contact> collide_balls(World& world, const Event& event);
     std::optional<Contact> collide_edge(World& world, const Event& event);
     Vec2 velocity_at(const World& world, std::uint32_t ball, double now) const;
-    Vec2 chord(const World& world, Vec2 velocity, Vec2 gravity, double now) const;
+    Vec2 chord(const World& world, std::uint32_t ball, Vec2 velocity, Vec2 gravity,
+               double now) const;
+    /// On cloth, in swept_friction.cpp: how far the ball goes in `duration` from the time of its
+    /// roll on, and how it moves then.
+    ClothState<double> on_cloth(const World& world, std::uint32_t ball, Vec2 velocity,
+                                double duration) const;
+    void stop_sliding_if_pressed(World& world, std::uint32_t ball, Vec2& velocity);
     void take_path(const World& world, std::uint32_t ball, double now, Vec2 velocity);
     void let_go(std::uint32_t ball, const World& world);
     void count_impact(std::uint32_t ball, bool resting);
@@ -146,6 +157,7 @@ class SweptSolver {
     std::vector<double> inverse_mass_;
     std::vector<double> spin_rate_;  ///< rad/s^2 since the path's time; empty unless Model::spin
     std::vector<Hand> hands_;
+    bool slides_first_ = false;  ///< on cloth a ball stops sliding before it lies still
     bool hand_stopped_ = false;  ///< in the last collision: every prediction must be made again
     std::vector<Event> queue_;
     SweptCells cells_;

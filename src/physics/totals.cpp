@@ -50,6 +50,8 @@ Totals totals(const World& world) {
         const double inertia = *world.model.spin * mass * radius * radius;
         kinetic.add(0.5 * inertia * world.balls.spin[i] * world.balls.spin[i]);
         angular.add(inertia * world.balls.spin[i]);
+        if (!world.model.cloth) continue;
+        kinetic.add(0.5 * *world.model.spin * mass * length_squared(world.balls.roll[i]));
     }
     // + 0.0 turns a negative zero into a positive one, for print.
     return {kinetic.value() + 0.0,

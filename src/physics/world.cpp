@@ -52,6 +52,7 @@ BallId add_ball(World& world, const BallSpec& spec) {
     if (world.model.lossy) balls.restitution.push_back(restitution);
     if (world.model.scatter) balls.edge_contacts.push_back(0);
     if (world.model.spin) balls.spin.push_back(spec.spin);
+    if (world.model.cloth) balls.roll.push_back(spec.roll.value_or(spec.velocity));
     return id;
 }
 
@@ -97,6 +98,7 @@ void remove_ball(World& world, BallId id) {
     erase_at(balls.restitution, *index);
     erase_at(balls.edge_contacts, *index);
     erase_at(balls.spin, *index);
+    erase_at(balls.roll, *index);
     std::erase_if(world.held_balls, [id](const HeldBall& held) { return held.id == id; });
     world.removed.push_back({.id = id, .zone = -1, .tick = world.tick});
 }

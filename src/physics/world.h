@@ -33,6 +33,7 @@ struct Balls {
     std::vector<std::uint32_t>
         edge_contacts;         ///< contacts with edges so far; empty unless Model::scatter
     std::vector<double> spin;  ///< rad/s, counter-clockwise; empty unless Model::spin
+    std::vector<Vec2> roll;    ///< length/s, see cloth.h; empty unless Model::cloth
 
     std::size_t size() const { return id.size(); }
 };
@@ -231,6 +232,8 @@ struct BallSpec {
     std::optional<double> mass;
     std::optional<double> restitution;
     double spin = 0.0;  ///< rad/s, counter-clockwise; for nothing unless Model::spin
+    /// For nothing unless Model::cloth; absent: it rolls.
+    std::optional<Vec2> roll = std::nullopt;
 };
 
 /// Pre: kind is an index into world.kinds; radius and mass positive and finite. A restitution below
