@@ -1,10 +1,9 @@
 #include "goals.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "figures.h"
 #include "physics/solver.h"
 
 namespace carom::bench {
@@ -112,7 +111,7 @@ void galton_lines(Lines& lines, const SceneResults& scene) {
 void event_lines(Lines& lines, const OwnFigures& own) {
     for (const OwnEvents& events : own.events) {
         if (events.rate != 1.0) continue;
-        const std::string at = fmt::format("gas {}", events.balls);
+        const std::string at = "gas " + grouped(static_cast<double>(events.balls));
         const double speed = events.collisions_a_second;
         if (events.balls == 10'000)
             lines.at_least(at, "event: million collisions a second", speed / 1e6, 1.0, 2.0);
