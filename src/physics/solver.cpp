@@ -1,5 +1,6 @@
 #include "physics/solver.h"
 
+#include "physics/contact_solver.h"
 #include "physics/event_engine.h"
 #include "physics/overlap_solver.h"
 #include "physics/surroundings.h"
@@ -36,6 +37,7 @@ struct Solver::State {
     SolverSettings settings;
     OverlapSolver overlap;
     SweptSolver swept;
+    ContactSolver contact;
     EventEngine<double> event;
     std::unique_ptr<EventEngine<Wide>> extended;  // large, and seldom asked for
     std::vector<Contact> contacts;
@@ -62,6 +64,8 @@ const CellFrame& Solver::cells() const {
     switch (state_->settings.kind) {
         case SolverKind::swept:
             return state_->swept.cells();
+        case SolverKind::contact:
+            return state_->contact.cells();
         case SolverKind::event:
             return state_->extended ? state_->extended->cells() : state_->event.cells();
         default:
@@ -79,6 +83,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     drive_flippers(world);
     state.touched.assign(world.balls.size(), 0);
     if (state.settings.kind != SolverKind::event) world.paths.clear();
+    if (state.settings.kind != SolverKind::contact) world.pressed.clear();
     TickOutcome outcome = TickOutcome::done;
     switch (state.settings.kind) {
         case SolverKind::discrete:
@@ -86,6 +91,10 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
             break;
         case SolverKind::substep:
             state.overlap.tick(world, state.settings.updates, state.settings.steps, state.contacts,
+                               state.touched);
+            break;
+        case SolverKind::contact:
+            state.contact.tick(world, state.settings.contact_substeps, state.contacts,
                                state.touched);
             break;
         case SolverKind::event: {

@@ -1,0 +1,219 @@
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/closest.h"
+#include "physics/bounce.h"
+#include "physics/contact_solver.h"
+
+// Pressed pairs: which pairs those are in a substep, and the impulses that hold them apart.
+namespace carom {
+
+// The way from b to a, and the gap between them.
+template <Terms terms>
+void ContactSolver::measure(const World& world, Pair& pair) {
+    Vec2 offset;
+    double reach = radius_[pair.a];
+    if (pair.edge == NearPair::no_edge) {
+        offset = position_[pair.a] - position_[pair.b];
+        if (terms.wrap()) offset = nearest_image(offset, torus_);
+        reach += radius_[pair.b];
+    } else {
+        Vec2 at = position_[pair.a];
+        if (terms.wrap()) at -= Vec2{pair.across * torus_.x, pair.along * torus_.y};
+        const Capsule& shape = world.capsules.shape[pair.edge];
+        offset = at - closest_point(shape.start, shape.end, at);
+        reach += shape.radius;
+        if (terms.special() && pair.b > still_)
+            before_[pair.b] = mover_[pair.b].velocity =
+                surface_velocity(*hand_of(pair.edge), shape, at);
+    }
+    const double away = length(offset);
+    pair.gap = away - reach;
+    if (away > 1e-150)
+        pair.normal = offset * (1.0 / away);
+    else
+        pair.normal = direction(-gravity_, {0.0, 1.0});
+}
+
+// Whether the hand pushes the ball on faster than it would bounce off a still one.
+bool ContactSolver::is_pushed(const World& world, const Pair& pair, double approach) const {
+    if (pair.b > still_ && hand_of(pair.edge)->is_driven) return false;
+    const bool by_a = pair.b < still_ && is_held_body(pair.a);
+    const std::uint32_t hand = by_a ? pair.a : pair.b;
+    const std::uint32_t ball = by_a ? pair.b : pair.a;
+    const Vec2 normal = by_a ? -pair.normal : pair.normal;
+    const double surface = dot(before_[hand], normal);
+    if (!(surface > 0.0)) return false;
+    const double speed = dot(before_[ball], normal);
+    return -restitution_of(world, pair, std::max(0.0, approach)) * speed <= surface;
+}
+
+template <Terms terms>
+ContactSolver::State ContactSolver::state_of(const World& world, const Pair& pair) const {
+    Vec2 relative = before_[pair.a] - before_[pair.b];
+    if (mover_[pair.b].inverse_mass == 0.0) relative += gravity_ * duration_;
+    if (terms.special() && is_held_body(pair.a)) relative -= gravity_ * duration_;
+    const double approach = -dot(relative, pair.normal);
+    if (pair.gap - approach * duration_ > guard_) return State::idle;
+    if (terms.special() && pair.mass == 0.0) return approach > 0.0 ? State::flying : State::idle;
+    const double radius =
+        pair.b < still_ ? std::min(radius_[pair.a], radius_[pair.b]) : radius_[pair.a];
+    const double most = 0.25 * radius / duration_;
+    if (approach > 0.0 && length_squared(relative) > most * most) return State::flying;
+    const bool pushed = terms.special() && pair.by_hand && is_pushed(world, pair, approach);
+    if (pair.bounces && !pushed) {
+        if (resting_speed_ == 0.0) return approach > 0.0 ? State::flying : State::idle;
+        if (approach >= resting_speed_) return State::flying;
+    }
+    if (terms.special() && world.model.one_way && pair.edge != NearPair::no_edge) {
+        const bool engaged = pair.impulse > 0.0 || pair.gap > -0.5 * radius;
+        if (!engaged || !is_on_solid_side(world.capsules.shape[pair.edge],
+                                          world.capsules.side[pair.edge], position_[pair.a]))
+            return State::idle;
+    }
+    return State::pressed;
+}
+
+template <Terms terms>
+void ContactSolver::sort_pairs(const World& world) {
+    pressed_.clear();
+    flying_.clear();
+    any_new_ = false;
+    deepest_ = 0.0;
+    for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
+        Pair& pair = pairs_[p];
+        measure<terms>(world, pair);
+        pair.state = state_of<terms>(world, pair);
+        pair.settled = false;
+        if (pair.state != State::pressed) {
+            pair.impulse = pair.rub = 0.0;
+            if (pair.state == State::flying) flying_.push_back(p);
+            continue;
+        }
+        pressed_.push_back(p);
+        deepest_ = std::min(deepest_, pair.gap);
+        any_new_ = any_new_ || pair.is_new;
+        if (pair.impulse == 0.0) continue;
+        Mover& a = mover_[pair.a];
+        Mover& b = mover_[pair.b];
+        Vec2 push = pair.normal * pair.impulse;
+        if (terms.spin()) {
+            push += perpendicular(pair.normal) * pair.rub;
+            turn(a, b, pair.rub);
+        }
+        a.velocity += push * a.inverse_mass;
+        b.velocity -= push * b.inverse_mass;
+    }
+}
+
+void ContactSolver::prepare(const World& world, Terms terms) {
+    with_terms(terms, [&]<Terms set>() { sort_pairs<set>(world); });
+}
+
+// What friction's impulse does to the rims.
+inline void ContactSolver::turn(Mover& a, Mover& b, double rub) const {
+    a.rim -= rub * a.inverse_mass * spin_ease_;
+    b.rim -= rub * b.inverse_mass * spin_ease_;
+}
+
+template <bool spin>
+inline void ContactSolver::rub_pair(Pair& pair, Mover& a, Mover& b) const {
+    if constexpr (spin) {
+        const Vec2 along = perpendicular(pair.normal);
+        const double slip = dot(a.velocity - b.velocity, along) - (a.rim + b.rim);
+        const double most = pair.friction * pair.impulse;
+        const double whole = std::clamp(pair.rub - slip * pair.mass * spin_mass_, -most, most);
+        const double part = whole - pair.rub;
+        pair.rub = whole;
+        a.velocity += along * (part * a.inverse_mass);
+        b.velocity -= along * (part * b.inverse_mass);
+        turn(a, b, part);
+    }
+}
+
+template <bool spin>
+void ContactSolver::press_all() {
+    const double per_substep = 1.0 / duration_;
+    for (const std::uint32_t p : pressed_) {
+        Pair& pair = pairs_[p];
+        Mover& a = mover_[pair.a];
+        Mover& b = mover_[pair.b];
+        const double apart = dot(a.velocity - b.velocity, pair.normal);
+        const bool open = pair.gap > 0.0;
+        const double target = pair.gap * (open ? per_substep : softness_.push);
+        const double part = (open ? 1.0 : softness_.mass) * pair.mass * (apart + target) +
+                            (open ? 0.0 : softness_.impulse) * pair.impulse;
+        const double whole = std::max(pair.impulse - part, 0.0);
+        const Vec2 push = pair.normal * (whole - pair.impulse);
+        pair.impulse = whole;
+        a.velocity += push * a.inverse_mass;
+        b.velocity -= push * b.inverse_mass;
+        rub_pair<spin>(pair, a, b);
+    }
+}
+
+// What has just bounced off something presses no pair that is about to bounce.
+template <bool spin>
+void ContactSolver::relax_all() {
+    for (std::size_t k = pressed_.size(); k-- > 0;) {
+        Pair& pair = pairs_[pressed_[k]];
+        if (pair.gap > 0.0 && pair.impulse == 0.0) continue;
+        Mover& a = mover_[pair.a];
+        Mover& b = mover_[pair.b];
+        const double apart = dot(a.velocity - b.velocity, pair.normal);
+        if (had_impacts_ && pair.bounces && -apart > resting_speed_) continue;
+        const double whole = std::max(pair.impulse - pair.mass * apart, 0.0);
+        const Vec2 push = pair.normal * (whole - pair.impulse);
+        pair.impulse = whole;
+        a.velocity += push * a.inverse_mass;
+        b.velocity -= push * b.inverse_mass;
+        rub_pair<spin>(pair, a, b);
+    }
+}
+
+void ContactSolver::press(bool spin) {
+    spin ? press_all<true>() : press_all<false>();
+}
+
+void ContactSolver::relax(bool spin) {
+    spin ? relax_all<true>() : relax_all<false>();
+}
+
+// Pairs that press for the first time are contacts too.
+void ContactSolver::note_new_contacts(std::vector<Contact>& contacts) {
+    for (const std::uint32_t p : pressed_) {
+        Pair& pair = pairs_[p];
+        if (!pair.is_new || !(pair.impulse > 0.0)) continue;
+        pair.is_new = false;
+        const bool on_ball = pair.edge == NearPair::no_edge;
+        const double approach = pair.impulse / pair.mass;
+        contacts.push_back({.time = start_time_,
+                            .kind = on_ball ? ContactKind::ball_ball : ContactKind::ball_edge,
+                            .a = ball_[pair.a],
+                            .b = on_ball ? ball_[pair.b] : pair.edge,
+                            .point = position_[pair.a] - pair.normal * radius_[pair.a],
+                            .normal = pair.normal,
+                            .approach = approach,
+                            .impulse = pair.impulse});
+    }
+}
+
+// A hand goes no further into a ball than a tenth of its radius: beyond, it waits for the ball.
+void ContactSolver::hold_hands_back() {
+    for (const std::uint32_t p : hand_pairs_) {
+        const Pair& pair = pairs_[p];
+        if (pair.mass == 0.0) continue;
+        const bool by_a = pair.b < still_ && is_held_body(pair.a);
+        const std::uint32_t ball = by_a ? pair.b : pair.a;
+        const Vec2 normal = by_a ? -pair.normal : pair.normal;
+        const double surface = dot(mover_[by_a ? pair.a : pair.b].velocity, normal);
+        const double speed = dot(mover_[ball].velocity, normal);
+        const double room = std::max(0.0, pair.gap + 0.1 * radius_[ball]) / duration_;
+        if (!(surface > 0.0) || surface - speed <= room) continue;
+        Hand& hand =
+            *(by_a || pair.b < still_ ? hand_of_body(by_a ? pair.a : pair.b) : hand_of(pair.edge));
+        hand.share = std::min(hand.share, std::max(0.0, (speed + room) / surface));
+    }
+}
+
+}  // namespace carom

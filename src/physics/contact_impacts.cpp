@@ -1,0 +1,484 @@
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "geometry/closest.h"
+#include "physics/bounce.h"
+#include "physics/contact_solver.h"
+
+// Impacts within a substep of the solver `contact`: found along the paths of the balls, and dealt
+// with in the order (time, kind, lower number, higher number).
+namespace carom {
+
+// Which pairs may meet in this substep. How far two bodies close is at most what they close along
+// the line between them at first, for the distance along straight paths is convex.
+void ContactSolver::find_hits() {
+    hits_.clear();
+    const auto shrinks = [&](const Pair& pair) {
+        if (pair.b <= still_) return -dot(way_[pair.a] - way_[pair.b], pair.normal);
+        const Hand& hand = *hand_of(pair.edge);
+        const double fastest =
+            std::max(length(hand.start_velocity), length(hand.end_velocity)) * hand.share;
+        return length(way_[pair.a]) + fastest * duration_;
+    };
+    for (const std::uint32_t p : flying_)
+        if (shrinks(pairs_[p]) > pairs_[p].gap) hits_.push_back(p);
+    // Others only where pressed pairs have pushed somebody far, or lie deep in one another.
+    if (2.0 * most_push_ <= guard_ && deepest_ >= -0.25 * smallest_) return;
+    for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
+        const Pair& pair = pairs_[p];
+        if (pair.state == State::flying) continue;
+        const double deep = pair.state == State::pressed ? core(pair) : 0.0;
+        if (shrinks(pair) > pair.gap + deep) hits_.push_back(p);
+    }
+}
+
+void ContactSolver::run_impacts(World& world, std::vector<Contact>& contacts) {
+    begin_paths();
+    queue_.clear();
+    for (const std::uint32_t stray : strays_)
+        end_path_at_border(stray, 0.0);
+    for (const std::uint32_t p : hits_) {
+        Path& path = paths_[pairs_[p].a];
+        if (path.is_predicted) continue;
+        path.is_predicted = true;
+        predict(world, pairs_[p].a, 0.0);
+    }
+    while (!queue_.empty()) {
+        std::pop_heap(queue_.begin(), queue_.end(),
+                      [](const Event& a, const Event& b) { return is_earlier(b, a); });
+        const Event event = queue_.back();
+        queue_.pop_back();
+        if (event.body_version != paths_[event.body].version) continue;
+        if (event.kind == Event::stands) {
+            stand(event.body, event.time);
+            predict(world, event.body, event.time);
+        } else if (is_void(event)) {
+            predict(world, event.body, event.time);
+        } else {
+            collide(world, event, contacts);
+        }
+    }
+    finish_paths(world);
+}
+
+bool ContactSolver::is_void(const Event& event) const {
+    const Pair& pair = pairs_[event.pair];
+    if (pair.b > still_) return hand_of(pair.edge)->version != event.other_version;
+    if (pair.b == still_) return false;
+    const std::uint32_t other = pair.a == event.body ? pair.b : pair.a;
+    return paths_[other].version != event.other_version;
+}
+
+void ContactSolver::begin_paths() {
+    if (!has_pairs_of_bodies_) list_pairs_of_bodies();
+    paths_.resize(mover_.size());
+    const Vec2 fall = gravity_ * flight_.velocity_per_gravity;
+    for (std::uint32_t i = 0; i < still_; ++i) {
+        const Vec2 after = mover_[i].velocity;
+        Path& path = paths_[i];
+        path = Path{};
+        path.position = position_[i];
+        path.velocity = before_[i];
+        path.chord = way_[i] / duration_;
+        path.pull = (after - before_[i]) / duration_;
+        path.end = duration_;
+        path.free = after == before_[i] * flight_.decay + fall;
+    }
+    for (const Hand& hand : hands_) {
+        if (!hand.is_ball) continue;
+        Path& path = paths_[hand.index];
+        path.velocity = path.chord;
+        path.pull = {};
+        path.free = false;
+    }
+    for (std::size_t i = still_; i < paths_.size(); ++i)
+        paths_[i] = Path{.end = duration_};
+}
+
+void ContactSolver::finish_paths(const World& world) {
+    for (std::uint32_t i = 0; i < still_; ++i) {
+        const Path& path = paths_[i];
+        if (path.version == 0) {
+            position_[i] += way_[i];
+            continue;
+        }
+        position_[i] = position_at(world, i, duration_);
+        mover_[i].velocity = velocity_at(world, i, duration_);
+    }
+    for (const Hand& hand : hands_)
+        if (hand.is_ball) mover_[hand.index].velocity = paths_[hand.index].chord;
+    if (!world.model.speed_limit) return;
+    for (std::uint32_t i = 0; i < still_; ++i)
+        mover_[i].velocity = limited(mover_[i].velocity, *world.model.speed_limit);
+}
+
+void ContactSolver::list_pairs_of_bodies() {
+    has_pairs_of_bodies_ = true;
+    pairs_begin_.assign(still_ + 2, 0);
+    for (const Pair& pair : pairs_) {
+        ++pairs_begin_[pair.a + 2];
+        if (pair.b < still_) ++pairs_begin_[pair.b + 2];
+    }
+    for (std::size_t i = 2; i < pairs_begin_.size(); ++i)
+        pairs_begin_[i] += pairs_begin_[i - 1];
+    pairs_of_.resize(pairs_begin_.back());
+    for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
+        pairs_of_[pairs_begin_[pairs_[p].a + 1]++] = p;
+        if (pairs_[p].b < still_) pairs_of_[pairs_begin_[pairs_[p].b + 1]++] = p;
+    }
+}
+
+Vec2 ContactSolver::chord_position(std::uint32_t body, double now) const {
+    const Path& path = paths_[body];
+    return path.position + path.chord * (std::min(now, path.end) - path.time);
+}
+
+Vec2 ContactSolver::position_at(const World& world, std::uint32_t body, double now) const {
+    const Path& path = paths_[body];
+    const double since = std::min(now, path.end) - path.time;
+    if (!path.free) return path.position + path.chord * since;
+    return path.position + travel(flight_over(world.model.drag, since), path.velocity, gravity_);
+}
+
+Vec2 ContactSolver::velocity_at(const World& world, std::uint32_t body, double now) const {
+    const Path& path = paths_[body];
+    const double since = std::min(now, path.end) - path.time;
+    if (!path.free) return path.velocity + path.pull * since;
+    return velocity_after(flight_over(world.model.drag, since), path.velocity, gravity_);
+}
+
+// From now on the ball flies freely from where it is, at first at `velocity`.
+void ContactSolver::take_path(const World& world, std::uint32_t body, double now, Vec2 velocity) {
+    Path& path = paths_[body];
+    path.position = position_at(world, body, now);
+    path.time = now;
+    path.velocity = velocity;
+    path.pull = {};
+    ++path.version;
+    if (path.stands) return;
+    if (++path.impacts >= most_impacts) {
+        stand(body, now);
+        return;
+    }
+    if (is_held_body(body)) {
+        path.chord = velocity;
+        return;
+    }
+    const double left = duration_ - now;
+    path.free = true;
+    path.chord = left > 0.0 ? travel(flight_over(world.model.drag, left), velocity, gravity_) / left
+                            : velocity;
+    path.end = duration_;
+    end_path_at_border(body, now);
+}
+
+// What hands push to and fro comes to lie still.
+void ContactSolver::count_push(std::uint32_t body, double now) {
+    Path& path = paths_[body];
+    if (++path.pushes < most_pushes) return;
+    if (!path.stands) stand(body, now);
+    path.velocity = {};
+}
+
+// Where the path leads out of the region in which the ball was compared with others, it ends there.
+void ContactSolver::end_path_at_border(std::uint32_t body, double now) {
+    Path& path = paths_[body];
+    const Vec2 away = path.position - home_[body];
+    const double room = margin_[body] * margin_[body];
+    const double left = duration_ - now;
+    if (length_squared(away + path.chord * left) <= room) return;
+    // |away + chord t|^2 = room
+    const double a = length_squared(path.chord);
+    const double b = dot(away, path.chord);
+    const double c = std::min(0.0, length_squared(away) - room);
+    const double root = std::sqrt(std::max(0.0, b * b - a * c));
+    double time = 0.0;
+    if (b > 0.0)
+        time = -c / (b + root);
+    else if (a > 0.0)
+        time = (root - b) / a;
+    path.end = std::clamp(now + time, now, duration_);
+    push({.time = path.end,
+          .kind = Event::stands,
+          .low = ball_[body],
+          .high = ball_[body],
+          .body = body,
+          .body_version = path.version});
+}
+
+void ContactSolver::stand(std::uint32_t body, double now) {
+    Path& path = paths_[body];
+    const double since = std::min(now, path.end) - path.time;
+    const Flight flight = flight_over(drag_, since);
+    if (path.free) {
+        path.position += travel(flight, path.velocity, gravity_);
+        path.velocity = velocity_after(flight, path.velocity, gravity_);
+    } else {
+        path.position += path.chord * since;
+        path.velocity += path.pull * since;
+    }
+    path.chord = path.pull = {};
+    path.time = now;
+    path.end = duration_;
+    path.free = false;
+    path.stands = true;
+    ++path.version;
+}
+
+double ContactSolver::core(const Pair& pair) const {
+    return 0.5 * (pair.b < still_ ? std::min(radius_[pair.a], radius_[pair.b]) : radius_[pair.a]);
+}
+
+double ContactSolver::restitution_of(const World& world, const Pair& pair, double approach) const {
+    if (!world.model.lossy) return 1.0;
+    if (pair.edge != NearPair::no_edge)
+        return restitution_at(world.materials[world.capsules.material[pair.edge]], approach);
+    return std::min(world.balls.restitution[ball_[pair.a]], world.balls.restitution[ball_[pair.b]]);
+}
+
+ContactSolver::Hand* ContactSolver::hand_of(std::uint32_t capsule) {
+    for (Hand& hand : hands_)
+        if (!hand.is_ball && hand.index == capsule) return &hand;
+    return nullptr;
+}
+
+const ContactSolver::Hand* ContactSolver::hand_of(std::uint32_t capsule) const {
+    return const_cast<ContactSolver*>(this)->hand_of(capsule);
+}
+
+ContactSolver::Hand* ContactSolver::hand_of_body(std::uint32_t body) {
+    for (Hand& hand : hands_)
+        if (hand.is_ball && hand.index == body) return &hand;
+    return nullptr;
+}
+
+Vec2 ContactSolver::surface_velocity(const Hand& hand, const Capsule& shape, Vec2 point) const {
+    if (hand.stopped_at >= 0.0) return {};
+    const double place = closest_parameter(shape.start, shape.end, point);
+    return (hand.start_velocity + (hand.end_velocity - hand.start_velocity) * place) * hand.share;
+}
+
+Capsule ContactSolver::shape_of(const World& world, const Hand& hand, double now) const {
+    Capsule shape = world.capsules.shape[hand.index];
+    const double moved =
+        (hand.stopped_at >= 0.0 ? std::min(now, hand.stopped_at) : now) * hand.share;
+    shape.start += hand.start_velocity * moved;
+    shape.end += hand.end_velocity * moved;
+    return shape;
+}
+
+// The edge of a pair, as the ball sees it.
+Capsule ContactSolver::edge_at(const World& world, const Pair& pair, double now) const {
+    if (pair.b > still_) return shape_of(world, *hand_of(pair.edge), now);
+    Capsule shape = world.capsules.shape[pair.edge];
+    if (wraps_) {
+        const Vec2 shift{pair.across * torus_.x, pair.along * torus_.y};
+        shape.start += shift;
+        shape.end += shift;
+    }
+    return shape;
+}
+
+// When the pair meets from now on. Pairs that rest on one another meet where their cores do.
+std::optional<double> ContactSolver::meeting(const World& world, const Pair& pair,
+                                             double now) const {
+    const Path& path = paths_[pair.a];
+    const double left = duration_ - now;
+    const Vec2 at = chord_position(pair.a, now);
+    const Vec2 chord = now < path.end ? path.chord : Vec2{};
+    const auto is_soft = [&](Vec2 other) {
+        if (pair.settled) return true;
+        if (pair.state != State::pressed) return false;
+        return -dot(velocity_at(world, pair.a, now) - other, pair.normal) <= resting_speed_;
+    };
+    double radius = radius_[pair.a];
+    std::optional<Impact> impact;
+    if (pair.b < still_) {
+        const Path& other = paths_[pair.b];
+        Vec2 offset = at - chord_position(pair.b, now);
+        if (wraps_) offset = nearest_image(offset, torus_);
+        if (is_soft(velocity_at(world, pair.b, now))) radius -= core(pair);
+        const Vec2 relative = chord - (now < other.end ? other.chord : Vec2{});
+        const double reach = radius + radius_[pair.b];
+        impact = first_impact(Disc{offset, reach}, relative, Disc{{}, 0.0}, left);
+    } else if (pair.b == still_) {
+        const Capsule shape = edge_at(world, pair, now);
+        if (is_soft({})) radius -= core(pair);
+        impact = first_impact(Disc{at, radius}, chord, shape, left);
+        if (impact && world.model.one_way &&
+            !is_on_solid_side(shape, world.capsules.side[pair.edge], at + chord * impact->time))
+            return std::nullopt;
+    } else {
+        const Hand& hand = *hand_of(pair.edge);
+        const Capsule shape = edge_at(world, pair, now);
+        if (is_soft(mover_[pair.b].velocity)) radius -= core(pair);
+        const double share = hand.stopped_at >= 0.0 ? 0.0 : hand.share;
+        impact = first_impact(Disc{at, radius}, chord, shape, hand.start_velocity * share,
+                              hand.end_velocity * share, left);
+    }
+    if (!impact) return std::nullopt;
+    return now + impact->time;
+}
+
+// Puts the first impact of a body from now on into the queue.
+void ContactSolver::predict(const World& world, std::uint32_t body, double now) {
+    const Path& path = paths_[body];
+    std::optional<Event> best;
+    for (std::uint32_t k = pairs_begin_[body]; k < pairs_begin_[body + 1]; ++k) {
+        const std::uint32_t p = pairs_of_[k];
+        const Pair& pair = pairs_[p];
+        const auto time = meeting(world, pair, now);
+        if (!time || !(*time < duration_)) continue;
+        const bool on_ball = pair.b < still_;
+        const std::uint32_t other = pair.a == body ? pair.b : pair.a;
+        const Event event{
+            .time = *time,
+            .kind = on_ball ? Event::ball : Event::edge,
+            .low = ball_[pair.a],
+            .high = on_ball ? ball_[pair.b] : pair.edge,
+            .body = body,
+            .pair = p,
+            .body_version = path.version,
+            .other_version = on_ball ? paths_[other].version
+                                     : (pair.b > still_ ? hand_of(pair.edge)->version : 0)};
+        if (!best || is_earlier(event, *best)) best = event;
+    }
+    if (best) push(*best);
+}
+
+bool ContactSolver::is_earlier(const Event& a, const Event& b) {
+    if (a.time != b.time) return a.time < b.time;
+    return std::tuple(a.kind, a.low, a.high, a.body) < std::tuple(b.kind, b.low, b.high, b.body);
+}
+
+void ContactSolver::push(const Event& event) {
+    queue_.push_back(event);
+    std::push_heap(queue_.begin(), queue_.end(),
+                   [](const Event& a, const Event& b) { return is_earlier(b, a); });
+}
+
+void ContactSolver::collide(World& world, const Event& event, std::vector<Contact>& contacts) {
+    Pair& pair = pairs_[event.pair];
+    const std::uint32_t a = pair.a;
+    const std::uint32_t b = pair.b;
+    const double now = event.time;
+    if (b > still_ && paths_[a].stands) {
+        stop_hand(world, pair.edge, now);
+        return;
+    }
+    const auto contact =
+        b < still_ ? collide_balls(world, pair, now) : collide_edge(world, pair, now);
+    if (contact) {
+        pair.is_new = false;
+        contacts.push_back(*contact);
+        contacts.back().time += start_time_;
+    }
+    predict(world, a, now);
+    if (b < still_) predict(world, b, now);
+}
+
+// Where a ball that stands is in its way, the hand stops for the substep.
+void ContactSolver::stop_hand(const World& world, std::uint32_t capsule, double now) {
+    Hand& hand = *hand_of(capsule);
+    hand.stopped_at = now;
+    ++hand.version;
+    for (const std::uint32_t p : hand_pairs_)
+        if (pairs_[p].edge == capsule) predict(world, pairs_[p].a, now);
+}
+
+std::optional<Contact> ContactSolver::collide_balls(World& world, Pair& pair, double now) {
+    const std::uint32_t a = pair.a;
+    const std::uint32_t b = pair.b;
+    Vec2 offset = position_at(world, a, now) - position_at(world, b, now);
+    if (wraps_) offset = nearest_image(offset, torus_);
+    const Vec2 normal = direction(offset, pair.normal);
+    Vec2 velocity_a = velocity_at(world, a, now);
+    Vec2 velocity_b = velocity_at(world, b, now);
+    const double approach = -dot(velocity_a - velocity_b, normal);
+    const double rounding = noise * (length(velocity_a) + length(velocity_b));
+    const bool bounces = approach > std::max(rounding, resting_speed_) && !pair.settled;
+    pair.settled = pair.settled || !bounces;
+    const double restitution = bounces ? restitution_of(world, pair, approach) : 0.0;
+    Exchange done{0.0, approach};
+    if (is_held_body(a))
+        done = bounce_off(velocity_b, mover_[b].inverse_mass, -normal, dot(velocity_a, -normal),
+                          restitution);
+    else if (is_held_body(b))
+        done = bounce_off(velocity_a, mover_[a].inverse_mass, normal, dot(velocity_b, normal),
+                          restitution);
+    else if (approach > 0.0)
+        done = bounce(velocity_a, mover_[a].inverse_mass, velocity_b, mover_[b].inverse_mass,
+                      normal, restitution);
+    if (world.model.spin)
+        rub(velocity_a, {mover_[a].rim, 1.0}, mover_[a].inverse_mass, velocity_b,
+            {mover_[b].rim, 1.0}, mover_[b].inverse_mass, normal, done.impulse,
+            {pair.friction, *world.model.spin});
+    take_path(world, a, now, velocity_a);
+    take_path(world, b, now, velocity_b);
+    if (is_held_body(a)) count_push(b, now);
+    if (is_held_body(b)) count_push(a, now);
+    if (!(approach > rounding)) return std::nullopt;
+    return Contact{.time = now,
+                   .kind = ContactKind::ball_ball,
+                   .a = ball_[a],
+                   .b = ball_[b],
+                   .point = paths_[b].position + normal * radius_[b],
+                   .normal = normal,
+                   .approach = done.approach,
+                   .impulse = done.impulse};
+}
+
+std::optional<Contact> ContactSolver::collide_edge(World& world, Pair& pair, double now) {
+    const std::uint32_t a = pair.a;
+    const Vec2 position = position_at(world, a, now);
+    const Capsule shape = edge_at(world, pair, now);
+    const Vec2 normal =
+        direction(position - closest_point(shape.start, shape.end, position), pair.normal);
+    const Hand* const hand = pair.b > still_ ? hand_of(pair.edge) : nullptr;
+    const Vec2 surface = hand ? surface_velocity(*hand, shape, position) : Vec2{};
+    const bool is_driven = hand && hand->is_driven;
+    const double along_normal = dot(surface, normal);
+    Vec2 velocity = velocity_at(world, a, now);
+    const double approach = along_normal - dot(velocity, normal);
+    const double rounding = noise * (length(velocity) + length(surface));
+    if (is_held_body(a)) {
+        // A held ball goes no further than the edge lets it.
+        pair.settled = true;
+        take_path(world, a, now, velocity + normal * std::max(0.0, approach));
+        return std::nullopt;
+    }
+    const bool bounces =
+        approach > std::max(rounding, along_normal > 0.0 ? 0.0 : resting_speed_) && !pair.settled;
+    pair.settled = pair.settled || !bounces;
+    Vec2 along = normal;
+    Exchange done{0.0, approach};
+    if (approach > 0.0) {
+        const double restitution = bounces ? restitution_of(world, pair, approach) : 0.0;
+        if (bounces && world.model.scatter)
+            along = scattered_normal(world, world.balls.id[ball_[a]],
+                                     world.balls.edge_contacts[ball_[a]]++, normal, velocity,
+                                     restitution);
+        done = bounce_off(velocity, mover_[a].inverse_mass, along, dot(surface, along), restitution,
+                          is_driven);
+        if (bounces && world.model.kicks)
+            velocity += along * kick_at(world.materials[world.capsules.material[pair.edge]], shape,
+                                        position, approach);
+        if (world.model.spin)
+            rub_on(velocity, {mover_[a].rim, 1.0}, mover_[a].inverse_mass, along, surface,
+                   done.impulse, {pair.friction, *world.model.spin});
+    }
+    take_path(world, a, now, velocity);
+    if (along_normal > 0.0 && !is_driven) count_push(a, now);
+    if (!(approach > rounding)) return std::nullopt;
+    return Contact{.time = now,
+                   .kind = ContactKind::ball_edge,
+                   .a = ball_[a],
+                   .b = pair.edge,
+                   .point = position - normal * radius_[a],
+                   .normal = along,
+                   .approach = done.approach,
+                   .impulse = done.impulse};
+}
+
+}  // namespace carom

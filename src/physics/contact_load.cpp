@@ -1,0 +1,266 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "physics/bounce.h"
+#include "physics/contact_solver.h"
+
+// Between the world and the bodies of the solver `contact`.
+namespace carom {
+namespace {
+
+// How far each ball may go in a tick before the pairs must be found again: what it needs at its
+// speed, more for what pushes it; of a very fast one, what it needs in a substep.
+double margin_for(double speed, double radius, double duration, double tick, double fall,
+                  double fastest) {
+    const double whole = speed * tick + fall * tick * tick;
+    const double most = std::max(4.0 * radius, speed * duration + fall * duration * duration);
+    const double as_the_fastest = std::min(1.1 * fastest * duration, 0.25 * radius);
+    return std::max(1.25 * std::min(whole, most), as_the_fastest) + 0.03 * radius;
+}
+
+}  // namespace
+
+void ContactSolver::load(const World& world) {
+    const Balls& balls = world.balls;
+    const std::size_t count = balls.size();
+    const double tick = world.tick_length();
+    const double fall = length(gravity_);
+    double fastest = 0.0;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < count; ++i) {
+        fastest = std::max(fastest, length_squared(balls.velocity[i]));
+        smallest = std::min(smallest, balls.radius[i]);
+    }
+    fastest = std::sqrt(fastest);
+    smallest_ = smallest;
+    guard_ = 0.02 * smallest;
+    margin_of_ball_.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+        margin_of_ball_[i] =
+            margin_for(length(balls.velocity[i]), balls.radius[i], duration_, tick, fall, fastest);
+    for (const HeldBall& held : world.held_balls) {
+        const auto index = index_of(world, held.id);
+        if (!index) continue;
+        Vec2 way = held.target - balls.position[*index];
+        if (wraps_) way = nearest_image(way, torus_);
+        margin_of_ball_[*index] += length(way);
+    }
+    near_.find(world, margin_of_ball_);
+    load_bodies(world);
+    load_hands(world);
+    load_pairs(world);
+}
+
+void ContactSolver::load_bodies(const World& world) {
+    const Balls& balls = world.balls;
+    const std::size_t count = balls.size();
+    still_ = static_cast<std::uint32_t>(count);
+    ball_ = near_.order();
+    body_.resize(count);
+    position_.resize(count);
+    before_.resize(count);
+    way_.resize(count);
+    mover_.resize(count);
+    radius_.resize(count);
+    margin_.resize(count);
+    for (std::uint32_t i = 0; i < still_; ++i) {
+        const std::uint32_t ball = ball_[i];
+        body_[ball] = i;
+        position_[i] = balls.position[ball];
+        radius_[i] = balls.radius[ball];
+        margin_[i] = margin_of_ball_[ball];
+        mover_[i] = {balls.velocity[ball], 0.0, balls.inverse_mass[ball]};
+        if (world.model.spin) mover_[i].rim = balls.spin[ball] * balls.radius[ball];
+    }
+    home_ = position_;
+    mover_.push_back({});
+    before_.push_back({});
+    way_.push_back({});
+}
+
+void ContactSolver::load_hands(const World& world) {
+    hands_.clear();
+    for (std::uint32_t h = 0; h < world.held_balls.size(); ++h) {
+        const auto index = index_of(world, world.held_balls[h].id);
+        if (!index) continue;
+        const std::uint32_t body = body_[*index];
+        hands_.push_back({.index = body, .held = h, .is_ball = true});
+        mover_[body].inverse_mass = 0.0;
+    }
+    for (std::uint32_t h = 0; h < world.held_capsules.size(); ++h)
+        if (const auto index = index_of(world, world.held_capsules[h].id))
+            hands_.push_back({.index = static_cast<std::uint32_t>(*index),
+                              .held = h,
+                              .is_driven = world.held_capsules[h].is_driven});
+}
+
+void ContactSolver::load_pairs(const World& world) {
+    pairs_.clear();
+    has_pairs_of_bodies_ = false;
+    for (const NearPair& near : near_.pairs()) {
+        const bool on_ball = near.edge == NearPair::no_edge;
+        if (on_ball && is_held_body(near.a) && is_held_body(near.b)) continue;
+        add_pair(world, near, on_ball ? near.b : still_);
+    }
+    for (const Hand& hand : hands_)
+        if (!hand.is_ball) add_pairs_of_hand(world, hand);
+    recall_impulses(world);
+    sort_upwards();
+    hand_pairs_.clear();
+    if (hands_.empty()) return;
+    for (std::uint32_t p = 0; p < pairs_.size(); ++p)
+        if (pairs_[p].by_hand) hand_pairs_.push_back(p);
+}
+
+void ContactSolver::add_pair(const World& world, const NearPair& near, std::uint32_t b) {
+    const std::uint32_t ball = ball_[near.a];
+    const double inverse = mover_[near.a].inverse_mass + mover_[b].inverse_mass;
+    Pair pair{.a = near.a,
+              .b = b,
+              .mass = inverse > 0.0 ? 1.0 / inverse : 0.0,
+              .edge = near.edge,
+              .across = near.across,
+              .along = near.along,
+              .by_hand = b > still_ || is_held_body(near.a) || (b < still_ && is_held_body(b))};
+    if (near.edge == NearPair::no_edge) {
+        const std::uint32_t other = ball_[b];
+        pair.bounces = !world.model.lossy || std::min(world.balls.restitution[ball],
+                                                      world.balls.restitution[other]) > 0.0;
+        if (world.model.spin)
+            pair.friction = friction_between(world.kinds[world.balls.kind[ball]],
+                                             world.kinds[world.balls.kind[other]]);
+    } else {
+        const Material& material = world.materials[world.capsules.material[near.edge]];
+        pair.bounces = material.restitution > 0.0 || world.model.scatter || material.kick > 0.0;
+        if (world.model.spin) pair.friction = material.friction;
+    }
+    pairs_.push_back(pair);
+}
+
+// Every ball that could be where the held capsule goes in the tick; each such pair has a body of
+// its own that stands for the place of the capsule where the two touch.
+void ContactSolver::add_pairs_of_hand(const World& world, const Hand& hand) {
+    const HeldCapsule& held = world.held_capsules[hand.held];
+    const Capsule& shape = world.capsules.shape[hand.index];
+    const Box box = join(bounds(shape), bounds({held.start_target, held.end_target, shape.radius}));
+    for (std::uint32_t i = 0; i < still_; ++i) {
+        if (!overlaps(grow({position_[i], position_[i]}, radius_[i] + margin_[i]), box)) continue;
+        if (!kind_meets_material(world, world.balls.kind[ball_[i]],
+                                 world.capsules.material[hand.index]))
+            continue;
+        mover_.push_back({});
+        before_.push_back({});
+        way_.push_back({});
+        add_pair(world, {.a = i, .edge = hand.index},
+                 static_cast<std::uint32_t>(mover_.size() - 1));
+    }
+}
+
+// The impulses at the end of the last tick, found by number.
+void ContactSolver::recall_impulses(const World& world) {
+    const std::vector<PressedPair>& pressed = world.pressed;
+    if (pressed.empty()) return;
+    const std::vector<BallId>& ids = world.balls.id;
+    first_impulse_.assign(still_ + 1, 0);
+    std::uint32_t at = 0;
+    for (std::uint32_t ball = 0; ball <= still_; ++ball) {
+        while (at < pressed.size() && (ball == still_ || pressed[at].ball < ids[ball]))
+            ++at;
+        first_impulse_[ball] = at;
+    }
+    for (Pair& pair : pairs_) {
+        const std::uint32_t ball = ball_[pair.a];
+        const bool on_ball = pair.edge == NearPair::no_edge;
+        const std::uint32_t other =
+            on_ball ? number(ids[ball_[pair.b]]) : number(world.capsules.id[pair.edge]);
+        const ContactKind kind = on_ball ? ContactKind::ball_ball : ContactKind::ball_edge;
+        for (std::uint32_t k = first_impulse_[ball]; k < first_impulse_[ball + 1]; ++k) {
+            const PressedPair& then = pressed[k];
+            if (then.ball != ids[ball]) break;
+            if (then.other != other || then.kind != kind || then.across != pair.across ||
+                then.along != pair.along)
+                continue;
+            pair.impulse = then.impulse;
+            pair.rub = then.rub;
+            pair.is_new = false;
+            break;
+        }
+    }
+}
+
+// Against gravity, by the height of the contact in 4096 steps; what is as high stays in the order
+// of the cells.
+void ContactSolver::sort_upwards() {
+    if (gravity_ == Vec2{} || pairs_.size() < 2) return;
+    const Vec2 up = -gravity_ / length(gravity_);
+    const auto height_of = [&](const Pair& pair) {
+        const double a = dot(up, position_[pair.a]);
+        return pair.b < still_ ? a + dot(up, position_[pair.b]) : 2.0 * a;
+    };
+    double low = height_of(pairs_[0]);
+    double high = low;
+    for (const Pair& pair : pairs_) {
+        const double height = height_of(pair);
+        low = std::min(low, height);
+        high = std::max(high, height);
+    }
+    if (!(high > low)) return;
+    constexpr std::size_t steps = 4096;
+    const double scale = static_cast<double>(steps - 1) / (high - low);
+    bucket_.assign(steps + 1, 0);
+    step_of_.resize(pairs_.size());
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+        const double step = (height_of(pairs_[p]) - low) * scale;
+        step_of_[p] = static_cast<std::uint16_t>(std::clamp(step, 0.0, steps - 1.0));
+        ++bucket_[step_of_[p] + 1u];
+    }
+    for (std::size_t s = 1; s <= steps; ++s)
+        bucket_[s] += bucket_[s - 1];
+    sorted_.resize(pairs_.size());
+    for (std::size_t p = 0; p < pairs_.size(); ++p)
+        sorted_[bucket_[step_of_[p]]++] = pairs_[p];
+    pairs_.swap(sorted_);
+}
+
+void ContactSolver::store(World& world, std::vector<std::uint8_t>& touched) {
+    Balls& balls = world.balls;
+    for (std::uint32_t i = 0; i < still_; ++i) {
+        const std::uint32_t ball = ball_[i];
+        balls.position[ball] = wraps_ ? wrapped(position_[i], *world.model.wrap) : position_[i];
+        balls.velocity[ball] = mover_[i].velocity;
+        if (world.model.spin) balls.spin[ball] = mover_[i].rim / balls.radius[ball];
+    }
+    for (const Hand& hand : hands_)
+        if (hand.is_ball) balls.velocity[ball_[hand.index]] = {};
+    store_impulses(world, touched);
+}
+
+void ContactSolver::store_impulses(World& world, std::vector<std::uint8_t>& touched) {
+    first_impulse_.assign(still_ + 1, 0);
+    for (const Pair& pair : pairs_) {
+        if (!(pair.impulse > 0.0)) continue;
+        ++first_impulse_[ball_[pair.a] + 1];
+        touched[ball_[pair.a]] = 1;
+        if (pair.b < still_) touched[ball_[pair.b]] = 1;
+    }
+    for (std::uint32_t i = 1; i <= still_; ++i)
+        first_impulse_[i] += first_impulse_[i - 1];
+    world.pressed.resize(first_impulse_[still_]);
+    for (const Pair& pair : pairs_) {
+        if (!(pair.impulse > 0.0)) continue;
+        const std::uint32_t ball = ball_[pair.a];
+        const bool on_ball = pair.edge == NearPair::no_edge;
+        world.pressed[first_impulse_[ball]++] = {
+            .ball = world.balls.id[ball],
+            .other = on_ball ? number(world.balls.id[ball_[pair.b]])
+                             : number(world.capsules.id[pair.edge]),
+            .kind = on_ball ? ContactKind::ball_ball : ContactKind::ball_edge,
+            .across = pair.across,
+            .along = pair.along,
+            .impulse = pair.impulse,
+            .rub = pair.rub};
+    }
+}
+
+}  // namespace carom

@@ -1,0 +1,163 @@
+#include "physics/contact_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/closest.h"
+
+namespace carom {
+namespace {
+
+// On a torus a substep must be so short that no ball meets two images of another in it.
+int substeps_needed(const World& world, int wanted) {
+    if (!world.model.wrap) return wanted;
+    const Vec2 torus = size(*world.model.wrap);
+    double fastest = 0.0;
+    for (const Vec2 velocity : world.balls.velocity)
+        fastest = std::max(fastest, length_squared(velocity));
+    double speed = std::sqrt(fastest);
+    if (world.model.gravity) speed += length(*world.model.gravity) * world.tick_length();
+    const double furthest = std::min(torus.x, torus.y) / 8.0;
+    const double needed = std::ceil(speed * world.tick_length() / furthest);
+    return std::max(wanted, static_cast<int>(std::min(needed, 10'000.0)));
+}
+
+}  // namespace
+
+void ContactSolver::tick(World& world, int substeps, std::vector<Contact>& contacts,
+                         std::vector<std::uint8_t>& touched) {
+    const int count = substeps_needed(world, substeps);
+    duration_ = world.tick_length() / count;
+    flight_ = flight_over(world.model.drag, duration_);
+    gravity_ = world.model.gravity.value_or(Vec2{});
+    resting_speed_ = resting_approach * length(gravity_) * duration_;
+    wraps_ = world.model.wrap.has_value();
+    torus_ = wraps_ ? size(*world.model.wrap) : Vec2{};
+    softness_ = softness_of(world);
+    drag_ = world.model.drag;
+    if (world.model.spin) {
+        spin_ease_ = 1.0 / *world.model.spin;
+        spin_mass_ = 1.0 / (1.0 + spin_ease_);
+    }
+    for (int i = 0; i < count; ++i) {
+        if (i == 0 || !is_at_home()) {
+            if (i > 0) store(world, touched);
+            load(world);
+        }
+        start_time_ = world.time() + duration_ * i;
+        substep(world, 1.0 / (count - i), contacts);
+    }
+    store(world, touched);
+}
+
+// Only what loses energy is pushed apart: nothing pays for the lift of elastic balls.
+ContactSolver::Softness ContactSolver::softness_of(const World& world) const {
+    if (!world.model.lossy) return {.push = 0.0, .mass = 1.0, .impulse = 0.0};
+    constexpr double turn = 6.283185307179586 * stiffness;  // rad a substep
+    constexpr double first = 2.0 * damping + turn;
+    constexpr double second = turn * first;
+    return {.push = turn / first / duration_,
+            .mass = second / (1.0 + second),
+            .impulse = 1.0 / (1.0 + second)};
+}
+
+void ContactSolver::substep(World& world, double share_of_way, std::vector<Contact>& contacts) {
+    take_hands(world, share_of_way);
+    kick(world);
+    prepare(world, terms_of(world));
+    press(world.model.spin.has_value());
+    if (any_new_) note_new_contacts(contacts);
+    hold_hands_back();
+    find_ways();
+    find_hits();
+    had_impacts_ = !hits_.empty() || !strays_.empty();
+    if (had_impacts_)
+        run_impacts(world, contacts);
+    else
+        go(world);
+    relax(world.model.spin.has_value());
+    move_hands(world);
+}
+
+void ContactSolver::take_hands(const World& world, double share_of_way) {
+    for (Hand& hand : hands_) {
+        hand.share = 1.0;
+        hand.stopped_at = -1.0;
+        hand.version = 0;
+        const double per_second = share_of_way / duration_;
+        if (hand.is_ball) {
+            Vec2 way = world.held_balls[hand.held].target - position_[hand.index];
+            if (wraps_) way = nearest_image(way, torus_);
+            hand.start_velocity = hand.end_velocity = way * per_second;
+            continue;
+        }
+        const HeldCapsule& held = world.held_capsules[hand.held];
+        const Capsule& shape = world.capsules.shape[hand.index];
+        hand.start_velocity = (held.start_target - shape.start) * per_second;
+        hand.end_velocity = (held.end_target - shape.end) * per_second;
+    }
+}
+
+void ContactSolver::move_hands(World& world) {
+    for (const Hand& hand : hands_)
+        if (!hand.is_ball) world.capsules.shape[hand.index] = shape_of(world, hand, duration_);
+}
+
+void ContactSolver::kick(const World& world) {
+    const Vec2 fall = gravity_ * flight_.velocity_per_gravity;
+    const std::optional<double> limit = world.model.speed_limit;
+    for (std::uint32_t i = 0; i < still_; ++i) {
+        Vec2 velocity = mover_[i].velocity;
+        if (limit) velocity = limited(velocity, *limit);
+        before_[i] = velocity;
+        mover_[i].velocity = velocity * flight_.decay + fall;
+    }
+    for (const Hand& hand : hands_)
+        if (hand.is_ball) before_[hand.index] = mover_[hand.index].velocity = hand.start_velocity;
+}
+
+// A ball that no impulse has changed flies on its exact path; a pressed one goes straight on.
+void ContactSolver::find_ways() {
+    const Vec2 fall = gravity_ * flight_.velocity_per_gravity;
+    const Vec2 drop = gravity_ * flight_.travel_per_gravity;
+    strays_.clear();
+    most_push_ = 0.0;
+    for (std::uint32_t i = 0; i < still_; ++i) {
+        const Vec2 velocity = mover_[i].velocity;
+        const Vec2 free = before_[i] * flight_.decay + fall;
+        const Vec2 change = velocity - free;
+        if (change == Vec2{}) {
+            way_[i] = before_[i] * flight_.travel_per_velocity + drop;
+        } else {
+            way_[i] = velocity * duration_;
+            most_push_ = std::max(most_push_, length_squared(change));
+        }
+        if (length_squared(position_[i] + way_[i] - home_[i]) > margin_[i] * margin_[i])
+            strays_.push_back(i);
+    }
+    for (const Hand& hand : hands_)
+        if (hand.is_ball) way_[hand.index] = hand.start_velocity * (hand.share * duration_);
+    most_push_ = std::sqrt(most_push_) * duration_;
+}
+
+void ContactSolver::go(const World& world) {
+    const std::optional<double> limit = world.model.speed_limit;
+    for (std::uint32_t i = 0; i < still_; ++i) {
+        position_[i] += way_[i];
+        if (limit) mover_[i].velocity = limited(mover_[i].velocity, *limit);
+    }
+}
+
+// Whether nobody can leave the region in which it was compared in the next substep.
+bool ContactSolver::is_at_home() const {
+    const double fall = length(gravity_) * duration_ * duration_;
+    for (std::uint32_t i = 0; i < still_; ++i) {
+        const double way = length(mover_[i].velocity) * duration_ + fall;
+        // (away + way)^2 <= 2 (away^2 + way^2)
+        if (2.0 * (length_squared(position_[i] - home_[i]) + way * way) > margin_[i] * margin_[i])
+            return false;
+    }
+    return true;
+}
+
+}  // namespace carom

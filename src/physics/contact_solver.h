@@ -1,0 +1,275 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "geometry/impact.h"
+#include "physics/contact.h"
+#include "physics/contact_pairs.h"
+#include "physics/flight.h"
+#include "physics/terms.h"
+
+namespace carom {
+
+/// The solver `contact`: for heaps, bins, resting contact and thousands of balls that touch.
+///
+/// A tick is cut into substeps. In each, what touches without bouncing is a *pressed* pair: an
+/// impulse keeps its bodies from going into one another, like a stiff spring with strong damping
+/// (soft constraints). What bounces is a *flying* pair: its impact is found in time, along the
+/// paths that the balls are on, and dealt with then and there, as in `swept`. A substep is
+///   1. sort the pairs into pressed, flying and idle ones;
+///   2. gravity and drag; then the impulses of the last substep again, to start from;
+///   3. one round over the pressed pairs, from the bottom up;
+///   4. all balls go along their paths; impacts in the order of time;
+///   5. one round over the pressed pairs from the top down, that takes back the speed with which
+///      overlaps were pushed apart.
+/// The impulses at the end of a tick belong to the world (World::pressed).
+///
+/// A pair is pressed when it approaches slower than `resting_approach` times the speed that gravity
+/// gives in a substep, or its restitution is 0, or a hand pushes the ball faster than it would
+/// bounce; and only while it moves less than a quarter of a radius a substep. So a ball in flight
+/// is on its exact path, an elastic bounce keeps the energy to rounding, and a bounce that would
+/// rise no higher than about g h^2 for a substep of h seconds is lost.
+///
+/// No ball passes through anything: however hard they are pressed, two bodies that have come half
+/// a radius into one another stop there (`core`). A hand goes no further into a ball than a tenth
+/// of its radius. A ball with `most_impacts` impacts in a substep, or with a speed that would take
+/// it out of the region in which it was compared with others, stands for the rest of the substep:
+/// it keeps its velocity and loses time.
+///
+/// Fails by nature: pressed bodies overlap slightly, the more the heavier what lies on them; a pile
+/// of bounces goes pair by pair.
+///
+/// Source: soft constraints, substeps and relaxing are those of Box2D 3 (Catto, Solver2D, 2024);
+/// sequential impulses and warm starting: Catto, Iterative Dynamics with Temporal Coherence (2005).
+class ContactSolver {
+  public:
+    static constexpr double resting_approach = 1.0;
+    static constexpr int most_impacts = 64;
+    static constexpr int most_pushes = 8;
+    /// Pressed pairs are springs of this many cycles a substep, damped by `damping` times what
+    /// keeps them from ringing. More: less overlap, until heaps tremble; above 0.3 they do.
+    static constexpr double stiffness = 0.25;
+    static constexpr double damping = 10.0;
+    /// Approaches slower than this share of the speeds are rounding.
+    static constexpr double noise = 1e-14;
+
+    /// Moves everything by one tick and appends the exchanges to `contacts`: impacts, and each
+    /// pressed pair once, when it begins to press. `touched`: see surroundings.h.
+    void tick(World& world, int substeps, std::vector<Contact>& contacts,
+              std::vector<std::uint8_t>& touched);
+
+    const CellFrame& cells() const { return near_.frame(); }
+
+  private:
+    static constexpr std::uint32_t none = 0xffffffffu;
+
+    /// What an impulse changes.
+    struct Mover {
+        Vec2 velocity;
+        double rim = 0.0;  ///< spin * radius, length/s
+        double inverse_mass = 0.0;
+    };
+
+    enum class State : std::uint8_t { idle, pressed, flying };
+
+    struct Pair {
+        std::uint32_t a = 0;
+        std::uint32_t b = 0;  ///< a body; for an edge a body that nothing moves
+        Vec2 normal;          ///< from b to a
+        double gap = 0.0;
+        double mass = 0.0;  ///< 1 / sum of inverse masses
+        double impulse = 0.0;
+        double rub = 0.0;  ///< impulse along perpendicular(normal)
+        double friction = 0.0;
+        std::uint32_t edge = NearPair::no_edge;
+        std::int8_t across = 0;
+        std::int8_t along = 0;
+        State state = State::idle;
+        bool bounces : 1 = false;  ///< restitution above 0
+        bool by_hand : 1 = false;  ///< the edge is held
+        bool is_new : 1 = true;    ///< did not press yet
+        bool settled : 1 = false;  ///< in this substep: has come to rest at an impact
+    };
+
+    /// A ball in a substep with impacts: at `position` at `time`, since then on a parabola if it is
+    /// free, else straight on at `chord` while its velocity changes evenly by `pull`. It stands
+    /// from `end` on.
+    struct Path {
+        Vec2 position;
+        Vec2 velocity;
+        Vec2 chord;  ///< to where it will be at the end, length/s
+        Vec2 pull;   ///< length/s^2
+        double time = 0.0;
+        double end = 0.0;
+        std::uint32_t version = 0;
+        std::uint16_t impacts = 0;
+        std::uint16_t pushes = 0;  ///< impacts with hands that moved towards it
+        bool free = false;
+        bool stands = false;
+        bool is_predicted = false;
+    };
+
+    struct Event {
+        static constexpr std::uint8_t ball = 0;
+        static constexpr std::uint8_t edge = 1;
+        static constexpr std::uint8_t stands = 2;  ///< the body's path ends
+
+        double time = 0.0;
+        std::uint8_t kind = ball;
+        std::uint32_t low = 0;  ///< the bodies' indices in the world
+        std::uint32_t high = 0;
+        std::uint32_t body = 0;  ///< whose prediction this is
+        std::uint32_t pair = 0;
+        std::uint32_t body_version = 0;
+        std::uint32_t other_version = 0;
+    };
+
+    struct Hand {
+        std::uint32_t index = 0;  ///< of the capsule; of a held ball the body
+        std::uint32_t held = 0;   ///< index into World::held_capsules or held_balls
+        bool is_ball = false;
+        bool is_driven = false;  ///< throws what it meets
+        Vec2 start_velocity;
+        Vec2 end_velocity;
+        double share = 1.0;        ///< of its way that it can go in this substep
+        double stopped_at = -1.0;  ///< s in the substep; negative: moves
+        std::uint32_t version = 0;
+    };
+
+    /// How pressed pairs that overlap are held apart.
+    struct Softness {
+        double push = 0.0;  ///< speed apart for each unit of overlap, 1/s
+        double mass = 1.0;  ///< share of a rigid contact's impulse
+        double impulse = 0.0;
+    };
+
+    // Between the world and the bodies.
+    void load(const World& world);
+    void load_bodies(const World& world);
+    void load_hands(const World& world);
+    void load_pairs(const World& world);
+    void add_pair(const World& world, const NearPair& near, std::uint32_t b);
+    void add_pairs_of_hand(const World& world, const Hand& hand);
+    void recall_impulses(const World& world);
+    void sort_upwards();
+    void store(World& world, std::vector<std::uint8_t>& touched);
+    void store_impulses(World& world, std::vector<std::uint8_t>& touched);
+
+    // The substep.
+    void substep(World& world, double share_of_way, std::vector<Contact>& contacts);
+    Softness softness_of(const World& world) const;
+    void take_hands(const World& world, double share_of_way);
+    void move_hands(World& world);
+    void kick(const World& world);
+    void find_ways();
+    void go(const World& world);
+    bool is_at_home() const;
+
+    // Pressed pairs.
+    void prepare(const World& world, Terms terms);
+    template <Terms terms>
+    void sort_pairs(const World& world);
+    template <Terms terms>
+    void measure(const World& world, Pair& pair);
+    template <Terms terms>
+    State state_of(const World& world, const Pair& pair) const;
+    bool is_pushed(const World& world, const Pair& pair, double approach) const;
+    void press(bool spin);
+    template <bool spin>
+    void press_all();
+    void relax(bool spin);
+    template <bool spin>
+    void relax_all();
+    template <bool spin>
+    void rub_pair(Pair& pair, Mover& a, Mover& b) const;
+    void turn(Mover& a, Mover& b, double rub) const;
+    void note_new_contacts(std::vector<Contact>& contacts);
+    void hold_hands_back();
+
+    // Impacts within a substep.
+    void find_hits();
+    void run_impacts(World& world, std::vector<Contact>& contacts);
+    void begin_paths();
+    void finish_paths(const World& world);
+    void list_pairs_of_bodies();
+    void predict(const World& world, std::uint32_t body, double now);
+    std::optional<double> meeting(const World& world, const Pair& pair, double now) const;
+    bool is_void(const Event& event) const;
+    void collide(World& world, const Event& event, std::vector<Contact>& contacts);
+    std::optional<Contact> collide_balls(World& world, Pair& pair, double now);
+    std::optional<Contact> collide_edge(World& world, Pair& pair, double now);
+    void stop_hand(const World& world, std::uint32_t capsule, double now);
+    void take_path(const World& world, std::uint32_t body, double now, Vec2 velocity);
+    void count_push(std::uint32_t body, double now);
+    void end_path_at_border(std::uint32_t body, double now);
+    void stand(std::uint32_t body, double now);
+    Vec2 position_at(const World& world, std::uint32_t body, double now) const;
+    Vec2 velocity_at(const World& world, std::uint32_t body, double now) const;
+    Vec2 chord_position(std::uint32_t body, double now) const;
+    double core(const Pair& pair) const;
+    double restitution_of(const World& world, const Pair& pair, double approach) const;
+    Capsule edge_at(const World& world, const Pair& pair, double now) const;
+    Capsule shape_of(const World& world, const Hand& hand, double now) const;
+    Hand* hand_of(std::uint32_t capsule);
+    const Hand* hand_of(std::uint32_t capsule) const;
+    Hand* hand_of_body(std::uint32_t body);
+    Vec2 surface_velocity(const Hand& hand, const Capsule& shape, Vec2 point) const;
+    bool is_held_body(std::uint32_t body) const { return mover_[body].inverse_mass == 0.0; }
+    void push(const Event& event);
+    static bool is_earlier(const Event& a, const Event& b);
+
+    NearPairs near_;
+    Flight flight_;          // over a substep
+    double duration_ = 0.0;  // of a substep, s
+    double start_time_ = 0.0;
+    Vec2 gravity_;
+    std::optional<double> drag_;
+    Vec2 torus_;
+    bool wraps_ = false;
+    double resting_speed_ = 0.0;
+    Softness softness_;
+    double spin_ease_ = 2.0;        // m r^2 / inertia
+    double spin_mass_ = 1.0 / 3.0;  // mass that a contact's friction moves, of its mass
+    double smallest_ = 0.0;         // radius
+    double guard_ = 0.0;            // a gap that pressed pairs may close for others in a substep
+    double most_push_ = 0.0;        // longest way that pressing gave in this substep
+    double deepest_ = 0.0;          // smallest gap of the pressed pairs
+
+    // Bodies are the balls in the order of the cells; at `still_` one that nothing moves, behind it
+    // one for each pair of a ball and a held edge.
+    std::uint32_t still_ = 0;
+    std::vector<std::uint32_t> ball_;  // by body: index in the world
+    std::vector<std::uint32_t> body_;  // by index in the world
+    std::vector<Vec2> position_;
+    std::vector<Vec2> home_;    // where they were when the pairs were found
+    std::vector<Vec2> before_;  // velocity at the start of the substep
+    std::vector<Vec2> way_;     // in the substep, length
+    std::vector<Mover> mover_;
+    std::vector<double> radius_;
+    std::vector<double> margin_;
+    std::vector<double> margin_of_ball_;
+
+    std::vector<Pair> pairs_;
+    std::vector<Pair> sorted_;
+    std::vector<std::uint32_t> bucket_;
+    std::vector<std::uint16_t> step_of_;
+    std::vector<std::uint32_t> first_impulse_;
+    std::vector<std::uint32_t> pressed_;
+    std::vector<std::uint32_t> flying_;
+    std::vector<std::uint32_t> hand_pairs_;
+    bool any_new_ = false;
+
+    std::vector<Hand> hands_;
+    std::vector<std::uint32_t> hits_;
+    std::vector<std::uint32_t> strays_;  // bodies whose way leads out of their regions
+    bool had_impacts_ = false;
+    std::vector<Path> paths_;
+    std::vector<Event> queue_;
+    bool has_pairs_of_bodies_ = false;
+    std::vector<std::uint32_t> pairs_begin_;  // by body, into pairs_of_
+    std::vector<std::uint32_t> pairs_of_;
+};
+
+}  // namespace carom
