@@ -60,6 +60,8 @@ CountedScene bare_scene(const std::string& gas) {
 
 std::vector<TermScene> term_scenes(const std::string& gas) {
     const Scenes scenes(gas);
+    CountedScene rubbing = scenes.with("use spin");
+    rubbing.overrides.emplace_back("kind atom r=1 m=1 mu=1e-9");
     CountedScene one_way = scenes.bare();
     one_way.prepare = make_one_way;
     CountedScene held = scenes.bare();
@@ -81,9 +83,7 @@ std::vector<TermScene> term_scenes(const std::string& gas) {
          scenes.with_override("kind atom r=1 m=1 e=1")},
         {"stop", scenes.with("use stop 1e-9"), scenes.with("use stop 0")},
         {"speed limit", scenes.with("use limit 1e9"), std::nullopt},
-        {"spin and friction",
-         scenes.with("use spin\nmaterial smooth mu=1e-9\nedge smooth -1,-1 -1,-1.5 r=1"),
-         std::nullopt},
+        {"spin and friction", rubbing, scenes.with_override("kind atom r=1 m=1 mu=0")},
         {"torus", scenes.with("world -2,-2 side+2,side+2\nuse wrap"),
          scenes.with("world -2,-2 side+2,side+2")},
         {"scatter", scenes.with("use scatter 1e-9"), scenes.with("use scatter 0")},
