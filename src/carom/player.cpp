@@ -77,18 +77,6 @@ void Player::set_keep_going(const KeepGoing& keep_going) {
     session_.set_keep_going(keep_going);
 }
 
-bool Player::ends_tick(const InputEvent& event) const {
-    using enum InputEvent::Action;
-    switch (event.kind) {
-        case InputEvent::Kind::mouse:
-            return event.action == press || event.action == release;
-        case InputEvent::Kind::key:
-            return event.action != release && keys_.action_of(key_of(event));
-        default:
-            return true;
-    }
-}
-
 double Player::seconds_to_change() const {
     const bool is_idle = stands_still() && !is_ahead();
     if (!is_idle && !is_too_small_ && page_ == Page::none) return 0.0;
@@ -282,6 +270,18 @@ bool Player::step() {
 void Player::tell_outcome() {
     if (session_.outcome() == TickOutcome::too_dense)
         complain("too dense for events: time stood still");
+}
+
+bool ends_tick(const InputEvent& event, const KeyMap& keys) {
+    using enum InputEvent::Action;
+    switch (event.kind) {
+        case InputEvent::Kind::mouse:
+            return event.action == press || event.action == release;
+        case InputEvent::Kind::key:
+            return event.action != release && keys.action_of(key_of(event));
+        default:
+            return true;
+    }
 }
 
 }  // namespace carom

@@ -53,8 +53,6 @@ class Player {
 
     /// Asked now and then within long ticks; false gives them up.
     void set_keep_going(const KeepGoing& keep_going);
-    /// Whether a tick that is being computed shall be given up for it.
-    bool ends_tick(const InputEvent& event) const;
 
     void say(std::string message);
     void complain(std::string message);
@@ -197,6 +195,10 @@ class Player {
     double message_seconds_ = 0.0;  ///< left
     std::optional<std::string> problem_;
 };
+
+/// Whether a tick that is being computed shall be given up for it: not for the motion of a mouse
+/// and the like, which waits until the tick is done.
+bool ends_tick(const InputEvent& event, const KeyMap& keys);
 
 /// The solver of this kind as the level wants it, if it says so, else as it comes.
 SolverSettings settings_of(SolverKind kind, const Scene& scene);

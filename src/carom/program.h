@@ -38,8 +38,10 @@ class Program {
     void advance(double seconds, double now, const MayGoOn& may_go_on);
     /// Asked now and then within long ticks, wherever they are computed; false gives them up.
     void set_keep_going(const KeepGoing& keep_going);
-    /// Whether a tick that is being computed shall be given up for it: not for the motion of a
-    /// mouse and the like, which waits until the tick is done.
+    /// A game is on the screen: then advance() may be called in another thread. While it runs,
+    /// nothing else is called but ends_tick().
+    bool is_playing() const { return std::holds_alternative<Game>(page_); }
+    /// Whether a tick that is being computed shall be given up for it.
     bool ends_tick(const InputEvent& event) const;
     bool needs_draw() const;
     void draw(Canvas& canvas);

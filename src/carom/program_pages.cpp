@@ -128,8 +128,7 @@ void Program::set_keep_going(const KeepGoing& keep_going) {
 }
 
 bool Program::ends_tick(const InputEvent& event) const {
-    const auto* game = std::get_if<Game>(&page_);
-    return !game || game->player.ends_tick(event);
+    return !is_playing() || carom::ends_tick(event, preferences_.keys);
 }
 
 void Program::advance(double seconds, double now, const MayGoOn& may_go_on) {

@@ -46,13 +46,17 @@ bool Pacing::may_draw(double now, bool urgent) const {
     return now >= next_due_ - early || (urgent && since >= urgent_interval);
 }
 
-double Pacing::seconds_to_frame(double now) const {
-    if (is_stalled(now)) return std::max(0.0, last_drawn_ + stalled_after - now);
+double Pacing::seconds_to_frame(double now, bool urgent) const {
+    if (is_stalled(now)) {
+        const double pause = urgent ? stalled_urgent_interval : stalled_after;
+        return std::max(0.0, last_drawn_ + pause - now);
+    }
     if (!is_blind(now) && sent_.size() >= window()) {
         const double patience = has_answers_ ? stalled_after : blind_after;
         return std::max(early, sent_.front().at + patience - now);
     }
-    return std::max({0.0, next_due_ - now, bytes_due_ - now});
+    const double due = urgent ? std::min(next_due_, last_drawn_ + urgent_interval) : next_due_;
+    return std::max({0.0, due - now, bytes_due_ - now});
 }
 
 void Pacing::drawn(double now, std::size_t bytes) {

@@ -40,9 +40,9 @@ class Pacing {
     /// So many frames have been answered in all since the start.
     void answered(std::size_t total, double now);
 
-    /// How long to wait for input until a frame may be due; 0 if it is due. An answer, which ends
-    /// the wait, may make it due earlier.
-    double seconds_to_frame(double now) const;
+    /// How long to wait for input until a frame, or an urgent one, may be due; 0 if it is due. An
+    /// answer, which ends the wait, may make it due earlier.
+    double seconds_to_frame(double now, bool urgent = false) const;
 
     /// The terminal used to answer and has not for 2 s: the game should stand still. A frame may go
     /// out every 2 s (every quarter of a second when something comes in), to ask again; make sure

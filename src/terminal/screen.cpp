@@ -98,9 +98,9 @@ void Screen::redraw() {
     state_->curses->redraw();
 }
 
-std::vector<InputEvent> Screen::wait(double seconds) {
+std::vector<InputEvent> Screen::wait(double seconds, int also) {
     State& state = *state_;
-    if (state.waiting.empty()) state.wait_once(seconds);
+    if (state.waiting.empty()) state.wait_once(seconds, also);
     if (state.is_gone && state.waiting.empty()) {
         state.waiting.push_back(event_of(InputEvent::Kind::hangup));
     }

@@ -70,7 +70,8 @@ class Screen {
     /// What the person did, in order. Returns as soon as there is anything, at the latest after
     /// about `seconds` (0: at once; forever where negative). Signals arrive as events as well;
     /// Ctrl-C and Ctrl-\ are `end`, and Ctrl-Z suspends the program before it returns.
-    std::vector<InputEvent> wait(double seconds);
+    /// `also`: a file descriptor; where it is readable, that ends the wait too.
+    std::vector<InputEvent> wait(double seconds, int also = -1);
     /// Frames shown with FrameEnd::asks that have been answered, since the start.
     unsigned frames_answered() const;
 

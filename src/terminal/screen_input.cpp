@@ -96,7 +96,7 @@ void Screen::State::take_input() {
 }
 
 // Waits for one thing of whatever kind; false when nothing came in that time.
-bool Screen::State::wait_once(double seconds) {
+bool Screen::State::wait_once(double seconds, int also) {
     using enum InputDecoder::Pending;
     if (!deferred.empty()) {
         take_signals();
@@ -109,9 +109,13 @@ bool Screen::State::wait_once(double seconds) {
     if (pending != nothing) {
         const double left = std::max(escape_step, patience - idle);
         timeout = seconds < 0.0 ? left : std::min(left, std::max(seconds, escape_step));
+        // A wait that something else ends would tell nothing of how long it was.
+        if (also >= 0) timeout = std::min(timeout, escape_step);
+        also = -1;
     }
-    std::array<pollfd, 2> sources{{{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0},
-                                   {.fd = signals.handle(), .events = POLLIN, .revents = 0}}};
+    std::array<pollfd, 3> sources{{{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0},
+                                   {.fd = signals.handle(), .events = POLLIN, .revents = 0},
+                                   {.fd = also, .events = POLLIN, .revents = 0}}};
     const int milliseconds =
         timeout < 0.0 ? -1 : static_cast<int>(std::ceil(std::min(timeout, 1.0e5) * 1000.0));
     const int ready = poll(sources.data(), sources.size(), milliseconds);
@@ -126,7 +130,7 @@ bool Screen::State::wait_once(double seconds) {
     idle = 0.0;
     if (sources[1].revents != 0) {
         take_signals();  // which may read the terminal, so that it is to be asked afresh
-    } else {
+    } else if (sources[0].revents != 0) {
         take_input();
     }
     return true;

@@ -51,7 +51,7 @@ struct Screen::State {
     void take_signal(int signal);
     void take_signals();
     void take_input();
-    bool wait_once(double seconds);
+    bool wait_once(double seconds, int also = -1);
 };
 
 /// An event of that kind, and nothing more.

@@ -570,20 +570,20 @@ TEST_CASE("a page says which solver is in force, and why") {
 }
 
 TEST_CASE("a key ends a long tick, the motion of the mouse does not") {
-    const Person person;
+    const KeyMap keys;
     InputEvent event;
     event.key = U'q';
-    CHECK(person.player.ends_tick(event));
+    CHECK(ends_tick(event, keys));
     event.key = U'@';  // does nothing
-    CHECK_FALSE(person.player.ends_tick(event));
+    CHECK_FALSE(ends_tick(event, keys));
     event.key = U'q';
     event.action = InputEvent::Action::release;
-    CHECK_FALSE(person.player.ends_tick(event));
+    CHECK_FALSE(ends_tick(event, keys));
     event.kind = InputEvent::Kind::mouse;
     event.action = InputEvent::Action::move;
-    CHECK_FALSE(person.player.ends_tick(event));
+    CHECK_FALSE(ends_tick(event, keys));
     event.action = InputEvent::Action::press;
-    CHECK(person.player.ends_tick(event));
+    CHECK(ends_tick(event, keys));
     event.kind = InputEvent::Kind::hangup;
-    CHECK(person.player.ends_tick(event));
+    CHECK(ends_tick(event, keys));
 }

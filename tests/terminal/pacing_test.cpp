@@ -214,3 +214,16 @@ TEST_CASE("the wait for a frame ends when it is due") {
     CHECK_FALSE(pacing.may_draw(1.2));  // two are unanswered
     CHECK(pacing.seconds_to_frame(1.2) > 0.5);
 }
+
+TEST_CASE("what answers a key waits for the last frame alone, not for the next instant") {
+    Pacing pacing;
+    pacing.answered(0, 1.0);
+    pacing.drawn(1.0, 100);
+    pacing.answered(1, 1.001);
+    CHECK(pacing.seconds_to_frame(1.001) == doctest::Approx(1.0 / 60 - 0.001));
+    const double urgent = pacing.seconds_to_frame(1.001, true);
+    CHECK(urgent < 0.004);
+    CHECK_FALSE(pacing.may_draw(1.001, true));
+    CHECK(pacing.may_draw(1.001 + urgent + 1e-6, true));
+    CHECK_FALSE(pacing.may_draw(1.001 + urgent + 1e-6));
+}
