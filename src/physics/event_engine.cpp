@@ -74,6 +74,7 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
             paths_[i].position = state.position;
             paths_[i].velocity = state.velocity;
             paths_[i].acceleration = field_.gravity;
+            if (world.model.spin) let_spin(i, now_);
         }
     }
     now_ = end_;
@@ -94,7 +95,8 @@ bool EventEngine<Real>::leads_through(const EventPath<Real>& path, std::size_t b
     if (path.motion == Motion::turning && piece_end(path, field_) < now_) return false;
     const BallState<Real> state = state_at(path, field_, now_);
     return shown_position(path, now_) == world_->balls.position[ball] &&
-           Vec2(state.velocity) == world_->balls.velocity[ball];
+           Vec2(state.velocity) == world_->balls.velocity[ball] &&
+           is_spin_left(static_cast<std::uint32_t>(ball));
 }
 
 // Whether what carries the ball is still there.
@@ -133,9 +135,9 @@ bool EventEngine<Real>::is_continued(const World& world) const {
         for (std::size_t i = 0; i < paths_.size(); ++i)
             if (!(world.paths[i] == stored_path(world.paths[i].id, paths_[i]))) return false;
     }
-    return left_.is_valid && !left_.had_hands && world.held_balls.empty() &&
-           world.held_capsules.empty() && left_.tick == world.tick && left_.rate == world.rate &&
-           left_.model == world.model && left_.ids == world.balls.id &&
+    return are_spins_left(world) && left_.is_valid && !left_.had_hands &&
+           world.held_balls.empty() && world.held_capsules.empty() && left_.tick == world.tick &&
+           left_.rate == world.rate && left_.model == world.model && left_.ids == world.balls.id &&
            left_.radii == world.balls.radius && left_.inverse_masses == world.balls.inverse_mass &&
            left_.meets == world.meets && are_same(left_.capsules, world.capsules);
 }
@@ -147,9 +149,11 @@ void EventEngine<Real>::begin(World& world) {
     constexpr std::uint64_t look_at_frame_every = 64;
     if (is_continued(world) && world.tick % look_at_frame_every != 0) {
         std::size_t changed = 0;
-        for (std::size_t i = 0; i < paths_.size(); ++i)
+        const bool turns = world.model.spin.has_value();
+        for (std::uint32_t i = 0; i < paths_.size(); ++i)
             changed += left_.positions[i] != world.balls.position[i] ||
-                       left_.velocities[i] != world.balls.velocity[i];
+                       left_.velocities[i] != world.balls.velocity[i] ||
+                       (turns && !is_spin_left(i));
         if (changed <= paths_.size() / 8 + 1) {
             if (changed > 0) take_what_changed(world);
             return;
@@ -165,9 +169,10 @@ void EventEngine<Real>::take_what_changed(const World& world) {
     std::vector<std::uint32_t> changed;
     for (std::uint32_t i = 0; i < paths_.size(); ++i) {
         if (left_.positions[i] == world.balls.position[i] &&
-            left_.velocities[i] == world.balls.velocity[i])
+            left_.velocities[i] == world.balls.velocity[i] && is_spin_left(i))
             continue;
         changed.push_back(i);
+        if (world.model.spin) spins_[i] = {now_, Real(world.balls.spin[i]), Real{}, false};
         const bool was_resting = paths_[i].motion == Motion::resting;
         if (left_.positions[i] != world.balls.position[i]) {
             cells_.leave(i);
@@ -199,6 +204,7 @@ void EventEngine<Real>::begin_anew(const World& world) {
     // Paths that the world, or for other numbers this engine, remembers.
     std::vector<EventPath<Real>> known(count);
     std::vector<std::uint8_t> is_kept(count, 0);
+    std::vector<std::int64_t> spin_from(world.model.spin ? count : 0, -1);
     const bool same_field = world.paths_gravity == world.model.gravity.value_or(Vec2{}) &&
                             world.paths_drag == world.model.drag.value_or(0.0);
     if constexpr (std::is_same_v<Real, double>) {
@@ -208,7 +214,8 @@ void EventEngine<Real>::begin_anew(const World& world) {
                 ++at;
             if (at < world.paths.size() && world.paths[at].id == world.balls.id[i]) {
                 known[i] = path_from(world.paths[at]);
-                is_kept[i] = 1;
+                is_kept[i] = !world.model.spin || at < world.spin_paths.size();
+                if (world.model.spin && is_kept[i]) spin_from[i] = static_cast<std::int64_t>(at);
             }
         }
     } else if (left_.is_valid && left_.tick == world.tick && left_.model == world.model) {
@@ -219,6 +226,7 @@ void EventEngine<Real>::begin_anew(const World& world) {
             if (at < left_.ids.size() && left_.ids[at] == world.balls.id[i]) {
                 known[i] = paths_[at];
                 is_kept[i] = 1;
+                if (world.model.spin) spin_from[i] = static_cast<std::int64_t>(at);
             }
         }
     }
@@ -232,6 +240,7 @@ void EventEngine<Real>::begin_anew(const World& world) {
     is_meeting_known_.resize(count);
     body_of_ball_.assign(count, EventCells::none);
     take_hands(world);
+    take_spins(world, spin_from);
     for (std::size_t i = 0; i < count; ++i)
         is_kept[i] = is_kept[i] && !(inverse_mass_[i] == Real{}) && leads_through(paths_[i], i);
     // What rests on something that is gone begins anew, and so on up the heap.
@@ -260,6 +269,7 @@ void EventEngine<Real>::begin_anew(const World& world) {
         const bool is_in_hand = inverse_mass_[i] == Real{};
         Vector<Real> velocity(world.balls.velocity[i]);
         if (is_in_hand) velocity = paths_[i].velocity;
+        if (world.model.spin) spins_[i] = {now_, Real(world.balls.spin[i]), Real{}, false};
         start_path(i, now_, Vector<Real>(world.balls.position[i]), velocity);
         if (is_in_hand) {
             paths_[i].motion = Motion::held;
@@ -320,6 +330,7 @@ void EventEngine<Real>::start_path(std::uint32_t ball, const Real& time, Vector<
             if (!next_.empty()) cells_.shift(ball, across, along);
         }
     }
+    if (world_->model.spin) let_spin(ball, time);
     EventPath<Real>& path = paths_[ball];
     path = {};
     path.time = time;
@@ -345,6 +356,7 @@ void EventEngine<Real>::write(World& world) {
         for (Vec2& velocity : balls.velocity)
             velocity = limited(velocity, *world.model.speed_limit);
     balls.edge_contacts = edge_contacts_;
+    if (world.model.spin) write_spins(world);
     for (const Hand& hand : hands_) {
         const Edge<Real> shape = hand.edge.at(end_);
         world.capsules.shape[hand.capsule].start = Vec2(shape.start);

@@ -53,6 +53,22 @@ enum class EventOutcome : std::uint8_t {
 /// two balls that have met `most_quick` times in a row within `touching` of a radius pass their
 /// impulse without restitution, for the same reason.
 ///
+/// Friction, at an impact: once the impulses along the normals are known, each contact passes along
+/// itself what stops its slip, but no more than its coefficient times its own impulse. Where bodies
+/// have several such contacts all are found together, in rounds: in each, every contact looks at
+/// the same velocities and takes its bodies to be as heavy as their share (a body's mass by its
+/// number of contacts), so that no round makes energy and no order shows (Tonge, Benevolenski and
+/// Voroshilov, Mass splitting for jitter-free parallel rigid body simulation, ACM Transactions on
+/// Graphics 31, 2012); at most 64 rounds. What approaches then is reflected next.
+///
+/// Friction, on the side of an edge on which a ball lies: while it slips, the coefficient times the
+/// weight on the side acts against the slip, so it slides with constant acceleration; the end of
+/// the slip is an event, found in closed form. Then it rolls, with gravity along the side over (1 +
+/// inertia), if friction suffices for that. Under drag, how much of it rolling needs is found anew
+/// every 1/1024 of drag's time. A ball that lies on two, or that its spin presses against an edge,
+/// lies there while friction at both brakes its spin. Round ends, pegs and balls that rest do not
+/// rub what turns round them.
+///
 /// What is in a hand moves in a straight line during a tick; the numeric bound that finds its
 /// impacts is in event_closing.h. A hand that would squeeze a ball against something stops for the
 /// tick.
@@ -102,6 +118,18 @@ class EventEngine {
         bool is_driven = false;   ///< the capsule, by a coil
         PathSupport support;      ///< what it would be
         Real gap{};
+        Vector<Real> surface_velocity;  ///< of the capsule, where a hand moves it
+    };
+    /// How a ball turns: `spin` at `time`, rad/s counter-clockwise, changing at `rate` since.
+    struct Spinning {
+        Real time{};
+        Real spin{};
+        Real rate{};
+        bool rolls = false;  ///< along a side, without slip
+    };
+    struct Rub {
+        Vector<Real> acceleration;
+        Spinning turn;
     };
     struct Support {
         Vector<Real> normal;
@@ -179,6 +207,30 @@ class EventEngine {
     std::uint32_t tiredness(std::uint32_t ball, const EventPath<Real>& before) const;
     void lie_down_if_tired(std::uint32_t ball);
 
+    // event_friction.cpp: friction and spin. Pre, where nothing else is said: Model::spin.
+    Real spin_at(std::uint32_t ball, const Real& time) const;
+    void let_spin(std::uint32_t ball, const Real& time);
+    Real friction_of(std::uint32_t ball, const PathSupport& support) const;
+    void rub_contacts(const std::vector<std::uint32_t>& which, const std::vector<Real>& passed);
+    Real slip_noise(std::uint32_t ball, const Vector<Real>& velocity) const;
+    Rub rub_on_side(std::uint32_t ball, const Support& support, const Vector<Real>& velocity,
+                    const Vector<Real>& pull) const;
+    void brake_spin(std::uint32_t ball, const Real& friction);
+    std::optional<Support> barrier_to(std::uint32_t ball, const Vector<Real>& velocity,
+                                      const Vector<Real>& acceleration) const;
+    bool is_braced(std::uint32_t ball, const Support& carrier, const Vector<Real>& velocity,
+                   const Rub& rub, const Vector<Real>& acceleration);
+    bool rolls_off(std::uint32_t ball, const Support& side, const Support& other) const;
+    std::optional<Real> end_of_slip(std::uint32_t ball, const Real& horizon) const;
+    Vector<Real> slip_direction(std::uint32_t ball) const;
+    void end_spin(std::uint32_t ball);
+    /// Nothing to do where balls do not turn.
+    void take_spins(const World& world, const std::vector<std::int64_t>& known);
+    bool are_spins_left(const World& world) const;
+    /// Whether the ball turns as its path says. True where balls do not turn.
+    bool is_spin_left(std::uint32_t ball) const;
+    void write_spins(World& world);
+
     Real radius(std::uint32_t ball) const { return Real(world_->balls.radius[ball]); }
     Vector<Real> torus_shift(int across, int along) const {
         return {Real(torus_.x) * Real(double(across)), Real(torus_.y) * Real(double(along))};
@@ -206,6 +258,7 @@ class EventEngine {
     std::vector<Event> meeting_;
     std::vector<std::uint8_t> is_meeting_known_;
     std::vector<Real> inverse_mass_;
+    std::vector<Spinning> spins_;  ///< empty unless Model::spin
     std::vector<std::uint32_t> edge_contacts_;
     std::vector<Hand> hands_;
     EventCells cells_;
@@ -216,6 +269,7 @@ class EventEngine {
 
     std::vector<Body> bodies_;
     std::vector<ImpactBody<Real>> impact_bodies_;
+    std::vector<Real> body_spins_;  ///< empty unless Model::spin
     std::vector<Touch> touches_;
     std::vector<std::array<int, 3>> near_;  ///< ball, tori across and along
     std::vector<std::uint32_t> body_of_ball_;
@@ -231,6 +285,7 @@ class EventEngine {
         std::vector<Vec2> velocities;
         std::vector<double> radii;
         std::vector<double> inverse_masses;
+        std::vector<double> spins;
         std::vector<std::uint8_t> meets;
         Capsules capsules;
         bool had_hands = false;

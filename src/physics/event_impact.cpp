@@ -96,6 +96,7 @@ void EventEngine<Real>::pass_impulses(const std::vector<std::uint32_t>& which, b
         }
     }
     const std::vector<Real> passed = reflect<Real>(impact_bodies_, group);
+    if (world_->model.spin) rub_contacts(which, passed);
     if (is_soft) {
         impact_bodies_[group[0].a].inverse_mass = masses[0];
         impact_bodies_[group[0].b].inverse_mass = masses[1];
@@ -135,6 +136,7 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
                                std::vector<Contact>& contacts, std::vector<std::uint8_t>& touched) {
     bodies_.clear();
     impact_bodies_.clear();
+    body_spins_.clear();
     touches_.clear();
     // Seen from the lower number, whoever's event it is: the other may not know of it yet.
     const bool is_swapped = event.kind == Kind::ball_ball && event.other < ball;
@@ -240,6 +242,7 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
         const EventPath<Real> before = paths_[each.ball];
         const Real way = length(each.position - before.position);
         start_path(each.ball, now_, each.position, impact_bodies_[i].velocity);
+        if (world_->model.spin) spins_[each.ball].spin = body_spins_[i];
         EventPath<Real>& path = paths_[each.ball];
         path.quick = world_->model.gravity
                          ? tiredness(each.ball, before)

@@ -238,6 +238,11 @@ void EventEngine<Real>::predict_own(std::uint32_t ball, Event& best) const {
     }
     if (path.motion == Motion::resting && path.support.by == PathSupport::By::nothing)
         consider(ball, {path.time + fall_time(ball) * Real(0.25), Kind::own, 0, 0, 0, 0}, best);
+    if (world_->model.spin && path.motion != Motion::free && path.motion != Motion::held)
+        if (auto time = end_of_slip(ball, best.time)) {
+            if (*time < now_) time = now_;
+            consider(ball, {*time, Kind::own, 0, 0, 0, 0}, best);
+        }
     if (path.motion != Motion::sliding) return;
     const auto capsule = index_of(*world_, CapsuleId{path.support.number});
     const Edge<Real> edge(world_->capsules.shape[*capsule],

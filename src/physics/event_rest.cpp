@@ -131,8 +131,15 @@ void EventEngine<Real>::settle(std::uint32_t ball) {
         const Real turn = cross(supports[two->first].normal, supports[two->second].normal);
         const Real fall =
             Real(8.0 * resting_rise) * length(field_.gravity) * radius(ball) / (turn * turn);
-        if (length_squared(path.velocity) <= fall)
-            return rest(ball, supports[two->first], &supports[two->second]);
+        if (length_squared(path.velocity) <= fall) {
+            const Support& first = supports[two->first];
+            const Support& second = supports[two->second];
+            if (world_->model.spin && rolls_off(ball, first, second))
+                return rest(ball, first, nullptr);
+            if (world_->model.spin && rolls_off(ball, second, first))
+                return rest(ball, second, nullptr);
+            return rest(ball, first, &second);
+        }
     }
     for (std::size_t i = 0; i < supports.size(); ++i) {
         const Vector<Real>& normal = supports[i].normal;
@@ -153,11 +160,25 @@ void EventEngine<Real>::rest(std::uint32_t ball, const Support& first, const Sup
         path.velocity = path.acceleration = {};
         path.support = first.by;
         path.second_support = second->by;
+        if (world_->model.spin) {
+            const Real turn = cross(first.normal, second->normal);
+            const Real ours = cross(-field_.gravity, second->normal) / turn;
+            const Real theirs = cross(first.normal, -field_.gravity) / turn;
+            brake_spin(ball,
+                       friction_of(ball, first.by) * ours + friction_of(ball, second->by) * theirs);
+        }
         return;
     }
     const Vector<Real> velocity = path.velocity - first.normal * dot(path.velocity, first.normal);
     Vector<Real> along = field_.gravity - first.normal * dot(field_.gravity, first.normal);
     if (length(along) <= noise_of(field_.gravity)) along = {};
+    Rub rub;
+    if (world_->model.spin && first.is_side) {
+        rub = rub_on_side(ball, first, velocity, along);
+        if (is_braced(ball, first, velocity, rub, along + rub.acceleration)) return;
+        along += rub.acceleration;
+        spins_[ball] = rub.turn;
+    }
     const bool is_still = velocity == Vector<Real>{} && along == Vector<Real>{};
     if (!first.is_side && !is_still) {
         const Real circle = length(path.position - first.center);
@@ -203,6 +224,7 @@ template <typename Real>
 void EventEngine<Real>::end_own(std::uint32_t ball) {
     const EventPath<Real> before = paths_[ball];
     const BallState<Real> state = state_at(before, field_, now_);
+    if (world_->model.spin) end_spin(ball);
     start_path(ball, now_, state.position, state.velocity);
     if (before.motion == Motion::resting && bearing_two(supports_of(ball, true))) {
         // Tired, and what it touches carries it, though that may not have come to rest: on it lies.
@@ -268,6 +290,7 @@ void EventEngine<Real>::lie_down_if_tired(std::uint32_t ball) {
     path.motion = Motion::resting;
     path.velocity = path.acceleration = {};
     path.support = path.second_support = {};
+    if (world_->model.spin) spins_[ball] = {now_, Real{}, Real{}, false};
     path.quick = most_tiring / 4 * 3;
 }
 

@@ -13,6 +13,7 @@ std::uint32_t EventEngine<Real>::body_of(std::uint32_t ball) {
     const BallState<Real> state = state_at(path, field_, now_);
     bodies_.push_back({ball, state.position, false, false, path.motion == Motion::resting});
     impact_bodies_.push_back({state.velocity, inverse_mass_[ball]});
+    if (world_->model.spin) body_spins_.push_back(spin_at(ball, now_));
     body_of_ball_[ball] = body;
     return body;
 }
@@ -87,11 +88,12 @@ void EventEngine<Real>::add_hand_touch(std::uint32_t body, const Hand& hand, boo
     touch.gap = contact.gap;
     touch.contact.a = body;
     touch.contact.normal = contact.normal;
-    if (now_ < hand.edge.stop)
-        touch.contact.surface =
-            dot(contact.normal,
-                hand.edge.start_velocity +
-                    (hand.edge.end_velocity - hand.edge.start_velocity) * contact.place);
+    if (now_ < hand.edge.stop) {
+        touch.surface_velocity =
+            hand.edge.start_velocity +
+            (hand.edge.end_velocity - hand.edge.start_velocity) * contact.place;
+        touch.contact.surface = dot(contact.normal, touch.surface_velocity);
+    }
     touches_.push_back(touch);
 }
 

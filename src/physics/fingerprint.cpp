@@ -83,6 +83,12 @@ std::uint64_t fingerprint(const World& world) {
         hash.add(std::uint64_t{path.quick});
         hash.add(static_cast<std::uint64_t>(path.motion));
     }
+    for (const SpinPath& path : world.spin_paths) {
+        hash.add(path.time);
+        hash.add(path.spin);
+        hash.add(path.rate);
+        hash.add(std::uint64_t{path.rolls});
+    }
     for (const PressedPair& pair : world.pressed) {
         hash.add(std::uint64_t{number(pair.ball)});
         hash.add(std::uint64_t{pair.other});

@@ -82,7 +82,10 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     emit(world);
     drive_flippers(world);
     state.touched.assign(world.balls.size(), 0);
-    if (state.settings.kind != SolverKind::event) world.paths.clear();
+    if (state.settings.kind != SolverKind::event) {
+        world.paths.clear();
+        world.spin_paths.clear();
+    }
     if (state.settings.kind != SolverKind::contact) world.pressed.clear();
     TickOutcome outcome = TickOutcome::done;
     switch (state.settings.kind) {

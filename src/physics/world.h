@@ -171,6 +171,16 @@ struct PressedPair {
     friend bool operator==(const PressedPair&, const PressedPair&) = default;
 };
 
+/// How a ball on a BallPath turns: with `spin` at `time`, changing at `rate` since.
+struct SpinPath {
+    double time = 0.0;   ///< s since the start
+    double spin = 0.0;   ///< rad/s, counter-clockwise
+    double rate = 0.0;   ///< rad/s^2
+    bool rolls = false;  ///< along the side of an edge, without slip
+
+    friend bool operator==(const SpinPath&, const SpinPath&) = default;
+};
+
 /// A ball that is no longer there.
 struct Removal {
     BallId id{};
@@ -206,6 +216,7 @@ struct World {
     /// only while it leads through the ball's position and velocity, bit by bit, so what moves a
     /// ball from outside need not know of it.
     std::vector<BallPath> paths;
+    std::vector<SpinPath> spin_paths;  ///< beside `paths`; empty unless Model::spin
     Vec2 paths_gravity;       ///< what acted on `paths`: another field, and they count no more
     double paths_drag = 0.0;  ///< 1/s
 
