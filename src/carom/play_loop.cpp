@@ -60,11 +60,15 @@ void PlayLoop::turn() {
     const bool is_stalled = pacing_.is_stalled(now);
     const double passed = is_stalled ? 0.0 : std::min(now - last_, longest_gap);
     last_ = now;
-    const bool is_beside = is_heavy();
+    const bool is_running = program_.seconds_to_change(now) <= 0.0;
+    const bool is_beside = is_running && is_heavy();
     // Where ticks take longer than a frame, what a key has done is shown before them.
-    const bool is_answer = !is_beside && input_came_ && ticks_took_ > frame_;
+    const bool is_answer = is_running && !is_beside && input_came_ && ticks_took_ > frame_;
     if (is_answer) ticks_took_ = 0.0;
-    if (!is_beside && !is_answer) advance(passed, now, now + share_of_ticks * frame_);
+    if (!is_beside && !is_answer) {
+        const double took = advance(passed, now);
+        if (is_running) ticks_took_ = took;
+    }
     std::vector<InputEvent> events = take_seen();
 
     const double drawing = seconds_now();
@@ -76,7 +80,7 @@ void PlayLoop::turn() {
     if (is_beside) advance_beside(passed, now);
     if (canvas) show(*canvas, drawing);
     screen_.set_mouse(mouse_mode(wishes));
-    if (is_beside) listen(events);
+    if (is_beside) listen(is_late && input_came_, events);
 
     wait(is_late, events);
     handle(std::move(events));
@@ -87,10 +91,11 @@ bool PlayLoop::is_heavy() const {
     return has_second_core && worker_.is_there() && program_.is_playing() && ticks_took_ > heavy;
 }
 
-void PlayLoop::advance(double passed, double now, double due) {
+double PlayLoop::advance(double passed, double now) {
     const double start = seconds_now();
+    const double due = now + share_of_ticks * frame_;
     program_.advance(passed, now, [due] { return seconds_now() < due; });
-    ticks_took_ = seconds_now() - start;
+    return seconds_now() - start;
 }
 
 void PlayLoop::advance_beside(double passed, double now) {
@@ -108,15 +113,20 @@ void PlayLoop::advance_beside(double passed, double now) {
     });
 }
 
-// Until the ticks that are computed beside have come to their end.
-void PlayLoop::listen(std::vector<InputEvent>& events) {
+// Until the ticks that are computed beside have come to their end. `owes_picture`: one that shows
+// what a key did had to wait for the terminal; ticks are given up for it too, once it need not.
+void PlayLoop::listen(bool owes_picture, std::vector<InputEvent>& events) {
     while (!worker_.is_done() && !gives_up_) {
-        for (const InputEvent& event : screen_.wait(longest_wait, worker_.handle())) {
+        double seconds = longest_wait;
+        if (owes_picture) seconds = pacing_.seconds_to_frame(seconds_now(), true);
+        for (const InputEvent& event : screen_.wait(seconds, worker_.handle())) {
             is_awaited_ = true;
             if (program_.ends_tick(event)) gives_up_ = true;
             events.push_back(event);
         }
-        pacing_.answered(screen_.frames_answered(), seconds_now());
+        const double now = seconds_now();
+        pacing_.answered(screen_.frames_answered(), now);
+        if (owes_picture && pacing_.may_draw(now, true)) gives_up_ = true;
     }
     worker_.finish();
     is_beside_ = false;

@@ -34,9 +34,9 @@ class PlayLoop {
 
   private:
     void turn();
-    void advance(double passed, double now, double due);
+    double advance(double passed, double now);
     void advance_beside(double passed, double now);
-    void listen(std::vector<InputEvent>& events);
+    void listen(bool owes_picture, std::vector<InputEvent>& events);
     bool is_heavy() const;
     bool may_tick_go_on();
     void look_for_input();
@@ -53,7 +53,7 @@ class PlayLoop {
     double frame_;  ///< s from one to the next
     double last_ = 0.0;
     bool input_came_ = true;   ///< and has not been shown
-    double ticks_took_ = 0.0;  ///< the last time, s
+    double ticks_took_ = 0.0;  ///< when the game last ran, s
 
     // Input that is seen while a tick is computed in this thread.
     double next_look_ = 0.0;

@@ -56,6 +56,8 @@ TEST_CASE("a heavy game obeys keys, the mouse, new sizes and the end, whatever i
         game.send(i % 2 == 0 ? "c" : "+");
         game.settle(0.02);
     }
+    // A key that does nothing, and a click on nothing, hold no tick up.
+    game.send("@" + mouse_press(1, 1, 1) + mouse_release(1, 1, 1));
     game.resize(100, 30);
     const int now = tick_of(game.screen());
     CHECK(game.wait_until([&] { return tick_of(game.screen()) > now + 10; }, 60.0));
