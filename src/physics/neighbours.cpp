@@ -6,7 +6,7 @@
 
 namespace carom {
 
-bool is_overlap(const World& world, const EdgePair& pair, double margin) {
+bool overlaps_edge(const World& world, const EdgePair& pair, const Disc& disc) {
     Capsule shape = world.capsules.shape[pair.capsule];
     if (world.model.wrap) {
         const Vec2 torus = size(*world.model.wrap);
@@ -14,31 +14,41 @@ bool is_overlap(const World& world, const EdgePair& pair, double margin) {
         shape.start += shift;
         shape.end += shift;
     }
-    const Vec2 position = world.balls.position[pair.ball];
-    const Vec2 offset = position - closest_point(shape.start, shape.end, position);
-    const double reach = world.balls.radius[pair.ball] + shape.radius + margin;
+    const Vec2 offset = disc.center - closest_point(shape.start, shape.end, disc.center);
+    const double reach = disc.radius + shape.radius;
     return length_squared(offset) < reach * reach;
 }
 
 void Neighbours::look(const World& world, double margin) {
     const Balls& balls = world.balls;
     margin_ = margin;
-    torus_ = world.model.wrap ? size(*world.model.wrap) : Vec2{};
     reference_.clear();
     radius_.clear();
     if (margin > 0.0) {
         reference_ = balls.position;
         radius_ = balls.radius;
     }
-    grid_.build(balls.position, balls.radius, margin, world.model.wrap);
+    note(world, balls.position, balls.radius);
+}
+
+void Neighbours::look(const World& world, std::span<const Vec2> centers,
+                      std::span<const double> radii) {
+    margin_ = 0.0;
+    note(world, centers, radii);
+}
+
+void Neighbours::note(const World& world, std::span<const Vec2> centers,
+                      std::span<const double> radii) {
+    torus_ = world.model.wrap ? size(*world.model.wrap) : Vec2{};
+    grid_.build(centers, radii, margin_, world.model.wrap);
     found_.clear();
     if (world.model.ball_ball)
         grid_.for_each_pair([&](std::uint32_t a, std::uint32_t b) {
             found_.push_back({std::min(a, b), std::max(a, b)});
         });
     others_start_.clear();
-    sort_pairs(balls.size());
-    look_for_edges(world);
+    sort_pairs(centers.size());
+    look_for_edges(world, centers, radii);
 }
 
 // By the first ball, counting; then the few of each by the second.
@@ -61,20 +71,22 @@ void Neighbours::sort_pairs(std::size_t balls) {
     }
 }
 
-void Neighbours::look_for_edges(const World& world) {
+void Neighbours::look_for_edges(const World& world, std::span<const Vec2> centers,
+                                std::span<const double> radii) {
     edges_.clear();
     cells_of_edges_.resize(world.model.ball_edge ? grid_.levels() : 0);
     for (std::size_t level = 0; level < cells_of_edges_.size(); ++level) {
         const CellFrame& frame = grid_.frame(level);
         CapsuleCells& cells = cells_of_edges_[level];
-        cells.update(world, frame, grid_.largest(level));
+        cells.update(world, frame, 1.25 * grid_.largest(level));
         for (const std::uint32_t cell : cells.occupied()) {
             const int column = static_cast<int>(cell % static_cast<std::uint32_t>(frame.columns));
             const int row = static_cast<int>(cell / static_cast<std::uint32_t>(frame.columns));
             grid_.for_each_in_cell(level, column, row, [&](std::uint32_t ball) {
                 for (const CapsuleEntry entry : cells.in_cell(cell)) {
                     const EdgePair pair{ball, entry.index, entry.along, entry.across};
-                    if (is_overlap(world, pair, margin_)) edges_.push_back(pair);
+                    const double reach = radii[ball] + edge_margin(radii[ball]);
+                    if (overlaps_edge(world, pair, {centers[ball], reach})) edges_.push_back(pair);
                 }
             });
         }

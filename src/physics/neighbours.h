@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <compare>
 #include <cstdint>
 #include <span>
@@ -33,12 +34,16 @@ struct EdgePair {
 /// What `look` found stays good until some ball has gone further than the margin from where it was
 /// then, so that several steps can share it. Lists are in ascending order. Filters of who meets
 /// whom, and hands, are the caller's business; held capsules are left out.
+///
+/// All is measured from surface to surface.
 class Neighbours {
   public:
-    /// Notes all pairs of bodies that are nearer to one another than twice `margin` (ball and ball)
-    /// or `margin` (ball and edge), margin >= 0, measured from surface to surface. Margin 0: those
-    /// that overlap.
+    /// Notes all pairs of balls that are nearer to one another than twice `margin`, and all balls
+    /// that are nearer to an edge than `edge_margin`. Pre: margin >= 0.
     void look(const World& world, double margin);
+    /// The same for discs that stand for the balls, as those around their paths do: they have these
+    /// centres and radii, by ball. Margin 0.
+    void look(const World& world, std::span<const Vec2> centers, std::span<const double> radii);
 
     /// Whether every two bodies that overlap now are among those noted: same balls, and none has
     /// gone further than the margin. With margin 0: false.
@@ -46,7 +51,9 @@ class Neighbours {
     /// The same for a single ball, which is now at `position`.
     bool covers(std::uint32_t ball, Vec2 position) const;
 
-    double margin() const { return margin_; }
+    /// A quarter of the radius, or the margin if that is more: what is pushed in a step seldom
+    /// goes further.
+    double edge_margin(double radius) const { return std::max(margin_, 0.25 * radius); }
     std::span<const BallPair> pairs() const { return pairs_; }
     std::span<const EdgePair> edges() const { return edges_; }
 
@@ -74,7 +81,9 @@ class Neighbours {
 
   private:
     void sort_pairs(std::size_t balls);
-    void look_for_edges(const World& world);
+    void note(const World& world, std::span<const Vec2> centers, std::span<const double> radii);
+    void look_for_edges(const World& world, std::span<const Vec2> centers,
+                        std::span<const double> radii);
 
     double margin_ = 0.0;
     Vec2 torus_;
@@ -90,7 +99,7 @@ class Neighbours {
     std::vector<std::uint32_t> others_;
 };
 
-/// Whether the ball overlaps the edge.
-bool is_overlap(const World& world, const EdgePair& pair, double margin = 0.0);
+/// Whether `disc` overlaps the edge of the pair, whatever its ball.
+bool overlaps_edge(const World& world, const EdgePair& pair, const Disc& disc);
 
 }  // namespace carom

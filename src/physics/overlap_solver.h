@@ -1,22 +1,28 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "physics/capsule_cells.h"
+#include "physics/cloth.h"
 #include "physics/contact.h"
+#include "physics/flight.h"
+#include "physics/neighbours.h"
 #include "physics/solver.h"
 #include "physics/terms.h"
 
 /// The solvers `discrete` and `substep`: move, push overlaps apart, exchange momentum.
 ///
 /// A tick is cut into `updates`, an update into at most `steps`. In a step every ball that has time
-/// left moves for all of it; overlaps are then parted, each pair once, by half of the depth each
-/// (an edge or a held ball does not give way); a ball whose way was cut short keeps the rest of its
-/// time for the next step, time spent = time * distance covered / distance intended, and gives
-/// gravity back what it took for that rest. Momentum is exchanged when all overlaps are parted,
-/// along the normals as they are then, and only by pairs that approach; friction follows each
-/// exchange, with its impulse. `discrete` is one update of
-/// one step.
+/// left moves for all of it. Then the balls that overlap are parted, each pair once, in the order
+/// of their numbers, by half of the depth each (a held ball does not give way); then the balls that
+/// overlap edges are pushed out of them. A ball whose way was cut short keeps the rest of its time
+/// for the next step, time spent = time * distance covered / distance intended, and gives gravity
+/// back what it took for that rest. Momentum is exchanged when all overlaps are parted, along the
+/// normals as they are then, and only by pairs that approach; friction follows each exchange, with
+/// its impulse. `discrete` is one update of one step.
+///
+/// Which balls overlap is settled when all have moved and before any is pushed; which overlap edges
+/// when the balls are parted. So the result is a matter of positions and numbers, not of cells.
 ///
 /// Fails by nature: what moves further than its size in a step passes through what is thin or
 /// small; a row of touching balls is parted only pair by pair; under gravity pushing apart changes
@@ -30,14 +36,26 @@ class OverlapSolver {
     void tick(World& world, int updates, int steps, std::vector<Contact>& contacts,
               std::vector<std::uint8_t>& touched);
 
-    const CellFrame& cells() const { return cells_.frame(); }
+    /// Those of the smallest balls.
+    const CellFrame& cells() const { return neighbours_.grid().finest(); }
 
   private:
+    // The way out for two bodies with the same centre: any way will do, but always the same.
+    static constexpr Vec2 when_coincident{1.0, 0.0};
+
     struct Pair {
         std::uint32_t ball = 0;
         std::uint32_t other = 0;
         ContactKind kind = ContactKind::ball_ball;
         Vec2 shift;  // of the capsule's image
+    };
+
+    // A ball that was pushed in this step: where the step began for it, and the length of the way
+    // that it would have gone.
+    struct Pushed {
+        std::uint32_t ball = 0;
+        double intended = 0.0;
+        Vec2 origin;
     };
 
     struct HandWay {
@@ -49,32 +67,51 @@ class OverlapSolver {
     void update(World& world, double duration, int steps, double end_time,
                 std::vector<Contact>& contacts);
     template <Terms terms>
-    void move(World& world, int step);
-    Vec2 move_on_cloth(World& world, std::uint32_t ball);
+    Vec2 move(World& world, std::uint32_t ball, const Flight& flight);
+    Vec2 move_on_cloth(World& world, std::uint32_t ball, double duration);
     template <Terms terms>
-    void part_overlaps(World& world, bool all_active);
+    void move_all(World& world, double duration);
     template <Terms terms>
-    void push_out_of_edge(World& world, std::uint32_t ball, std::uint32_t capsule, Vec2 shift);
+    void move_active(World& world);
     template <Terms terms>
+    void part_all(World& world);
+    template <Terms terms>
+    void part_active(World& world);
+    template <Terms terms>
+    void part(World& world, std::uint32_t i, std::uint32_t j);
+    template <Terms terms>
+    void push_out_of_edges(World& world);
+    bool knows_edges(const World& world, const Pushed& pushed) const;
+    template <Terms terms>
+    void push_out_of_edge(World& world, const EdgePair& pair);
     void exchange_momentum(World& world, double time, std::vector<Contact>& contacts);
-    void keep_time(World& world);
+    template <Terms terms>
+    void bounce_pairs(World& world, double time, std::vector<Contact>& contacts);
+    void note_push(const World& world, std::uint32_t ball);
+    void keep_time(World& world, double duration);
+    void end_step(const World& world);
     void move_hands(World& world, double share, double duration);
     bool is_driven(const World& world, std::uint32_t capsule) const;
     Vec2 hand_velocity(const World& world, std::uint32_t capsule, Vec2 point) const;
 
-    PointCells cells_;
-    CapsuleCells edges_;
-    std::vector<std::uint32_t> active_;
+    Neighbours neighbours_;
+    double margin_ = 0.0;
+    bool keeps_time_ = false;            // there is more than one step
+    bool is_first_step_ = false;         // every ball is active
+    bool has_strayed_ = false;           // a ball went further than the neighbours cover
+    std::vector<std::uint32_t> active_;  // ascending; empty in the first step
     std::vector<std::uint8_t> is_active_;
-    std::vector<std::uint8_t> is_touched_;    // in this step
-    std::vector<double> left_;                // s of the update, by ball
-    std::vector<Vec2> origin_;                // where the step began
-    std::vector<double> intended_;            // length of the way it would have gone
+    std::vector<std::uint8_t> is_pushed_;
+    std::vector<double> left_;              // s of the update, by ball; of the active ones
+    std::vector<Vec2> way_;                 // in this step, by ball
+    std::span<const double> inverse_mass_;  // 0 where a hand holds the ball
+    std::vector<double> with_held_balls_;
     std::vector<ClothState<double>> before_;  // the step, on cloth
     std::vector<HandWay> hands_;              // by World::held_capsules
-    std::vector<double> inverse_mass_;        // 0 where a hand holds the ball
+    std::vector<BallPair> overlapping_;
+    std::vector<EdgePair> at_edge_;
     std::vector<Pair> pairs_;
-    std::vector<std::uint32_t> moved_;
+    std::vector<Pushed> pushed_;
 };
 
 }  // namespace carom

@@ -41,16 +41,22 @@ std::vector<BallPair> pairs_nearer_than(const World& world, double gap) {
     return pairs;
 }
 
-std::vector<EdgePair> edges_nearer_than(const World& world, double gap) {
+std::vector<EdgePair> edges_nearer_than(const World& world, const auto& gap_of) {
     std::vector<EdgePair> pairs;
     const std::int8_t tori = world.model.wrap ? 1 : 0;
     for (std::uint32_t i = 0; i < world.balls.size(); ++i)
         for (std::uint32_t c = 0; c < world.capsules.size(); ++c)
             for (std::int8_t along = -tori; along <= tori; ++along)
                 for (std::int8_t across = -tori; across <= tori; ++across)
-                    if (is_overlap(world, {i, c, along, across}, gap))
+                    if (overlaps_edge(world, {i, c, along, across},
+                                      {world.balls.position[i],
+                                       world.balls.radius[i] + gap_of(world.balls.radius[i])}))
                         pairs.push_back({i, c, along, across});
     return pairs;
+}
+
+std::vector<EdgePair> edges_overlapping(const World& world) {
+    return edges_nearer_than(world, [](double) { return 0.0; });
 }
 
 template <typename T>
@@ -67,7 +73,9 @@ TEST_CASE("neighbours are all pairs within the margin, in ascending order") {
         for (const double margin : {0.0, 0.3}) {
             neighbours.look(world, margin);
             CHECK(list(neighbours.pairs()) == pairs_nearer_than(world, 2.0 * margin));
-            CHECK(list(neighbours.edges()) == edges_nearer_than(world, margin));
+            CHECK(list(neighbours.edges()) == edges_nearer_than(world, [&](double radius) {
+                      return neighbours.edge_margin(radius);
+                  }));
             CHECK(neighbours.edges().size() > 20);
         }
     }
@@ -106,7 +114,7 @@ TEST_CASE("neighbours cover what overlaps until a ball has gone further than the
         CHECK(neighbours.cover(world));
         for (const BallPair& pair : pairs_nearer_than(world, 0.0))
             CHECK(std::ranges::binary_search(neighbours.pairs(), pair));
-        for (const EdgePair& pair : edges_nearer_than(world, 0.0))
+        for (const EdgePair& pair : edges_overlapping(world))
             CHECK(std::ranges::binary_search(neighbours.edges(), pair));
         world.balls.position[200].y += 0.6;
         CHECK_FALSE(neighbours.covers(200, world.balls.position[200]));
@@ -131,6 +139,20 @@ TEST_CASE("neighbours of other balls, or of another torus, cover nothing") {
     CHECK_FALSE(neighbours.cover(world));
 }
 
+TEST_CASE("neighbours of discs that stand for the balls") {
+    const World world = gas_with_edges(false);
+    World swollen = world;
+    for (std::uint64_t i = 0; i < world.balls.size(); ++i) {
+        swollen.balls.position[i] += {draw(-2, 2, i, 10), draw(-2, 2, i, 11)};
+        swollen.balls.radius[i] *= 1.7;
+    }
+    Neighbours neighbours;
+    neighbours.look(world, swollen.balls.position, swollen.balls.radius);
+    CHECK(list(neighbours.pairs()) == pairs_nearer_than(swollen, 0.0));
+    for (const EdgePair& pair : edges_overlapping(swollen))
+        CHECK(std::ranges::binary_search(neighbours.edges(), pair));
+}
+
 TEST_CASE("a ball that strayed is told the edges where it is now") {
     const World world = gas_with_edges(true);
     Neighbours neighbours;
@@ -144,7 +166,7 @@ TEST_CASE("a ball that strayed is told the edges where it is now") {
         std::vector<EdgePair> told;
         neighbours.for_each_edge_at(ball, position,
                                     [&](const EdgePair& pair) { told.push_back(pair); });
-        for (const EdgePair& pair : edges_nearer_than(strayed, 0.0))
+        for (const EdgePair& pair : edges_overlapping(strayed))
             if (pair.ball == ball) CHECK(std::ranges::find(told, pair) != told.end());
     }
 }
