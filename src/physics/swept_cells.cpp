@@ -13,17 +13,19 @@ void SweptCells::reset(const CellFrame& frame, std::size_t balls) {
     round_ = 0;
 }
 
+SweptCells::Range SweptCells::range_of(const Box& box) const {
+    if (!frame_.wraps)
+        return {frame_.column(box.low.x), frame_.column(box.high.x), frame_.row(box.low.y),
+                frame_.row(box.high.y)};
+    Range range{frame_.column_unbounded(box.low.x), frame_.column_unbounded(box.high.x),
+                frame_.row_unbounded(box.low.y), frame_.row_unbounded(box.high.y)};
+    range.high_column = std::min(range.high_column, range.low_column + frame_.columns);
+    range.high_row = std::min(range.high_row, range.low_row + frame_.rows);
+    return range;
+}
+
 void SweptCells::enter(std::uint32_t index, const Box& box) {
-    Range now;
-    if (frame_.wraps) {
-        now = {frame_.column_unbounded(box.low.x), frame_.column_unbounded(box.high.x),
-               frame_.row_unbounded(box.low.y), frame_.row_unbounded(box.high.y)};
-        now.high_column = std::min(now.high_column, now.low_column + frame_.columns);
-        now.high_row = std::min(now.high_row, now.low_row + frame_.rows);
-    } else {
-        now = {frame_.column(box.low.x), frame_.column(box.high.x), frame_.row(box.low.y),
-               frame_.row(box.high.y)};
-    }
+    const Range now = range_of(box);
     const Range old = ranges_[index];
     ranges_[index] = now;
     const auto was_there = [&](int column, int row) {

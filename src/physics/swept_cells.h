@@ -5,11 +5,13 @@
 
 #include "physics/cell_frame.h"
 
-/// The broad phase of moving discs: each enters every cell that its path can touch.
+/// The broad phase of discs that change their paths: each enters every cell that its path can
+/// touch.
 namespace carom {
 
 class SweptCells {
   public:
+    /// Empty cells, for so many balls.
     void reset(const CellFrame& frame, std::size_t balls);
 
     const CellFrame& frame() const { return frame_; }
@@ -17,32 +19,25 @@ class SweptCells {
     /// Ball `index` may be anywhere in `box` until further notice.
     void enter(std::uint32_t index, const Box& box);
 
-    /// Calls visit(other) for each ball that shares a cell with `index`, each once; `index` itself
-    /// not.
+    /// Calls visit(other) for each ball that has entered a cell of `box`, each once.
     template <typename Visit>
-    void for_each_sharing(std::uint32_t index, Visit&& visit) {
+    void for_each_in(const Box& box, Visit&& visit) {
         ++round_;
-        seen_[index] = round_;
-        const Range& range = ranges_[index];
-        for (int row = range.low_row; row <= range.high_row; ++row) {
-            for (int column = range.low_column; column <= range.high_column; ++column) {
-                const std::uint32_t cell = frame_.index(frame_.bounded(column, frame_.columns),
-                                                        frame_.bounded(row, frame_.rows));
-                for (std::uint32_t at = head_[cell]; at != none; at = entries_[at].next) {
-                    const std::uint32_t other = entries_[at].ball;
-                    if (seen_[other] == round_) continue;
-                    seen_[other] = round_;
-                    visit(other);
-                }
+        for_each_cell(box, [&](std::uint32_t cell, int, int) {
+            for (std::uint32_t at = head_[cell]; at != none; at = entries_[at].next) {
+                const std::uint32_t other = entries_[at].ball;
+                if (seen_[other] == round_) continue;
+                seen_[other] = round_;
+                visit(other);
             }
-        }
+        });
     }
 
-    /// Calls visit(cell, tori across, tori along) for each cell of the ball's range; the tori are
-    /// those that the unwrapped path has left behind (0 without a torus).
+    /// Calls visit(cell, tori across, tori along) for each cell of `box`; the tori are those that
+    /// an unwrapped path in the box has left behind (0 without a torus).
     template <typename Visit>
-    void for_each_cell(std::uint32_t index, Visit&& visit) const {
-        const Range& range = ranges_[index];
+    void for_each_cell(const Box& box, Visit&& visit) const {
+        const Range range = range_of(box);
         for (int row = range.low_row; row <= range.high_row; ++row) {
             const int y = frame_.bounded(row, frame_.rows);
             for (int column = range.low_column; column <= range.high_column; ++column) {
@@ -65,6 +60,8 @@ class SweptCells {
         std::uint32_t ball = 0;
         std::uint32_t next = none;
     };
+
+    Range range_of(const Box& box) const;
 
     CellFrame frame_;
     std::vector<Range> ranges_;

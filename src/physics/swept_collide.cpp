@@ -5,7 +5,7 @@
 #include "physics/bounce.h"
 #include "physics/swept_solver.h"
 
-// What the solver `swept` does at an impact; finding impacts is in swept_solver.cpp.
+// What the solver `swept` does at an impact; finding impacts is in swept_predict.cpp.
 namespace carom {
 namespace {
 
@@ -62,9 +62,7 @@ void SweptSolver::take_path(const World& world, std::uint32_t ball, double now, 
                         ? path.start_velocity
                         : chord(world, ball, velocity, path.gravity, now);
     ++path.version;
-    const Vec2 to = path.position + path.velocity * (duration_ - now);
-    cells_.enter(ball,
-                 grow(join({path.position, path.position}, {to, to}), world.balls.radius[ball]));
+    cells_.enter(ball, box_of_path(world, ball, now));
 }
 
 void SweptSolver::count_impact(std::uint32_t ball, bool resting) {

@@ -9,6 +9,7 @@
 #include "physics/cloth.h"
 #include "physics/contact.h"
 #include "physics/flight.h"
+#include "physics/neighbours.h"
 #include "physics/swept_cells.h"
 #include "physics/terms.h"
 
@@ -69,7 +70,7 @@ class SweptSolver {
     void tick(World& world, int substeps, std::vector<Contact>& contacts,
               std::vector<std::uint8_t>& touched);
 
-    const CellFrame& cells() const { return cells_.frame(); }
+    const CellFrame& cells() const { return neighbours_.grid().finest(); }
 
   private:
     /// A ball in the substep: at `position` at `time`, since then along the chord at `velocity`.
@@ -107,13 +108,21 @@ class SweptSolver {
         std::uint32_t version = 0;  ///< 1 once it has stopped
     };
 
+    void move_along_paths(World& world, double start_time, std::vector<Contact>& contacts,
+                          std::vector<std::uint8_t>& touched);
     template <Terms terms>
-    void substep(World& world, double duration, double start_time, std::vector<Contact>& contacts,
+    void substep(World& world, double start_time, std::vector<Contact>& contacts,
                  std::vector<std::uint8_t>& touched);
     void begin_paths(World& world, double share_of_way);
     void finish_paths(World& world);
+    void look_around_paths(const World& world);
+    template <Terms terms>
+    void predict_all_at_start(const World& world);
     template <Terms terms>
     void predict(const World& world, std::uint32_t ball, double now, bool only_later);
+    template <Terms terms>
+    void predict_ball(const World& world, std::uint32_t ball, std::uint32_t other, double now,
+                      std::optional<Event>& best) const;
     template <Terms terms>
     void predict_edge(const World& world, std::uint32_t ball, std::uint32_t capsule, Vec2 shift,
                       double now, std::optional<Event>& best) const;
@@ -142,6 +151,8 @@ class SweptSolver {
                    Vec2& velocity);
     Vec2 surface_velocity(const World& world, std::uint32_t capsule, Vec2 point, double now) const;
     Vec2 position_at(std::uint32_t ball, double now) const;
+    Disc around_path(const World& world, std::uint32_t ball, double now) const;
+    Box box_of_path(const World& world, std::uint32_t ball, double now) const;
     Capsule shape_at(const World& world, std::uint32_t capsule, double now) const;
     const Hand* hand_of(std::uint32_t capsule) const;
     bool is_void(const Event& event) const;
@@ -160,8 +171,13 @@ class SweptSolver {
     bool slides_first_ = false;  ///< on cloth a ball stops sliding before it lies still
     bool hand_stopped_ = false;  ///< in the last collision: every prediction must be made again
     std::vector<Event> queue_;
-    SweptCells cells_;
-    CapsuleCells edges_;
+    // Who is near whom at the start of the substep: as discs around the paths (on a torus, of the
+    // image that lies in it).
+    std::vector<Vec2> centers_;
+    std::vector<double> reaches_;
+    Neighbours neighbours_;
+    SweptCells cells_;    ///< of the balls that have changed their paths since
+    CapsuleCells edges_;  ///< in the same cells
 };
 
 }  // namespace carom

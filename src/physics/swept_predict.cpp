@@ -1,0 +1,243 @@
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "geometry/closest.h"
+#include "physics/bounce.h"
+#include "physics/swept_solver.h"
+
+// The impacts of a substep of the solver `swept`, found one after the other; what happens at one is
+// in swept_collide.cpp.
+namespace carom {
+namespace {
+
+// Whether two bodies that touch approach by no more than rounding. What gravity gives counts: where
+// supports take nearly all of it, the rest has the rounding of the whole.
+bool is_noise(double time, Vec2 normal, Vec2 velocity, Vec2 other, double fall) {
+    if (time > 0.0) return false;
+    return -dot(velocity - other, normal) <
+           SweptSolver::noise * (length(velocity) + length(other) + fall);
+}
+
+constexpr std::uint32_t nobody = 0xffffffffu;
+
+// A little more, of a few binary digits, so that it seldom changes.
+double rounded_up(double value) {
+    int exponent = 0;
+    const double fraction = std::frexp(value, &exponent);
+    return std::ldexp(std::ceil(fraction * 16.0) / 16.0, exponent);
+}
+
+}  // namespace
+
+// Whether the other body has changed its path since the prediction.
+bool SweptSolver::is_void(const Event& event) const {
+    if (event.kind == ContactKind::ball_ball)
+        return event.other_version != paths_[event.other].version;
+    const Hand* hand = hand_of(event.other);
+    return hand && hand->version != event.other_version;
+}
+
+bool SweptSolver::is_earlier(const Event& a, const Event& b) {
+    const auto key = [](const Event& e) {
+        const bool on_ball = e.kind == ContactKind::ball_ball;
+        return std::tuple(e.time, e.kind, on_ball ? std::min(e.ball, e.other) : e.ball,
+                          on_ball ? std::max(e.ball, e.other) : e.other, e.ball);
+    };
+    if (a.time != b.time) return a.time < b.time;
+    return key(a) < key(b);
+}
+
+void SweptSolver::push(const Event& event) {
+    queue_.push_back(event);
+    std::push_heap(queue_.begin(), queue_.end(),
+                   [](const Event& a, const Event& b) { return is_earlier(b, a); });
+}
+
+void SweptSolver::look_around_paths(const World& world) {
+    const std::size_t count = world.balls.size();
+    centers_.resize(count);
+    reaches_.resize(count);
+    double extent = 0.0;  // of a typical path; a few very fast balls must not make all cells large
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Disc disc = around_path(world, i, 0.0);
+        centers_[i] = world.model.wrap ? wrapped(disc.center, *world.model.wrap) : disc.center;
+        reaches_[i] = disc.radius;
+        extent += std::min(2.0 * disc.radius, 10.0 * world.balls.radius[i]);
+    }
+    neighbours_.look(world, centers_, reaches_);
+    const CellFrame frame =
+        frame_around(world, count == 0 ? 1.0 : rounded_up(extent / static_cast<double>(count)));
+    cells_.reset(frame, count);
+    if (world.model.ball_edge) edges_.update(world, frame, 0.0);
+}
+
+// Of each pair only the lower number predicts the impact.
+template <Terms terms>
+void SweptSolver::predict_all_at_start(const World& world) {
+    const auto pairs = neighbours_.pairs();
+    const auto edges = neighbours_.edges();
+    auto pair = pairs.begin();
+    auto edge = edges.begin();
+    const bool has_hands = terms.special() && world.model.ball_edge && !hands_.empty();
+    for (std::uint32_t i = 0; i < world.balls.size(); ++i) {
+        if (!has_hands) {  // on to the next that is near anything
+            const std::uint32_t next = std::min(pair != pairs.end() ? pair->first : nobody,
+                                                edge != edges.end() ? edge->ball : nobody);
+            if (next == nobody) break;
+            i = next;
+        }
+        std::optional<Event> best;
+        for (; pair != pairs.end() && pair->first == i; ++pair)
+            predict_ball<terms>(world, i, pair->second, 0.0, best);
+        Vec2 left_behind;  // on a torus: from the image of the disc to the path
+        if (terms.wrap()) left_behind = around_path(world, i, 0.0).center - centers_[i];
+        for (; edge != edges.end() && edge->ball == i; ++edge) {
+            Vec2 shift{edge->across * torus_.x, edge->along * torus_.y};
+            if (terms.wrap())
+                shift = {(edge->across + std::floor(left_behind.x / torus_.x + 0.5)) * torus_.x,
+                         (edge->along + std::floor(left_behind.y / torus_.y + 0.5)) * torus_.y};
+            predict_edge<terms>(world, i, edge->capsule, shift, 0.0, best);
+        }
+        if (has_hands)
+            for (const Hand& hand : hands_)
+                predict_edge<terms>(world, i, hand.index, {}, 0.0, best);
+        if (best && best->time < duration_) push(*best);
+    }
+}
+
+// The first impact of a ball from now on, among all that its path comes near. The pair's other ball
+// predicts it too, so where all are predicted only the lower number does.
+template <Terms terms>
+void SweptSolver::predict(const World& world, std::uint32_t ball, double now, bool only_later) {
+    std::optional<Event> best;
+    const Box box = box_of_path(world, ball, now);
+    if (world.model.ball_ball) {
+        const auto meet = [&](std::uint32_t other) {
+            if (other == ball || (only_later && other < ball)) return;
+            predict_ball<terms>(world, ball, other, now, best);
+        };
+        const Disc disc = around_path(world, ball, now);
+        neighbours_.grid().for_each_near(disc.center, disc.radius, [&](std::uint32_t other) {
+            if (paths_[other].version == 0) meet(other);
+        });
+        cells_.for_each_in(box, meet);
+    }
+    if (world.model.ball_edge && !paths_[ball].still) {
+        cells_.for_each_cell(box, [&](std::uint32_t cell, int across, int along) {
+            for (const CapsuleEntry entry : edges_.in_cell(cell))
+                predict_edge<terms>(
+                    world, ball, entry.index,
+                    {(entry.across + across) * torus_.x, (entry.along + along) * torus_.y}, now,
+                    best);
+        });
+    }
+    if (terms.special() && world.model.ball_edge)
+        for (const Hand& hand : hands_)
+            predict_edge<terms>(world, ball, hand.index, {}, now, best);
+    if (best && best->time < duration_) push(*best);
+}
+
+template <Terms terms>
+void SweptSolver::predict_ball(const World& world, std::uint32_t ball, std::uint32_t other,
+                               double now, std::optional<Event>& best) const {
+    const Balls& balls = world.balls;
+    if (terms.special() && !kinds_meet(world, balls.kind[ball], balls.kind[other])) return;
+    if (terms.special() && is_held_ball(ball) && is_held_ball(other)) return;
+    const Path& path = paths_[ball];
+    const Path& theirs = paths_[other];
+    Vec2 offset = position_at(ball, now) - position_at(other, now);
+    if (terms.wrap()) offset = nearest_image(offset, torus_);
+    const auto impact =
+        first_impact(Disc{offset, balls.radius[ball]}, path.velocity - theirs.velocity,
+                     Disc{{}, balls.radius[other]}, duration_ - now);
+    if (!impact ||
+        is_noise(impact->time, impact->normal, path.velocity, theirs.velocity, resting_speed_))
+        return;
+    const Event event{now + impact->time, ContactKind::ball_ball, ball,          other,
+                      path.version,       theirs.version,         impact->normal};
+    if (!best || is_earlier(event, *best)) best = event;
+}
+
+template <Terms terms>
+void SweptSolver::predict_edge(const World& world, std::uint32_t ball, std::uint32_t capsule,
+                               Vec2 shift, double now, std::optional<Event>& best) const {
+    const Balls& balls = world.balls;
+    if (terms.special() &&
+        !kind_meets_material(world, balls.kind[ball], world.capsules.material[capsule]))
+        return;
+    const Path& path = paths_[ball];
+    const Disc disc{position_at(ball, now), balls.radius[ball]};
+    const double left = duration_ - now;
+    Capsule shape = world.capsules.shape[capsule];
+    const Hand* hand = terms.special() ? hand_of(capsule) : nullptr;
+    std::optional<Impact> impact;
+    if (hand) {
+        shape = shape_at(world, capsule, now);
+        const bool stopped = hand->stopped_at >= 0.0;
+        impact = stopped ? first_impact(disc, path.velocity, shape, left)
+                         : first_impact(disc, path.velocity, shape, hand->start_velocity,
+                                        hand->end_velocity, left);
+    } else {
+        if (terms.wrap()) {
+            shape.start += shift;
+            shape.end += shift;
+        }
+        impact = first_impact(disc, path.velocity, shape, left);
+    }
+    if (!impact ||
+        (!hand && is_noise(impact->time, impact->normal, path.velocity, {}, resting_speed_)))
+        return;
+    if (terms.special() && world.model.one_way) {
+        const Vec2 there = disc.center + path.velocity * impact->time;
+        if (!is_on_solid_side(shape, world.capsules.side[capsule], there)) return;
+    }
+    const Event event{now + impact->time, ContactKind::ball_edge,   ball,          capsule,
+                      path.version,       hand ? hand->version : 0, impact->normal};
+    if (!best || is_earlier(event, *best)) best = event;
+}
+
+template <Terms terms>
+void SweptSolver::substep(World& world, double start_time, std::vector<Contact>& contacts,
+                          std::vector<std::uint8_t>& touched) {
+    const auto count = static_cast<std::uint32_t>(world.balls.size());
+    look_around_paths(world);
+    queue_.clear();
+    predict_all_at_start<terms>(world);
+    while (!queue_.empty()) {
+        std::pop_heap(queue_.begin(), queue_.end(),
+                      [](const Event& a, const Event& b) { return is_earlier(b, a); });
+        const Event event = queue_.back();
+        queue_.pop_back();
+        if (event.ball_version != paths_[event.ball].version) continue;
+        if (is_void(event)) {
+            predict<terms>(world, event.ball, event.time, false);
+            continue;
+        }
+        const bool on_ball = event.kind == ContactKind::ball_ball;
+        const auto contact = on_ball ? collide_balls(world, event) : collide_edge(world, event);
+        touched[event.ball] = 1;
+        if (on_ball) touched[event.other] = 1;
+        if (contact) {
+            contacts.push_back(*contact);
+            contacts.back().time += start_time;
+        }
+        if (hand_stopped_) {
+            hand_stopped_ = false;
+            queue_.clear();
+            for (std::uint32_t i = 0; i < count; ++i)
+                predict<terms>(world, i, event.time, true);
+            continue;
+        }
+        predict<terms>(world, event.ball, event.time, false);
+        if (on_ball) predict<terms>(world, event.other, event.time, false);
+    }
+}
+
+void SweptSolver::move_along_paths(World& world, double start_time, std::vector<Contact>& contacts,
+                                   std::vector<std::uint8_t>& touched) {
+    with_terms(terms_of(world),
+               [&]<Terms terms>() { substep<terms>(world, start_time, contacts, touched); });
+}
+
+}  // namespace carom
