@@ -59,8 +59,10 @@ ContactSolver::State ContactSolver::state_of(const World& world, const Pair& pai
     const double radius =
         pair.b < still_ ? std::min(radius_[pair.a], radius_[pair.b]) : radius_[pair.a];
     const double most = 0.25 * radius / duration_;
-    if (approach > 0.0 && length_squared(relative) > most * most) return State::flying;
     const bool pushed = terms.special() && pair.by_hand && is_pushed(world, pair, approach);
+    // A hand that touches goes on pushing, however far its target: it can be held back.
+    const bool is_fast = length_squared(relative) > most * most;
+    if (approach > 0.0 && is_fast) return State::flying;
     if (pair.bounces && !pushed) {
         if (resting_speed_ == 0.0) return approach > 0.0 ? State::flying : State::idle;
         if (approach >= resting_speed_) return State::flying;
@@ -155,14 +157,16 @@ void ContactSolver::press_all() {
 // What has just bounced off something presses no pair that is about to bounce.
 template <bool spin>
 void ContactSolver::relax_all() {
+    const double per_substep = 1.0 / duration_;
     for (std::size_t k = pressed_.size(); k-- > 0;) {
         Pair& pair = pairs_[pressed_[k]];
-        if (pair.gap > 0.0 && pair.impulse == 0.0) continue;
         Mover& a = mover_[pair.a];
         Mover& b = mover_[pair.b];
         const double apart = dot(a.velocity - b.velocity, pair.normal);
         if (had_impacts_ && pair.bounces && -apart > resting_speed_) continue;
-        const double whole = std::max(pair.impulse - pair.mass * apart, 0.0);
+        // A gap that nothing has pressed on may close in the next substep, and no more.
+        const double room = pair.impulse == 0.0 ? std::max(0.0, pair.gap) * per_substep : 0.0;
+        const double whole = std::max(pair.impulse - pair.mass * (apart + room), 0.0);
         const Vec2 push = pair.normal * (whole - pair.impulse);
         pair.impulse = whole;
         a.velocity += push * a.inverse_mass;
@@ -213,6 +217,10 @@ void ContactSolver::hold_hands_back() {
         Hand& hand =
             *(by_a || pair.b < still_ ? hand_of_body(by_a ? pair.a : pair.b) : hand_of(pair.edge));
         hand.share = std::min(hand.share, std::max(0.0, (speed + room) / surface));
+    }
+    for (const std::uint32_t p : hand_pairs_) {
+        const Pair& pair = pairs_[p];
+        if (pair.b > still_) mover_[pair.b].velocity *= hand_of(pair.edge)->share;
     }
 }
 

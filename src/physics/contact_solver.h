@@ -45,7 +45,7 @@ namespace carom {
 /// sequential impulses and warm starting: Catto, Iterative Dynamics with Temporal Coherence (2005).
 class ContactSolver {
   public:
-    static constexpr double resting_approach = 1.0;
+    static constexpr double resting_approach = 1.5;
     static constexpr int most_impacts = 64;
     static constexpr int most_pushes = 8;
     /// Pressed pairs are springs of this many cycles a substep, damped by `damping` times what

@@ -1,0 +1,204 @@
+#include "physics/contact_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "physics/fingerprint.h"
+#include "physics/solver.h"
+#include "physics/support/scenes.h"
+#include "physics/totals.h"
+
+using namespace carom;
+
+namespace {
+
+void run(World& world, int ticks) {
+    Solver solver({.kind = SolverKind::contact});
+    for (int i = 0; i < ticks; ++i)
+        solver.tick(world);
+}
+
+double energy(const World& world) {
+    const Totals t = totals(world);
+    return t.kinetic_energy + t.potential_energy;
+}
+
+double rms_speed(const World& world) {
+    double squares = 0.0;
+    for (const Vec2 v : world.balls.velocity)
+        squares += length_squared(v);
+    return std::sqrt(squares / static_cast<double>(world.balls.size()));
+}
+
+// A floor, gravity 10, balls of radius 0.5 that do not bounce.
+World floor_world() {
+    World world = scenes::empty();
+    world.rate = 60.0;
+    world.model.gravity = Vec2{0.0, -10.0};
+    world.kinds[0] = {.radius = 0.5, .mass = 1.0, .restitution = 0.0};
+    world.materials[0].restitution = 0.0;
+    add_capsule(world, {{-30.0, -1.0}, {30.0, -1.0}, 1.0}, 0);
+    return world;
+}
+
+}  // namespace
+
+TEST_CASE("contact: a stack of 50 stands, and is pressed together by little") {
+    World world = floor_world();
+    for (int i = 0; i < 50; ++i)
+        add_ball(world, {.position = {0.0, 0.5 + i}, .velocity = {}});
+    run(world, 1200);
+    const double top = world.balls.position[49].y;
+    MESSAGE("compression ", 49.5 - top);
+    CHECK(49.5 - top < 0.43);  // Box2D 2.4.1, the best of the peers
+    CHECK(rms_speed(world) < 1e-3);
+}
+
+// It is not held still: it rocks slowly, and its overlap with it. 100 s are some turns of that.
+TEST_CASE("contact: a load of 400 on a row of 1 never goes in as deep as the cores") {
+    World world = floor_world();
+    for (int i = 0; i < 11; ++i)
+        add_ball(world, {.position = {-5.0 + i, 0.5}, .velocity = {}});
+    add_ball(world, {.position = {0.0, 6.0}, .velocity = {}, .radius = 5.0, .mass = 400.0});
+    add_capsule(world, {{-6.5, 0.0}, {-6.5, 4.0}, 1.0}, 0);
+    add_capsule(world, {{6.5, 0.0}, {6.5, 4.0}, 1.0}, 0);
+    Solver solver({.kind = SolverKind::contact});
+    double deepest = 0.0;
+    for (int i = 0; i < 6000; ++i) {
+        solver.tick(world);
+        deepest = std::max(deepest, deepest_overlap(world));
+    }
+    MESSAGE("deepest in 100 s: ", deepest, ", speed at the end ", rms_speed(world));
+    CHECK(deepest < 0.25);
+}
+
+TEST_CASE("contact: an elastic ball goes on bouncing, and its energy never rises") {
+    World world = floor_world();
+    world.kinds[0].restitution = world.materials[0].restitution = 1.0;
+    world.model.lossy = false;
+    world.balls = {};
+    add_ball(world, {.position = {0.0, 5.0}, .velocity = {}});
+    const double before = energy(world);
+    Solver solver({.kind = SolverKind::contact});
+    double most = before;
+    for (int i = 0; i < 3600; ++i) {
+        solver.tick(world);
+        most = std::max(most, energy(world));
+    }
+    CHECK(world.ball_edge_collisions > 20);
+    CHECK(energy(world) == doctest::Approx(before).epsilon(1e-12));
+    CHECK(most <= before * (1 + 1e-12));
+}
+
+TEST_CASE("contact: a bucket comes to rest, with and without friction, and stays") {
+    for (const double friction : {0.0, 0.2}) {
+        CAPTURE(friction);
+        World world = scenes::bucket(300, 0.0);
+        if (friction > 0.0) {
+            world.model.spin = 0.5;
+            world.balls.spin.assign(world.balls.size(), 0.0);
+        }
+        world.kinds[0].friction = world.materials[0].friction = friction;
+        run(world, 1800);
+        const std::vector<Vec2> places = world.balls.position;
+        run(world, 1200);
+        double furthest = 0.0;
+        for (std::size_t i = 0; i < places.size(); ++i)
+            furthest = std::max(furthest, distance(places[i], world.balls.position[i]));
+        MESSAGE("speed ", rms_speed(world), ", moved ", furthest, ", overlap ",
+                deepest_overlap(world));
+        // 1e-3 of the speed of a fall of one diameter.
+        CHECK(rms_speed(world) < 1e-3 * std::sqrt(20.0));
+        CHECK(deepest_overlap(world) < 0.029);
+        CHECK(world.balls.size() == 300);
+    }
+}
+
+TEST_CASE("contact: a heap goes on from a snapshot with the same bits, impulses and all") {
+    World world = scenes::bucket(200, 0.0);
+    world.model.spin = 0.5;
+    world.balls.spin.assign(world.balls.size(), 0.0);
+    world.kinds[0].friction = world.materials[0].friction = 0.3;
+    run(world, 200);
+    REQUIRE(world.pressed.size() > 300);
+    World once = world;
+    Solver warm({.kind = SolverKind::contact});
+    World other = scenes::gas(50, 1);
+    warm.tick(other);
+    for (int i = 0; i < 100; ++i)
+        warm.tick(once);
+    for (int i = 0; i < 100; ++i) {
+        Solver fresh({.kind = SolverKind::contact});
+        fresh.tick(world);
+    }
+    CHECK(fingerprint(once) == fingerprint(world));
+    World forgetful = once;
+    forgetful.pressed.clear();
+    run(forgetful, 1);
+    run(once, 1);
+    CHECK(fingerprint(forgetful) != fingerprint(once));
+}
+
+TEST_CASE("contact: a ball that rests on an edge with some bounce in it does not sink in") {
+    World world = floor_world();
+    world.kinds[0].restitution = world.materials[0].restitution = 0.5;
+    add_ball(world, {.position = {0.0, 0.5}, .velocity = {}});
+    world.model.lossy = true;
+    world.balls.restitution = {0.5};
+    run(world, 600);
+    CHECK(world.balls.position[0].y == doctest::Approx(0.5).epsilon(1e-3));
+}
+
+TEST_CASE("contact: a squeeze without a way out holds the hands, and lets go smoothly") {
+    World world = floor_world();
+    world.kinds[0].restitution = 0.5;
+    world.balls = {};
+    add_ball(world, {.position = {0.0, 0.5}, .velocity = {}});
+    const CapsuleId left = add_capsule(world, {{-3.0, 0.0}, {-3.0, 4.0}, 0.2}, 0);
+    const CapsuleId right = add_capsule(world, {{3.0, 0.0}, {3.0, 4.0}, 0.2}, 0);
+    const CapsuleId above = add_capsule(world, {{-0.5, 4.0}, {0.5, 4.0}, 0.2}, 0);
+    Solver solver({.kind = SolverKind::contact});
+    double fastest_after = 0.0;
+    for (int i = 0; i < 480; ++i) {
+        const double time = world.time();
+        const double x = time < 4.0 ? std::max(0.0, 3.0 - 2.0 * time) : 2.0 * (time - 4.0);
+        const double y = time < 4.0 ? std::max(0.0, 4.0 - 2.0 * time) : 2.0 * (time - 4.0);
+        world.held_capsules = {{left, {-x, 0.0}, {-x, 4.0}},
+                               {right, {x, 0.0}, {x, 4.0}},
+                               {above, {-0.5, y}, {0.5, y}}};
+        solver.tick(world);
+        const Vec2 p = world.balls.position[0];
+        REQUIRE(std::isfinite(p.x + p.y));
+        CHECK(p.y > 0.25);
+        if (time < 4.0) CHECK(std::fabs(p.x) < 0.5);
+        // Until then the hands are still on their way in, to where they were kept from going.
+        if (time > 4.4) fastest_after = std::max(fastest_after, length(world.balls.velocity[0]));
+    }
+    MESSAGE("fastest after the hands open: ", fastest_after);
+    CHECK(fastest_after < 2.0 * (1 + 1e-9));  // as fast as the hands open
+}
+
+TEST_CASE("contact: four orders of magnitude of radii in one heap stay finite and inside") {
+    World world = floor_world();
+    add_capsule(world, {{-31.0, -1.0}, {-31.0, 60.0}, 1.0}, 0);
+    add_capsule(world, {{31.0, -1.0}, {31.0, 60.0}, 1.0}, 0);
+    double x = -28.0;
+    double y = 3.0;
+    for (int i = 0; i < 120; ++i) {
+        const double radius = 2.0 / (1 << (i % 14));
+        add_ball(world,
+                 {.position = {x, y}, .velocity = {}, .radius = radius, .mass = radius * radius});
+        x += 4.5;
+        if (x > 28.0) {
+            x = -28.0;
+            y += 4.5;
+        }
+    }
+    run(world, 600);
+    for (const Vec2 p : world.balls.position) {
+        CHECK(std::fabs(p.x) < 30.0);
+        CHECK(p.y > 0.0);
+    }
+}
