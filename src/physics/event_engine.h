@@ -180,6 +180,7 @@ class EventEngine {
     std::uint32_t body_of(std::uint32_t ball);
     void scan(std::uint32_t body);
     Real pressing_speed(const Touch& touch) const;
+    bool may_touch(std::uint32_t body, std::uint32_t other, int across, int along) const;
     void add_ball_touch(std::uint32_t body, std::uint32_t other, int across, int along,
                         bool is_certain);
     void add_edge_touch(std::uint32_t body, std::uint32_t capsule, int across, int along,
@@ -231,6 +232,11 @@ class EventEngine {
     bool is_spin_left(std::uint32_t ball) const;
     void write_spins(World& world);
 
+    Vector<Real> position_of(std::uint32_t ball) const {
+        const EventPath<Real>& path = paths_[ball];
+        return is_parabola(path, field_) ? parabola_at(path, now_)
+                                         : state_at(path, field_, now_).position;
+    }
     Real radius(std::uint32_t ball) const { return Real(world_->balls.radius[ball]); }
     Vector<Real> torus_shift(int across, int along) const {
         return {Real(torus_.x) * Real(double(across)), Real(torus_.y) * Real(double(along))};
@@ -271,6 +277,11 @@ class EventEngine {
     std::vector<ImpactBody<Real>> impact_bodies_;
     std::vector<Real> body_spins_;  ///< empty unless Model::spin
     std::vector<Touch> touches_;
+    std::vector<std::uint32_t> approaching_;
+    std::vector<ImpactContact<Real>> group_;
+    std::vector<Real> approach_;
+    std::vector<Real> passed_;
+    std::vector<std::uint32_t> changed_;
     std::vector<std::array<int, 3>> near_;  ///< ball, tori across and along
     std::vector<std::uint32_t> body_of_ball_;
 

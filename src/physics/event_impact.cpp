@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "physics/bounce.h"
 #include "physics/event_engine.h"
@@ -67,8 +68,10 @@ double EventEngine<Real>::restitution_of(const Touch& touch, bool is_alone) {
 template <typename Real>
 void EventEngine<Real>::pass_impulses(const std::vector<std::uint32_t>& which, bool is_alone,
                                       std::vector<Contact>& contacts) {
-    std::vector<ImpactContact<Real>> group;
-    std::vector<Real> approach;
+    std::vector<ImpactContact<Real>>& group = group_;
+    std::vector<Real>& approach = approach_;
+    group.clear();
+    approach.clear();
     for (const std::uint32_t index : which) {
         Touch& touch = touches_[index];
         touch.contact.restitution = Real(restitution_of(touch, is_alone));
@@ -85,17 +88,21 @@ void EventEngine<Real>::pass_impulses(const std::vector<std::uint32_t>& which, b
         approach.push_back(approach_of<Real>(group.back(), impact_bodies_));
     }
     // A ball at rest that is met so softly that the other comes to rest on it does not wake.
-    std::vector<Real> masses;
+    std::array<Real, 2> masses{};
     const bool is_soft = is_alone && touches_[which[0]].kind == Kind::ball_ball &&
                          group[0].restitution == Real{} && world_->model.gravity;
     if (is_soft) {
+        masses = {impact_bodies_[group[0].a].inverse_mass, impact_bodies_[group[0].b].inverse_mass};
         for (const std::uint32_t body : {group[0].a, group[0].b}) {
-            masses.push_back(impact_bodies_[body].inverse_mass);
             const bool both = bodies_[group[0].a].was_resting && bodies_[group[0].b].was_resting;
             if (bodies_[body].was_resting && !both) impact_bodies_[body].inverse_mass = Real{};
         }
     }
-    const std::vector<Real> passed = reflect<Real>(impact_bodies_, group);
+    std::vector<Real>& passed = passed_;
+    if (group.size() == 1)
+        passed.assign(1, reflect_alone<Real>(impact_bodies_, group[0]));
+    else
+        passed = reflect<Real>(impact_bodies_, group);
     if (world_->model.spin) rub_contacts(which, passed);
     if (is_soft) {
         impact_bodies_[group[0].a].inverse_mass = masses[0];
@@ -157,7 +164,7 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     if (has_pair) scan(touches_.front().contact.b);
 
     const std::size_t most_rounds = 200;
-    std::vector<std::uint32_t> approaching;
+    std::vector<std::uint32_t>& approaching = approaching_;
     bool is_shut_in = false;
     for (std::size_t round = 0;; ++round) {
         approaching.clear();
@@ -233,7 +240,8 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
             squeezed = true;
 
     part_pressed();
-    std::vector<std::uint32_t> changed;
+    std::vector<std::uint32_t>& changed = changed_;
+    changed.clear();
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         const Body& each = bodies_[i];
         touched[each.ball] |= each.is_changed;

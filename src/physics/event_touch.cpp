@@ -22,22 +22,15 @@ template <typename Real>
 void EventEngine<Real>::add_ball_touch(std::uint32_t body, std::uint32_t other, int across,
                                        int along, bool is_certain) {
     const std::uint32_t ball = bodies_[body].ball;
-    if (!balls_meet(ball, other)) return;
     const std::uint32_t known = body_of_ball_[other];
     if (known != EventCells::none && bodies_[known].is_scanned && !is_certain) return;
     const Vector<Real> shift = torus_shift(across, along);
-    const Vector<Real> theirs = known != EventCells::none
-                                    ? bodies_[known].position
-                                    : state_at(paths_[other], field_, now_).position;
+    const Vector<Real> theirs =
+        known != EventCells::none ? bodies_[known].position : position_of(other);
     const Vector<Real> offset = bodies_[body].position - theirs - shift;
     const Real our_radius = radius(ball);
     const Real their_radius = radius(other);
     const Real reach = our_radius + their_radius;
-    const Real small = our_radius < their_radius ? our_radius : their_radius;
-    const Real near =
-        small * Real(touching) + Real(16.0) * rounding_at(bodies_[body].position, reach);
-    const Real limit = reach + near;
-    if (!is_certain && length_squared(offset) > limit * limit) return;
     const Real away = length(offset);
     Touch touch;
     touch.kind = Kind::ball_ball;
@@ -50,6 +43,20 @@ void EventEngine<Real>::add_ball_touch(std::uint32_t body, std::uint32_t other, 
     touch.support = {PathSupport::By::ball, static_cast<std::int8_t>(across),
                      static_cast<std::int8_t>(along), number(world_->balls.id[other])};
     touches_.push_back(touch);
+}
+
+// Whether the gap is no more than that of a touch.
+template <typename Real>
+bool EventEngine<Real>::may_touch(std::uint32_t body, std::uint32_t other, int across,
+                                  int along) const {
+    const Vector<Real>& position = bodies_[body].position;
+    const Vector<Real> offset = position - position_of(other) - torus_shift(across, along);
+    const Real our_radius = radius(bodies_[body].ball);
+    const Real their_radius = radius(other);
+    const Real reach = our_radius + their_radius;
+    const Real small = our_radius < their_radius ? our_radius : their_radius;
+    const Real limit = reach + small * Real(touching) + Real(16.0) * rounding_at(position, reach);
+    return !(length_squared(offset) > limit * limit);
 }
 
 template <typename Real>
@@ -127,7 +134,8 @@ void EventEngine<Real>::scan(std::uint32_t body) {
     };
     near_.clear();
     const auto with_ball = [&](std::uint32_t other, int across, int along) {
-        if (is_first(Kind::ball_ball, other))
+        if (balls_meet(ball, other) && may_touch(body, other, across, along) &&
+            is_first(Kind::ball_ball, other))
             near_.push_back({static_cast<int>(other), across, along});
     };
     for_each_ball_near(ball, with_ball);

@@ -38,6 +38,15 @@ Real coupling(const ImpactContact<Real>& i, const ImpactContact<Real>& j,
     return sum;
 }
 
+template <typename Real>
+void push(std::span<ImpactBody<Real>> bodies, const ImpactContact<Real>& contact,
+          const Real& impulse) {
+    const Vector<Real> way = contact.normal * impulse;
+    bodies[contact.a].velocity += way * bodies[contact.a].inverse_mass;
+    if (contact.b != ImpactContact<Real>::fixed)
+        bodies[contact.b].velocity -= way * bodies[contact.b].inverse_mass;
+}
+
 // The solution of the rows and columns in `active`, of least size where there are several: the
 // matrix is made definite by a trace on its diagonal, and the error that makes is taken back by
 // repetition. Pre: the diagonal is between 1 and 4.
@@ -215,37 +224,25 @@ std::vector<std::vector<std::uint32_t>> groups_of(std::span<const ImpactBody<Rea
 }  // namespace
 
 template <typename Real>
-Real approach_of(const ImpactContact<Real>& contact, std::span<const ImpactBody<Real>> bodies) {
-    const Real ours = dot(bodies[contact.a].velocity, contact.normal);
-    if (contact.b == ImpactContact<Real>::fixed) return contact.surface - ours;
-    return dot(bodies[contact.b].velocity, contact.normal) - ours;
+Real reflect_alone(std::span<ImpactBody<Real>> bodies, const ImpactContact<Real>& contact) {
+    const Real impulse = (Real(1.0) + contact.restitution) * approach_of<Real>(contact, bodies) /
+                         coupling<Real>(contact, contact, bodies);
+    push<Real>(bodies, contact, impulse);
+    return impulse;
 }
 
 template <typename Real>
 std::vector<Real> reflect(std::span<ImpactBody<Real>> bodies,
                           std::span<const ImpactContact<Real>> contacts) {
     std::vector<Real> passed(contacts.size());
-    const auto push = [&](std::uint32_t index, const Real& impulse) {
-        const auto& contact = contacts[index];
-        const Vector<Real> way = contact.normal * impulse;
-        bodies[contact.a].velocity += way * bodies[contact.a].inverse_mass;
-        if (contact.b != ImpactContact<Real>::fixed)
-            bodies[contact.b].velocity -= way * bodies[contact.b].inverse_mass;
-        passed[index] = impulse;
-    };
-    const auto push_alone = [&](std::uint32_t index) {
-        const auto& contact = contacts[index];
-        push(index, (Real(1.0) + contact.restitution) * approach_of<Real>(contact, bodies) /
-                        coupling<Real>(contact, contact, bodies));
-    };
     if (contacts.size() == 1) {
-        push_alone(0);
+        passed[0] = reflect_alone(bodies, contacts[0]);
         return passed;
     }
     for (const auto& group : groups_of<Real>(bodies, contacts)) {
         const std::size_t count = group.size();
         if (count == 1) {
-            push_alone(group[0]);
+            passed[group[0]] = reflect_alone(bodies, contacts[group[0]]);
             continue;
         }
         Real restitution = contacts[group[0]].restitution;
@@ -279,14 +276,16 @@ std::vector<Real> reflect(std::span<ImpactBody<Real>> bodies,
             impulses =
                 relaxed_impulses(own, std::vector<ImpactBody<Real>>(bodies.begin(), bodies.end()));
         }
-        for (std::size_t i = 0; i < count; ++i)
-            push(group[i], (Real(1.0) + restitution) * (*impulses)[i]);
+        for (std::size_t i = 0; i < count; ++i) {
+            passed[group[i]] = (Real(1.0) + restitution) * (*impulses)[i];
+            push<Real>(bodies, contacts[group[i]], passed[group[i]]);
+        }
     }
     return passed;
 }
 
-template double approach_of(const ImpactContact<double>&, std::span<const ImpactBody<double>>);
-template Wide approach_of(const ImpactContact<Wide>&, std::span<const ImpactBody<Wide>>);
+template double reflect_alone(std::span<ImpactBody<double>>, const ImpactContact<double>&);
+template Wide reflect_alone(std::span<ImpactBody<Wide>>, const ImpactContact<Wide>&);
 template std::vector<double> reflect(std::span<ImpactBody<double>>,
                                      std::span<const ImpactContact<double>>);
 template std::vector<Wide> reflect(std::span<ImpactBody<Wide>>,

@@ -38,7 +38,11 @@ struct ImpactContact {
 
 /// How fast the contact closes, length/s.
 template <typename Real>
-Real approach_of(const ImpactContact<Real>& contact, std::span<const ImpactBody<Real>> bodies);
+Real approach_of(const ImpactContact<Real>& contact, std::span<const ImpactBody<Real>> bodies) {
+    const Real ours = dot(bodies[contact.a].velocity, contact.normal);
+    if (contact.b == ImpactContact<Real>::fixed) return contact.surface - ours;
+    return dot(bodies[contact.b].velocity, contact.normal) - ours;
+}
 
 /// One step of the rule for `contacts`, all of which approach: the impulse of each, >= 0. Contacts
 /// that hang together take the smallest restitution among them. Changes the velocities of `bodies`.
@@ -46,5 +50,9 @@ Real approach_of(const ImpactContact<Real>& contact, std::span<const ImpactBody<
 template <typename Real>
 std::vector<Real> reflect(std::span<ImpactBody<Real>> bodies,
                           std::span<const ImpactContact<Real>> contacts);
+
+/// The same for one contact alone: its impulse.
+template <typename Real>
+Real reflect_alone(std::span<ImpactBody<Real>> bodies, const ImpactContact<Real>& contact);
 
 }  // namespace carom
