@@ -10,6 +10,19 @@ constexpr std::size_t most_giants = 8;
 
 }  // namespace
 
+CellFrame EventCells::frame_for(const World& world) const {
+    const double least = 2.02 * largest_;
+    CellFrame frame = frame_around(world, least);
+    if (frame.wraps) {
+        // Cells of a torus may have come out narrower than a ball: then fewer of them.
+        const Vec2 extent = size(*world.model.wrap);
+        frame.columns = std::clamp(static_cast<int>(extent.x / least), 1, frame.columns);
+        frame.rows = std::clamp(static_cast<int>(extent.y / least), 1, frame.rows);
+        frame.cell = {extent.x / frame.columns, extent.y / frame.rows};
+    }
+    return frame;
+}
+
 void EventCells::reset(const World& world, const std::vector<Vec2>& positions) {
     const std::size_t count = positions.size();
     const std::vector<double>& radius = world.balls.radius;
@@ -35,15 +48,7 @@ void EventCells::reset(const World& world, const std::vector<Vec2>& positions) {
         is_giant_[giant] = 1;
     largest_ = giants < count ? radius[by_size[giants]] : 1.0;
 
-    frame_ = frame_around(world, 2.02 * largest_);
-    if (frame_.wraps) {
-        // Cells of a torus may have come out narrower than a ball: then fewer of them.
-        const Vec2 extent = size(*world.model.wrap);
-        frame_.columns =
-            std::clamp(static_cast<int>(extent.x / (2.02 * largest_)), 1, frame_.columns);
-        frame_.rows = std::clamp(static_cast<int>(extent.y / (2.02 * largest_)), 1, frame_.rows);
-        frame_.cell = {extent.x / frame_.columns, extent.y / frame_.rows};
-    }
+    frame_ = frame_for(world);
     head_.assign(frame_.count(), none);
     next_.resize(count);
     before_.resize(count);

@@ -19,6 +19,9 @@ class EventCells {
     /// afterwards, each once.
     void reset(const World& world, const std::vector<Vec2>& positions);
 
+    /// Whether `reset` would choose the same frame now. Pre: the radii are still the same.
+    bool suits(const World& world) const { return frame_for(world) == frame_; }
+
     const CellFrame& frame() const { return frame_; }
     /// Largest radius among those that are in cells.
     double largest() const { return largest_; }
@@ -115,6 +118,7 @@ class EventCells {
                         if (other != ball) visit(other, 0, 0);
         }
     }
+    CellFrame frame_for(const World& world) const;
     void link(std::uint32_t ball);
 
     CellFrame frame_;

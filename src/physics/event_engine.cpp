@@ -35,7 +35,6 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
     begin(world);
     left_.is_valid = false;
     EventOutcome outcome = EventOutcome::done;
-    const auto before = [this](std::uint32_t a, std::uint32_t b) { return is_before(a, b); };
     while (!queue_.is_empty()) {
         const std::uint32_t ball = queue_.first();
         const Event event = next_[ball];
@@ -61,9 +60,9 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
             hand_stopped_ = false;
             for (std::uint32_t i = 0; i < paths_.size(); ++i)
                 predict(i);
-            queue_.build(before);
+            build_queue();
         }
-        queue_.update(ball, before);
+        reorder(ball);
     }
     if (outcome == EventOutcome::too_dense) {
         // Time stands still: where everything is now, it is at the end of the tick.
@@ -76,6 +75,7 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
             paths_[i].acceleration = field_.gravity;
             if (world.model.spin) let_spin(i, now_);
         }
+        is_begun_anew_ = true;
     }
     now_ = end_;
     write(world);
@@ -130,11 +130,10 @@ bool EventEngine<Real>::has_support(const std::vector<std::uint8_t>& is_kept,
 
 template <typename Real>
 bool EventEngine<Real>::is_continued(const World& world) const {
-    if constexpr (std::is_same_v<Real, double>) {
-        if (world.paths.size() != paths_.size()) return false;
-        for (std::size_t i = 0; i < paths_.size(); ++i)
-            if (!(world.paths[i] == stored_path(world.paths[i].id, paths_[i]))) return false;
-    }
+    // The sum stands for the paths, which are too many to be compared one by one in every tick.
+    if (std::is_same_v<Real, double> &&
+        (world.paths.size() != paths_.size() || world.paths_sum != left_.paths_sum))
+        return false;
     return are_spins_left(world) && left_.is_valid && !left_.had_hands &&
            world.held_balls.empty() && world.held_capsules.empty() && left_.tick == world.tick &&
            left_.rate == world.rate && left_.model == world.model && left_.ids == world.balls.id &&
@@ -145,9 +144,12 @@ bool EventEngine<Real>::is_continued(const World& world) const {
 template <typename Real>
 void EventEngine<Real>::begin(World& world) {
     is_begun_anew_ = false;
+    begun_.clear();
     edge_contacts_ = world.balls.edge_contacts;
     constexpr std::uint64_t look_at_frame_every = 64;
-    if (is_continued(world) && world.tick % look_at_frame_every != 0) {
+    const bool is_frame_kept =
+        world.tick % look_at_frame_every != 0 || (cells_.suits(world) && !world.model.one_way);
+    if (is_continued(world) && is_frame_kept) {
         std::size_t changed = 0;
         const bool turns = world.model.spin.has_value();
         for (std::uint32_t i = 0; i < paths_.size(); ++i)
@@ -159,8 +161,8 @@ void EventEngine<Real>::begin(World& world) {
             return;
         }
     }
-    begin_anew(world);
     is_begun_anew_ = true;
+    begin_anew(world);
 }
 
 // Some balls were moved or pushed from outside: they begin new paths.
@@ -191,7 +193,7 @@ void EventEngine<Real>::take_what_changed(const World& world) {
         settle(i);
     for (const std::uint32_t i : changed) {
         predict(i);
-        queue_.update(i, [this](std::uint32_t a, std::uint32_t b) { return is_before(a, b); });
+        reorder(i);
     }
 }
 
@@ -235,6 +237,7 @@ void EventEngine<Real>::begin_anew(const World& world) {
         inverse_mass_[i] = Real(world.balls.inverse_mass[i]);
     paths_ = std::move(known);
     version_.resize(count, 0);
+    begun_.reserve(count);
     next_.assign(count, {});
     meeting_.resize(count);
     is_meeting_known_.resize(count);
@@ -282,7 +285,7 @@ void EventEngine<Real>::begin_anew(const World& world) {
     for (std::uint32_t i = 0; i < count; ++i)
         predict(i);
     queue_.reset(count);
-    queue_.build([this](std::uint32_t a, std::uint32_t b) { return is_before(a, b); });
+    build_queue();
 }
 
 template <typename Real>
@@ -338,13 +341,43 @@ void EventEngine<Real>::start_path(std::uint32_t ball, const Real& time, Vector<
     path.velocity = velocity;
     path.acceleration = field_.gravity;
     ++version_[ball];
+    if (!is_begun_anew_ && begun_.size() < paths_.size()) begun_.push_back(ball);
+}
+
+// Those that began in this tick: the others are there already.
+template <typename Real>
+void EventEngine<Real>::store_paths(World& world) {
+    if constexpr (std::is_same_v<Real, double>) {
+        const bool are_all = is_begun_anew_ || begun_.size() >= paths_.size();
+        if (are_all) {
+            world.paths.assign(paths_.size(), {});
+            world.paths_sum = paths_.size() * sum_of(BallPath{});
+        }
+        const auto store = [&](std::uint32_t i) {
+            world.paths_sum -= sum_of(world.paths[i]);
+            world.paths[i] = stored_path(world.balls.id[i], paths_[i]);
+            world.paths_sum += sum_of(world.paths[i]);
+        };
+        if (are_all)
+            for (std::uint32_t i = 0; i < paths_.size(); ++i)
+                store(i);
+        else
+            for (const std::uint32_t i : begun_)
+                store(i);
+        left_.paths_sum = world.paths_sum;
+    }
 }
 
 template <typename Real>
 void EventEngine<Real>::write(World& world) {
     Balls& balls = world.balls;
     for (std::size_t i = 0; i < paths_.size(); ++i) {
-        const BallState<Real> state = state_at(paths_[i], field_, end_);
+        const EventPath<Real>& path = paths_[i];
+        const BallState<Real> state =
+            is_parabola(path, field_)
+                ? BallState<Real>{parabola_at(path, end_),
+                                  path.velocity + path.acceleration * (end_ - path.time)}
+                : state_at(path, field_, end_);
         const Vec2 position(state.position);
         balls.position[i] = world.model.wrap ? wrapped(position, *world.model.wrap) : position;
         balls.velocity[i] = paths_[i].motion == Motion::held ? Vec2{} : Vec2(state.velocity);
@@ -363,9 +396,7 @@ void EventEngine<Real>::write(World& world) {
         world.capsules.shape[hand.capsule].end = Vec2(shape.end);
     }
     if constexpr (std::is_same_v<Real, double>) {
-        world.paths.resize(paths_.size());
-        for (std::size_t i = 0; i < paths_.size(); ++i)
-            world.paths[i] = stored_path(balls.id[i], paths_[i]);
+        store_paths(world);
         world.paths_gravity = world.model.gravity.value_or(Vec2{});
         world.paths_drag = world.model.drag.value_or(0.0);
     }

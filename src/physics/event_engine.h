@@ -144,6 +144,7 @@ class EventEngine {
     void begin_anew(const World& world);
     void take_what_changed(const World& world);
     void take_hands(const World& world);
+    void store_paths(World& world);
     bool leads_through(const EventPath<Real>& path, std::size_t ball) const;
     bool has_support(const std::vector<std::uint8_t>& is_kept, std::size_t ball) const;
     void write(World& world);
@@ -165,10 +166,15 @@ class EventEngine {
     void predict_pair(std::uint32_t ball, std::uint32_t other, int across, int along,
                       Event& best) const;
     void predict_edges(std::uint32_t ball, Event& best) const;
-    bool is_before(std::uint32_t a, std::uint32_t b) const;
+    double queue_time(std::uint32_t ball) const;
+    void build_queue();
+    void reorder(std::uint32_t ball);
     bool comes_first(std::uint32_t ball_a, const Event& a, std::uint32_t ball_b,
                      const Event& b) const;
-    void consider(std::uint32_t ball, const Event& event, Event& best) const;
+    void consider(std::uint32_t ball, const Event& event, Event& best) const {
+        if (best.kind != Kind::none && best.time < event.time) return;
+        if (comes_first(ball, event, ball, best)) best = event;
+    }
     /// Every other ball that may be near, as visit(other, tori across, tori along).
     template <typename Visit>
     void for_each_ball_near(std::uint32_t ball, Visit&& visit) const;
@@ -258,6 +264,7 @@ class EventEngine {
     std::uint64_t events_ = 0;
 
     std::vector<EventPath<Real>> paths_;
+    std::vector<std::uint32_t> begun_;  ///< whose paths began in this tick; as many as balls: all
     std::vector<std::uint32_t> version_;
     std::vector<Event> next_;
     /// Whom a ball that flies among flying balls meets first, wherever: see event_predict.cpp.
@@ -299,6 +306,7 @@ class EventEngine {
         std::vector<double> spins;
         std::vector<std::uint8_t> meets;
         Capsules capsules;
+        std::uint64_t paths_sum = 0;
         bool had_hands = false;
     };
     Left left_;

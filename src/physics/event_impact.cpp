@@ -271,10 +271,9 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     for (const std::uint32_t each : changed)
         lie_down_if_tired(each);
     if (squeezed) stop_hands();
-    const auto before = [this](std::uint32_t a, std::uint32_t b) { return is_before(a, b); };
     for (const std::uint32_t each : changed) {
         predict(each);
-        queue_.update(each, before);
+        reorder(each);
     }
     if (!std::binary_search(changed.begin(), changed.end(), ball)) predict(ball);
 }

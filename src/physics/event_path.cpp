@@ -1,6 +1,7 @@
 #include "physics/event_path.h"
 
 #include <array>
+#include <bit>
 
 #include "geometry/elementary.h"
 
@@ -121,6 +122,35 @@ BallPath stored_path(BallId id, const EventPath<double>& path) {
             .support = path.support,
             .second_support = path.second_support,
             .quick = path.quick};
+}
+
+std::uint64_t sum_of(const BallPath& path) {
+    const auto stir = [](std::uint64_t sum, std::uint64_t word) {
+        return std::rotl(sum ^ word, 29) * 0x9fb21c651e98df25u;
+    };
+    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+    const auto with = [&](std::uint64_t sum, Vec2 v) {
+        return stir(stir(sum, bits(v.x)), bits(v.y));
+    };
+    const auto word_of = [](const PathSupport& by) {
+        return static_cast<std::uint64_t>(by.by) |
+               std::uint64_t{static_cast<std::uint8_t>(by.across)} << 8 |
+               std::uint64_t{static_cast<std::uint8_t>(by.along)} << 16 |
+               std::uint64_t{by.number} << 32;
+    };
+    // Two chains, since each step of one waits for the last.
+    const auto motion = static_cast<std::uint64_t>(path.motion);
+    std::uint64_t first = stir(number(path.id), motion | std::uint64_t{path.quick} << 8);
+    std::uint64_t second = stir(1, bits(path.time));
+    first = with(first, path.position);
+    second = with(second, path.velocity);
+    if (path.motion != Motion::free) {
+        first = with(first, path.center);
+        second = with(second, path.acceleration);
+        first = stir(first, word_of(path.support));
+        second = stir(second, word_of(path.second_support));
+    }
+    return stir(first, second);
 }
 
 template <typename Real>

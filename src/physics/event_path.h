@@ -9,21 +9,25 @@
 namespace carom {
 
 /// A path, over any number type; World stores the double ones (BallPath says what each part means).
+/// What is read of every neighbour comes first.
 template <typename Real>
 struct EventPath {
     Real time{};
     Vector<Real> position;
     Vector<Real> velocity;
+    Motion motion = Motion::free;
+    std::uint32_t quick = 0;
     Vector<Real> acceleration;
     Vector<Real> center;
-    Motion motion = Motion::free;
     PathSupport support;
     PathSupport second_support;
-    std::uint32_t quick = 0;
 };
 
 EventPath<double> path_from(const BallPath& stored);
 BallPath stored_path(BallId id, const EventPath<double>& path);
+
+/// What the path adds to World::paths_sum: all of it, stirred.
+std::uint64_t sum_of(const BallPath& path);
 
 template <typename Real>
 struct BallState {

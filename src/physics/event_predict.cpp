@@ -53,13 +53,25 @@ bool EventEngine<Real>::comes_first(std::uint32_t ball_a, const Event& a, std::u
 }
 
 template <typename Real>
-bool EventEngine<Real>::is_before(std::uint32_t a, std::uint32_t b) const {
-    return comes_first(a, next_[a], b, next_[b]);
+double EventEngine<Real>::queue_time(std::uint32_t ball) const {
+    const Event& next = next_[ball];
+    return next.kind == Kind::none ? std::numeric_limits<double>::infinity()
+                                   : static_cast<double>(next.time);
 }
 
 template <typename Real>
-void EventEngine<Real>::consider(std::uint32_t ball, const Event& event, Event& best) const {
-    if (comes_first(ball, event, ball, best)) best = event;
+void EventEngine<Real>::build_queue() {
+    queue_.build(
+        [this](std::uint32_t ball) { return queue_time(ball); },
+        [this](std::uint32_t a, std::uint32_t b) { return comes_first(a, next_[a], b, next_[b]); });
+}
+
+// The ball's event has changed.
+template <typename Real>
+void EventEngine<Real>::reorder(std::uint32_t ball) {
+    queue_.update(ball, queue_time(ball), [this](std::uint32_t a, std::uint32_t b) {
+        return comes_first(a, next_[a], b, next_[b]);
+    });
 }
 
 template <typename Real>
@@ -136,12 +148,10 @@ bool EventEngine<Real>::meet_flying(std::uint32_t ball, std::uint32_t other, int
     // As seen from the one with the lower number, whoever asks: the same bits.
     const Real reach = our_radius + their_radius;
     const Real small = our_radius < their_radius ? our_radius : their_radius;
-    const EventPath<Real>& ours = paths_[ball];
-    const EventPath<Real>& theirs = paths_[other];
-    auto time = ball < other ? straight_closing(ours, theirs, field_.gravity,
-                                                torus_shift(across, along), reach, small, field_)
-                             : straight_closing(theirs, ours, field_.gravity,
-                                                torus_shift(-across, -along), reach, small, field_);
+    const bool is_lower = ball < other;
+    const Vector<Real> shift = is_lower ? torus_shift(across, along) : torus_shift(-across, -along);
+    auto time = straight_closing(paths_[is_lower ? ball : other], paths_[is_lower ? other : ball],
+                                 field_.gravity, shift, reach, small, field_);
     if (!time) return true;
     if (*time < now_) time = now_;
     consider(ball,

@@ -3,8 +3,11 @@
 #include <cstdint>
 #include <vector>
 
-/// The event queue: a binary heap of the balls, the one with the earliest event on top, in which
-/// the place of every ball is known, so that its event can be replaced.
+/// The event queue: a heap of the balls, each with four below it, the one with the earliest event
+/// on top, in which the place of every ball is known, so that its event can be replaced.
+///
+/// The times stand in the heap itself, so that nearly all comparisons read nothing else: who comes
+/// first at the same time is asked where times are equal.
 namespace carom {
 
 class EventQueue {
@@ -14,59 +17,77 @@ class EventQueue {
         heap_.resize(count);
         place_.resize(count);
         for (std::uint32_t i = 0; i < count; ++i)
-            heap_[i] = place_[i] = i;
+            put({0.0, i}, i);
     }
 
     bool is_empty() const { return heap_.empty(); }
-    std::uint32_t first() const { return heap_.front(); }
+    std::uint32_t first() const { return heap_.front().ball; }
 
-    /// `is_before(a, b)`: whether ball a's event comes before ball b's, a total order.
-    template <typename Before>
-    void build(Before&& is_before) {
-        for (std::size_t i = heap_.size() / 2; i-- > 0;)
-            sink(i, is_before);
+    /// `time_of(ball)`: of its event, s. `is_before(a, b)`: whether ball a's event comes before
+    /// ball b's, a total order that goes by time first.
+    template <typename Time, typename Before>
+    void build(Time&& time_of, Before&& is_before) {
+        for (Entry& entry : heap_)
+            entry.time = time_of(entry.ball);
+        for (std::size_t i = (heap_.size() + 2) / 4; i-- > 0;)
+            sink(i, heap_[i], is_before);
     }
 
-    /// The event of `ball` has changed.
+    /// The event of `ball` has changed, and is at `time` now.
     template <typename Before>
-    void update(std::uint32_t ball, Before&& is_before) {
-        rise(place_[ball], is_before);
-        sink(place_[ball], is_before);
+    void update(std::uint32_t ball, double time, Before&& is_before) {
+        const Entry entry{time, ball};
+        const std::size_t at = place_[ball];
+        if (at > 0 && comes_first(entry, heap_[(at - 1) / 4], is_before))
+            rise(at, entry, is_before);
+        else
+            sink(at, entry, is_before);
     }
 
   private:
+    struct Entry {
+        double time = 0.0;
+        std::uint32_t ball = 0;
+    };
+
     template <typename Before>
-    void rise(std::size_t at, Before&& is_before) {
-        const std::uint32_t ball = heap_[at];
+    static bool comes_first(const Entry& a, const Entry& b, Before&& is_before) {
+        return a.time < b.time || (a.time == b.time && is_before(a.ball, b.ball));
+    }
+
+    template <typename Before>
+    void rise(std::size_t at, const Entry entry, Before&& is_before) {
         while (at > 0) {
-            const std::size_t above = (at - 1) / 2;
-            if (!is_before(ball, heap_[above])) break;
+            const std::size_t above = (at - 1) / 4;
+            if (!comes_first(entry, heap_[above], is_before)) break;
             put(heap_[above], at);
             at = above;
         }
-        put(ball, at);
+        put(entry, at);
     }
 
     template <typename Before>
-    void sink(std::size_t at, Before&& is_before) {
-        const std::uint32_t ball = heap_[at];
+    void sink(std::size_t at, const Entry entry, Before&& is_before) {
         for (;;) {
-            std::size_t below = 2 * at + 1;
-            if (below >= heap_.size()) break;
-            if (below + 1 < heap_.size() && is_before(heap_[below + 1], heap_[below])) ++below;
-            if (!is_before(heap_[below], ball)) break;
-            put(heap_[below], at);
-            at = below;
+            const std::size_t begin = 4 * at + 1;
+            if (begin >= heap_.size()) break;
+            const std::size_t end = begin + 4 < heap_.size() ? begin + 4 : heap_.size();
+            std::size_t least = begin;
+            for (std::size_t below = begin + 1; below < end; ++below)
+                if (comes_first(heap_[below], heap_[least], is_before)) least = below;
+            if (!comes_first(heap_[least], entry, is_before)) break;
+            put(heap_[least], at);
+            at = least;
         }
-        put(ball, at);
+        put(entry, at);
     }
 
-    void put(std::uint32_t ball, std::size_t at) {
-        heap_[at] = ball;
-        place_[ball] = static_cast<std::uint32_t>(at);
+    void put(const Entry& entry, std::size_t at) {
+        heap_[at] = entry;
+        place_[entry.ball] = static_cast<std::uint32_t>(at);
     }
 
-    std::vector<std::uint32_t> heap_;
+    std::vector<Entry> heap_;
     std::vector<std::uint32_t> place_;
 };
 

@@ -248,16 +248,15 @@ void EventEngine<Real>::end_own(std::uint32_t ball) {
     if (before.motion == Motion::resting && paths_[ball].motion != Motion::resting) {
         std::vector<std::uint32_t> released;
         release_what_rests_on(ball, released);
-        const auto is_first = [this](std::uint32_t a, std::uint32_t b) { return is_before(a, b); };
         std::sort(released.begin(), released.end());
         released.erase(std::unique(released.begin(), released.end()), released.end());
         for (const std::uint32_t each : released)
             settle(each);
         predict(ball);
-        queue_.update(ball, is_first);
+        reorder(ball);
         for (const std::uint32_t each : released) {
             predict(each);
-            queue_.update(each, is_first);
+            reorder(each);
         }
         return;
     }

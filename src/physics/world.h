@@ -219,6 +219,8 @@ struct World {
     std::vector<SpinPath> spin_paths;  ///< beside `paths`; empty unless Model::spin
     Vec2 paths_gravity;       ///< what acted on `paths`: another field, and they count no more
     double paths_drag = 0.0;  ///< 1/s
+    /// By which a solver knows the paths that it left: the sum of sum_of (event_path.h) over them.
+    std::uint64_t paths_sum = 0;
 
     /// Ascending by ball; empty unless the last tick was one of the solver `contact`.
     std::vector<PressedPair> pressed;
