@@ -47,21 +47,24 @@ bool is_same_state(const World& a, const World& b) {
 
 Rival::Rival(const Session& session, const SolverSettings& solver)
     : solver_(solver), history_(rewind_bytes) {
-    begin(session.world());
+    begin(session);
 }
 
-void Rival::begin(const World& start) {
-    start_ = start;
-    world_ = start;
+void Rival::begin(const Session& session) {
+    start_ = session.world();
+    world_ = start_;
+    start_game_ = session.game();
+    game_ = start_game_;
     contacts_.clear();
     history_.clear();
-    obeyed_ = start.tick;
+    obeyed_ = start_.tick;
     parting_.reset();
 }
 
 void Rival::go_back(std::uint64_t tick) {
     const Snapshot* from = history_.at_or_before(tick);
     world_ = from ? from->world : start_;
+    game_ = from ? from->game : start_game_;
     obeyed_ = from ? std::nullopt : std::optional(start_.tick);
     history_.forget_from(tick + 1);
     contacts_.clear();
@@ -70,20 +73,22 @@ void Rival::go_back(std::uint64_t tick) {
 
 bool Rival::tick(const Session& session, const KeepGoing& keep_going) {
     if (obeyed_ != world_.tick) {
-        if (world_.tick % History::spacing == 0) history_.keep(world_, solver_.settings());
+        if (world_.tick % History::spacing == 0) history_.keep(world_, solver_.settings(), game_);
         for (const TimedCommand& timed : commands_at(session, world_.tick))
-            if (!refusal(world_, timed.command)) obey(world_, timed.command);
+            if (!refusal(session.scene(), world_, game_, timed.command))
+                obey(session.scene(), world_, game_, timed.command);
         obeyed_ = world_.tick;
     }
     if (solver_.tick(world_, keep_going) == TickOutcome::given_up) return false;
     contacts_.assign(solver_.contacts().begin(), solver_.contacts().end());
+    follow_rules(session.scene(), world_, game_, contacts_);
     return true;
 }
 
 bool Rival::follow(const Session& session, const MayGoOn& may_go_on, const KeepGoing& keep_going) {
     const World& lead = session.world();
     if (lead.tick < start_.tick || (lead.tick == start_.tick && !is_same_state(lead, start_)))
-        begin(lead);
+        begin(session);
     if (lead.tick < world_.tick) go_back(lead.tick);
     while (world_.tick < lead.tick) {
         if (!tick(session, keep_going)) return false;

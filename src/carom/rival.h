@@ -42,13 +42,15 @@ class Rival {
     const std::optional<Parting>& parting() const { return parting_; }
 
   private:
-    void begin(const World& start);
+    void begin(const Session& session);
     void go_back(std::uint64_t tick);
     bool tick(const Session& session, const KeepGoing& keep_going);
 
     Solver solver_;
     World start_;
     World world_;
+    GameState start_game_;
+    GameState game_;
     std::vector<Contact> contacts_;
     History history_;
     std::optional<std::uint64_t> obeyed_;  ///< the tick whose commands world_ has obeyed

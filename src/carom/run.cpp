@@ -110,8 +110,8 @@ std::optional<std::string> clash(const RunOptions& options) {
     return std::nullopt;
 }
 
-void mark(Replay& replay, const World& world) {
-    replay.marks.push_back({world.tick, fingerprint(world)});
+void mark(Replay& replay, const World& world, const GameState& game) {
+    replay.marks.push_back({world.tick, fingerprint(world, game)});
 }
 
 void tell_too_dense(const World& world) {
@@ -123,8 +123,8 @@ void tell_too_dense(const World& world) {
 
 // Runs until the end, a signal, an output that fails, or readers that have gone. Returns what the
 // solver took, in seconds.
-double simulate(const Scene& scene, World& world, RunRecord& record, Solver& solver,
-                Outputs& outputs, Replay& replay, std::uint64_t ticks) {
+double simulate(const Scene& scene, World& world, GameState& game, RunRecord& record,
+                Solver& solver, Outputs& outputs, Replay& replay, std::uint64_t ticks) {
     using Clock = std::chrono::steady_clock;
     Clock::duration cost{};
     bool is_told = false;
@@ -137,8 +137,9 @@ double simulate(const Scene& scene, World& world, RunRecord& record, Solver& sol
         if (outcome == TickOutcome::given_up) break;
         if (outcome == TickOutcome::too_dense && !std::exchange(is_told, true))
             tell_too_dense(world);
+        follow_rules(scene, world, game, solver.contacts());
         note_tick(record, scene, world);
-        if (world.tick % mark_interval(world.rate) == 0) mark(replay, world);
+        if (world.tick % mark_interval(world.rate) == 0) mark(replay, world, game);
         outputs.write_tick(world, solver);
         if (!outputs.error().empty() || outputs.is_pointless()) break;
         progress.update(world.tick);
@@ -167,17 +168,19 @@ int run_scene(const RunOptions& options, const Scene& scene) {
 
     const InterruptGuard guard;
     World world = scene.world;
+    GameState game = begin_game(scene);
     Solver solver(settings);
     RunRecord record = begin_record(scene, settings);
     Replay replay = begin_replay(scene, settings, name_in_recording(scene.file), options.overrides);
     replay.program = version();
-    mark(replay, world);
+    mark(replay, world, game);
     outputs.write_start(world);
     const std::uint64_t ticks = ticks_to_run(options, world.rate);
-    const double seconds = simulate(scene, world, record, solver, outputs, replay, ticks);
+    const double seconds = simulate(scene, world, game, record, solver, outputs, replay, ticks);
+    record.tallies = tallies(game);
     if (world.tick == ticks) note_end(record, scene, world);
     outputs.write_report(report_json(options.level, scene, world, record, seconds));
-    if (replay.marks.back().tick < world.tick) mark(replay, world);
+    if (replay.marks.back().tick < world.tick) mark(replay, world, game);
     replay.end = replay.stands = world.tick;
     outputs.write_recording(replay);
     outputs.commit();

@@ -23,7 +23,8 @@ std::string seconds_of(std::uint64_t tick, double rate) {
 std::string difference(const Replayer& replayer, const Replay& replay) {
     if (!replayer.first_different()) return fmt::format("it differs {}", *replayer.failure());
     const FingerprintMark& mark = *replayer.first_different();
-    const std::string found = hexadecimal(fingerprint(replayer.session().world()));
+    const std::string found =
+        hexadecimal(fingerprint(replayer.session().world(), replayer.session().game()));
     std::string where;
     if (mark.tick == 0)
         where = "it differs from the start, tick 0";

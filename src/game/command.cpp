@@ -32,6 +32,12 @@ Refusal unless_capsule(const World& world, CapsuleId id) {
     return fmt::format("there is no edge {}", number(id));
 }
 
+Refusal unless_movable(const World& world, CapsuleId id) {
+    if (auto why = unless_capsule(world, id)) return why;
+    if (!std::ranges::count(world.flippers, id, &Flipper::capsule)) return std::nullopt;
+    return "a flipper moves by its button alone";
+}
+
 Refusal unless_finite(bool finite, std::string_view what) {
     if (finite) return std::nullopt;
     return fmt::format("{} is not a number", what);
@@ -80,7 +86,7 @@ Refusal refused(const World& world, const DropBall& drop) {
 }
 
 Refusal refused(const World& world, const HoldCapsule& hold) {
-    if (auto why = unless_capsule(world, hold.capsule)) return why;
+    if (auto why = unless_movable(world, hold.capsule)) return why;
     return unless_finite(is_finite(hold.start_target) && is_finite(hold.end_target), "the place");
 }
 
@@ -129,7 +135,7 @@ Refusal refused(const World& world, const PlaceBall& place) {
 }
 
 Refusal refused(const World& world, const PlaceCapsule& place) {
-    if (auto why = unless_capsule(world, place.capsule)) return why;
+    if (auto why = unless_movable(world, place.capsule)) return why;
     if (auto why = unless_finite(is_finite(place.start) && is_finite(place.end), "the place"))
         return why;
     const std::size_t index = *index_of(world, place.capsule);
@@ -164,6 +170,10 @@ Refusal refused(const World&, const SetSolver& set) {
         !in_range(set.settings.substeps))
         return "updates, steps and substeps must be in 1..1000";
     return std::nullopt;
+}
+
+Refusal refused(const World&, const Press&) {
+    return "there is no game that has buttons";
 }
 
 /// Where something with this id is, or belongs, in a list in ascending order of id.
@@ -238,6 +248,7 @@ struct Obey {
     void operator()(const RemoveCapsule& remove) const { remove_capsule(world, remove.capsule); }
     void operator()(const SetGravity& set) const { world.model.gravity = set.gravity; }
     void operator()(const SetSolver&) const {}
+    void operator()(const Press&) const {}
 };
 
 bool is_drop(const Command& command) {

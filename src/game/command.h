@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "level/table.h"
 #include "physics/solver.h"
 #include "physics/world.h"
 
@@ -65,13 +66,18 @@ struct SetGravity {
 struct SetSolver {
     SolverSettings settings;
 };
+/// A button of the game goes down or up (game_state.h).
+struct Press {
+    Button button = Button::left_flipper;
+    bool is_down = false;
+};
 }  // namespace command
 
 using Command =
     std::variant<command::Strike, command::HoldBall, command::DropBall, command::HoldCapsule,
                  command::DropCapsule, command::PlaceBall, command::PlaceCapsule, command::AddBall,
                  command::RemoveBall, command::AddCapsule, command::RemoveCapsule,
-                 command::SetGravity, command::SetSolver>;
+                 command::SetGravity, command::SetSolver, command::Press>;
 
 /// A command and the tick at which it applies: before tick number `tick` + 1 is computed.
 struct TimedCommand {
@@ -81,7 +87,8 @@ struct TimedCommand {
 
 /// Why a command cannot be obeyed, as a sentence for the player; none when it can. A command is
 /// refused when it is about what is not there, when a number in it is not finite or out of range,
-/// and when it would put a ball or an edge into another body that it meets.
+/// and when it would put a ball or an edge into another body that it meets. A world alone has no
+/// buttons: see game_state.h.
 std::optional<std::string> refusal(const World& world, const Command& command);
 
 /// Does to the world what the command says; SetSolver does nothing to it. What is added under

@@ -30,14 +30,15 @@ std::size_t bytes_of(const World& world) {
            bytes_in(world.kinds) + bytes_in(world.materials) + bytes_in(world.meets) +
            bytes_in(world.zones) + bytes_in(world.emitters) + bytes_in(world.counters) +
            bytes_in(world.removed) + bytes_in(world.held_balls) + bytes_in(world.held_capsules) +
-           bytes_in(world.paths) + bytes_in(world.spin_paths);
+           bytes_in(world.flippers) + bytes_in(world.paths) + bytes_in(world.spin_paths);
 }
 
-void History::keep(const World& world, const SolverSettings& solver) {
+void History::keep(const World& world, const SolverSettings& solver, const GameState& game) {
     const auto place = std::ranges::lower_bound(snapshots_, world.tick, {}, tick_of);
     if (place != snapshots_.end() && tick_of(*place) == world.tick) return;
-    Kept kept{{world, solver}, 0};
-    kept.bytes = bytes_of(kept.snapshot.world);  // of the copy: it has no room to spare
+    Kept kept{{world, solver, game}, 0};
+    kept.bytes = bytes_of(kept.snapshot.world) +
+                 bytes_of(kept.snapshot.game);  // of the copy: it has no room to spare
     if (kept.bytes > limit_) return;
     bytes_ += kept.bytes;
     snapshots_.insert(place, std::move(kept));

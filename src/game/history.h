@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "game/game_state.h"
 #include "physics/solver.h"
 #include "physics/world.h"
 
@@ -14,9 +15,10 @@ namespace carom {
 struct Snapshot {
     World world;
     SolverSettings solver;
+    GameState game{};
 };
 
-/// What a snapshot of the world occupies, in bytes.
+/// What a snapshot of the world occupies, in bytes; without the game.
 std::size_t bytes_of(const World& world);
 
 /// Invariants: ascending by tick, no tick twice; bytes() <= the limit.
@@ -30,7 +32,7 @@ class History {
     /// Keeps a snapshot when it helps: not when the same tick is there, and not when one alone is
     /// over the limit. Where the limit is reached, snapshots are thinned: of all that are kept, two
     /// neighbours stand the farther apart the farther they are from this one, in proportion.
-    void keep(const World& world, const SolverSettings& solver);
+    void keep(const World& world, const SolverSettings& solver, const GameState& game = {});
 
     /// The last snapshot at or before `tick`; null when there is none.
     const Snapshot* at_or_before(std::uint64_t tick) const;

@@ -11,7 +11,11 @@ namespace {
 using namespace command;
 
 /// How replays say Side, by its value.
-constexpr std::string_view side_names[] = {"both", "left", "right"};
+constexpr std::string_view side_names[] = {"both", "left", "right", "none"};
+/// How they say Button.
+constexpr std::string_view button_names[] = {"left",       "right",       "plunger",
+                                             "nudge-left", "nudge-right", "nudge-up"};
+static_assert(std::size(button_names) == button_count);
 
 std::string text_of(Vec2 v) {
     return fmt::format("{},{}", v.x, v.y);
@@ -65,6 +69,10 @@ struct CommandText {
     std::string operator()(const SetGravity& c) const {
         return "gravity " + (c.gravity ? text_of(*c.gravity) : "off");
     }
+    std::string operator()(const Press& c) const {
+        return fmt::format("{} {}", c.is_down ? "press" : "release",
+                           button_names[static_cast<std::size_t>(c.button)]);
+    }
     std::string operator()(const SetSolver& c) const { return "solver " + replay_text(c.settings); }
 };
 
@@ -82,6 +90,14 @@ Side side_of(Words& words) {
         if (word == side_names[side]) return static_cast<Side>(side);
     words.fail();
     return Side::both;
+}
+
+Button button_of(Words& words) {
+    const auto word = words.next();
+    for (std::size_t button = 0; button < std::size(button_names); ++button)
+        if (word == button_names[button]) return static_cast<Button>(button);
+    words.fail();
+    return Button::plunger;
 }
 
 Command add_ball_of(Words& words) {
@@ -151,6 +167,8 @@ std::optional<Command> read_command(Words& words) {
     if (what == "add-edge") return add_edge_of(words);
     if (what == "remove-edge") return RemoveCapsule{capsule_of(words)};
     if (what == "gravity") return gravity_of(words);
+    if (what == "press") return Press{button_of(words), true};
+    if (what == "release") return Press{button_of(words), false};
     if (what == "solver") return SetSolver{read_solver(words)};
     return std::nullopt;
 }

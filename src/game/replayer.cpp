@@ -51,7 +51,7 @@ Replay record(const Session& session, std::string level, std::span<const std::st
     const auto place =
         std::ranges::lower_bound(replay.marks, replay.stands, {}, &FingerprintMark::tick);
     if (place == replay.marks.end() || place->tick != replay.stands)
-        replay.marks.insert(place, {replay.stands, fingerprint(session.world())});
+        replay.marks.insert(place, {replay.stands, fingerprint(session.world(), session.game())});
     return replay;
 }
 
@@ -90,7 +90,7 @@ void Replayer::check() {
     while (!failure_ && next_mark_ < replay_.marks.size() &&
            replay_.marks[next_mark_].tick == session_.world().tick) {
         const FingerprintMark& mark = replay_.marks[next_mark_++];
-        if (fingerprint(session_.world()) == mark.fingerprint) {
+        if (fingerprint(session_.world(), session_.game()) == mark.fingerprint) {
             last_equal_ = mark;
         } else {
             first_different_ = mark;

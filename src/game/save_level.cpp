@@ -209,7 +209,8 @@ class LevelWriter {
             materials_[capsules.material[first]] + (group.empty() ? "" : " ") + std::string(group);
         if (shape.start == shape.end)
             return line("peg {} at={} r={}", names, place(shape.start), shape.radius);
-        constexpr std::string_view sides[] = {"", " side=left", " side=right"};
+        // A target that is down stands again.
+        constexpr std::string_view sides[] = {"", " side=left", " side=right", ""};
         text_ += fmt::format("edge {} r={}{} {}", names, shape.radius,
                              sides[static_cast<std::size_t>(side_of(first))], place(shape.start));
         const bool closes = is_outline(first, last);

@@ -35,12 +35,13 @@ Session::Session(Scene scene, const SolverSettings& solver, std::size_t rewind_b
       first_solver_(solver),
       solver_(solver),
       world_(scene_.world),
+      game_(begin_game(scene_)),
       history_(rewind_bytes),
       rewind_bytes_(rewind_bytes) {}
 
 std::optional<std::string> Session::apply(const Command& command) {
     if (is_following_) return "this is a recording, which is only watched";
-    if (auto why_not = refusal(world_, command)) return why_not;
+    if (auto why_not = refusal(scene_, world_, game_, command)) return why_not;
     forget_future();
     forget_marks_from(world_.tick);
     obey_now(command);
@@ -51,7 +52,7 @@ std::optional<std::string> Session::apply(const Command& command) {
 void Session::obey_now(const Command& command) {
     if (const auto* change = std::get_if<command::SetSolver>(&command))
         use_solver(change->settings);
-    obey(world_, command);
+    obey(scene_, world_, game_, command);
 }
 
 void Session::use_solver(const SolverSettings& settings) {
@@ -88,6 +89,10 @@ void Session::forget_future() {
         obey_now(command::DropCapsule{held.id});
         log(command::DropCapsule{held.id});
     }
+    for (const Button button : pressed_buttons(game_)) {
+        obey_now(command::Press{button, false});
+        log(command::Press{button, false});
+    }
 }
 
 std::size_t Session::log_bytes() const {
@@ -101,14 +106,15 @@ void Session::bound_log() {
         if (kept && kept->world.tick > earliest())
             base_ = *kept;
         else
-            base_ = Snapshot{world_, solver_.settings()};
+            base_ = Snapshot{world_, solver_.settings(), game_};
         const std::uint64_t start = base_->world.tick;
         const auto stays = std::ranges::upper_bound(log_, start, {}, &TimedCommand::tick);
         log_ = std::vector<TimedCommand>(stays, log_.end());
         obeyed_ = log_.size();
         history_.forget_before(start);
     }
-    const std::size_t taken = log_bytes() + (base_ ? bytes_of(base_->world) : 0);
+    const std::size_t taken =
+        log_bytes() + (base_ ? bytes_of(base_->world) + bytes_of(base_->game) : 0);
     history_.set_limit(rewind_bytes_ - std::min(rewind_bytes_, taken), world_.tick);
 }
 
@@ -116,7 +122,7 @@ void Session::obey_log_of_this_tick() {
     while (obeyed_ < log_.size() && log_[obeyed_].tick == world_.tick) {
         const Command& command = log_[obeyed_].command;
         if (is_following_) {
-            if (const auto why_not = refusal(world_, command)) {
+            if (const auto why_not = refusal(scene_, world_, game_, command)) {
                 fault_ = fmt::format("at tick {}: {}", world_.tick, *why_not);
                 log_.resize(obeyed_);
                 latest_ = world_.tick;
@@ -139,7 +145,7 @@ void Session::follow(std::vector<TimedCommand> commands, std::uint64_t end) {
 void Session::mark() {
     if (world_.tick % mark_interval(world_.rate) != 0) return;
     if (!marks_.empty() && marks_.back().tick >= world_.tick) return;
-    marks_.push_back({world_.tick, fingerprint(world_)});
+    marks_.push_back({world_.tick, fingerprint(world_, game_)});
 }
 
 void Session::forget_marks_from(std::uint64_t tick) {
@@ -153,6 +159,7 @@ bool Session::advance() {
     outcome_ = solver_.tick(world_, keep_going_);
     if (outcome_ == TickOutcome::given_up) return false;
     contacts_.assign(solver_.contacts().begin(), solver_.contacts().end());
+    follow_rules(scene_, world_, game_, contacts_);
     latest_ = std::max(latest_, world_.tick);
     obey_log_of_this_tick();
     return true;
@@ -160,7 +167,7 @@ bool Session::advance() {
 
 bool Session::step_forward() {
     if (is_at_end()) return false;
-    if (world_.tick % History::spacing == 0) history_.keep(world_, solver_.settings());
+    if (world_.tick % History::spacing == 0) history_.keep(world_, solver_.settings(), game_);
     return advance();
 }
 
@@ -186,11 +193,13 @@ bool Session::restore(std::uint64_t tick) {
     contacts_.clear();
     if (from) {
         world_ = from->world;
+        game_ = from->game;
         use_solver(from->solver);
         const auto next = std::ranges::upper_bound(log_, world_.tick, {}, &TimedCommand::tick);
         obeyed_ = static_cast<std::size_t>(next - log_.begin());
     } else {
         world_ = base_ ? base_->world : scene_.world;
+        game_ = base_ ? base_->game : begin_game(scene_);
         use_solver(base_ ? base_->solver : first_solver_);
         obeyed_ = 0;
         obey_log_of_this_tick();
@@ -199,7 +208,7 @@ bool Session::restore(std::uint64_t tick) {
     const std::uint64_t dense = std::min(affordable, most_dense_ticks);
     while (world_.tick < tick) {
         if (tick - world_.tick <= dense || world_.tick % History::spacing == 0)
-            history_.keep(world_, solver_.settings());
+            history_.keep(world_, solver_.settings(), game_);
         if (!advance()) return false;
     }
     return true;
@@ -242,7 +251,8 @@ void Session::restart() {
 }
 
 std::size_t Session::rewind_bytes_used() const {
-    return history_.bytes() + log_bytes() + (base_ ? bytes_of(base_->world) : 0);
+    return history_.bytes() + log_bytes() +
+           (base_ ? bytes_of(base_->world) + bytes_of(base_->game) : 0);
 }
 
 }  // namespace carom

@@ -11,6 +11,7 @@
 
 #include "game/command.h"
 #include "game/fingerprint_mark.h"
+#include "game/game_state.h"
 #include "game/history.h"
 #include "level/scene.h"
 #include "physics/solver.h"
@@ -40,6 +41,8 @@ class Session {
 
     const Scene& scene() const { return scene_; }
     const World& world() const { return world_; }
+    /// What the game's rules remember.
+    const GameState& game() const { return game_; }
     const SolverSettings& solver() const { return solver_.settings(); }
     /// Contacts of the last tick; empty at the start and after a restart.
     std::span<const Contact> contacts() const { return contacts_; }
@@ -122,6 +125,7 @@ class Session {
     SolverSettings first_solver_;
     Solver solver_;
     World world_;
+    GameState game_;
     std::vector<Contact> contacts_;
     std::function<bool()> keep_going_;
     TickOutcome outcome_ = TickOutcome::done;

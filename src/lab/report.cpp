@@ -76,8 +76,10 @@ void write_totals(JsonWriter& json, std::string_view key, const Totals& sums) {
     json.end_object();
 }
 
-// A list for each group, in order, and a number for each counter that is in none.
-void write_counters(JsonWriter& json, const Scene& scene, const World& world) {
+// A list for each group, in order, a number for each counter that is in none, and what the game
+// counts.
+void write_counters(JsonWriter& json, const Scene& scene, const World& world,
+                    const RunRecord& record) {
     const std::vector<std::uint64_t> counts = census(world);
     std::vector<bool> is_grouped(counts.size(), false);
     json.key("counters");
@@ -95,6 +97,8 @@ void write_counters(JsonWriter& json, const Scene& scene, const World& world) {
     for (std::size_t i = 0; i < counts.size(); ++i) {
         if (!is_grouped[i]) json.field(name_at(scene.counter_names, i), counts[i]);
     }
+    for (const auto& [name, tally] : record.tallies)
+        json.field(name, tally);
     json.end_object();
 }
 
@@ -166,7 +170,7 @@ std::string report_json(std::string_view level, const Scene& scene, const World&
     json.end_object();
     json.field("max_overlap", record.max_overlap);
     json.field("escaped", std::uint64_t{record.escape.escaped(world)});
-    write_counters(json, scene, world);
+    write_counters(json, scene, world, record);
     write_expects(json, scene, record);
     write_cost(json, record, seconds);
     json.field("fingerprint", std::string_view(hexadecimal(fingerprint(world))));

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "lab/escape.h"
@@ -21,6 +23,8 @@ struct RunRecord {
     /// By Scene::expects. An expectation with a time is judged after the tick nearest to it; one
     /// without, at the end.
     std::vector<Judgement> judgements;
+    /// What a game counts, by name; noted at the end.
+    std::vector<std::pair<std::string, std::uint64_t>> tallies;
 };
 
 /// Notes the start, and judges what is due at time 0.

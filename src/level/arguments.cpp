@@ -41,8 +41,8 @@ class Reading {
 
     // "a = 1" and "W / 2": one mistake, though it makes several odd words.
     bool check_spaces(const std::vector<Word>& words) {
-        if (statement().name.starts_with("legend "))
-            return true;  // any character is a letter there
+        if (statement().name.starts_with("legend ") || statement().name == "on")
+            return true;  // any character is a letter there; a comma parts actions
         for (const Word& word : words) {
             if (word.text.find_first_not_of("=+-*/^,") != std::string_view::npos) continue;
             const bool is_key = word.text == "=";
@@ -100,7 +100,7 @@ class Reading {
         const Word value = word.part(equals + 1);
         const auto key = std::ranges::find(statement().keys, name.text, &KeyRule::name);
         if (key != statement().keys.end()) {
-            if (result_.values.contains(key->name)) {
+            if (result_.values.contains(key->name) && !key->repeats) {
                 mistake(name.span(), fmt::format("{}= stands here twice", name.text),
                         "keep one of them");
             } else if (value.text.empty()) {
@@ -143,6 +143,10 @@ class Reading {
         if (!read_numbers(key, argument)) {
             result_.is_sound = false;
             return;
+        }
+        if (key.repeats) {
+            result_.places.push_back({argument.numbers[0], argument.numbers[1]});
+            result_.place_words.push_back(value);
         }
         result_.values.emplace(key.name, argument);
     }

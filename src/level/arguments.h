@@ -24,6 +24,8 @@ struct Arguments {
     std::vector<Word> plain;
     std::vector<Vec2> points;
     std::vector<Word> point_words;
+    std::vector<Vec2> places;  ///< of a key that repeats
+    std::vector<Word> place_words;
     std::map<std::string_view, Argument> values;
     std::vector<std::pair<Word, Word>> own_keys;  ///< of let, part and place: name, expression
     std::set<std::string_view> flags;

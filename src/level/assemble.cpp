@@ -10,6 +10,7 @@
 #include "level/fill.h"
 #include "level/groups.h"
 #include "level/names.h"
+#include "level/table_assembly.h"
 #include "level/twins.h"
 
 namespace carom {
@@ -29,18 +30,26 @@ class Assembly {
         check_resolution(balls_, rate(), context_);
         Groups groups(draft_, names_, context_);
         groups.name_balls(balls_);
+        TableAssembly table(names_, context_);
+        table.check(!balls_.empty());
         if (context_.reporter.has_errors()) {
             groups.check_references();
             return;
         }
         make_world();
         groups.fill_in(scene_);
+        table.fill_in(scene_, groups.world_zones());
         if (!context_.reporter.has_errors()) check_gaps(balls_, names_, context_);
     }
 
   private:
-    double rate() const {
-        return options_.rate.value_or(draft_.settings.rate.value_or(World{}.rate));
+    double rate() const { return options_.rate.value_or(own_rate()); }
+
+    // Flippers ask for short ticks: pinball has them where the level says nothing else.
+    double own_rate() const {
+        constexpr double pinball_rate = 1000.0;
+        return draft_.settings.rate.value_or(draft_.settings.table.is_game ? pinball_rate
+                                                                           : World{}.rate);
     }
 
     StartingBall starting_ball(const BallDraft& draft) const {
@@ -179,7 +188,7 @@ class Assembly {
         scene_.game = s.game.value_or("sandbox");
         scene_.overridden = !options_.overrides.empty() ||
                             (options_.solver && options_.solver != s.solver) ||
-                            (options_.rate && options_.rate != s.rate.value_or(120.0)) ||
+                            (options_.rate && options_.rate != own_rate()) ||
                             (options_.seed && *options_.seed != s.seed.value_or(0));
         make_outlines();
         scene_.view = view();
@@ -199,6 +208,9 @@ class Assembly {
         model.spin = s.spin;
         if (s.wrap) model.wrap = s.world;
         model.lossy = is_lossy();
+        model.one_way = std::ranges::any_of(draft_.devices, [](const DeviceDraft& d) {
+            return d.device.kind == DeviceKind::droptarget;
+        });
         model.filtered = !names_.all_meet();
         model.ball_ball = names_.some_balls_meet();
         model.ball_edge = names_.some_edges_meet();

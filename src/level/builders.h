@@ -23,6 +23,16 @@ void build_pegs(const Arguments& arguments, const Frame& frame, Context& context
 void build_bins(const Arguments& arguments, const Frame& frame, Context& context);
 void build_zone(const Arguments& arguments, const Frame& frame, Context& context);
 
+// What stands on a pinball table (pinball_parts.cpp).
+void build_flipper(const Arguments& arguments, const Frame& frame, Context& context);
+void build_bumper(const Arguments& arguments, const Frame& frame, Context& context);
+/// slingshot, droptarget, target and gate: one for each two points.
+void build_device_edges(const Arguments& arguments, const Frame& frame, Context& context);
+/// rollover, spinner, kickback and lamp: one for each place.
+void build_device_spots(const Arguments& arguments, const Frame& frame, Context& context);
+void build_plunger(const Arguments& arguments, const Frame& frame, Context& context);
+void build_drain(const Arguments& arguments, const Frame& frame, Context& context);
+
 // Drawings (map_drawing.cpp).
 
 /// What a letter of a drawing stands for.

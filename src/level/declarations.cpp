@@ -5,6 +5,7 @@
 
 #include "level/builders.h"
 #include "level/numbers.h"
+#include "level/rules.h"
 #include "level/spelling.h"
 
 namespace carom {
@@ -166,19 +167,26 @@ void declare_seed(const Arguments& a, const Scope& scope, Context& context) {
 
 void declare_game(const Arguments& a, Context& context) {
     const Word& word = a.plain.front();
-    if (word.text == "sandbox" || word.text == "galton") {
-        context.draft.settings.game = std::string(word.text);
+    context.draft.settings.game_at = word.span();
+    if (word.text != "pinball" && !a.values.empty()) {
+        context.reporter.error(word.span(), fmt::format("game {} has no keys", word.text),
+                               "balls=, save=, tilt= and the like belong to game pinball");
         return;
     }
-    if (word.text == "eightball" || word.text == "nineball" || word.text == "pinball") {
+    if (word.text == "sandbox" || word.text == "galton" || word.text == "pinball") {
+        context.draft.settings.game = std::string(word.text);
+        if (word.text == "pinball") declare_pinball(a, context);
+        return;
+    }
+    if (word.text == "eightball" || word.text == "nineball") {
         context.reporter.error(word.span(),
                                fmt::format("'game {}' is not in this version of carom", word.text),
                                "write game sandbox, or leave the line out");
         return;
     }
-    context.reporter.error(
-        word.span(), fmt::format("there is no game '{}'", word.text),
-        did_you_mean(word.text, {"sandbox", "galton"}, "there are: sandbox galton"));
+    context.reporter.error(word.span(), fmt::format("there is no game '{}'", word.text),
+                           did_you_mean(word.text, {"sandbox", "galton", "pinball"},
+                                        "there are: sandbox galton pinball"));
 }
 
 void declare_legend(const Arguments& a, Legends& legends, Context& context) {
@@ -235,7 +243,8 @@ bool declare(const Arguments& a, const Scope& scope, Legends& legends, Context& 
     const bool is_legend = name.substr(0, 7) == "legend ";
     const bool is_show = name.substr(0, 5) == "show ";
     const bool is_known = is_use || is_legend || is_show || name == "collide" || name == "solver" ||
-                          name == "rate" || name == "seed" || name == "game" || name == "expect";
+                          name == "rate" || name == "seed" || name == "game" || name == "expect" ||
+                          name == "on";
     if (!is_known || !a.is_sound) return is_known;
     if (is_use) declare_use(a, scope, context);
     if (is_legend) declare_legend(a, legends, context);
@@ -245,6 +254,7 @@ bool declare(const Arguments& a, const Scope& scope, Legends& legends, Context& 
     if (name == "rate") declare_rate(a, scope, context);
     if (name == "seed") declare_seed(a, scope, context);
     if (name == "game") declare_game(a, context);
+    if (name == "on") declare_rule(a, scope, context);
     if (name == "expect") declare_expect(a, scope, context);
     return true;
 }

@@ -37,6 +37,8 @@ struct EdgeNaming {
     bool may_begin_with_material = false;
     std::optional<Word> material{};  ///< of a key material=
     bool makes_edges = true;         ///< false: only zones, which have no material
+    /// Of a part: what it is made of where no material is named, and its kick in any case.
+    std::optional<Material> part{};
 };
 
 /// What a statement calls its balls, and of which kind they are.
@@ -70,6 +72,7 @@ struct CapsuleDraft {
     int naming = 0;  ///< index into Draft::edge_namings
     int chain = 0;   ///< pieces of one edge, arc or box share it
     Origin origin;
+    int device = -1;  ///< index into Draft::devices; -1: none
 };
 
 struct ChainDraft {
@@ -81,6 +84,30 @@ struct ZoneDraft {
     Zone zone;
     int naming = 0;  ///< index into Draft::edge_namings
     Origin origin;
+    int device = -1;  ///< index into Draft::devices; -1: none
+};
+
+/// A device, but for what it is drawn as: the capsules and zones that refer to it. One to which
+/// nothing refers (the twin of another in a mirror) is no device, but for a lamp.
+struct DeviceDraft {
+    Device device;
+    int naming = 0;  ///< index into Draft::edge_namings
+    std::optional<Flipper> flipper{};
+    Button button = Button::left_flipper;  ///< of the flipper
+    Origin origin{};
+};
+
+/// An action and a rule, before their names are looked up.
+struct RuleActionDraft {
+    RuleAction action;
+    std::optional<Word> group;
+};
+struct RuleDraft {
+    Word name;
+    Word when_word;
+    Rule::When when = Rule::When::hit;
+    std::optional<Word> needs;
+    std::vector<RuleActionDraft> actions;
 };
 
 struct EmitterDraft {
@@ -150,6 +177,8 @@ struct SettingsDraft {
     std::optional<double> rate;
     std::optional<std::uint64_t> seed;
     std::optional<std::string> game;
+    std::optional<Span> game_at;
+    PinballTable table;  ///< its settings, of `game pinball`
 };
 
 struct Draft {
@@ -164,6 +193,8 @@ struct Draft {
     std::vector<ZoneDraft> zones;
     std::vector<EmitterDraft> emitters;
     std::vector<FillDraft> fills;
+    std::vector<DeviceDraft> devices;
+    std::vector<RuleDraft> rules;
     std::vector<CollideDraft> collides;
     std::vector<SpinNeed> spin_needs;
     std::vector<ShowDraft> shows;

@@ -286,8 +286,10 @@ void Groups::fill_in(Scene& scene) {
         group_named(scene.groups, index, name).capsules.push_back(world.capsules.id[i]);
     }
     std::uint32_t counter = 0;
+    world_zones_.assign(draft_.zones.size(), 0);
     for (const Bins& bins : bins_) {
         for (std::uint32_t i = 0; i < bins.zones.size(); ++i) {
+            world_zones_[bins.zones[i]] = static_cast<std::uint32_t>(world.zones.size());
             Zone zone = draft_.zones[bins.zones[i]].zone;
             zone.counter = counter++;
             world.zones.push_back(zone);

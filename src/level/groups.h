@@ -22,6 +22,9 @@ class Groups {
     /// shows and expects.
     void fill_in(Scene& scene);
 
+    /// By Draft::zones, the index into World::zones. Pre: filled in.
+    const std::vector<std::uint32_t>& world_zones() const { return world_zones_; }
+
   private:
     struct Bins {
         std::string name;
@@ -45,6 +48,7 @@ class Groups {
     std::map<std::string, std::uint32_t, std::less<>> ball_numbers_;
     std::vector<Bins> bins_;
     std::map<std::string, std::size_t, std::less<>> bins_index_;
+    std::vector<std::uint32_t> world_zones_;
     std::vector<Show> shows_;
     std::vector<Expect> expects_;
 };

@@ -20,6 +20,12 @@ std::vector<std::string_view> names_of(const std::vector<Draft>& drafts) {
     return names;
 }
 
+bool are_same(const Material& a, const Material& b) {
+    return a.restitution == b.restitution && a.soften == b.soften && a.friction == b.friction &&
+           a.kick == b.kick && a.kick_from == b.kick_from &&
+           a.kicks_in_the_middle == b.kicks_in_the_middle;
+}
+
 // The kinds or the materials of a level, found by name.
 class Classes {
   public:
@@ -72,6 +78,7 @@ class Resolver {
             result_.emitters.push_back(resolve_kind(emitter.kind));
         }
         make_classes();
+        make_parts();
         make_meetings();
         warn_unused();
         return std::move(result_);
@@ -117,9 +124,10 @@ class Resolver {
             const auto found = known_material(*material);
             edges.is_sound = found.has_value();
             edges.material = found.value_or(ClassIndex{0});
-        } else if (naming.makes_edges) {
+        } else if (naming.makes_edges && !naming.part) {
             edges.material = materials_.unnamed();
         }
+        if (naming.part) is_of_own_material_.push_back(!material);
         if (!words.empty()) take_name(words[0], naming.may_begin_with_material, edges);
         return edges;
     }
@@ -164,6 +172,47 @@ class Resolver {
             result_.materials.emplace_back();
             result_.material_names.emplace_back("edge");
         }
+    }
+
+    // Parts are made of materials of their own: what they are usually made of, or the named one
+    // with their kick.
+    void make_parts() {
+        const std::size_t first = result_.materials.size();
+        std::size_t part = 0;
+        for (std::size_t i = 0; i < draft_.edge_namings.size(); ++i) {
+            const EdgeNaming& naming = draft_.edge_namings[i];
+            if (!naming.part) continue;
+            const bool is_own = is_of_own_material_[part++];
+            ResolvedEdges& edges = result_.edges[i];
+            if (!edges.is_sound) continue;
+            Material made = *naming.part;
+            if (!is_own) {
+                const Material& named = result_.materials[edges.material];
+                made.restitution = named.restitution;
+                made.soften = named.soften;
+                made.friction = named.friction;
+            }
+            const std::string name(is_own ? naming.node->statement->name
+                                          : result_.material_names[edges.material]);
+            edges.material = part_material(made, name, first, naming.node->keyword().span());
+        }
+    }
+
+    ClassIndex part_material(const Material& made, const std::string& name, std::size_t first,
+                             const Span& at) {
+        for (std::size_t i = first; i < result_.materials.size(); ++i) {
+            if (result_.material_names[i] == name && are_same(result_.materials[i], made))
+                return static_cast<ClassIndex>(i);
+        }
+        if (result_.kinds.size() + result_.materials.size() >= max_classes) {
+            context_.reporter.error(
+                at, fmt::format("the level has more than {} kinds and materials", max_classes),
+                "let more parts have the same kick");
+            return 0;
+        }
+        result_.materials.push_back(made);
+        result_.material_names.push_back(name);
+        return static_cast<ClassIndex>(result_.materials.size() - 1);
     }
 
     // A kind may be called ball, as long as nobody has to guess which balls are meant.
@@ -262,6 +311,7 @@ class Resolver {
     std::vector<std::string_view> material_names_;
     Classes kinds_;
     Classes materials_;
+    std::vector<bool> is_of_own_material_;                          ///< by naming of a part
     std::map<std::string_view, std::vector<std::size_t>> classes_;  ///< by a word of `collide`
     Resolved result_;
 };

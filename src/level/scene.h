@@ -7,6 +7,7 @@
 
 #include "geometry/shapes.h"
 #include "level/quantities.h"
+#include "level/table.h"
 #include "physics/solver.h"
 #include "physics/world.h"
 
@@ -87,6 +88,7 @@ struct Scene {
     bool overridden = false;
     /// What is played: "sandbox" where the level does not say.
     std::string game = "sandbox";
+    PinballTable table;
 };
 
 }  // namespace carom

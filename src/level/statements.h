@@ -38,6 +38,7 @@ struct KeyRule {
     Measure measure = Measure::number;
     Bound bound = Bound::any;
     bool is_required = false;
+    bool repeats = false;  ///< at=: as often as one likes, a place each
 };
 
 enum class Place {

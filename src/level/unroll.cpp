@@ -114,6 +114,16 @@ class Unroller {
         if (name == "cradle") return build_cradle(arguments, frame, context_);
         if (name == "bins") return build_bins(arguments, frame, context_);
         if (name == "zone") return build_zone(arguments, frame, context_);
+        if (name == "flipper") return build_flipper(arguments, frame, context_);
+        if (name == "bumper") return build_bumper(arguments, frame, context_);
+        if (name == "plunger") return build_plunger(arguments, frame, context_);
+        if (name == "drain") return build_drain(arguments, frame, context_);
+        if (name == "slingshot" || name == "droptarget" || name == "target" || name == "gate") {
+            return build_device_edges(arguments, frame, context_);
+        }
+        if (name == "rollover" || name == "spinner" || name == "kickback" || name == "lamp") {
+            return build_device_spots(arguments, frame, context_);
+        }
         if (name == "pegs triangle" || name == "pegs grid") {
             return build_pegs(arguments, frame, context_);
         }

@@ -56,7 +56,7 @@ TEST_CASE("going back, forward and anywhere gives the same bits") {
     for (const Scene& scene : {busy_box(), rainy_torus()}) {
         // From room for everything to room for a handful of snapshots.
         for (const std::size_t memory :
-             {std::size_t{64} << 20, std::size_t{100000}, std::size_t{30000}}) {
+             {std::size_t{64} << 20, std::size_t{100000}, std::size_t{40000}}) {
             CAPTURE(memory);
             Session session(scene, swept, memory);
             const auto expected = play_busily(session);

@@ -1,0 +1,140 @@
+#include "game/game_state.h"
+
+#include <bit>
+
+#include "game/pinball.h"
+#include "physics/fingerprint.h"
+#include "physics/random.h"
+
+namespace carom {
+namespace {
+
+/// Folds numbers into one, in order.
+class Fold {
+  public:
+    explicit Fold(std::uint64_t start) : state_(start) {}
+    void add(std::uint64_t value) { state_ = random_bits(state_, RandomStream::level, value, 0); }
+    void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+    void add(const Vec2& v) {
+        add(v.x);
+        add(v.y);
+    }
+    std::uint64_t state() const { return state_; }
+
+  private:
+    std::uint64_t state_;
+};
+
+std::uint64_t folded(std::uint64_t start, const PinballState& s) {
+    Fold fold(start);
+    for (const std::uint64_t value : {static_cast<std::uint64_t>(s.phase),
+                                      s.phase_until,
+                                      static_cast<std::uint64_t>(s.score),
+                                      std::uint64_t{s.ball},
+                                      std::uint64_t{s.extra_balls},
+                                      static_cast<std::uint64_t>(s.bonus),
+                                      static_cast<std::uint64_t>(s.multiplier),
+                                      s.games,
+                                      std::uint64_t{s.is_launched},
+                                      s.save_until,
+                                      std::uint64_t{s.to_serve},
+                                      std::uint64_t{s.serves_itself},
+                                      s.launch_at,
+                                      s.nudge_until,
+                                      std::uint64_t{s.warnings},
+                                      std::uint64_t{s.is_tilted},
+                                      s.removals_seen,
+                                      s.drained,
+                                      s.searches,
+                                      s.lost,
+                                      s.message_until,
+                                      std::uint64_t{s.message.size()}})
+        fold.add(value);
+    fold.add(s.pull);
+    fold.add(s.nudge);
+    fold.add(s.tilt_meter);
+    for (const bool is_down : s.is_down)
+        fold.add(std::uint64_t{is_down});
+    for (std::size_t i = 0; i < s.is_lit.size(); ++i) {
+        fold.add(std::uint64_t{s.is_lit[i]} * 2 + s.is_rising[i]);
+        fold.add(s.turning[i]);
+        fold.add(s.turned[i]);
+    }
+    for (const PinballState::Visit& visit : s.visits)
+        fold.add(std::uint64_t{visit.device} << 32 | number(visit.ball));
+    for (const PinballState::Watch& watch : s.watches) {
+        fold.add(std::uint64_t{number(watch.ball)});
+        fold.add(watch.place);
+        fold.add(watch.since);
+        fold.add(std::uint64_t{watch.searches});
+    }
+    return fold.state();
+}
+
+}  // namespace
+
+GameState begin_game(const Scene& scene) {
+    if (scene.table.is_empty()) return {};
+    return begin_pinball(scene);
+}
+
+void follow_rules(const Scene& scene, World& world, GameState& game,
+                  std::span<const Contact> contacts) {
+    if (auto* pinball = std::get_if<PinballState>(&game))
+        follow_pinball(scene, world, *pinball, contacts);
+}
+
+std::optional<std::string> refusal(const Scene& scene, const World& world, const GameState& game,
+                                   const Command& command) {
+    const auto* press = std::get_if<command::Press>(&command);
+    if (!press || !std::holds_alternative<PinballState>(game)) return refusal(world, command);
+    if (has_button(scene, press->button)) return std::nullopt;
+    return "this table has nothing that the button moves";
+}
+
+void obey(const Scene& scene, World& world, GameState& game, const Command& command) {
+    const auto* pressed = std::get_if<command::Press>(&command);
+    auto* pinball = std::get_if<PinballState>(&game);
+    if (pressed && pinball)
+        press(scene, world, *pinball, pressed->button, pressed->is_down);
+    else
+        obey(world, command);
+}
+
+std::vector<Button> pressed_buttons(const GameState& game) {
+    std::vector<Button> down;
+    const auto* pinball = std::get_if<PinballState>(&game);
+    for (int button = 0; pinball && button < button_count; ++button)
+        if (pinball->is_down[static_cast<std::size_t>(button)])
+            down.push_back(static_cast<Button>(button));
+    return down;
+}
+
+std::uint64_t fingerprint(const World& world, const GameState& game) {
+    const std::uint64_t of_world = fingerprint(world);
+    const auto* pinball = std::get_if<PinballState>(&game);
+    return pinball ? folded(of_world, *pinball) : of_world;
+}
+
+std::size_t bytes_of(const GameState& game) {
+    const auto* pinball = std::get_if<PinballState>(&game);
+    if (!pinball) return 0;
+    const auto bytes_in = [](const auto& values) {
+        return values.capacity() * sizeof(values.front());
+    };
+    return bytes_in(pinball->is_lit) + bytes_in(pinball->is_rising) + bytes_in(pinball->turning) +
+           bytes_in(pinball->turned) + bytes_in(pinball->visits) + bytes_in(pinball->watches) +
+           pinball->message.capacity();
+}
+
+std::vector<std::pair<std::string, std::uint64_t>> tallies(const GameState& game) {
+    const auto* pinball = std::get_if<PinballState>(&game);
+    if (!pinball) return {};
+    return {{"score", static_cast<std::uint64_t>(pinball->score)},
+            {"ball", std::uint64_t{pinball->ball}},
+            {"drained", pinball->drained},
+            {"searches", pinball->searches},
+            {"lost", pinball->lost}};
+}
+
+}  // namespace carom
