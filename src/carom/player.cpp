@@ -89,6 +89,7 @@ void Player::advance(double seconds, const MayGoOn& may_go_on) {
         needs_draw_ = needs_draw_ || message_seconds_ <= 0.0;
     }
     if (is_too_small_ || page_ != Page::none) return;
+    press_buttons(table_keys_.pass(seconds));
     // What runs beside the game keeps up with it, or the game waits.
     if (!keep_up(may_go_on) || stands_still()) return;
     const bool was_seeking = clockwork_.is_seeking();
@@ -99,6 +100,7 @@ void Player::advance(double seconds, const MayGoOn& may_go_on) {
     if (clockwork_.advance(session_, seconds, both_may_go_on) > 0) needs_draw_ = true;
     keep_up(may_go_on);
     tell_outcome();
+    hear_table();
     if (was_seeking && !clockwork_.is_seeking()) {
         if (session_.is_at_end())
             say("nothing meets any more: the recording ends here");
@@ -278,7 +280,7 @@ bool ends_tick(const InputEvent& event, const KeyMap& keys) {
         case InputEvent::Kind::mouse:
             return event.action == press || event.action == release;
         case InputEvent::Kind::key:
-            return event.action != release && keys.action_of(key_of(event));
+            return button_of(event) || (event.action != release && keys.action_of(key_of(event)));
         default:
             return true;
     }

@@ -12,6 +12,7 @@
 #include "carom/keys.h"
 #include "carom/rival.h"
 #include "carom/swarm.h"
+#include "carom/table_keys.h"
 #include "game/session.h"
 #include "terminal/camera.h"
 #include "terminal/canvas.h"
@@ -127,6 +128,14 @@ class Player {
     void draw_rival(Canvas& canvas);
     CellPoint in_first_half(CellPoint place) const;
 
+    // player_table.cpp: a pinball table
+    const PinballState* pinball() const;
+    bool handle_button(const InputEvent& event);
+    void press_buttons(const std::vector<command::Press>& presses);
+    void hear_table();
+    std::string score_line() const;  ///< empty where no points are counted
+    void add_table_hints(std::vector<KeyHelp>& hints) const;
+
     // player_picture.cpp: drawing
     void lay_out(const Canvas& canvas, double aspect);
     Marks marks() const;
@@ -155,6 +164,8 @@ class Player {
     Clockwork clockwork_;
     Hand hand_;
     KeyMap keys_;
+    TableKeys table_keys_;
+    std::string heard_;  ///< what the table said last
 
     ViewOptions view_;
     ViewMemory memory_;

@@ -22,6 +22,7 @@ Wish Player::handle(const InputEvent& event) {
         handle_mouse(event);
         return Wish::none;
     }
+    if (handle_button(event)) return Wish::none;
     if (event.kind != InputEvent::Kind::key || event.action == InputEvent::Action::release)
         return Wish::none;
     const auto action = keys_.action_of(key_of(event));

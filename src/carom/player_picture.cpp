@@ -128,6 +128,7 @@ std::vector<KeyHelp> Player::hints() const {
         hint(Action::step_back, "step back");
         hint(Action::next_collision, "next collision");
     } else {
+        if (pinball() && !is_watching()) add_table_hints(hints);
         hint(Action::pause, "pause");
     }
     if (hand_.is_empty() && (shows_cursor_ || selected_) && !is_watching()) {
@@ -171,6 +172,7 @@ HudInfo Player::hud() const {
     const Totals sums = totals(world);
     HudInfo info;
     info.title = (is_watching() ? "recording: " : "") + session_.scene().title;
+    if (const std::string score = score_line(); !score.empty()) info.title += ": " + score;
     info.solver = solver_text(session_.solver());
     info.solver_is_picked = solver_is_picked_;
     if (solver_is_picked_) info.reason = pick_solver(session_.scene().world).reason;

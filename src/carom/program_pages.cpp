@@ -234,6 +234,8 @@ ScreenWishes Program::screen_wishes() const {
 void Program::save_level(Game& game) {
     namespace fs = std::filesystem;
     const Session& session = game.player.session();
+    if (!session.scene().table.is_empty())
+        return game.player.complain("a table cannot be saved in play: record it, with --record");
     const std::string stem = fs::path(game.source.path).stem().string();
     std::string path;
     std::error_code error;

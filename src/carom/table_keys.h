@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "game/command.h"
+#include "terminal/input.h"
+#include "terminal/pages.h"
+
+/// The keys of a pinball table: they stay down as long as they are held.
+namespace carom {
+
+/// The button that a key stands for, with no modifier but Shift; none: it is no key of a table.
+std::optional<Button> button_of(const InputEvent& event);
+
+/// For the line of hints, by what the table has.
+KeyHelp help_of_flippers();
+KeyHelp help_of_plunger();
+KeyHelp help_of_nudges();
+
+/// Turns events into presses. Where the terminal tells when a key is let go, a button is down until
+/// then. Where it never has, a press holds the button for a set time, and the key's repeats hold it
+/// on: a flipper for 0.2 s, then as long as repeats arrive; the plunger until they stop, or for
+/// 0.6 s.
+class TableKeys {
+  public:
+    /// What an event of a key of the table changes.
+    std::vector<command::Press> take(const InputEvent& event);
+    /// What lets go as `seconds` pass.
+    std::vector<command::Press> pass(double seconds);
+    /// Lets go of everything: nobody has seen what became of the keys.
+    std::vector<command::Press> let_go();
+
+    bool is_down() const;
+    bool tells_release() const { return tells_release_; }
+
+  private:
+    struct Held {
+        bool is_down = false;
+        double left = 0.0;   ///< s until it lets go by itself
+        double since = 1e9;  ///< s since its last press or repeat
+    };
+    std::array<Held, button_count> held_{};
+    bool tells_release_ = false;
+};
+
+}  // namespace carom
