@@ -61,6 +61,7 @@ class LevelWriter {
         edges();
         zones();
         balls();
+        cue();
         emitters();
         shows();
         return std::move(text_);
@@ -90,7 +91,9 @@ class LevelWriter {
         line("rate {}", world_.rate);
         line("seed {}", world_.seed);
         if (scene_.solver) solver(*scene_.solver);
-        if (scene_.game != "sandbox") line("game {}", scene_.game);
+        // A game of pool begins with a rack, which is written here as balls that lie somewhere.
+        const bool is_pool = scene_.game == "eightball" || scene_.game == "nineball";
+        if (scene_.game != "sandbox" && !is_pool) line("game {}", scene_.game);
         line("world {} {}", place(scene_.view.low), place(scene_.view.high));
     }
 
@@ -113,6 +116,10 @@ class LevelWriter {
         if (model.speed_limit) line("use limit {}", with_unit(*model.speed_limit, "m/s"));
         if (model.scatter) line("use scatter {}", with_unit(degrees_of(*model.scatter), "deg"));
         if (model.spin) line("use spin inertia={}", *model.spin);
+        if (model.cloth)
+            line("use cloth slide={} roll={} spin={} g={}", model.cloth->slide, model.cloth->roll,
+                 with_unit(has_units_ ? spin_of(model.cloth->spin) : model.cloth->spin, "rad/s2"),
+                 with_unit(model.cloth->gravity, "m/s2"));
         if (model.wrap) line("use wrap");
         if (deepest_overlap(world_) > 0.0) line("use overlap");
     }
@@ -226,6 +233,11 @@ class LevelWriter {
         for (std::size_t i = 0; i < world_.zones.size(); ++i) {
             const Zone& zone = world_.zones[i];
             const std::string& full = scene_.zone_names[i];
+            if (std::ranges::count(scene_.pool.pockets, i)) {
+                line("pocket {} at={} r={}", full.substr(0, full.rfind('.')),
+                     place(zone.shape.start), zone.shape.radius);
+                continue;
+            }
             line("zone {} {} {} r={}{}", full.substr(0, full.rfind('.')), place(zone.shape.start),
                  place(zone.shape.end), zone.shape.radius,
                  zone.effect == Zone::Effect::sink ? " sink" : "");
@@ -253,8 +265,19 @@ class LevelWriter {
             if (!balls.spin.empty() && balls.spin[i] != 0.0)
                 text_ += " w=" + (has_units_ ? fmt::format("{}rad/s", spin_of(balls.spin[i]))
                                              : fmt::format("{}", balls.spin[i]));
+            if (!balls.roll.empty() && !(balls.roll[i] == balls.velocity[i]))
+                text_ += " roll=" + with_unit(balls.roll[i], "m/s");
             text_ += '\n';
         }
+    }
+
+    void cue() {
+        const auto& cue = scene_.pool.cue;
+        if (!cue || !index_of(world_, cue->ball)) return;
+        std::string name_text = scene_.ball_names[number(cue->ball)];
+        std::ranges::replace(name_text, '.', '_');
+        line("cue ball={} power={}..{}", name_text, with_unit(cue->least_power, "m/s"),
+             with_unit(cue->most_power, "m/s"));
     }
 
     void emitters() {

@@ -10,6 +10,7 @@
 #include "level/fill.h"
 #include "level/groups.h"
 #include "level/names.h"
+#include "level/pool_assembly.h"
 #include "level/table_assembly.h"
 #include "level/twins.h"
 
@@ -32,12 +33,14 @@ class Assembly {
         groups.name_balls(balls_);
         TableAssembly table(names_, context_);
         table.check(!balls_.empty());
+        check_pool(balls_, options_, context_);
         if (context_.reporter.has_errors()) {
             groups.check_references();
             return;
         }
         make_world();
         groups.fill_in(scene_);
+        fill_in_pool(balls_, groups.world_zones(), scene_, context_);
         table.fill_in(scene_, groups.world_zones());
         if (!context_.reporter.has_errors()) check_gaps(balls_, names_, context_);
     }
@@ -59,11 +62,13 @@ class Assembly {
         ball.position = draft.position;
         ball.velocity = draft.velocity;
         ball.radius = draft.radius.value_or(kind.radius);
+        ball.position += draft.racked * (2.0 * ball.radius + draft.gap);
         const FillDefaults kinds = defaults_of(of.kind);
         ball.mass = draft.mass.value_or(
             kinds.mass.value_or(kinds.density * pi * ball.radius * ball.radius));
         ball.restitution = draft.restitution.value_or(kind.restitution);
         ball.spin = draft.spin;
+        ball.roll = draft.roll;
         ball.kind = of.kind;
         ball.naming = draft.naming;
         ball.origin = draft.origin;
@@ -172,7 +177,8 @@ class Assembly {
                              .radius = ball.radius,
                              .mass = ball.mass,
                              .restitution = ball.restitution,
-                             .spin = ball.spin});
+                             .spin = ball.spin,
+                             .roll = ball.roll});
         }
         for (const CapsuleDraft& edge : draft_.capsules) {
             add_capsule(world, edge.shape, material_of(edge), edge.side);
@@ -206,6 +212,9 @@ class Assembly {
         model.speed_limit = s.speed_limit;
         model.scatter = s.scatter;
         model.spin = s.spin;
+        model.cloth = s.cloth;
+        constexpr double solid_ball = 0.4;
+        if (s.cloth) model.spin = s.inertia.value_or(solid_ball);
         if (s.wrap) model.wrap = s.world;
         model.lossy = is_lossy();
         model.one_way = std::ranges::any_of(draft_.devices, [](const DeviceDraft& d) {

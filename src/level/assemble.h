@@ -13,6 +13,7 @@ struct StartingBall {
     double mass = 1.0;
     double restitution = 1.0;
     double spin = 0.0;  ///< rad/s
+    std::optional<Vec2> roll;
     ClassIndex kind = 0;
     int naming = -1;  ///< index into Draft::ball_namings; -1: a fill's
     Origin origin;

@@ -80,6 +80,10 @@ void build_ball(const Arguments& arguments, const Frame& frame, Context& context
     ball.mass = arguments.number("m");
     ball.restitution = arguments.number("e");
     ball.spin = arguments.number_or("w", 0.0);
+    if (arguments.has("roll")) {
+        ball.roll = arguments.pair_or("roll", {});
+        if (!context.draft.needs_cloth) context.draft.needs_cloth = arguments.span_of("roll");
+    }
     ball.naming = name_balls(ball_naming(arguments, false), context);
     ball.origin.span = arguments.span_of("at");
     add_ball_draft(ball, frame, context);

@@ -33,6 +33,12 @@ void build_device_spots(const Arguments& arguments, const Frame& frame, Context&
 void build_plunger(const Arguments& arguments, const Frame& frame, Context& context);
 void build_drain(const Arguments& arguments, const Frame& frame, Context& context);
 
+// A pool table (pool_parts.cpp).
+void build_rack(const Arguments& arguments, const Frame& frame, Context& context);
+void build_pocket(const Arguments& arguments, const Frame& frame, Context& context);
+void declare_cue(const Arguments& arguments, Context& context);
+void declare_cloth(const Arguments& arguments, Context& context);
+
 // Drawings (map_drawing.cpp).
 
 /// What a letter of a drawing stands for.

@@ -224,7 +224,10 @@ class StartCheck {
 }  // namespace
 
 void check_terms(Context& context) {
-    if (context.draft.settings.spin) return;
+    if (context.draft.needs_cloth && !context.draft.settings.cloth)
+        context.reporter.error(*context.draft.needs_cloth, "roll= needs 'use cloth'",
+                               "add a line 'use cloth', or leave roll= out");
+    if (context.draft.settings.spin || context.draft.settings.cloth) return;
     for (const SpinNeed& need : context.draft.spin_needs) {
         context.reporter.error(need.value.span(),
                                fmt::format("{}={} needs 'use spin'", need.key, need.value.text),

@@ -92,6 +92,8 @@ void declare_use(const Arguments& a, const Scope& scope, Context& context) {
         } else if (degrees) {
             s.scatter = *degrees > 0.0 ? std::optional(*degrees * pi / 180.0) : std::nullopt;
         }
+    } else if (term == "cloth") {
+        declare_cloth(a, context);
     } else if (term == "wrap") {
         s.wrap = a.node->keyword().span();
     } else if (term == "overlap") {
@@ -173,20 +175,16 @@ void declare_game(const Arguments& a, Context& context) {
                                "balls=, save=, tilt= and the like belong to game pinball");
         return;
     }
-    if (word.text == "sandbox" || word.text == "galton" || word.text == "pinball") {
+    if (word.text == "sandbox" || word.text == "galton" || word.text == "pinball" ||
+        word.text == "eightball" || word.text == "nineball") {
         context.draft.settings.game = std::string(word.text);
         if (word.text == "pinball") declare_pinball(a, context);
         return;
     }
-    if (word.text == "eightball" || word.text == "nineball") {
-        context.reporter.error(word.span(),
-                               fmt::format("'game {}' is not in this version of carom", word.text),
-                               "write game sandbox, or leave the line out");
-        return;
-    }
-    context.reporter.error(word.span(), fmt::format("there is no game '{}'", word.text),
-                           did_you_mean(word.text, {"sandbox", "galton", "pinball"},
-                                        "there are: sandbox galton pinball"));
+    context.reporter.error(
+        word.span(), fmt::format("there is no game '{}'", word.text),
+        did_you_mean(word.text, {"sandbox", "galton", "eightball", "nineball", "pinball"},
+                     "there are: sandbox galton eightball nineball pinball"));
 }
 
 void declare_legend(const Arguments& a, Legends& legends, Context& context) {
@@ -238,13 +236,16 @@ bool declare(const Arguments& a, const Scope& scope, Legends& legends, Context& 
     // A kind, a material or spin with a mistake exists all the same: only the mistake is told.
     if (name == "kind") return declare_kind(a, context), true;
     if (name == "material") return declare_material(a, context), true;
-    if (name == "use spin") context.draft.settings.spin = a.number_or("inertia", 0.5);
+    if (name == "use spin") {
+        context.draft.settings.spin = a.number_or("inertia", 0.5);
+        context.draft.settings.inertia = a.number("inertia");
+    }
     const bool is_use = name.substr(0, 4) == "use ";
     const bool is_legend = name.substr(0, 7) == "legend ";
     const bool is_show = name.substr(0, 5) == "show ";
     const bool is_known = is_use || is_legend || is_show || name == "collide" || name == "solver" ||
                           name == "rate" || name == "seed" || name == "game" || name == "expect" ||
-                          name == "on";
+                          name == "cue" || name == "on";
     if (!is_known || !a.is_sound) return is_known;
     if (is_use) declare_use(a, scope, context);
     if (is_legend) declare_legend(a, legends, context);
@@ -254,6 +255,7 @@ bool declare(const Arguments& a, const Scope& scope, Legends& legends, Context& 
     if (name == "rate") declare_rate(a, scope, context);
     if (name == "seed") declare_seed(a, scope, context);
     if (name == "game") declare_game(a, context);
+    if (name == "cue") declare_cue(a, context);
     if (name == "on") declare_rule(a, scope, context);
     if (name == "expect") declare_expect(a, scope, context);
     return true;

@@ -78,6 +78,8 @@ constexpr std::array measures{
     MeasureFacts{Measure::density, {-2, 1, 0, 0}, "a density", "1", "1kg/m2"},
     MeasureFacts{Measure::soften, {-1, 0, 1, 0}, "a number", "0.4", "0.4"},
     MeasureFacts{Measure::angular_speed, {0, 0, -1, 1}, "an angular speed", "10", "10rad/s"},
+    MeasureFacts{
+        Measure::angular_acceleration, {0, 0, -2, 1}, "an angular acceleration", "10", "10rad/s2"},
     MeasureFacts{Measure::result, {}, "a number", "0.5", "0.5"}};
 
 const MeasureFacts& facts(Measure measure) {
@@ -174,6 +176,7 @@ std::string written(double number, Measure measure, LengthUnit unit) {
                           number == 0.0;
     if (is_plain) return fmt::format("{:.6g}", number);
     if (measure == Measure::angular_speed) return fmt::format("{:.6g}rad/s", number);
+    if (measure == Measure::angular_acceleration) return fmt::format("{:.6g}rad/s2", number);
     if (measure == Measure::length) return fmt::format("{:.6g}", number / scale(unit));
     return fmt::format("{:.6g}{}", number, si_symbol(dimension_of(measure)));
 }

@@ -68,12 +68,13 @@ enum class Measure {
     mass,
     speed,
     acceleration,
-    rate,           ///< 1/s, carries its unit
-    frequency,      ///< 1/s, bare also where the level has units
-    density,        ///< mass/length^2
-    soften,         ///< s/length, bare: s/m
-    angular_speed,  ///< rad/s; bare, where the level has no units, rad/s too
-    result          ///< whatever an experiment yields: bare, or SI
+    rate,                  ///< 1/s, carries its unit
+    frequency,             ///< 1/s, bare also where the level has units
+    density,               ///< mass/length^2
+    soften,                ///< s/length, bare: s/m
+    angular_speed,         ///< rad/s; bare, where the level has no units, rad/s too
+    angular_acceleration,  ///< rad/s2, as angular_speed
+    result                 ///< whatever an experiment yields: bare, or SI
 };
 
 Dimension dimension_of(Measure measure);

@@ -71,6 +71,7 @@ void add_ball_draft(const BallDraft& ball, const Frame& frame, Context& context)
     BallDraft placed = ball;
     placed.position = frame.transform.point(ball.position);
     placed.velocity = frame.transform.direction(ball.velocity);
+    if (ball.roll) placed.roll = frame.transform.direction(*ball.roll);
     if (frame.transform.reflects()) placed.spin = -placed.spin;
     placed.origin.image = frame.image;
     context.draft.balls.push_back(placed);

@@ -62,7 +62,11 @@ struct BallDraft {
     std::optional<double> mass;
     std::optional<double> restitution;
     double spin = 0.0;  ///< rad/s
-    int naming = 0;     ///< index into Draft::ball_namings
+    std::optional<Vec2> roll;
+    /// Of a rack: how far from `position`, in diameters and gaps.
+    Vec2 racked;
+    double gap = 0.0;
+    int naming = 0;  ///< index into Draft::ball_namings
     Origin origin;
 };
 
@@ -85,6 +89,7 @@ struct ZoneDraft {
     int naming = 0;  ///< index into Draft::edge_namings
     Origin origin;
     int device = -1;  ///< index into Draft::devices; -1: none
+    bool is_pocket = false;
 };
 
 /// A device, but for what it is drawn as: the capsules and zones that refer to it. One to which
@@ -108,6 +113,20 @@ struct RuleDraft {
     Rule::When when = Rule::When::hit;
     std::optional<Word> needs;
     std::vector<RuleActionDraft> actions;
+};
+
+/// Where balls are racked; the balls themselves are drafts of their own.
+struct RackDraft {
+    Rack::Shape shape = Rack::Shape::eight;
+    Vec2 foot;
+    Vec2 toward;
+    int naming = 0;  ///< index into Draft::ball_namings
+};
+
+struct CueDraft {
+    Word ball;
+    double least_power = 0.0;
+    double most_power = 0.0;
 };
 
 struct EmitterDraft {
@@ -170,6 +189,9 @@ struct SettingsDraft {
     std::optional<double> speed_limit;
     std::optional<double> scatter;  ///< radians
     std::optional<double> spin;     ///< moment of inertia / (m r^2)
+    std::optional<double> inertia;  ///< the same, where the level says it
+    std::optional<Cloth> cloth;
+    std::optional<Span> cloth_at;
     std::optional<Span> wrap;
     bool may_overlap = false;
     std::optional<Box> world;
@@ -193,10 +215,13 @@ struct Draft {
     std::vector<ZoneDraft> zones;
     std::vector<EmitterDraft> emitters;
     std::vector<FillDraft> fills;
+    std::vector<RackDraft> racks;
+    std::vector<CueDraft> cues;
     std::vector<DeviceDraft> devices;
     std::vector<RuleDraft> rules;
     std::vector<CollideDraft> collides;
     std::vector<SpinNeed> spin_needs;
+    std::optional<Span> needs_cloth;  ///< the first value that means nothing without it
     std::vector<ShowDraft> shows;
     std::vector<ExpectDraft> expects;
     /// Names of balls, edges and bins whose statements had a mistake: they exist all the same.

@@ -42,7 +42,7 @@ void Groups::name_balls(const std::vector<StartingBall>& balls) {
         if (balls[i].naming < 0) continue;
         const BallNaming& naming = draft_.ball_namings[static_cast<std::size_t>(balls[i].naming)];
         if (!naming.name && !naming.is_numbered) continue;
-        const std::string_view base = naming.name ? naming.name->text : "cradle";
+        const std::string_view base = naming.name ? naming.name->text : naming.node->keyword().text;
         auto& [node, count] = statements[base];
         if (!node) node = naming.node;
         if (node != naming.node) {

@@ -32,8 +32,9 @@ std::optional<double> converted(const Word& word, const Value& value, const Labe
     if (context.is_unit_unknown) return value.number;
     const Dimension wanted = dimension_of(measure);
     if (measure == Measure::result) return value.number;
-    if (measure == Measure::angular_speed && value.dimension == wanted)
-        return value.number / (180.0 / pi);
+    const bool is_angular =
+        measure == Measure::angular_speed || measure == Measure::angular_acceleration;
+    if (is_angular && value.dimension == wanted) return value.number / (180.0 / pi);
     if (context.unit == LengthUnit::natural) {
         if (value.is_bare()) return value.number;
         const Dimension& d = value.dimension;

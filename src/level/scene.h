@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/shapes.h"
+#include "level/pool_table.h"
 #include "level/quantities.h"
 #include "level/table.h"
 #include "physics/solver.h"
@@ -88,6 +89,7 @@ struct Scene {
     bool overridden = false;
     /// What is played: "sandbox" where the level does not say.
     std::string game = "sandbox";
+    PoolTable pool;
     PinballTable table;
 };
 

@@ -22,6 +22,12 @@ std::vector<Statement> make_statements() {
     const KeyRule friction{"mu", scalar, number, not_negative};
     const KeyRule ball_mass{"m", scalar, mass, positive};
 
+    const std::vector<KeyRule> rack_keys{at,
+                                         kind,
+                                         {"toward", word},
+                                         {"gap", scalar, length, not_negative},
+                                         {"seed", scalar, whole, not_negative}};
+
     std::vector<Statement> all{
         {.name = "carom",
          .usage = R"(carom 1 "TITLE")",
@@ -79,7 +85,10 @@ std::vector<Statement> make_statements() {
         {.name = "use cloth",
          .usage = "use cloth slide= roll= spin= [g=]",
          .place = Place::top,
-         .is_in_version = false},
+         .keys = {{"slide", scalar, number, positive, true},
+                  {"roll", scalar, number, not_negative, true},
+                  {"spin", scalar, Measure::angular_acceleration, not_negative, true},
+                  {"g", scalar, Measure::acceleration, positive}}},
         {.name = "collide",
          .usage = "collide A B     (kinds, materials, ball, edge)",
          .place = Place::top,
@@ -116,7 +125,7 @@ std::vector<Statement> make_statements() {
          .plain_most = 1,
          .keys = {restitution, {"soften", scalar, Measure::soften, not_negative}, friction}},
         {.name = "ball",
-         .usage = "ball [NAME] at=X,Y [kind=] [v=VX,VY] [r=] [m=] [e=] [w=]",
+         .usage = "ball [NAME] at=X,Y [kind=] [v=VX,VY] [r=] [m=] [e=] [w=] [roll=VX,VY]",
          .plain_most = 1,
          .keys = {at,
                   kind,
@@ -124,7 +133,8 @@ std::vector<Statement> make_statements() {
                   ball_radius,
                   ball_mass,
                   restitution,
-                  {"w", scalar, Measure::angular_speed}}},
+                  {"w", scalar, Measure::angular_speed},
+                  {"roll", pair, speed}}},
         {.name = "edge",
          .usage = "edge [MATERIAL] [NAME] X,Y X,Y ... [r=] [close] [fillet=] [side=left|right]",
          .plain_most = 2,
@@ -226,6 +236,30 @@ std::vector<Statement> make_statements() {
                   restitution,
                   kind,
                   material}},
+        {.name = "rack eight",
+         .usage = "rack eight [NAME] at=X,Y [kind=] [toward=east|west|north|south] [gap=] [seed=]",
+         .place = Place::top,
+         .plain_most = 1,
+         .keys = rack_keys},
+        {.name = "rack nine",
+         .usage = "rack nine [NAME] at=X,Y [kind=] [toward=east|west|north|south] [gap=] [seed=]",
+         .place = Place::top,
+         .plain_most = 1,
+         .keys = rack_keys},
+        {.name = "rack triangle",
+         .usage =
+             "rack triangle [NAME] at=X,Y [kind=] [toward=east|west|north|south] [gap=] [seed=]",
+         .place = Place::top,
+         .plain_most = 1,
+         .keys = rack_keys},
+        {.name = "pocket",
+         .usage = "pocket [NAME] at=X,Y r=",
+         .plain_most = 1,
+         .keys = {at, {"r", scalar, length, positive, true}}},
+        {.name = "cue",
+         .usage = "cue ball=NAME power=A..B",
+         .place = Place::top,
+         .keys = {{"ball", word, number, any, true}, {"power", range, speed, not_negative, true}}},
         {.name = "mirror",
          .usage = "mirror [x=X] [y=Y] ... end",
          .opens_block = true,
@@ -352,7 +386,8 @@ std::vector<Statement> make_statements() {
          .points_most = 2,
          .keys = {{"r", scalar, length, positive}}},
         {.name = "game",
-         .usage = "game sandbox|galton|pinball [balls=N] [save=TIME] [tilt=N] [bonus=N] "
+         .usage = "game sandbox|galton|eightball|nineball|pinball [balls=N] [save=TIME] [tilt=N] "
+                  "[bonus=N] "
                   "[highscores=N]",
          .place = Place::top,
          .plain_least = 1,
@@ -380,9 +415,6 @@ std::vector<Statement> make_statements() {
          .keys = {{"at", scalar, time, not_negative}}},
         {.name = "end", .usage = "end"},
     };
-    for (const std::string_view later : {"rack", "pocket", "cue"}) {
-        all.push_back({.name = later, .usage = later, .is_in_version = false});
-    }
     return all;
 }
 

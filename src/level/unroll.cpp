@@ -114,6 +114,8 @@ class Unroller {
         if (name == "cradle") return build_cradle(arguments, frame, context_);
         if (name == "bins") return build_bins(arguments, frame, context_);
         if (name == "zone") return build_zone(arguments, frame, context_);
+        if (name == "pocket") return build_pocket(arguments, frame, context_);
+        if (name.starts_with("rack ")) return build_rack(arguments, frame, context_);
         if (name == "flipper") return build_flipper(arguments, frame, context_);
         if (name == "bumper") return build_bumper(arguments, frame, context_);
         if (name == "plunger") return build_plunger(arguments, frame, context_);
@@ -139,7 +141,8 @@ class Unroller {
     bool is_first_of_its_kind(const Node& node, const Span& span) {
         const std::string_view name = node.statement->name;
         const bool is_single = name.substr(0, 4) == "use " || name == "world" || name == "seed" ||
-                               name == "rate" || name == "solver" || name == "game";
+                               name == "rate" || name == "solver" || name == "game" ||
+                               name == "cue";
         if (!is_single) return true;
         const auto [first, is_new] = singles_.emplace(name, span);
         if (is_new) return true;
