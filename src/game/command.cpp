@@ -72,7 +72,15 @@ Refusal obstacle(const World& world, const Disc& disc, ClassIndex kind,
 
 Refusal refused(const World& world, const Strike& strike) {
     if (auto why = unless_ball(world, strike.ball)) return why;
-    return unless_finite(is_finite(strike.velocity), "the speed");
+    if (auto why = unless_finite(is_finite(strike.velocity), "the speed")) return why;
+    const double side = strike.side;
+    const double follow = strike.follow;
+    constexpr double most = Strike::most_offset;
+    if (!(side * side + follow * follow <= most * most))
+        return fmt::format("the tip slips off further than {} of the radius from the middle", most);
+    if (side != 0.0 && !world.model.spin) return "balls do not spin here";
+    if (follow != 0.0 && !world.model.cloth) return "there is no cloth to follow or draw on";
+    return std::nullopt;
 }
 
 Refusal refused(const World& world, const HoldBall& hold) {
@@ -162,9 +170,11 @@ Refusal refused(const World&, const SetGravity& set) {
     return unless_finite(!set.gravity || is_finite(*set.gravity), "gravity");
 }
 
-Refusal refused(const World&, const SetSolver& set) {
+Refusal refused(const World& world, const SetSolver& set) {
     if (!std::ranges::count(solvers_available(), set.settings.kind))
         return fmt::format("this carom has no solver {}", name(set.settings.kind));
+    if (world.model.cloth && !knows_cloth(set.settings.kind))
+        return fmt::format("solver {} does not know cloth", name(set.settings.kind));
     const auto in_range = [](int count) { return count >= 1 && count <= 1000; };
     if (!in_range(set.settings.updates) || !in_range(set.settings.steps) ||
         !in_range(set.settings.substeps))
@@ -209,7 +219,14 @@ struct Obey {
     World& world;
 
     void operator()(const Strike& strike) const {
-        world.balls.velocity[*index_of(world, strike.ball)] = strike.velocity;
+        const std::size_t i = *index_of(world, strike.ball);
+        world.balls.velocity[i] = strike.velocity;
+        // An impulse m v at that height and side gives the angular momentum m v r times either.
+        if (world.model.cloth)
+            world.balls.roll[i] = strike.velocity * (strike.follow / *world.model.spin);
+        if (world.model.cloth || strike.side != 0.0)
+            world.balls.spin[i] =
+                strike.side * length(strike.velocity) / (*world.model.spin * world.balls.radius[i]);
     }
     void operator()(const HoldBall& hold) const {
         take(world.held_balls, HeldBall{hold.ball, hold.target});

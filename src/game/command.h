@@ -13,10 +13,15 @@
 namespace carom {
 
 namespace command {
-/// The cue: the ball gets this velocity.
+/// The cue: the ball gets this velocity. Where the tip meets it off its middle it also turns: by
+/// `side` to the right and `follow` up, both as shares of the radius. Side needs Model::spin,
+/// follow Model::cloth; `follow` = Model::spin makes it roll at once.
 struct Strike {
+    static constexpr double most_offset = 0.5;  ///< further out, a tip slips off
     BallId ball{};
     Vec2 velocity;
+    double side = 0.0;
+    double follow = 0.0;
 };
 /// Takes a ball, or moves the hand that has it.
 struct HoldBall {

@@ -23,7 +23,10 @@ std::string text_of(Vec2 v) {
 
 struct CommandText {
     std::string operator()(const Strike& c) const {
-        return fmt::format("strike {} {}", number(c.ball), text_of(c.velocity));
+        std::string text = fmt::format("strike {} {}", number(c.ball), text_of(c.velocity));
+        if (c.side != 0.0) text += fmt::format(" side={}", c.side);
+        if (c.follow != 0.0) text += fmt::format(" follow={}", c.follow);
+        return text;
     }
     std::string operator()(const HoldBall& c) const {
         return fmt::format("hold-ball {} {}", number(c.ball), text_of(c.target));
@@ -100,6 +103,13 @@ Button button_of(Words& words) {
     return Button::plunger;
 }
 
+Command strike_of(Words& words) {
+    Strike strike{ball_of(words), words.point()};
+    strike.side = words.optional_real("side=").value_or(0.0);
+    strike.follow = words.optional_real("follow=").value_or(0.0);
+    return strike;
+}
+
 Command add_ball_of(Words& words) {
     BallSpec spec;
     spec.kind = words.integer<ClassIndex>();
@@ -155,7 +165,7 @@ SolverSettings read_solver(Words& words) {
 std::optional<Command> read_command(Words& words) {
     const std::string_view what = words.next().value_or("");
     // Arguments in braces are evaluated from left to right.
-    if (what == "strike") return Strike{ball_of(words), words.point()};
+    if (what == "strike") return strike_of(words);
     if (what == "hold-ball") return HoldBall{ball_of(words), words.point()};
     if (what == "drop-ball") return DropBall{ball_of(words)};
     if (what == "hold-edge") return HoldCapsule{capsule_of(words), words.point(), words.point()};

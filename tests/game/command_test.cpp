@@ -153,3 +153,23 @@ TEST_CASE("what never meets stays out of the model") {
     obey(world, command::AddBall{ball_at_rest({20.0, 15.0})});
     CHECK_FALSE(world.model.ball_ball);
 }
+
+TEST_CASE("strike: a tip off its middle makes the ball turn, where balls turn") {
+    World world = busy_box().world;
+    CHECK(refusal(world, command::Strike{BallId{0}, {1.0, 0.0}, 0.1, 0.0}));
+    CHECK(refusal(world, command::Strike{BallId{0}, {1.0, 0.0}, 0.0, 0.1}));
+    world.model.spin = 0.4;
+    world.model.cloth = Cloth{};
+    world.balls.spin.assign(world.balls.size(), 0.0);
+    world.balls.roll.assign(world.balls.size(), {});
+    CHECK(refusal(world, command::Strike{BallId{0}, {1.0, 0.0}, 0.4, 0.4}));
+    const command::Strike strike{BallId{0}, {3.0, 4.0}, 0.2, 0.4};
+    CHECK_FALSE(refusal(world, strike));
+    obey(world, strike);
+    CHECK(world.balls.velocity[0] == Vec2{3.0, 4.0});
+    CHECK(world.balls.roll[0] == Vec2{3.0, 4.0});  // at 2/5 it rolls at once
+    CHECK(world.balls.spin[0] == doctest::Approx(2.5));
+    obey(world, command::Strike{BallId{0}, {1.0, 0.0}});
+    CHECK(world.balls.roll[0] == Vec2{});
+    CHECK(world.balls.spin[0] == 0.0);
+}

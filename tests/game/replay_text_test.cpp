@@ -22,6 +22,7 @@ Replay everything() {
     const double third = 1.0 / 3.0;
     replay.commands = {
         {0, command::Strike{BallId{3}, {third, -2e-300}}},
+        {0, command::Strike{BallId{3}, {third, 1.0}, third, -0.125}},
         {12, command::HoldBall{BallId{3}, {1e22, 0.1}}},
         {40, command::DropBall{BallId{3}}},
         {50, command::HoldCapsule{CapsuleId{2}, {0.0, 0.3}, {10.0, 5.0}}},
@@ -77,11 +78,13 @@ TEST_CASE("a replay reads back as it was written, to the last bit") {
     REQUIRE(replay.commands.size() == everything().commands.size());
     CHECK(std::get<command::Strike>(replay.commands[0].command).velocity ==
           Vec2{1.0 / 3.0, -2e-300});
-    const auto& add = std::get<command::AddBall>(replay.commands[7].command).spec;
+    CHECK(std::get<command::Strike>(replay.commands[1].command).side == 1.0 / 3.0);
+    CHECK(std::get<command::Strike>(replay.commands[1].command).follow == -0.125);
+    const auto& add = std::get<command::AddBall>(replay.commands[8].command).spec;
     CHECK(add.radius == 0.1);
     CHECK_FALSE(add.mass);
     CHECK(add.restitution == 0.5);
-    CHECK(std::get<command::AddCapsule>(replay.commands[9].command).side == Side::left);
+    CHECK(std::get<command::AddCapsule>(replay.commands[10].command).side == Side::left);
 }
 
 TEST_CASE("a text without commands is enough") {
