@@ -22,8 +22,8 @@ bool overlap(const World& world, std::uint32_t i, std::uint32_t j) {
 }
 
 // How far around itself each ball looks for others at once, so that the steps of a tick can share
-// the answer: at least what the fastest goes in the tick, unless that is a large part of a ball.
-// One of a few values, so that the cells seldom change.
+// the answer: at least what the fastest goes in the tick, unless that is a large part of the mean
+// ball. One of a few values, so that the cells seldom change.
 double margin_for(const World& world) {
     double fastest = 0.0;
     for (const Vec2 velocity : world.balls.velocity)
@@ -31,8 +31,11 @@ double margin_for(const World& world) {
     double way = std::sqrt(fastest) * world.tick_length();
     if (world.model.gravity)
         way += length(*world.model.gravity) * world.tick_length() * world.tick_length();
-    double margin = largest_radius(world.balls) / 2.0;
-    for (int halvings = 0; halvings < 4 && way <= margin / 2.0; ++halvings)
+    double radii = 0.0;
+    for (const double radius : world.balls.radius)
+        radii += radius;
+    double margin = 0.5 * radii / static_cast<double>(std::max<std::size_t>(1, world.balls.size()));
+    for (int halvings = 0; halvings < 6 && way <= margin / 2.0; ++halvings)
         margin /= 2.0;
     return margin;
 }
@@ -50,7 +53,7 @@ void take_state(Balls& balls, std::size_t i, const ClothState<double>& state) {
 }  // namespace
 
 void OverlapSolver::tick(World& world, int updates, int steps, std::vector<Contact>& contacts,
-                         std::vector<std::uint8_t>& touched) {
+                         std::vector<std::uint8_t>& touched, Patience& patience) {
     const double duration = world.tick_length() / updates;
     const double start = world.time();
     const std::size_t count = world.balls.size();
@@ -71,10 +74,10 @@ void OverlapSolver::tick(World& world, int updates, int steps, std::vector<Conta
         way_.resize(count);
     }
     const auto first = static_cast<std::ptrdiff_t>(contacts.size());
-    for (int i = 0; i < updates; ++i) {
+    for (int i = 0; i < updates && !patience.is_out(); ++i) {
         move_hands(world, 1.0 / (updates - i), duration);
         with_terms(terms_of(world), [&]<Terms terms>() {
-            update<terms>(world, duration, steps, start + duration * (i + 1), contacts);
+            update<terms>(world, duration, steps, start + duration * (i + 1), contacts, patience);
         });
     }
     for (auto contact = contacts.begin() + first; contact != contacts.end(); ++contact) {
@@ -111,9 +114,11 @@ void OverlapSolver::move_hands(World& world, double share, double duration) {
 
 template <Terms terms>
 void OverlapSolver::update(World& world, double duration, int steps, double end_time,
-                           std::vector<Contact>& contacts) {
+                           std::vector<Contact>& contacts, Patience& patience) {
     is_first_step_ = true;
     for (int step = 0; step < steps && (is_first_step_ || !active_.empty()); ++step) {
+        const std::size_t moving = is_first_step_ ? world.balls.size() : active_.size();
+        if (!patience.lasts(moving)) break;
         if (is_first_step_) {
             move_all<terms>(world, duration);
             if (!neighbours_.cover(world)) neighbours_.look(world, margin_);

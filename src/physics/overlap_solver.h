@@ -7,6 +7,7 @@
 #include "physics/contact.h"
 #include "physics/flight.h"
 #include "physics/neighbours.h"
+#include "physics/patience.h"
 #include "physics/solver.h"
 #include "physics/terms.h"
 
@@ -32,9 +33,10 @@ namespace carom {
 class OverlapSolver {
   public:
     /// Moves everything by one tick and appends the exchanges to `contacts`. `touched`: see
-    /// surroundings.h.
+    /// surroundings.h. Where `patience` ends, which is asked between two steps, the world stays as
+    /// the last step left it.
     void tick(World& world, int updates, int steps, std::vector<Contact>& contacts,
-              std::vector<std::uint8_t>& touched);
+              std::vector<std::uint8_t>& touched, Patience& patience);
 
     /// Those of the smallest balls.
     const CellFrame& cells() const { return neighbours_.grid().finest(); }
@@ -65,7 +67,7 @@ class OverlapSolver {
 
     template <Terms terms>
     void update(World& world, double duration, int steps, double end_time,
-                std::vector<Contact>& contacts);
+                std::vector<Contact>& contacts, Patience& patience);
     template <Terms terms>
     Vec2 move(World& world, std::uint32_t ball, const Flight& flight);
     Vec2 move_on_cloth(World& world, std::uint32_t ball, double duration);

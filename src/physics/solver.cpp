@@ -5,6 +5,7 @@
 #include "physics/overlap_solver.h"
 #include "physics/surroundings.h"
 #include "physics/swept_solver.h"
+#include "physics/tick_undo.h"
 
 namespace carom {
 namespace {
@@ -12,6 +13,11 @@ namespace {
 constexpr std::array<std::string_view, 5> names{"discrete", "substep", "swept", "contact", "event"};
 constexpr std::array available{SolverKind::discrete, SolverKind::substep, SolverKind::swept,
                                SolverKind::event};
+
+// `discrete` does no more than look at each ball once, and `contact` a fixed number of times.
+bool may_give_up(SolverKind kind) {
+    return kind == SolverKind::substep || kind == SolverKind::swept || kind == SolverKind::event;
+}
 
 }  // namespace
 
@@ -42,6 +48,7 @@ struct Solver::State {
     std::unique_ptr<EventEngine<Wide>> extended;  // large, and seldom asked for
     std::vector<Contact> contacts;
     std::vector<std::uint8_t> touched;
+    TickUndo undo;
 };
 
 Solver::Solver(const SolverSettings& settings) : state_(std::make_unique<State>()) {
@@ -76,25 +83,21 @@ const CellFrame& Solver::cells() const {
 TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) {
     State& state = *state_;
     state.contacts.clear();
-    const bool can_give_up = keep_going && state.settings.kind == SolverKind::event;
-    std::optional<World> before;  // what precedes the motion must be taken back
-    if (can_give_up && (!world.emitters.empty() || !world.flippers.empty())) before = world;
+    const bool can_give_up = keep_going && may_give_up(state.settings.kind);
+    if (can_give_up) state.undo.note(world);
     emit(world);
     drive_flippers(world);
     state.touched.assign(world.balls.size(), 0);
-    if (state.settings.kind != SolverKind::event) {
-        world.paths.clear();
-        world.spin_paths.clear();
-    }
-    if (state.settings.kind != SolverKind::contact) world.pressed.clear();
     TickOutcome outcome = TickOutcome::done;
+    const std::function<bool()> nobody;
+    Patience patience(can_give_up ? keep_going : nobody);
     switch (state.settings.kind) {
         case SolverKind::discrete:
-            state.overlap.tick(world, 1, 1, state.contacts, state.touched);
+            state.overlap.tick(world, 1, 1, state.contacts, state.touched, patience);
             break;
         case SolverKind::substep:
             state.overlap.tick(world, state.settings.updates, state.settings.steps, state.contacts,
-                               state.touched);
+                               state.touched, patience);
             break;
         case SolverKind::contact:
             state.contact.tick(world, state.settings.contact_substeps, state.contacts,
@@ -105,17 +108,24 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
                 state.extended
                     ? state.extended->tick(world, state.contacts, state.touched, keep_going)
                     : state.event.tick(world, state.contacts, state.touched, keep_going);
-            if (ended == EventOutcome::given_up) {
-                state.contacts.clear();
-                if (before) world = std::move(*before);
-                return TickOutcome::given_up;
-            }
+            if (ended == EventOutcome::given_up) outcome = TickOutcome::given_up;
             if (ended == EventOutcome::too_dense) outcome = TickOutcome::too_dense;
             break;
         }
         default:
-            state.swept.tick(world, state.settings.substeps, state.contacts, state.touched);
+            state.swept.tick(world, state.settings.substeps, state.contacts, state.touched,
+                             patience);
     }
+    if (patience.is_out() || outcome == TickOutcome::given_up) {
+        state.contacts.clear();
+        state.undo.take_back(world);
+        return TickOutcome::given_up;
+    }
+    if (state.settings.kind != SolverKind::event) {
+        world.paths.clear();
+        world.spin_paths.clear();
+    }
+    if (state.settings.kind != SolverKind::contact) world.pressed.clear();
     rest_flippers(world);
     stop_slow_balls(world, state.touched);
     ++world.tick;

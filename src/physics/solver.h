@@ -72,7 +72,8 @@ class Solver {
     const SolverSettings& settings() const;
 
     /// One tick: emitters, what is held, motion and collisions, sinks. `keep_going`, where there is
-    /// one, is asked now and then in a long tick of `event`; the other solvers do not ask.
+    /// one, is asked now and then in a long tick of `substep`, `swept` and `event`. `discrete` and
+    /// `contact`, whose work in a tick is bounded, do not ask.
     TickOutcome tick(World& world, const std::function<bool()>& keep_going = {});
 
     /// The exchanges of momentum of the last tick, in the order in which they were made. Valid

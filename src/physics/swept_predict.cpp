@@ -19,6 +19,8 @@ bool is_noise(double time, Vec2 normal, Vec2 velocity, Vec2 other, double fall) 
            SweptSolver::noise * (length(velocity) + length(other) + fall);
 }
 
+constexpr std::size_t work_of_impact = 8;  // see Patience
+
 constexpr std::uint32_t nobody = 0xffffffffu;
 
 // A little more, of a few binary digits, so that it seldom changes.
@@ -199,12 +201,12 @@ void SweptSolver::predict_edge(const World& world, std::uint32_t ball, std::uint
 
 template <Terms terms>
 void SweptSolver::substep(World& world, double start_time, std::vector<Contact>& contacts,
-                          std::vector<std::uint8_t>& touched) {
+                          std::vector<std::uint8_t>& touched, Patience& patience) {
     const auto count = static_cast<std::uint32_t>(world.balls.size());
     look_around_paths(world);
     queue_.clear();
     predict_all_at_start<terms>(world);
-    while (!queue_.empty()) {
+    while (!queue_.empty() && patience.lasts(work_of_impact)) {
         std::pop_heap(queue_.begin(), queue_.end(),
                       [](const Event& a, const Event& b) { return is_earlier(b, a); });
         const Event event = queue_.back();
@@ -235,9 +237,10 @@ void SweptSolver::substep(World& world, double start_time, std::vector<Contact>&
 }
 
 void SweptSolver::move_along_paths(World& world, double start_time, std::vector<Contact>& contacts,
-                                   std::vector<std::uint8_t>& touched) {
-    with_terms(terms_of(world),
-               [&]<Terms terms>() { substep<terms>(world, start_time, contacts, touched); });
+                                   std::vector<std::uint8_t>& touched, Patience& patience) {
+    with_terms(terms_of(world), [&]<Terms terms>() {
+        substep<terms>(world, start_time, contacts, touched, patience);
+    });
 }
 
 }  // namespace carom

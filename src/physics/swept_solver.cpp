@@ -26,7 +26,7 @@ int substeps_needed(const World& world, int wanted) {
 }  // namespace
 
 void SweptSolver::tick(World& world, int substeps, std::vector<Contact>& contacts,
-                       std::vector<std::uint8_t>& touched) {
+                       std::vector<std::uint8_t>& touched, Patience& patience) {
     const int count = substeps_needed(world, substeps);
     const double duration = world.tick_length() / count;
     const double start = world.time();
@@ -41,7 +41,9 @@ void SweptSolver::tick(World& world, int substeps, std::vector<Contact>& contact
         if (const auto index = index_of(world, held.id)) inverse_mass_[*index] = 0.0;
     for (int i = 0; i < count; ++i) {
         begin_paths(world, 1.0 / (count - i));
-        move_along_paths(world, start + duration * i, contacts, touched);
+        if (!patience.lasts(world.balls.size())) return;
+        move_along_paths(world, start + duration * i, contacts, touched, patience);
+        if (patience.is_out()) return;
         finish_paths(world);
     }
 }

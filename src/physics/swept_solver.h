@@ -10,6 +10,7 @@
 #include "physics/contact.h"
 #include "physics/flight.h"
 #include "physics/neighbours.h"
+#include "physics/patience.h"
 #include "physics/swept_cells.h"
 #include "physics/terms.h"
 
@@ -66,9 +67,10 @@ class SweptSolver {
     static constexpr double noise = 1e-14;
 
     /// Moves everything by one tick and appends the exchanges to `contacts`. `touched`: see
-    /// surroundings.h.
+    /// surroundings.h. Where `patience` ends, which is asked between two impacts, the world stays
+    /// somewhere within the tick.
     void tick(World& world, int substeps, std::vector<Contact>& contacts,
-              std::vector<std::uint8_t>& touched);
+              std::vector<std::uint8_t>& touched, Patience& patience);
 
     const CellFrame& cells() const { return neighbours_.grid().finest(); }
 
@@ -109,10 +111,10 @@ class SweptSolver {
     };
 
     void move_along_paths(World& world, double start_time, std::vector<Contact>& contacts,
-                          std::vector<std::uint8_t>& touched);
+                          std::vector<std::uint8_t>& touched, Patience& patience);
     template <Terms terms>
     void substep(World& world, double start_time, std::vector<Contact>& contacts,
-                 std::vector<std::uint8_t>& touched);
+                 std::vector<std::uint8_t>& touched, Patience& patience);
     void begin_paths(World& world, double share_of_way);
     void finish_paths(World& world);
     void look_around_paths(const World& world);

@@ -13,25 +13,30 @@ namespace fs = std::filesystem;
 namespace {
 
 // A tick is a second of a gas that makes millions of collisions in it: many seconds of work.
-const char* const level = R"(carom 1 "Long ticks"
-rate 1
-solver event
+std::string level(const std::string& solver) {
+    return "carom 1 \"Long ticks\"\nrate 1\nsolver " + solver + R"(
 kind light r=0.5
 box 0,0 140,75
 fill light count=500 box=0,0,140,75 speed=1000000
 )";
+}
 
 struct LevelFile {
     fs::path path =
         fs::temp_directory_path() / ("carom-long-" + std::to_string(::getpid()) + ".level");
-    LevelFile() { std::ofstream(path) << level; }
+    explicit LevelFile(const std::string& solver) { std::ofstream(path) << level(solver); }
     ~LevelFile() { fs::remove(path); }
 };
 
 }  // namespace
 
 TEST_CASE("play answers keys inside a long tick") {
-    const LevelFile file;
+    std::string solver = "event";
+    SUBCASE("event") {}
+    SUBCASE("swept") {
+        solver = "swept";
+    }
+    const LevelFile file(solver);
     const std::string folder = fs::temp_directory_path().string() + "/carom-long-home";
     TerminalProgram game(
         {CAROM_BINARY_DIR "/carom", "play", file.path.string()},
