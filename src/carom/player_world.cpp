@@ -33,8 +33,8 @@ std::string solver_text(const SolverSettings& settings) {
     const std::string name_text{name(settings.kind)};
     if (settings.kind == SolverKind::substep)
         return fmt::format("{} {}x{}", name_text, settings.updates, settings.steps);
-    if (settings.kind == SolverKind::swept && settings.substeps > 1)
-        return fmt::format("{} {}", name_text, settings.substeps);
+    if (substeps_of(settings) != substeps_of({.kind = settings.kind}))
+        return fmt::format("{} {}", name_text, substeps_of(settings));
     return name_text;
 }
 

@@ -146,7 +146,7 @@ std::string replay_text(const Command& command) {
 
 std::string replay_text(const SolverSettings& settings) {
     return fmt::format("{} updates={} steps={} substeps={}", name(settings.kind), settings.updates,
-                       settings.steps, settings.substeps);
+                       settings.steps, substeps_of(settings));
 }
 
 SolverSettings read_solver(Words& words) {
@@ -156,8 +156,8 @@ SolverSettings read_solver(Words& words) {
     settings.kind = kind.value_or(settings.kind);
     settings.updates = words.setting("updates=");
     settings.steps = words.setting("steps=");
-    settings.substeps = words.setting("substeps=");
-    for (const int count : {settings.updates, settings.steps, settings.substeps})
+    set_substeps(settings, words.setting("substeps="));
+    for (const int count : {settings.updates, settings.steps, substeps_of(settings)})
         if (count < 1 || count > 1000) words.fail();
     return settings;
 }

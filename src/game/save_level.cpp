@@ -102,7 +102,8 @@ class LevelWriter {
             case SolverKind::substep:
                 return line("solver substep updates={} steps={}", settings.updates, settings.steps);
             case SolverKind::swept:
-                return line("solver swept substeps={}", settings.substeps);
+            case SolverKind::contact:
+                return line("solver {} substeps={}", name(settings.kind), substeps_of(settings));
             default:
                 return line("solver {}", name(settings.kind));
         }

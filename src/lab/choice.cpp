@@ -27,6 +27,10 @@ void add_variants(std::vector<Choice>& choices, SolverKind kind, double rate) {
         for (const int substeps : {2, 4, 8})
             add_new(choices, {{.kind = kind, .substeps = substeps}, rate});
     }
+    if (kind == SolverKind::contact) {
+        for (const int substeps : {2, 8, 16})
+            add_new(choices, {{.kind = kind, .contact_substeps = substeps}, rate});
+    }
 }
 
 }  // namespace
@@ -36,7 +40,8 @@ std::string written(const SolverSettings& solver) {
         case SolverKind::substep:
             return fmt::format("substep updates={} steps={}", solver.updates, solver.steps);
         case SolverKind::swept:
-            return fmt::format("swept substeps={}", solver.substeps);
+        case SolverKind::contact:
+            return fmt::format("{} substeps={}", name(solver.kind), substeps_of(solver));
         default:
             return std::string(name(solver.kind));
     }
@@ -49,8 +54,8 @@ std::string brief(const SolverSettings& solver) {
         text += fmt::format(" updates={}", solver.updates);
     if (solver.kind == SolverKind::substep && solver.steps != usual.steps)
         text += fmt::format(" steps={}", solver.steps);
-    if (solver.kind == SolverKind::swept && solver.substeps != usual.substeps)
-        text += fmt::format(" substeps={}", solver.substeps);
+    if (substeps_of(solver) != substeps_of(usual))
+        text += fmt::format(" substeps={}", substeps_of(solver));
     if (solver.kind == SolverKind::event && solver.extended) text += " extended";
     return text;
 }
@@ -61,8 +66,8 @@ void write_settings(JsonWriter& json, const SolverSettings& solver) {
         json.field("updates", static_cast<std::uint64_t>(solver.updates));
         json.field("steps", static_cast<std::uint64_t>(solver.steps));
     }
-    if (solver.kind == SolverKind::swept) {
-        json.field("substeps", static_cast<std::uint64_t>(solver.substeps));
+    if (solver.kind == SolverKind::swept || solver.kind == SolverKind::contact) {
+        json.field("substeps", static_cast<std::uint64_t>(substeps_of(solver)));
     }
     if (solver.kind == SolverKind::event) json.field("extended", solver.extended);
     json.end_object();

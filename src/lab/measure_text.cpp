@@ -164,9 +164,10 @@ std::string plot_of(const Measurement& measurement, const std::vector<bool>& fro
         legend +=
             fmt::format("{}{} {}", legend.empty() ? "" : ", ", mark_of(kind, false), name(kind));
     }
-    const std::string y_name = fmt::format(
-        "error after {}, radii", seconds_text(measurement.horizons[*measurement.headline]));
-    const std::string x_name = "ms a tick; " + legend + "; capitals: front";
+    const std::string y_name =
+        fmt::format("error after {}, radii; capitals: the front",
+                    seconds_text(measurement.horizons[*measurement.headline]));
+    const std::string x_name = "ms a tick; " + legend;
     const std::string plot = log_log_plot(points, {.x_name = x_name, .y_name = y_name});
     return plot.empty() ? plot : '\n' + plot;
 }

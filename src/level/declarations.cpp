@@ -103,7 +103,7 @@ void declare_use(const Arguments& a, const Scope& scope, Context& context) {
 
 bool has_setting(SolverKind solver, std::string_view key) {
     if (key == "updates" || key == "steps") return solver == SolverKind::substep;
-    return key != "substeps" || solver == SolverKind::swept;
+    return key != "substeps" || solver == SolverKind::swept || solver == SolverKind::contact;
 }
 
 void declare_solver(const Arguments& a, Context& context) {
@@ -118,14 +118,6 @@ void declare_solver(const Arguments& a, Context& context) {
                                did_you_mean(word.text, known, offer));
         return;
     }
-    if (std::find(known.begin(), known.end(), word.text) == known.end()) {
-        context.reporter.warning(
-            word.span(),
-            fmt::format("solver '{}' is not in this version of carom, so carom picks one",
-                        word.text),
-            offer);
-        return;
-    }
     for (const auto& [key, argument] : a.values) {
         if (has_setting(*kind, key)) continue;
         context.reporter.error(argument.value.span(), fmt::format("{} has no {}", word.text, key),
@@ -135,7 +127,7 @@ void declare_solver(const Arguments& a, Context& context) {
     settings.kind = *kind;
     settings.updates = static_cast<int>(a.number_or("updates", settings.updates));
     settings.steps = static_cast<int>(a.number_or("steps", settings.steps));
-    settings.substeps = static_cast<int>(a.number_or("substeps", settings.substeps));
+    set_substeps(settings, static_cast<int>(a.number_or("substeps", substeps_of(settings))));
     context.draft.settings.solver = settings;
 }
 

@@ -95,7 +95,7 @@ std::vector<Statement> make_statements() {
          .plain_least = 2,
          .plain_most = 2},
         {.name = "solver",
-         .usage = "solver discrete|substep|swept [updates=] [steps=] [substeps=]",
+         .usage = "solver discrete|substep|swept|contact|event [updates=] [steps=] [substeps=]",
          .place = Place::top,
          .plain_least = 1,
          .plain_most = 1,

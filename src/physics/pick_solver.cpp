@@ -21,8 +21,7 @@ SolverPick pick_solver(const World& world) {
         drains = drains || zone.effect == Zone::Effect::sink;
     const bool heaps = world.model.gravity && world.model.lossy && world.model.ball_ball && !drains;
     if (heaps && balls > many)
-        return {{.kind = SolverKind::substep},
-                "many balls that come to rest on one another cost `swept` too much"};
+        return {{.kind = SolverKind::contact}, "many balls come to rest on one another"};
     return {{.kind = SolverKind::swept},
             "nothing passes through anything, and free flight is exact"};
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 5> names{"discrete", "substep", "swept", "contact", "event"};
 constexpr std::array available{SolverKind::discrete, SolverKind::substep, SolverKind::swept,
-                               SolverKind::event};
+                               SolverKind::contact, SolverKind::event};
 
 // `discrete` does no more than look at each ball once, and `contact` a fixed number of times.
 bool may_give_up(SolverKind kind) {
@@ -37,6 +37,15 @@ std::span<const SolverKind> solvers_available() {
 
 bool knows_cloth(SolverKind kind) {
     return kind != SolverKind::contact && kind != SolverKind::event;
+}
+
+int substeps_of(const SolverSettings& settings) {
+    return settings.kind == SolverKind::contact ? settings.contact_substeps : settings.substeps;
+}
+
+void set_substeps(SolverSettings& settings, int substeps) {
+    (settings.kind == SolverKind::contact ? settings.contact_substeps : settings.substeps) =
+        substeps;
 }
 
 struct Solver::State {

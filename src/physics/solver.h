@@ -33,6 +33,10 @@ struct SolverSettings {
     friend bool operator==(const SolverSettings&, const SolverSettings&) = default;
 };
 
+/// The substeps of its kind: those of `contact`, or those of `swept`.
+int substeps_of(const SolverSettings& settings);
+void set_substeps(SolverSettings& settings, int substeps);
+
 std::string_view name(SolverKind kind);
 /// By name, exactly; none when there is no such solver.
 std::optional<SolverKind> solver_named(std::string_view name);

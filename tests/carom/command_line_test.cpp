@@ -44,9 +44,6 @@ TEST_CASE("usage that is wrong says what is wrong, and what was probably meant")
         {{"run", level, "--slover", "swept"},
          "there is no option '--slover'; did you mean '--solver'?"},
         {{"run", level, "--solver", "swpt"}, "there is no solver 'swpt'; did you mean 'swept'?"},
-        {{"run", level, "--solver", "contact"},
-         "this version of carom does not have the solver 'contact'; it has discrete, substep, "
-         "swept, event"},
         {{"run", level, "--solver"}, "--solver needs a value"},
         {{"run", level, "--time", "-1"}, "--time must be a number from 0"},
         {{"run", level, "--time", "soon"}, "but is 'soon'"},

@@ -480,6 +480,8 @@ TEST_CASE("a split window shows another solver, the next one, and at last the ga
     CHECK(person.sees(" swept  tick 30"));
     CHECK(person.sees("| event  tick 30"));
     person.key(U'S');
+    CHECK(person.sees("| contact  tick 30"));
+    person.key(U'S');
     CHECK(person.sees("| substep 4x15  tick 30"));
     person.key(U'S');
     CHECK(person.sees("| discrete  tick 30"));
@@ -490,7 +492,7 @@ TEST_CASE("a split window shows another solver, the next one, and at last the ga
 
 TEST_CASE("a parting is marked in both halves, told, and goes when time goes back") {
     Person person;
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 4; ++i)
         person.key(U'S');
     REQUIRE(person.sees("| discrete"));
     person.pass(2.0);
@@ -508,7 +510,7 @@ TEST_CASE("in a split window, one step at a time misses no parting") {
     Person stepping;
     Person running;
     for (Person* person : {&stepping, &running})
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < 4; ++i)
             person->key(U'S');
     running.pass(1.0);
     for (int i = 0; i < 120; ++i)

@@ -403,12 +403,11 @@ TEST_CASE("solver, rate, seed and game") {
     CHECK(scene.game == "galton");
 }
 
-TEST_CASE("a solver that this version lacks is a warning, and carom picks") {
-    const LoadResult result = load_lines("solver contact\n");
-    REQUIRE(result.scene);
-    CHECK_FALSE(result.scene->solver);
-    REQUIRE(result.diagnostics.size() == 1);
-    CHECK(result.diagnostics[0].severity == Severity::warning);
+TEST_CASE("substeps are those of the solver that has them") {
+    CHECK(load_lines("solver contact\n").scene->solver->contact_substeps == 4);
+    CHECK(load_lines("solver contact substeps=9\n").scene->solver->contact_substeps == 9);
+    CHECK(load_lines("solver swept substeps=9\n").scene->solver->substeps == 9);
+    CHECK(load_lines("solver event substeps=9\n").diagnostics.size() == 1);
 }
 
 TEST_CASE("the comment that opens the file") {

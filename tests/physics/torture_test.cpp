@@ -11,8 +11,9 @@
 #include "physics/support/scenes.h"
 #include "physics/totals.h"
 
-// Every solver at the extremes. `swept` and `event` promise: all numbers finite, no ball lost, no
-// energy gained beyond rounding. What the others do is printed as a table; docs/accuracy.md has it.
+// Every solver at the extremes. `swept`, `contact` and `event` promise: all numbers finite, no ball
+// lost, no energy gained beyond rounding. What the others do is printed as a table;
+// docs/accuracy.md has it.
 
 using namespace carom;
 
@@ -266,7 +267,7 @@ void run_ordeal(Ordeal ordeal, SolverKind kind, Outcome& outcome) {
 }
 
 bool promises(SolverKind kind) {
-    return kind == SolverKind::swept || kind == SolverKind::event;
+    return kind == SolverKind::swept || kind == SolverKind::contact || kind == SolverKind::event;
 }
 
 std::string text(double value) {
