@@ -147,9 +147,10 @@ void EventEngine<Real>::begin(World& world) {
     begun_.clear();
     edge_contacts_ = world.balls.edge_contacts;
     constexpr std::uint64_t look_at_frame_every = 64;
-    const bool is_frame_kept =
-        world.tick % look_at_frame_every != 0 || (cells_.suits(world) && !world.model.one_way);
-    if (is_continued(world) && is_frame_kept) {
+    const bool is_frame_kept = world.tick % look_at_frame_every != 0 || cells_.suits(world);
+    // What a ball will meet on a one-way edge depends on when that is asked: for a snapshot to go
+    // on with the same bits, all ask when a tick begins.
+    if (is_continued(world) && is_frame_kept && !world.model.one_way) {
         std::size_t changed = 0;
         const bool turns = world.model.spin.has_value();
         for (std::uint32_t i = 0; i < paths_.size(); ++i)
