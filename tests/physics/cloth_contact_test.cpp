@@ -204,8 +204,9 @@ TEST_CASE("stop, follow and draw") {
             double roll;   // at the impact, of the cue ball's speed
             double after;  // the cue ball's speed in the end, of what it was: 2/7 of that
         };
-        for (const auto& [roll, after] :
-             {Shot{0.0, 0.0}, Shot{1.0, 2.0 / 7.0}, Shot{-1.0, -2.0 / 7.0}}) {
+        for (const Shot& shot : {Shot{0.0, 0.0}, Shot{1.0, 2.0 / 7.0}, Shot{-1.0, -2.0 / 7.0}}) {
+            const double roll = shot.roll;
+            const double after = shot.after;
             CAPTURE(roll);
             World world = table(1.0, 0.0);
             world.rate = 960.0;
