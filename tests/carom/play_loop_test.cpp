@@ -53,7 +53,7 @@ TEST_CASE("a heavy game obeys keys, the mouse, new sizes and the end, whatever i
         game.send(mouse_press(0, 40 + i, 10));
         game.send(mouse_drag(0, 41 + i, 11));
         game.send(mouse_release(0, 41 + i, 11));
-        game.send(i % 2 == 0 ? "c" : "+");
+        game.send(i % 2 == 0 ? "c" : "t");
         game.settle(0.02);
     }
     // A key that does nothing, and a click on nothing, hold no tick up.
