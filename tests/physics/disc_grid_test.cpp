@@ -148,8 +148,8 @@ TEST_CASE("cells hold their discs in ascending order, and levels discs of like s
                 grid.for_each_in_cell(level, column, row, [&](std::uint32_t i) {
                     discs_here.push_back(i);
                     CHECK(grid.level_of(i) == level);
-                    CHECK(discs.radii[i] <= grid.reach(level));
-                    CHECK(discs.radii[i] > 0.39 * grid.reach(level));
+                    CHECK(discs.radii[i] <= grid.largest(level));
+                    CHECK(discs.radii[i] > 0.49 * grid.largest(level));
                 });
                 CHECK(std::ranges::is_sorted(discs_here));
                 seen += discs_here.size();
