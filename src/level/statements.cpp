@@ -49,7 +49,7 @@ std::vector<std::string_view> second_words(std::string_view keyword) {
 std::string grammar() {
     std::string result;
     for (const Statement& statement : table()) {
-        if (statement.is_in_version) result.append(statement.usage).append("\n");
+        result.append(statement.usage).append("\n");
     }
     return result;
 }

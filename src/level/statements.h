@@ -60,7 +60,6 @@ struct Statement {
     std::vector<KeyRule> keys;
     std::vector<std::string_view> flags;
     bool takes_any_key = false;  ///< let, part and place: the author invents the keys
-    bool is_in_version = true;   ///< pool's and pinball's are not yet
 };
 
 /// No limit on the number of points.

@@ -42,10 +42,6 @@ class Unroller {
     void execute(const Node& node, const Frame& frame) {
         const Statement& statement = *node.statement;
         if (!take_step(node)) return;
-        if (!statement.is_in_version) {
-            report_not_in_version(node);
-            return;
-        }
         if (statement.place == Place::top && !frame.is_top) {
             context_.reporter.error(node.keyword().span(),
                                     fmt::format("{} does not belong in a block", statement.name),
@@ -80,15 +76,6 @@ class Unroller {
             "repeat less");
         stopped_ = true;
         return false;
-    }
-
-    void report_not_in_version(const Node& node) {
-        const Word& second = node.words[node.words.size() > 1 ? 1 : 0];
-        const bool is_use = node.keyword().text == "use";
-        context_.reporter.error(
-            is_use ? second.span() : node.keyword().span(),
-            fmt::format("'{}' is not in this version of carom", node.statement->name),
-            is_use ? "leave the line out" : fmt::format("leave the {} out", node.statement->name));
     }
 
     // `said_at`: where the file says it, also when --set replaces it.
@@ -296,11 +283,7 @@ class Unroller {
             }
             return;
         }
-        if (node.statement->is_in_version) {
-            execute_sound(node, frame, node.keyword().span());
-        } else {
-            report_not_in_version(node);
-        }
+        execute_sound(node, frame, node.keyword().span());
     }
 
     Includes includes_;

@@ -1,5 +1,8 @@
 #include "physics/surroundings.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "geometry/closest.h"
 #include "physics/cell_frame.h"
 #include "physics/random.h"
@@ -113,6 +116,19 @@ void drain_sinks(World& world) {
     keep(balls.edge_contacts, gone);
     keep(balls.spin, gone);
     keep(balls.roll, gone);
+}
+
+int substeps_needed(const World& world, int wanted) {
+    if (!world.model.wrap) return wanted;
+    const Vec2 torus = size(*world.model.wrap);
+    double fastest = 0.0;
+    for (const Vec2 velocity : world.balls.velocity)
+        fastest = std::max(fastest, length_squared(velocity));
+    double speed = std::sqrt(fastest);
+    if (world.model.gravity) speed += length(*world.model.gravity) * world.tick_length();
+    const double furthest = std::min(torus.x, torus.y) / 8.0;
+    const double needed = std::ceil(speed * world.tick_length() / furthest);
+    return std::max(wanted, static_cast<int>(std::min(needed, 10'000.0)));
 }
 
 }  // namespace carom

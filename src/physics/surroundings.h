@@ -18,4 +18,8 @@ void stop_slow_balls(World& world, const std::vector<std::uint8_t>& touched);
 /// Counts and removes the balls in sinks. `world.tick` is the tick that ends.
 void drain_sinks(World& world);
 
+/// How many substeps a tick needs, `wanted` or more: on a torus each must be so short that no ball
+/// meets two images of another in it, an eighth of the torus at most. 10,000 at most.
+int substeps_needed(const World& world, int wanted);
+
 }  // namespace carom

@@ -5,25 +5,9 @@
 
 #include "geometry/closest.h"
 #include "physics/bounce.h"
+#include "physics/surroundings.h"
 
 namespace carom {
-namespace {
-
-// On a torus a substep must be so short that no ball meets two images of another in it.
-int substeps_needed(const World& world, int wanted) {
-    if (!world.model.wrap) return wanted;
-    const Vec2 torus = size(*world.model.wrap);
-    double fastest = 0.0;
-    for (const Vec2 velocity : world.balls.velocity)
-        fastest = std::max(fastest, length_squared(velocity));
-    double speed = std::sqrt(fastest);
-    if (world.model.gravity) speed += length(*world.model.gravity) * world.tick_length();
-    const double furthest = std::min(torus.x, torus.y) / 8.0;
-    const double needed = std::ceil(speed * world.tick_length() / furthest);
-    return std::max(wanted, static_cast<int>(std::min(needed, 10'000.0)));
-}
-
-}  // namespace
 
 void SweptSolver::tick(World& world, int substeps, std::vector<Contact>& contacts,
                        std::vector<std::uint8_t>& touched, Patience& patience) {
