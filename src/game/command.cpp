@@ -186,6 +186,22 @@ Refusal refused(const World&, const Press&) {
     return "there is no game that has buttons";
 }
 
+Refusal refused_without_rules() {
+    return "there is no game of pool that has rules";
+}
+
+Refusal refused(const World&, const CallShot&) {
+    return refused_without_rules();
+}
+
+Refusal refused(const World&, const Decide&) {
+    return refused_without_rules();
+}
+
+Refusal refused(const World&, const RackAgain&) {
+    return refused_without_rules();
+}
+
 /// Where something with this id is, or belongs, in a list in ascending order of id.
 template <typename Held, typename Id>
 auto place_of(std::vector<Held>& held, Id id) {
@@ -266,6 +282,9 @@ struct Obey {
     void operator()(const SetGravity& set) const { world.model.gravity = set.gravity; }
     void operator()(const SetSolver&) const {}
     void operator()(const Press&) const {}
+    void operator()(const CallShot&) const {}
+    void operator()(const Decide&) const {}
+    void operator()(const RackAgain&) const {}
 };
 
 bool is_drop(const Command& command) {
@@ -311,6 +330,8 @@ void obey(World& world, const Command& command) {
 }
 
 bool continues_gesture(const Command& earlier, const Command& later) {
+    if (std::holds_alternative<CallShot>(earlier))
+        return std::holds_alternative<CallShot>(later) || std::holds_alternative<Strike>(later);
     const bool hand_was_closed = is_hold(earlier) || is_place(earlier);
     const bool hand_goes_on = is_hold(later) || is_place(later);
     return hand_was_closed ? hand_goes_on || is_drop(later) : is_drop(earlier) && is_drop(later);

@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "game/pool_rules.h"
 #include "level/table.h"
 #include "physics/solver.h"
 #include "physics/world.h"
@@ -76,13 +77,24 @@ struct Press {
     Button button = Button::left_flipper;
     bool is_down = false;
 };
+/// Pool: what the next shot shall do; the last call counts.
+struct CallShot {
+    PoolCall call;
+};
+/// Pool: what the player whose turn it is decides.
+struct Decide {
+    PoolChoice choice = PoolChoice::take_table;
+};
+/// Pool: the next frame.
+struct RackAgain {};
 }  // namespace command
 
 using Command =
     std::variant<command::Strike, command::HoldBall, command::DropBall, command::HoldCapsule,
                  command::DropCapsule, command::PlaceBall, command::PlaceCapsule, command::AddBall,
                  command::RemoveBall, command::AddCapsule, command::RemoveCapsule,
-                 command::SetGravity, command::SetSolver, command::Press>;
+                 command::SetGravity, command::SetSolver, command::Press, command::CallShot,
+                 command::Decide, command::RackAgain>;
 
 /// A command and the tick at which it applies: before tick number `tick` + 1 is computed.
 struct TimedCommand {
@@ -93,7 +105,7 @@ struct TimedCommand {
 /// Why a command cannot be obeyed, as a sentence for the player; none when it can. A command is
 /// refused when it is about what is not there, when a number in it is not finite or out of range,
 /// and when it would put a ball or an edge into another body that it meets. A world alone has no
-/// buttons: see game_state.h.
+/// buttons and no referee: see game_state.h.
 std::optional<std::string> refusal(const World& world, const Command& command);
 
 /// Does to the world what the command says; SetSolver does nothing to it. What is added under
@@ -102,7 +114,8 @@ std::optional<std::string> refusal(const World& world, const Command& command);
 void obey(World& world, const Command& command);
 
 /// Whether `later`, coming right after `earlier`, goes on with its gesture: a drag, from taking to
-/// dropping, is one, and so are placings that follow each other. A gesture is undone as a whole.
+/// dropping, is one, and so are placings that follow each other, and a call with its shot. A
+/// gesture is undone as a whole.
 bool continues_gesture(const Command& earlier, const Command& later);
 
 /// Whether it moves an edge by hand. Edges do not hinder each other, so that two such commands of

@@ -1,29 +1,11 @@
 #include "game/game_state.h"
 
-#include <bit>
-
+#include "game/fold.h"
 #include "game/pinball.h"
 #include "physics/fingerprint.h"
-#include "physics/random.h"
 
 namespace carom {
 namespace {
-
-/// Folds numbers into one, in order.
-class Fold {
-  public:
-    explicit Fold(std::uint64_t start) : state_(start) {}
-    void add(std::uint64_t value) { state_ = random_bits(state_, RandomStream::level, value, 0); }
-    void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
-    void add(const Vec2& v) {
-        add(v.x);
-        add(v.y);
-    }
-    std::uint64_t state() const { return state_; }
-
-  private:
-    std::uint64_t state_;
-};
 
 std::uint64_t folded(std::uint64_t start, const PinballState& s) {
     Fold fold(start);
@@ -74,6 +56,7 @@ std::uint64_t folded(std::uint64_t start, const PinballState& s) {
 }  // namespace
 
 GameState begin_game(const Scene& scene) {
+    if (const auto pool = begin_pool(scene)) return *pool;
     if (scene.table.is_empty()) return {};
     return begin_pinball(scene);
 }
@@ -82,10 +65,13 @@ void follow_rules(const Scene& scene, World& world, GameState& game,
                   std::span<const Contact> contacts) {
     if (auto* pinball = std::get_if<PinballState>(&game))
         follow_pinball(scene, world, *pinball, contacts);
+    if (auto* pool = std::get_if<PoolPlay>(&game)) follow_pool(scene, world, *pool, contacts);
 }
 
 std::optional<std::string> refusal(const Scene& scene, const World& world, const GameState& game,
                                    const Command& command) {
+    if (const auto* pool = std::get_if<PoolPlay>(&game))
+        return refusal(scene, world, *pool, command);
     const auto* press = std::get_if<command::Press>(&command);
     if (!press || !std::holds_alternative<PinballState>(game)) return refusal(world, command);
     if (has_button(scene, press->button)) return std::nullopt;
@@ -97,6 +83,8 @@ void obey(const Scene& scene, World& world, GameState& game, const Command& comm
     auto* pinball = std::get_if<PinballState>(&game);
     if (pressed && pinball)
         press(scene, world, *pinball, pressed->button, pressed->is_down);
+    else if (auto* pool = std::get_if<PoolPlay>(&game))
+        obey(scene, world, *pool, command);
     else
         obey(world, command);
 }
@@ -112,11 +100,13 @@ std::vector<Button> pressed_buttons(const GameState& game) {
 
 std::uint64_t fingerprint(const World& world, const GameState& game) {
     const std::uint64_t of_world = fingerprint(world);
+    if (const auto* pool = std::get_if<PoolPlay>(&game)) return folded(of_world, *pool);
     const auto* pinball = std::get_if<PinballState>(&game);
     return pinball ? folded(of_world, *pinball) : of_world;
 }
 
 std::size_t bytes_of(const GameState& game) {
+    if (const auto* pool = std::get_if<PoolPlay>(&game)) return bytes_of(*pool);
     const auto* pinball = std::get_if<PinballState>(&game);
     if (!pinball) return 0;
     const auto bytes_in = [](const auto& values) {
@@ -128,6 +118,11 @@ std::size_t bytes_of(const GameState& game) {
 }
 
 std::vector<std::pair<std::string, std::uint64_t>> tallies(const GameState& game) {
+    if (const auto* pool = std::get_if<PoolPlay>(&game))
+        return {{"player", static_cast<std::uint64_t>(pool->rules.player) + 1},
+                {"shots", std::uint64_t{pool->shots}},
+                {"frames1", std::uint64_t{pool->frames[0]}},
+                {"frames2", std::uint64_t{pool->frames[1]}}};
     const auto* pinball = std::get_if<PinballState>(&game);
     if (!pinball) return {};
     return {{"score", static_cast<std::uint64_t>(pinball->score)},

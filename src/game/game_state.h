@@ -11,6 +11,7 @@
 
 #include "game/command.h"
 #include "game/pinball_state.h"
+#include "game/pool.h"
 #include "level/scene.h"
 #include "physics/contact.h"
 #include "physics/world.h"
@@ -20,7 +21,7 @@
 namespace carom {
 
 /// One alternative a game; std::monostate where there are no rules.
-using GameState = std::variant<std::monostate, PinballState>;
+using GameState = std::variant<std::monostate, PinballState, PoolPlay>;
 
 /// At the start of the scene.
 GameState begin_game(const Scene& scene);
@@ -29,7 +30,7 @@ GameState begin_game(const Scene& scene);
 void follow_rules(const Scene& scene, World& world, GameState& game,
                   std::span<const Contact> contacts);
 
-/// As refusal(world, command), with the commands that only a game has.
+/// As refusal(world, command), with the commands that only a game has, and what its rules forbid.
 std::optional<std::string> refusal(const Scene& scene, const World& world, const GameState& game,
                                    const Command& command);
 /// As obey(world, command). Pre: the command is not refused.

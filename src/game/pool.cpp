@@ -1,7 +1,12 @@
 #include "game/pool.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
+
+#include "game/fold.h"
+#include "geometry/impact.h"
 
 namespace carom {
 namespace {
@@ -9,12 +14,6 @@ namespace {
 const Rack& rack_of(const Scene& scene) {
     const auto wanted = scene.game == "eightball" ? Rack::Shape::eight : Rack::Shape::nine;
     return *std::ranges::find(scene.pool.racks, wanted, &Rack::shape);
-}
-
-bool is_still(const World& world) {
-    const auto moves = [](Vec2 v) { return !(v == Vec2{}); };
-    return std::ranges::none_of(world.balls.velocity, moves) &&
-           std::ranges::none_of(world.balls.roll, moves);
 }
 
 // As the scene's ball of that id, but there, and at rest.
@@ -79,6 +78,7 @@ void carry_out(const Scene& scene, World& world, PoolPlay& play, const PoolRulin
     play.rules = ruling.next;
     play.last_foul = ruling.foul;
     play.call = {};
+    if (play.rules.winner) ++play.frames[static_cast<std::size_t>(*play.rules.winner)];
     if (ruling.rerack) return rack_anew(scene, world, play);
     for (const int ball : ruling.respot)
         put_back(scene, world, play, ball);
@@ -116,7 +116,156 @@ void note_pocketed(const Scene& scene, const World& world, PoolPlay& play) {
     }
 }
 
+using Refusal = std::optional<std::string>;
+
+Refusal refused(const Scene& scene, const World& world, const PoolPlay& play,
+                const command::Strike& strike) {
+    if (auto why = refusal_to_shoot(play, strike.ball)) return why;
+    if (auto why = refusal(world, Command(strike))) return why;
+    const double speed = length(strike.velocity);
+    const double most = scene.pool.cue->most_power;
+    constexpr double rounding = 1e-9;
+    if (!(speed > 0.0)) return "the cue does not move";
+    if (speed > most * (1.0 + rounding)) return fmt::format("the cue gives at most {:g} m/s", most);
+    return std::nullopt;
+}
+
+Refusal refused(const Scene& scene, const World& world, const PoolPlay& play,
+                const command::PlaceBall& place) {
+    if (auto why = refusal_to_place(scene, play, place.ball, place.position)) return why;
+    if (auto why = refusal(world, Command(place))) return why;
+    const double radius = world.balls.radius[*index_of(world, place.ball)];
+    if (!is_on_table(scene, world, place.position, radius)) return "it must lie on the table";
+    return std::nullopt;
+}
+
+Refusal refused(const Scene& scene, const World&, const PoolPlay& play,
+                const command::CallShot& call) {
+    using enum PoolCall::Kind;
+    if (auto why = refusal_to_shoot(play, play.balls[cue_ball].value_or(BallId{}))) return why;
+    if (call.call.kind == push_out)
+        return play.rules.may_push_out ? Refusal{} : "a push-out is for the shot after the break";
+    if (call.call.kind == none) return std::nullopt;
+    if (play.rules.game == PoolGame::nine_ball) return "in 9-ball nothing is called";
+    if (play.rules.phase == PoolPhase::breaking) return "nothing is called on the break";
+    if (call.call.kind == safety) return std::nullopt;
+    const int last = static_cast<int>(rack_of(scene).balls.size());
+    if (call.call.ball < 1 || call.call.ball > last ||
+        !play.balls[static_cast<std::size_t>(call.call.ball)])
+        return fmt::format("the {} is not on the table", call.call.ball);
+    const int pockets = static_cast<int>(scene.pool.pockets.size());
+    if (call.call.pocket < 0 || call.call.pocket >= pockets) return "there is no such pocket";
+    return std::nullopt;
+}
+
+Refusal refused(const Scene&, const World&, const PoolPlay& play, const command::Decide& decide) {
+    if (play.rules.phase == PoolPhase::choosing &&
+        std::ranges::count(play.rules.choices, decide.choice))
+        return std::nullopt;
+    return "that is not to be chosen now";
+}
+
+Refusal refused(const Scene&, const World&, const PoolPlay& play, const command::RackAgain&) {
+    return play.is_shooting ? Refusal{"the balls still roll"} : Refusal{};
+}
+
+Refusal refused(const Scene&, const World& world, const PoolPlay&, const command::SetSolver& set) {
+    return refusal(world, Command(set));
+}
+
+template <typename Other>
+Refusal refused(const Scene&, const World&, const PoolPlay&, const Other&) {
+    return "in this game only the cue moves anything; pool-table has no rules";
+}
+
 }  // namespace
+
+std::optional<std::string> refusal(const Scene& scene, const World& world, const PoolPlay& play,
+                                   const Command& command) {
+    return std::visit([&](const auto& c) { return refused(scene, world, play, c); }, command);
+}
+
+void obey(const Scene& scene, World& world, PoolPlay& play, const Command& command) {
+    if (const auto* call = std::get_if<command::CallShot>(&command)) {
+        play.call = call->call;
+    } else if (const auto* decide = std::get_if<command::Decide>(&command)) {
+        make_choice(scene, world, play, decide->choice);
+    } else if (std::holds_alternative<command::RackAgain>(command)) {
+        rack_again(scene, world, play);
+    } else {
+        obey(world, command);
+        if (std::holds_alternative<command::Strike>(command)) begin_shot(play);
+    }
+}
+
+bool is_on_table(const Scene& scene, const World& world, Vec2 place, double radius) {
+    const Vec2 from = head_spot(scene);
+    const Disc ball{from, radius};
+    for (const Capsule& edge : world.capsules.shape)
+        if (first_impact(ball, place - from, edge, 1.0)) return false;
+    return std::ranges::none_of(scene.pool.pockets, [&](std::uint32_t pocket) {
+        const Capsule& shape = scene.world.zones[pocket].shape;
+        return length(place - shape.start) < shape.radius;
+    });
+}
+
+bool lies_still(const World& world) {
+    const auto moves = [](Vec2 v) { return !(v == Vec2{}); };
+    return std::ranges::none_of(world.balls.velocity, moves) &&
+           std::ranges::none_of(world.balls.roll, moves);
+}
+
+std::uint64_t folded(std::uint64_t start, const PoolPlay& play) {
+    Fold fold(start);
+    const auto add = [&fold](auto value) {
+        fold.add(static_cast<std::uint64_t>(static_cast<std::int64_t>(value)));
+    };
+    const auto add_shot = [&](const PoolShot& shot) {
+        add(shot.first_hit.value_or(-1));
+        add(shot.rail_after_hit);
+        add(shot.railed);
+        add(shot.pocketed.size());
+        for (const PoolShot::Pocketed& pocketed : shot.pocketed) {
+            add(pocketed.ball);
+            add(pocketed.pocket);
+        }
+    };
+    const PoolState& rules = play.rules;
+    add(rules.game);
+    add(rules.options.nine_on_break_wins);
+    add(rules.options.fouls_that_lose);
+    add(rules.phase);
+    add(rules.player);
+    add(rules.down);
+    add(rules.group ? static_cast<int>(*rules.group) : -1);
+    add(rules.in_hand);
+    add(rules.may_push_out);
+    add(rules.fouls[0]);
+    add(rules.fouls[1]);
+    add(rules.choices.size());
+    for (const PoolChoice choice : rules.choices)
+        add(choice);
+    add(rules.winner.value_or(-1));
+    for (const std::optional<BallId>& ball : play.balls)
+        add(ball ? static_cast<std::int64_t>(number(*ball)) : -1);
+    add(play.call.kind);
+    add(play.call.ball);
+    add(play.call.pocket);
+    add(play.is_shooting);
+    add_shot(play.shot);
+    add(play.shooter.value_or(-1));
+    add(play.last_foul);
+    add(play.shots);
+    add(play.breaker);
+    add(play.frames[0]);
+    add(play.frames[1]);
+    return fold.state();
+}
+
+std::size_t bytes_of(const PoolPlay& play) {
+    return play.shot.pocketed.capacity() * sizeof(PoolShot::Pocketed) +
+           play.rules.choices.capacity() * sizeof(PoolChoice);
+}
 
 std::optional<int> number_of(const PoolPlay& play, BallId ball) {
     const auto found = std::ranges::find(play.balls, std::optional(ball));
@@ -136,6 +285,7 @@ Vec2 head_spot(const Scene& scene) {
 std::optional<PoolPlay> begin_pool(const Scene& scene, int breaker) {
     if (scene.game != "eightball" && scene.game != "nineball") return std::nullopt;
     PoolPlay play;
+    play.breaker = breaker;
     play.rules =
         begin_rack(scene.game == "eightball" ? PoolGame::eight_ball : PoolGame::nine_ball, breaker);
     const int count = static_cast<int>(rack_of(scene).balls.size());
@@ -166,6 +316,7 @@ std::optional<std::string> refusal_to_place(const Scene& scene, const PoolPlay& 
 
 void begin_shot(PoolPlay& play) {
     play.is_shooting = true;
+    play.shooter = play.rules.player;
     play.shot = {};
     ++play.shots;
 }
@@ -175,13 +326,23 @@ void follow_pool(const Scene& scene, World& world, PoolPlay& play,
     if (!play.is_shooting) return;
     note_contacts(play, contacts);
     note_pocketed(scene, world, play);
-    if (!is_still(world)) return;
+    if (!lies_still(world)) return;
     play.is_shooting = false;
     carry_out(scene, world, play, judge(play.rules, play.call, play.shot));
 }
 
 void make_choice(const Scene& scene, World& world, PoolPlay& play, PoolChoice choice) {
     carry_out(scene, world, play, choose(play.rules, choice));
+}
+
+void rack_again(const Scene& scene, World& world, PoolPlay& play) {
+    if (play.rules.phase == PoolPhase::over) play.breaker = 1 - play.breaker;
+    play.rules = begin_rack(play.rules.game, play.breaker, play.rules.options);
+    play.call = {};
+    play.shot = {};
+    play.shooter.reset();
+    play.last_foul = PoolFoul::none;
+    rack_anew(scene, world, play);
 }
 
 }  // namespace carom

@@ -4,13 +4,15 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 
+#include "game/command.h"
 #include "game/pool_rules.h"
 #include "level/scene.h"
 #include "physics/contact.h"
 #include "physics/world.h"
 
-/// A rack of 8-ball or 9-ball on a table: watches the balls, asks the rules when they lie still,
+/// Frames of 8-ball or 9-ball on a table: watches the balls, asks the rules when they lie still,
 /// and does what the rules say, such as putting a ball back on its spot.
 namespace carom {
 
@@ -21,9 +23,12 @@ struct PoolPlay {
     std::array<std::optional<BallId>, 16> balls{};
     PoolCall call;  ///< for the next shot
     bool is_shooting = false;
-    PoolShot shot;  ///< what the present shot has done so far
+    PoolShot shot;  ///< what the present shot has done so far, or what the last one did
+    std::optional<int> shooter;  ///< whose shot that is; none: nobody has shot in this frame
     PoolFoul last_foul = PoolFoul::none;
     std::uint32_t shots = 0;
+    int breaker = 0;                        ///< who broke, or will, at the start of this frame
+    std::array<std::uint32_t, 2> frames{};  ///< won by each
 
     friend bool operator==(const PoolPlay&, const PoolPlay&) = default;
 };
@@ -36,6 +41,13 @@ std::optional<std::string> refusal_to_shoot(const PoolPlay& play, BallId ball);
 /// Why the cue ball cannot be put there; none when it can. What overlaps is refused elsewhere.
 std::optional<std::string> refusal_to_place(const Scene& scene, const PoolPlay& play, BallId ball,
                                             Vec2 place);
+/// Why a command is against the rules, or cannot be obeyed by the world; none when it can. Only the
+/// cue ball is struck, and placed when it is in hand; nothing else is touched.
+std::optional<std::string> refusal(const Scene& scene, const World& world, const PoolPlay& play,
+                                   const Command& command);
+
+/// Pre: not refused.
+void obey(const Scene& scene, World& world, PoolPlay& play, const Command& command);
 
 /// The cue ball has been struck. Pre: not refused.
 void begin_shot(PoolPlay& play);
@@ -48,10 +60,26 @@ void follow_pool(const Scene& scene, World& world, PoolPlay& play,
 /// Pre: the choice is one of play.rules.choices.
 void make_choice(const Scene& scene, World& world, PoolPlay& play, PoolChoice choice);
 
+/// The next frame, which the other player breaks; a frame that is not over is begun again. Pre: no
+/// ball rolls.
+void rack_again(const Scene& scene, World& world, PoolPlay& play);
+
 /// Which ball that is; none: none of the game's.
 std::optional<int> number_of(const PoolPlay& play, BallId ball);
 
+/// Whether every ball lies still, though it may still turn on the spot.
+bool lies_still(const World& world);
+
 /// Where the cue ball starts: the middle of the head string.
 Vec2 head_spot(const Scene& scene);
+
+/// Whether a ball can be there without lying beyond a cushion or over a pocket; other balls do not
+/// count. For a convex table.
+bool is_on_table(const Scene& scene, const World& world, Vec2 place, double radius);
+
+/// Folds all of it into `start`.
+std::uint64_t folded(std::uint64_t start, const PoolPlay& play);
+/// Beyond its own size, in bytes.
+std::size_t bytes_of(const PoolPlay& play);
 
 }  // namespace carom

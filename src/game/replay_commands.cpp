@@ -16,6 +16,10 @@ constexpr std::string_view side_names[] = {"both", "left", "right", "none"};
 constexpr std::string_view button_names[] = {"left",       "right",       "plunger",
                                              "nudge-left", "nudge-right", "nudge-up"};
 static_assert(std::size(button_names) == button_count);
+/// How they say PoolCall::Kind and PoolChoice.
+constexpr std::string_view call_names[] = {"none", "pot", "safety", "push-out"};
+constexpr std::string_view choice_names[] = {"take-table", "break-again", "let-break", "spot-eight",
+                                             "return-push"};
 
 std::string text_of(Vec2 v) {
     return fmt::format("{},{}", v.x, v.y);
@@ -76,6 +80,17 @@ struct CommandText {
         return fmt::format("{} {}", c.is_down ? "press" : "release",
                            button_names[static_cast<std::size_t>(c.button)]);
     }
+    std::string operator()(const CallShot& c) const {
+        std::string text =
+            fmt::format("call {}", call_names[static_cast<std::size_t>(c.call.kind)]);
+        if (c.call.kind == PoolCall::Kind::pot)
+            text += fmt::format(" {} {}", c.call.ball, c.call.pocket);
+        return text;
+    }
+    std::string operator()(const Decide& c) const {
+        return fmt::format("decide {}", choice_names[static_cast<std::size_t>(c.choice)]);
+    }
+    std::string operator()(const RackAgain&) const { return "rack"; }
     std::string operator()(const SetSolver& c) const { return "solver " + replay_text(c.settings); }
 };
 
@@ -87,20 +102,22 @@ CapsuleId capsule_of(Words& words) {
     return CapsuleId{words.integer<std::uint32_t>()};
 }
 
-Side side_of(Words& words) {
+// The value whose name comes next.
+template <typename Value, std::size_t count>
+Value value_of(Words& words, const std::string_view (&names)[count]) {
     const auto word = words.next();
-    for (std::size_t side = 0; side < std::size(side_names); ++side)
-        if (word == side_names[side]) return static_cast<Side>(side);
+    for (std::size_t i = 0; i < count; ++i)
+        if (word == names[i]) return static_cast<Value>(i);
     words.fail();
-    return Side::both;
+    return Value{};
 }
 
-Button button_of(Words& words) {
-    const auto word = words.next();
-    for (std::size_t button = 0; button < std::size(button_names); ++button)
-        if (word == button_names[button]) return static_cast<Button>(button);
-    words.fail();
-    return Button::plunger;
+Command call_of(Words& words) {
+    CallShot call{{value_of<PoolCall::Kind>(words, call_names)}};
+    if (call.call.kind != PoolCall::Kind::pot) return call;
+    call.call.ball = words.integer<int>();
+    call.call.pocket = words.integer<int>();
+    return call;
 }
 
 Command strike_of(Words& words) {
@@ -128,7 +145,7 @@ Command add_edge_of(Words& words) {
     add.shape.start = words.point();
     add.shape.end = words.point();
     add.shape.radius = words.real();
-    add.side = side_of(words);
+    add.side = value_of<Side>(words, side_names);
     return add;
 }
 
@@ -177,8 +194,11 @@ std::optional<Command> read_command(Words& words) {
     if (what == "add-edge") return add_edge_of(words);
     if (what == "remove-edge") return RemoveCapsule{capsule_of(words)};
     if (what == "gravity") return gravity_of(words);
-    if (what == "press") return Press{button_of(words), true};
-    if (what == "release") return Press{button_of(words), false};
+    if (what == "press") return Press{value_of<Button>(words, button_names), true};
+    if (what == "release") return Press{value_of<Button>(words, button_names), false};
+    if (what == "call") return call_of(words);
+    if (what == "decide") return Decide{value_of<PoolChoice>(words, choice_names)};
+    if (what == "rack") return RackAgain{};
     if (what == "solver") return SetSolver{read_solver(words)};
     return std::nullopt;
 }

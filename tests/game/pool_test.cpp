@@ -1,13 +1,10 @@
 #include "game/pool.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include <doctest/doctest.h>
 
-#include "level/load.h"
+#include "game/support/shipped.h"
 #include "physics/fingerprint.h"
 #include "physics/solver.h"
 
@@ -15,28 +12,10 @@ using namespace carom;
 
 namespace {
 
-std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-Scene shipped(const std::string& name) {
-    const auto folder = std::filesystem::path(CAROM_SOURCE_DIR) / "levels";
-    LoadOptions options;
-    options.resolve_include = [folder](std::string_view, std::string_view path) {
-        return std::optional(IncludedFile{std::string(path), text_of(folder / path)});
-    };
-    LoadResult result = load_level(text_of(folder / (name + ".level")), name + ".level", options);
-    REQUIRE(result.scene);
-    return std::move(*result.scene);
-}
-
 // A rack in play: shoots, and waits until it is judged.
 struct Table {
     explicit Table(const std::string& level)
-        : scene(shipped(level)),
+        : scene(test::shipped_level(level)),
           world(scene.world),
           play(*begin_pool(scene)),
           solver(pick_solver(world).settings) {}

@@ -41,6 +41,10 @@ Replay everything() {
         {65, command::SetGravity{Vec2{0.0, -9.81}}},
         {66, command::SetGravity{}},
         {67, command::SetSolver{{.kind = SolverKind::swept, .updates = 1}}},
+        {68, command::CallShot{{PoolCall::Kind::pot, 3, 2}}},
+        {68, command::CallShot{{PoolCall::Kind::push_out}}},
+        {69, command::Decide{PoolChoice::return_push}},
+        {70, command::RackAgain{}},
     };
     replay.marks = {{600, 0xfedcba9876543210ull}, {1200, 1}};
     replay.end = 1200;

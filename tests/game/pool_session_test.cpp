@@ -1,0 +1,169 @@
+#include <algorithm>
+#include <string>
+#include <variant>
+
+#include <doctest/doctest.h>
+
+#include "game/pool.h"
+#include "game/replay_text.h"
+#include "game/replayer.h"
+#include "game/session.h"
+#include "game/support/shipped.h"
+#include "physics/fingerprint.h"
+
+using namespace carom;
+using carom::test::shipped_level;
+
+namespace {
+
+// A game at the table, played as a person would: with commands alone.
+struct Match {
+    explicit Match(const std::string& level)
+        : session(shipped_level(level), pick_solver(shipped_level(level).world).settings) {}
+
+    const PoolPlay& play() const { return std::get<PoolPlay>(session.game()); }
+    BallId cue() const { return *play().balls[cue_ball]; }
+    Vec2 place_of(int ball) const {
+        const BallId id = *play().balls[static_cast<std::size_t>(ball)];
+        return session.world().balls.position[*index_of(session.world(), id)];
+    }
+    std::optional<std::string> shoot(Vec2 velocity) {
+        return session.apply(command::Strike{cue(), velocity});
+    }
+    void wait() {
+        for (int i = 0; play().is_shooting && i < 120 * 120; ++i)
+            session.step_forward();
+        REQUIRE_FALSE(play().is_shooting);
+    }
+    void break_hard(double slant = 0.2) {
+        const Vec2 way = session.scene().pool.racks[0].foot - place_of(0);
+        REQUIRE_FALSE(shoot(way * (9.0 / length(way)) + Vec2{0.0, slant}));
+        wait();
+    }
+
+    Session session;
+};
+
+}  // namespace
+
+TEST_CASE("in play the referee lets only the cue ball be struck, and only while the balls lie") {
+    Match match("eight-ball");
+    const BallId one = *match.play().balls[1];
+    CHECK(match.session.apply(command::Strike{one, {1.0, 0.0}}) == "only the cue ball is struck");
+    CHECK(match.shoot({}) == "the cue does not move");
+    CHECK(match.shoot({11.0, 0.0}) == "the cue gives at most 10 m/s");
+    CHECK(match.session.apply(command::HoldBall{one, {0.0, 0.0}}));
+    CHECK(match.session.apply(command::RemoveBall{one}));
+    CHECK(match.session.apply(command::AddBall{}));
+    CHECK(match.session.apply(command::SetGravity{Vec2{0.0, -1.0}}));
+    CHECK(match.session.apply(command::PlaceBall{one, {0.0, 0.0}}) ==
+          "the ball stays where it lies");
+    CHECK_FALSE(match.shoot({9.0, 0.1}));
+    CHECK(match.shoot({1.0, 0.0}) == "the balls still roll");
+    CHECK(match.session.apply(command::RackAgain{}) == "the balls still roll");
+}
+
+TEST_CASE("the ball in hand lies where it is put: on the table, behind the line, on no other") {
+    Match match("eight-ball");
+    const auto put = [&](Vec2 place) {
+        return match.session.apply(command::PlaceBall{match.cue(), place});
+    };
+    CHECK_FALSE(put({-1.0, 0.3}));
+    CHECK(match.place_of(0) == Vec2{-1.0, 0.3});
+    CHECK(put({-0.5, 0.0}) == "it must lie behind the head string");
+    CHECK(put({-1.4, 0.0}) == "it must lie on the table");
+    CHECK(put({-1.0, 0.7}) == "it must lie on the table");
+    CHECK(put({-1.27, 0.63}));
+    CHECK(put({-2.0, 5.0}) == "it must lie on the table");
+    CHECK_FALSE(put({-1.24, 0.0}));
+    match.break_hard();
+    if (match.play().rules.in_hand == CueInHand::no)
+        CHECK(put({-1.0, 0.0}) == "the ball stays where it lies");
+}
+
+TEST_CASE("calls and choices are taken when the rules ask for them") {
+    Match match("eight-ball");
+    const auto call = [&](PoolCall what) { return match.session.apply(command::CallShot{what}); };
+    CHECK(call({PoolCall::Kind::pot, 3, 0}) == "nothing is called on the break");
+    CHECK(match.session.apply(command::Decide{PoolChoice::break_again}) ==
+          "that is not to be chosen now");
+    CHECK_FALSE(match.shoot({0.8, 0.0}));
+    match.wait();
+    REQUIRE(match.play().rules.phase == PoolPhase::choosing);
+    CHECK(match.shoot({1.0, 0.0}) == "there is something to decide first");
+    CHECK(match.session.apply(command::Decide{PoolChoice::spot_eight}));
+    CHECK_FALSE(match.session.apply(command::Decide{PoolChoice::take_table}));
+    CHECK(call({PoolCall::Kind::push_out}) == "a push-out is for the shot after the break");
+    CHECK(call({PoolCall::Kind::pot, 16, 0}) == "the 16 is not on the table");
+    CHECK(call({PoolCall::Kind::pot, 0, 0}) == "the 0 is not on the table");
+    CHECK(call({PoolCall::Kind::pot, 3, 6}) == "there is no such pocket");
+    CHECK_FALSE(call({PoolCall::Kind::pot, 3, 5}));
+    CHECK(match.play().call == PoolCall{PoolCall::Kind::pot, 3, 5});
+}
+
+TEST_CASE("undo takes a shot back with its call, to the very state") {
+    Match match("eight-ball");
+    match.break_hard();
+    if (match.play().rules.phase == PoolPhase::choosing)
+        match.session.apply(command::Decide{match.play().rules.choices.front()});
+    const std::uint64_t before = fingerprint(match.session.world(), match.session.game());
+    const std::uint64_t tick = match.session.world().tick;
+    CHECK_FALSE(match.session.apply(command::CallShot{{PoolCall::Kind::safety}}));
+    CHECK_FALSE(match.shoot({0.5, 0.7}));
+    match.wait();
+    CHECK(fingerprint(match.session.world(), match.session.game()) != before);
+    CHECK(match.session.undo());
+    CHECK(match.session.world().tick == tick);
+    CHECK(fingerprint(match.session.world(), match.session.game()) == before);
+}
+
+TEST_CASE("a game that was written down is played again to the same bits, rules and all") {
+    for (const char* level : {"eight-ball", "nine-ball"}) {
+        CAPTURE(level);
+        Match match(level);
+        match.break_hard();
+        for (int shot = 0; shot < 3 && match.play().rules.phase != PoolPhase::over; ++shot) {
+            if (match.play().rules.phase == PoolPhase::choosing)
+                match.session.apply(command::Decide{match.play().rules.choices.front()});
+            if (match.play().rules.in_hand != CueInHand::no)
+                match.session.apply(command::PlaceBall{match.cue(), {-1.0, -0.2}});
+            match.session.apply(command::CallShot{{PoolCall::Kind::safety}});
+            CHECK_FALSE(match.shoot({2.0, 0.7 - shot}));
+            match.wait();
+        }
+        match.session.apply(command::RackAgain{});
+        const std::string text = replay_text(record(match.session, level, {}));
+        auto read = read_replay(text);
+        REQUIRE(std::holds_alternative<Replay>(read));
+        auto scene = scene_of(std::get<Replay>(read));
+        REQUIRE(std::holds_alternative<Scene>(scene));
+        Replayer replayer(std::move(std::get<Replay>(read)), std::move(std::get<Scene>(scene)));
+        while (replayer.advance(1000)) {
+        }
+        CHECK_FALSE(replayer.failure());
+        CHECK(fingerprint(replayer.session().world(), replayer.session().game()) ==
+              fingerprint(match.session.world(), match.session.game()));
+    }
+}
+
+TEST_CASE("going back and on again through a shot gives the same rules") {
+    Match match("nine-ball");
+    match.break_hard();
+    const PoolPlay after = match.play();
+    const std::uint64_t tick = match.session.world().tick;
+    REQUIRE(match.session.go_to(tick / 2));
+    CHECK(match.play().is_shooting);
+    CHECK(match.play().shots == 1);
+    REQUIRE(match.session.go_to(tick));
+    CHECK(match.play() == after);
+}
+
+TEST_CASE("the next frame is broken by the other player; one that is not over by the same") {
+    Match match("eight-ball");
+    match.break_hard();
+    CHECK_FALSE(match.session.apply(command::RackAgain{}));
+    CHECK(match.play().rules.phase == PoolPhase::breaking);
+    CHECK(match.play().rules.player == 0);
+    CHECK(match.session.world().balls.size() == 16);
+    CHECK(match.play().rules.down == 0u);
+}

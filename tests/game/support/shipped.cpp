@@ -1,0 +1,37 @@
+#include "game/support/shipped.h"
+
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include <doctest/doctest.h>
+
+#include "level/load.h"
+
+namespace carom::test {
+namespace {
+
+std::string text_of(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+}  // namespace
+
+Scene shipped_level(const std::string& name) {
+    const auto folder = std::filesystem::path(CAROM_SOURCE_DIR) / "levels";
+    LoadOptions options;
+    options.resolve_include = [folder](std::string_view, std::string_view path) {
+        return std::optional(IncludedFile{std::string(path), text_of(folder / path)});
+    };
+    LoadResult result = load_level(text_of(folder / (name + ".level")), name + ".level", options);
+    REQUIRE(result.scene);
+    return std::move(*result.scene);
+}
+
+}  // namespace carom::test
