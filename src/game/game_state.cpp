@@ -7,8 +7,12 @@
 namespace carom {
 namespace {
 
-std::uint64_t folded(std::uint64_t start, const PinballState& s) {
-    Fold fold(start);
+std::uint64_t folded(const World& world, const PinballState& s) {
+    Fold fold(fingerprint(world));
+    // Ramps change the kinds of balls.
+    if (kinds_of_a_layer(world) < world.kinds.size())
+        for (const ClassIndex kind : world.balls.kind)
+            fold.add(std::uint64_t{kind});
     for (const std::uint64_t value : {static_cast<std::uint64_t>(s.phase),
                                       s.phase_until,
                                       static_cast<std::uint64_t>(s.score),
@@ -41,6 +45,15 @@ std::uint64_t folded(std::uint64_t start, const PinballState& s) {
         fold.add(std::uint64_t{s.is_lit[i]} * 2 + s.is_rising[i]);
         fold.add(s.turning[i]);
         fold.add(s.turned[i]);
+    }
+    for (std::size_t i = 0; i < s.lit_until.size(); ++i)
+        if (s.lit_until[i] > 0) {
+            fold.add(i);
+            fold.add(s.lit_until[i]);
+        }
+    for (const PinballState::Held& held : s.held) {
+        fold.add(std::uint64_t{held.device} << 32 | number(held.ball));
+        fold.add(held.until);
     }
     for (const PinballState::Visit& visit : s.visits)
         fold.add(std::uint64_t{visit.device} << 32 | number(visit.ball));
@@ -99,10 +112,9 @@ std::vector<Button> pressed_buttons(const GameState& game) {
 }
 
 std::uint64_t fingerprint(const World& world, const GameState& game) {
-    const std::uint64_t of_world = fingerprint(world);
-    if (const auto* pool = std::get_if<PoolPlay>(&game)) return folded(of_world, *pool);
-    const auto* pinball = std::get_if<PinballState>(&game);
-    return pinball ? folded(of_world, *pinball) : of_world;
+    if (const auto* pool = std::get_if<PoolPlay>(&game)) return folded(fingerprint(world), *pool);
+    if (const auto* pinball = std::get_if<PinballState>(&game)) return folded(world, *pinball);
+    return fingerprint(world);
 }
 
 std::size_t bytes_of(const GameState& game) {
@@ -114,7 +126,7 @@ std::size_t bytes_of(const GameState& game) {
     };
     return bytes_in(pinball->is_lit) + bytes_in(pinball->is_rising) + bytes_in(pinball->turning) +
            bytes_in(pinball->turned) + bytes_in(pinball->visits) + bytes_in(pinball->watches) +
-           pinball->message.capacity();
+           bytes_in(pinball->lit_until) + bytes_in(pinball->held) + pinball->message.capacity();
 }
 
 std::vector<std::pair<std::string, std::uint64_t>> tallies(const GameState& game) {

@@ -160,7 +160,8 @@ void begin_game_again(Pinball game) {
     state.score = 0;
     state.ball = 1;
     state.extra_balls = 0;
-    std::ranges::fill(state.is_lit, std::uint8_t{0});
+    for (std::uint32_t i = 0; i < game.table().devices.size(); ++i)
+        set_lit(game, i, false);
     for (std::uint32_t i = 0; i < game.table().devices.size(); ++i)
         if (game.table().devices[i].kind == DeviceKind::droptarget) state.is_rising[i] = 1;
     state.message.clear();
@@ -229,6 +230,7 @@ PinballState begin_pinball(const Scene& scene) {
     PinballState state;
     const std::size_t devices = scene.table.devices.size();
     state.is_lit.assign(devices, 0);
+    state.lit_until.assign(devices, 0);
     state.is_rising.assign(devices, 0);
     state.turning.assign(devices, 0.0);
     state.turned.assign(devices, 0.0);
@@ -241,7 +243,10 @@ void follow_pinball(const Scene& scene, World& world, PinballState& state,
                     std::span<const Contact> contacts) {
     const Pinball game{scene, world, state};
     hit_devices(game, contacts);
+    watch_lights(game);
     visit_zones(game);
+    cross_ramps(game);
+    work_holes(game);
     turn_spinners(game);
     count_drained(game);
     go_on_after_count(game);

@@ -48,6 +48,10 @@ void kick_back(Pinball game, std::uint32_t device, std::size_t ball) {
     set_lit(game, device, false);
 }
 
+bool is_on_the_table(const World& world, std::size_t ball) {
+    return world.kinds[world.balls.kind[ball]].layer == 0;
+}
+
 }  // namespace
 
 void hit_devices(Pinball game, std::span<const Contact> contacts) {
@@ -77,10 +81,11 @@ void visit_zones(Pinball game) {
     std::vector<PinballState::Visit> visits;
     for (std::uint32_t device = 0; device < table.devices.size(); ++device) {
         const Device& place = table.devices[device];
-        if (!place.zone || place.kind == DeviceKind::drain) continue;
+        if (!place.zone || place.kind == DeviceKind::drain || place.kind == DeviceKind::ramp)
+            continue;
         const Capsule& shape = game.world.zones[*place.zone].shape;
         for (std::size_t i = 0; i < game.world.balls.size(); ++i)
-            if (is_inside(shape, game.world.balls.position[i]))
+            if (is_on_the_table(game.world, i) && is_inside(shape, game.world.balls.position[i]))
                 visits.push_back({device, game.world.balls.id[i]});
     }
     const std::vector<PinballState::Visit> before = std::exchange(game.state.visits, visits);
@@ -98,6 +103,7 @@ void visit_zones(Pinball game) {
         }
         tell_rules(game, visit.device, Rule::When::enter);
         if (place.kind == DeviceKind::kickback) kick_back(game, visit.device, ball);
+        if (place.kind == DeviceKind::hole) take_into_hole(game, visit.device, visit.ball);
     }
 }
 

@@ -81,7 +81,8 @@ void search_balls(Pinball game) {
         }
         const bool is_due = game.now() >= watch.since + game.ticks(patience);
         if (is_due) {
-            const bool may_stay = is_cradled(game, i) || is_on_plunger(game.scene, world);
+            const bool may_stay =
+                is_cradled(game, i) || is_held(game.state, id) || is_on_plunger(game.scene, world);
             watch.since = game.now();
             if (!may_stay && watch.searches >= most_kicks) {
                 given_up.push_back(id);

@@ -44,9 +44,10 @@ struct PinballState {
 
     /// By PinballTable::devices.
     std::vector<std::uint8_t> is_lit;
-    std::vector<std::uint8_t> is_rising;  ///< drop targets that wait for a ball to go
-    std::vector<double> turning;          ///< spinners: half turns a second
-    std::vector<double> turned;           ///< spinners: of a half turn
+    std::vector<std::uint64_t> lit_until;  ///< 0: for good
+    std::vector<std::uint8_t> is_rising;   ///< drop targets that wait for a ball to go
+    std::vector<double> turning;           ///< spinners: half turns a second
+    std::vector<double> turned;            ///< spinners: of a half turn
 
     struct Visit {
         std::uint32_t device = 0;
@@ -54,6 +55,14 @@ struct PinballState {
         friend auto operator<=>(const Visit&, const Visit&) = default;
     };
     std::vector<Visit> visits;  ///< who is in which zone, ascending
+
+    /// A ball in a hole.
+    struct Held {
+        std::uint32_t device = 0;
+        BallId ball{};
+        std::uint64_t until = 0;
+    };
+    std::vector<Held> held;
 
     /// A ball and where it was when it last got on.
     struct Watch {

@@ -41,6 +41,9 @@ struct Pinball {
 /// Lights that go on or off (pinball_rules.cpp).
 void set_lit(Pinball game, std::uint32_t device, bool is_lit);
 
+/// Lights whose time is over go off (pinball_rules.cpp).
+void watch_lights(Pinball game);
+
 /// What happened to a device, told to the rules (pinball_rules.cpp).
 void tell_rules(Pinball game, std::uint32_t device, Rule::When when);
 
@@ -49,6 +52,13 @@ void raise_targets(Pinball game);
 void hit_devices(Pinball game, std::span<const Contact> contacts);
 void visit_zones(Pinball game);
 void turn_spinners(Pinball game);
+
+// pinball_ways.cpp
+void take_into_hole(Pinball game, std::uint32_t device, BallId ball);
+void work_holes(Pinball game);
+bool is_held(const PinballState& state, BallId ball);
+void cross_ramps(Pinball game);
+
 /// Sends what lies on a plunger, with this share of its speed. False: nothing did.
 bool launch(Pinball game, double pull);
 

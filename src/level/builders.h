@@ -28,8 +28,9 @@ void build_flipper(const Arguments& arguments, const Frame& frame, Context& cont
 void build_bumper(const Arguments& arguments, const Frame& frame, Context& context);
 /// slingshot, droptarget, target and gate: one for each two points.
 void build_device_edges(const Arguments& arguments, const Frame& frame, Context& context);
-/// rollover, spinner, kickback and lamp: one for each place.
+/// rollover, spinner, kickback, hole and lamp: one for each place.
 void build_device_spots(const Arguments& arguments, const Frame& frame, Context& context);
+void build_ramp(const Arguments& arguments, const Frame& frame, Context& context);
 void build_plunger(const Arguments& arguments, const Frame& frame, Context& context);
 void build_drain(const Arguments& arguments, const Frame& frame, Context& context);
 

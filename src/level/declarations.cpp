@@ -58,7 +58,8 @@ void declare_material(const Arguments& a, Context& context) {
     if (a.plain.empty() || !is_free(a.plain.front(), context)) return;
     context.draft.materials.push_back(
         {a.plain.front(),
-         {a.number_or("e", 1.0), a.number_or("soften", 0.0), a.number_or("mu", 0.0)}});
+         {a.number_or("e", 1.0), a.number_or("soften", 0.0), a.number_or("mu", 0.0)},
+         static_cast<std::uint8_t>(a.number_or("layer", 0.0))});
 }
 
 // The one number of "use drag 0.1" and its like; 0 is the same as no such line.

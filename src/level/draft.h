@@ -27,6 +27,7 @@ struct KindDraft {
 struct MaterialDraft {
     Word name;
     Material values;
+    std::uint8_t layer = 0;  ///< on which its edges stand
 };
 
 /// What a statement calls the edges that it draws. The words say no more than that: whether the
@@ -111,7 +112,11 @@ struct RuleDraft {
     Word name;
     Word when_word;
     Rule::When when = Rule::When::hit;
-    std::optional<Word> needs;
+    struct Need {
+        Word name;
+        bool is_not = false;
+    };
+    std::vector<Need> needs;
     std::vector<RuleActionDraft> actions;
 };
 

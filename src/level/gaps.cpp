@@ -82,6 +82,10 @@ void check_gaps(const std::vector<StartingBall>& balls, const Resolved& names, C
         boxes.push_back(bounds(edge.shape));
     const BoxTree tree(boxes);
     Clusters clusters(context.draft.chains.size() + edges.size());
+    const auto layer_of = [&names](const CapsuleDraft& edge) {
+        const ResolvedEdges& drawn = names.edges[static_cast<std::size_t>(edge.naming)];
+        return names.material_layers[drawn.material];
+    };
     std::vector<Gap> gaps;
     std::uint64_t pairs = 0;
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -93,6 +97,7 @@ void check_gaps(const std::vector<StartingBall>& balls, const Resolved& names, C
                 !chains[static_cast<std::size_t>(edges[k].chain)].has_gaps) {
                 return ++pairs < most_pairs;
             }
+            if (layer_of(edges[i]) != layer_of(edges[k])) return ++pairs < most_pairs;
             const double gap = gap_between(edges[i].shape, edges[k].shape);
             // What an author computed to touch, and rounding parted, is no gap.
             if (gap <= 1e-9 * diameter) {

@@ -163,6 +163,8 @@ class Resolver {
         for (const MaterialDraft& draft : draft_.materials) {
             result_.materials.push_back(draft.values);
             result_.material_names.emplace_back(draft.name.text);
+            result_.material_layers.push_back(draft.layer);
+            result_.layers = std::max<std::size_t>(result_.layers, draft.layer + 1u);
         }
         if (kinds_.is_unnamed_used() || result_.kinds.empty()) {
             result_.kinds.emplace_back();
@@ -171,6 +173,14 @@ class Resolver {
         if (materials_.is_unnamed_used() || result_.materials.empty()) {
             result_.materials.emplace_back();
             result_.material_names.emplace_back("edge");
+            result_.material_layers.push_back(0);
+        }
+        kinds_of_a_layer_ = result_.kinds.size();
+        for (std::size_t i = kinds_of_a_layer_; i < result_.layers * kinds_of_a_layer_; ++i) {
+            Kind kind = result_.kinds[i % kinds_of_a_layer_];
+            kind.layer = static_cast<std::uint8_t>(i / kinds_of_a_layer_);
+            result_.kinds.push_back(kind);
+            result_.kind_names.push_back(result_.kind_names[i % kinds_of_a_layer_]);
         }
     }
 
@@ -186,7 +196,9 @@ class Resolver {
             ResolvedEdges& edges = result_.edges[i];
             if (!edges.is_sound) continue;
             Material made = *naming.part;
+            std::uint8_t layer = 0;
             if (!is_own) {
+                layer = result_.material_layers[edges.material];
                 const Material& named = result_.materials[edges.material];
                 made.restitution = named.restitution;
                 made.soften = named.soften;
@@ -195,6 +207,7 @@ class Resolver {
             const std::string name(is_own ? naming.node->statement->name
                                           : result_.material_names[edges.material]);
             edges.material = part_material(made, name, first, naming.node->keyword().span());
+            result_.material_layers.resize(result_.materials.size(), layer);
         }
     }
 
@@ -242,7 +255,8 @@ class Resolver {
             const std::string& name =
                 is_kind ? result_.kind_names[i] : result_.material_names[i - kinds];
             const std::string_view all = is_kind ? "ball" : "edge";
-            if (is_ambiguous(word, all, name, is_kind ? kinds : result_.materials.size()))
+            if (is_ambiguous(word, all, name,
+                             is_kind ? kinds_of_a_layer_ : result_.materials.size()))
                 return {};
             if (word.text == all || word.text == name) classes.push_back(i);
         }
@@ -259,10 +273,22 @@ class Resolver {
     }
 
     void make_meetings() {
-        if (draft_.collides.empty()) return;
+        if (draft_.collides.empty() && result_.layers == 1) return;
         const std::size_t kinds = result_.kinds.size();
         const std::size_t classes = kinds + result_.materials.size();
-        result_.meets.assign(classes * classes, 0);
+        result_.meets.assign(classes * classes, draft_.collides.empty() ? 1 : 0);
+        make_declared_meetings();
+        const auto layer_of = [&](std::size_t i) {
+            return i < kinds ? result_.kinds[i].layer : result_.material_layers[i - kinds];
+        };
+        for (std::size_t i = 0; i < classes; ++i)
+            for (std::size_t k = 0; k < classes; ++k)
+                if (layer_of(i) != layer_of(k)) result_.meets[i * classes + k] = 0;
+    }
+
+    void make_declared_meetings() {
+        const std::size_t kinds = result_.kinds.size();
+        const std::size_t classes = kinds + result_.materials.size();
         // Each pair of words once: `ball ball` alone can be a million pairs of kinds.
         std::set<std::pair<std::string_view, std::string_view>> done;
         for (const CollideDraft& collide : draft_.collides) {
@@ -311,6 +337,7 @@ class Resolver {
     std::vector<std::string_view> material_names_;
     Classes kinds_;
     Classes materials_;
+    std::size_t kinds_of_a_layer_ = 0;
     std::vector<bool> is_of_own_material_;                          ///< by naming of a part
     std::map<std::string_view, std::vector<std::size_t>> classes_;  ///< by a word of `collide`
     Resolved result_;

@@ -29,6 +29,8 @@ struct Resolved {
     std::vector<std::string> kind_names;
     std::vector<Material> materials;
     std::vector<std::string> material_names;
+    std::vector<std::uint8_t> material_layers;  ///< by `materials`
+    std::size_t layers = 1;                     ///< `kinds` has each kind once a layer
     /// As World::meets; empty: all meet.
     std::vector<std::uint8_t> meets;
 

@@ -79,6 +79,8 @@ bool holds(double number, Bound bound) {
             return number > 0.0 && number <= 1.0;
         case Bound::up_to_thousand:
             return number >= 1.0 && number <= 1000.0;
+        case Bound::layer:
+            return number >= 0.0 && number <= 3.0;
         case Bound::any:
             break;
     }
@@ -97,6 +99,8 @@ std::string_view demand(Bound bound) {
             return "must be more than 0, and 1 at most";
         case Bound::up_to_thousand:
             return "must be from 1 to 1000";
+        case Bound::layer:
+            return "must be from 0 to 3";
         case Bound::any:
             break;
     }
@@ -123,6 +127,9 @@ std::optional<double> bounded(const Word& word, double number, const Label& labe
             remedy =
                 fmt::format("write {}, such as {}{}", described(measure), lead_of(label), mended);
         }
+        if (bound == Bound::layer)
+            remedy =
+                fmt::format("write {}0 for the table, or 1 for what is above it", lead_of(label));
         context.reporter.error(
             word.span(), fmt::format("{} {}, but is {}", subject, demand(bound), shown), remedy);
         return std::nullopt;

@@ -96,6 +96,7 @@ DeviceKind kind_of(const Arguments& arguments) {
     if (name == "rollover") return DeviceKind::rollover;
     if (name == "spinner") return DeviceKind::spinner;
     if (name == "kickback") return DeviceKind::kickback;
+    if (name == "hole") return DeviceKind::hole;
     return DeviceKind::lamp;
 }
 
@@ -115,6 +116,20 @@ Material material_of(DeviceKind kind) {
 void take_kick(const Arguments& arguments, Material& material, const Context& context) {
     material.kick = arguments.number_or("kick", 0.0);
     material.kick_from = arguments.number_or("from", default_size(softest_hit, 0.0, context));
+}
+
+/// Where the hole sends its balls; false: nowhere, told.
+bool aim_hole(const Arguments& arguments, Vec2 at, Device& hole, const Frame& frame,
+              Context& context) {
+    const Vec2 way = arguments.pair_or("toward", {}) - at;
+    const double distance = length(way);
+    if (distance > 0.0) {
+        hole.direction = frame.transform.direction(way / distance);
+        return true;
+    }
+    context.reporter.error(arguments.span_of("toward"), "the hole sends balls to where it is",
+                           "give a point that it aims at");
+    return false;
 }
 
 // Which button moves it: as it stands, not as it was drawn before mirrors.
@@ -233,9 +248,14 @@ void build_device_spots(const Arguments& arguments, const Frame& frame, Context&
         device.direction = frame.transform.direction(*direction);
         device.most_speed = arguments.number_or("speed", 0.0);
     }
+    if (kind == DeviceKind::hole) {
+        device.most_speed = arguments.number_or("speed", 0.0);
+        device.hold = arguments.number_or("hold", 1.0);
+    }
     const int naming = name_part(arguments, std::nullopt, context);
     for (std::size_t i = 0; i < arguments.places.size() && !context.is_full; ++i) {
         const Vec2 at = arguments.places[i];
+        if (kind == DeviceKind::hole && !aim_hole(arguments, at, device, frame, context)) return;
         DeviceDraft draft{
             .device = device, .naming = naming, .origin = origin_of(arguments, frame)};
         draft.device.place = frame.transform.point(at);
@@ -245,6 +265,28 @@ void build_device_spots(const Arguments& arguments, const Frame& frame, Context&
             draw_zone({at, at, radius}, Zone::Effect::census, std::move(draft),
                       arguments.place_words[i].span(), frame, context);
     }
+}
+
+void build_ramp(const Arguments& arguments, const Frame& frame, Context& context) {
+    const auto pass = direction_of(arguments, "pass", context);
+    if (!pass) return;
+    const double layer = arguments.number_or("layer", 0.0);
+    const double from = arguments.number_or("from", layer > 0.0 ? 0.0 : 1.0);
+    if (layer == from) {
+        context.reporter.error(arguments.span_of("layer"), "the ramp leads to where it begins",
+                               "layer= and from= are two layers, such as layer=1 from=0");
+        return;
+    }
+    DeviceDraft draft{.device = {.kind = DeviceKind::ramp},
+                      .naming = name_part(arguments, std::nullopt, context),
+                      .origin = origin_of(arguments, frame)};
+    draft.device.direction = frame.transform.direction(*pass);
+    draft.device.from = static_cast<std::uint8_t>(from);
+    draft.device.to = static_cast<std::uint8_t>(layer);
+    draw_zone({arguments.points[0], arguments.points[1],
+               arguments.number_or("r", default_size(0.015, 1.0, context))},
+              Zone::Effect::census, std::move(draft), arguments.point_words[0].span(), frame,
+              context);
 }
 
 void build_plunger(const Arguments& arguments, const Frame& frame, Context& context) {

@@ -11,7 +11,7 @@ namespace {
 using What = RuleAction::What;
 
 /// What an action takes behind its name.
-enum class Takes { points, sum, count, time, name, text, nothing };
+enum class Takes { points, sum, count, time, name, name_and_time, text, nothing };
 
 struct ActionShape {
     std::string_view name;
@@ -28,8 +28,9 @@ constexpr ActionShape shapes[] = {
     {"save", What::save, Takes::time, "save 10s"},
     {"extraball", What::extraball, Takes::nothing, "extraball"},
     {"reset", What::reset, Takes::name, "reset NAME"},
-    {"light", What::light, Takes::name, "light NAME"},
+    {"light", What::light, Takes::name_and_time, "light NAME"},
     {"unlight", What::unlight, Takes::name, "unlight NAME"},
+    {"advance", What::advance, Takes::name, "advance NAME"},
     {"message", What::message, Takes::text, "message \"TEXT\""},
 };
 
@@ -58,10 +59,11 @@ class RuleReader {
         rule.when_word = words[1];
         if (!read_when(rule)) return std::nullopt;
         std::size_t next = 2;
-        if (words[2].text == "while") {
-            if (words.size() < 5) return refuse(words[2], "while what, and what then?");
-            rule.needs = words[3];
-            next = 4;
+        for (; words[next].text == "while" || words[next].text == "unless"; next += 2) {
+            const Word& word = words[next];
+            if (words.size() < next + 3)
+                return refuse(word, fmt::format("{} what, and what then?", word.text));
+            rule.needs.push_back({words[next + 1], word.text == "unless"});
         }
         std::vector<Word> action;
         for (; next < words.size(); ++next) {
@@ -111,7 +113,8 @@ class RuleReader {
             return false;
         }
         const std::size_t wanted = shape->takes == Takes::nothing ? 1 : 2;
-        if (words.size() != wanted) {
+        const bool has_time = shape->takes == Takes::name_and_time && words.size() == 3;
+        if (words.size() != wanted && !has_time) {
             const Word& at = words.size() > wanted ? words[wanted] : words[0];
             context_.reporter.error(
                 at.span(),
@@ -123,6 +126,7 @@ class RuleReader {
         RuleActionDraft draft;
         draft.action.what = shape->what;
         if (wanted == 2 && !read_value(*shape, words[1], draft)) return false;
+        if (has_time && !read_time(*shape, words[2], draft.action)) return false;
         rule.actions.push_back(std::move(draft));
         return true;
     }
@@ -135,13 +139,10 @@ class RuleReader {
                 return read_amount(shape, word, Bound::any, draft.action);
             case Takes::count:
                 return read_amount(shape, word, Bound::positive, draft.action);
-            case Takes::time: {
-                const auto time = read_number(word, {shape.name, " "}, Measure::time,
-                                              Bound::not_negative, scope_, context_);
-                draft.action.seconds = time.value_or(0.0);
-                return time.has_value();
-            }
+            case Takes::time:
+                return read_time(shape, word, draft.action);
             case Takes::name:
+            case Takes::name_and_time:
                 draft.group = word;
                 return true;
             default:
@@ -154,6 +155,13 @@ class RuleReader {
         }
         draft.action.text = std::string(word.text.substr(1, word.text.size() - 2));
         return true;
+    }
+
+    bool read_time(const ActionShape& shape, const Word& word, RuleAction& action) {
+        const auto time = read_number(word, {shape.name, " "}, Measure::time, Bound::not_negative,
+                                      scope_, context_);
+        action.seconds = time.value_or(0.0);
+        return time.has_value();
     }
 
     bool read_amount(const ActionShape& shape, const Word& word, Bound bound, RuleAction& action) {

@@ -29,7 +29,8 @@ enum class Bound {
     positive,
     share,           ///< 0 to 1
     positive_share,  ///< more than 0, and 1 at most
-    up_to_thousand   ///< 1 to 1000
+    up_to_thousand,  ///< 1 to 1000
+    layer            ///< 0 to 3
 };
 
 struct KeyRule {

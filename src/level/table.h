@@ -25,7 +25,9 @@ enum class DeviceKind : std::uint8_t {
     spinner,     ///< a zone whose vane a ball sets turning
     kickback,    ///< a zone that, while lit, sends balls back
     drain,       ///< a zone that swallows balls
-    lamp         ///< a light, and nothing else
+    lamp,        ///< a light, and nothing else
+    hole,        ///< a zone that keeps a ball for a while, and then sends it on
+    ramp         ///< a zone that takes balls which pass it to another layer
 };
 
 /// One of them. A statement that draws several makes several.
@@ -35,9 +37,13 @@ struct Device {
     std::vector<CapsuleId> capsules;    ///< what is hit, if anything
     std::optional<std::uint32_t> zone;  ///< index into World::zones, if it has one
     Vec2 place;                         ///< its middle
-    Vec2 direction;                     ///< plunger, kickback: unit, where balls are sent
-    double least_speed = 0.0;           ///< plunger: hardly pulled, length/s
-    double most_speed = 0.0;            ///< plunger: pulled all the way; kickback: always
+    Vec2 direction;            ///< plunger, kickback, hole: unit, where balls are sent; ramp:
+                               ///< where they pass
+    double least_speed = 0.0;  ///< plunger: hardly pulled, length/s
+    double most_speed = 0.0;   ///< plunger: pulled all the way; kickback, hole: always
+    double hold = 0.0;         ///< hole: s
+    std::uint8_t from = 0;     ///< ramp: the layer before it
+    std::uint8_t to = 0;       ///< and behind it
 };
 
 /// Devices that share a name, in the order in which they are drawn.
@@ -69,17 +75,18 @@ struct RuleAction {
         reset,       ///< lights of `group` off, its targets up
         light,       ///< lights of `group` on
         unlight,     ///< and off
+        advance,     ///< the next light of `group` on
         message      ///< `text` is shown
     };
     What what = What::score;
     std::int64_t amount = 0;
-    bool adds = false;  ///< bonus, multiplier
-    double seconds = 0.0;
+    bool adds = false;     ///< bonus, multiplier
+    double seconds = 0.0;  ///< save; light: 0 is for good
     std::uint32_t group = 0;
     std::string text;
 };
 
-/// `on NAME hit|all|enter [while NAME|multiball] action, action ...`
+/// `on NAME hit|all|enter [while|unless NAME|multiball ...] action, action ...`
 struct Rule {
     enum class When : std::uint8_t {
         hit,    ///< a ball hits one of the group
@@ -88,8 +95,11 @@ struct Rule {
     };
     std::uint32_t group = 0;
     When when = When::hit;
-    bool needs_multiball = false;
-    std::optional<std::uint32_t> needs_lit;  ///< all of this group are lit
+    struct Need {
+        std::optional<std::uint32_t> group;  ///< all of it are lit; none: there is multiball
+        bool is_not = false;                 ///< the rule holds unless it is so
+    };
+    std::vector<Need> needs;
     std::vector<RuleAction> actions;
 };
 

@@ -11,13 +11,14 @@ namespace {
 
 bool is_zone(DeviceKind kind) {
     return kind == DeviceKind::rollover || kind == DeviceKind::spinner ||
-           kind == DeviceKind::kickback || kind == DeviceKind::drain;
+           kind == DeviceKind::kickback || kind == DeviceKind::drain || kind == DeviceKind::hole ||
+           kind == DeviceKind::ramp;
 }
 
 std::string_view word_for(DeviceKind kind) {
     constexpr std::string_view words[] = {
-        "edge",   "flipper",  "bumper",  "slingshot", "plunger", "gate", "droptarget",
-        "target", "rollover", "spinner", "kickback",  "drain",   "lamp"};
+        "edge",     "flipper", "bumper",   "slingshot", "plunger", "gate", "droptarget", "target",
+        "rollover", "spinner", "kickback", "drain",     "lamp",    "hole", "ramp"};
     return words[static_cast<std::size_t>(kind)];
 }
 
@@ -30,9 +31,9 @@ bool has_lights(DeviceKind kind) {
 std::optional<std::string> never_gives(DeviceKind kind, Rule::When when) {
     if (when == Rule::When::all) {
         if (kind == DeviceKind::rollover || kind == DeviceKind::target ||
-            kind == DeviceKind::droptarget)
+            kind == DeviceKind::droptarget || kind == DeviceKind::lamp)
             return std::nullopt;
-        return "only rollovers and targets light up when balls meet them";
+        return "only rollovers, targets and lamps light up one by one";
     }
     if (kind == DeviceKind::lamp) return "a lamp only shines: wait for what lights it";
     if (when == Rule::When::enter)
@@ -63,6 +64,7 @@ void TableAssembly::collect_devices() {
                                  return d.kind == DeviceKind::lamp && d.place == draft.device.place;
                              });
         if (is_lamp ? is_twin : !is_drawn[i]) continue;
+        check_layers(draft);
         const std::string name = name_of(draft);
         const auto [found, is_new] =
             groups_.emplace(name, static_cast<std::uint32_t>(table_.groups.size()));
@@ -80,6 +82,14 @@ void TableAssembly::collect_devices() {
         table_.devices.push_back(draft.device);
         table_.devices.back().group = found->second;
     }
+}
+
+void TableAssembly::check_layers(const DeviceDraft& ramp) {
+    const std::size_t highest = std::max(ramp.device.from, ramp.device.to);
+    if (highest < names_.layers) return;
+    context_.reporter.error(
+        ramp.origin.span, fmt::format("nothing stands on layer {}", highest),
+        fmt::format("say which material does: material rail layer={}", highest));
 }
 
 // A group of devices, or, for what is hit, the edges of that name: together they are one device.
@@ -130,11 +140,11 @@ bool TableAssembly::resolve_rule(const RuleDraft& draft) {
                                 "only rollovers, targets, lamps and kickbacks are lit");
         return std::nullopt;
     };
-    if (draft.needs && draft.needs->text == "multiball") {
-        rule.needs_multiball = true;
-    } else if (draft.needs) {
-        rule.needs_lit = with_lights(*draft.needs);
-        if (!rule.needs_lit) return false;
+    for (const RuleDraft::Need& need : draft.needs) {
+        rule.needs.push_back({std::nullopt, need.is_not});
+        if (need.name.text == "multiball") continue;
+        rule.needs.back().group = with_lights(need.name);
+        if (!rule.needs.back().group) return false;
     }
     for (const RuleActionDraft& action : draft.actions) {
         rule.actions.push_back(action.action);

@@ -27,6 +27,7 @@ class TableAssembly {
     std::string name_of(const DeviceDraft& device) const;
     void collect_devices();
     void collect_rules();
+    void check_layers(const DeviceDraft& ramp);
     bool resolve_rule(const RuleDraft& draft);
     std::optional<std::uint32_t> group_named(const Word& name, bool may_be_edge);
     void check_game(bool has_balls);

@@ -110,7 +110,9 @@ class Unroller {
         if (name == "slingshot" || name == "droptarget" || name == "target" || name == "gate") {
             return build_device_edges(arguments, frame, context_);
         }
-        if (name == "rollover" || name == "spinner" || name == "kickback" || name == "lamp") {
+        if (name == "ramp") return build_ramp(arguments, frame, context_);
+        if (name == "rollover" || name == "spinner" || name == "kickback" || name == "hole" ||
+            name == "lamp") {
             return build_device_spots(arguments, frame, context_);
         }
         if (name == "pegs triangle" || name == "pegs grid") {

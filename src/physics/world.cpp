@@ -85,6 +85,23 @@ void set_side(World& world, CapsuleId id, Side side) {
     if (world.model.one_way) world.capsules.side[*index] = side;
 }
 
+std::size_t kinds_of_a_layer(const World& world) {
+    return static_cast<std::size_t>(std::ranges::count(world.kinds, 0, &Kind::layer));
+}
+
+void set_layer(World& world, BallId id, std::uint8_t layer) {
+    const auto index = index_of(world, id);
+    if (!index) return;
+    const std::size_t kinds = kinds_of_a_layer(world);
+    ClassIndex& kind = world.balls.kind[*index];
+    const std::size_t there = kind % kinds + layer * kinds;
+    if (there == kind || there >= world.kinds.size()) return;
+    kind = static_cast<ClassIndex>(there);
+    // What a path was to meet, it no longer does.
+    world.paths.clear();
+    world.spin_paths.clear();
+}
+
 void remove_ball(World& world, BallId id) {
     const auto index = index_of(world, id);
     if (!index) return;

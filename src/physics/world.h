@@ -46,6 +46,9 @@ struct Kind {
     /// Ball on ball, >= 0: the coefficient of a pair is the geometric mean of their kinds'. Counts
     /// only where Model::spin.
     double friction = 0.0;
+    /// Above the table, as on a ramp. World::kinds has all kinds of layer 0 first, then the same
+    /// ones in the same order on each layer above.
+    std::uint8_t layer = 0;
 };
 
 /// What a kind of edge is made of (ball on edge).
@@ -266,6 +269,12 @@ std::optional<std::size_t> index_of(const World& world, CapsuleId id);
 /// From now on the edge pushes on this side; the model becomes one_way where it has to. Nothing
 /// happens when there is no such edge.
 void set_side(World& world, CapsuleId id, Side side);
+
+/// How many kinds there are, each counted once whatever the layers.
+std::size_t kinds_of_a_layer(const World& world);
+/// The ball is on this layer from now on: it meets what stands there. Nothing happens when there is
+/// no such ball, or no such layer.
+void set_layer(World& world, BallId id, std::uint8_t layer);
 
 /// By the player; `removed` gets an entry. Nothing happens when there is no such ball.
 void remove_ball(World& world, BallId id);

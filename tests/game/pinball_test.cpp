@@ -310,3 +310,50 @@ TEST_CASE("the tables that ship lose no ball: none stuck, none outside, all of t
         CHECK(best > 1000);
     }
 }
+
+TEST_CASE("a hole keeps a ball, and sends it on") {
+    Game game(
+        "hole cellar at=300,200 toward=200,400 speed=1m/s hold=0.5s r=8\n"
+        "game pinball save=0s\non cellar enter score 5\n");
+    game.send({320, 200}, {-1.0, 0.0}, 0.4);
+    CHECK(game.state().score == 5);
+    CHECK(game.world.balls.position[0] == Vec2{0.3, 0.2});
+    game.run(0.2);
+    CHECK(game.world.balls.velocity[0].y > 0.8);
+    CHECK(game.state().score == 5);
+    CHECK(game.state().held.empty());
+}
+
+TEST_CASE("a ramp takes balls to another layer, and back when they do not make it") {
+    Game game(
+        "material rail e=0.4 layer=1\nedge rail 100,450 300,450\n"
+        "ramp up 150,400 250,400 pass=up layer=1\nramp down 150,350 250,350 pass=down layer=0\n"
+        "game pinball save=0s\non up enter score 1\non down enter score 10\n");
+    const auto layer = [&] { return game.world.kinds[game.world.balls.kind[0]].layer; };
+    // Below the rail on the table, where it does not stand.
+    game.send({120, 430}, {0.0, 1.0});
+    CHECK(game.world.balls.position[0].y > 0.46);
+    game.send({200, 380}, {0.0, 1.0}, 0.035);
+    CHECK(layer() == 1);
+    CHECK(game.state().score == 1);
+    // Bounces off the rail, and is put down by the other ramp.
+    game.run(0.5);
+    CHECK(game.world.balls.position[0].y < 0.4);
+    CHECK(layer() == 0);
+    // What comes the wrong way is not lifted.
+    game.send({200, 340}, {0.0, 1.0}, 0.02);
+    CHECK(layer() == 0);
+}
+
+TEST_CASE("lamps count, shine for a while, and hold rules back") {
+    Game game(
+        "lamp locks at=10,300 at=20,300\ngame pinball save=0s\n"
+        "on pops hit unless arrow advance locks, light arrow 0.2s\n"
+        "on pops hit while arrow score 7\non locks all score 100, unlight locks\n");
+    game.send({200, 460}, {0.0, 1.0});
+    game.send({200, 460}, {0.0, 1.0});
+    CHECK(game.state().score == 7);
+    game.send({200, 300}, {}, 0.2);
+    game.send({200, 460}, {0.0, 1.0});
+    CHECK(game.state().score == 107);
+}
