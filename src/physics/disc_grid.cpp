@@ -140,17 +140,35 @@ void DiscGrid::choose_levels(std::span<const Vec2> centers, std::span<const doub
             levels_.pop_back();
     }
     const Box box = torus ? *torus : where_most_are(centers);
+    if (torus || !contains(box_, box.low) || !contains(box_, box.high) ||
+        size(box_).x > 1.5 * size(box).x || size(box_).y > 1.5 * size(box).y)
+        box_ = box;
+    if (kept_.size() < levels_.size()) kept_.resize(levels_.size());
     torus_ = torus ? size(*torus) : Vec2{};
     std::uint32_t first = 0;
-    for (Level& level : levels_) {
-        level.frame =
-            frame_over(box, 2.0 * level.largest * (1.0 + slack), level.discs, torus.has_value());
+    for (std::size_t l = 0; l < levels_.size(); ++l) {
+        Level& level = levels_[l];
+        level.frame = frame_for(kept_[l], level, torus.has_value());
         level.per_cell = {1.0 / level.frame.cell.x, 1.0 / level.frame.cell.y};
         level.stride = static_cast<std::uint32_t>(level.frame.columns) + 1;
         level.first = first;
         first += level.cells();
     }
     start_.assign(first + 1, 0);
+}
+
+const CellFrame& DiscGrid::frame_for(Kept& kept, const Level& level, bool wraps) const {
+    const double side = 2.0 * level.largest * (1.0 + slack);
+    const CellFrame fresh = frame_over(box_, side, level.discs, wraps);
+    const auto fits = [](int old, int wanted) {
+        return 4 * old >= 3 * wanted && 3 * old <= 4 * wanted;
+    };
+    if (kept.box == box_ && kept.frame.wraps == wraps && kept.side >= side &&
+        kept.side <= 1.25 * side && fits(kept.frame.columns, fresh.columns) &&
+        fits(kept.frame.rows, fresh.rows))
+        return kept.frame;
+    kept = {box_, side, fresh};
+    return kept.frame;
 }
 
 // Stable: the discs of a cell stay in ascending order.

@@ -14,6 +14,9 @@
 /// *level*, a grid whose cells are as wide as its largest disc, and every disc is compared with the
 /// nine cells around its place in its own level and in the coarser ones. Which pairs are found does
 /// not depend on the cells; the order in which they are found does, so who needs an order sorts.
+///
+/// Frames are kept from one `build` to the next while they still fit fairly, so that what others
+/// have put into the same cells can stay there.
 namespace carom {
 
 class DiscGrid {
@@ -29,8 +32,8 @@ class DiscGrid {
     template <typename Visit>
     void for_each_pair(Visit&& visit) const;
 
-    /// Calls visit(i) once for every disc that reaches nearer than `reach` to `center`, and perhaps
-    /// for some that do not quite. `center` may lie outside of the torus.
+    /// Calls visit(i) once for every disc (on a torus: nearest image) that reaches nearer than
+    /// `reach` to `center`. `center` may lie outside of the torus.
     template <typename Visit>
     void for_each_near(Vec2 center, double reach, Visit&& visit) const;
 
@@ -44,8 +47,8 @@ class DiscGrid {
             --level;
         return level;
     }
-    /// Radius and margin of the largest disc of the level.
-    double largest(std::size_t level) const { return levels_[level].largest; }
+    /// No disc of the level reaches further than this from its centre; as lasting as the frame.
+    double reach(std::size_t level) const { return 0.5 * kept_[level].side; }
     /// Calls visit(i) for each disc of the cell, ascending.
     template <typename Visit>
     void for_each_in_cell(std::size_t level, int column, int row, Visit&& visit) const {
@@ -80,6 +83,12 @@ class DiscGrid {
             return stride * static_cast<std::uint32_t>(frame.rows + 2) + 2;
         }
     };
+    // A frame of the last build.
+    struct Kept {
+        Box box;
+        double side = 0.0;  // least width of a cell, before there were too many
+        CellFrame frame;
+    };
     // Cells `low` to `high` along one axis, counted without bound on a torus.
     struct Span {
         int low = 0;
@@ -89,6 +98,7 @@ class DiscGrid {
     void choose_levels(std::span<const Vec2> centers, std::span<const double> radii, double margin,
                        const std::optional<Box>& torus);
     void sort_by_cell(std::span<const Vec2> centers, std::span<const double> radii, double margin);
+    const CellFrame& frame_for(Kept& kept, const Level& level, bool wraps) const;
     std::size_t level_for(double reach) const;
     static std::uint32_t place_along(double cells, int count);
     static Span reached(double place, double reach, int count, bool wraps);
@@ -107,10 +117,12 @@ class DiscGrid {
     }
 
     std::vector<Level> levels_ = std::vector<Level>(1);
-    Vec2 torus_;                                    // its size
-    double finest_scale_ = 0.0;                     // 1 / radius of the largest of all
-    std::vector<std::uint32_t> start_{0, 0, 0, 0};  // by cell: its first place
-    std::vector<std::uint32_t> cell_;               // by disc
+    std::vector<Kept> kept_ = std::vector<Kept>(1);  // by level
+    Box box_;                                        // in which most are
+    Vec2 torus_;                                     // its size
+    double finest_scale_ = 0.0;                      // 1 / radius of the largest of all
+    std::vector<std::uint32_t> start_{0, 0, 0, 0};   // by cell: its first place
+    std::vector<std::uint32_t> cell_;                // by disc
     std::vector<Place> places_;
 };
 
@@ -180,7 +192,11 @@ template <typename Visit>
 void DiscGrid::for_each_near(Vec2 center, double reach, Visit&& visit) const {
     for (const Level& level : levels_)
         if (level.discs > 0)
-            for_each_at(level, center, reach, [&](const Place& place) { visit(place.disc); });
+            for_each_at(level, center, reach, [&](const Place& place) {
+                const Place here{center, reach};
+                if (level.frame.wraps ? meet<true>(here, place) : meet<false>(here, place))
+                    visit(place.disc);
+            });
 }
 
 template <typename Visit>

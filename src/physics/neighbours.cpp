@@ -22,6 +22,7 @@ bool overlaps_edge(const World& world, const EdgePair& pair, const Disc& disc) {
 void Neighbours::look(const World& world, double margin) {
     const Balls& balls = world.balls;
     margin_ = margin;
+    push_ = 0.25;
     reference_.clear();
     radius_.clear();
     if (margin > 0.0) {
@@ -34,6 +35,7 @@ void Neighbours::look(const World& world, double margin) {
 void Neighbours::look(const World& world, std::span<const Vec2> centers,
                       std::span<const double> radii) {
     margin_ = 0.0;
+    push_ = 0.0;
     note(world, centers, radii);
 }
 
@@ -78,7 +80,7 @@ void Neighbours::look_for_edges(const World& world, std::span<const Vec2> center
     for (std::size_t level = 0; level < cells_of_edges_.size(); ++level) {
         const CellFrame& frame = grid_.frame(level);
         CapsuleCells& cells = cells_of_edges_[level];
-        cells.update(world, frame, 1.25 * grid_.largest(level));
+        cells.update(world, frame, (1.0 + push_) * grid_.reach(level));
         for (const std::uint32_t cell : cells.occupied()) {
             const int column = static_cast<int>(cell % static_cast<std::uint32_t>(frame.columns));
             const int row = static_cast<int>(cell / static_cast<std::uint32_t>(frame.columns));

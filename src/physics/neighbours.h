@@ -52,8 +52,8 @@ class Neighbours {
     bool covers(std::uint32_t ball, Vec2 position) const;
 
     /// A quarter of the radius, or the margin if that is more: what is pushed in a step seldom
-    /// goes further.
-    double edge_margin(double radius) const { return std::max(margin_, 0.25 * radius); }
+    /// goes further. For discs that stand for the balls 0.
+    double edge_margin(double radius) const { return std::max(margin_, push_ * radius); }
     std::span<const BallPair> pairs() const { return pairs_; }
     std::span<const EdgePair> edges() const { return edges_; }
 
@@ -86,6 +86,7 @@ class Neighbours {
                         std::span<const double> radii);
 
     double margin_ = 0.0;
+    double push_ = 0.0;  // share of the radius
     Vec2 torus_;
     DiscGrid grid_;
     std::vector<CapsuleCells> cells_of_edges_;  // by level

@@ -11,6 +11,14 @@ namespace carom {
 
 class SweptCells {
   public:
+    /// Cells, in a torus counted without bound.
+    struct Range {
+        int low_column = 0;
+        int high_column = -1;
+        int low_row = 0;
+        int high_row = -1;
+    };
+
     /// Empty cells, for so many balls.
     void reset(const CellFrame& frame, std::size_t balls);
 
@@ -19,11 +27,14 @@ class SweptCells {
     /// Ball `index` may be anywhere in `box` until further notice.
     void enter(std::uint32_t index, const Box& box);
 
-    /// Calls visit(other) for each ball that has entered a cell of `box`, each once.
+    /// The cells that `box` touches.
+    Range range_of(const Box& box) const;
+
+    /// Calls visit(other) for each ball that has entered a cell of `range`, each once.
     template <typename Visit>
-    void for_each_in(const Box& box, Visit&& visit) {
+    void for_each_in(const Range& range, Visit&& visit) {
         ++round_;
-        for_each_cell(box, [&](std::uint32_t cell, int, int) {
+        for_each_cell(range, [&](std::uint32_t cell, int, int) {
             for (std::uint32_t at = head_[cell]; at != none; at = entries_[at].next) {
                 const std::uint32_t other = entries_[at].ball;
                 if (seen_[other] == round_) continue;
@@ -33,11 +44,10 @@ class SweptCells {
         });
     }
 
-    /// Calls visit(cell, tori across, tori along) for each cell of `box`; the tori are those that
-    /// an unwrapped path in the box has left behind (0 without a torus).
+    /// Calls visit(cell, tori across, tori along) for each cell of `range`; the tori are those that
+    /// an unwrapped path there has left behind (0 without a torus).
     template <typename Visit>
-    void for_each_cell(const Box& box, Visit&& visit) const {
-        const Range range = range_of(box);
+    void for_each_cell(const Range& range, Visit&& visit) const {
         for (int row = range.low_row; row <= range.high_row; ++row) {
             const int y = frame_.bounded(row, frame_.rows);
             for (int column = range.low_column; column <= range.high_column; ++column) {
@@ -50,18 +60,10 @@ class SweptCells {
 
   private:
     static constexpr std::uint32_t none = 0xffffffffu;
-    struct Range {
-        int low_column = 0;
-        int high_column = -1;
-        int low_row = 0;
-        int high_row = -1;
-    };
     struct Entry {
         std::uint32_t ball = 0;
         std::uint32_t next = none;
     };
-
-    Range range_of(const Box& box) const;
 
     CellFrame frame_;
     std::vector<Range> ranges_;

@@ -61,7 +61,7 @@ void SweptSolver::take_path(const World& world, std::uint32_t ball, double now, 
     path.velocity = path.still || is_held_ball(ball)
                         ? path.start_velocity
                         : chord(world, ball, velocity, path.gravity, now);
-    ++path.version;
+    if (path.version++ == 0) ++changed_paths_;
     cells_.enter(ball, box_of_path(world, ball, now));
 }
 

@@ -30,6 +30,21 @@ double rounded_up(double value) {
     return std::ldexp(std::ceil(fraction * 16.0) / 16.0, exponent);
 }
 
+// Whether one frame does as well as the other.
+bool are_alike(const CellFrame& a, const CellFrame& b) {
+    if (a.wraps || b.wraps) return a == b;
+    const auto along = [](double low_a, double cell_a, int count_a, double low_b, double cell_b,
+                          int count_b) {
+        const double extent_a = cell_a * count_a;
+        const double extent_b = cell_b * count_b;
+        const double most = 0.25 * std::min(extent_a, extent_b);
+        return std::fabs(low_a - low_b) <= most && std::fabs(extent_a - extent_b) <= most &&
+               4.0 * cell_a >= 3.0 * cell_b && 3.0 * cell_a <= 4.0 * cell_b;
+    };
+    return along(a.origin.x, a.cell.x, a.columns, b.origin.x, b.cell.x, b.columns) &&
+           along(a.origin.y, a.cell.y, a.rows, b.origin.y, b.cell.y, b.rows);
+}
+
 }  // namespace
 
 // Whether the other body has changed its path since the prediction.
@@ -70,8 +85,18 @@ void SweptSolver::look_around_paths(const World& world) {
     neighbours_.look(world, centers_, reaches_);
     const CellFrame frame =
         frame_around(world, count == 0 ? 1.0 : rounded_up(extent / static_cast<double>(count)));
-    cells_.reset(frame, count);
-    if (world.model.ball_edge) edges_.update(world, frame, 0.0);
+    // Edges stay in their cells while those still fit fairly.
+    are_all_in_cells_ = false;
+    changed_paths_ = 0;
+    cells_.reset(are_alike(frame, cells_.frame()) ? cells_.frame() : frame, count);
+    if (world.model.ball_edge) edges_.update(world, cells_.frame(), 0.0);
+}
+
+// Where many have changed their paths, as in a heap, looking in one place is cheaper.
+void SweptSolver::enter_the_rest(const World& world) {
+    for (std::uint32_t i = 0; i < paths_.size(); ++i)
+        if (paths_[i].version == 0) cells_.enter(i, box_of_path(world, i, 0.0));
+    are_all_in_cells_ = true;
 }
 
 // Of each pair only the lower number predicts the impact.
@@ -113,20 +138,22 @@ void SweptSolver::predict_all_at_start(const World& world) {
 template <Terms terms>
 void SweptSolver::predict(const World& world, std::uint32_t ball, double now, bool only_later) {
     std::optional<Event> best;
-    const Box box = box_of_path(world, ball, now);
+    const SweptCells::Range cells = cells_.range_of(box_of_path(world, ball, now));
     if (world.model.ball_ball) {
         const auto meet = [&](std::uint32_t other) {
             if (other == ball || (only_later && other < ball)) return;
             predict_ball<terms>(world, ball, other, now, best);
         };
-        const Disc disc = around_path(world, ball, now);
-        neighbours_.grid().for_each_near(disc.center, disc.radius, [&](std::uint32_t other) {
-            if (paths_[other].version == 0) meet(other);
-        });
-        cells_.for_each_in(box, meet);
+        if (!are_all_in_cells_) {
+            const Disc disc = around_path(world, ball, now);
+            neighbours_.grid().for_each_near(disc.center, disc.radius, [&](std::uint32_t other) {
+                if (paths_[other].version == 0) meet(other);
+            });
+        }
+        cells_.for_each_in(cells, meet);
     }
     if (world.model.ball_edge && !paths_[ball].still) {
-        cells_.for_each_cell(box, [&](std::uint32_t cell, int across, int along) {
+        cells_.for_each_cell(cells, [&](std::uint32_t cell, int across, int along) {
             for (const CapsuleEntry entry : edges_.in_cell(cell))
                 predict_edge<terms>(
                     world, ball, entry.index,
@@ -231,6 +258,7 @@ void SweptSolver::substep(World& world, double start_time, std::vector<Contact>&
                 predict<terms>(world, i, event.time, true);
             continue;
         }
+        if (!are_all_in_cells_ && 4 * changed_paths_ > count) enter_the_rest(world);
         predict<terms>(world, event.ball, event.time, false);
         if (on_ball) predict<terms>(world, event.other, event.time, false);
     }

@@ -118,6 +118,7 @@ class SweptSolver {
     void begin_paths(World& world, double share_of_way);
     void finish_paths(World& world);
     void look_around_paths(const World& world);
+    void enter_the_rest(const World& world);
     template <Terms terms>
     void predict_all_at_start(const World& world);
     template <Terms terms>
@@ -178,7 +179,9 @@ class SweptSolver {
     std::vector<Vec2> centers_;
     std::vector<double> reaches_;
     Neighbours neighbours_;
-    SweptCells cells_;    ///< of the balls that have changed their paths since
+    SweptCells cells_;  ///< of the balls that have changed their paths since, or of all
+    std::size_t changed_paths_ = 0;
+    bool are_all_in_cells_ = false;
     CapsuleCells edges_;  ///< in the same cells
 };
 

@@ -119,7 +119,7 @@ TEST_CASE("paths that come near share a cell, each pair once") {
     }
     for (std::uint32_t i = 0; i < 200; ++i) {
         std::vector<std::uint32_t> sharing;
-        cells.for_each_in(boxes[i], [&](std::uint32_t j) { sharing.push_back(j); });
+        cells.for_each_in(cells.range_of(boxes[i]), [&](std::uint32_t j) { sharing.push_back(j); });
         std::ranges::sort(sharing);
         CHECK(std::ranges::adjacent_find(sharing) == sharing.end());
         for (std::uint32_t j = 0; j < 200; ++j)

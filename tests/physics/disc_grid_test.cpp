@@ -93,6 +93,28 @@ TEST_CASE("the grid finds every pair once, whatever the radii and the torus") {
     }
 }
 
+TEST_CASE("a frame is kept while discs move a little and become more, and finds every pair") {
+    DiscGrid grid;
+    const Box box{{0, 0}, {60, 40}};
+    Discs discs;
+    CellFrame last;
+    int kept = 0;
+    for (std::uint64_t round = 0; round < 80; ++round) {
+        const Discs more = scattered(8, box, 0.5, 0.5 + 0.01 * static_cast<double>(round));
+        discs.centers.insert(discs.centers.end(), more.centers.begin(), more.centers.end());
+        discs.radii.insert(discs.radii.end(), more.radii.begin(), more.radii.end());
+        for (std::size_t i = 0; i < discs.centers.size(); ++i)
+            discs.centers[i] += {draw(-0.9, 1.0, i, round), draw(-0.9, 1.0, i, round + 1000)};
+        const Pairs expected = by_trying_all(discs, 0.0, std::nullopt);
+        grid.build(discs.centers, discs.radii, 0.0, std::nullopt);
+        CHECK(by_grid(grid) == expected);
+        kept += grid.frame(0) == last;
+        last = grid.frame(0);
+    }
+    CHECK(kept > 10);
+    CHECK(kept < 80);
+}
+
 TEST_CASE("discs far away from most, and such as are nowhere, cost no pair") {
     Discs discs = scattered(300, {{0, 0}, {50, 50}}, 1, 1);
     for (std::uint64_t i = 0; i < 40; ++i)
@@ -148,8 +170,8 @@ TEST_CASE("cells hold their discs in ascending order, and levels discs of like s
                 grid.for_each_in_cell(level, column, row, [&](std::uint32_t i) {
                     discs_here.push_back(i);
                     CHECK(grid.level_of(i) == level);
-                    CHECK(discs.radii[i] <= grid.largest(level));
-                    CHECK(discs.radii[i] > 0.49 * grid.largest(level));
+                    CHECK(discs.radii[i] <= grid.reach(level));
+                    CHECK(discs.radii[i] > 0.39 * grid.reach(level));
                 });
                 CHECK(std::ranges::is_sorted(discs_here));
                 seen += discs_here.size();
