@@ -26,27 +26,27 @@ CellFrame EventCells::frame_for(const World& world) const {
 void EventCells::reset(const World& world, const std::vector<Vec2>& positions) {
     const std::size_t count = positions.size();
     const std::vector<double>& radius = world.balls.radius;
-    std::vector<std::uint32_t> by_size(count);
-    std::iota(by_size.begin(), by_size.end(), 0u);
-    std::sort(by_size.begin(), by_size.end(), [&](std::uint32_t a, std::uint32_t b) {
+    by_size_.resize(count);
+    std::iota(by_size_.begin(), by_size_.end(), 0u);
+    std::sort(by_size_.begin(), by_size_.end(), [&](std::uint32_t a, std::uint32_t b) {
         return radius[a] != radius[b] ? radius[a] > radius[b] : a < b;
     });
     // Giants end where the radius falls most.
     std::size_t giants = 0;
     double steepest = 2.0;
     for (std::size_t i = 1; i <= most_giants && i < count; ++i) {
-        const double fall = radius[by_size[i - 1]] / radius[by_size[i]];
+        const double fall = radius[by_size_[i - 1]] / radius[by_size_[i]];
         if (fall > steepest) {
             steepest = fall;
             giants = i;
         }
     }
-    giants_.assign(by_size.begin(), by_size.begin() + static_cast<std::ptrdiff_t>(giants));
+    giants_.assign(by_size_.begin(), by_size_.begin() + static_cast<std::ptrdiff_t>(giants));
     std::sort(giants_.begin(), giants_.end());
     is_giant_.assign(count, 0);
     for (const std::uint32_t giant : giants_)
         is_giant_[giant] = 1;
-    largest_ = giants < count ? radius[by_size[giants]] : 1.0;
+    largest_ = giants < count ? radius[by_size_[giants]] : 1.0;
 
     frame_ = frame_for(world);
     head_.assign(frame_.count(), none);

@@ -123,6 +123,7 @@ class EventCells {
 
     CellFrame frame_;
     double largest_ = 0.0;
+    std::vector<std::uint32_t> by_size_;
     std::vector<std::uint32_t> giants_;
     std::vector<std::uint8_t> is_giant_;
     std::vector<std::uint32_t> head_;

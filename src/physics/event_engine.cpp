@@ -169,7 +169,8 @@ void EventEngine<Real>::begin(World& world) {
 // Some balls were moved or pushed from outside: they begin new paths.
 template <typename Real>
 void EventEngine<Real>::take_what_changed(const World& world) {
-    std::vector<std::uint32_t> changed;
+    std::vector<std::uint32_t>& changed = changed_;
+    changed.clear();
     for (std::uint32_t i = 0; i < paths_.size(); ++i) {
         if (left_.positions[i] == world.balls.position[i] &&
             left_.velocities[i] == world.balls.velocity[i] && is_spin_left(i))
@@ -205,9 +206,13 @@ void EventEngine<Real>::begin_anew(const World& world) {
     torus_ = world.model.wrap ? size(*world.model.wrap) : Vec2{};
 
     // Paths that the world, or for other numbers this engine, remembers.
-    std::vector<EventPath<Real>> known(count);
-    std::vector<std::uint8_t> is_kept(count, 0);
-    std::vector<std::int64_t> spin_from(world.model.spin ? count : 0, -1);
+    std::vector<EventPath<Real>> known;
+    if constexpr (!std::is_same_v<Real, double>) known.swap(paths_);
+    std::vector<std::uint8_t>& is_kept = is_kept_;
+    std::vector<std::int64_t>& spin_from = spin_from_;
+    paths_.assign(count, {});
+    is_kept.assign(count, 0);
+    spin_from.assign(world.model.spin ? count : 0, -1);
     const bool same_field = world.paths_gravity == world.model.gravity.value_or(Vec2{}) &&
                             world.paths_drag == world.model.drag.value_or(0.0);
     if constexpr (std::is_same_v<Real, double>) {
@@ -216,7 +221,7 @@ void EventEngine<Real>::begin_anew(const World& world) {
             while (at < world.paths.size() && world.paths[at].id < world.balls.id[i])
                 ++at;
             if (at < world.paths.size() && world.paths[at].id == world.balls.id[i]) {
-                known[i] = path_from(world.paths[at]);
+                paths_[i] = path_from(world.paths[at]);
                 is_kept[i] = !world.model.spin || at < world.spin_paths.size();
                 if (world.model.spin && is_kept[i]) spin_from[i] = static_cast<std::int64_t>(at);
             }
@@ -227,7 +232,7 @@ void EventEngine<Real>::begin_anew(const World& world) {
             while (at < left_.ids.size() && left_.ids[at] < world.balls.id[i])
                 ++at;
             if (at < left_.ids.size() && left_.ids[at] == world.balls.id[i]) {
-                known[i] = paths_[at];
+                paths_[i] = known[at];
                 is_kept[i] = 1;
                 if (world.model.spin) spin_from[i] = static_cast<std::int64_t>(at);
             }
@@ -236,7 +241,6 @@ void EventEngine<Real>::begin_anew(const World& world) {
     inverse_mass_.resize(count);
     for (std::size_t i = 0; i < count; ++i)
         inverse_mass_[i] = Real(world.balls.inverse_mass[i]);
-    paths_ = std::move(known);
     version_.resize(count, 0);
     begun_.reserve(count);
     next_.assign(count, {});

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <memory_resource>
 #include <optional>
 #include <vector>
 
@@ -127,6 +128,13 @@ class EventEngine {
         Real rate{};
         bool rolls = false;  ///< along a side, without slip
     };
+    /// A contact that has passed an impulse, and what it passes along itself, mass * length/s.
+    struct Rubbing {
+        const Touch* touch = nullptr;
+        Real most{};
+        Real impulse{};
+        Real change{};
+    };
     struct Rub {
         Vector<Real> acceleration;
         Spinning turn;
@@ -204,7 +212,8 @@ class EventEngine {
 
     // event_rest.cpp: what carries a ball.
     void settle(std::uint32_t ball);
-    std::vector<Support> supports_of(std::uint32_t ball, bool also_moving) const;
+    /// Valid until the next call.
+    const std::vector<Support>& supports_of(std::uint32_t ball, bool also_moving);
     std::optional<std::pair<std::size_t, std::size_t>> bearing_two(
         const std::vector<Support>& supports) const;
     void rest(std::uint32_t ball, const Support& first, const Support* second);
@@ -218,7 +227,7 @@ class EventEngine {
     Real spin_at(std::uint32_t ball, const Real& time) const;
     void let_spin(std::uint32_t ball, const Real& time);
     Real friction_of(std::uint32_t ball, const PathSupport& support) const;
-    void rub_contacts(const std::vector<std::uint32_t>& which, const std::vector<Real>& passed);
+    void rub_contacts(const std::vector<std::uint32_t>& which, std::span<const Real> passed);
     Real slip_noise(std::uint32_t ball, const Vector<Real>& velocity) const;
     Rub rub_on_side(std::uint32_t ball, const Support& support, const Vector<Real>& velocity,
                     const Vector<Real>& pull) const;
@@ -287,8 +296,17 @@ class EventEngine {
     std::vector<std::uint32_t> approaching_;
     std::vector<ImpactContact<Real>> group_;
     std::vector<Real> approach_;
-    std::vector<Real> passed_;
+    /// What `reflect` works in.
+    std::pmr::unsynchronized_pool_resource reflections_{{.largest_required_pool_block = 1 << 20}};
+    std::pmr::vector<Real> passed_{&reflections_};
     std::vector<std::uint32_t> changed_;
+    std::vector<std::uint32_t> gone_;  ///< what others rested on
+    std::vector<Support> supports_;
+    std::vector<Support> points_;
+    std::vector<Rubbing> rubbings_;
+    std::vector<int> shares_;
+    std::vector<std::uint8_t> is_kept_;
+    std::vector<std::int64_t> spin_from_;
     std::vector<std::array<int, 3>> near_;  ///< ball, tori across and along
     std::vector<std::uint32_t> body_of_ball_;
 

@@ -41,15 +41,11 @@ Real EventEngine<Real>::friction_of(std::uint32_t ball, const PathSupport& suppo
 // What contacts that have passed these impulses at the same instant pass along themselves.
 template <typename Real>
 void EventEngine<Real>::rub_contacts(const std::vector<std::uint32_t>& which,
-                                     const std::vector<Real>& passed) {
-    struct Rubbing {
-        const Touch* touch;
-        Real most;
-        Real impulse;
-        Real change;
-    };
-    std::vector<Rubbing> all;
-    std::vector<int> shares(bodies_.size(), 0);
+                                     std::span<const Real> passed) {
+    std::vector<Rubbing>& all = rubbings_;
+    std::vector<int>& shares = shares_;
+    all.clear();
+    shares.assign(bodies_.size(), 0);
     for (std::size_t i = 0; i < which.size(); ++i) {
         const Touch& touch = touches_[which[i]];
         if (!(passed[i] > Real{})) continue;
@@ -280,7 +276,8 @@ void EventEngine<Real>::end_spin(std::uint32_t ball) {
 // `known`: by ball, which of the paths that are remembered is its own; -1: none.
 template <typename Real>
 void EventEngine<Real>::take_spins(const World& world, const std::vector<std::int64_t>& known) {
-    const std::vector<Spinning> before = std::move(spins_);
+    std::vector<Spinning> before;
+    if constexpr (!std::is_same_v<Real, double>) before.swap(spins_);
     spins_.assign(known.size(), {});
     for (std::size_t i = 0; i < known.size(); ++i) {
         const auto at = static_cast<std::size_t>(known[i]);

@@ -98,11 +98,11 @@ void EventEngine<Real>::pass_impulses(const std::vector<std::uint32_t>& which, b
             if (bodies_[body].was_resting && !both) impact_bodies_[body].inverse_mass = Real{};
         }
     }
-    std::vector<Real>& passed = passed_;
+    std::pmr::vector<Real>& passed = passed_;
     if (group.size() == 1)
         passed.assign(1, reflect_alone<Real>(impact_bodies_, group[0]));
     else
-        passed = reflect<Real>(impact_bodies_, group);
+        passed = reflect<Real>(impact_bodies_, group, &reflections_);
     if (world_->model.spin) rub_contacts(which, passed);
     if (is_soft) {
         impact_bodies_[group[0].a].inverse_mass = masses[0];
@@ -204,12 +204,12 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
                     inverse += impact_bodies_[contact.b].inverse_mass;
                 return !(inverse > Real{});
             });
-            std::vector<ImpactContact<Real>> all;
+            group_.clear();
             for (const std::uint32_t i : approaching) {
-                all.push_back(touches_[i].contact);
-                all.back().restitution = Real{};
+                group_.push_back(touches_[i].contact);
+                group_.back().restitution = Real{};
             }
-            reflect<Real>(impact_bodies_, all);
+            reflect<Real>(impact_bodies_, group_, &reflections_);
             for (Body& each : bodies_)
                 each.is_changed = true;
         } else {

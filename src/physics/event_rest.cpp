@@ -19,12 +19,14 @@ Real noise_of(const Vector<Real>& gravity) {
 
 // What the ball touches and is pressed on, without bouncing: sides first.
 template <typename Real>
-std::vector<typename EventEngine<Real>::Support> EventEngine<Real>::supports_of(
-    std::uint32_t ball, bool also_moving) const {
+const std::vector<typename EventEngine<Real>::Support>& EventEngine<Real>::supports_of(
+    std::uint32_t ball, bool also_moving) {
     const EventPath<Real>& path = paths_[ball];
     const Real size = radius(ball);
-    std::vector<Support> sides;
-    std::vector<Support> points;
+    std::vector<Support>& sides = supports_;
+    std::vector<Support>& points = points_;
+    sides.clear();
+    points.clear();
     // What still moves, moves within the height of a lively hop.
     const Real near = size * Real(also_moving ? 4.0 * lively_rise : touching);
     const auto carries = [&](const Vector<Real>& normal) {
@@ -126,7 +128,7 @@ template <typename Real>
 void EventEngine<Real>::settle(std::uint32_t ball) {
     const EventPath<Real>& path = paths_[ball];
     if (!world_->model.gravity || path.motion != Motion::free) return;
-    const std::vector<Support> supports = supports_of(ball, false);
+    const std::vector<Support>& supports = supports_of(ball, false);
     if (const auto two = bearing_two(supports)) {
         const Real turn = cross(supports[two->first].normal, supports[two->second].normal);
         const Real fall =
@@ -196,7 +198,8 @@ void EventEngine<Real>::rest(std::uint32_t ball, const Support& first, const Sup
 template <typename Real>
 void EventEngine<Real>::release_what_rests_on(std::uint32_t ball,
                                               std::vector<std::uint32_t>& released) {
-    std::vector<std::uint32_t> gone{ball};
+    std::vector<std::uint32_t>& gone = gone_;
+    gone.assign(1, ball);
     while (!gone.empty()) {
         const std::uint32_t support = gone.back();
         gone.pop_back();
@@ -246,7 +249,8 @@ void EventEngine<Real>::end_own(std::uint32_t ball) {
     }
     settle(ball);
     if (before.motion == Motion::resting && paths_[ball].motion != Motion::resting) {
-        std::vector<std::uint32_t> released;
+        std::vector<std::uint32_t>& released = changed_;
+        released.clear();
         release_what_rests_on(ball, released);
         std::sort(released.begin(), released.end());
         released.erase(std::unique(released.begin(), released.end()), released.end());

@@ -76,8 +76,13 @@ void Neighbours::sort_pairs(std::size_t balls) {
 void Neighbours::look_for_edges(const World& world, std::span<const Vec2> centers,
                                 std::span<const double> radii) {
     edges_.clear();
-    cells_of_edges_.resize(world.model.ball_edge ? grid_.levels() : 0);
-    for (std::size_t level = 0; level < cells_of_edges_.size(); ++level) {
+    if (!world.model.ball_edge) {
+        cells_of_edges_.clear();
+        return;
+    }
+    // Not fewer: levels come and go with the lengths of paths.
+    if (cells_of_edges_.size() < grid_.levels()) cells_of_edges_.resize(grid_.levels());
+    for (std::size_t level = 0; level < grid_.levels(); ++level) {
         const CellFrame& frame = grid_.frame(level);
         CapsuleCells& cells = cells_of_edges_[level];
         cells.update(world, frame, (1.0 + push_) * grid_.reach(level));

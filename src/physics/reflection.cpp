@@ -10,7 +10,8 @@ namespace {
 template <typename Real>
 class Matrix {
   public:
-    explicit Matrix(std::size_t size) : size_(size), values_(size * size) {}
+    Matrix(std::size_t size, std::pmr::memory_resource* memory)
+        : size_(size), values_(size * size, memory) {}
     Real& at(std::size_t row, std::size_t column) { return values_[row * size_ + column]; }
     const Real& at(std::size_t row, std::size_t column) const {
         return values_[row * size_ + column];
@@ -18,7 +19,7 @@ class Matrix {
 
   private:
     std::size_t size_;
-    std::vector<Real> values_;
+    std::pmr::vector<Real> values_;
 };
 
 // How much the approach of contact i falls for an impulse of 1 at contact j.
@@ -51,15 +52,16 @@ void push(std::span<ImpactBody<Real>> bodies, const ImpactContact<Real>& contact
 // matrix is made definite by a trace on its diagonal, and the error that makes is taken back by
 // repetition. Pre: the diagonal is between 1 and 4.
 template <typename Real>
-std::vector<Real> solve(const Matrix<Real>& matrix, const std::vector<Real>& right,
-                        const std::vector<std::size_t>& active) {
+std::pmr::vector<Real> solve(const Matrix<Real>& matrix, const std::pmr::vector<Real>& right,
+                             const std::pmr::vector<std::size_t>& active) {
     const std::size_t count = active.size();
     const Real trace(1e-11);
     Real largest{};
     for (const std::size_t i : active)
         if (largest < absolute(right[i])) largest = absolute(right[i]);
     const Real noise = largest * Real(precision<Real>);
-    Matrix<Real> root(count);  // Cholesky
+    std::pmr::memory_resource* const memory = right.get_allocator().resource();
+    Matrix<Real> root(count, memory);  // Cholesky
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = 0; j <= i; ++j) {
             Real sum = matrix.at(active[i], active[j]);
@@ -69,8 +71,8 @@ std::vector<Real> solve(const Matrix<Real>& matrix, const std::vector<Real>& rig
             root.at(i, j) = i == j ? square_root(sum > trace * Real(0.5) ? sum : trace * Real(0.5))
                                    : sum / root.at(j, j);
         }
-    std::vector<Real> solution(count);
-    std::vector<Real> rest(count);
+    std::pmr::vector<Real> solution(count, memory);
+    std::pmr::vector<Real> rest(count, memory);
     constexpr int most_rounds = 40;
     for (int round = 0; round < most_rounds; ++round) {
         Real worst{};
@@ -101,16 +103,17 @@ std::vector<Real> solve(const Matrix<Real>& matrix, const std::vector<Real>& rig
 // no nearer, one is changed at a time, the last (Judice and Pires, A block principal pivoting
 // algorithm for linear complementarity problems, 1994). None where rounding keeps it from an end.
 template <typename Real>
-std::optional<std::vector<Real>> stopping_impulses(const Matrix<Real>& matrix,
-                                                   const std::vector<Real>& approach) {
+std::optional<std::pmr::vector<Real>> stopping_impulses(const Matrix<Real>& matrix,
+                                                        const std::pmr::vector<Real>& approach) {
     const std::size_t count = approach.size();
     const Real largest = *std::max_element(approach.begin(), approach.end());
     const Real noise = largest * Real(1e-12);
     constexpr int patience = 3;
-    std::vector<std::uint8_t> is_active(count, 1);
-    std::vector<Real> impulses(count);
-    std::vector<std::size_t> active;
-    std::vector<std::size_t> wrong;
+    std::pmr::memory_resource* const memory = approach.get_allocator().resource();
+    std::pmr::vector<std::uint8_t> is_active(count, 1, memory);
+    std::pmr::vector<Real> impulses(count, memory);
+    std::pmr::vector<std::size_t> active(memory);
+    std::pmr::vector<std::size_t> wrong(memory);
     std::size_t fewest = count + 1;
     int tries = patience;
     const std::size_t most_rounds = 4 * count + 16;
@@ -118,7 +121,7 @@ std::optional<std::vector<Real>> stopping_impulses(const Matrix<Real>& matrix,
         active.clear();
         for (std::size_t i = 0; i < count; ++i)
             if (is_active[i]) active.push_back(i);
-        const std::vector<Real> solution = solve(matrix, approach, active);
+        const std::pmr::vector<Real> solution = solve(matrix, approach, active);
         std::fill(impulses.begin(), impulses.end(), Real{});
         wrong.clear();
         for (std::size_t i = 0; i < active.size(); ++i) {
@@ -165,10 +168,11 @@ constexpr std::size_t most_dense = 240;
 // What relaxation has not brought to its end is scaled so that, passed once more, it takes all that
 // it gave: with restitution 1 energy stays, with less it falls, whatever is left to approach.
 template <typename Real>
-std::vector<Real> relaxed_impulses(const std::vector<ImpactContact<Real>>& contacts,
-                                   std::vector<ImpactBody<Real>> bodies) {
-    const std::vector<ImpactBody<Real>> before = bodies;
-    std::vector<Real> impulses(contacts.size());
+std::pmr::vector<Real> relaxed_impulses(const std::pmr::vector<ImpactContact<Real>>& contacts,
+                                        std::pmr::vector<ImpactBody<Real>> bodies) {
+    std::pmr::memory_resource* const memory = contacts.get_allocator().resource();
+    const std::pmr::vector<ImpactBody<Real>> before(bodies, memory);
+    std::pmr::vector<Real> impulses(contacts.size(), memory);
     for (int round = 0; round < 400; ++round)
         for (std::size_t i = 0; i < contacts.size(); ++i) {
             const auto& contact = contacts[i];
@@ -196,9 +200,10 @@ std::vector<Real> relaxed_impulses(const std::vector<ImpactContact<Real>>& conta
 
 // Contacts that share a body that can be moved, each group in the order given.
 template <typename Real>
-std::vector<std::vector<std::uint32_t>> groups_of(std::span<const ImpactBody<Real>> bodies,
-                                                  std::span<const ImpactContact<Real>> contacts) {
-    std::vector<std::uint32_t> leader(bodies.size());
+std::pmr::vector<std::pmr::vector<std::uint32_t>> groups_of(
+    std::span<const ImpactBody<Real>> bodies, std::span<const ImpactContact<Real>> contacts,
+    std::pmr::memory_resource* memory) {
+    std::pmr::vector<std::uint32_t> leader(bodies.size(), memory);
     std::iota(leader.begin(), leader.end(), 0u);
     const auto find = [&](std::uint32_t body) {
         while (leader[body] != body)
@@ -214,7 +219,7 @@ std::vector<std::vector<std::uint32_t>> groups_of(std::span<const ImpactBody<Rea
             const std::uint32_t b = find(contact.b);
             leader[std::max(a, b)] = std::min(a, b);
         }
-    std::vector<std::vector<std::uint32_t>> by_leader(bodies.size());
+    std::pmr::vector<std::pmr::vector<std::uint32_t>> by_leader(bodies.size(), memory);
     for (std::uint32_t i = 0; i < contacts.size(); ++i)
         by_leader[find(moves(contacts[i].a) ? contacts[i].a : contacts[i].b)].push_back(i);
     std::erase_if(by_leader, [](const auto& group) { return group.empty(); });
@@ -232,14 +237,15 @@ Real reflect_alone(std::span<ImpactBody<Real>> bodies, const ImpactContact<Real>
 }
 
 template <typename Real>
-std::vector<Real> reflect(std::span<ImpactBody<Real>> bodies,
-                          std::span<const ImpactContact<Real>> contacts) {
-    std::vector<Real> passed(contacts.size());
+std::pmr::vector<Real> reflect(std::span<ImpactBody<Real>> bodies,
+                               std::span<const ImpactContact<Real>> contacts,
+                               std::pmr::memory_resource* memory) {
+    std::pmr::vector<Real> passed(contacts.size(), memory);
     if (contacts.size() == 1) {
         passed[0] = reflect_alone(bodies, contacts[0]);
         return passed;
     }
-    for (const auto& group : groups_of<Real>(bodies, contacts)) {
+    for (const auto& group : groups_of<Real>(bodies, contacts, memory)) {
         const std::size_t count = group.size();
         if (count == 1) {
             passed[group[0]] = reflect_alone(bodies, contacts[group[0]]);
@@ -249,12 +255,12 @@ std::vector<Real> reflect(std::span<ImpactBody<Real>> bodies,
         for (const std::uint32_t index : group)
             if (contacts[index].restitution < restitution)
                 restitution = contacts[index].restitution;
-        std::optional<std::vector<Real>> impulses;
+        std::optional<std::pmr::vector<Real>> impulses;
         if (count <= most_dense) {
             // Scaled to a diagonal of about 1: masses may be far apart.
-            Matrix<Real> matrix(count);
-            std::vector<Real> approach(count);
-            std::vector<Real> scale(count);
+            Matrix<Real> matrix(count, memory);
+            std::pmr::vector<Real> approach(count, memory);
+            std::pmr::vector<Real> scale(count, memory);
             for (std::size_t i = 0; i < count; ++i) {
                 const auto& contact = contacts[group[i]];
                 scale[i] = scale_of(coupling<Real>(contact, contact, bodies));
@@ -270,11 +276,11 @@ std::vector<Real> reflect(std::span<ImpactBody<Real>> bodies,
                 (*impulses)[i] = (*impulses)[i] / scale[i];
         }
         if (!impulses) {
-            std::vector<ImpactContact<Real>> own;
+            std::pmr::vector<ImpactContact<Real>> own(memory);
             for (const std::uint32_t index : group)
                 own.push_back(contacts[index]);
-            impulses =
-                relaxed_impulses(own, std::vector<ImpactBody<Real>>(bodies.begin(), bodies.end()));
+            impulses = relaxed_impulses(
+                own, std::pmr::vector<ImpactBody<Real>>(bodies.begin(), bodies.end(), memory));
         }
         for (std::size_t i = 0; i < count; ++i) {
             passed[group[i]] = (Real(1.0) + restitution) * (*impulses)[i];
@@ -286,9 +292,11 @@ std::vector<Real> reflect(std::span<ImpactBody<Real>> bodies,
 
 template double reflect_alone(std::span<ImpactBody<double>>, const ImpactContact<double>&);
 template Wide reflect_alone(std::span<ImpactBody<Wide>>, const ImpactContact<Wide>&);
-template std::vector<double> reflect(std::span<ImpactBody<double>>,
-                                     std::span<const ImpactContact<double>>);
-template std::vector<Wide> reflect(std::span<ImpactBody<Wide>>,
-                                   std::span<const ImpactContact<Wide>>);
+template std::pmr::vector<double> reflect(std::span<ImpactBody<double>>,
+                                          std::span<const ImpactContact<double>>,
+                                          std::pmr::memory_resource*);
+template std::pmr::vector<Wide> reflect(std::span<ImpactBody<Wide>>,
+                                        std::span<const ImpactContact<Wide>>,
+                                        std::pmr::memory_resource*);
 
 }  // namespace carom

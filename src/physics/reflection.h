@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory_resource>
 #include <span>
 #include <vector>
 
@@ -46,10 +47,12 @@ Real approach_of(const ImpactContact<Real>& contact, std::span<const ImpactBody<
 
 /// One step of the rule for `contacts`, all of which approach: the impulse of each, >= 0. Contacts
 /// that hang together take the smallest restitution among them. Changes the velocities of `bodies`.
+/// What it needs comes from `memory`, the impulses too.
 /// Pre: of each contact at least one body can be moved.
 template <typename Real>
-std::vector<Real> reflect(std::span<ImpactBody<Real>> bodies,
-                          std::span<const ImpactContact<Real>> contacts);
+std::pmr::vector<Real> reflect(
+    std::span<ImpactBody<Real>> bodies, std::span<const ImpactContact<Real>> contacts,
+    std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 
 /// The same for one contact alone: its impulse.
 template <typename Real>
