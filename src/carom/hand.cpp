@@ -65,6 +65,10 @@ bool Hand::take(const World& world, Vec2 at, double slack) {
     return false;
 }
 
+void Hand::take_to_place(const World& world, BallId ball, Vec2 at) {
+    state_ = BallInHand{ball, offset(world, at, *place_of(world, ball)), at, true};
+}
+
 void Hand::take_cue(BallId ball, Vec2 at) {
     state_ = CueInHand{ball, at};
 }
@@ -85,7 +89,7 @@ bool Hand::holds_edge(CapsuleId edge) const {
 
 std::vector<Command> Hand::holds(const World& world) const {
     if (const auto* held = std::get_if<BallInHand>(&state_)) {
-        if (!index_of(world, held->ball)) return {};
+        if (held->is_placed || !index_of(world, held->ball)) return {};
         return {command::HoldBall{held->ball, inside(world, held->at + held->grip)}};
     }
     if (const auto* held = std::get_if<EdgesInHand>(&state_))
@@ -101,7 +105,7 @@ Complaint Hand::move(Session& session, Vec2 to, bool stands_still) {
         const Vec2 place = inside(world, to + held->grip);
         if (!index_of(world, held->ball))
             forget();
-        else if (stands_still)
+        else if (stands_still || held->is_placed)
             commands = {command::PlaceBall{held->ball, place}};
     } else if (auto* edges = std::get_if<EdgesInHand>(&state_)) {
         edges->at = to;
@@ -113,7 +117,7 @@ Complaint Hand::move(Session& session, Vec2 to, bool stands_still) {
     }
     // All or nothing, so that a joint stays one.
     for (const Command& command : commands)
-        if (auto why_not = refusal(world, command)) return why_not;
+        if (auto why_not = refusal(session.scene(), world, session.game(), command)) return why_not;
     for (const Command& command : commands)
         session.apply(command);
     return std::nullopt;

@@ -30,6 +30,8 @@ class Hand {
     /// Takes what is at most `slack` from the point: a ball, else an end of an edge with all that
     /// is joined to it, else an edge. False when there is nothing.
     bool take(const World& world, Vec2 at, double slack);
+    /// A ball that is put where the hand is, at once, whatever else goes on.
+    void take_to_place(const World& world, BallId ball, Vec2 at);
     /// The cue on a ball that exists.
     void take_cue(BallId ball, Vec2 at);
     void start_edge(Vec2 at, double radius, ClassIndex material);
@@ -60,6 +62,7 @@ class Hand {
         BallId ball{};
         Vec2 grip;  ///< from the hand to the middle of the ball
         Vec2 at;
+        bool is_placed = false;
     };
     struct EdgesInHand {
         EdgeGrip grip;

@@ -42,6 +42,15 @@ constexpr ActionRow rows[] = {
     {Action::remove_edge, "remove-edge", "E", "remove an edge", "Hands"},
     {Action::undo, "undo", "u", "undo the last change", "Hands"},
 
+    {Action::aim_left, "aim-left", "; ctrl-left", "aim a hair to the left", "Pool"},
+    {Action::aim_right, "aim-right", "' ctrl-right", "aim a hair to the right", "Pool"},
+    {Action::next_pot, "next-pot", "}", "aim at the next pocket, easiest first", "Pool"},
+    {Action::previous_pot, "previous-pot", "{", "aim at the one before", "Pool"},
+    {Action::call, "call", "d", "declare a safety, or a push-out", "Pool"},
+    {Action::place_cue_ball, "place-cue-ball", "p", "take the ball in hand, put it down", "Pool"},
+    {Action::aids, "aids", "A", "lines: none, ghost, full, 20 shots", "Pool"},
+    {Action::next_frame, "next-frame", "N", "rack the next frame", "Pool"},
+
     {Action::solver, "solver", "s", "the next solver", "World"},
     {Action::gravity, "gravity", "g", "gravity on, off", "World"},
     {Action::turn_gravity, "turn-gravity", "G", "turn gravity", "World"},

@@ -38,6 +38,15 @@ enum class Action : std::uint8_t {
     remove,
     draw_edge,
     remove_edge,
+    // pool
+    aim_left,
+    aim_right,
+    next_pot,
+    previous_pot,
+    call,
+    place_cue_ball,
+    aids,
+    next_frame,
     undo,
     // world
     solver,

@@ -28,6 +28,7 @@ Player::Player(Session session, const ViewOptions& view, KeyMap keys, bool solve
         shows_histogram_ = shows_histogram_ || show.what == Show::What::histogram;
         shows_energy_ = shows_energy_ || show.what == Show::What::energy;
     }
+    if (PoolSeat::is_at(session_.scene()) && !session_.is_following()) seat_.emplace(session_);
     set_reference();
 }
 
@@ -78,7 +79,7 @@ void Player::set_keep_going(const KeepGoing& keep_going) {
 }
 
 double Player::seconds_to_change() const {
-    const bool is_idle = stands_still() && !is_ahead();
+    const bool is_idle = stands_still() && !is_ahead() && !(seat_ && seat_->has_work());
     if (!is_idle && !is_too_small_ && page_ == Page::none) return 0.0;
     return message_seconds_ > 0.0 ? message_seconds_ : std::numeric_limits<double>::infinity();
 }
@@ -90,6 +91,7 @@ void Player::advance(double seconds, const MayGoOn& may_go_on) {
     }
     if (is_too_small_ || page_ != Page::none) return;
     press_buttons(table_keys_.pass(seconds));
+    if (seat_ && seat_->work(session_)) needs_draw_ = true;
     // What runs beside the game keeps up with it, or the game waits.
     if (!keep_up(may_go_on) || stands_still()) return;
     const bool was_seeking = clockwork_.is_seeking();
@@ -101,6 +103,7 @@ void Player::advance(double seconds, const MayGoOn& may_go_on) {
     keep_up(may_go_on);
     tell_outcome();
     hear_table();
+    hear_referee();
     if (was_seeking && !clockwork_.is_seeking()) {
         if (session_.is_at_end())
             say("nothing meets any more: the recording ends here");

@@ -10,6 +10,7 @@
 #include "carom/clockwork.h"
 #include "carom/hand.h"
 #include "carom/keys.h"
+#include "carom/pool_seat.h"
 #include "carom/rival.h"
 #include "carom/swarm.h"
 #include "carom/table_keys.h"
@@ -136,6 +137,21 @@ class Player {
     std::string score_line() const;  ///< empty where no points are counted
     void add_table_hints(std::vector<KeyHelp>& hints) const;
 
+    // player_pool.cpp: a pool table
+    const PoolPlay* pool() const;
+    bool is_aiming() const;
+    bool perform_at_pool(Action action);
+    void aim_by_key(double degrees, double speed);
+    bool move_tip(Action action);
+    void shoot();
+    void place_cue_ball();
+    bool choose(const InputEvent& event);
+    bool press_at_pool(const InputEvent& event);
+    bool release_at_pool();
+    void hear_referee();
+    PlayerNames names() const;
+    std::vector<KeyHelp> pool_hints() const;
+
     // player_picture.cpp: drawing
     void lay_out(const Canvas& canvas, double aspect);
     Marks marks() const;
@@ -165,7 +181,9 @@ class Player {
     Hand hand_;
     KeyMap keys_;
     TableKeys table_keys_;
-    std::string heard_;  ///< what the table said last
+    std::string heard_;  ///< what the referee said last
+    std::optional<PoolSeat> seat_;
+    bool aims_by_mouse_ = false;  ///< the left button is down, and the cue points at the mouse
 
     ViewOptions view_;
     ViewMemory memory_;

@@ -6,6 +6,7 @@
 namespace carom {
 
 void Player::perform_by_hand(Action action) {
+    if (perform_at_pool(action)) return;
     switch (action) {
         case Action::cursor_left:
             return move_cursor(-1.0, 0.0);

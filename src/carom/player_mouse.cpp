@@ -22,7 +22,7 @@ Wish Player::handle(const InputEvent& event) {
         handle_mouse(event);
         return Wish::none;
     }
-    if (handle_button(event)) return Wish::none;
+    if (handle_button(event) || choose(event)) return Wish::none;
     if (event.kind != InputEvent::Kind::key || event.action == InputEvent::Action::release)
         return Wish::none;
     const auto action = keys_.action_of(key_of(event));
@@ -78,6 +78,8 @@ void Player::handle_mouse(const InputEvent& event) {
         panning_from_ = place;
         return;
     }
+    if (is_aiming() && (event.action == wheel_up || event.action == wheel_down))
+        return aim_by_key(0.0, event.action == wheel_up ? 0.1 : -0.1);
     if (event.action == wheel_up) return zoom(place, wheel_factor);
     if (event.action == wheel_down) return zoom(place, 1.0 / wheel_factor);
     shows_cursor_ = false;
@@ -99,6 +101,7 @@ void Player::press(const InputEvent& event) {
         panning_from_ = place;
         return;
     }
+    if (press_at_pool(event)) return;
     const bool is_cue = event.button == right_button || cue_is_armed_ ||
                         (event.button == left_button && (event.modifiers & (shift | control)));
     if (event.button == middle_button) {
@@ -128,6 +131,7 @@ void Player::release(const InputEvent& event) {
     // Some terminals do not say which button was let go.
     if (!pressed_ || (event.button != 0 && event.button != *pressed_)) return;
     pressed_.reset();
+    if (release_at_pool()) return;
     if (!follows_) selected_.reset();
     if (const auto complaint = hand_.open(session_)) complain(*complaint);
     set_reference();
@@ -136,6 +140,11 @@ void Player::release(const InputEvent& event) {
 void Player::move_pointer(Vec2 to) {
     if (to == pointer_) return;
     pointer_ = to;
+    if (seat_ && (aims_by_mouse_ || hand_.has_cue())) {
+        needs_draw_ = true;
+        if (aims_by_mouse_) seat_->aim_at(session_, to);
+        if (hand_.has_cue()) seat_->pull(session_, to);
+    }
     if (hand_.is_empty()) return;
     needs_draw_ = true;
     if (const auto complaint = hand_.move(session_, to, stands_still())) complain(*complaint);

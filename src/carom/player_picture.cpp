@@ -84,7 +84,8 @@ Marks Player::marks() const {
     const World& world = session_.world();
     if (selected_ && index_of(world, *selected_)) marks.selected_ball = selected_;
     if (shows_cursor_) marks.cursor = pointer_;
-    hand_.mark(world, session_.solver(), speed_unit(), marks);
+    if (seat_) marks.pool = seat_->marks(session_);
+    if (!seat_ || !hand_.has_cue()) hand_.mark(world, session_.solver(), speed_unit(), marks);
     if (view_.broad_phase && world.balls.size() > 0) {
         const CellFrame frame = frame_around(world, 2.0 * largest_radius(world.balls));
         marks.broad_phase = CellGrid{frame.origin, frame.cell.x};
@@ -113,6 +114,7 @@ std::vector<KeyHelp> Player::hints() const {
         const std::string keys = keys_.hint(action);
         if (!keys.empty()) hints.push_back({keys, std::string(what)});
     };
+    if (seat_ && hand_.is_empty() && !shows_cursor_) hints = pool_hints();
     if (hand_.has_cue()) {
         hint(Action::grab, "shoot");
         hint(Action::menu, "let go");
@@ -139,7 +141,7 @@ std::vector<KeyHelp> Player::hints() const {
     hint(Action::help, "help");
     if (hand_.is_empty()) {
         if (session_.latest() > 0) hint(Action::restart, "again");
-        if (!mouse_is_off_ && !shows_cursor_ && !is_watching()) {
+        if (!mouse_is_off_ && !shows_cursor_ && !is_watching() && !seat_) {
             hints.push_back({"drag", "move"});
             hints.push_back({"right drag", "shoot"});
         }
@@ -173,6 +175,8 @@ HudInfo Player::hud() const {
     HudInfo info;
     info.title = (is_watching() ? "recording: " : "") + session_.scene().title;
     if (const std::string score = score_line(); !score.empty()) info.title += ": " + score;
+    if (pool()) info.title = turn_text(*pool(), names());
+    if (seat_) info.game = seat_->line(session_, view_.look);
     info.solver = solver_text(session_.solver());
     info.solver_is_picked = solver_is_picked_;
     if (solver_is_picked_) info.reason = pick_solver(session_.scene().world).reason;
@@ -247,6 +251,7 @@ void Player::draw_game(Canvas& canvas, double aspect) {
     canvas.fill({});
     lay_out(canvas, aspect);
     if (is_watching()) watch_commands();
+    if (seat_) seat_->look(session_);
     const World& world = session_.world();
     const Totals sums = totals(world);
     energy_.add({world.tick, sums.kinetic_energy, sums.potential_energy});

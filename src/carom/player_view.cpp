@@ -6,6 +6,7 @@
 namespace carom {
 
 void Player::perform_on_view(Action action) {
+    if (move_tip(action)) return;
     const auto toggle = [this](bool& what, std::string_view name_text) {
         what = !what;
         say(fmt::format("{} {}", name_text, what ? "on" : "off"));

@@ -9,12 +9,13 @@
 #include "geometry/impact.h"
 
 namespace carom {
-namespace {
 
 const Rack& rack_of(const Scene& scene) {
     const auto wanted = scene.game == "eightball" ? Rack::Shape::eight : Rack::Shape::nine;
     return *std::ranges::find(scene.pool.racks, wanted, &Rack::shape);
 }
+
+namespace {
 
 // As the scene's ball of that id, but there, and at rest.
 BallId put_ball(const Scene& scene, World& world, BallId like, Vec2 place) {

@@ -64,6 +64,9 @@ void make_choice(const Scene& scene, World& world, PoolPlay& play, PoolChoice ch
 /// ball rolls.
 void rack_again(const Scene& scene, World& world, PoolPlay& play);
 
+/// The rack of the scene's game. Pre: the game is 8-ball or 9-ball.
+const Rack& rack_of(const Scene& scene);
+
 /// Which ball that is; none: none of the game's.
 std::optional<int> number_of(const PoolPlay& play, BallId ball);
 

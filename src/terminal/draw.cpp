@@ -57,7 +57,9 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     if (area.columns <= 0 || area.rows <= 0) return;
 
     remember_fastest(memory, world);
-    const std::vector<Ink> inks = ball_inks(world, options, memory);
+    std::vector<Ink> inks = ball_inks(world, options, memory);
+    if (marks.pool && options.color_by == ColorBy::kind)
+        color_pool_balls(inks, world, *marks.pool, options.look);
     Raster raster(sampling_of(renderer_in_force(options)), area.columns, area.rows, camera.aspect);
     const View view{camera, scene, world, options, marks, memory, inks};
 
@@ -75,11 +77,16 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     if (marks.copies.empty()) paint_balls(raster, view);
     paint_velocities(raster, view);
     paint_contacts(raster, view, contacts);
+    paint_pool(raster, view);
     paint_marks(raster, view);
     raster.show(canvas, area.column, area.row, options.look);
 
-    write_counters(canvas, view);
-    write_labels(canvas, view);
+    lay_cloth(canvas, view);
+    if (!marks.pool) write_counters(canvas, view);
+    if (marks.pool && options.labels == Labels::automatic)
+        write_numbers(canvas, view);
+    else
+        write_labels(canvas, view);
     write_marks(canvas, view);
 }
 

@@ -11,6 +11,7 @@
 #include "terminal/camera.h"
 #include "terminal/canvas.h"
 #include "terminal/palette.h"
+#include "terminal/pool_marks.h"
 #include "terminal/trails.h"
 
 /// Draws a world into a canvas. Start here: a camera says what is seen, view options say how, marks
@@ -82,6 +83,7 @@ struct Marks {
     std::optional<CellGrid> broad_phase;
     /// Copies of the world: their balls are drawn in place of its own, as a density.
     std::span<const World> copies;
+    std::optional<PoolMarks> pool;
     std::optional<Vec2> parting;  ///< where a ball and its twin in another picture parted
 };
 

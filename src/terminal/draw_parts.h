@@ -48,11 +48,20 @@ void paint_balls(Raster& raster, const View& view);
 void paint_cloud(Raster& raster, const View& view);
 void paint_velocities(Raster& raster, const View& view);
 void paint_contacts(Raster& raster, const View& view, std::span<const Contact> contacts);
+void paint_pool(Raster& raster, const View& view);
 void paint_marks(Raster& raster, const View& view);
 
+/// Gives the balls that have numbers the colours that go with them.
+void color_pool_balls(std::vector<Ink>& inks, const World& world, const PoolMarks& pool,
+                      const Look& look);
+
 // Onto the canvas, over all shapes.
+void lay_cloth(Canvas& canvas, const View& view);
 void write_counters(Canvas& canvas, const View& view);
 void write_labels(Canvas& canvas, const View& view);
+/// Its number stands in the place of the characters that ASCII has for a ball.
+bool hides_stamp(const View& view, BallId ball);
+void write_numbers(Canvas& canvas, const View& view);
 void write_marks(Canvas& canvas, const View& view);
 
 }  // namespace carom

@@ -91,6 +91,7 @@ void paint_heading(Raster& raster, RasterPoint center, double radius, Vec2 veloc
 void paint_ball(Raster& raster, const View& view, std::size_t ball, RasterPoint center) {
     const double radius = view.world.balls.radius[ball] * view.camera.columns_per_length;
     if (const std::size_t width = stamp_width(raster, radius)) {
+        if (hides_stamp(view, view.world.balls.id[ball])) return;
         raster.stamp(center, texture_of(view, ball).stamps[width - 1], view.inks[ball]);
         return;
     }

@@ -200,6 +200,10 @@ void draw_physics(const Bar& bar, const HudInfo& info) {
     constexpr int least_model = 22;
     bar.clear();
     const int columns = bar.canvas.columns() - 2;
+    if (!info.game.empty() && info.beside.empty()) {
+        bar.write(1, cut_to(info.game, columns), ink_of(Role::text, bar.look));
+        return;
+    }
     std::vector<Field> fields = physics_fields(info, bar.look);
     fields.push_back(model_field(info, least_model, bar.look));
     fields = those_that_fit(std::move(fields), columns);
@@ -236,9 +240,9 @@ void draw_hints(const Bar& bar, const HudInfo& info) {
         return;
     }
     // There is no other line for it.
-    if (hud_rows(bar.canvas.columns(), bar.canvas.rows()) == 2 && !info.beside.empty()) {
-        bar.write(1, cut_to(info.beside, bar.canvas.columns() - 2),
-                  ink_of(Role::warning, bar.look));
+    const std::string& other = info.beside.empty() ? info.game : info.beside;
+    if (hud_rows(bar.canvas.columns(), bar.canvas.rows()) == 2 && !other.empty()) {
+        bar.write(1, cut_to(other, bar.canvas.columns() - 2), ink_of(Role::warning, bar.look));
         return;
     }
     int column = 1;

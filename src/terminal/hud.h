@@ -43,6 +43,7 @@ struct HudInfo {
     std::size_t balls = 0;
     std::uint64_t collisions = 0;  ///< since the start
     std::vector<HudCheck> checks;  ///< the most important first
+    std::string game;              ///< takes the place of the sums; may be empty
     double kinetic_energy = 0.0;
     std::optional<double> potential_energy;  ///< under gravity
     Vec2 momentum;

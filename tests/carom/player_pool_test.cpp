@@ -1,0 +1,214 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <string>
+#include <variant>
+
+#include "carom/player.h"
+#include "game/support/shipped.h"
+#include "physics/fingerprint.h"
+
+using namespace carom;
+
+namespace {
+
+const MayGoOn always = [] { return true; };
+
+ViewOptions ascii_view() {
+    ViewOptions view;
+    view.renderer = Renderer::ascii;
+    view.look = {0, false, false};
+    return view;
+}
+
+Session session_of(const std::string& level) {
+    Scene scene = test::shipped_level(level);
+    const SolverSettings solver = pick_solver(scene.world).settings;
+    return Session(std::move(scene), solver);
+}
+
+/// Somebody at a table, with keys and a mouse.
+struct Person {
+    explicit Person(const std::string& level) : player(session_of(level), ascii_view(), KeyMap()) {
+        look();
+    }
+    std::string look() {
+        player.draw(window, 2.0);
+        return window.text();
+    }
+    bool sees(const std::string& text) { return look().find(text) != std::string::npos; }
+    void key(char32_t code, std::uint8_t modifiers = no_modifier) {
+        InputEvent event;
+        event.key = code;
+        event.modifiers = modifiers;
+        player.handle(event);
+        look();
+    }
+    void mouse(InputEvent::Action action, Vec2 at, std::uint8_t button = 1) {
+        const CellPoint place = to_cells(player.camera(), at);
+        InputEvent event;
+        event.kind = InputEvent::Kind::mouse;
+        event.action = action;
+        event.button = button;
+        event.column = place.column;
+        event.row = place.row;
+        player.handle(event);
+        look();
+    }
+    void drag(Vec2 from, Vec2 to, std::uint8_t button = 1) {
+        mouse(InputEvent::Action::press, from, button);
+        mouse(InputEvent::Action::move, (from + to) * 0.5, button);
+        mouse(InputEvent::Action::move, to, button);
+        mouse(InputEvent::Action::release, to, button);
+    }
+    void wait() {
+        for (int i = 0; i < 60 * 60 && play().is_shooting; ++i)
+            player.advance(1.0 / 60.0, always);
+        REQUIRE_FALSE(play().is_shooting);
+        look();
+    }
+    const PoolPlay& play() const { return std::get<PoolPlay>(player.session().game()); }
+    Vec2 cue() const {
+        const World& world = player.session().world();
+        return world.balls.position[*index_of(world, *play().balls[0])];
+    }
+    Vec2 last_strike() const {
+        return std::get<command::Strike>(player.session().commands().back().command).velocity;
+    }
+
+    Player player;
+    Canvas window{120, 36};
+};
+
+}  // namespace
+
+TEST_CASE("a break by keys: enter shoots, and the referee tells what it came to") {
+    Person person("eight-ball");
+    CHECK(person.sees("player 1: to break"));
+    CHECK(person.sees("8.00 m/s"));
+    person.key(key::up);
+    CHECK(person.sees("8.10 m/s"));
+    person.key(key::enter);
+    CHECK(person.play().is_shooting);
+    person.wait();
+    person.player.advance(0.1, always);
+    CHECK(person.play().shots == 1);
+    CHECK((person.sees("to shoot") || person.sees("goes on") || person.sees("to choose") ||
+           person.sees("ball in hand")));
+}
+
+TEST_CASE("arrows turn the aim by a degree, with control by a twentieth; shift moves the tip") {
+    Person person("eight-ball");
+    person.key(key::left);
+    person.key(key::right, control);
+    person.key(key::up, shift);
+    person.key(key::left, shift);
+    CHECK(person.sees("follow 0.05 left 0.05"));
+    person.key(key::enter);
+    const Vec2 way = person.last_strike();
+    CHECK(std::atan2(way.y, way.x) * 180.0 / 3.14159265358979 == doctest::Approx(0.95).epsilon(0.001));
+    const auto& strike =
+        std::get<command::Strike>(person.player.session().commands().back().command);
+    CHECK(strike.follow == 0.05);
+    CHECK(strike.side == -0.05);
+}
+
+TEST_CASE("the ball in hand is dragged to its place, and put nowhere else") {
+    Person person("eight-ball");
+    person.drag(person.cue(), {-1.0, 0.3});
+    CHECK(distance(person.cue(), {-1.0, 0.3}) < 0.02);
+    const Vec2 before = person.cue();
+    person.mouse(InputEvent::Action::press, before);
+    person.mouse(InputEvent::Action::move, {0.2, 0.3});
+    CHECK(person.cue() == before);
+    CHECK(person.sees("it must lie behind the head string"));
+    person.mouse(InputEvent::Action::release, {0.2, 0.3});
+    person.key(U'p');
+    person.key(key::down);
+    person.key(U'p');
+    CHECK(person.cue().y < before.y - 0.01);
+    CHECK_FALSE(person.play().is_shooting);
+}
+
+TEST_CASE("a pull with the right button shoots the other way, as hard as it is long") {
+    Person person("nine-ball");
+    const Vec2 from = person.cue();
+    person.drag(from, from - Vec2{0.6, 0.0}, 3);
+    CHECK(person.play().is_shooting);
+    CHECK(person.last_strike().x == doctest::Approx(3.0).epsilon(0.05));
+    CHECK(std::abs(person.last_strike().y) < 0.2);
+}
+
+TEST_CASE("a press on the cloth points the cue there, and shoots nothing") {
+    Person person("eight-ball");
+    person.drag({0.0, -0.2}, {0.0, 0.4});
+    CHECK(person.player.session().commands().empty());
+    person.key(key::enter);
+    const Vec2 way = person.last_strike();
+    CHECK(way.y / way.x == doctest::Approx(0.4 / 0.635).epsilon(0.05));
+}
+
+TEST_CASE("after a weak break the choices stand in the last line, and a digit takes one") {
+    Person person("eight-ball");
+    for (int i = 0; i < 75; ++i)
+        person.key(key::down);
+    person.key(key::enter);
+    person.wait();
+    REQUIRE(person.play().rules.phase == PoolPhase::choosing);
+    for (int i = 0; i < 100; ++i)
+        person.player.advance(0.1, always);
+    CHECK(person.sees("1 shoot from here"));
+    CHECK(person.sees("2 rack again and break"));
+    person.key(U'2');
+    CHECK(person.play().rules.phase == PoolPhase::breaking);
+    CHECK(person.play().rules.player == 1);
+}
+
+TEST_CASE("undo takes the shot back") {
+    Person person("nine-ball");
+    const auto before =
+        fingerprint(person.player.session().world(), person.player.session().game());
+    person.key(key::enter);
+    person.wait();
+    person.key(U'u');
+    CHECK(fingerprint(person.player.session().world(), person.player.session().game()) == before);
+    CHECK(person.sees("player 1: to break"));
+}
+
+TEST_CASE("an aim is called by what it pockets, a safety by its key") {
+    Person person("eight-ball");
+    person.key(key::enter);
+    person.wait();
+    while (person.play().rules.phase == PoolPhase::choosing)
+        person.key(U'1');
+    person.key(U'}');
+    CHECK(person.sees("calls: the"));
+    person.key(U'd');
+    CHECK(person.sees("calls: safety"));
+    person.key(key::enter);
+    const auto commands = person.player.session().commands();
+    REQUIRE(commands.size() >= 2);
+    const auto* call = std::get_if<command::CallShot>(&commands[commands.size() - 2].command);
+    REQUIRE(call);
+    CHECK(call->call.kind == PoolCall::Kind::safety);
+}
+
+TEST_CASE("help for the aim: none, lines, the shot, a cloud that is computed bit by bit") {
+    Person person("drill-half-ball");
+    const auto dots = [&] {
+        const std::string text = person.look();
+        return std::count(text.begin(), text.end(), '.');
+    };
+    const auto full = dots();
+    person.key(U'A');
+    CHECK(person.sees("20 shots"));
+    for (int i = 0; i < 25; ++i)
+        person.player.advance(0.01, always);
+    CHECK(person.look().find(':') != std::string::npos);
+    person.key(U'A');
+    CHECK(person.sees("the cue alone"));
+    CHECK(dots() < full);
+    CHECK_FALSE(person.sees("cut"));
+}
