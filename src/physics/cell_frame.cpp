@@ -19,17 +19,21 @@ struct Range {
     double high = 0.0;
 };
 
-// Where most of the balls are along one axis: the middle four fifths of a sample, with as much
-// again on either side, snapped to a coarse lattice so that it seldom changes.
-Range most_of(const std::vector<Vec2>& positions, double Vec2::*axis) {
+// Where the middle four fifths of the balls are along one axis, by a sample.
+Range middle_of(const std::vector<Vec2>& positions, double Vec2::*axis) {
     constexpr std::size_t most_samples = 64;
     std::array<double, most_samples> sample{};
     const std::size_t count = std::min(most_samples, positions.size());
     for (std::size_t i = 0; i < count; ++i)
         sample[i] = positions[i * positions.size() / count].*axis;
     std::sort(sample.begin(), sample.begin() + static_cast<std::ptrdiff_t>(count));
-    const double low = sample[count / 10];
-    const double high = sample[count - 1 - count / 10];
+    return {sample[count / 10], sample[count - 1 - count / 10]};
+}
+
+// Where most of the balls are along one axis: the middle four fifths, with as much again on either
+// side, snapped to a coarse lattice so that it seldom changes.
+Range most_of(const std::vector<Vec2>& positions, double Vec2::*axis) {
+    const auto [low, high] = middle_of(positions, axis);
     const double step = power_of_two_above((high - low) / 4);
     return {std::floor((low - (high - low) / 2) / step) * step,
             std::ceil((high + (high - low) / 2) / step) * step};
@@ -37,7 +41,7 @@ Range most_of(const std::vector<Vec2>& positions, double Vec2::*axis) {
 
 }  // namespace
 
-CellFrame frame_around(const World& world, double cell) {
+CellFrame frame_around(const World& world, double cell, double cells_a_ball) {
     if (world.balls.size() == 0) return {};
     const std::vector<Vec2>& positions = world.balls.position;
     CellFrame frame;
@@ -52,7 +56,7 @@ CellFrame frame_around(const World& world, double cell) {
         frame.origin = {across.low, along.low};
         extent = {across.high - across.low, along.high - along.low};
     }
-    const double most_cells = 4.0 * static_cast<double>(positions.size()) + 64.0;
+    const double most_cells = cells_a_ball * static_cast<double>(positions.size()) + 64.0;
     double side = cell > 0.0 && std::isfinite(cell) ? cell : 1.0;
     const double cells = (extent.x / side + 1.0) * (extent.y / side + 1.0);
     if (cells > most_cells)
@@ -63,6 +67,18 @@ CellFrame frame_around(const World& world, double cell) {
     frame.cell = {std::max(side, extent.x / frame.columns), std::max(side, extent.y / frame.rows)};
     if (frame.wraps) frame.cell = {extent.x / frame.columns, extent.y / frame.rows};
     return frame;
+}
+
+double room_of_a_ball(const World& world) {
+    const auto count = static_cast<double>(world.balls.size());
+    if (count == 0.0) return 0.0;
+    if (world.model.wrap) {
+        const Vec2 torus = size(*world.model.wrap);
+        return torus.x * torus.y / count;
+    }
+    const Range across = middle_of(world.balls.position, &Vec2::x);
+    const Range along = middle_of(world.balls.position, &Vec2::y);
+    return (across.high - across.low) * (along.high - along.low) / (0.64 * count);
 }
 
 double largest_radius(const Balls& balls) {

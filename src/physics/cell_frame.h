@@ -51,8 +51,11 @@ struct CellFrame {
 };
 
 /// A frame around most of the balls, with cells of at least `cell` length, and no more than about
-/// four cells a ball. A function of the world alone; it changes seldom while the balls move about.
-CellFrame frame_around(const World& world, double cell);
+/// `cells_a_ball`. A function of the world alone; it changes seldom while the balls move about.
+CellFrame frame_around(const World& world, double cell, double cells_a_ball = 4.0);
+
+/// Area for each ball where most of them are, length^2, roughly; 0 without balls.
+double room_of_a_ball(const World& world);
 
 /// Radius of the largest ball; 0 without balls.
 double largest_radius(const Balls& balls);

@@ -10,9 +10,15 @@ constexpr std::size_t most_giants = 8;
 
 }  // namespace
 
-CellFrame EventCells::frame_for(const World& world) const {
-    const double least = 2.02 * largest_;
-    CellFrame frame = frame_around(world, least);
+template <typename Real>
+CellFrame EventCells<Real>::frame_for(const World& world) const {
+    double least = 2.02 * largest_;
+    // A thin gas would cross many cells between two impacts: about a ball in each is enough.
+    const double room = room_of_a_ball(world);
+    while (least > 0.0 && 4.0 * least * least < room)
+        least *= 2.0;
+    constexpr double cells_a_ball = 16.0;
+    CellFrame frame = frame_around(world, least, cells_a_ball);
     if (frame.wraps) {
         // Cells of a torus may have come out narrower than a ball: then fewer of them.
         const Vec2 extent = size(*world.model.wrap);
@@ -23,8 +29,9 @@ CellFrame EventCells::frame_for(const World& world) const {
     return frame;
 }
 
-void EventCells::reset(const World& world, const std::vector<Vec2>& positions) {
-    const std::size_t count = positions.size();
+template <typename Real>
+void EventCells<Real>::reset(const World& world, Balls& balls) {
+    const std::size_t count = world.balls.size();
     const std::vector<double>& radius = world.balls.radius;
     by_size_.resize(count);
     std::iota(by_size_.begin(), by_size_.end(), 0u);
@@ -43,63 +50,73 @@ void EventCells::reset(const World& world, const std::vector<Vec2>& positions) {
     }
     giants_.assign(by_size_.begin(), by_size_.begin() + static_cast<std::ptrdiff_t>(giants));
     std::sort(giants_.begin(), giants_.end());
-    is_giant_.assign(count, 0);
+    for (EventBall<Real>& ball : balls)
+        ball.is_giant = false;
     for (const std::uint32_t giant : giants_)
-        is_giant_[giant] = 1;
+        balls[giant].is_giant = true;
     largest_ = giants < count ? radius[by_size_[giants]] : 1.0;
 
     frame_ = frame_for(world);
     head_.assign(frame_.count(), none);
-    next_.resize(count);
-    before_.resize(count);
-    cell_.resize(count);
-    column_.resize(count);
-    row_.resize(count);
-    tori_.resize(frame_.wraps ? count : 0);
+    places_.resize(count);
     for (std::size_t i = count; i-- > 0;)
-        enter(static_cast<std::uint32_t>(i), positions[i]);
+        enter(balls, static_cast<std::uint32_t>(i), world.balls.position[i]);
 }
 
-void EventCells::enter(std::uint32_t ball, Vec2 position) {
-    column_[ball] = frame_.column_unbounded(position.x);
-    row_[ball] = frame_.row_unbounded(position.y);
+template <typename Real>
+void EventCells<Real>::enter(Balls& balls, std::uint32_t ball, Vec2 position) {
+    Cell& own = places_[ball];
+    own.column = frame_.column_unbounded(position.x);
+    own.row = frame_.row_unbounded(position.y);
     if (!frame_.wraps) {
-        column_[ball] = frame_.bounded(column_[ball], frame_.columns);
-        row_[ball] = frame_.bounded(row_[ball], frame_.rows);
+        own.column = frame_.bounded(own.column, frame_.columns);
+        own.row = frame_.bounded(own.row, frame_.rows);
     }
-    link(ball);
+    link(balls, ball);
 }
 
-void EventCells::link(std::uint32_t ball) {
-    int column = column_[ball];
-    int row = row_[ball];
+template <typename Real>
+void EventCells<Real>::link(Balls& balls, std::uint32_t ball) {
+    Cell& own = places_[ball];
+    int column = own.column;
+    int row = own.row;
     if (frame_.wraps) {
         column = frame_.bounded(column, frame_.columns);
         row = frame_.bounded(row, frame_.rows);
-        tori_[ball] = {(column_[ball] - column) / frame_.columns, (row_[ball] - row) / frame_.rows};
+        EventPath<Real>& path = balls[ball].path;
+        path.across = static_cast<std::int8_t>((own.column - column) / frame_.columns);
+        path.along = static_cast<std::int8_t>((own.row - row) / frame_.rows);
     }
-    cell_[ball] = frame_.index(column, row);
-    if (is_giant_[ball]) return;
-    before_[ball] = none;
-    next_[ball] = head_[cell_[ball]];
-    if (next_[ball] != none) before_[next_[ball]] = ball;
-    head_[cell_[ball]] = ball;
+    own.cell = frame_.index(column, row);
+    if (balls[ball].is_giant) return;
+    own.before = none;
+    const std::uint32_t next = head_[own.cell];
+    balls[ball].next = next;
+    if (next != none) places_[next].before = ball;
+    head_[own.cell] = ball;
 }
 
-void EventCells::leave(std::uint32_t ball) {
-    if (is_giant_[ball]) return;
-    if (before_[ball] == none)
-        head_[cell_[ball]] = next_[ball];
+template <typename Real>
+void EventCells<Real>::leave(Balls& balls, std::uint32_t ball) {
+    if (balls[ball].is_giant) return;
+    const std::uint32_t before = places_[ball].before;
+    const std::uint32_t next = balls[ball].next;
+    if (before == none)
+        head_[places_[ball].cell] = next;
     else
-        next_[before_[ball]] = next_[ball];
-    if (next_[ball] != none) before_[next_[ball]] = before_[ball];
+        balls[before].next = next;
+    if (next != none) places_[next].before = before;
 }
 
-void EventCells::step(std::uint32_t ball, int columns, int rows) {
-    leave(ball);
-    column_[ball] += columns;
-    row_[ball] += rows;
-    link(ball);
+template <typename Real>
+void EventCells<Real>::step(Balls& balls, std::uint32_t ball, int columns, int rows) {
+    leave(balls, ball);
+    places_[ball].column += columns;
+    places_[ball].row += rows;
+    link(balls, ball);
 }
+
+template class EventCells<double>;
+template class EventCells<Wide>;
 
 }  // namespace carom

@@ -5,19 +5,25 @@
 #include <vector>
 
 #include "physics/cell_frame.h"
+#include "physics/event_path.h"
 
 /// The broad phase of the solver `event`: each ball in the cell of its centre, moved from cell to
 /// cell by events. A few balls much larger than the rest (*giants*) are in no cell: everybody looks
 /// at them, so that cells can fit the others.
+///
+/// What a walk over neighbours reads of a ball stands in the ball (EventBall::next, and the tori of
+/// its path), next to what the walk is for.
 namespace carom {
 
+template <typename Real>
 class EventCells {
   public:
-    static constexpr std::uint32_t none = 0xffffffffu;
+    using Balls = std::vector<EventBall<Real>>;
+    static constexpr std::uint32_t none = EventBall<Real>::none;
 
-    /// A frame whose cells are at least as wide as the largest ball that is no giant. Balls enter
-    /// afterwards, each once.
-    void reset(const World& world, const std::vector<Vec2>& positions);
+    /// A frame whose cells are at least as wide as the largest ball that is no giant, and every
+    /// ball in it. Pre: `balls` are as many as the world's.
+    void reset(const World& world, Balls& balls);
 
     /// Whether `reset` would choose the same frame now. Pre: the radii are still the same.
     bool suits(const World& world) const { return frame_for(world) == frame_; }
@@ -25,48 +31,46 @@ class EventCells {
     const CellFrame& frame() const { return frame_; }
     /// Largest radius among those that are in cells.
     double largest() const { return largest_; }
-    bool is_giant(std::uint32_t ball) const { return is_giant_[ball] != 0; }
     const std::vector<std::uint32_t>& giants() const { return giants_; }
 
     /// Cells are counted without bound, so that on a torus they say in which image a path is.
-    int column(std::uint32_t ball) const { return column_[ball]; }
-    int row(std::uint32_t ball) const { return row_[ball]; }
-    std::uint32_t cell(std::uint32_t ball) const { return cell_[ball]; }
-    /// Tori that lie between the ball's path and its image in the frame.
-    int tori_across(std::uint32_t ball) const { return frame_.wraps ? tori_[ball].across : 0; }
-    int tori_along(std::uint32_t ball) const { return frame_.wraps ? tori_[ball].along : 0; }
+    int column(std::uint32_t ball) const { return places_[ball].column; }
+    int row(std::uint32_t ball) const { return places_[ball].row; }
+    std::uint32_t cell(std::uint32_t ball) const { return places_[ball].cell; }
 
-    void enter(std::uint32_t ball, Vec2 position);
-    void leave(std::uint32_t ball);
+    void enter(Balls& balls, std::uint32_t ball, Vec2 position);
+    void leave(Balls& balls, std::uint32_t ball);
     /// To the next cell; (columns, rows) is one of the four steps.
-    void step(std::uint32_t ball, int columns, int rows);
+    void step(Balls& balls, std::uint32_t ball, int columns, int rows);
     /// The path has been moved by whole tori.
-    void shift(std::uint32_t ball, int across, int along) {
-        column_[ball] += across * frame_.columns;
-        row_[ball] += along * frame_.rows;
-        tori_[ball].across += across;
-        tori_[ball].along += along;
+    void shift(Balls& balls, std::uint32_t ball, int across, int along) {
+        places_[ball].column += across * frame_.columns;
+        places_[ball].row += along * frame_.rows;
+        EventPath<Real>& path = balls[ball].path;
+        path.across = static_cast<std::int8_t>(path.across + across);
+        path.along = static_cast<std::int8_t>(path.along + along);
     }
 
     /// Calls visit(other, tori across, tori along) for every ball in the nine cells around the
     /// ball's own, itself left out: the image of the other that is near lies that many tori from
     /// its path.
     template <typename Visit>
-    void for_each_near(std::uint32_t ball, Visit&& visit) const {
+    void for_each_near(const Balls& balls, std::uint32_t ball, Visit&& visit) const {
         if (frame_.wraps)
-            walk<true>(ball, {-1, -1}, {1, 1}, visit);
+            walk<true>(balls, ball, {-1, -1}, {1, 1}, visit);
         else
-            walk<false>(ball, {-1, -1}, {1, 1}, visit);
+            walk<false>(balls, ball, {-1, -1}, {1, 1}, visit);
     }
     /// The same in those three of the nine cells that a step of (columns, rows) has brought near.
     template <typename Visit>
-    void for_each_new(std::uint32_t ball, int columns, int rows, Visit&& visit) const {
+    void for_each_new(const Balls& balls, std::uint32_t ball, int columns, int rows,
+                      Visit&& visit) const {
         const Step low{columns == 0 ? -1 : columns, rows == 0 ? -1 : rows};
         const Step high{columns == 0 ? 1 : columns, rows == 0 ? 1 : rows};
         if (frame_.wraps)
-            walk<true>(ball, low, high, visit);
+            walk<true>(balls, ball, low, high, visit);
         else
-            walk<false>(ball, low, high, visit);
+            walk<false>(balls, ball, low, high, visit);
     }
 
   private:
@@ -74,9 +78,11 @@ class EventCells {
         int columns = 0;
         int rows = 0;
     };
-    struct Tori {
-        int across = 0;
-        int along = 0;
+    struct Cell {
+        int column = 0;
+        int row = 0;
+        std::uint32_t cell = 0;
+        std::uint32_t before = none;  ///< ball in the same cell
     };
     /// A cell of the frame on one axis, and how many tori the way to it has crossed. Pre: on a
     /// torus place is in -1..count.
@@ -90,49 +96,53 @@ class EventCells {
     }
 
     template <bool wraps, typename Visit>
-    void walk(std::uint32_t ball, Step low, Step high, Visit&& visit) const {
+    void walk(const Balls& all, std::uint32_t ball, Step low, Step high, Visit&& visit) const {
+        // What a visit writes cannot change these, but no compiler knows that.
+        const EventBall<Real>* const balls = all.data();
+        const std::uint32_t* const heads = head_.data();
+        const Cell own = places_[ball];
+        const int columns = frame_.columns;
+        const int rows = frame_.rows;
+        const auto index = [columns](int column, int row) {
+            return static_cast<std::ptrdiff_t>(row) * columns + column;
+        };
         if constexpr (wraps) {
-            const Tori own = tori_[ball];
-            const int column = column_[ball] - own.across * frame_.columns;
-            const int row = row_[ball] - own.along * frame_.rows;
+            const int across = balls[ball].path.across;
+            const int along = balls[ball].path.along;
+            const int column = own.column - across * columns;
+            const int row = own.row - along * rows;
             for (int j = row + low.rows; j <= row + high.rows; ++j) {
-                const Place y = around(j, frame_.rows);
+                const Place y = around(j, rows);
                 for (int i = column + low.columns; i <= column + high.columns; ++i) {
-                    const Place x = around(i, frame_.columns);
-                    for (std::uint32_t other = head_[frame_.index(x.place, y.place)]; other != none;
-                         other = next_[other])
+                    const Place x = around(i, columns);
+                    for (std::uint32_t other = heads[index(x.place, y.place)]; other != none;
+                         other = balls[other].next)
                         if (other != ball)
-                            visit(other, own.across + x.tori - tori_[other].across,
-                                  own.along + y.tori - tori_[other].along);
+                            visit(other, across + x.tori - balls[other].path.across,
+                                  along + y.tori - balls[other].path.along);
                 }
             }
         } else {
-            const int bottom = std::max(row_[ball] + low.rows, 0);
-            const int top = std::min(row_[ball] + high.rows, frame_.rows - 1);
-            const int left = std::max(column_[ball] + low.columns, 0);
-            const int right = std::min(column_[ball] + high.columns, frame_.columns - 1);
+            const int bottom = std::max(own.row + low.rows, 0);
+            const int top = std::min(own.row + high.rows, rows - 1);
+            const int left = std::max(own.column + low.columns, 0);
+            const int right = std::min(own.column + high.columns, columns - 1);
             for (int y = bottom; y <= top; ++y)
                 for (int x = left; x <= right; ++x)
-                    for (std::uint32_t other = head_[frame_.index(x, y)]; other != none;
-                         other = next_[other])
+                    for (std::uint32_t other = heads[index(x, y)]; other != none;
+                         other = balls[other].next)
                         if (other != ball) visit(other, 0, 0);
         }
     }
     CellFrame frame_for(const World& world) const;
-    void link(std::uint32_t ball);
+    void link(Balls& balls, std::uint32_t ball);
 
     CellFrame frame_;
     double largest_ = 0.0;
     std::vector<std::uint32_t> by_size_;
     std::vector<std::uint32_t> giants_;
-    std::vector<std::uint8_t> is_giant_;
-    std::vector<std::uint32_t> head_;
-    std::vector<std::uint32_t> next_;
-    std::vector<std::uint32_t> before_;
-    std::vector<std::uint32_t> cell_;
-    std::vector<int> column_;
-    std::vector<int> row_;
-    std::vector<Tori> tori_;  ///< empty unless on a torus
+    std::vector<std::uint32_t> head_;  ///< first ball of each cell
+    std::vector<Cell> places_;
 };
 
 }  // namespace carom

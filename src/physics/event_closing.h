@@ -70,6 +70,72 @@ inline Real rounding_at(const Vector<Real>& position, const Real& reach) {
     return Real(4.0 * precision<Real>) * (absolute(position.x) + absolute(position.y) + reach);
 }
 
+/// Two paths with the same `acceleration` where the later of them begins: the first as seen from
+/// the second, whose place `shift` is added to.
+template <typename Real>
+struct StraightPair {
+    Real begin;
+    Vector<Real> velocity;
+    Vector<Real> offset;
+
+    StraightPair(const EventPath<Real>& a, const EventPath<Real>& b,
+                 const Vector<Real>& acceleration, const Vector<Real>& shift)
+        : begin(a.time < b.time ? b.time : a.time) {
+        const Real half(0.5);
+        const Real since_a = begin - a.time;
+        const Real since_b = begin - b.time;
+        velocity = a.velocity - b.velocity + acceleration * (since_a - since_b);
+        offset = (a.position + (a.velocity + acceleration * (half * since_a)) * since_a) -
+                 (b.position + (b.velocity + acceleration * (half * since_b)) * since_b) - shift;
+    }
+};
+
+/// Two balls that move in straight lines as seen from one another, `offset` apart (of the centres,
+/// from one to the other's) with the relative `velocity`: whether they are going to meet within
+/// `reach`. Seen from either, the bits are the same.
+template <typename Real>
+struct LineMeeting {
+    Real closing;
+    Real discriminant;
+
+    LineMeeting(const Vector<Real>& offset, const Vector<Real>& velocity, const Real& reach)
+        : closing(-dot(offset, velocity)) {
+        const Real miss = cross(offset, velocity);
+        discriminant = length_squared(velocity) * reach * reach - miss * miss;
+    }
+    /// Both are worked out before either is asked, since nobody can foretell the first.
+    bool is_one() const {
+        return static_cast<int>(closing > Real{}) & static_cast<int>(discriminant > Real{});
+    }
+};
+
+/// When they do, the paths being `a` and `b`, `offset` and `velocity` those of a seen from b at
+/// `begin`. Nothing where they touch already and part, or close no faster than rounding.
+template <typename Real>
+inline std::optional<Real> meeting_time(const LineMeeting<Real>& meeting, const EventPath<Real>& a,
+                                        const EventPath<Real>& b, const Real& begin,
+                                        const Vector<Real>& offset,
+                                        const Vector<Real>& acceleration, const Real& reach,
+                                        const Real& small, const Field<Real>& field) {
+    const Real away = length(offset);
+    const Real gap = away - reach;
+    if (gap <= rounding_at(a.position, reach)) {
+        const Real rate = meeting.closing / away;
+        const Real noise = Real(impact_noise<Real>) *
+                               (length(a.velocity) + length(b.velocity) +
+                                length(acceleration) * ((begin - a.time) + (begin - b.time))) +
+                           Real(pressing_noise) * square_root(field.pressing * small);
+        if (!(rate > noise)) return std::nullopt;
+        // In a heap what closes slowly may sink in by a hair before it counts.
+        const Real hair = Real(lively_rise) * small;
+        const Real slow = square_root(Real(2.0) * field.pressing * hair);
+        if (!(rate < slow) || !(-hair < gap)) return begin;
+        return begin + (gap + hair) / rate;
+    }
+    // Both terms of the denominator are positive, so nothing cancels.
+    return begin + gap * (away + reach) / (meeting.closing + square_root(meeting.discriminant));
+}
+
 /// First impact of two balls on parabolas of the same `acceleration`, which are straight lines as
 /// seen from one another, no earlier than both paths begin. `shift`, `reach` and `small`: as below.
 template <typename Real>
@@ -104,37 +170,10 @@ inline std::optional<Real> straight_closing(const EventPath<Real>& a, const Even
                                             const Vector<Real>& acceleration,
                                             const Vector<Real>& shift, const Real& reach,
                                             const Real& small, const Field<Real>& field) {
-    const Real begin = a.time < b.time ? b.time : a.time;
-    const Real zero{};
-    const Real half(0.5);
-    const Real since_a = begin - a.time;
-    const Real since_b = begin - b.time;
-    const Vector<Real> velocity = a.velocity - b.velocity + acceleration * (since_a - since_b);
-    const Vector<Real> offset =
-        (a.position + (a.velocity + acceleration * (half * since_a)) * since_a) -
-        (b.position + (b.velocity + acceleration * (half * since_b)) * since_b) - shift;
-    const Real closing = -dot(offset, velocity);
-    if (!(closing > zero)) return std::nullopt;
-    const Real speed_squared = length_squared(velocity);
-    const Real miss = cross(offset, velocity);
-    const Real discriminant = speed_squared * reach * reach - miss * miss;
-    if (!(discriminant > zero)) return std::nullopt;
-    const Real away = length(offset);
-    const Real gap = away - reach;
-    if (gap <= rounding_at(a.position, reach)) {
-        const Real rate = closing / away;
-        const Real noise = Real(impact_noise<Real>) * (length(a.velocity) + length(b.velocity) +
-                                                       length(acceleration) * (since_a + since_b)) +
-                           Real(pressing_noise) * square_root(field.pressing * small);
-        if (!(rate > noise)) return std::nullopt;
-        // In a heap what closes slowly may sink in by a hair before it counts.
-        const Real hair = Real(lively_rise) * small;
-        const Real slow = square_root(Real(2.0) * field.pressing * hair);
-        if (!(rate < slow) || !(-hair < gap)) return begin;
-        return begin + (gap + hair) / rate;
-    }
-    // Both terms of the denominator are positive, so nothing cancels.
-    return begin + gap * (away + reach) / (closing + square_root(discriminant));
+    const StraightPair<Real> pair(a, b, acceleration, shift);
+    const LineMeeting<Real> meeting(pair.offset, pair.velocity, reach);
+    if (!meeting.is_one()) return std::nullopt;
+    return meeting_time(meeting, a, b, pair.begin, pair.offset, acceleration, reach, small, field);
 }
 
 }  // namespace carom

@@ -1,6 +1,7 @@
 #include "physics/event_engine.h"
 
 #include <algorithm>
+#include <cstring>
 #include <type_traits>
 
 #include "physics/flight.h"
@@ -16,6 +17,14 @@ Field<Real> field_of(const Model& model) {
     field.drag = Real(model.drag.value_or(0.0));
     if (model.lossy) field.pressing = length(field.gravity);
     return field;
+}
+
+// Bit by bit, which takes a small part of the time of a comparison by numbers.
+template <typename Value>
+bool have_same_bits(const std::vector<Value>& a, const std::vector<Value>& b) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
 }
 
 bool are_same(const Capsules& a, const Capsules& b) {
@@ -35,10 +44,10 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
     begin(world);
     left_.is_valid = false;
     EventOutcome outcome = EventOutcome::done;
-    while (!queue_.is_empty()) {
-        const std::uint32_t ball = queue_.first();
+    while (const std::optional<std::uint32_t> first = first_ball()) {
+        const std::uint32_t ball = *first;
         const Event event = next_[ball];
-        if (event.kind == Kind::none || !(event.time <= end_)) break;
+        if (!(event.time <= end_)) break;
         ++events_;
         if (events_ > most_events) {
             outcome = EventOutcome::too_dense;
@@ -47,18 +56,20 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
         constexpr std::uint64_t ask_every = 4096;
         if (events_ % ask_every == 0 && keep_going && !keep_going()) return EventOutcome::given_up;
         if (now_ < event.time) now_ = event.time;
+        const bool is_stale =
+            event.kind == Kind::ball_ball && event.other_version != balls_[event.other].version;
         if (event.kind == Kind::crossing) {
             enter_next_cell(ball, event.other);
         } else if (event.kind == Kind::own) {
             end_own(ball);
-        } else if (event.kind == Kind::ball_ball && event.other_version != version_[event.other]) {
+        } else if (is_stale) {
             predict(ball);
         } else {
             impact(ball, event, contacts, touched);
         }
         if (hand_stopped_) {
             hand_stopped_ = false;
-            for (std::uint32_t i = 0; i < paths_.size(); ++i)
+            for (std::uint32_t i = 0; i < balls_.size(); ++i)
                 predict(i);
             build_queue();
         }
@@ -66,13 +77,13 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
     }
     if (outcome == EventOutcome::too_dense) {
         // Time stands still: where everything is now, it is at the end of the tick.
-        for (std::uint32_t i = 0; i < paths_.size(); ++i) {
-            const BallState<Real> state = state_at(paths_[i], field_, now_);
-            paths_[i] = {};
-            paths_[i].time = end_;
-            paths_[i].position = state.position;
-            paths_[i].velocity = state.velocity;
-            paths_[i].acceleration = field_.gravity;
+        for (std::uint32_t i = 0; i < balls_.size(); ++i) {
+            const BallState<Real> state = state_at(balls_[i].path, field_, now_);
+            balls_[i].path = {};
+            balls_[i].path.time = end_;
+            balls_[i].path.position = state.position;
+            balls_[i].path.velocity = state.velocity;
+            balls_[i].path.acceleration = field_.gravity;
             if (world.model.spin) let_spin(i, now_);
         }
         is_begun_anew_ = true;
@@ -103,7 +114,7 @@ bool EventEngine<Real>::leads_through(const EventPath<Real>& path, std::size_t b
 template <typename Real>
 bool EventEngine<Real>::has_support(const std::vector<std::uint8_t>& is_kept,
                                     std::size_t ball) const {
-    const EventPath<Real>& path = paths_[ball];
+    const EventPath<Real>& path = balls_[ball].path;
     for (const PathSupport& support : {path.support, path.second_support}) {
         const Vector<Real> shift = torus_shift(support.across, support.along);
         const Vector<Real> position = state_at(path, field_, now_).position;
@@ -121,7 +132,7 @@ bool EventEngine<Real>::has_support(const std::vector<std::uint8_t>& is_kept,
         } else if (support.by == PathSupport::By::ball) {
             const auto index = index_of(*world_, BallId{support.number});
             // It rests, so it is where it was.
-            if (!index || !is_kept[*index] || paths_[*index].motion != Motion::resting)
+            if (!index || !is_kept[*index] || balls_[*index].path.motion != Motion::resting)
                 return false;
         }
     }
@@ -132,12 +143,14 @@ template <typename Real>
 bool EventEngine<Real>::is_continued(const World& world) const {
     // The sum stands for the paths, which are too many to be compared one by one in every tick.
     if (std::is_same_v<Real, double> &&
-        (world.paths.size() != paths_.size() || world.paths_sum != left_.paths_sum))
+        (world.paths.size() != balls_.size() || world.paths_sum != left_.paths_sum))
         return false;
     return are_spins_left(world) && left_.is_valid && !left_.had_hands &&
            world.held_balls.empty() && world.held_capsules.empty() && left_.tick == world.tick &&
-           left_.rate == world.rate && left_.model == world.model && left_.ids == world.balls.id &&
-           left_.radii == world.balls.radius && left_.inverse_masses == world.balls.inverse_mass &&
+           left_.rate == world.rate && left_.model == world.model &&
+           have_same_bits(left_.ids, world.balls.id) &&
+           have_same_bits(left_.radii, world.balls.radius) &&
+           have_same_bits(left_.inverse_masses, world.balls.inverse_mass) &&
            left_.meets == world.meets && are_same(left_.capsules, world.capsules);
 }
 
@@ -151,13 +164,16 @@ void EventEngine<Real>::begin(World& world) {
     // What a ball will meet on a one-way edge depends on when that is asked: for a snapshot to go
     // on with the same bits, all ask when a tick begins.
     if (is_continued(world) && is_frame_kept && !world.model.one_way) {
-        std::size_t changed = 0;
         const bool turns = world.model.spin.has_value();
-        for (std::uint32_t i = 0; i < paths_.size(); ++i)
+        if (!turns && have_same_bits(left_.positions, world.balls.position) &&
+            have_same_bits(left_.velocities, world.balls.velocity))
+            return;
+        std::size_t changed = 0;
+        for (std::uint32_t i = 0; i < balls_.size(); ++i)
             changed += left_.positions[i] != world.balls.position[i] ||
                        left_.velocities[i] != world.balls.velocity[i] ||
                        (turns && !is_spin_left(i));
-        if (changed <= paths_.size() / 8 + 1) {
+        if (changed <= balls_.size() / 8 + 1) {
             if (changed > 0) take_what_changed(world);
             return;
         }
@@ -171,20 +187,20 @@ template <typename Real>
 void EventEngine<Real>::take_what_changed(const World& world) {
     std::vector<std::uint32_t>& changed = changed_;
     changed.clear();
-    for (std::uint32_t i = 0; i < paths_.size(); ++i) {
+    for (std::uint32_t i = 0; i < balls_.size(); ++i) {
         if (left_.positions[i] == world.balls.position[i] &&
             left_.velocities[i] == world.balls.velocity[i] && is_spin_left(i))
             continue;
         changed.push_back(i);
         if (world.model.spin) spins_[i] = {now_, Real(world.balls.spin[i]), Real{}, false};
-        const bool was_resting = paths_[i].motion == Motion::resting;
+        const bool was_resting = balls_[i].path.motion == Motion::resting;
         if (left_.positions[i] != world.balls.position[i]) {
-            cells_.leave(i);
+            cells_.leave(balls_, i);
             start_path(i, now_, Vector<Real>(world.balls.position[i]),
                        Vector<Real>(world.balls.velocity[i]));
-            cells_.enter(i, world.balls.position[i]);
+            cells_.enter(balls_, i, world.balls.position[i]);
         } else {
-            start_path(i, now_, state_at(paths_[i], field_, now_).position,
+            start_path(i, now_, state_at(balls_[i].path, field_, now_).position,
                        Vector<Real>(world.balls.velocity[i]));
         }
         if (was_resting) release_what_rests_on(i, changed);
@@ -206,11 +222,15 @@ void EventEngine<Real>::begin_anew(const World& world) {
     torus_ = world.model.wrap ? size(*world.model.wrap) : Vec2{};
 
     // Paths that the world, or for other numbers this engine, remembers.
-    std::vector<EventPath<Real>> known;
-    if constexpr (!std::is_same_v<Real, double>) known.swap(paths_);
+    std::vector<EventBall<Real>> before;
+    if constexpr (!std::is_same_v<Real, double>) before = balls_;
+    balls_.resize(count);
+    for (EventBall<Real>& ball : balls_) {
+        ball.path = {};
+        ball.body = EventBall<Real>::none;
+    }
     std::vector<std::uint8_t>& is_kept = is_kept_;
     std::vector<std::int64_t>& spin_from = spin_from_;
-    paths_.assign(count, {});
     is_kept.assign(count, 0);
     spin_from.assign(world.model.spin ? count : 0, -1);
     const bool same_field = world.paths_gravity == world.model.gravity.value_or(Vec2{}) &&
@@ -221,7 +241,7 @@ void EventEngine<Real>::begin_anew(const World& world) {
             while (at < world.paths.size() && world.paths[at].id < world.balls.id[i])
                 ++at;
             if (at < world.paths.size() && world.paths[at].id == world.balls.id[i]) {
-                paths_[i] = path_from(world.paths[at]);
+                balls_[i].path = path_from(world.paths[at]);
                 is_kept[i] = !world.model.spin || at < world.spin_paths.size();
                 if (world.model.spin && is_kept[i]) spin_from[i] = static_cast<std::int64_t>(at);
             }
@@ -232,25 +252,24 @@ void EventEngine<Real>::begin_anew(const World& world) {
             while (at < left_.ids.size() && left_.ids[at] < world.balls.id[i])
                 ++at;
             if (at < left_.ids.size() && left_.ids[at] == world.balls.id[i]) {
-                paths_[i] = known[at];
+                balls_[i].path = before[at].path;
                 is_kept[i] = 1;
                 if (world.model.spin) spin_from[i] = static_cast<std::int64_t>(at);
             }
         }
     }
-    inverse_mass_.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
-        inverse_mass_[i] = Real(world.balls.inverse_mass[i]);
-    version_.resize(count, 0);
+    for (std::size_t i = 0; i < count; ++i) {
+        balls_[i].inverse_mass = Real(world.balls.inverse_mass[i]);
+        balls_[i].radius = Real(world.balls.radius[i]);
+    }
     begun_.reserve(count);
     next_.assign(count, {});
     meeting_.resize(count);
-    is_meeting_known_.resize(count);
-    body_of_ball_.assign(count, EventCells::none);
     take_hands(world);
     take_spins(world, spin_from);
     for (std::size_t i = 0; i < count; ++i)
-        is_kept[i] = is_kept[i] && !(inverse_mass_[i] == Real{}) && leads_through(paths_[i], i);
+        is_kept[i] =
+            is_kept[i] && !(balls_[i].inverse_mass == Real{}) && leads_through(balls_[i].path, i);
     // What rests on something that is gone begins anew, and so on up the heap.
     for (bool changed = true; changed;) {
         changed = false;
@@ -260,28 +279,28 @@ void EventEngine<Real>::begin_anew(const World& world) {
             changed = true;
         }
     }
-    cells_.reset(world, world.balls.position);
+    cells_.reset(world, balls_);
     for (std::uint32_t i = 0; i < count; ++i) {
         if (is_kept[i]) {
             // The path may be some tori away from where the ball is shown.
             if (world.model.wrap) {
                 const Vec2 way =
-                    Vec2(state_at(paths_[i], field_, now_).position) - world.balls.position[i];
+                    Vec2(state_at(balls_[i].path, field_, now_).position) - world.balls.position[i];
                 const auto tori = [](double x, double torus) {
                     return static_cast<int>(x / torus + (x < 0.0 ? -0.5 : 0.5));
                 };
-                cells_.shift(i, tori(way.x, torus_.x), tori(way.y, torus_.y));
+                cells_.shift(balls_, i, tori(way.x, torus_.x), tori(way.y, torus_.y));
             }
             continue;
         }
-        const bool is_in_hand = inverse_mass_[i] == Real{};
+        const bool is_in_hand = balls_[i].inverse_mass == Real{};
         Vector<Real> velocity(world.balls.velocity[i]);
-        if (is_in_hand) velocity = paths_[i].velocity;
+        if (is_in_hand) velocity = balls_[i].path.velocity;
         if (world.model.spin) spins_[i] = {now_, Real(world.balls.spin[i]), Real{}, false};
         start_path(i, now_, Vector<Real>(world.balls.position[i]), velocity);
         if (is_in_hand) {
-            paths_[i].motion = Motion::held;
-            paths_[i].acceleration = {};
+            balls_[i].path.motion = Motion::held;
+            balls_[i].path.acceleration = {};
         }
     }
     if (world.model.ball_edge) edges_.update(world, cells_.frame(), 1.01 * cells_.largest());
@@ -289,7 +308,6 @@ void EventEngine<Real>::begin_anew(const World& world) {
         if (!is_kept[i]) settle(i);
     for (std::uint32_t i = 0; i < count; ++i)
         predict(i);
-    queue_.reset(count);
     build_queue();
 }
 
@@ -301,8 +319,8 @@ void EventEngine<Real>::take_hands(const World& world) {
         if (!index) continue;
         Vec2 way = held.target - world.balls.position[*index];
         if (world.model.wrap) way = nearest_image(way, torus_);
-        inverse_mass_[*index] = Real{};
-        paths_[*index].velocity = Vector<Real>(way) / duration;
+        balls_[*index].inverse_mass = Real{};
+        balls_[*index].path.velocity = Vector<Real>(way) / duration;
     }
     hands_.clear();
     for (const HeldCapsule& held : world.held_capsules) {
@@ -335,36 +353,41 @@ void EventEngine<Real>::start_path(std::uint32_t ball, const Real& time, Vector<
         const int along = tori(inside.y - shown.y, torus_.y);
         if (across != 0 || along != 0) {
             position += torus_shift(across, along);
-            if (!next_.empty()) cells_.shift(ball, across, along);
+            if (!next_.empty()) cells_.shift(balls_, ball, across, along);
+            is_near_valid_ = false;
         }
     }
     if (world_->model.spin) let_spin(ball, time);
-    EventPath<Real>& path = paths_[ball];
-    path = {};
-    path.time = time;
-    path.position = position;
-    path.velocity = velocity;
-    path.acceleration = field_.gravity;
-    ++version_[ball];
-    if (!is_begun_anew_ && begun_.size() < paths_.size()) begun_.push_back(ball);
+    EventPath<Real>& path = balls_[ball].path;
+    path = {.acceleration = field_.gravity,
+            .center = {},
+            .support = {},
+            .second_support = {},
+            .across = path.across,
+            .along = path.along,
+            .time = time,
+            .position = position,
+            .velocity = velocity};
+    ++balls_[ball].version;
+    if (!is_begun_anew_ && begun_.size() < balls_.size()) begun_.push_back(ball);
 }
 
 // Those that began in this tick: the others are there already.
 template <typename Real>
 void EventEngine<Real>::store_paths(World& world) {
     if constexpr (std::is_same_v<Real, double>) {
-        const bool are_all = is_begun_anew_ || begun_.size() >= paths_.size();
+        const bool are_all = is_begun_anew_ || begun_.size() >= balls_.size();
         if (are_all) {
-            world.paths.assign(paths_.size(), {});
-            world.paths_sum = paths_.size() * sum_of(BallPath{});
+            world.paths.assign(balls_.size(), {});
+            world.paths_sum = balls_.size() * sum_of(BallPath{});
         }
         const auto store = [&](std::uint32_t i) {
             world.paths_sum -= sum_of(world.paths[i]);
-            world.paths[i] = stored_path(world.balls.id[i], paths_[i]);
+            world.paths[i] = stored_path(world.balls.id[i], balls_[i].path);
             world.paths_sum += sum_of(world.paths[i]);
         };
         if (are_all)
-            for (std::uint32_t i = 0; i < paths_.size(); ++i)
+            for (std::uint32_t i = 0; i < balls_.size(); ++i)
                 store(i);
         else
             for (const std::uint32_t i : begun_)
@@ -376,16 +399,19 @@ void EventEngine<Real>::store_paths(World& world) {
 template <typename Real>
 void EventEngine<Real>::write(World& world) {
     Balls& balls = world.balls;
-    for (std::size_t i = 0; i < paths_.size(); ++i) {
-        const EventPath<Real>& path = paths_[i];
-        const BallState<Real> state =
-            is_parabola(path, field_)
-                ? BallState<Real>{parabola_at(path, end_),
-                                  path.velocity + path.acceleration * (end_ - path.time)}
-                : state_at(path, field_, end_);
+    const bool is_coasting = !world.model.gravity && !field_.has_drag;
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+        const EventPath<Real>& path = balls_[i].path;
+        if (is_coasting && path.motion == Motion::free) {
+            const Vec2 position(path.position + path.velocity * (end_ - path.time));
+            balls.position[i] = world.model.wrap ? wrapped(position, *world.model.wrap) : position;
+            balls.velocity[i] = Vec2(path.velocity);
+            continue;
+        }
+        const BallState<Real> state = state_at(path, field_, end_);
         const Vec2 position(state.position);
         balls.position[i] = world.model.wrap ? wrapped(position, *world.model.wrap) : position;
-        balls.velocity[i] = paths_[i].motion == Motion::held ? Vec2{} : Vec2(state.velocity);
+        balls.velocity[i] = path.motion == Motion::held ? Vec2{} : Vec2(state.velocity);
     }
     // What the paths say: a velocity that is limited below differs from it, and begins a new path.
     left_.positions = balls.position;

@@ -111,6 +111,16 @@ class EventEngine {
         bool is_scanned = false;
         bool is_changed = false;
         bool was_resting = false;
+        std::uint32_t first_near = 0;  ///< in near_, as many as `near`, once it is scanned
+        std::uint32_t near = 0;
+    };
+    /// Another ball in the cells around a body's, at the instant of the impact.
+    struct Near {
+        Vector<Real> offset;  ///< from its centre to the body's
+        Real reach;           ///< sum of the radii
+        std::uint32_t other = 0;
+        std::int8_t across = 0;  ///< tori to the image that is near
+        std::int8_t along = 0;
     };
     struct Touch {
         ImpactContact<Real> contact;
@@ -162,10 +172,17 @@ class EventEngine {
 
     // event_predict.cpp: which event comes next.
     void predict(std::uint32_t ball);
+    void predict_after(const Body& body);
+    bool is_foreseen(std::uint32_t ball) const;
     void choose_next(std::uint32_t ball);
     void enter_next_cell(std::uint32_t ball, std::uint32_t direction);
+    bool is_far_round(const EventPath<Real>& path) const;
+    void begin_in_frame(std::uint32_t ball);
     bool is_flying(std::uint32_t ball) const;
-    bool meet_flying(std::uint32_t ball, std::uint32_t other, int across, int along);
+    void meet_flying(std::uint32_t ball, std::uint32_t other, int across, int along, Event& best);
+    void meet_at(std::uint32_t ball, std::uint32_t other, int across, int along,
+                 const LineMeeting<Real>& meeting, const Real& begin, const Vector<Real>& offset,
+                 Event& best);
     void predict_crossing(std::uint32_t ball, Event& best) const;
     void predict_crossing_of_line(std::uint32_t ball, Event& best) const;
     void predict_own(std::uint32_t ball, Event& best) const;
@@ -176,12 +193,15 @@ class EventEngine {
     void predict_edges(std::uint32_t ball, Event& best) const;
     double queue_time(std::uint32_t ball) const;
     void build_queue();
+    std::optional<std::uint32_t> first_ball();
     void reorder(std::uint32_t ball);
     bool comes_first(std::uint32_t ball_a, const Event& a, std::uint32_t ball_b,
                      const Event& b) const;
     void consider(std::uint32_t ball, const Event& event, Event& best) const {
         if (best.kind != Kind::none && best.time < event.time) return;
-        if (comes_first(ball, event, ball, best)) best = event;
+        if (best.kind == Kind::none || event.time < best.time ||
+            comes_first(ball, event, ball, best))
+            best = event;
     }
     /// Every other ball that may be near, as visit(other, tori across, tori along).
     template <typename Visit>
@@ -194,7 +214,7 @@ class EventEngine {
     std::uint32_t body_of(std::uint32_t ball);
     void scan(std::uint32_t body);
     Real pressing_speed(const Touch& touch) const;
-    bool may_touch(std::uint32_t body, std::uint32_t other, int across, int along) const;
+    bool may_touch(std::uint32_t body, const Near& near) const;
     void add_ball_touch(std::uint32_t body, std::uint32_t other, int across, int along,
                         bool is_certain);
     void add_edge_touch(std::uint32_t body, std::uint32_t capsule, int across, int along,
@@ -248,11 +268,15 @@ class EventEngine {
     void write_spins(World& world);
 
     Vector<Real> position_of(std::uint32_t ball) const {
-        const EventPath<Real>& path = paths_[ball];
+        const EventPath<Real>& path = balls_[ball].path;
+        if (path.motion == Motion::free && !field_.has_drag) {
+            const Real since = now_ - path.time;
+            return path.position + (path.velocity + field_.gravity * (Real(0.5) * since)) * since;
+        }
         return is_parabola(path, field_) ? parabola_at(path, now_)
                                          : state_at(path, field_, now_).position;
     }
-    Real radius(std::uint32_t ball) const { return Real(world_->balls.radius[ball]); }
+    Real radius(std::uint32_t ball) const { return balls_[ball].radius; }
     Vector<Real> torus_shift(int across, int along) const {
         return {Real(torus_.x) * Real(double(across)), Real(torus_.y) * Real(double(along))};
     }
@@ -272,18 +296,15 @@ class EventEngine {
     Real end_{};
     std::uint64_t events_ = 0;
 
-    std::vector<EventPath<Real>> paths_;
+    std::vector<EventBall<Real>> balls_;
     std::vector<std::uint32_t> begun_;  ///< whose paths began in this tick; as many as balls: all
-    std::vector<std::uint32_t> version_;
     std::vector<Event> next_;
     /// Whom a ball that flies among flying balls meets first, wherever: see event_predict.cpp.
     std::vector<Event> meeting_;
-    std::vector<std::uint8_t> is_meeting_known_;
-    std::vector<Real> inverse_mass_;
     std::vector<Spinning> spins_;  ///< empty unless Model::spin
     std::vector<std::uint32_t> edge_contacts_;
     std::vector<Hand> hands_;
-    EventCells cells_;
+    EventCells<Real> cells_;
     CapsuleCells edges_;
     EventQueue queue_;
     bool hand_stopped_ = false;
@@ -307,8 +328,9 @@ class EventEngine {
     std::vector<int> shares_;
     std::vector<std::uint8_t> is_kept_;
     std::vector<std::int64_t> spin_from_;
-    std::vector<std::array<int, 3>> near_;  ///< ball, tori across and along
-    std::vector<std::uint32_t> body_of_ball_;
+    std::vector<Near> near_;
+    std::vector<std::array<int, 3>> touching_;  ///< ball, tori across and along
+    bool is_near_valid_ = false;                ///< no path has been moved by a torus since
 
     /// The world as the last tick left it, to see whether the next one goes on from there.
     struct Left {
@@ -334,15 +356,15 @@ template <typename Real>
 template <typename Visit>
 void EventEngine<Real>::for_each_ball_near(std::uint32_t ball, Visit&& visit) const {
     if (!world_->model.ball_ball) return;
-    const bool is_giant = cells_.is_giant(ball);
-    if (!is_giant) cells_.for_each_near(ball, visit);
+    const bool is_giant = balls_[ball].is_giant;
+    if (!is_giant) cells_.for_each_near(balls_, ball, visit);
     if (cells_.giants().empty()) return;
     // Giants reach beyond cells: on a torus, the nearest image and those around it.
     const auto with_images = [&](std::uint32_t other) {
         if (other == ball) return;
         if (!world_->model.wrap) return visit(other, 0, 0);
-        const Vec2 way(state_at(paths_[ball], field_, now_).position -
-                       state_at(paths_[other], field_, now_).position);
+        const Vec2 way(state_at(balls_[ball].path, field_, now_).position -
+                       state_at(balls_[other].path, field_, now_).position);
         const int across = static_cast<int>(std::floor(way.x / torus_.x + 0.5));
         const int along = static_cast<int>(std::floor(way.y / torus_.y + 0.5));
         for (int i = across - 1; i <= across + 1; ++i)
@@ -350,7 +372,7 @@ void EventEngine<Real>::for_each_ball_near(std::uint32_t ball, Visit&& visit) co
                 visit(other, i, j);
     };
     if (is_giant)
-        for (std::uint32_t other = 0; other < paths_.size(); ++other)
+        for (std::uint32_t other = 0; other < balls_.size(); ++other)
             with_images(other);
     else
         for (const std::uint32_t giant : cells_.giants())
@@ -365,9 +387,9 @@ void EventEngine<Real>::for_each_edge_near(std::uint32_t ball, Visit&& visit) co
         if (!ball_meets(ball, capsule)) return;
         visit(capsule, Vec2{torus_.x * across, torus_.y * along}, across, along);
     };
-    if (!cells_.is_giant(ball)) {
-        const int across = cells_.tori_across(ball);
-        const int along = cells_.tori_along(ball);
+    if (!balls_[ball].is_giant) {
+        const int across = balls_[ball].path.across;
+        const int along = balls_[ball].path.along;
         for (const CapsuleEntry entry : edges_.in_cell(cells_.cell(ball)))
             at_image(entry.index, entry.across + across, entry.along + along);
         return;
@@ -375,7 +397,7 @@ void EventEngine<Real>::for_each_edge_near(std::uint32_t ball, Visit&& visit) co
     int across = 0;
     int along = 0;
     if (world_->model.wrap) {
-        const Vec2 way(state_at(paths_[ball], field_, now_).position -
+        const Vec2 way(state_at(balls_[ball].path, field_, now_).position -
                        Vector<Real>(world_->model.wrap->low));
         across = static_cast<int>(std::floor(way.x / torus_.x));
         along = static_cast<int>(std::floor(way.y / torus_.y));

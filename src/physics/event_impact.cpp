@@ -22,9 +22,9 @@ double EventEngine<Real>::restitution_of(const Touch& touch, bool is_alone) {
     const Real approach = approach_of<Real>(touch.contact, impact_bodies_);
     const double speed = static_cast<double>(approach);
     double restitution = 1.0;
-    const EventPath<Real>& path = paths_[ball];
+    const EventPath<Real>& path = balls_[ball].path;
     if (touch.kind == Kind::ball_ball) {
-        const EventPath<Real>& theirs = paths_[touch.other];
+        const EventPath<Real>& theirs = balls_[touch.other].path;
         if (world_->model.lossy)
             restitution =
                 std::min(world_->balls.restitution[ball], world_->balls.restitution[touch.other]);
@@ -145,6 +145,8 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     impact_bodies_.clear();
     body_spins_.clear();
     touches_.clear();
+    near_.clear();
+    is_near_valid_ = true;
     // Seen from the lower number, whoever's event it is: the other may not know of it yet.
     const bool is_swapped = event.kind == Kind::ball_ball && event.other < ball;
     const std::uint32_t body = body_of(is_swapped ? event.other : ball);
@@ -224,19 +226,19 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     for (const Touch& touch : touches_) {
         const std::uint32_t held = bodies_[touch.contact.a].ball;
         if (touch.kind == Kind::ball_ball) continue;
-        if (paths_[held].motion == Motion::held) {
+        if (balls_[held].path.motion == Motion::held) {
             auto& velocity = impact_bodies_[touch.contact.a].velocity;
             const Real into = touch.contact.surface - dot(velocity, touch.contact.normal);
             if (into > Real{}) velocity += touch.contact.normal * into;
         }
-        if (touch.kind == Kind::hand && (is_shut_in || paths_[held].quick > most_quick))
+        if (touch.kind == Kind::hand && (is_shut_in || balls_[held].path.quick > most_quick))
             squeezed = true;
     }
     for (const Touch& touch : touches_)
         if (touch.kind == Kind::ball_ball &&
-            (is_shut_in || paths_[bodies_[touch.contact.a].ball].quick > most_quick) &&
-            (paths_[bodies_[touch.contact.a].ball].motion == Motion::held ||
-             paths_[touch.other].motion == Motion::held))
+            (is_shut_in || balls_[bodies_[touch.contact.a].ball].path.quick > most_quick) &&
+            (balls_[bodies_[touch.contact.a].ball].path.motion == Motion::held ||
+             balls_[touch.other].path.motion == Motion::held))
             squeezed = true;
 
     part_pressed();
@@ -245,13 +247,12 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         const Body& each = bodies_[i];
         touched[each.ball] |= each.is_changed;
-        body_of_ball_[each.ball] = EventCells::none;
         if (!each.is_changed) continue;
-        const EventPath<Real> before = paths_[each.ball];
+        const EventPath<Real> before = balls_[each.ball].path;
         const Real way = length(each.position - before.position);
         start_path(each.ball, now_, each.position, impact_bodies_[i].velocity);
         if (world_->model.spin) spins_[each.ball].spin = body_spins_[i];
-        EventPath<Real>& path = paths_[each.ball];
+        EventPath<Real>& path = balls_[each.ball].path;
         path.quick = world_->model.gravity
                          ? tiredness(each.ball, before)
                          : (way < Real(touching) * radius(each.ball) ? before.quick + 1 : 0);
@@ -272,9 +273,15 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
         lie_down_if_tired(each);
     if (squeezed) stop_hands();
     for (const std::uint32_t each : changed) {
-        predict(each);
+        const std::uint32_t index = balls_[each].body;
+        if (index != EventBall<Real>::none)
+            predict_after(bodies_[index]);
+        else
+            predict(each);
         reorder(each);
     }
+    for (const Body& each : bodies_)
+        balls_[each.ball].body = EventBall<Real>::none;
     if (!std::binary_search(changed.begin(), changed.end(), ball)) predict(ball);
 }
 
@@ -290,7 +297,7 @@ void EventEngine<Real>::part_pressed() {
         const Real small = std::min(radius(a.ball), radius(b.ball));
         if (!(touch.gap < Real(-0.5 * lively_rise) * small)) continue;
         const auto share = [&](const Body& body, std::uint32_t index, const Vector<Real>& way) {
-            if (!body.is_changed || paths_[body.ball].motion != Motion::free) return Real{};
+            if (!body.is_changed || balls_[body.ball].path.motion != Motion::free) return Real{};
             const Vector<Real> there = body.position - way * touch.gap;
             bool is_barred = false;  // never into an edge
             for_each_edge_near(body.ball, [&](std::uint32_t capsule, Vec2 shift, int, int) {
@@ -309,6 +316,7 @@ void EventEngine<Real>::part_pressed() {
         const Vector<Real> way = touch.contact.normal * (-touch.gap / (ours + theirs));
         a.position += way * ours;
         b.position -= way * theirs;
+        is_near_valid_ = false;
     }
 }
 
@@ -317,11 +325,11 @@ template <typename Real>
 void EventEngine<Real>::stop_hands() {
     for (Hand& hand : hands_)
         if (now_ < hand.edge.stop) hand.edge.stop = now_;
-    for (std::uint32_t i = 0; i < paths_.size(); ++i) {
-        if (paths_[i].motion != Motion::held) continue;
-        start_path(i, now_, state_at(paths_[i], field_, now_).position, {});
-        paths_[i].motion = Motion::held;
-        paths_[i].acceleration = {};
+    for (std::uint32_t i = 0; i < balls_.size(); ++i) {
+        if (balls_[i].path.motion != Motion::held) continue;
+        start_path(i, now_, state_at(balls_[i].path, field_, now_).position, {});
+        balls_[i].path.motion = Motion::held;
+        balls_[i].path.acceleration = {};
     }
     hand_stopped_ = true;
 }

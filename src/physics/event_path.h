@@ -9,19 +9,38 @@
 namespace carom {
 
 /// A path, over any number type; World stores the double ones (BallPath says what each part means).
-/// What is read of every neighbour comes first.
+/// What is read of every neighbour comes last: see EventBall.
 template <typename Real>
 struct EventPath {
-    Real time{};
-    Vector<Real> position;
-    Vector<Real> velocity;
-    Motion motion = Motion::free;
-    std::uint32_t quick = 0;
     Vector<Real> acceleration;
     Vector<Real> center;
     PathSupport support;
     PathSupport second_support;
+    std::uint32_t quick = 0;
+    Motion motion = Motion::free;
+    std::int8_t across = 0;  ///< tori between where it is now and the frame: EventCells counts them
+    std::int8_t along = 0;
+    Real time{};
+    Vector<Real> position;
+    Vector<Real> velocity;
 };
+
+/// A ball as the solver `event` sees it. What is read of every neighbour is one line of the cache:
+/// from the path's `quick` on.
+template <typename Real>
+struct alignas(64) EventBall {
+    static constexpr std::uint32_t none = 0xffffffffu;
+
+    Real inverse_mass{};            ///< 0: in a hand
+    std::uint32_t body = none;      ///< in the impact that is being worked out
+    bool is_giant = false;          ///< see EventCells
+    bool is_meeting_known = false;  ///< see EventEngine::predict
+    EventPath<Real> path;
+    Real radius{};
+    std::uint32_t next = none;  ///< ball in the same cell
+    std::uint32_t version = 0;  ///< counts the paths
+};
+static_assert(sizeof(EventBall<double>) == 128);
 
 EventPath<double> path_from(const BallPath& stored);
 BallPath stored_path(BallId id, const EventPath<double>& path);

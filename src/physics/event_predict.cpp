@@ -55,14 +55,18 @@ bool EventEngine<Real>::comes_first(std::uint32_t ball_a, const Event& a, std::u
 template <typename Real>
 double EventEngine<Real>::queue_time(std::uint32_t ball) const {
     const Event& next = next_[ball];
-    return next.kind == Kind::none ? std::numeric_limits<double>::infinity()
-                                   : static_cast<double>(next.time);
+    return next.kind == Kind::none ? EventQueue::never : static_cast<double>(next.time);
 }
 
 template <typename Real>
 void EventEngine<Real>::build_queue() {
-    queue_.build(
-        [this](std::uint32_t ball) { return queue_time(ball); },
+    queue_.build(balls_.size(), [this](std::uint32_t ball) { return queue_time(ball); });
+}
+
+// Whose event comes first.
+template <typename Real>
+std::optional<std::uint32_t> EventEngine<Real>::first_ball() {
+    return queue_.first(
         [this](std::uint32_t a, std::uint32_t b) { return comes_first(a, next_[a], b, next_[b]); });
 }
 
@@ -76,7 +80,7 @@ void EventEngine<Real>::reorder(std::uint32_t ball) {
 
 template <typename Real>
 bool EventEngine<Real>::is_flying(std::uint32_t ball) const {
-    return paths_[ball].motion == Motion::free && !field_.has_drag;
+    return balls_[ball].path.motion == Motion::free && !field_.has_drag;
 }
 
 // All anew: after its path has changed, or another's that it was to meet.
@@ -87,20 +91,60 @@ bool EventEngine<Real>::is_flying(std::uint32_t ball) const {
 // looked at whenever all is predicted anew, which happens at every cell then.
 template <typename Real>
 void EventEngine<Real>::predict(std::uint32_t ball) {
-    meeting_[ball] = {};
-    bool is_known = is_flying(ball) && cells_.giants().empty() && !world_->model.one_way;
+    Event meeting;
+    bool is_known = is_foreseen(ball);
     if (is_known && world_->model.ball_ball)
-        cells_.for_each_near(ball, [&](std::uint32_t other, int across, int along) {
-            is_known = is_known && meet_flying(ball, other, across, along);
+        cells_.for_each_near(balls_, ball, [&](std::uint32_t other, int across, int along) {
+            is_known = is_known && is_flying(other);
+            if (is_known) meet_flying(ball, other, across, along, meeting);
         });
-    is_meeting_known_[ball] = is_known;
+    meeting_[ball] = meeting;
+    balls_[ball].is_meeting_known = is_known;
     choose_next(ball);
+}
+
+// The same for a ball that an impact has changed just now, from what was seen around it then.
+template <typename Real>
+void EventEngine<Real>::predict_after(const Body& body) {
+    const std::uint32_t ball = body.ball;
+    if (!is_near_valid_ || !body.is_scanned || !is_foreseen(ball)) return predict(ball);
+    const Vector<Real> velocity = balls_[ball].path.velocity;
+    const bool has_gravity = world_->model.gravity.has_value();
+    const bool is_filtered = world_->model.filtered;
+    const EventBall<Real>* const balls = balls_.data();
+    const Real now = now_;
+    Event meeting;
+    bool is_known = true;
+    for (std::uint32_t i = body.first_near; i < body.first_near + body.near; ++i) {
+        const Near& near = near_[i];
+        const EventBall<Real>& them = balls[near.other];
+        is_known = is_known && them.path.motion == Motion::free;
+        if (!is_known || (is_filtered && !balls_meet(ball, near.other))) continue;
+        if (them.path.time == now) {
+            meet_flying(ball, near.other, near.across, near.along, meeting);
+            continue;
+        }
+        Vector<Real> relative = velocity - them.path.velocity;
+        if (has_gravity) relative += field_.gravity * -(now_ - them.path.time);
+        const LineMeeting<Real> line(near.offset, relative, near.reach);
+        if (line.is_one())
+            meet_at(ball, near.other, near.across, near.along, line, now, near.offset, meeting);
+    }
+    meeting_[ball] = meeting;
+    balls_[ball].is_meeting_known = is_known;
+    choose_next(ball);
+}
+
+// Whether it can be known whom the ball meets first, if those around it fly too.
+template <typename Real>
+bool EventEngine<Real>::is_foreseen(std::uint32_t ball) const {
+    return is_flying(ball) && cells_.giants().empty() && !world_->model.one_way;
 }
 
 // The first of all that can happen to the ball, from now on.
 template <typename Real>
 void EventEngine<Real>::choose_next(std::uint32_t ball) {
-    const bool is_known = is_meeting_known_[ball] != 0;
+    const bool is_known = balls_[ball].is_meeting_known;
     const bool is_line = is_known && !world_->model.gravity;
     Event best;
     best.time = Real(std::numeric_limits<double>::infinity());
@@ -114,22 +158,48 @@ void EventEngine<Real>::choose_next(std::uint32_t ball) {
         predict_crossing(ball, best);
     predict_own(ball, best);
     if (!is_known && world_->model.ball_ball) predict_balls(ball, best);
-    if (world_->model.ball_edge && paths_[ball].motion != Motion::resting)
+    if (world_->model.ball_edge && balls_[ball].path.motion != Motion::resting)
         predict_edges(ball, best);
     next_[ball] = best;
 }
 
+// On a torus a ball that meets nobody goes round and round: before its path leads too far from the
+// frame for the images to be counted, it begins anew.
+template <typename Real>
+bool EventEngine<Real>::is_far_round(const EventPath<Real>& path) const {
+    constexpr int most_tori = 50;
+    return path.motion == Motion::free && (path.across > most_tori || path.across < -most_tori ||
+                                           path.along > most_tori || path.along < -most_tori);
+}
+
+template <typename Real>
+void EventEngine<Real>::begin_in_frame(std::uint32_t ball) {
+    const std::uint32_t quick = balls_[ball].path.quick;
+    const BallState<Real> state = state_at(balls_[ball].path, field_, now_);
+    start_path(ball, now_, state.position, state.velocity);
+    balls_[ball].path.quick = quick;
+}
+
 template <typename Real>
 void EventEngine<Real>::enter_next_cell(std::uint32_t ball, std::uint32_t direction) {
-    bool is_known = is_meeting_known_[ball] != 0;
+    bool is_known = balls_[ball].is_meeting_known;
     if (direction < steps.size()) {
         const auto [columns, rows] = steps[direction];
-        cells_.step(ball, columns, rows);
-        if (is_known && world_->model.ball_ball)
-            cells_.for_each_new(ball, columns, rows,
+        cells_.step(balls_, ball, columns, rows);
+        if (world_->model.wrap && is_far_round(balls_[ball].path)) {
+            begin_in_frame(ball);
+            predict(ball);
+            return;
+        }
+        if (is_known && world_->model.ball_ball) {
+            Event meeting = meeting_[ball];
+            cells_.for_each_new(balls_, ball, columns, rows,
                                 [&](std::uint32_t other, int across, int along) {
-                                    is_known = is_known && meet_flying(ball, other, across, along);
+                                    is_known = is_known && is_flying(other);
+                                    if (is_known) meet_flying(ball, other, across, along, meeting);
                                 });
+            meeting_[ball] = meeting;
+        }
     }
     if (is_known)
         choose_next(ball);
@@ -137,34 +207,43 @@ void EventEngine<Real>::enter_next_cell(std::uint32_t ball, std::uint32_t direct
         predict(ball);
 }
 
-// One more neighbour of a ball that flies. False where that one does not.
+// One more neighbour of a ball that flies, which flies too.
 template <typename Real>
-bool EventEngine<Real>::meet_flying(std::uint32_t ball, std::uint32_t other, int across,
-                                    int along) {
-    if (!is_flying(other)) return false;
-    if (!balls_meet(ball, other)) return true;
-    const Real our_radius = radius(ball);
-    const Real their_radius = radius(other);
+void EventEngine<Real>::meet_flying(std::uint32_t ball, std::uint32_t other, int across, int along,
+                                    Event& best) {
+    if (!balls_meet(ball, other)) return;
+    const EventBall<Real>& us = balls_[ball];
+    const EventBall<Real>& them = balls_[other];
+    const StraightPair<Real> pair(us.path, them.path, field_.gravity, torus_shift(across, along));
+    const LineMeeting<Real> line(pair.offset, pair.velocity, us.radius + them.radius);
+    if (line.is_one()) meet_at(ball, other, across, along, line, pair.begin, pair.offset, best);
+}
+
+// The two are going to meet: takes that for the event, if it comes before.
+template <typename Real>
+void EventEngine<Real>::meet_at(std::uint32_t ball, std::uint32_t other, int across, int along,
+                                const LineMeeting<Real>& meeting, const Real& begin,
+                                const Vector<Real>& offset, Event& best) {
+    const EventBall<Real>& us = balls_[ball];
+    const EventBall<Real>& them = balls_[other];
+    const Real small = us.radius < them.radius ? us.radius : them.radius;
     // As seen from the one with the lower number, whoever asks: the same bits.
-    const Real reach = our_radius + their_radius;
-    const Real small = our_radius < their_radius ? our_radius : their_radius;
     const bool is_lower = ball < other;
-    const Vector<Real> shift = is_lower ? torus_shift(across, along) : torus_shift(-across, -along);
-    auto time = straight_closing(paths_[is_lower ? ball : other], paths_[is_lower ? other : ball],
-                                 field_.gravity, shift, reach, small, field_);
-    if (!time) return true;
+    auto time =
+        meeting_time(meeting, is_lower ? us.path : them.path, is_lower ? them.path : us.path, begin,
+                     offset, field_.gravity, us.radius + them.radius, small, field_);
+    if (!time) return;
     if (*time < now_) time = now_;
     consider(ball,
              {*time, Kind::ball_ball, static_cast<std::int8_t>(across),
-              static_cast<std::int8_t>(along), other, version_[other]},
-             meeting_[ball]);
-    return true;
+              static_cast<std::int8_t>(along), other, them.version},
+             best);
 }
 
 // The same as the next function for a straight line, which crosses only what lies ahead.
 template <typename Real>
 void EventEngine<Real>::predict_crossing_of_line(std::uint32_t ball, Event& best) const {
-    const EventPath<Real>& path = paths_[ball];
+    const EventPath<Real>& path = balls_[ball].path;
     const CellFrame& frame = cells_.frame();
     const auto cross = [&](const Real& from, const Real& speed, int place, int count, double origin,
                            double width, std::uint32_t ahead) {
@@ -186,8 +265,8 @@ void EventEngine<Real>::predict_crossing_of_line(std::uint32_t ball, Event& best
 // When the centre comes to a border of its cell. This is bookkeeping: it never changes a path.
 template <typename Real>
 void EventEngine<Real>::predict_crossing(std::uint32_t ball, Event& best) const {
-    const EventPath<Real>& path = paths_[ball];
-    if (cells_.is_giant(ball) || path.motion == Motion::resting) return;
+    const EventPath<Real>& path = balls_[ball].path;
+    if (balls_[ball].is_giant || path.motion == Motion::resting) return;
     const CellFrame& frame = cells_.frame();
     const BallState<Real> now = state_at(path, field_, now_);
     const bool is_simple = is_parabola(path, field_);
@@ -240,7 +319,7 @@ void EventEngine<Real>::predict_crossing(std::uint32_t ball, Event& best) const 
 // The end of the side along which the ball slides; the end of a piece of its turn.
 template <typename Real>
 void EventEngine<Real>::predict_own(std::uint32_t ball, Event& best) const {
-    const EventPath<Real>& path = paths_[ball];
+    const EventPath<Real>& path = balls_[ball].path;
     if (path.motion == Motion::turning) {
         if (const auto time = end_of_turn(ball))
             consider(ball, {*time, Kind::own, 0, 0, 0, 0}, best);
@@ -292,7 +371,7 @@ void EventEngine<Real>::predict_own(std::uint32_t ball, Event& best) const {
 // more, or where the side of an edge begins.
 template <typename Real>
 std::optional<Real> EventEngine<Real>::end_of_turn(std::uint32_t ball) const {
-    const EventPath<Real>& path = paths_[ball];
+    const EventPath<Real>& path = balls_[ball].path;
     Real last = piece_end(path, field_);
     const Turn<Real> first = turn_at(path, field_, path.time);
     const auto shorten = [&](auto&& value) {
@@ -336,8 +415,8 @@ void EventEngine<Real>::predict_balls(std::uint32_t ball, Event& best) const {
 template <typename Real>
 void EventEngine<Real>::predict_pair(std::uint32_t ball, std::uint32_t other, int across, int along,
                                      Event& best) const {
-    const EventPath<Real>& ours = paths_[ball];
-    const EventPath<Real>& theirs = paths_[other];
+    const EventPath<Real>& ours = balls_[ball].path;
+    const EventPath<Real>& theirs = balls_[other].path;
     if (world_->model.filtered && !balls_meet(ball, other)) return;
     if (ours.motion == Motion::held && theirs.motion == Motion::held) return;
     if (ours.motion == Motion::resting && theirs.motion == Motion::resting) return;
@@ -362,7 +441,7 @@ void EventEngine<Real>::predict_pair(std::uint32_t ball, std::uint32_t other, in
     if (*time < now_) time = now_;
     consider(ball,
              {*time, Kind::ball_ball, static_cast<std::int8_t>(across),
-              static_cast<std::int8_t>(along), other, version_[other]},
+              static_cast<std::int8_t>(along), other, balls_[other].version},
              best);
 }
 
@@ -376,7 +455,7 @@ bool EventEngine<Real>::is_solid_for(std::uint32_t capsule, const Vector<Real>& 
 
 template <typename Real>
 void EventEngine<Real>::predict_edges(std::uint32_t ball, Event& best) const {
-    const EventPath<Real>& path = paths_[ball];
+    const EventPath<Real>& path = balls_[ball].path;
     const auto rests_on = [&](std::uint32_t capsule, int across, int along) {
         const auto is = [&](const PathSupport& support) {
             return support.by == PathSupport::By::edge && support.across == across &&

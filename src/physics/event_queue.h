@@ -1,58 +1,214 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <vector>
 
-/// The event queue: a heap of the balls, each with four below it, the one with the earliest event
-/// on top, in which the place of every ball is known, so that its event can be replaced.
+/// The event queue: the balls by the time of their next events, each of which can be replaced.
 ///
-/// The times stand in the heap itself, so that nearly all comparisons read nothing else: who comes
-/// first at the same time is asked where times are equal.
+/// Time is cut into slices of equal width. The balls whose events are in the present slice, or
+/// before, stand in a heap; there are few. Those of the slices to come stand in a list for each
+/// slice, in no order, so that to replace an event costs the same however many balls there are;
+/// those further ahead than the lists reach, in one list that is gone through now and then. The
+/// width follows the events, about one a slice, and changes nothing but the cost: who comes first
+/// at the same time is asked, and the order is total. (After Paul, A complexity O(1) priority queue
+/// for event driven molecular dynamics simulations, Journal of Computational Physics 221, 2007.)
 namespace carom {
 
 class EventQueue {
   public:
-    /// Balls 0..count-1, in no order yet: call `build` before anything else.
-    void reset(std::size_t count) {
-        heap_.resize(count);
-        place_.resize(count);
-        for (std::uint32_t i = 0; i < count; ++i)
-            put({0.0, i}, i);
+    static constexpr double never = std::numeric_limits<double>::infinity();
+
+    /// Balls 0..count-1. `time_of(ball)`: of its event, s, or `never`.
+    template <typename Time>
+    void build(std::size_t count, Time&& time_of) {
+        slices_ = least_slices;
+        heads_.assign(slices_ + 2, none);
+        heap_.clear();
+        links_.resize(count);
+        times_.resize(count);
+        listed_ = finite_ = 0;
+        for (std::uint32_t ball = 0; ball < count; ++ball) {
+            times_[ball] = time_of(ball);
+            enlist(ball, times_[ball] < never ? far() : no_time());
+        }
     }
 
-    bool is_empty() const { return heap_.empty(); }
-    std::uint32_t first() const { return heap_.front().ball; }
-
-    /// `time_of(ball)`: of its event, s. `is_before(a, b)`: whether ball a's event comes before
-    /// ball b's, a total order that goes by time first.
-    template <typename Time, typename Before>
-    void build(Time&& time_of, Before&& is_before) {
-        for (Entry& entry : heap_)
-            entry.time = time_of(entry.ball);
-        for (std::size_t i = (heap_.size() + 2) / 4; i-- > 0;)
-            sink(i, heap_[i], is_before);
+    /// Whose event comes first; nothing if no ball has one. `is_before(a, b)`: whether ball a's
+    /// event comes before ball b's, a total order that goes by time first.
+    template <typename Before>
+    std::optional<std::uint32_t> first(Before&& is_before) {
+        while (heap_.empty())
+            if (!advance(is_before)) return std::nullopt;
+        return heap_.front().ball;
     }
 
-    /// The event of `ball` has changed, and is at `time` now.
+    /// The event of `ball` has changed, and is at `time` now, or `never`.
     template <typename Before>
     void update(std::uint32_t ball, double time, Before&& is_before) {
-        const Entry entry{time, ball};
-        const std::size_t at = place_[ball];
-        if (at > 0 && comes_first(entry, heap_[(at - 1) / 4], is_before))
-            rise(at, entry, is_before);
+        const std::uint32_t old = links_[ball].list;
+        const std::uint32_t list = list_for(time);
+        times_[ball] = time;
+        if (old == in_heap && list == in_heap) {
+            settle(links_[ball].next, {time, ball}, is_before);
+            return;
+        }
+        if (old == in_heap)
+            leave_heap(links_[ball].next, is_before);
         else
-            sink(at, entry, is_before);
+            unlink(ball);
+        if (list == in_heap)
+            enter_heap(ball, is_before);
+        else
+            enlist(ball, list);
     }
 
   private:
+    static constexpr std::uint32_t none = 0xffffffffu;
+    static constexpr std::uint32_t in_heap = none;
+    static constexpr std::uint32_t least_slices = 64;
+
     struct Entry {
         double time = 0.0;
         std::uint32_t ball = 0;
     };
+    struct Link {
+        std::uint32_t next = none;  ///< in the same list; or the place in the heap
+        std::uint32_t before = none;
+        std::uint32_t list = in_heap;  ///< of heads_
+    };
+
+    std::uint32_t far() const { return slices_; }
+    std::uint32_t no_time() const { return slices_ + 1; }
+    std::uint32_t list_of_slice(std::uint64_t slice) const {
+        return static_cast<std::uint32_t>(slice & (slices_ - 1));
+    }
+
+    // Where an event at that time belongs.
+    std::uint32_t list_for(double time) const {
+        const double slice = (time - origin_) * slices_a_second_;
+        if (slice < static_cast<double>(present_ + 1)) return in_heap;
+        if (slice < static_cast<double>(present_ + slices_))
+            return list_of_slice(static_cast<std::uint64_t>(slice));
+        return time < never ? far() : no_time();
+    }
+
+    // To the next slice: what is in it goes into the heap. False: no ball has an event.
+    template <typename Before>
+    bool advance(Before&& is_before) {
+        if (finite_ == 0) return false;
+        ++present_;
+        if (listed_ == 0)
+            arrange();
+        else if ((present_ & (slices_ / 2 - 1)) == 0)
+            look_further();
+        std::uint32_t& head = heads_[list_of_slice(present_)];
+        while (head != none) {
+            const std::uint32_t ball = head;
+            unlink(ball);
+            enter_heap(ball, is_before);
+            ++taken_;
+        }
+        return true;
+    }
+
+    // Every half round of the slices: those of the far events that the lists reach now.
+    void look_further() {
+        const bool is_width_right = taken_ >= slices_ / 16 && taken_ <= 4 * slices_;
+        const bool is_length_right = finite_ <= 4 * slices_ && finite_ >= slices_ / 16;
+        taken_ = 0;
+        if (!is_width_right || (!is_length_right && slices_ > least_slices)) return arrange();
+        for (std::uint32_t ball = heads_[far()]; ball != none;) {
+            const std::uint32_t next = links_[ball].next;
+            const std::uint32_t list = list_for(times_[ball]);
+            if (list != far()) {
+                unlink(ball);
+                enlist(ball, list == in_heap ? list_of_slice(present_) : list);
+            }
+            ball = next;
+        }
+    }
+
+    // Slices as the events are now, from the first of them on. Pre: the heap is empty, and some
+    // ball has an event.
+    void arrange() {
+        moved_.clear();
+        for (std::uint32_t list = 0; list <= far(); ++list)
+            for (std::uint32_t ball = heads_[list]; ball != none; ball = links_[ball].next)
+                moved_.push_back({times_[ball], ball});
+        const std::uint32_t timeless = heads_[no_time()];
+        while (slices_ < moved_.size() && slices_ < (1u << 30))
+            slices_ *= 2;
+        while (slices_ > least_slices && slices_ / 8 > moved_.size())
+            slices_ /= 2;
+        heads_.assign(slices_ + 2, none);
+        for (std::uint32_t ball = timeless; ball != none; ball = links_[ball].next)
+            links_[ball].list = no_time();
+        heads_[no_time()] = timeless;
+
+        const auto is_earlier = [](const Entry& a, const Entry& b) { return a.time < b.time; };
+        const auto middle = moved_.begin() + static_cast<std::ptrdiff_t>(moved_.size() / 2);
+        std::nth_element(moved_.begin(), middle, moved_.end(), is_earlier);
+        origin_ = std::min_element(moved_.begin(), middle + 1, is_earlier)->time;
+        // The first event of each of n is about to be the first of all once in middle / (n ln 2).
+        const double width = (middle->time - origin_) * 1.5 / static_cast<double>(moved_.size());
+        slices_a_second_ = width > 0.0 ? 1.0 / width : 1.0;
+        present_ = taken_ = 0;
+        listed_ = finite_ = 0;
+        for (const Entry& entry : moved_) {
+            const std::uint32_t list = list_for(entry.time);
+            enlist(entry.ball, list == in_heap ? 0 : list);
+        }
+    }
+
+    void enlist(std::uint32_t ball, std::uint32_t list) {
+        const std::uint32_t next = heads_[list];
+        links_[ball] = {next, none, list};
+        if (next != none) links_[next].before = ball;
+        heads_[list] = ball;
+        listed_ += list < far();
+        finite_ += list < no_time();
+    }
+
+    void unlink(std::uint32_t ball) {
+        const Link link = links_[ball];
+        if (link.before == none)
+            heads_[link.list] = link.next;
+        else
+            links_[link.before].next = link.next;
+        if (link.next != none) links_[link.next].before = link.before;
+        listed_ -= link.list < far();
+        finite_ -= link.list < no_time();
+    }
+
+    template <typename Before>
+    void enter_heap(std::uint32_t ball, Before&& is_before) {
+        links_[ball].list = in_heap;
+        heap_.push_back({});
+        rise(heap_.size() - 1, {times_[ball], ball}, is_before);
+    }
+
+    template <typename Before>
+    void leave_heap(std::size_t at, Before&& is_before) {
+        const Entry last = heap_.back();
+        heap_.pop_back();
+        if (at < heap_.size()) settle(at, last, is_before);
+    }
 
     template <typename Before>
     static bool comes_first(const Entry& a, const Entry& b, Before&& is_before) {
         return a.time < b.time || (a.time == b.time && is_before(a.ball, b.ball));
+    }
+
+    // Puts the entry where it belongs, `at` being free.
+    template <typename Before>
+    void settle(std::size_t at, const Entry entry, Before&& is_before) {
+        if (at > 0 && comes_first(entry, heap_[(at - 1) / 4], is_before))
+            rise(at, entry, is_before);
+        else
+            sink(at, entry, is_before);
     }
 
     template <typename Before>
@@ -84,11 +240,22 @@ class EventQueue {
 
     void put(const Entry& entry, std::size_t at) {
         heap_[at] = entry;
-        place_[entry.ball] = static_cast<std::uint32_t>(at);
+        links_[entry.ball].next = static_cast<std::uint32_t>(at);
     }
 
-    std::vector<Entry> heap_;
-    std::vector<std::uint32_t> place_;
+    double origin_ = 0.0;  ///< where slice 0 begins, s
+    double slices_a_second_ = 1.0;
+    std::uint64_t present_ = 0;
+    std::uint32_t slices_ =
+        least_slices;                   ///< lists, a power of two; slice i is in list i mod slices_
+    std::size_t listed_ = 0;            ///< in lists of slices
+    std::size_t finite_ = 0;            ///< the same, and far ones
+    std::size_t taken_ = 0;             ///< into the heap, since `look_further`
+    std::vector<std::uint32_t> heads_;  ///< of the slices, of the far, of those without a time
+    std::vector<Link> links_;           ///< by ball
+    std::vector<double> times_;         ///< by ball
+    std::vector<Entry> heap_;           ///< each above four
+    std::vector<Entry> moved_;
 };
 
 }  // namespace carom

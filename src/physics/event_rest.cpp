@@ -21,7 +21,7 @@ Real noise_of(const Vector<Real>& gravity) {
 template <typename Real>
 const std::vector<typename EventEngine<Real>::Support>& EventEngine<Real>::supports_of(
     std::uint32_t ball, bool also_moving) {
-    const EventPath<Real>& path = paths_[ball];
+    const EventPath<Real>& path = balls_[ball].path;
     const Real size = radius(ball);
     std::vector<Support>& sides = supports_;
     std::vector<Support>& points = points_;
@@ -78,10 +78,10 @@ const std::vector<typename EventEngine<Real>::Support>& EventEngine<Real>::suppo
     });
     const auto with_ball = [&](std::uint32_t other, int across, int along) {
         if (!balls_meet(ball, other)) return;
-        if (!also_moving && paths_[other].motion != Motion::resting) return;
+        if (!also_moving && balls_[other].path.motion != Motion::resting) return;
         Support support;
         support.center =
-            state_at(paths_[other], field_, now_).position + torus_shift(across, along);
+            state_at(balls_[other].path, field_, now_).position + torus_shift(across, along);
         const Vector<Real> arm = path.position - support.center;
         const Real away = length(arm);
         const Real reach = size + radius(other);
@@ -126,7 +126,7 @@ std::optional<std::pair<std::size_t, std::size_t>> EventEngine<Real>::bearing_tw
 // Decides on what a ball that has just begun a path lies, if on anything.
 template <typename Real>
 void EventEngine<Real>::settle(std::uint32_t ball) {
-    const EventPath<Real>& path = paths_[ball];
+    const EventPath<Real>& path = balls_[ball].path;
     if (!world_->model.gravity || path.motion != Motion::free) return;
     const std::vector<Support>& supports = supports_of(ball, false);
     if (const auto two = bearing_two(supports)) {
@@ -156,7 +156,7 @@ void EventEngine<Real>::settle(std::uint32_t ball) {
 
 template <typename Real>
 void EventEngine<Real>::rest(std::uint32_t ball, const Support& first, const Support* second) {
-    EventPath<Real>& path = paths_[ball];
+    EventPath<Real>& path = balls_[ball].path;
     if (second) {
         path.motion = Motion::resting;
         path.velocity = path.acceleration = {};
@@ -205,7 +205,7 @@ void EventEngine<Real>::release_what_rests_on(std::uint32_t ball,
         gone.pop_back();
         const auto id = number(world_->balls.id[support]);
         const auto look = [&](std::uint32_t other, int, int) {
-            const EventPath<Real>& path = paths_[other];
+            const EventPath<Real>& path = balls_[other].path;
             const auto is = [id](const PathSupport& by) {
                 return by.by == PathSupport::By::ball && by.number == id;
             };
@@ -215,7 +215,7 @@ void EventEngine<Real>::release_what_rests_on(std::uint32_t ball,
             if (path.motion == Motion::resting) gone.push_back(other);
             const std::uint32_t quick = path.quick;
             start_path(other, now_, state.position, state.velocity);
-            paths_[other].quick = quick;
+            balls_[other].path.quick = quick;
             released.push_back(other);
         };
         for_each_ball_near(support, look);
@@ -225,19 +225,19 @@ void EventEngine<Real>::release_what_rests_on(std::uint32_t ball,
 // The ball has come to the end of the side along which it slid, or of a piece of its turn.
 template <typename Real>
 void EventEngine<Real>::end_own(std::uint32_t ball) {
-    const EventPath<Real> before = paths_[ball];
+    const EventPath<Real> before = balls_[ball].path;
     const BallState<Real> state = state_at(before, field_, now_);
     if (world_->model.spin) end_spin(ball);
     start_path(ball, now_, state.position, state.velocity);
     if (before.motion == Motion::resting && bearing_two(supports_of(ball, true))) {
         // Tired, and what it touches carries it, though that may not have come to rest: on it lies.
-        paths_[ball].motion = Motion::resting;
-        paths_[ball].acceleration = {};
-        paths_[ball].quick = before.quick;
+        balls_[ball].path.motion = Motion::resting;
+        balls_[ball].path.acceleration = {};
+        balls_[ball].path.quick = before.quick;
         predict(ball);
         return;
     }
-    paths_[ball].quick = before.quick;
+    balls_[ball].path.quick = before.quick;
     if (before.motion == Motion::turning) {
         // The ball of a turn keeps to its circle, whatever else it touches there, until it leaves.
         const Turn<Real> turn = turn_at(before, field_, now_);
@@ -248,7 +248,7 @@ void EventEngine<Real>::end_own(std::uint32_t ball) {
         }
     }
     settle(ball);
-    if (before.motion == Motion::resting && paths_[ball].motion != Motion::resting) {
+    if (before.motion == Motion::resting && balls_[ball].path.motion != Motion::resting) {
         std::vector<std::uint32_t>& released = changed_;
         released.clear();
         release_what_rests_on(ball, released);
@@ -285,7 +285,7 @@ std::uint32_t EventEngine<Real>::tiredness(std::uint32_t ball,
 
 template <typename Real>
 void EventEngine<Real>::lie_down_if_tired(std::uint32_t ball) {
-    EventPath<Real>& path = paths_[ball];
+    EventPath<Real>& path = balls_[ball].path;
     if (path.quick <= most_tiring || !world_->model.gravity || !world_->model.lossy) return;
     if (path.motion == Motion::resting || path.motion == Motion::held) return;
     // Fast balls that rattle in a narrow place go on.

@@ -7,14 +7,15 @@ namespace carom {
 
 template <typename Real>
 std::uint32_t EventEngine<Real>::body_of(std::uint32_t ball) {
-    if (body_of_ball_[ball] != EventCells::none) return body_of_ball_[ball];
+    if (balls_[ball].body != EventBall<Real>::none) return balls_[ball].body;
     const auto body = static_cast<std::uint32_t>(bodies_.size());
-    const EventPath<Real>& path = paths_[ball];
+    const EventPath<Real>& path = balls_[ball].path;
     const BallState<Real> state = state_at(path, field_, now_);
-    bodies_.push_back({ball, state.position, false, false, path.motion == Motion::resting});
-    impact_bodies_.push_back({state.velocity, inverse_mass_[ball]});
+    bodies_.push_back(
+        {.ball = ball, .position = state.position, .was_resting = path.motion == Motion::resting});
+    impact_bodies_.push_back({state.velocity, balls_[ball].inverse_mass});
     if (world_->model.spin) body_spins_.push_back(spin_at(ball, now_));
-    body_of_ball_[ball] = body;
+    balls_[ball].body = body;
     return body;
 }
 
@@ -22,11 +23,11 @@ template <typename Real>
 void EventEngine<Real>::add_ball_touch(std::uint32_t body, std::uint32_t other, int across,
                                        int along, bool is_certain) {
     const std::uint32_t ball = bodies_[body].ball;
-    const std::uint32_t known = body_of_ball_[other];
-    if (known != EventCells::none && bodies_[known].is_scanned && !is_certain) return;
+    const std::uint32_t known = balls_[other].body;
+    if (known != EventBall<Real>::none && bodies_[known].is_scanned && !is_certain) return;
     const Vector<Real> shift = torus_shift(across, along);
     const Vector<Real> theirs =
-        known != EventCells::none ? bodies_[known].position : position_of(other);
+        known != EventBall<Real>::none ? bodies_[known].position : position_of(other);
     const Vector<Real> offset = bodies_[body].position - theirs - shift;
     const Real our_radius = radius(ball);
     const Real their_radius = radius(other);
@@ -47,16 +48,13 @@ void EventEngine<Real>::add_ball_touch(std::uint32_t body, std::uint32_t other, 
 
 // Whether the gap is no more than that of a touch.
 template <typename Real>
-bool EventEngine<Real>::may_touch(std::uint32_t body, std::uint32_t other, int across,
-                                  int along) const {
-    const Vector<Real>& position = bodies_[body].position;
-    const Vector<Real> offset = position - position_of(other) - torus_shift(across, along);
+bool EventEngine<Real>::may_touch(std::uint32_t body, const Near& near) const {
     const Real our_radius = radius(bodies_[body].ball);
-    const Real their_radius = radius(other);
-    const Real reach = our_radius + their_radius;
+    const Real their_radius = radius(near.other);
     const Real small = our_radius < their_radius ? our_radius : their_radius;
-    const Real limit = reach + small * Real(touching) + Real(16.0) * rounding_at(position, reach);
-    return !(length_squared(offset) > limit * limit);
+    const Real limit = near.reach + small * Real(touching) +
+                       Real(16.0) * rounding_at(bodies_[body].position, near.reach);
+    return !(length_squared(near.offset) > limit * limit);
 }
 
 template <typename Real>
@@ -132,16 +130,40 @@ void EventEngine<Real>::scan(std::uint32_t body) {
         return !(first.contact.a == body && first.other == other) &&
                !(bodies_[first.contact.a].ball == other && first.other == ball);
     };
-    near_.clear();
-    const auto with_ball = [&](std::uint32_t other, int across, int along) {
-        if (balls_meet(ball, other) && may_touch(body, other, across, along) &&
-            is_first(Kind::ball_ball, other))
-            near_.push_back({static_cast<int>(other), across, along});
-    };
-    for_each_ball_near(ball, with_ball);
+    const std::size_t first_near = near_.size();
+    const Vector<Real> position = bodies_[body].position;
+    const Real size = radius(ball);
+    const EventBall<Real>* const balls = balls_.data();
+    const bool is_coasting = !world_->model.gravity && !field_.has_drag;
+    const bool wraps = world_->model.wrap.has_value();
+    for_each_ball_near(ball, [=, this, now = now_](std::uint32_t other, int across, int along) {
+        const EventPath<Real>& path = balls[other].path;
+        Vector<Real> offset = position - (is_coasting && path.motion == Motion::free
+                                              ? path.position + path.velocity * (now - path.time)
+                                              : position_of(other));
+        if (wraps) offset = offset - torus_shift(across, along);
+        near_.push_back({.offset = offset,
+                         .reach = size + balls[other].radius,
+                         .other = other,
+                         .across = static_cast<std::int8_t>(across),
+                         .along = static_cast<std::int8_t>(along)});
+    });
+    bodies_[body].first_near = static_cast<std::uint32_t>(first_near);
+    bodies_[body].near = static_cast<std::uint32_t>(near_.size() - first_near);
+    touching_.clear();
+    // Nearly all of them are further away than this, which is further than any that may touch.
+    const Real slack = Real(16.0) * rounding_at(position, Real{});
+    for (std::size_t i = first_near; i < near_.size(); ++i) {
+        const Near& near = near_[i];
+        const Real rough = near.reach * Real(1.0 + 4.0 * touching) + slack;
+        if (length_squared(near.offset) > rough * rough) continue;
+        if (may_touch(body, near) && balls_meet(ball, near.other) &&
+            is_first(Kind::ball_ball, near.other))
+            touching_.push_back({static_cast<int>(near.other), near.across, near.along});
+    }
     // By number: where the cells are must not show, not even in rounding.
-    std::sort(near_.begin(), near_.end());
-    for (const auto& [other, across, along] : near_)
+    std::sort(touching_.begin(), touching_.end());
+    for (const auto& [other, across, along] : touching_)
         add_ball_touch(body, static_cast<std::uint32_t>(other), across, along, false);
     for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2, int across, int along) {
         if (is_first(Kind::ball_edge, capsule)) add_edge_touch(body, capsule, across, along, false);

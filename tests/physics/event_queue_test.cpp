@@ -1,0 +1,128 @@
+#include "physics/event_queue.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace carom;
+
+namespace {
+
+// Numbers as good as random, the same everywhere.
+class Dice {
+  public:
+    explicit Dice(std::uint64_t seed) : state_(seed) {}
+    double unit() {
+        state_ = state_ * 6364136223846793005u + 1442695040888963407u;
+        return static_cast<double>(state_ >> 11) * 0x1p-53;
+    }
+    std::uint32_t below(std::size_t count) {
+        return static_cast<std::uint32_t>(unit() * static_cast<double>(count));
+    }
+
+  private:
+    std::uint64_t state_;
+};
+
+// The same by looking at all of them.
+class SlowQueue {
+  public:
+    explicit SlowQueue(std::vector<double> times) : times_(std::move(times)) {}
+    void update(std::uint32_t ball, double time) { times_[ball] = time; }
+    double time(std::uint32_t ball) const { return times_[ball]; }
+    std::optional<std::uint32_t> first() const {
+        const auto least = std::min_element(times_.begin(), times_.end());
+        if (least == times_.end() || !(*least < EventQueue::never)) return std::nullopt;
+        return static_cast<std::uint32_t>(least - times_.begin());
+    }
+
+  private:
+    std::vector<double> times_;
+};
+
+const auto by_number = [](std::uint32_t a, std::uint32_t b) { return a < b; };
+
+}  // namespace
+
+TEST_CASE("event queue: the first is the first, however the times lie") {
+    // How long after the first event a ball's next one is.
+    const auto wait = [](int kind, Dice& dice) {
+        const double unit = dice.unit();
+        switch (kind) {
+            case 0:
+                return 0.1 + unit;
+            case 1:  // many at once
+                return static_cast<double>(static_cast<int>(4.0 * unit));
+            case 2:  // over twelve orders of magnitude
+                return 1e-9 / (1e-12 + unit * unit * unit * unit);
+            case 3:  // some never again
+                return unit < 0.25 ? EventQueue::never : unit;
+            default:  // none of it takes any time
+                return 0.0;
+        }
+    };
+    for (const std::size_t count : {1u, 2u, 7u, 300u, 2'000u}) {
+        for (int kind = 0; kind < 5; ++kind) {
+            CAPTURE(count);
+            CAPTURE(kind);
+            Dice dice(count * 8 + static_cast<std::uint64_t>(kind));
+            std::vector<double> times(count);
+            for (double& time : times)
+                time = wait(kind, dice);
+            SlowQueue slow(times);
+            EventQueue queue;
+            queue.build(count, [&](std::uint32_t ball) { return times[ball]; });
+            for (int i = 0; i < 1'500; ++i) {
+                const auto first = queue.first(by_number);
+                REQUIRE(first == slow.first());
+                if (!first) break;
+                const double now = slow.time(*first);
+                const auto change = [&](std::uint32_t ball) {
+                    const double time = now + wait(kind, dice);
+                    queue.update(ball, time, by_number);
+                    slow.update(ball, time);
+                };
+                change(*first);
+                change(dice.below(count));
+            }
+        }
+    }
+}
+
+TEST_CASE("event queue: it follows events that become rare, and frequent again") {
+    constexpr std::size_t count = 500;
+    Dice dice(1);
+    std::vector<double> times(count);
+    for (double& time : times)
+        time = dice.unit();
+    SlowQueue slow(times);
+    EventQueue queue;
+    queue.build(count, [&](std::uint32_t ball) { return times[ball]; });
+    double now = 0.0;
+    for (const double pause : {1.0, 1e6, 1e-6, 1e3, 1e-12, 1.0}) {
+        CAPTURE(pause);
+        for (int i = 0; i < 3'000; ++i) {
+            const auto first = queue.first(by_number);
+            REQUIRE(first);
+            REQUIRE(first == slow.first());
+            REQUIRE(slow.time(*first) >= now);
+            now = slow.time(*first);
+            const double time = now + pause * dice.unit();
+            queue.update(*first, time, by_number);
+            slow.update(*first, time);
+        }
+    }
+}
+
+TEST_CASE("event queue: without balls, and without events") {
+    EventQueue queue;
+    queue.build(0, [](std::uint32_t) { return 0.0; });
+    CHECK(!queue.first(by_number));
+    queue.build(3, [](std::uint32_t) { return EventQueue::never; });
+    CHECK(!queue.first(by_number));
+    queue.update(1, 5.0, by_number);
+    CHECK(queue.first(by_number) == 1u);
+    queue.update(1, EventQueue::never, by_number);
+    CHECK(!queue.first(by_number));
+}

@@ -1,0 +1,29 @@
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "physics/solver.h"
+#include "physics/support/scenes.h"
+
+// A ball that goes round a torus hundreds of times before it meets anybody: the images between its
+// path and the other's were counted in eight bits, so the two passed through one another.
+
+using namespace carom;
+
+TEST_CASE("event: a ball that has gone round a torus hundreds of times still meets the other") {
+    for (const double speed : {100.0, 1'000.0, 20'000.0}) {
+        CAPTURE(speed);
+        World world = scenes::empty();
+        world.model.wrap = Box{{0.0, 0.0}, {10.0, 10.0}};
+        add_ball(world, {.position = {5.0, 5.0}, .velocity = {speed, 0.0}, .radius = 0.5});
+        add_ball(world, {.position = {2.0, 9.0}, .velocity = {0.0, -1.0}, .radius = 0.5});
+        Solver solver({.kind = SolverKind::event});
+        const double energy = speed * speed + 1.0;
+        for (int i = 0; i < 120 * 5; ++i)
+            solver.tick(world);
+        // The rows of the two overlap from the third second to the fifth.
+        CHECK(world.ball_ball_collisions > 0);
+        CHECK(length_squared(world.balls.velocity[0]) + length_squared(world.balls.velocity[1]) ==
+              doctest::Approx(energy).epsilon(1e-12));
+    }
+}
