@@ -81,6 +81,7 @@ void ContactSolver::sort_pairs(const World& world) {
     pressed_.clear();
     flying_.clear();
     any_new_ = false;
+    any_uneven_ = false;
     deepest_ = 0.0;
     for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
         Pair& pair = pairs_[p];
@@ -93,6 +94,7 @@ void ContactSolver::sort_pairs(const World& world) {
             continue;
         }
         pressed_.push_back(p);
+        any_uneven_ = any_uneven_ || is_uneven(pair);
         deepest_ = std::min(deepest_, pair.gap);
         any_new_ = any_new_ || pair.is_new;
         if (pair.impulse == 0.0) continue;
@@ -134,9 +136,9 @@ inline void ContactSolver::rub_pair(Pair& pair, Mover& a, Mover& b) const {
 }
 
 template <bool spin>
-void ContactSolver::press_all() {
+void ContactSolver::press_all(const std::vector<std::uint32_t>& pressed) {
     const double per_substep = 1.0 / duration_;
-    for (const std::uint32_t p : pressed_) {
+    for (const std::uint32_t p : pressed) {
         Pair& pair = pairs_[p];
         Mover& a = mover_[pair.a];
         Mover& b = mover_[pair.b];
@@ -156,10 +158,10 @@ void ContactSolver::press_all() {
 
 // What has just bounced off something presses no pair that is about to bounce.
 template <bool spin>
-void ContactSolver::relax_all() {
+void ContactSolver::relax_all(const std::vector<std::uint32_t>& pressed) {
     const double per_substep = 1.0 / duration_;
-    for (std::size_t k = pressed_.size(); k-- > 0;) {
-        Pair& pair = pairs_[pressed_[k]];
+    for (std::size_t k = pressed.size(); k-- > 0;) {
+        Pair& pair = pairs_[pressed[k]];
         Mover& a = mover_[pair.a];
         Mover& b = mover_[pair.b];
         const double apart = dot(a.velocity - b.velocity, pair.normal);
@@ -176,11 +178,37 @@ void ContactSolver::relax_all() {
 }
 
 void ContactSolver::press(bool spin) {
-    spin ? press_all<true>() : press_all<false>();
+    find_loaded();
+    spin ? press_all<true>(pressed_) : press_all<false>(pressed_);
+    for (int round = 1; round < loaded_rounds && !loaded_.empty(); ++round)
+        spin ? press_all<true>(loaded_) : press_all<false>(loaded_);
 }
 
 void ContactSolver::relax(bool spin) {
-    spin ? relax_all<true>() : relax_all<false>();
+    spin ? relax_all<true>(pressed_) : relax_all<false>(pressed_);
+    for (int round = 1; round < loaded_rounds && !loaded_.empty(); ++round)
+        spin ? relax_all<true>(loaded_) : relax_all<false>(loaded_);
+}
+
+bool ContactSolver::is_uneven(const Pair& pair) const {
+    const double a = mover_[pair.a].inverse_mass;
+    const double b = mover_[pair.b].inverse_mass;
+    return a > 0.0 && b > 0.0 && std::max(a, b) >= uneven * std::min(a, b);
+}
+
+// From the top down: what presses on what bears a load, bears it too.
+void ContactSolver::find_loaded() {
+    loaded_.clear();
+    if (!any_uneven_) return;
+    is_loaded_.assign(mover_.size(), 0);
+    for (std::size_t k = pressed_.size(); k-- > 0;) {
+        const Pair& pair = pairs_[pressed_[k]];
+        if (!is_loaded_[pair.a] && !is_loaded_[pair.b] && !is_uneven(pair)) continue;
+        if (!is_held_body(pair.a)) is_loaded_[pair.a] = 1;
+        if (!is_held_body(pair.b)) is_loaded_[pair.b] = 1;
+        loaded_.push_back(pressed_[k]);
+    }
+    std::reverse(loaded_.begin(), loaded_.end());
 }
 
 // Pairs that press for the first time are contacts too.

@@ -56,8 +56,7 @@ TEST_CASE("contact: a stack of 50 stands, and is pressed together by little") {
     CHECK(rms_speed(world) < 1e-3);
 }
 
-// It is not held still: it rocks slowly, and its overlap with it. 100 s are some turns of that.
-TEST_CASE("contact: a load of 400 on a row of 1 never goes in as deep as the cores") {
+TEST_CASE("contact: a load of 400 on a row of 1 comes to rest, and goes in by little") {
     World world = floor_world();
     for (int i = 0; i < 11; ++i)
         add_ball(world, {.position = {-5.0 + i, 0.5}, .velocity = {}});
@@ -70,8 +69,26 @@ TEST_CASE("contact: a load of 400 on a row of 1 never goes in as deep as the cor
         solver.tick(world);
         deepest = std::max(deepest, deepest_overlap(world));
     }
-    MESSAGE("deepest in 100 s: ", deepest, ", speed at the end ", rms_speed(world));
-    CHECK(deepest < 0.25);
+    MESSAGE("deepest in 100 s: ", deepest, ", at the end ", deepest_overlap(world), ", speed ",
+            rms_speed(world));
+    // The best of the peers lies 0.038 deep (Chipmunk).
+    CHECK(deepest < 0.045);
+    CHECK(deepest_overlap(world) < 0.02);
+    CHECK(rms_speed(world) < 1e-6);
+}
+
+TEST_CASE("contact: a load on a heap rests on all that bears it") {
+    World world = scenes::bucket(120, 0.0);
+    world.rate = 60.0;
+    Solver solver({.kind = SolverKind::contact});
+    for (int i = 0; i < 600; ++i)
+        solver.tick(world);
+    add_ball(world, {.position = {10.0, 16.0}, .velocity = {}, .radius = 4.0, .mass = 400.0});
+    for (int i = 0; i < 3600; ++i)
+        solver.tick(world);
+    MESSAGE("overlap ", deepest_overlap(world), ", speed ", rms_speed(world));
+    CHECK(deepest_overlap(world) < 0.025);
+    CHECK(rms_speed(world) < 1e-3);
 }
 
 TEST_CASE("contact: an elastic ball goes on bouncing, and its energy never rises") {
@@ -112,6 +129,7 @@ TEST_CASE("contact: a bucket comes to rest, with and without friction, and stays
         // 1e-3 of the speed of a fall of one diameter.
         CHECK(rms_speed(world) < 1e-3 * std::sqrt(20.0));
         CHECK(deepest_overlap(world) < 0.029);
+        CHECK(furthest < 1e-6);
         CHECK(world.balls.size() == 300);
     }
 }
@@ -122,7 +140,7 @@ TEST_CASE("contact: a heap goes on from a snapshot with the same bits, impulses 
     world.balls.spin.assign(world.balls.size(), 0.0);
     world.kinds[0].friction = world.materials[0].friction = 0.3;
     run(world, 200);
-    REQUIRE(world.pressed.size() > 300);
+    REQUIRE(world.pressed.size() > 250);
     World once = world;
     Solver warm({.kind = SolverKind::contact});
     World other = scenes::gas(50, 1);
