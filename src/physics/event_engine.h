@@ -197,6 +197,7 @@ class EventEngine {
     void reorder(std::uint32_t ball);
     bool comes_first(std::uint32_t ball_a, const Event& a, std::uint32_t ball_b,
                      const Event& b) const;
+    /// Pre: `event` is one.
     void consider(std::uint32_t ball, const Event& event, Event& best) const {
         if (best.kind != Kind::none && best.time < event.time) return;
         if (best.kind == Kind::none || event.time < best.time ||

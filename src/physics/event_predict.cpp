@@ -151,7 +151,7 @@ void EventEngine<Real>::choose_next(std::uint32_t ball) {
     // How far to look where it takes longer the further one looks.
     if (!is_line || !hands_.empty())
         best = {now_ + Real(16.0 / world_->rate), Kind::crossing, 0, 0, look_again, 0};
-    if (is_known) consider(ball, meeting_[ball], best);
+    if (is_known && meeting_[ball].kind != Kind::none) consider(ball, meeting_[ball], best);
     if (is_line)
         predict_crossing_of_line(ball, best);
     else
