@@ -24,6 +24,10 @@ std::optional<std::string> configuration_folder() {
     return folder("XDG_CONFIG_HOME", "/.config");
 }
 
+std::optional<std::string> data_folder() {
+    return folder("XDG_DATA_HOME", "/.local/share");
+}
+
 std::optional<std::string> state_folder() {
     return folder("XDG_STATE_HOME", "/.local/state");
 }

@@ -12,6 +12,8 @@ namespace {
 // A ball that rolls along an edge touches it in every tick; a hit is faster than this, in radii of
 // the ball a second.
 constexpr double softest_hit = 4.0;
+// What kicks shines for so long, s.
+constexpr double flash = 0.15;
 
 bool is_in_the_way(const World& world, const Capsule& shape) {
     for (std::size_t i = 0; i < world.balls.size(); ++i)
@@ -72,6 +74,10 @@ void hit_devices(Pinball game, std::span<const Contact> contacts) {
             game.world.model.one_way && game.world.capsules.side[*index] == Side::none;
         if (is_down) continue;  // a second ball in the same tick
         if (hit.kind == DeviceKind::droptarget) fall(game, hit);
+        if (hit.kind == DeviceKind::bumper || hit.kind == DeviceKind::slingshot) {
+            set_lit(game, device, true);
+            game.state.lit_until[device] = game.now() + game.ticks(flash);
+        }
         tell_rules(game, device, Rule::When::hit);
     }
 }

@@ -2,17 +2,11 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <fstream>
-#include <sstream>
-
 #include "game/replayer.h"
 #include "game/session.h"
-#include "game/support/pinball_player.h"
 #include "level/load.h"
 
 using namespace carom;
-using test::PinballPlayer;
 
 namespace {
 
@@ -280,35 +274,6 @@ TEST_CASE("going back, undoing and replaying keep a game of pinball bit by bit")
     }
     CHECK_FALSE(replayer.failure().has_value());
     CHECK(fingerprint(replayer.session().world(), replayer.session().game()) == end);
-}
-
-TEST_CASE("the tables that ship lose no ball: none stuck, none outside, all of them drained") {
-    for (const std::string_view level : {"three-bumpers.level"}) {
-        CAPTURE(level);
-        std::stringstream text;
-        text << std::ifstream(std::string(CAROM_SOURCE_DIR "/levels/").append(level)).rdbuf();
-        LoadResult loaded = load_level(text.str(), level, {});
-        REQUIRE(loaded.diagnostics.empty());
-        const Scene& scene = *loaded.scene;
-        CHECK(scene.world.rate >= 1000.0);
-        PinballPlayer player(scene, pick_solver(scene.world).settings);
-        const Box table = grow(scene.view, 0.001);
-        std::int64_t best = 0;
-        while (player.state().drained < 60 && player.world().time() < 3600.0) {
-            player.tick();
-            for (const Vec2 at : player.world().balls.position) {
-                REQUIRE(at.x > table.low.x);
-                REQUIRE(at.x < table.high.x);
-                REQUIRE(at.y > table.low.y);
-                REQUIRE(at.y < table.high.y);
-            }
-            best = std::max(best, player.state().score);
-            if (player.state().phase == PinballState::Phase::over) player.again();
-        }
-        CHECK(player.state().drained >= 60);
-        CHECK(player.state().lost == 0);
-        CHECK(best > 1000);
-    }
 }
 
 TEST_CASE("a hole keeps a ball, and sends it on") {

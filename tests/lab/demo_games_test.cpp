@@ -1,0 +1,73 @@
+#include "lab/demo_games.h"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string_view>
+
+#include "level/load.h"
+
+using namespace carom;
+
+namespace {
+
+constexpr std::string_view tables[] = {"three-bumpers", "cable-car", "night-vault"};
+
+Scene shipped(std::string_view table) {
+    std::stringstream text;
+    text
+        << std::ifstream(std::string(CAROM_SOURCE_DIR "/levels/").append(table) + ".level").rdbuf();
+    LoadResult loaded = load_level(text.str(), table, {});
+    REQUIRE(loaded.diagnostics.empty());
+    return std::move(*loaded.scene);
+}
+
+void check_table(std::string_view table, std::uint64_t balls) {
+    CAPTURE(table);
+    const Scene scene = shipped(table);
+    CHECK(scene.world.rate >= 1000.0);
+    const DemoGames games = play_demo_games(scene, pick_solver(scene.world).settings, balls);
+    CHECK(games.ball_times.size() == balls);
+    CHECK(games.lost == 0);
+    CHECK(games.outside == 0);
+    CHECK(games.searches <= balls / 20);
+    CHECK(games.seconds > 0.0);
+}
+
+}  // namespace
+
+TEST_CASE("the tables that ship lose no ball: none stuck, none outside, all of them drained") {
+    for (const std::string_view table : tables)
+        check_table(table, 5);
+}
+
+TEST_CASE("carom's own games are the same each time") {
+    const Scene scene = shipped("three-bumpers");
+    const SolverSettings solver = pick_solver(scene.world).settings;
+    const DemoGames first = play_demo_games(scene, solver, 2);
+    const DemoGames second = play_demo_games(scene, solver, 2);
+    CHECK(first.ball_times == second.ball_times);
+    Scene other = scene;
+    other.world.seed = 5;
+    CHECK(play_demo_games(other, solver, 2).ball_times != first.ball_times);
+}
+
+TEST_CASE("games are told in sums and histograms") {
+    DemoGames games;
+    games.scores = {100, 200, 200, 1300};
+    games.ball_times = {1.0, 2.0, 30.0};
+    games.seconds = 3600.0;
+    const std::string text = demo_games_text(games);
+    CHECK(text.starts_with("balls 3, games 4, 1.0 hours of play\n"));
+    CHECK(text.find("a ball lasts 11.0 s (median 2.0)") != std::string::npos);
+    CHECK(text.find("      200       2 ####") != std::string::npos);
+    CHECK(demo_games_text({}).starts_with("balls 0"));
+}
+
+TEST_SUITE("long") {
+    TEST_CASE("a thousand balls on each table, none stuck, none lost") {
+        for (const std::string_view table : tables)
+            check_table(table, 1000);
+    }
+}
