@@ -4,6 +4,9 @@
 play_packages=(g++ cmake ninja-build pkg-config libncurses-dev libfmt-dev libcli11-dev)
 test_packages=(doctest-dev libgmp-dev libvterm-dev ncurses-term openssh-server openssh-client)
 
+# ctest runs as many of the test programs at once as there are cores.
+export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
+
 say() { printf '%s\n' "$*" >&2; }
 
 fail() {
