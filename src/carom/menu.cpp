@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "carom/honours.h"
+#include "carom/table_seat.h"
 #include "terminal/utf8.h"
 
 namespace carom {
@@ -34,6 +36,17 @@ void add_levels(std::vector<MenuItem>& items, const std::string& folder, const c
 std::string time_text(double seconds) {
     const auto whole = static_cast<long>(seconds);
     return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+// The high scores of a table stand below what it is about.
+void add_honours(const std::string& path, std::size_t most, std::vector<std::string>& preview) {
+    const HonoursText kept = load_honours(honours_name(path), most);
+    if (kept.problem) preview.push_back(*kept.problem);
+    if (kept.honours.lines.empty()) return;
+    preview.push_back("");
+    preview.push_back("High scores:");
+    for (const Honour& honour : kept.honours.lines)
+        preview.push_back(fmt::format("{} {}", honour.initials, grouped(honour.score)));
 }
 
 }  // namespace
@@ -178,6 +191,7 @@ void Menu::look_at_selected() {
     }
     Scene& scene = *loaded.result.scene;
     known.preview = scene.comment;
+    if (scene.table.is_game) add_honours(item.path, scene.table.highscores, known.preview);
     const SolverSettings solver = scene.solver.value_or(pick_solver(scene.world).settings);
     picture_.emplace(std::move(scene), solver, 0);
 }

@@ -25,7 +25,7 @@ struct Typed {
     std::string solvers, rates, repeats, horizon, tolerance, budget, nudge, csv, json;
     std::string renderer, colors, fps, rewind;
     bool explain = false, no_mouse = false, low_bandwidth = false, watch = false, paused = false,
-         resume = false;
+         resume = false, demo = false;
 };
 
 void add_set(CLI::App& command, Typed& typed) {
@@ -91,6 +91,8 @@ void add_play(CLI::App& app, Typed& typed) {
     play.add_option("--record", typed.record, "Keep a recording, for carom replay and verify")
         ->type_name("FILE");
     play.add_flag("--watch", typed.watch, "Load the level again whenever its file is saved");
+    play.add_flag("--demo", typed.demo,
+                  "At pinball, carom plays until you press a button of the table");
     play.add_flag("--resume", typed.resume, "Take up the session that was cut off");
 }
 
@@ -312,6 +314,7 @@ PlayOptions play_options(const Typed& typed, OptionReader& read) {
                         .record = typed.record,
                         .replay = typed.replay,
                         .cast = typed.cast,
+                        .demo = typed.demo,
                         .watch = typed.watch,
                         .paused = typed.paused,
                         .resume = typed.resume};

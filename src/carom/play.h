@@ -35,6 +35,7 @@ struct PlayOptions {
     std::string replay;  ///< a recording, to be watched instead of playing a level; empty: none
     std::string cast;    ///< a file for a film of the screen; empty: none
 
+    bool demo = false;    ///< at pinball, carom plays until somebody presses a button
     bool watch = false;   ///< load the level again whenever its files are saved
     bool paused = false;  ///< start paused
     /// Take up the session that was cut off, without asking; with no level, the last one.

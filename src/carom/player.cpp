@@ -29,6 +29,7 @@ Player::Player(Session session, const ViewOptions& view, KeyMap keys, bool solve
         shows_energy_ = shows_energy_ || show.what == Show::What::energy;
     }
     if (PoolSeat::is_at(session_.scene()) && !session_.is_following()) seat_.emplace(session_);
+    if (TableSeat::is_at(session_)) table_.emplace();
     set_reference();
 }
 
@@ -90,7 +91,10 @@ void Player::advance(double seconds, const MayGoOn& may_go_on) {
         needs_draw_ = needs_draw_ || message_seconds_ <= 0.0;
     }
     if (is_too_small_ || page_ != Page::none) return;
-    press_buttons(table_keys_.pass(seconds));
+    if (table_) {
+        press_buttons(table_->pass(seconds));
+        table_->follow(session_, seconds);
+    }
     if (seat_ && seat_->work(session_)) needs_draw_ = true;
     // What runs beside the game keeps up with it, or the game waits.
     if (!keep_up(may_go_on) || stands_still()) return;
@@ -98,7 +102,11 @@ void Player::advance(double seconds, const MayGoOn& may_go_on) {
     prepare();
     keep_up(may_go_on);
     const bool was_at_end = session_.is_at_end();
-    const auto both_may_go_on = [&] { return keep_up(may_go_on) && may_go_on(); };
+    play_demonstration();
+    const auto both_may_go_on = [&] {
+        play_demonstration();
+        return keep_up(may_go_on) && may_go_on();
+    };
     if (clockwork_.advance(session_, seconds, both_may_go_on) > 0) needs_draw_ = true;
     keep_up(may_go_on);
     tell_outcome();

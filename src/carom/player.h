@@ -13,7 +13,7 @@
 #include "carom/pool_seat.h"
 #include "carom/rival.h"
 #include "carom/swarm.h"
-#include "carom/table_keys.h"
+#include "carom/table_seat.h"
 #include "game/session.h"
 #include "terminal/camera.h"
 #include "terminal/canvas.h"
@@ -62,6 +62,11 @@ class Player {
     void set_problem(std::optional<std::string> problem);
 
     void pause(bool paused);
+    /// At a table of pinball: carom plays by itself.
+    void demonstrate(bool does);
+    void set_honours(Honours honours);
+    /// A line for the table of honour, once.
+    std::optional<Honour> take_honour();
     const Session& session() const { return session_; }
     /// A recording is watched: only time and view obey the keys.
     bool is_watching() const { return session_.is_following(); }
@@ -131,9 +136,12 @@ class Player {
 
     // player_table.cpp: a pinball table
     const PinballState* pinball() const;
-    bool handle_button(const InputEvent& event);
+    bool handle_at_table(const InputEvent& event);
+    bool handle_table_mouse(const InputEvent& event);
     void press_buttons(const std::vector<command::Press>& presses);
+    void play_demonstration();
     void hear_table();
+    std::string hold_line() const;
     std::string score_line() const;  ///< empty where no points are counted
     void add_table_hints(std::vector<KeyHelp>& hints) const;
 
@@ -180,7 +188,7 @@ class Player {
     Clockwork clockwork_;
     Hand hand_;
     KeyMap keys_;
-    TableKeys table_keys_;
+    std::optional<TableSeat> table_;
     std::string heard_;  ///< what the referee said last
     std::optional<PoolSeat> seat_;
     bool aims_by_mouse_ = false;  ///< the left button is down, and the cue points at the mouse

@@ -22,7 +22,7 @@ Wish Player::handle(const InputEvent& event) {
         handle_mouse(event);
         return Wish::none;
     }
-    if (handle_button(event) || choose(event)) return Wish::none;
+    if (handle_at_table(event) || choose(event)) return Wish::none;
     if (event.kind != InputEvent::Kind::key || event.action == InputEvent::Action::release)
         return Wish::none;
     const auto action = keys_.action_of(key_of(event));
@@ -73,6 +73,7 @@ void Player::handle_mouse(const InputEvent& event) {
         return;
     }
     const CellPoint place = in_first_half({event.column, event.row});
+    if (handle_table_mouse(event)) return;
     if (panning_from_ && event.action == move) {
         pan(panning_from_->column - place.column, panning_from_->row - place.row);
         panning_from_ = place;

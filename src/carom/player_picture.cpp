@@ -60,12 +60,15 @@ void Player::lay_out(const Canvas& canvas, double aspect) {
         CellArea bottom = cut_bottom(area, std::max(least_panel_rows, area.rows / 3));
         (histogram ? histogram_area_ : energy_area_) = bottom;
     }
+    if (table_ && !rival_) table_->cut_panel(area);
     if (rival_) {
         split_ = split(area, session_.scene().view, aspect);
         area = split_.first;
     }
+    const bool is_fine = renderer_in_force(view_) == Renderer::braille;
     if (is_fitted_)
-        camera_ = fit_camera(session_.scene().view, area, aspect);
+        camera_ = table_ && !rival_ ? table_->look(session_, area, aspect, is_fine)
+                                    : fit_camera(session_.scene().view, area, aspect);
     else if (!(camera_.area == area) || camera_.aspect != aspect)
         camera_ = resized(camera_, area, aspect);
     if (follows_ && selected_) {
@@ -85,6 +88,7 @@ Marks Player::marks() const {
     if (selected_ && index_of(world, *selected_)) marks.selected_ball = selected_;
     if (shows_cursor_) marks.cursor = pointer_;
     if (seat_) marks.pool = seat_->marks(session_);
+    if (table_) marks.table = table_->marks(session_);
     if (!seat_ || !hand_.has_cue()) hand_.mark(world, session_.solver(), speed_unit(), marks);
     if (view_.broad_phase && world.balls.size() > 0) {
         const CellFrame frame = frame_around(world, 2.0 * largest_radius(world.balls));
@@ -130,7 +134,7 @@ std::vector<KeyHelp> Player::hints() const {
         hint(Action::step_back, "step back");
         hint(Action::next_collision, "next collision");
     } else {
-        if (pinball() && !is_watching()) add_table_hints(hints);
+        if (table_ && !is_watching()) add_table_hints(hints);
         hint(Action::pause, "pause");
     }
     if (hand_.is_empty() && (shows_cursor_ || selected_) && !is_watching()) {
@@ -141,7 +145,7 @@ std::vector<KeyHelp> Player::hints() const {
     hint(Action::help, "help");
     if (hand_.is_empty()) {
         if (session_.latest() > 0) hint(Action::restart, "again");
-        if (!mouse_is_off_ && !shows_cursor_ && !is_watching() && !seat_) {
+        if (!mouse_is_off_ && !shows_cursor_ && !is_watching() && !seat_ && !table_) {
             hints.push_back({"drag", "move"});
             hints.push_back({"right drag", "shoot"});
         }
@@ -177,6 +181,7 @@ HudInfo Player::hud() const {
     if (const std::string score = score_line(); !score.empty()) info.title += ": " + score;
     if (pool()) info.title = turn_text(*pool(), names());
     if (seat_) info.game = seat_->line(session_, view_.look);
+    if (table_ && !is_watching()) info.game = hold_line();
     info.solver = solver_text(session_.solver());
     info.solver_is_picked = solver_is_picked_;
     if (solver_is_picked_) info.reason = pick_solver(session_.scene().world).reason;
@@ -259,6 +264,7 @@ void Player::draw_game(Canvas& canvas, double aspect) {
                memory_);
     if (rival_) draw_rival(canvas);
     draw_panels(canvas);
+    if (table_ && !rival_) table_->draw_panel(canvas, session_, view_.look);
     draw_hud(canvas, hud(), view_.look);
 }
 

@@ -5,25 +5,41 @@
 
 // A pinball table: its buttons, and what it says.
 namespace carom {
-namespace {
-
-/// 1234567 as 1,234,567.
-std::string grouped(std::int64_t number) {
-    std::string digits = fmt::format("{}", number);
-    for (auto at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
-        digits.insert(static_cast<std::size_t>(at), ",");
-    return digits;
-}
-
-}  // namespace
 
 const PinballState* Player::pinball() const {
     return std::get_if<PinballState>(&session_.game());
 }
 
-bool Player::handle_button(const InputEvent& event) {
-    if (!pinball() || is_watching() || page_ != Page::none || !button_of(event)) return false;
-    press_buttons(table_keys_.take(event));
+bool Player::handle_at_table(const InputEvent& event) {
+    if (!table_ || is_watching() || page_ != Page::none) return false;
+    if (event.kind != InputEvent::Kind::key) return false;
+    if (table_->asks_initials()) {
+        table_->type_initials(event);
+        needs_draw_ = true;
+        return true;
+    }
+    if (button_of(event)) {
+        press_buttons(table_->take(event));
+        return true;
+    }
+    if (event.action != InputEvent::Action::press || event.modifiers != no_modifier) return false;
+    if (event.key == demo_key) {
+        demonstrate(!table_->is_demonstrating());
+        return true;
+    }
+    if (event.key == hold_key) {
+        say(table_->next_hold());
+        return true;
+    }
+    return false;
+}
+
+bool Player::handle_table_mouse(const InputEvent& event) {
+    if (!table_ || is_watching()) return false;
+    const Vec2 at = to_world(camera_, {event.column, event.row});
+    const auto presses = table_->take_mouse(event, at, session_);
+    if (!presses) return false;
+    press_buttons(*presses);
     return true;
 }
 
@@ -33,17 +49,49 @@ void Player::press_buttons(const std::vector<command::Press>& presses) {
     if (!presses.empty()) needs_draw_ = true;
 }
 
-// What the table says while time passes; a message stands until the next.
+void Player::demonstrate(bool does) {
+    if (!table_ || is_watching()) return;
+    if (!does) press_buttons(table_->let_go());
+    table_->demonstrate(does);
+    say(does ? "carom plays: any key of the table takes over" : "your game");
+}
+
+void Player::play_demonstration() {
+    if (table_ && table_->is_demonstrating() && session_.world().tick >= session_.latest())
+        for (const command::Press& press : table_->play(session_))
+            session_.apply(press);
+}
+
+void Player::set_honours(Honours honours) {
+    if (table_) table_->set_honours(std::move(honours));
+    needs_draw_ = true;
+}
+
+std::optional<Honour> Player::take_honour() {
+    return table_ ? table_->take_honour() : std::nullopt;
+}
+
+// What the table says while time passes; a message stands until the next. Beside the table there is
+// room for it, so that the keys stay in sight.
 void Player::hear_table() {
-    const PinballState* state = pinball();
-    if (!state || state->message == heard_) return;
-    heard_ = state->message;
-    if (!heard_.empty()) say(heard_);
+    if (!table_) return;
+    table_->watch_end(session_);
+    const auto heard = table_->hear(session_);
+    if (heard && !heard->empty() && !table_->has_panel()) say(*heard);
+}
+
+std::string Player::hold_line() const {
+    if (!has_button(session_.scene(), Button::left_flipper) &&
+        !has_button(session_.scene(), Button::right_flipper))
+        return {};
+    const std::string mouse = mouse_is_off_ ? "" : " or mouse buttons";
+    return fmt::format("flippers z /{}: {} ({}: change)", mouse, table_->hold_text(),
+                       static_cast<char>(hold_key));
 }
 
 std::string Player::score_line() const {
     const PinballState* state = pinball();
-    if (!state || !session_.scene().table.is_game) return {};
+    if (!state || !session_.scene().table.is_game || table_->has_panel()) return {};
     std::string line = fmt::format("score {}, ball {} of {}", grouped(state->score), state->ball,
                                    session_.scene().table.balls);
     if (state->multiplier > 1) line += fmt::format(", bonus x{}", state->multiplier);
@@ -54,10 +102,19 @@ std::string Player::score_line() const {
 
 void Player::add_table_hints(std::vector<KeyHelp>& hints) const {
     const Scene& scene = session_.scene();
-    if (has_button(scene, Button::left_flipper) || has_button(scene, Button::right_flipper))
+    if (table_->asks_initials()) {
+        hints.push_back({"a-z 0-9", "your initials"});
+        hints.push_back({"enter", "done"});
+        hints.push_back({"esc", "none"});
+        return;
+    }
+    if (has_button(scene, Button::left_flipper) || has_button(scene, Button::right_flipper)) {
         hints.push_back(help_of_flippers());
+    }
     if (has_button(scene, Button::plunger)) hints.push_back(help_of_plunger());
     if (has_button(scene, Button::nudge_up)) hints.push_back(help_of_nudges());
+    hints.push_back({std::string(1, static_cast<char>(demo_key)),
+                     table_->is_demonstrating() ? "play yourself" : "watch carom play"});
 }
 
 }  // namespace carom

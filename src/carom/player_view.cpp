@@ -77,6 +77,7 @@ void Player::perform_on_view(Action action) {
         case Action::pan_down:
             return pan(0.0, 2.0);
         case Action::fit:
+            if (table_ && is_fitted_) table_->toggle_whole();
             is_fitted_ = true;
             follows_ = false;
             return;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "carom/files.h"
+#include "carom/honours.h"
 #include "carom/user_folders.h"
 
 namespace carom {
@@ -64,6 +65,15 @@ std::optional<std::string> change_preferences(std::string_view name, std::string
     std::error_code ignored;
     if (!text.text && std::filesystem::exists(*path, ignored)) return text.error;
     return write_file_atomically(*path, with_setting(text.text.value_or(""), name, value));
+}
+
+// The table's high scores, where it keeps any.
+void show_honours(Player& player, const std::string& path) {
+    const PinballTable& table = player.session().scene().table;
+    if (!table.is_game || table.highscores == 0) return;
+    HonoursText kept = load_honours(honours_name(path), table.highscores);
+    if (kept.problem) player.complain(*kept.problem);
+    player.set_honours(std::move(kept.honours));
 }
 
 }  // namespace
@@ -200,6 +210,8 @@ void Program::enter(LevelSource source, Player player, std::optional<CutOffGame>
     player.set_mouse_is_off(!mouse_);
     player.set_keep_going(keep_going_);
     if (options_.paused) player.pause(true);
+    show_honours(player, source.path);
+    if (options_.demo) player.demonstrate(true);
     FileWatch watch;
     if (options_.watch) watch = FileWatch(files_of(player.session().scene(), source.path));
     ResumeFile resume_file;

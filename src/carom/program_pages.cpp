@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "carom/files.h"
+#include "carom/honours.h"
 #include "carom/program.h"
 #include "game/save_level.h"
 #include "terminal/pages.h"
@@ -21,6 +22,13 @@ constexpr std::uint64_t ticks_at_once = 16;
 
 bool is_key_press(const InputEvent& event) {
     return event.kind == InputEvent::Kind::key && event.action != InputEvent::Action::release;
+}
+
+void keep_in_honour(Player& player, const std::string& path, const Honour& honour) {
+    const std::size_t most = player.session().scene().table.highscores;
+    HonoursText kept = keep_honour(honours_name(path), most, honour);
+    if (kept.problem) player.complain(*kept.problem);
+    player.set_honours(std::move(kept.honours));
 }
 
 }  // namespace
@@ -43,6 +51,8 @@ void Program::handle(const InputEvent& event, double now) {
 void Program::handle_game(Game& game, const InputEvent& event, double now) {
     const ViewOptions before = game.player.view();
     const Wish wish = game.player.handle(event);
+    if (const auto honour = game.player.take_honour())
+        keep_in_honour(game.player, game.source.path, *honour);
     keep_preferences(before, game.player.view());
     if (next_autosave_ < now) next_autosave_ = now + autosave_interval;
     switch (wish) {

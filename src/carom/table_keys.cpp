@@ -64,25 +64,57 @@ std::vector<command::Press> TableKeys::take(const InputEvent& event) {
     const auto button = button_of(event);
     if (!button) return {};
     Held& held = held_[static_cast<std::size_t>(*button)];
+    const bool is_toggled =
+        toggles_ && (*button == Button::left_flipper || *button == Button::right_flipper);
     if (event.action == InputEvent::Action::release) {
         tells_release_ = true;
-        if (!std::exchange(held.is_down, false)) return {};
+        if (is_toggled || !std::exchange(held.is_down, false)) return {};
         return {{*button, false}};
     }
     const bool repeats = event.action == InputEvent::Action::repeat || held.since < repeats_within;
-    held.left = repeats ? std::max(held.left, repeat_hold) : first_hold(*button);
     held.since = 0.0;
+    if (is_toggled) {
+        if (repeats) return {};
+        held.is_down = !held.is_down;
+        return {{*button, held.is_down}};
+    }
+    held.left = repeats ? std::max(held.left, repeat_hold) : first_hold(*button);
     if (std::exchange(held.is_down, true)) return {};
     return {{*button, true}};
+}
+
+std::vector<command::Press> TableKeys::press_mouse(std::uint8_t mouse, Button button) {
+    Held& held = held_[static_cast<std::size_t>(button)];
+    held.mouse = mouse;
+    if (std::exchange(held.is_down, true)) return {};
+    return {{button, true}};
+}
+
+std::vector<command::Press> TableKeys::release_mouse(std::uint8_t mouse) {
+    std::vector<command::Press> released;
+    for (std::size_t i = 0; i < held_.size(); ++i) {
+        Held& held = held_[i];
+        // Some terminals do not say which button was let go.
+        if (!held.mouse || (mouse != 0 && mouse != *held.mouse)) continue;
+        held.mouse.reset();
+        if (std::exchange(held.is_down, false)) released.push_back({static_cast<Button>(i), false});
+    }
+    return released;
+}
+
+bool TableKeys::has_mouse() const {
+    return std::ranges::any_of(held_, [](const Held& held) { return held.mouse.has_value(); });
 }
 
 std::vector<command::Press> TableKeys::pass(double seconds) {
     std::vector<command::Press> released;
     for (std::size_t i = 0; i < held_.size(); ++i) {
         Held& held = held_[i];
+        const bool is_flipper = i <= static_cast<std::size_t>(Button::right_flipper);
         held.since += seconds;
         held.left -= seconds;
-        if (!held.is_down || held.left > 0.0 || tells_release_) continue;
+        const bool stays = tells_release_ || held.mouse || (toggles_ && is_flipper);
+        if (!held.is_down || held.left > 0.0 || stays) continue;
         held.is_down = false;
         released.push_back({static_cast<Button>(i), false});
     }

@@ -12,6 +12,10 @@
 /// The keys of a pinball table: they stay down as long as they are held.
 namespace carom {
 
+/// Keys beside the buttons: carom plays by itself; how flippers are held.
+inline constexpr char32_t demo_key = U'd';
+inline constexpr char32_t hold_key = U'k';
+
 /// The button that a key stands for, with no modifier but Shift; none: it is no key of a table.
 std::optional<Button> button_of(const InputEvent& event);
 
@@ -28,6 +32,15 @@ class TableKeys {
   public:
     /// What an event of a key of the table changes.
     std::vector<command::Press> take(const InputEvent& event);
+    /// The mouse tells when it lets go. `mouse`: which of its buttons, 0 where it does not say.
+    std::vector<command::Press> press_mouse(std::uint8_t mouse, Button button);
+    std::vector<command::Press> release_mouse(std::uint8_t mouse);
+    bool has_mouse() const;
+
+    /// A press of a flipper's key raises it, the next one lowers it.
+    void set_toggles(bool toggles) { toggles_ = toggles; }
+    bool toggles() const { return toggles_; }
+
     /// What lets go as `seconds` pass.
     std::vector<command::Press> pass(double seconds);
     /// Lets go of everything: nobody has seen what became of the keys.
@@ -39,11 +52,13 @@ class TableKeys {
   private:
     struct Held {
         bool is_down = false;
-        double left = 0.0;   ///< s until it lets go by itself
-        double since = 1e9;  ///< s since its last press or repeat
+        double left = 0.0;                    ///< s until it lets go by itself
+        double since = 1e9;                   ///< s since its last press or repeat
+        std::optional<std::uint8_t> mouse{};  ///< its button that holds it
     };
     std::array<Held, button_count> held_{};
     bool tells_release_ = false;
+    bool toggles_ = false;
 };
 
 }  // namespace carom

@@ -62,6 +62,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
         color_pool_balls(inks, world, *marks.pool, options.look);
     Raster raster(sampling_of(renderer_in_force(options)), area.columns, area.rows, camera.aspect);
     const View view{camera, scene, world, options, marks, memory, inks};
+    polish_balls(inks, view);
 
     paint_grid(raster, view);
     if (options.trails) {
@@ -71,9 +72,11 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
         memory.trails = {};
     }
     paint_zones(raster, view);
+    paint_lamps(raster, view);
     // A cloud is wider than its balls, and would hide the walls that it leans on.
     if (!marks.copies.empty()) paint_cloud(raster, view);
     paint_edges(raster, view);
+    paint_lit_edges(raster, view);
     if (marks.copies.empty()) paint_balls(raster, view);
     paint_velocities(raster, view);
     paint_contacts(raster, view, contacts);
@@ -82,7 +85,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     raster.show(canvas, area.column, area.row, options.look);
 
     lay_cloth(canvas, view);
-    if (!marks.pool) write_counters(canvas, view);
+    if (!marks.pool && !marks.table) write_counters(canvas, view);
     if (marks.pool && options.labels == Labels::automatic)
         write_numbers(canvas, view);
     else

@@ -12,6 +12,7 @@
 #include "terminal/canvas.h"
 #include "terminal/palette.h"
 #include "terminal/pool_marks.h"
+#include "terminal/table_marks.h"
 #include "terminal/trails.h"
 
 /// Draws a world into a canvas. Start here: a camera says what is seen, view options say how, marks
@@ -84,6 +85,7 @@ struct Marks {
     /// Copies of the world: their balls are drawn in place of its own, as a density.
     std::span<const World> copies;
     std::optional<PoolMarks> pool;
+    std::optional<TableMarks> table;
     std::optional<Vec2> parting;  ///< where a ball and its twin in another picture parted
 };
 

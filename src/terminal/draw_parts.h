@@ -49,11 +49,16 @@ void paint_cloud(Raster& raster, const View& view);
 void paint_velocities(Raster& raster, const View& view);
 void paint_contacts(Raster& raster, const View& view, std::span<const Contact> contacts);
 void paint_pool(Raster& raster, const View& view);
+void paint_lamps(Raster& raster, const View& view);
+void paint_lit_edges(Raster& raster, const View& view);
 void paint_marks(Raster& raster, const View& view);
 
 /// Gives the balls that have numbers the colours that go with them.
 void color_pool_balls(std::vector<Ink>& inks, const World& world, const PoolMarks& pool,
                       const Look& look);
+
+/// Balls of a table of pinball are of steel.
+void polish_balls(std::vector<Ink>& inks, const View& view);
 
 // Onto the canvas, over all shapes.
 void lay_cloth(Canvas& canvas, const View& view);

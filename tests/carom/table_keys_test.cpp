@@ -56,3 +56,31 @@ TEST_CASE("other keys are not the table's") {
     CHECK_FALSE(button_of(shifted).has_value());
     CHECK(button_of(typed(key::enter)) == Button::plunger);
 }
+
+TEST_CASE("where flippers toggle, a press raises one and the next lowers it") {
+    TableKeys keys;
+    keys.set_toggles(true);
+    CHECK(keys.take(typed(U'z')).size() == 1);
+    CHECK(keys.take(typed(U'z', InputEvent::Action::repeat)).empty());
+    CHECK(keys.take(typed(U'z', InputEvent::Action::release)).empty());
+    CHECK(keys.pass(9.0).empty());
+    const auto lowered = keys.take(typed(U'z'));
+    REQUIRE(lowered.size() == 1);
+    CHECK_FALSE(lowered[0].is_down);
+    // The plunger does not.
+    CHECK(keys.take(typed(key::enter)).size() == 1);
+}
+
+TEST_CASE("a button of the mouse holds until it is let go, whatever keys do") {
+    TableKeys keys;
+    CHECK(keys.press_mouse(1, Button::left_flipper).size() == 1);
+    CHECK(keys.press_mouse(3, Button::right_flipper).size() == 1);
+    CHECK(keys.has_mouse());
+    CHECK(keys.pass(9.0).empty());
+    const auto released = keys.release_mouse(3);
+    REQUIRE(released.size() == 1);
+    CHECK(released[0].button == Button::right_flipper);
+    // A terminal that does not say which.
+    CHECK(keys.release_mouse(0).size() == 1);
+    CHECK_FALSE(keys.has_mouse());
+}
