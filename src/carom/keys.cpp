@@ -50,6 +50,8 @@ constexpr ActionRow rows[] = {
     {Action::place_cue_ball, "place-cue-ball", "p", "take the ball in hand, put it down", "Pool"},
     {Action::aids, "aids", "A", "lines: none, ghost, full, 20 shots", "Pool"},
     {Action::next_frame, "next-frame", "N", "rack the next frame", "Pool"},
+    {Action::opponent, "opponent", "O", "play against carom: 1 to 4, nobody", "Pool"},
+    {Action::coach, "coach", "C", "what carom would shoot: its three best", "Pool"},
 
     {Action::solver, "solver", "s", "the next solver", "World"},
     {Action::gravity, "gravity", "g", "gravity on, off", "World"},

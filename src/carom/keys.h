@@ -47,6 +47,8 @@ enum class Action : std::uint8_t {
     place_cue_ball,
     aids,
     next_frame,
+    opponent,
+    coach,
     undo,
     // world
     solver,

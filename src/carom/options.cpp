@@ -23,7 +23,7 @@ struct Typed {
     std::vector<std::string> overrides;
     std::string time, ticks, report, events, trace, record, replay, cast;
     std::string solvers, rates, repeats, horizon, tolerance, budget, nudge, csv, json;
-    std::string renderer, colors, fps, rewind;
+    std::string renderer, colors, fps, rewind, opponent;
     bool explain = false, no_mouse = false, low_bandwidth = false, watch = false, paused = false,
          resume = false, demo = false;
 };
@@ -91,6 +91,9 @@ void add_play(CLI::App& app, Typed& typed) {
     play.add_option("--record", typed.record, "Keep a recording, for carom replay and verify")
         ->type_name("FILE");
     play.add_flag("--watch", typed.watch, "Load the level again whenever its file is saved");
+    play.add_option("--opponent", typed.opponent,
+                    "At pool, carom plays the second player, 1 (beginner) to 4 (master)")
+        ->type_name("N");
     play.add_flag("--demo", typed.demo,
                   "At pinball, carom plays until you press a button of the table");
     play.add_flag("--resume", typed.resume, "Take up the session that was cut off");
@@ -318,6 +321,12 @@ PlayOptions play_options(const Typed& typed, OptionReader& read) {
                         .watch = typed.watch,
                         .paused = typed.paused,
                         .resume = typed.resume};
+    if (const auto steadiness = read.whole("--opponent", typed.opponent)) {
+        if (*steadiness < 1 || *steadiness > 4)
+            read.refuse("--opponent is 1, 2, 3 or 4");
+        else
+            options.opponent = static_cast<int>(*steadiness);
+    }
     if (!typed.record.empty() && typed.level.empty() && !typed.resume)
         read.refuse("--record needs to know the LEVEL");
     if (!typed.cast.empty() && (typed.cast == typed.record || typed.cast == typed.replay))

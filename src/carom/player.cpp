@@ -38,6 +38,7 @@ Player Player::continued_with(Session session, bool solver_is_picked) const {
     next.clockwork_ = clockwork_;
     next.set_keep_going(keep_going_);
     next.mouse_is_off_ = mouse_is_off_;
+    if (opponent_) next.set_opponent(opponent_->steadiness());
     next.shows_cursor_ = shows_cursor_;
     if (next.session_.scene().view == session_.scene().view) {
         next.camera_ = camera_;
@@ -80,7 +81,8 @@ void Player::set_keep_going(const KeepGoing& keep_going) {
 }
 
 double Player::seconds_to_change() const {
-    const bool is_idle = stands_still() && !is_ahead() && !(seat_ && seat_->has_work());
+    const bool is_idle =
+        stands_still() && !is_ahead() && !(seat_ && seat_->has_work()) && !coach_is_asked_;
     if (!is_idle && !is_too_small_ && page_ == Page::none) return 0.0;
     return message_seconds_ > 0.0 ? message_seconds_ : std::numeric_limits<double>::infinity();
 }
@@ -96,6 +98,8 @@ void Player::advance(double seconds, const MayGoOn& may_go_on) {
         table_->follow(session_, seconds);
     }
     if (seat_ && seat_->work(session_)) needs_draw_ = true;
+    play_opponent(seconds);
+    hear_coach();
     // What runs beside the game keeps up with it, or the game waits.
     if (!keep_up(may_go_on) || stands_still()) return;
     const bool was_seeking = clockwork_.is_seeking();

@@ -10,6 +10,7 @@
 #include "carom/clockwork.h"
 #include "carom/hand.h"
 #include "carom/keys.h"
+#include "carom/pool_brain.h"
 #include "carom/pool_seat.h"
 #include "carom/rival.h"
 #include "carom/swarm.h"
@@ -60,6 +61,10 @@ class Player {
     void complain(std::string message);
     /// Stays until the next call; none: all is well. For the errors of a level that is watched.
     void set_problem(std::optional<std::string> problem);
+
+    /// From now on carom plays the second player, with that steadiness; 0: a person does. False
+    /// where no game of pool is played.
+    bool set_opponent(int steadiness);
 
     void pause(bool paused);
     /// At a table of pinball: carom plays by itself.
@@ -159,6 +164,12 @@ class Player {
     void hear_referee();
     PlayerNames names() const;
     std::vector<KeyHelp> pool_hints() const;
+    bool is_opponents_turn() const;
+    void next_opponent();
+    void play_opponent(double seconds);
+    void ask_coach();
+    void hear_coach();
+    void undo();
 
     // player_picture.cpp: drawing
     void lay_out(const Canvas& canvas, double aspect);
@@ -191,6 +202,11 @@ class Player {
     std::optional<TableSeat> table_;
     std::string heard_;  ///< what the referee said last
     std::optional<PoolSeat> seat_;
+    std::optional<PoolBrain> opponent_;
+    double opponent_waits_ = 0.0;  ///< s until it shoots, once it has decided
+    std::optional<PoolBrain> coach_;
+    bool coach_is_asked_ = false;
+    std::size_t coach_told_ = 0;  ///< thoughts
     bool aims_by_mouse_ = false;  ///< the left button is down, and the cue points at the mouse
 
     ViewOptions view_;

@@ -33,10 +33,7 @@ void Player::perform_by_hand(Action action) {
         case Action::draw_edge:
             return draw_edge();
         default:
-            hand_.forget();
-            if (!session_.undo()) return say("nothing to undo");
-            set_reference();
-            return say("undone");
+            return undo();
     }
 }
 

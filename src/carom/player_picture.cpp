@@ -87,7 +87,7 @@ Marks Player::marks() const {
     const World& world = session_.world();
     if (selected_ && index_of(world, *selected_)) marks.selected_ball = selected_;
     if (shows_cursor_) marks.cursor = pointer_;
-    if (seat_) marks.pool = seat_->marks(session_);
+    if (seat_) marks.pool = seat_->marks(session_, is_aiming());
     if (table_) marks.table = table_->marks(session_);
     if (!seat_ || !hand_.has_cue()) hand_.mark(world, session_.solver(), speed_unit(), marks);
     if (view_.broad_phase && world.balls.size() > 0) {
@@ -180,7 +180,7 @@ HudInfo Player::hud() const {
     info.title = (is_watching() ? "recording: " : "") + session_.scene().title;
     if (const std::string score = score_line(); !score.empty()) info.title += ": " + score;
     if (pool()) info.title = turn_text(*pool(), names());
-    if (seat_) info.game = seat_->line(session_, view_.look);
+    if (is_aiming()) info.game = seat_->line(session_, view_.look);
     if (table_ && !is_watching()) info.game = hold_line();
     info.solver = solver_text(session_.solver());
     info.solver_is_picked = solver_is_picked_;

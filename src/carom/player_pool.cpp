@@ -26,11 +26,12 @@ const PoolPlay* Player::pool() const {
 }
 
 PlayerNames Player::names() const {
+    if (opponent_) return {"you", "carom"};
     return {"player 1", "player 2"};
 }
 
 bool Player::is_aiming() const {
-    return seat_ && page_ == Page::none && seat_->may_aim(session_);
+    return seat_ && page_ == Page::none && !is_opponents_turn() && seat_->may_aim(session_);
 }
 
 void Player::aim_by_key(double degrees, double speed) {
@@ -62,7 +63,7 @@ bool Player::move_tip(Action action) {
 
 bool Player::perform_at_pool(Action action) {
     if (!seat_) {
-        if (action < Action::aim_left || action > Action::next_frame) return false;
+        if (action < Action::aim_left || action > Action::coach) return false;
         say("that is for pool tables");
         return true;
     }
@@ -102,6 +103,12 @@ bool Player::perform_at_pool(Action action) {
         case Action::place_cue_ball:
             place_cue_ball();
             return true;
+        case Action::opponent:
+            next_opponent();
+            return true;
+        case Action::coach:
+            ask_coach();
+            return true;
         case Action::next_frame:
             obey(command::RackAgain{}, "the balls are racked");
             return true;
@@ -121,7 +128,7 @@ void Player::place_cue_ball() {
         shows_cursor_ = false;
         return hand_.cancel(session_);
     }
-    if (!seat_->may_place(session_)) return say("the ball is not in hand");
+    if (!is_aiming() || !seat_->may_place(session_)) return say("the ball is not in hand");
     const BallId ball = *seat_->cue_ball(session_);
     pointer_ = session_.world().balls.position[*index_of(session_.world(), ball)];
     hand_.take_to_place(session_.world(), ball, pointer_);
@@ -135,7 +142,7 @@ bool Player::choose(const InputEvent& event) {
         event.action == InputEvent::Action::release || event.modifiers != no_modifier)
         return false;
     const std::vector<PoolChoice>& choices = pool()->rules.choices;
-    if (pool()->rules.phase != PoolPhase::choosing || event.key < U'1' ||
+    if (pool()->rules.phase != PoolPhase::choosing || is_opponents_turn() || event.key < U'1' ||
         event.key >= U'1' + choices.size())
         return false;
     const PoolChoice choice = choices[event.key - U'1'];
@@ -149,12 +156,13 @@ bool Player::press_at_pool(const InputEvent& event) {
     const auto at_pointer = ball_at_pointer();
     const bool is_left = event.button == left_button && !(event.modifiers & (shift | control));
     if (is_left && at_pointer && !pool()) return false;
-    if (is_left && at_pointer && at_pointer == cue && seat_->may_place(session_)) {
+    if (is_left && at_pointer && at_pointer == cue && is_aiming() && seat_->may_place(session_)) {
         hand_.take_to_place(session_.world(), *cue, pointer_);
         pressed_ = event.button;
         return true;
     }
     if (!is_aiming()) {
+        if (is_opponents_turn()) say("it is carom's turn");
         const auto why_not = pool() && cue ? refusal_to_shoot(*pool(), *cue) : std::nullopt;
         if (why_not) say(*why_not);
         return pool() != nullptr || !is_left;
@@ -202,7 +210,7 @@ std::vector<KeyHelp> Player::pool_hints() const {
         const std::string keys = keys_.hint(action);
         if (!keys.empty()) hints.push_back({keys, std::string(what)});
     };
-    if (pool() && pool()->rules.phase == PoolPhase::choosing) {
+    if (pool() && pool()->rules.phase == PoolPhase::choosing && !is_opponents_turn()) {
         int key = 0;
         for (const PoolChoice choice : pool()->rules.choices)
             hints.push_back({fmt::format("{}", ++key), std::string(choice_text(choice))});
@@ -217,6 +225,8 @@ std::vector<KeyHelp> Player::pool_hints() const {
     if (seat_->may_place(session_)) hint(Action::place_cue_ball, "place the ball");
     hint(Action::next_pot, "next pot");
     hint(Action::aids, "lines");
+    if (pool()) hint(Action::coach, "coach");
+    if (pool() && !opponent_) hint(Action::opponent, "opponent");
     return hints;
 }
 

@@ -17,6 +17,7 @@ namespace {
 /// Ball speed for each length that the cue is pulled, 1/s.
 constexpr double pull_gain = 5.0;
 constexpr double least_speed = 0.1;
+constexpr double finest_turn = 0.05;  // degrees
 constexpr double break_speed = 8.0;
 constexpr double usual_speed = 2.0;
 /// How long a shot is followed, s: balls roll for half a minute at most.
@@ -98,7 +99,9 @@ void PoolSeat::begin_turn(const Session& session) {
 }
 
 void PoolSeat::turn(double degrees) {
-    aim_.bearing = std::remainder(aim_.bearing + degrees, 360.0);
+    // In whole steps of the finest, so that straight lines can be met.
+    const double bearing = std::round((aim_.bearing + degrees) / finest_turn) * finest_turn;
+    aim_.bearing = std::remainder(bearing, 360.0);
 }
 
 void PoolSeat::change_speed(double by) {
@@ -159,6 +162,18 @@ std::string PoolSeat::next_pot(const Session& session, bool backwards) {
                             pocket_name(session.scene(), line.pocket),
                             ways[static_cast<std::size_t>(line.way)]);
     return pot_text_;
+}
+
+void PoolSeat::take(const Session& session, const PoolThought& thought) {
+    look(session);  // so that a turn that begins does not take the aim away again
+    const Vec2 velocity = thought.strike.velocity;
+    aim_ = {bearing_of(velocity), length(velocity), thought.strike.side, thought.strike.follow};
+    using enum PoolCall::Kind;
+    intent_ = thought.call.kind == pot        ? Intent::pocket
+              : thought.call.kind == safety   ? Intent::safety
+              : thought.call.kind == push_out ? Intent::push_out
+                                              : Intent::automatic;
+    pocket_ = thought.call.pocket;
 }
 
 bool PoolSeat::call_pocket(const Session& session, Vec2 place) {

@@ -7,6 +7,7 @@
 
 #include "game/forecast.h"
 #include "game/pool.h"
+#include "game/pool_thinker.h"
 #include "game/pool_words.h"
 #include "game/session.h"
 #include "terminal/palette.h"
@@ -46,6 +47,9 @@ class PoolSeat {
     /// To the next way to pocket a ball, the easiest first. Returns what it is.
     std::string next_pot(const Session& session, bool backwards);
 
+    /// Aims as a thought does; the cue ball stays where it is.
+    void take(const Session& session, const PoolThought& thought);
+
     /// Calls the pocket that is there. False when there is none, or nothing is called.
     bool call_pocket(const Session& session, Vec2 place);
     /// What the next shot shall be; returns it in words.
@@ -63,7 +67,8 @@ class PoolSeat {
     bool work(const Session& session);
     bool has_work() const;
 
-    PoolMarks marks(const Session& session) const;
+    /// `aims`: it is this person's turn to aim.
+    PoolMarks marks(const Session& session, bool aims) const;
     /// Power, tip, cut angle, call: one line.
     std::string line(const Session& session, const Look& look) const;
 

@@ -57,11 +57,11 @@ std::vector<PoolMarks::Number> numbers_of(const Session& session) {
     return numbers;
 }
 
-PoolMarks PoolSeat::marks(const Session& session) const {
+PoolMarks PoolSeat::marks(const Session& session, bool aims) const {
     PoolMarks marks;
     marks.numbers = numbers_of(session);
     marks.cloth = cloth_box(session.scene());
-    if (!may_aim(session) || !forecast_) return marks;
+    if (!aims || !may_aim(session) || !forecast_) return marks;
     const World& world = session.world();
     const BallId cue = *cue_ball(session);
     const double radius = world.balls.radius[*index_of(world, cue)];

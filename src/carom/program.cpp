@@ -212,6 +212,8 @@ void Program::enter(LevelSource source, Player player, std::optional<CutOffGame>
     if (options_.paused) player.pause(true);
     show_honours(player, source.path);
     if (options_.demo) player.demonstrate(true);
+    if (options_.opponent > 0 && !player.is_watching() && !player.set_opponent(options_.opponent))
+        player.complain("no game of pool is played here, so there is no opponent");
     FileWatch watch;
     if (options_.watch) watch = FileWatch(files_of(player.session().scene(), source.path));
     ResumeFile resume_file;

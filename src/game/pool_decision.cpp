@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-constexpr std::array<double, 4> factors = {5.0, 2.5, 1.0, 0.4};
+constexpr std::array<double, 4> factors = {7.0, 3.5, 1.7, 0.5};
 constexpr std::array<std::string_view, 4> texts = {"a beginner's hand", "a fair hand",
                                                    "a good hand", "a master's hand"};
 

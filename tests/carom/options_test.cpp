@@ -58,6 +58,8 @@ TEST_CASE("the options of play") {
                                                 "--watch",
                                                 "--paused",
                                                 "--resume",
+                                                "--opponent",
+                                                "3",
                                                 "--rewind",
                                                 "0.5"});
     CHECK(options.level == "gas");
@@ -73,6 +75,7 @@ TEST_CASE("the options of play") {
     CHECK(options.watch);
     CHECK(options.paused);
     CHECK(options.resume);
+    CHECK(options.opponent == 3);
     CHECK(options.rewind_bytes == std::size_t{1} << 19);
 }
 

@@ -108,7 +108,8 @@ TEST_CASE("arrows turn the aim by a degree, with control by a twentieth; shift m
     CHECK(person.sees("follow 0.05 left 0.05"));
     person.key(key::enter);
     const Vec2 way = person.last_strike();
-    CHECK(std::atan2(way.y, way.x) * 180.0 / 3.14159265358979 == doctest::Approx(0.95).epsilon(0.001));
+    CHECK(std::atan2(way.y, way.x) * 180.0 / 3.14159265358979 ==
+          doctest::Approx(0.95).epsilon(0.001));
     const auto& strike =
         std::get<command::Strike>(person.player.session().commands().back().command);
     CHECK(strike.follow == 0.05);
@@ -193,6 +194,44 @@ TEST_CASE("an aim is called by what it pockets, a safety by its key") {
     const auto* call = std::get_if<command::CallShot>(&commands[commands.size() - 2].command);
     REQUIRE(call);
     CHECK(call->call.kind == PoolCall::Kind::safety);
+}
+
+TEST_CASE("against carom: it takes its turn, and undo comes back to the person's") {
+    Person person("nine-ball");
+    REQUIRE(person.player.set_opponent(2));
+    CHECK(person.sees("you: to break"));
+    person.key(key::down);
+    person.key(key::enter);
+    person.wait();
+    if (person.play().rules.player == 1) {
+        CHECK(person.sees("carom"));
+        person.key(key::enter);
+        CHECK_FALSE(person.play().is_shooting);
+        const std::uint32_t shots = person.play().shots;
+        for (int i = 0; i < 400 && person.play().shots == shots; ++i)
+            person.player.advance(1.0 / 60.0, always);
+        CHECK(person.play().shots == shots + 1);
+        person.key(U'u');
+        CHECK(person.play().rules.player == 0);
+    }
+}
+
+TEST_CASE("the coach aims as it would shoot, and says why") {
+    Person person("nine-ball");
+    person.key(U'C');
+    for (int i = 0; i < 200 && !person.sees("of 3:") && !person.sees("1 of "); ++i)
+        person.player.advance(1.0 / 60.0, always);
+    CHECK(person.sees("break, "));
+    CHECK(person.sees("goes on"));
+    person.key(key::enter);
+    CHECK(person.play().is_shooting);
+}
+
+TEST_CASE("there is no opponent where there is no game of pool") {
+    Person person("drill-stop");
+    CHECK_FALSE(person.player.set_opponent(2));
+    person.key(U'O');
+    CHECK(person.sees("no game of pool"));
 }
 
 TEST_CASE("help for the aim: none, lines, the shot, a cloud that is computed bit by bit") {
