@@ -220,3 +220,28 @@ TEST_CASE("contact: four orders of magnitude of radii in one heap stay finite an
         CHECK(p.y > 0.0);
     }
 }
+
+TEST_SUITE("long") {
+    TEST_CASE("contact: a heap at rest does not drift in an hour") {
+        for (const double friction : {0.0, 0.2}) {
+            CAPTURE(friction);
+            World world = scenes::bucket(100, 0.0);
+            world.rate = 60.0;
+            if (friction > 0.0) {
+                world.model.spin = 0.5;
+                world.balls.spin.assign(world.balls.size(), 0.0);
+            }
+            world.kinds[0].friction = world.materials[0].friction = friction;
+            run(world, 3600);
+            const std::vector<Vec2> places = world.balls.position;
+            run(world, 60 * 3600);
+            double furthest = 0.0;
+            for (std::size_t i = 0; i < places.size(); ++i)
+                furthest = std::max(furthest, distance(places[i], world.balls.position[i]));
+            MESSAGE("speed ", rms_speed(world), ", moved ", furthest);
+            // With friction one that bears no other still rolls, by 0.0001 in the hour.
+            CHECK(furthest < (friction > 0.0 ? 1e-3 : 1e-9));
+            CHECK(rms_speed(world) < (friction > 0.0 ? 1e-6 : 1e-12));
+        }
+    }
+}
