@@ -344,7 +344,6 @@ class EventEngine {
         std::vector<Vec2> velocities;
         std::vector<double> radii;
         std::vector<double> inverse_masses;
-        std::vector<double> spins;
         std::vector<std::uint8_t> meets;
         Capsules capsules;
         std::uint64_t paths_sum = 0;

@@ -318,7 +318,6 @@ void EventEngine<Real>::write_spins(World& world) {
     for (std::uint32_t i = 0; i < spins_.size(); ++i)
         world.balls.spin[i] =
             balls_[i].path.motion == Motion::held ? 0.0 : static_cast<double>(spin_at(i, end_));
-    left_.spins = world.balls.spin;
     if constexpr (std::is_same_v<Real, double>) {
         world.spin_paths.clear();
         for (const Spinning& turn : spins_)

@@ -137,7 +137,7 @@ class EventQueue {
         moved_.clear();
         for (std::uint32_t list = 0; list <= far(); ++list)
             for (std::uint32_t ball = heads_[list]; ball != none; ball = links_[ball].next)
-                moved_.push_back({times_[ball], ball});
+                moved_.push_back(ball);
         const std::uint32_t timeless = heads_[no_time()];
         while (slices_ < moved_.size() && slices_ < (1u << 30))
             slices_ *= 2;
@@ -148,18 +148,20 @@ class EventQueue {
             links_[ball].list = no_time();
         heads_[no_time()] = timeless;
 
-        const auto is_earlier = [](const Entry& a, const Entry& b) { return a.time < b.time; };
+        const auto is_earlier = [this](std::uint32_t a, std::uint32_t b) {
+            return times_[a] < times_[b];
+        };
         const auto middle = moved_.begin() + static_cast<std::ptrdiff_t>(moved_.size() / 2);
         std::nth_element(moved_.begin(), middle, moved_.end(), is_earlier);
-        origin_ = std::min_element(moved_.begin(), middle + 1, is_earlier)->time;
+        origin_ = times_[*std::min_element(moved_.begin(), middle + 1, is_earlier)];
         // The first event of each of n is about to be the first of all once in middle / (n ln 2).
-        const double width = (middle->time - origin_) * 1.5 / static_cast<double>(moved_.size());
-        slices_a_second_ = width > 0.0 ? 1.0 / width : 1.0;
+        const double width = (times_[*middle] - origin_) * 1.5 / static_cast<double>(moved_.size());
+        slices_a_second_ = width > 1e-300 ? 1.0 / width : 1.0;
         present_ = taken_ = 0;
         listed_ = finite_ = 0;
-        for (const Entry& entry : moved_) {
-            const std::uint32_t list = list_for(entry.time);
-            enlist(entry.ball, list == in_heap ? 0 : list);
+        for (const std::uint32_t ball : moved_) {
+            const std::uint32_t list = list_for(times_[ball]);
+            enlist(ball, list == in_heap ? 0 : list);
         }
     }
 
@@ -255,7 +257,7 @@ class EventQueue {
     std::vector<Link> links_;           ///< by ball
     std::vector<double> times_;         ///< by ball
     std::vector<Entry> heap_;           ///< each above four
-    std::vector<Entry> moved_;
+    std::vector<std::uint32_t> moved_;
 };
 
 }  // namespace carom
