@@ -96,14 +96,15 @@ void CapsuleCells::update(const World& world, const CellFrame& frame, double mar
             }
         }
     };
-    start_.assign(frame.count() + 1, 0);
-    for_each_entry([&](std::uint32_t cell, CapsuleEntry) { ++start_[cell + 1]; });
-    for (std::size_t i = 1; i < start_.size(); ++i)
+    // One place further on until the entries are in: what marks the next free one of a cell then
+    // stands where the next cell begins.
+    start_.assign(frame.count() + 2, 0);
+    for_each_entry([&](std::uint32_t cell, CapsuleEntry) { ++start_[cell + 2]; });
+    for (std::size_t i = 2; i < start_.size(); ++i)
         start_[i] += start_[i - 1];
-    fill_.assign(start_.begin(), start_.end() - 1);
     entries_.resize(start_.back());
     for_each_entry(
-        [&](std::uint32_t cell, CapsuleEntry entry) { entries_[fill_[cell]++] = entry; });
+        [&](std::uint32_t cell, CapsuleEntry entry) { entries_[start_[cell + 1]++] = entry; });
     frame_.wraps = wraps;
     occupied_.clear();
     for (std::uint32_t cell = 0; cell < frame.count(); ++cell)

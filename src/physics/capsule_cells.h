@@ -43,7 +43,6 @@ class CapsuleCells {
     std::vector<CapsuleId> held_;
     std::vector<std::uint32_t> start_;
     std::vector<CapsuleEntry> entries_;
-    std::vector<std::uint32_t> fill_;
     std::vector<std::uint32_t> occupied_;
 };
 
