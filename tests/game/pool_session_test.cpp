@@ -4,7 +4,10 @@
 
 #include <doctest/doctest.h>
 
+#include "game/forecast.h"
 #include "game/pool.h"
+#include "game/pool_shots.h"
+#include "game/pool_value.h"
 #include "game/replay_text.h"
 #include "game/replayer.h"
 #include "game/session.h"
@@ -44,7 +47,87 @@ struct Match {
     Session session;
 };
 
+// One turn of somebody who tries each pot on the engine before shooting it, and never errs.
+void play_turn(Match& match) {
+    const PoolState& rules = match.play().rules;
+    if (rules.phase == PoolPhase::choosing) {
+        REQUIRE_FALSE(match.session.apply(command::Decide{rules.choices.front()}));
+        return;
+    }
+    if (rules.phase == PoolPhase::breaking) return match.break_hard();
+    const Session& session = match.session;
+    const bool is_eight = rules.game == PoolGame::eight_ball;
+    const Box cloth = *cloth_box(session.scene());
+    const std::vector<BallId> balls = legal_balls(match.play());
+    REQUIRE_FALSE(balls.empty());
+    auto lines =
+        pot_lines(session.scene(), session.world(), cloth, match.cue(), match.place_of(0), balls);
+    if (lines.size() > 6) lines.resize(6);
+    Solver solver(session.solver());
+    for (const PotLine& line : lines)
+        for (const double speed : {1.5, 3.0}) {
+            PoolPlay play = match.play();
+            const int ball = *number_of(play, line.object);
+            if (is_eight) play.call = {PoolCall::Kind::pot, ball, line.pocket};
+            const command::Strike strike{match.cue(), line.direction * speed};
+            const Forecast ahead = forecast(session.scene(), session.world(), play, solver, strike,
+                                            60.0, Tracks::none);
+            const PoolState& then = std::get<PoolPlay>(ahead.game).rules;
+            const bool wins = then.winner == rules.player;
+            if (!wins && (then.winner || then.player != rules.player)) continue;
+            if (is_eight) REQUIRE_FALSE(match.session.apply(command::CallShot{play.call}));
+            REQUIRE_FALSE(match.session.apply(strike));
+            return match.wait();
+        }
+    const auto ways = hit_directions(session.scene(), session.world(), cloth, match.cue(),
+                                     match.place_of(0), balls.front());
+    if (is_eight) REQUIRE_FALSE(match.session.apply(command::CallShot{{PoolCall::Kind::safety}}));
+    const std::uint32_t shots = match.play().shots;
+    const Vec2 way = ways.empty() ? Vec2{1.0, 0.2} : ways[shots % ways.size()];
+    REQUIRE_FALSE(match.shoot(way * (1.2 + 0.4 * (shots % 7))));
+    match.wait();
+}
+
 }  // namespace
+
+TEST_CASE("whole frames are played with commands to their end, and the other breaks the next") {
+    for (const char* level : {"eight-ball", "nine-ball"}) {
+        CAPTURE(level);
+        Match match(level);
+        for (std::uint32_t frame = 0; frame < 2; ++frame) {
+            CHECK(match.play().rules.player == static_cast<int>(frame));
+            for (int turn = 0; turn < 150 && match.play().rules.phase != PoolPhase::over; ++turn)
+                play_turn(match);
+            REQUIRE(match.play().rules.phase == PoolPhase::over);
+            REQUIRE(match.play().rules.winner);
+            CHECK(match.play().frames[0] + match.play().frames[1] == frame + 1);
+            CHECK(match.shoot({1.0, 0.0}) == "the rack is over");
+            const int last = level == std::string("eight-ball") ? 8 : 9;
+            CHECK(is_down(match.play().rules, last));
+            REQUIRE_FALSE(match.session.apply(command::RackAgain{}));
+        }
+        Replay replay = record(match.session, level, {});
+        auto scene = scene_of(replay);
+        REQUIRE(std::holds_alternative<Scene>(scene));
+        Replayer replayer(std::move(replay), std::move(std::get<Scene>(scene)));
+        while (replayer.advance(1000)) {
+        }
+        CHECK_FALSE(replayer.failure());
+    }
+}
+
+TEST_CASE("three fouls in a row lose a frame of 9-ball at the table") {
+    Match match("nine-ball");
+    for (int turn = 0; turn < 5; ++turn) {
+        REQUIRE(match.play().rules.phase != PoolPhase::over);
+        CHECK(match.play().rules.player == turn % 2);
+        REQUIRE_FALSE(match.shoot({-0.3, 0.0}));
+        match.wait();
+        CHECK(match.play().last_foul == PoolFoul::no_hit);
+    }
+    CHECK(match.play().rules.winner == 1);
+    CHECK(match.play().frames[1] == 1);
+}
 
 TEST_CASE("in play the referee lets only the cue ball be struck, and only while the balls lie") {
     Match match("eight-ball");

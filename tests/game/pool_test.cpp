@@ -115,6 +115,31 @@ TEST_CASE("a called ball in the called pocket gives the group, and the turn goes
     CHECK(table.play.rules.group == PoolGroup::solids);
 }
 
+TEST_CASE("the 8 into the called pocket wins when it is its turn, and loses before") {
+    for (const bool is_early : {false, true}) {
+        CAPTURE(is_early);
+        Table table("eight-ball");
+        table.play.rules.phase = PoolPhase::playing;
+        table.play.rules.in_hand = CueInHand::no;
+        table.play.rules.group = PoolGroup::solids;
+        if (!is_early) table.play.rules.down = 0xfeu;
+        const Vec2 object{1.0, 0.4};
+        const Vec2 way = (corner - object) / length(corner - object);
+        table.put(8, object);
+        table.put(0, object - way * 0.2);
+        for (int pocket = 0; pocket < 6; ++pocket) {
+            const Vec2 place =
+                table.scene.world.zones[table.scene.pool.pockets[static_cast<std::size_t>(pocket)]]
+                    .shape.start;
+            if (place.x > 1.0 && place.y > 0.5) table.play.call = {PoolCall::Kind::pot, 8, pocket};
+        }
+        table.world.balls.roll[table.cue()] = {};
+        table.shoot(way * 1.2);
+        REQUIRE(table.play.rules.phase == PoolPhase::over);
+        CHECK(table.play.rules.winner == (is_early ? 1 : 0));
+    }
+}
+
 TEST_CASE("a weak break: who comes next may have the balls racked anew") {
     Table table("eight-ball");
     table.shoot({0.8, 0.0});
