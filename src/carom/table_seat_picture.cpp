@@ -27,11 +27,10 @@ double ball_radius(const Session& session) {
 
 bool is_bright(const Session& session, std::size_t device) {
     const PinballState& state = state_of(session);
+    if (session.world().tick < state.flash_until[device]) return true;
     if (state.is_lit[device] == 0) return false;
     const std::uint64_t until = state.lit_until[device];
-    const DeviceKind kind = session.scene().table.devices[device].kind;
-    const bool is_kicker = kind == DeviceKind::bumper || kind == DeviceKind::slingshot;
-    if (until == 0 || is_kicker) return true;
+    if (until == 0) return true;
     const double left = (static_cast<double>(until) - static_cast<double>(session.world().tick)) /
                         session.world().rate;
     return left > warning_time || static_cast<std::uint64_t>(left * blinks) % 2 == 0;

@@ -126,7 +126,8 @@ std::size_t bytes_of(const GameState& game) {
     };
     return bytes_in(pinball->is_lit) + bytes_in(pinball->is_rising) + bytes_in(pinball->turning) +
            bytes_in(pinball->turned) + bytes_in(pinball->visits) + bytes_in(pinball->watches) +
-           bytes_in(pinball->lit_until) + bytes_in(pinball->held) + pinball->message.capacity();
+           bytes_in(pinball->lit_until) + bytes_in(pinball->flash_until) + bytes_in(pinball->held) +
+           pinball->message.capacity();
 }
 
 std::vector<std::pair<std::string, std::uint64_t>> tallies(const GameState& game) {

@@ -75,8 +75,7 @@ void hit_devices(Pinball game, std::span<const Contact> contacts) {
         if (is_down) continue;  // a second ball in the same tick
         if (hit.kind == DeviceKind::droptarget) fall(game, hit);
         if (hit.kind == DeviceKind::bumper || hit.kind == DeviceKind::slingshot) {
-            set_lit(game, device, true);
-            game.state.lit_until[device] = game.now() + game.ticks(flash);
+            game.state.flash_until[device] = game.now() + game.ticks(flash);
         }
         tell_rules(game, device, Rule::When::hit);
     }

@@ -44,6 +44,8 @@ struct PinballState {
 
     /// By PinballTable::devices.
     std::vector<std::uint8_t> is_lit;
+    /// What kicks shines for a moment: for the eye alone, and in no fingerprint.
+    std::vector<std::uint64_t> flash_until;
     std::vector<std::uint64_t> lit_until;  ///< 0: for good
     std::vector<std::uint8_t> is_rising;   ///< drop targets that wait for a ball to go
     std::vector<double> turning;           ///< spinners: half turns a second

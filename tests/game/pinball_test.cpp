@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "game/replayer.h"
 #include "game/session.h"
 #include "level/load.h"
@@ -321,4 +323,15 @@ TEST_CASE("lamps count, shine for a while, and hold rules back") {
     game.send({200, 300}, {}, 0.2);
     game.send({200, 460}, {0.0, 1.0});
     CHECK(game.state().score == 107);
+}
+
+TEST_CASE("a bumper that is hit shines for a moment, which no fingerprint tells") {
+    Game game("game pinball save=0s\n");
+    game.send({200, 460}, {0.0, 1.0}, 0.05);
+    auto& state = std::get<PinballState>(game.game);
+    CHECK(std::ranges::count(state.flash_until, 0u) + 1 ==
+          static_cast<std::ptrdiff_t>(state.flash_until.size()));
+    const std::uint64_t before = fingerprint(game.world, game.game);
+    std::ranges::fill(state.flash_until, 0u);
+    CHECK(fingerprint(game.world, game.game) == before);
 }
