@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <string_view>
@@ -23,7 +24,7 @@ Scene shipped(std::string_view table) {
     return std::move(*loaded.scene);
 }
 
-void check_table(std::string_view table, std::uint64_t balls) {
+DemoGames check_table(std::string_view table, std::uint64_t balls) {
     CAPTURE(table);
     const Scene scene = shipped(table);
     CHECK(scene.world.rate >= 1000.0);
@@ -33,6 +34,7 @@ void check_table(std::string_view table, std::uint64_t balls) {
     CHECK(games.outside == 0);
     CHECK(games.searches <= balls / 20);
     CHECK(games.seconds > 0.0);
+    return games;
 }
 
 }  // namespace
@@ -65,9 +67,18 @@ TEST_CASE("games are told in sums and histograms") {
     CHECK(demo_games_text({}).starts_with("balls 0"));
 }
 
+// With CAROM_PINBALL_FIGURES=FILE it writes what it saw there, and CAROM_BALLS says how many balls
+// it plays on each table: scripts/update-pinball.
 TEST_SUITE("long") {
     TEST_CASE("a thousand balls on each table, none stuck, none lost") {
-        for (const std::string_view table : tables)
-            check_table(table, 1000);
+        const char* const wanted = std::getenv("CAROM_BALLS");
+        const char* const file = std::getenv("CAROM_PINBALL_FIGURES");
+        const std::uint64_t balls = wanted ? std::strtoull(wanted, nullptr, 10) : 1000;
+        for (const std::string_view table : tables) {
+            const DemoGames games = check_table(table, balls);
+            if (file)
+                std::ofstream(file, std::ios::app) << "\n## " << table << "\n\n```\n"
+                                                   << demo_games_text(games) << "```\n";
+        }
     }
 }
