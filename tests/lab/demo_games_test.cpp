@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::string_view tables[] = {"three-bumpers", "cable-car", "night-vault"};
 
-Scene shipped(std::string_view table) {
+Scene shipped(std::string_view table, std::string_view folder = "/levels/") {
     std::stringstream text;
-    text
-        << std::ifstream(std::string(CAROM_SOURCE_DIR "/levels/").append(table) + ".level").rdbuf();
+    text << std::ifstream(std::string(CAROM_SOURCE_DIR).append(folder).append(table) + ".level")
+                .rdbuf();
     LoadResult loaded = load_level(text.str(), table, {});
     REQUIRE(loaded.diagnostics.empty());
     return std::move(*loaded.scene);
@@ -42,6 +42,14 @@ DemoGames check_table(std::string_view table, std::uint64_t balls) {
 TEST_CASE("the tables that ship lose no ball: none stuck, none outside, all of them drained") {
     for (const std::string_view table : tables)
         check_table(table, 5);
+}
+
+TEST_CASE("the table of the manual loads without a word, and can be played") {
+    const Scene scene = shipped("first-table", "/docs/");
+    const DemoGames games = play_demo_games(scene, pick_solver(scene.world).settings, 5);
+    CHECK(games.ball_times.size() == 5);
+    CHECK(games.lost == 0);
+    CHECK(games.outside == 0);
 }
 
 TEST_CASE("carom's own games are the same each time") {
