@@ -127,6 +127,12 @@ class EventCells {
             const int top = std::min(own.row + high.rows, rows - 1);
             const int left = std::max(own.column + low.columns, 0);
             const int right = std::min(own.column + high.columns, columns - 1);
+            // All at once from memory, where there are too many for the cache.
+            for (int y = bottom; y <= top; ++y)
+                for (int x = left; x <= right; ++x) {
+                    const std::uint32_t first = heads[index(x, y)];
+                    if (first != none) __builtin_prefetch(&balls[first].path.quick);
+                }
             for (int y = bottom; y <= top; ++y)
                 for (int x = left; x <= right; ++x)
                     for (std::uint32_t other = heads[index(x, y)]; other != none;
