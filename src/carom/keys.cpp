@@ -184,6 +184,14 @@ const HelpSection mouse_help{
      {"wheel", "closer, farther"}},
 };
 
+const HelpSection table_help{"At pinball",
+                             {{"z / <- ->", "flippers; also the mouse's buttons"},
+                              {"enter", "hold and let go: the plunger"},
+                              {"x up .", "nudge the table"},
+                              {"k", "how flippers are held"},
+                              {"d", "carom plays, you play"},
+                              {"0", "all of the table, or after the ball"}}};
+
 }  // namespace
 
 std::string_view name(Action action) {
@@ -292,6 +300,7 @@ std::vector<HelpSection> KeyMap::help() const {
         if (!keys.empty()) lines.push_back({keys, std::string(row.help)});
     }
     sections.push_back(mouse_help);
+    sections.push_back(table_help);
     return sections;
 }
 
