@@ -145,7 +145,7 @@ TEST_CASE("a choice is made where the rules ask for one") {
 
 TEST_SUITE("long") {
     TEST_CASE("opponents play frames of both games to their end, and the steadier wins more") {
-        for (const char* level : {"eight-ball", "nine-ball"})
+        for (const std::string level : {"eight-ball", "nine-ball"})
             for (const std::array<int, 2> steadiness : {std::array{4, 2}, std::array{3, 1}}) {
                 constexpr int frames = 12;
                 const Score score = play_frames(level, frames, steadiness);
