@@ -60,7 +60,9 @@ double EventEngine<Real>::queue_time(std::uint32_t ball) const {
 
 template <typename Real>
 void EventEngine<Real>::build_queue() {
-    queue_.build(balls_.size(), [this](std::uint32_t ball) { return queue_time(ball); });
+    queue_.build(
+        balls_.size(), [this](std::uint32_t ball) { return queue_time(ball); },
+        [this](std::uint32_t a, std::uint32_t b) { return comes_first(a, next_[a], b, next_[b]); });
 }
 
 // Whose event comes first.

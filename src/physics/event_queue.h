@@ -21,9 +21,9 @@ class EventQueue {
   public:
     static constexpr double never = std::numeric_limits<double>::infinity();
 
-    /// Balls 0..count-1. `time_of(ball)`: of its event, s, or `never`.
-    template <typename Time>
-    void build(std::size_t count, Time&& time_of) {
+    /// Balls 0..count-1. `time_of(ball)`: of its event, s, or `never`. `is_before`: see `first`.
+    template <typename Time, typename Before>
+    void build(std::size_t count, Time&& time_of, Before&& is_before) {
         slices_ = least_slices;
         heads_.assign(slices_ + 2, none);
         heap_.clear();
@@ -34,6 +34,7 @@ class EventQueue {
             times_[ball] = time_of(ball);
             enlist(ball, times_[ball] < never ? far() : no_time());
         }
+        advance(is_before);
     }
 
     /// Whose event comes first; nothing if no ball has one. `is_before(a, b)`: whether ball a's
