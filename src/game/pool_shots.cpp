@@ -16,10 +16,6 @@ constexpr double least_cosine = 0.2;
 /// A bank or a kick is that much harder than its line: cushions are not mirrors.
 constexpr double cushion_factor = 0.25;
 
-Vec2 unit(Vec2 v) {
-    return v / length(v);
-}
-
 struct Cushion {
     bool is_upright = false;
     double at = 0.0;  ///< of the middle of a ball that touches it

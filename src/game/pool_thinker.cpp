@@ -23,10 +23,6 @@ constexpr std::size_t most_lines = 8;
 constexpr std::size_t most_placed_lines = 10;
 constexpr double value_of_miss = -0.4;
 
-Vec2 unit(Vec2 v) {
-    return v / length(v);
-}
-
 // `v` turned as `from` would have to be to become `to`. Pre: both of length 1.
 Vec2 turned(Vec2 v, Vec2 from, Vec2 to) {
     const double c = dot(from, to);

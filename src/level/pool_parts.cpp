@@ -31,8 +31,10 @@ std::vector<int> numbers_of(Rack::Shape shape, std::uint64_t seed) {
     std::vector<int> numbers(shape == Rack::Shape::nine ? 9 : 15);
     std::iota(numbers.begin(), numbers.end(), 1);
     if (shape == Rack::Shape::triangle) return numbers;
-    for (std::size_t i = numbers.size(); i-- > 1;)
-        std::swap(numbers[i], numbers[random_bits(seed, RandomStream::rack, 0, i) % (i + 1)]);
+    for (std::size_t i = numbers.size(); i-- > 1;) {
+        const std::uint64_t other = random_bits(seed, RandomStream::rack, 0, i) % (i + 1);
+        std::swap(numbers[i], numbers[static_cast<std::size_t>(other)]);
+    }
     const auto put = [&](int number, std::size_t place) {
         std::swap(*std::ranges::find(numbers, number), numbers[place]);
     };
