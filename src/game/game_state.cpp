@@ -48,7 +48,7 @@ std::uint64_t folded(const World& world, const PinballState& s) {
     }
     for (std::size_t i = 0; i < s.lit_until.size(); ++i)
         if (s.lit_until[i] > 0) {
-            fold.add(i);
+            fold.add(std::uint64_t{i});
             fold.add(s.lit_until[i]);
         }
     for (const PinballState::Held& held : s.held) {
