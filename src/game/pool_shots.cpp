@@ -7,6 +7,7 @@
 
 #include "game/aiming.h"
 #include "geometry/impact.h"
+#include "geometry/unit.h"
 
 namespace carom {
 namespace {

@@ -51,9 +51,4 @@ std::vector<Vec2> hit_directions(const Scene& scene, const World& world, const B
 /// other than these two.
 bool is_clear(const World& world, Vec2 from, Vec2 to, double radius, BallId one, BallId other);
 
-/// `v` at length 1. Pre: it has a length.
-inline Vec2 unit(Vec2 v) {
-    return v / length(v);
-}
-
 }  // namespace carom

@@ -6,6 +6,7 @@
 
 #include "game/aiming.h"
 #include "game/pool_value.h"
+#include "geometry/unit.h"
 #include "physics/random.h"
 
 namespace carom {

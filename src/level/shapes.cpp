@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "geometry/unit.h"
 #include "level/builders.h"
 
 namespace carom {
@@ -33,10 +34,6 @@ struct Corner {
     Vec2 point;
     Span span;
 };
-
-Vec2 unit(Vec2 v) {
-    return v / length(v);
-}
 
 // Appends the arc from `from` to `to` (unit vectors, less than a half turn apart) about `center`,
 // without `from` itself: halved until each chord is within tolerance.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "carom/support/at_home.h"
 #include "carom/support/process.h"
 #include "support/terminal_program.h"
 
@@ -103,14 +104,6 @@ std::vector<std::string> seen(const Emulator& screen) {
 
 bool has(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
-}
-
-ProgramOptions at_home(const TemporaryFolder& folder) {
-    ProgramOptions options;
-    options.columns = 120;
-    options.environment = {{"XDG_CONFIG_HOME", folder.path("config")},
-                           {"XDG_STATE_HOME", folder.path("state")}};
-    return options;
 }
 
 }  // namespace

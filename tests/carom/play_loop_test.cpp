@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "carom/support/at_home.h"
 #include "carom/support/process.h"
 #include "support/terminal_program.h"
 
@@ -20,14 +21,6 @@ kind light r=0.5
 box 0,0 440,240
 fill light count=5000 box=0,0,440,240 speed=400
 )";
-
-ProgramOptions at_home(const TemporaryFolder& folder) {
-    ProgramOptions options;
-    options.columns = 120;
-    options.environment = {{"XDG_CONFIG_HOME", folder.path("config")},
-                           {"XDG_STATE_HOME", folder.path("state")}};
-    return options;
-}
 
 // The ticks that the status line says; -1 where it says none.
 int tick_of(const Emulator& screen) {

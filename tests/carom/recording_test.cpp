@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "carom/support/at_home.h"
 #include "carom/support/process.h"
 #include "support/terminal_program.h"
 
@@ -41,14 +42,6 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
-}
-
-ProgramOptions at_home(const Folder& folder) {
-    ProgramOptions options;
-    options.columns = 120;
-    options.environment = {{"XDG_CONFIG_HOME", folder.path("config")},
-                           {"XDG_STATE_HOME", folder.path("state")}};
-    return options;
 }
 
 }  // namespace

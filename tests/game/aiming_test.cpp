@@ -11,6 +11,7 @@
 #include "physics/fingerprint.h"
 
 using namespace carom;
+using carom::test::named;
 using carom::test::shipped_level;
 
 namespace {
@@ -21,13 +22,6 @@ constexpr double radius = 0.028575;
 Scene two_balls() {
     Scene scene = shipped_level("drill-half-ball");
     return scene;
-}
-
-BallId named(const Scene& scene, std::string_view name) {
-    for (std::size_t i = 0; i < scene.ball_names.size(); ++i)
-        if (scene.ball_names[i] == name) return BallId{static_cast<std::uint32_t>(i)};
-    FAIL("no such ball");
-    return BallId{};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "game/support/shipped.h"
 
 using namespace carom;
+using carom::test::named;
 
 namespace {
 
@@ -27,13 +28,6 @@ const Trick tricks[] = {
     {"trick-there-and-back", "far", 4.0, -0.5, {"far", "near"}},
     {"drill-draw", "object", 2.5, -0.4, {"object"}},
 };
-
-BallId named(const Scene& scene, std::string_view name) {
-    for (std::size_t i = 0; i < scene.ball_names.size(); ++i)
-        if (scene.ball_names[i] == name) return BallId{static_cast<std::uint32_t>(i)};
-    FAIL("no such ball");
-    return BallId{};
-}
 
 }  // namespace
 

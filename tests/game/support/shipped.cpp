@@ -34,4 +34,11 @@ Scene shipped_level(const std::string& name) {
     return std::move(*result.scene);
 }
 
+BallId named(const Scene& scene, std::string_view name) {
+    for (std::size_t i = 0; i < scene.ball_names.size(); ++i)
+        if (scene.ball_names[i] == name) return BallId{static_cast<std::uint32_t>(i)};
+    FAIL("no such ball");
+    return BallId{};
+}
+
 }  // namespace carom::test
