@@ -1,7 +1,5 @@
 #include "game/pool_thinker.h"
 
-#include <array>
-
 #include <doctest/doctest.h>
 
 #include "game/pool_words.h"
@@ -53,34 +51,6 @@ struct Duel {
     SolverSettings settings;
     Solver solver;
 };
-
-// Whole frames; returns how many each won, and counts those that did not end.
-struct Score {
-    std::array<int, 2> won{};
-    int unfinished = 0;
-    int turns = 0;
-};
-
-Score play_frames(const std::string& level, int frames, std::array<int, 2> steadiness) {
-    constexpr int most_turns = 300;
-    Duel duel(level);
-    Score score;
-    for (int frame = 0; frame < frames; ++frame) {
-        int turns = 0;
-        while (duel.play().rules.phase != PoolPhase::over && turns < most_turns) {
-            const auto player = static_cast<std::size_t>(duel.play().rules.player);
-            duel.turn(error_of(steadiness[player]));
-            ++turns;
-        }
-        score.turns += turns;
-        if (duel.play().rules.winner)
-            ++score.won[static_cast<std::size_t>(*duel.play().rules.winner)];
-        else
-            ++score.unfinished;
-        rack_again(duel.scene, duel.world, duel.play());
-    }
-    return score;
-}
 
 }  // namespace
 
@@ -141,22 +111,4 @@ TEST_CASE("a choice is made where the rules ask for one") {
     play.rules.phase = PoolPhase::choosing;
     play.rules.choices = {PoolChoice::spot_eight, PoolChoice::break_again};
     CHECK(choice_of(duel.scene, duel.world, play, {}) == PoolChoice::spot_eight);
-}
-
-TEST_SUITE("long") {
-    TEST_CASE("opponents play frames of both games to their end, and the steadier wins more") {
-        for (const std::string level : {"eight-ball", "nine-ball"})
-            for (const std::array<int, 2> steadiness : {std::array{4, 2}, std::array{3, 1}}) {
-                constexpr int frames = 12;
-                const Score score = play_frames(level, frames, steadiness);
-                CAPTURE(level);
-                CAPTURE(steadiness[0]);
-                CAPTURE(steadiness[1]);
-                CAPTURE(score.turns);
-                MESSAGE(level, ": ", steadiness[0], " against ", steadiness[1], ": ", score.won[0],
-                        " to ", score.won[1], " in ", score.turns, " turns");
-                CHECK(score.unfinished == 0);
-                CHECK(score.won[0] > score.won[1]);
-            }
-    }
 }
