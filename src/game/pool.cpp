@@ -1,7 +1,5 @@
 #include "game/pool.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 
@@ -76,6 +74,7 @@ void rack_anew(const Scene& scene, World& world, PoolPlay& play) {
 }
 
 void carry_out(const Scene& scene, World& world, PoolPlay& play, const PoolRuling& ruling) {
+    play.clock_from = world.tick;
     play.rules = ruling.next;
     play.last_foul = ruling.foul;
     play.call = {};
@@ -85,6 +84,22 @@ void carry_out(const Scene& scene, World& world, PoolPlay& play, const PoolRulin
         put_back(scene, world, play, ball);
     if (!play.balls[cue_ball] && play.rules.phase != PoolPhase::over)
         put_back(scene, world, play, cue_ball);
+}
+
+// Of a time in s, whole, and at least one where it is any time at all.
+std::uint64_t ticks_of(double seconds, double rate) {
+    constexpr double most = 1e15;
+    const double ticks = std::min(seconds * rate, most);
+    const auto whole = static_cast<std::uint64_t>(ticks);
+    return static_cast<double>(whole) < ticks ? whole + 1 : whole;
+}
+
+void run_out_of_time(const Scene& scene, World& world, PoolPlay& play) {
+    if (play.rules.phase != PoolPhase::choosing) {
+        play.shooter = play.rules.player;
+        play.shot = {};
+    }
+    carry_out(scene, world, play, judge_time(play.rules));
 }
 
 void note_contacts(PoolPlay& play, std::span<const Contact> contacts) {
@@ -117,74 +132,7 @@ void note_pocketed(const Scene& scene, const World& world, PoolPlay& play) {
     }
 }
 
-using Refusal = std::optional<std::string>;
-
-Refusal refused(const Scene& scene, const World& world, const PoolPlay& play,
-                const command::Strike& strike) {
-    if (auto why = refusal_to_shoot(play, strike.ball)) return why;
-    if (auto why = refusal(world, Command(strike))) return why;
-    const double speed = length(strike.velocity);
-    const double most = scene.pool.cue->most_power;
-    constexpr double rounding = 1e-9;
-    if (!(speed > 0.0)) return "the cue does not move";
-    if (speed > most * (1.0 + rounding)) return fmt::format("the cue gives at most {:g} m/s", most);
-    return std::nullopt;
-}
-
-Refusal refused(const Scene& scene, const World& world, const PoolPlay& play,
-                const command::PlaceBall& place) {
-    if (auto why = refusal_to_place(scene, play, place.ball, place.position)) return why;
-    if (auto why = refusal(world, Command(place))) return why;
-    const double radius = world.balls.radius[*index_of(world, place.ball)];
-    if (!is_on_table(scene, world, place.position, radius)) return "it must lie on the table";
-    return std::nullopt;
-}
-
-Refusal refused(const Scene& scene, const World&, const PoolPlay& play,
-                const command::CallShot& call) {
-    using enum PoolCall::Kind;
-    if (auto why = refusal_to_shoot(play, play.balls[cue_ball].value_or(BallId{}))) return why;
-    if (call.call.kind == push_out)
-        return play.rules.may_push_out ? Refusal{} : "a push-out is for the shot after the break";
-    if (call.call.kind == none) return std::nullopt;
-    if (play.rules.game == PoolGame::nine_ball) return "in 9-ball nothing is called";
-    if (play.rules.phase == PoolPhase::breaking) return "nothing is called on the break";
-    if (call.call.kind == safety) return std::nullopt;
-    const int last = static_cast<int>(rack_of(scene).balls.size());
-    if (call.call.ball < 1 || call.call.ball > last ||
-        !play.balls[static_cast<std::size_t>(call.call.ball)])
-        return fmt::format("the {} is not on the table", call.call.ball);
-    const int pockets = static_cast<int>(scene.pool.pockets.size());
-    if (call.call.pocket < 0 || call.call.pocket >= pockets) return "there is no such pocket";
-    return std::nullopt;
-}
-
-Refusal refused(const Scene&, const World&, const PoolPlay& play, const command::Decide& decide) {
-    if (play.rules.phase == PoolPhase::choosing &&
-        std::ranges::count(play.rules.choices, decide.choice))
-        return std::nullopt;
-    return "that is not to be chosen now";
-}
-
-Refusal refused(const Scene&, const World&, const PoolPlay& play, const command::RackAgain&) {
-    return play.is_shooting ? Refusal{"the balls still roll"} : Refusal{};
-}
-
-Refusal refused(const Scene&, const World& world, const PoolPlay&, const command::SetSolver& set) {
-    return refusal(world, Command(set));
-}
-
-template <typename Other>
-Refusal refused(const Scene&, const World&, const PoolPlay&, const Other&) {
-    return "in this game only the cue moves anything; pool-table has no rules";
-}
-
 }  // namespace
-
-std::optional<std::string> refusal(const Scene& scene, const World& world, const PoolPlay& play,
-                                   const Command& command) {
-    return std::visit([&](const auto& c) { return refused(scene, world, play, c); }, command);
-}
 
 void obey(const Scene& scene, World& world, PoolPlay& play, const Command& command) {
     if (const auto* call = std::get_if<command::CallShot>(&command)) {
@@ -260,12 +208,31 @@ std::uint64_t folded(std::uint64_t start, const PoolPlay& play) {
     add(play.breaker);
     add(play.frames[0]);
     add(play.frames[1]);
+    if (play.race > 0) add(play.race);
+    if (play.clock > 0) {
+        fold.add(play.clock);
+        fold.add(play.clock_from);
+    }
     return fold.state();
 }
 
 std::size_t bytes_of(const PoolPlay& play) {
     return play.shot.pocketed.capacity() * sizeof(PoolShot::Pocketed) +
            play.rules.choices.capacity() * sizeof(PoolChoice);
+}
+
+std::optional<int> match_winner(const PoolPlay& play) {
+    for (const int player : {0, 1})
+        if (play.race > 0 && play.frames[static_cast<std::size_t>(player)] >= play.race)
+            return player;
+    return std::nullopt;
+}
+
+std::optional<std::uint64_t> time_left(const World& world, const PoolPlay& play) {
+    if (play.clock == 0 || play.is_shooting || play.rules.phase == PoolPhase::over)
+        return std::nullopt;
+    const std::uint64_t gone = world.tick - play.clock_from;
+    return gone < play.clock ? play.clock - gone : 0;
 }
 
 std::optional<int> number_of(const PoolPlay& play, BallId ball) {
@@ -292,27 +259,9 @@ std::optional<PoolPlay> begin_pool(const Scene& scene, int breaker) {
     const int count = static_cast<int>(rack_of(scene).balls.size());
     for (int ball = 0; ball <= count; ++ball)
         play.balls[static_cast<std::size_t>(ball)] = first_id(scene, ball);
+    play.race = scene.pool.race;
+    play.clock = ticks_of(scene.pool.clock, scene.world.rate);
     return play;
-}
-
-std::optional<std::string> refusal_to_shoot(const PoolPlay& play, BallId ball) {
-    if (play.is_shooting) return "the balls still roll";
-    if (play.rules.phase == PoolPhase::over) return "the rack is over";
-    if (play.rules.phase == PoolPhase::choosing) return "there is something to decide first";
-    if (play.balls[cue_ball] != std::optional(ball)) return "only the cue ball is struck";
-    return std::nullopt;
-}
-
-std::optional<std::string> refusal_to_place(const Scene& scene, const PoolPlay& play, BallId ball,
-                                            Vec2 place) {
-    if (play.is_shooting) return "the balls still roll";
-    if (play.balls[cue_ball] != std::optional(ball) || play.rules.in_hand == CueInHand::no)
-        return "the ball stays where it lies";
-    const Vec2 toward = rack_of(scene).toward;
-    if (play.rules.in_hand == CueInHand::behind_head_string &&
-        dot(place - head_spot(scene), toward) > 0.0)
-        return "it must lie behind the head string";
-    return std::nullopt;
 }
 
 void begin_shot(PoolPlay& play) {
@@ -324,7 +273,10 @@ void begin_shot(PoolPlay& play) {
 
 void follow_pool(const Scene& scene, World& world, PoolPlay& play,
                  std::span<const Contact> contacts) {
-    if (!play.is_shooting) return;
+    if (!play.is_shooting) {
+        if (time_left(world, play) == std::uint64_t{0}) run_out_of_time(scene, world, play);
+        return;
+    }
     note_contacts(play, contacts);
     note_pocketed(scene, world, play);
     if (!lies_still(world)) return;
@@ -337,6 +289,8 @@ void make_choice(const Scene& scene, World& world, PoolPlay& play, PoolChoice ch
 }
 
 void rack_again(const Scene& scene, World& world, PoolPlay& play) {
+    if (match_winner(play)) play.frames = {};
+    play.clock_from = world.tick;
     if (play.rules.phase == PoolPhase::over) play.breaker = 1 - play.breaker;
     play.rules = begin_rack(play.rules.game, play.breaker, play.rules.options);
     play.call = {};

@@ -28,7 +28,10 @@ struct PoolPlay {
     PoolFoul last_foul = PoolFoul::none;
     std::uint32_t shots = 0;
     int breaker = 0;                        ///< who broke, or will, at the start of this frame
-    std::array<std::uint32_t, 2> frames{};  ///< won by each
+    std::array<std::uint32_t, 2> frames{};  ///< won by each, in this match
+    std::uint32_t race = 0;                 ///< frames that win the match; 0: it has no end
+    std::uint64_t clock = 0;                ///< ticks in which to shoot, or to choose; 0: any time
+    std::uint64_t clock_from = 0;           ///< the tick at which that time began
 
     friend bool operator==(const PoolPlay&, const PoolPlay&) = default;
 };
@@ -60,9 +63,15 @@ void follow_pool(const Scene& scene, World& world, PoolPlay& play,
 /// Pre: the choice is one of play.rules.choices.
 void make_choice(const Scene& scene, World& world, PoolPlay& play, PoolChoice choice);
 
-/// The next frame, which the other player breaks; a frame that is not over is begun again. Pre: no
-/// ball rolls.
+/// The next frame, which the other player breaks; a frame that is not over is begun again. After
+/// the last frame of a match another match begins. Pre: no ball rolls.
 void rack_again(const Scene& scene, World& world, PoolPlay& play);
+
+/// Who has won the match; none: it goes on, or has no end.
+std::optional<int> match_winner(const PoolPlay& play);
+
+/// Ticks that the player whose turn it is has left; none: no clock runs now.
+std::optional<std::uint64_t> time_left(const World& world, const PoolPlay& play);
 
 /// The rack of the scene's game. Pre: the game is 8-ball or 9-ball.
 const Rack& rack_of(const Scene& scene);

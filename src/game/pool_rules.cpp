@@ -70,6 +70,14 @@ void spot(PoolRuling& ruling, int ball) {
     ruling.next.down &= ~bit(ball);
 }
 
+// 9-ball: one more foul in a row, and whether it loses the frame.
+bool counts_to_loss(PoolState& state, int player) {
+    int& fouls = state.fouls[static_cast<std::size_t>(player)];
+    ++fouls;
+    const int most = state.options.fouls_that_lose;
+    return most > 0 && fouls >= most;
+}
+
 PoolRuling judge_eight_ball_break(PoolRuling ruling, const PoolShot& shot) {
     PoolState& next = ruling.next;
     const bool scratched = fell(shot, cue_ball);
@@ -145,11 +153,8 @@ PoolRuling judge_nine_ball(const PoolState& state, PoolRuling ruling, const Pool
         return ruling;
     }
     if (nine_fell) spot(ruling, nine);
-    next.fouls[static_cast<std::size_t>(player)] =
-        is_foul ? state.fouls[static_cast<std::size_t>(player)] + 1 : 0;
     if (is_foul) {
-        const int most = state.options.fouls_that_lose;
-        if (most > 0 && next.fouls[static_cast<std::size_t>(player)] >= most) {
+        if (counts_to_loss(next, player)) {
             win(next, 1 - player);
             return ruling;
         }
@@ -157,6 +162,7 @@ PoolRuling judge_nine_ball(const PoolState& state, PoolRuling ruling, const Pool
         next.in_hand = CueInHand::anywhere;
         return ruling;
     }
+    next.fouls[static_cast<std::size_t>(player)] = 0;
     if (is_push) {
         pass_turn(next);
         let_choose(next, {PoolChoice::take_table, PoolChoice::return_push});
@@ -217,6 +223,23 @@ PoolRuling judge(const PoolState& state, const PoolCall& call, const PoolShot& s
     if (state.game == PoolGame::nine_ball) return judge_nine_ball(state, ruling, call, shot);
     if (state.phase == PoolPhase::breaking) return judge_eight_ball_break(ruling, shot);
     return judge_eight_ball(state, ruling, call, shot);
+}
+
+PoolRuling judge_time(const PoolState& state) {
+    if (state.phase == PoolPhase::choosing) return choose(state, state.choices.front());
+    PoolRuling ruling;
+    ruling.foul = PoolFoul::time;
+    ruling.next = state;
+    PoolState& next = ruling.next;
+    next.may_push_out = false;
+    if (state.game == PoolGame::nine_ball && counts_to_loss(next, state.player)) {
+        win(next, 1 - state.player);
+        return ruling;
+    }
+    pass_turn(next);
+    next.in_hand =
+        state.phase == PoolPhase::breaking ? CueInHand::behind_head_string : CueInHand::anywhere;
+    return ruling;
 }
 
 PoolRuling choose(const PoolState& state, PoolChoice choice) {

@@ -62,6 +62,7 @@ enum class PoolFoul : std::uint8_t {
     wrong_ball,  ///< it met a ball first that it must not
     no_rail,     ///< nothing was pocketed and no ball met a cushion after the first hit
     weak_break,  ///< 9-ball: nothing was pocketed, and fewer than four balls met a cushion
+    time,        ///< the player did not shoot in the time that there was
 };
 
 /// Where the cue ball may be put before the next shot.
@@ -127,6 +128,11 @@ struct PoolRuling {
 
 /// Pre: the phase is breaking or playing; balls in `shot` are of this game and were on the table.
 PoolRuling judge(const PoolState& state, const PoolCall& call, const PoolShot& shot);
+
+/// The time for a shot has run out: a foul, after which the other has the ball in hand; on the
+/// break, behind the head string, and breaks. Who had to choose takes the first choice, and that is
+/// no foul. Pre: the phase is not over.
+PoolRuling judge_time(const PoolState& state);
 
 /// Pre: `choice` is one of state.choices.
 PoolRuling choose(const PoolState& state, PoolChoice choice);

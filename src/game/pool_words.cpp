@@ -16,6 +16,15 @@ int balls_left(const PoolPlay& play, PoolGroup group) {
     return left;
 }
 
+// "you: wins the frame", and the match where that was its last.
+std::string win_text(const PoolPlay& play, const PlayerNames& names) {
+    if (const auto winner = match_winner(play))
+        return fmt::format("{}: wins the match {}:{}", name_of(names, *winner),
+                           play.frames[static_cast<std::size_t>(*winner)],
+                           play.frames[static_cast<std::size_t>(1 - *winner)]);
+    return name_of(names, *play.rules.winner) + ": wins the frame";
+}
+
 // What the player plays for: "solids, 5 left", "on the 8", "on the 3".
 std::string target_text(const PoolPlay& play) {
     const PoolState& rules = play.rules;
@@ -80,6 +89,8 @@ std::string_view foul_text(PoolFoul foul) {
             return "nothing fell or met a cushion";
         case PoolFoul::weak_break:
             return "fewer than four balls met a cushion";
+        case PoolFoul::time:
+            return "the time is up";
     }
     return "";
 }
@@ -115,9 +126,18 @@ std::string call_text(const Scene& scene, const PoolCall& call) {
 
 std::string turn_text(const PoolPlay& play, const PlayerNames& names) {
     const PoolState& rules = play.rules;
-    const std::string frames = fmt::format("{}:{} ", play.frames[0], play.frames[1]);
-    if (rules.winner) return frames + name_of(names, *rules.winner) + ": wins the frame";
+    const std::string race = play.race > 0 ? fmt::format(" to {},", play.race) : "";
+    const std::string frames = fmt::format("{}:{}{} ", play.frames[0], play.frames[1], race);
+    if (rules.winner) return frames + win_text(play, names);
     return frames + name_of(names, rules.player) + target_text(play) + ": " + task_text(play);
+}
+
+std::string clock_text(const World& world, const PoolPlay& play) {
+    const auto left = time_left(world, play);
+    if (!left) return "";
+    const double seconds = static_cast<double>(*left) / world.rate;
+    const auto whole = static_cast<std::uint64_t>(seconds);
+    return fmt::format("{} s", static_cast<double>(whole) < seconds ? whole + 1 : whole);
 }
 
 std::string outcome_text(const PoolPlay& play, const PlayerNames& names) {
@@ -127,7 +147,7 @@ std::string outcome_text(const PoolPlay& play, const PlayerNames& names) {
     const std::string foul = play.last_foul == PoolFoul::none
                                  ? ""
                                  : fmt::format("foul: {}. ", foul_text(play.last_foul));
-    if (rules.winner) return fallen + foul + name_of(names, *rules.winner) + ": wins the frame";
+    if (rules.winner) return fallen + foul + win_text(play, names);
     const std::string& next = name_of(names, rules.player);
     if (rules.phase == PoolPhase::choosing) return fallen + foul + next + ": to choose";
     if (rules.in_hand != CueInHand::no) return fallen + foul + next + ": ball in hand";

@@ -163,15 +163,27 @@ void declare_seed(const Arguments& a, const Scope& scope, Context& context) {
 void declare_game(const Arguments& a, Context& context) {
     const Word& word = a.plain.front();
     context.draft.settings.game_at = word.span();
-    if (word.text != "pinball" && !a.values.empty()) {
+    const bool is_pinball = word.text == "pinball";
+    const bool is_pool = word.text == "eightball" || word.text == "nineball";
+    if (!is_pinball && !is_pool && !a.values.empty()) {
         context.reporter.error(word.span(), fmt::format("game {} has no keys", word.text),
-                               "balls=, save=, tilt= and the like belong to game pinball");
+                               "balls=, save=, tilt= and the like belong to game pinball, race= "
+                               "and clock= to games of pool");
         return;
     }
-    if (word.text == "sandbox" || word.text == "galton" || word.text == "pinball" ||
-        word.text == "eightball" || word.text == "nineball") {
+    for (const auto& [key, value] : a.values) {
+        const bool is_of_pool = key == "race" || key == "clock";
+        if (is_of_pool == is_pool) continue;
+        context.reporter.error(a.span_of(key), fmt::format("game {} has no {}=", word.text, key),
+                               is_pool ? "a game of pool has race= and clock="
+                                       : "race= and clock= belong to games of pool");
+        return;
+    }
+    if (is_pinball || is_pool || word.text == "sandbox" || word.text == "galton") {
         context.draft.settings.game = std::string(word.text);
-        if (word.text == "pinball") declare_pinball(a, context);
+        if (is_pinball) declare_pinball(a, context);
+        if (a.has("race")) context.draft.settings.race = a.count("race");
+        context.draft.settings.clock = a.number_or("clock", 0.0);
         return;
     }
     context.reporter.error(

@@ -205,7 +205,9 @@ struct SettingsDraft {
     std::optional<std::uint64_t> seed;
     std::optional<std::string> game;
     std::optional<Span> game_at;
-    PinballTable table;  ///< its settings, of `game pinball`
+    PinballTable table;      ///< its settings, of `game pinball`
+    std::uint32_t race = 0;  ///< of a game of pool, and so is the clock
+    double clock = 0.0;
 };
 
 struct Draft {

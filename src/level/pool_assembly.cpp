@@ -87,6 +87,8 @@ void fill_in_pool(const std::vector<StartingBall>& balls,
     for (std::size_t i = 0; i < draft.zones.size(); ++i)
         if (draft.zones[i].is_pocket) scene.pool.pockets.push_back(world_zones[i]);
     std::ranges::sort(scene.pool.pockets);
+    scene.pool.race = draft.settings.race;
+    scene.pool.clock = draft.settings.clock;
     for (const CueDraft& cue : draft.cues) {
         const auto named = std::ranges::find(scene.ball_names, cue.ball.text);
         if (named != scene.ball_names.end()) {

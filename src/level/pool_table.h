@@ -7,7 +7,7 @@
 #include "geometry/vec2.h"
 #include "physics/ids.h"
 
-/// What of a level is a pool table: the cue, the racks, the pockets.
+/// What of a level is a pool table: the cue, the racks, the pockets, how long a match is.
 namespace carom {
 
 /// Which ball the cue strikes, and how hard it may, length/s.
@@ -30,6 +30,8 @@ struct PoolTable {
     std::optional<Cue> cue;
     std::vector<Rack> racks;
     std::vector<std::uint32_t> pockets;  ///< indices into World::zones
+    std::uint32_t race = 0;              ///< frames that win a match; 0: it has no end
+    double clock = 0.0;                  ///< for each shot, s; 0: a player has any time
 };
 
 }  // namespace carom

@@ -406,13 +406,14 @@ std::vector<Statement> make_statements() {
          .points_most = 2,
          .keys = {{"r", scalar, length, positive}}},
         {.name = "game",
-         .usage = "game sandbox|galton|eightball|nineball|pinball [balls=N] [save=TIME] [tilt=N] "
-                  "[bonus=N] "
-                  "[highscores=N]",
+         .usage = "game sandbox|galton|eightball|nineball|pinball [race=N] [clock=TIME] [balls=N] "
+                  "[save=TIME] [tilt=N] [bonus=N] [highscores=N]",
          .place = Place::top,
          .plain_least = 1,
          .plain_most = 1,
-         .keys = {{"balls", scalar, whole, up_to_thousand},
+         .keys = {{"race", scalar, whole, up_to_thousand},
+                  {"clock", scalar, time, positive},
+                  {"balls", scalar, whole, up_to_thousand},
                   {"save", scalar, time, not_negative},
                   {"tilt", scalar, whole, not_negative},
                   {"bonus", scalar, whole, not_negative},

@@ -605,3 +605,43 @@ TEST_CASE("a rack of 8-ball from the break to the end") {
     play(pot(8, 2), shot(8, {{8, 2}}));
     CHECK(state.winner == 0);
 }
+
+TEST_CASE("the time for a shot runs out: a foul, and the other has the ball in hand") {
+    const PoolRuling eight = judge_time(eight_ball(PoolGroup::solids));
+    CHECK(eight.foul == PoolFoul::time);
+    CHECK(eight.next.player == 1);
+    CHECK(eight.next.in_hand == CueInHand::anywhere);
+    CHECK(eight.next.phase == PoolPhase::playing);
+    CHECK(eight.next.group == PoolGroup::solids);
+
+    const PoolRuling nine = judge_time(nine_ball(0, true));
+    CHECK(nine.next.player == 1);
+    CHECK(nine.next.fouls == std::array{1, 0});
+    CHECK_FALSE(nine.next.may_push_out);
+}
+
+TEST_CASE("who does not break in time leaves the break to the other, behind the head string") {
+    for (const PoolGame game : {PoolGame::eight_ball, PoolGame::nine_ball}) {
+        const PoolRuling ruling = judge_time(begin_rack(game, 0));
+        CHECK(ruling.foul == PoolFoul::time);
+        CHECK(ruling.next.phase == PoolPhase::breaking);
+        CHECK(ruling.next.player == 1);
+        CHECK(ruling.next.in_hand == CueInHand::behind_head_string);
+    }
+}
+
+TEST_CASE("9-ball: running out of time counts among the fouls in a row, and the third loses") {
+    PoolState state = nine_ball();
+    state.fouls = {2, 1};
+    const PoolRuling ruling = judge_time(state);
+    CHECK(ruling.next.phase == PoolPhase::over);
+    CHECK(ruling.next.winner == 1);
+}
+
+TEST_CASE("who does not choose in time takes the first choice, and that is no foul") {
+    PoolState state = eight_ball(std::nullopt);
+    state.phase = PoolPhase::choosing;
+    state.choices = {PoolChoice::take_table, PoolChoice::break_again, PoolChoice::let_break};
+    CHECK(judge_time(state) == choose(state, PoolChoice::take_table));
+    CHECK(judge_time(state).foul == PoolFoul::none);
+}

@@ -1,6 +1,7 @@
 #include "game/pool.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <doctest/doctest.h>
 
@@ -14,8 +15,9 @@ namespace {
 
 // A rack in play: shoots, and waits until it is judged.
 struct Table {
-    explicit Table(const std::string& level)
-        : scene(test::shipped_level(level)),
+    explicit Table(const std::string& level) : Table(test::shipped_level(level)) {}
+    explicit Table(Scene of)
+        : scene(std::move(of)),
           world(scene.world),
           play(*begin_pool(scene)),
           solver(pick_solver(world).settings) {}
@@ -48,6 +50,14 @@ struct Table {
     PoolPlay play;
     Solver solver;
 };
+
+// With a clock of so many seconds, and so many frames that win.
+Scene timed(const std::string& level, double clock, std::uint32_t race = 0) {
+    Scene scene = test::shipped_level(level);
+    scene.pool.clock = clock;
+    scene.pool.race = race;
+    return scene;
+}
 
 constexpr Vec2 corner{1.27 - 0.02, 0.635 - 0.02};
 
@@ -188,4 +198,64 @@ TEST_CASE(
     copy.wait();
     CHECK(fingerprint(table.world) == fingerprint(copy.world));
     CHECK(table.play == copy.play);
+}
+
+TEST_CASE("the clock counts ticks while the balls lie still, and its end is a foul") {
+    Table table(timed("eight-ball", 2.0));
+    CHECK(table.play.clock == 240);
+    CHECK(time_left(table.world, table.play) == 240);
+    for (int i = 0; i < 239; ++i)
+        table.step();
+    CHECK(table.play.rules.player == 0);
+    CHECK(time_left(table.world, table.play) == 1);
+    const Vec2 at = table.scene.pool.racks[0].foot - table.place_of(0);
+    table.step();
+    CHECK(table.play.last_foul == PoolFoul::time);
+    CHECK(table.play.shooter == 0);
+    CHECK(table.play.rules.player == 1);
+    CHECK(table.play.rules.phase == PoolPhase::breaking);
+    CHECK(time_left(table.world, table.play) == 240);
+
+    // A shot takes as long as it takes, and then the time begins anew.
+    table.shoot(at * (9.0 / length(at)));
+    CHECK(table.play.last_foul == PoolFoul::none);
+    CHECK(time_left(table.world, table.play) == 240);
+}
+
+TEST_CASE("a clock is part of what is known of a game, and none is there where none runs") {
+    Table timed_table(timed("nine-ball", 30.0));
+    Table table("nine-ball");
+    CHECK_FALSE(time_left(table.world, table.play));
+    for (int i = 0; i < 240; ++i)
+        table.step();
+    CHECK(table.play.last_foul == PoolFoul::none);
+    const auto bits = folded(1, timed_table.play);
+    timed_table.play.clock_from = 5;
+    CHECK(folded(1, timed_table.play) != bits);
+}
+
+TEST_CASE("a match ends with the last frame of the race, and the next begins at nothing") {
+    Table table(timed("nine-ball", 0.0, 3));
+    CHECK_FALSE(match_winner(table.play));
+    table.play.frames = {1, 2};
+    table.play.rules.phase = PoolPhase::playing;
+    table.play.rules.in_hand = CueInHand::no;
+    table.play.rules.player = 1;
+    table.play.rules.down = 0b111111110;  // all but the 9
+    for (int ball = 1; ball < 9; ++ball) {
+        remove_ball(table.world, *table.play.balls[static_cast<std::size_t>(ball)]);
+        table.play.balls[static_cast<std::size_t>(ball)].reset();
+    }
+    const Vec2 object{1.0, 0.4};
+    const Vec2 way = (corner - object) / length(corner - object);
+    table.put(9, object);
+    table.put(0, object - way * 0.3);
+    table.shoot(way * 2.0);
+    CHECK(table.play.rules.winner == 1);
+    CHECK(table.play.frames == std::array<std::uint32_t, 2>{1, 3});
+    CHECK(match_winner(table.play) == 1);
+    rack_again(table.scene, table.world, table.play);
+    CHECK(table.play.frames == std::array<std::uint32_t, 2>{0, 0});
+    CHECK_FALSE(match_winner(table.play));
+    CHECK(table.play.breaker == 1);
 }

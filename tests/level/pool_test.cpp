@@ -50,6 +50,23 @@ TEST_CASE("8-ball: a table of 2.54 m, 16 balls, six pockets, a cue") {
     CHECK(scene.ball_names[number(scene.pool.racks.front().balls[7])] == "rack.8");
 }
 
+TEST_CASE("a match may have an end, and a shot a time") {
+    const auto loaded = [](const std::string& statement) {
+        const auto folder = std::filesystem::path(CAROM_SOURCE_DIR) / "levels";
+        LoadOptions options = options_for(folder);
+        options.overrides = {statement};
+        LoadResult result =
+            load_level(read_file(folder / "nine-ball.level"), "nine-ball.level", options);
+        CHECK(rendered(result).empty());
+        REQUIRE(result.scene);
+        return result.scene->pool;
+    };
+    CHECK(loaded("game nineball").race == 0);
+    CHECK(loaded("game nineball").clock == 0.0);
+    CHECK(loaded("game nineball race=7 clock=0.5min").race == 7);
+    CHECK(loaded("game nineball race=7 clock=0.5min").clock == 30.0);
+}
+
 TEST_CASE("a rack of 8-ball: the 8 in the middle, one of each group in the rear corners") {
     std::set<int> behind_the_apex;
     for (int seed = 0; seed < 40; ++seed) {
