@@ -219,7 +219,11 @@ void draw_first(const Bar& bar, const HudInfo& info, std::vector<Field> fields) 
     bar.clear();
     const int columns = bar.canvas.columns();
     // Half of a line for a title, if it is that long; in a narrow window what it needs least.
-    const int least_title = columns >= 60 ? std::min(columns_of(info.title), columns / 2 - 8) : 0;
+    const int others =
+        info.title_comes_first ? width_of(fields.front()) + gap + 2 : columns / 2 + 8;
+    const int least_title = info.title_comes_first || columns >= 60
+                                ? std::max(0, std::min(columns_of(info.title), columns - others))
+                                : 0;
     fields =
         those_that_fit(std::move(fields), columns - 2 - (least_title > 0 ? least_title + gap : 0));
     const int room = columns - 2 - width_of(fields) - gap;

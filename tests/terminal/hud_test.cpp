@@ -113,6 +113,17 @@ TEST_CASE("a long title gets half of the line before the least important numbers
     CHECK(drawn(info, 80, 24).find(" A title that is quite a bit long") != std::string::npos);
 }
 
+TEST_CASE("a title that says how a game stands comes before all but whether time runs") {
+    HudInfo info = galton();
+    info.title = "0:0 to 3, player 2, stripes, 6 left: ball in hand behind the line, 37 s";
+    const std::string half = "0:0 to 3, player 2, stripes, 6 ";
+    CHECK(drawn(info, 84, 24).find("37 s") == std::string::npos);
+    info.title_comes_first = true;
+    CHECK(drawn(info, 84, 24).find("the line, 37 s  > x1") != std::string::npos);
+    CHECK(drawn(info, 50, 24).find(half + "left: b  > x1") != std::string::npos);
+    CHECK(drawn(info, 120, 24).find("37 s  > x1         12.345 s  swept") != std::string::npos);
+}
+
 TEST_CASE("no line is ever longer than the window, whatever it has to say") {
     HudInfo info = galton();
     info.title = std::string(500, 'x');
