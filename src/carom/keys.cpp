@@ -83,7 +83,7 @@ constexpr ActionRow rows[] = {
     {Action::explain, "explain", "i", "which solver, which terms, why", "View"},
 
     {Action::mouse, "mouse", "m", "give the mouse to the terminal", "Program"},
-    {Action::take_up, "take-up", "R", "take up the game that was cut off", "Program"},
+    {Action::take_up, "take-up", "R", "take up the game that was left", "Program"},
     {Action::help, "help", "? f1", "this page", "Program"},
     {Action::menu, "menu", "escape", "let go; the menu", "Program"},
     {Action::quit, "quit", "q", "quit at once", "Program"},

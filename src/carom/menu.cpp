@@ -57,8 +57,8 @@ std::vector<MenuItem> menu_items(std::span<const CutOffGame> cut_off) {
     for (const CutOffGame& game : cut_off) {
         const std::string name = fs::path(game.replay.level).stem().string();
         const double seconds = static_cast<double>(game.replay.stands) / game.replay.rate;
-        items.push_back(
-            {name, "go on at " + time_text(seconds), "cut off", game.replay.level, game});
+        items.push_back({name, "go on at " + time_text(seconds),
+                         game.was_left ? "to go on with" : "cut off", game.replay.level, game});
     }
     const auto shipped = shipped_levels_folder();
     std::error_code error;
@@ -70,7 +70,8 @@ std::vector<MenuItem> menu_items(std::span<const CutOffGame> cut_off) {
 Menu::Menu(std::vector<MenuItem> items, Load load, std::string_view choose)
     : items_(std::move(items)), load_(std::move(load)) {
     const auto chosen = std::ranges::find_if(items_, [&](const MenuItem& item) {
-        return !choose.empty() && (item.path == choose || item.name == choose) && !item.cut_off;
+        const bool was_cut_off = item.cut_off && !item.cut_off->was_left;
+        return !choose.empty() && (item.path == choose || item.name == choose) && !was_cut_off;
     });
     if (chosen != items_.end()) selected_ = static_cast<std::size_t>(chosen - items_.begin());
 }

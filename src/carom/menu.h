@@ -38,7 +38,8 @@ class Menu {
   public:
     using Load = std::function<LoadedLevel(const std::string& path)>;
 
-    /// `load` reads a level for its picture. `choose`: the name of the item to begin with.
+    /// `load` reads a level for its picture. `choose`: the name of the item to begin with, or its
+    /// level's path; a game that was left comes before its level.
     Menu(std::vector<MenuItem> items, Load load, std::string_view choose = {});
 
     struct Quit {};

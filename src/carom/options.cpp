@@ -96,7 +96,7 @@ void add_play(CLI::App& app, Typed& typed) {
         ->type_name("N");
     play.add_flag("--demo", typed.demo,
                   "At pinball, carom plays until you press a button of the table");
-    play.add_flag("--resume", typed.resume, "Take up the session that was cut off");
+    play.add_flag("--resume", typed.resume, "Take up the session that was cut off or left");
 }
 
 void add_replay_and_verify(CLI::App& app, Typed& typed) {

@@ -87,6 +87,7 @@ int play_here(const PlayOptions& options) {
         PlayLoop(program, screen, pacing, cast ? &*cast : nullptr).run();
     }
     const auto lost_cast = cast ? cast->finish(seconds_now()) : std::nullopt;
+    if (program.is_kept()) print_note("the match was kept: carom play --resume goes on with it\n");
     for (const auto& lost : {program.lost_recording(), lost_cast})
         if (lost) print_error(*lost);
     return program.lost_recording() || lost_cast ? 2 : 0;

@@ -39,7 +39,7 @@ struct PlayOptions {
     bool watch = false;   ///< load the level again whenever its files are saved
     bool paused = false;  ///< start paused
     int opponent = 0;     ///< at pool, how well carom plays the second player, 1..4; 0: a person
-    /// Take up the session that was cut off, without asking; with no level, the last one.
+    /// Take up the session that was cut off or left, without asking; with no level, the last one.
     bool resume = false;
     std::size_t rewind_bytes = std::size_t{64} << 20;  ///< most memory for the way back
 };

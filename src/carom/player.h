@@ -67,6 +67,14 @@ class Player {
     bool set_opponent(int steadiness);
 
     void pause(bool paused);
+    /// Of carom's hands, the one that plays the second player; 0: a person does.
+    int opponent() const { return opponent_ ? opponent_->steadiness() : 0; }
+    /// How the person stands at a pool table; none elsewhere.
+    std::optional<PoolStance> stance() const;
+    void stand(const PoolStance& stance);
+    /// A match of pool has begun and is not won, so it is worth going on with another day.
+    bool is_in_match() const;
+
     /// At a table of pinball: carom plays by itself.
     void demonstrate(bool does);
     void set_honours(Honours honours);
@@ -163,6 +171,9 @@ class Player {
     bool release_at_pool();
     void hear_referee();
     PlayerNames names() const;
+    std::string pool_title() const;
+    std::string pool_line() const;
+    std::optional<std::string> clock_warning() const;
     std::vector<KeyHelp> pool_hints() const;
     bool is_opponents_turn() const;
     void next_opponent();
@@ -204,6 +215,7 @@ class Player {
     std::optional<PoolSeat> seat_;
     std::optional<PoolBrain> opponent_;
     double opponent_waits_ = 0.0;  ///< s until it shoots, once it has decided
+    std::string opponent_says_;    ///< what it shoots; empty: it thinks
     std::optional<PoolBrain> coach_;
     bool coach_is_asked_ = false;
     std::size_t coach_told_ = 0;  ///< thoughts

@@ -9,7 +9,7 @@ namespace {
 
 /// Between saying what it is going to shoot and shooting it, s.
 constexpr double opponent_pause = 1.2;
-constexpr int opponent = 1;  ///< which of the two players carom is
+constexpr int carom_plays = 1;  ///< which of the two players carom is
 
 }  // namespace
 
@@ -32,21 +32,27 @@ void Player::next_opponent() {
 
 // Only in the present: who goes back in time watches.
 bool Player::is_opponents_turn() const {
-    return opponent_ && pool() && pool()->rules.player == opponent &&
+    return opponent_ && pool() && pool()->rules.player == carom_plays &&
            pool()->rules.phase != PoolPhase::over;
 }
 
 void Player::play_opponent(double seconds) {
+    if (!is_opponents_turn()) {
+        opponent_waits_ = 0.0;
+        opponent_says_.clear();
+    }
     if (!is_opponents_turn() || pool()->is_shooting || clockwork_.is_paused() || is_watching() ||
         session_.world().tick < session_.latest())
         return;
     needs_draw_ = true;
     const bool chooses = pool()->rules.phase == PoolPhase::choosing;
+    if (opponent_waits_ <= 0.0) opponent_says_.clear();
     if (!chooses && !opponent_->think(session_)) return;
     if (opponent_waits_ <= 0.0) {
         opponent_waits_ = opponent_pause;
         if (!chooses)
-            say("carom: " + thought_text(session_.scene(), opponent_->thoughts().front()));
+            opponent_says_ =
+                "carom: " + thought_text(session_.scene(), opponent_->thoughts().front());
         return;
     }
     opponent_waits_ -= seconds;

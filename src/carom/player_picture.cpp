@@ -179,8 +179,9 @@ HudInfo Player::hud() const {
     HudInfo info;
     info.title = (is_watching() ? "recording: " : "") + session_.scene().title;
     if (const std::string score = score_line(); !score.empty()) info.title += ": " + score;
-    if (pool()) info.title = turn_text(*pool(), names());
-    if (is_aiming()) info.game = seat_->line(session_, view_.look);
+    info.title_comes_first = pool() != nullptr;
+    if (pool()) info.title = pool_title();
+    if (seat_) info.game = pool_line();
     if (table_ && !is_watching()) info.game = hold_line();
     info.solver = solver_text(session_.solver());
     info.solver_is_picked = solver_is_picked_;
@@ -207,7 +208,10 @@ HudInfo Player::hud() const {
     info.speed = clockwork_.speed();
     info.is_paused = clockwork_.is_paused() && !clockwork_.is_seeking();
     info.mode = mode();
-    if (message_seconds_ > 0.0) {
+    if (const auto warning = clock_warning()) {
+        info.message = *warning;
+        info.message_is_error = true;
+    } else if (message_seconds_ > 0.0) {
         info.message = message_;
         info.message_is_error = message_is_error_;
     } else if (problem_) {

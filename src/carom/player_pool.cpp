@@ -16,6 +16,8 @@ constexpr double fine = 0.05;
 constexpr double speed_step = 0.1;  // m/s
 constexpr double tip_step = 0.05;   // of the radius
 
+constexpr double last_seconds = 5.0;  // of the clock, that are told loudly
+
 constexpr std::uint8_t left_button = 1;
 constexpr std::uint8_t middle_button = 2;
 
@@ -202,6 +204,42 @@ void Player::hear_referee() {
     if (now == heard_) return;
     heard_ = now;
     if (!heard_.empty()) say(heard_);
+}
+
+std::string Player::pool_title() const {
+    const std::string clock = clock_text(session_.world(), *pool());
+    return turn_text(*pool(), names()) + (clock.empty() ? "" : ", " + clock);
+}
+
+// What the person aims at, or carom; what was called, while the balls roll; what came of it.
+std::string Player::pool_line() const {
+    if (is_aiming()) return seat_->line(session_, view_.look);
+    if (!pool() || is_watching()) return "";
+    if (is_opponents_turn()) return opponent_says_.empty() ? "carom thinks" : opponent_says_;
+    if (!pool()->is_shooting) return outcome_text(*pool(), names());
+    const std::string called = call_text(session_.scene(), pool()->call);
+    return called.empty() ? "" : "called: " + called;
+}
+
+// The last seconds of who is to shoot, or to choose.
+std::optional<std::string> Player::clock_warning() const {
+    const auto left = pool() ? time_left(session_.world(), *pool()) : std::nullopt;
+    const bool is_late = left && static_cast<double>(*left) <= last_seconds * session_.world().rate;
+    if (!is_late || is_opponents_turn() || is_watching()) return std::nullopt;
+    return fmt::format("{} left", clock_text(session_.world(), *pool()));
+}
+
+std::optional<PoolStance> Player::stance() const {
+    return seat_ ? std::optional(seat_->stance()) : std::nullopt;
+}
+
+void Player::stand(const PoolStance& stance) {
+    if (seat_) seat_->stand(session_, stance);
+}
+
+bool Player::is_in_match() const {
+    if (!pool() || is_watching() || match_winner(*pool())) return false;
+    return pool()->shooter || pool()->frames != std::array<std::uint32_t, 2>{};
 }
 
 std::vector<KeyHelp> Player::pool_hints() const {

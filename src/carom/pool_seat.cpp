@@ -83,9 +83,9 @@ void PoolSeat::begin_turn(const Session& session) {
     const PoolPlay* game = play(session);
     const auto cue = cue_ball(session);
     const bool is_break = game && game->rules.phase == PoolPhase::breaking;
-    aim_ = {aim_.bearing, std::min(is_break ? break_speed : usual_speed, most_speed(session)), 0.0,
-            0.0};
-    intent_ = Intent::automatic;
+    stance_ = {.bearing = stance_.bearing,
+               .speed = std::min(is_break ? break_speed : usual_speed, most_speed(session)),
+               .aids = stance_.aids};
     pot_ = 0;
     pot_text_.clear();
     if (!cue) return;
@@ -95,34 +95,49 @@ void PoolSeat::begin_turn(const Session& session) {
         const Vec2 there = place_of(session.world(), ball) - from;
         if (!nearest || length(there) < length(*nearest)) nearest = there;
     }
-    if (nearest) aim_.bearing = bearing_of(*nearest);
+    if (nearest) stance_.bearing = bearing_of(*nearest);
+}
+
+void PoolSeat::stand(const Session& session, const PoolStance& stance) {
+    look(session);  // so that a turn that begins does not take it away again
+    stance_ = stance;
+    constexpr double most = command::Strike::most_offset;
+    if (!(stance.side * stance.side + stance.follow * stance.follow <= most * most))
+        stance_.side = stance_.follow = 0.0;
+    stance_.speed = std::clamp(stance.speed, least_speed, most_speed(session));
+    const auto pockets = static_cast<int>(session.scene().pool.pockets.size());
+    if (stance.pocket < 0 || stance.pocket >= pockets) {
+        stance_.pocket = 0;
+        stance_.intent = Intent::automatic;
+    }
+    is_seen_ = false;
 }
 
 void PoolSeat::turn(double degrees) {
     // In whole steps of the finest, so that straight lines can be met.
-    const double bearing = std::round((aim_.bearing + degrees) / finest_turn) * finest_turn;
-    aim_.bearing = std::remainder(bearing, 360.0);
+    const double bearing = std::round((stance_.bearing + degrees) / finest_turn) * finest_turn;
+    stance_.bearing = std::remainder(bearing, 360.0);
 }
 
 void PoolSeat::change_speed(double by) {
-    aim_.speed = std::max(least_speed, std::round((aim_.speed + by) * 1000.0) / 1000.0);
+    stance_.speed = std::max(least_speed, std::round((stance_.speed + by) * 1000.0) / 1000.0);
 }
 
 void PoolSeat::move_tip(double side, double follow) {
     constexpr double most = command::Strike::most_offset;
-    const double to_side = aim_.side + side;
-    const double to_follow = aim_.follow + follow;
+    const double to_side = stance_.side + side;
+    const double to_follow = stance_.follow + follow;
     const auto tidy = [](double value) { return std::round(value * 1000.0) / 1000.0; };
     if (to_side * to_side + to_follow * to_follow > most * most + 1e-9) return;
-    aim_.side = tidy(to_side);
-    aim_.follow = tidy(to_follow);
+    stance_.side = tidy(to_side);
+    stance_.follow = tidy(to_follow);
 }
 
 void PoolSeat::aim_at(const Session& session, Vec2 place) {
     const auto cue = cue_ball(session);
     if (!cue) return;
     const Vec2 way = place - place_of(session.world(), *cue);
-    if (length(way) > 0.0) aim_.bearing = bearing_of(way);
+    if (length(way) > 0.0) stance_.bearing = bearing_of(way);
 }
 
 void PoolSeat::pull(const Session& session, Vec2 hand) {
@@ -130,8 +145,8 @@ void PoolSeat::pull(const Session& session, Vec2 hand) {
     if (!cue) return;
     const Vec2 way = place_of(session.world(), *cue) - hand;
     if (!(length(way) > 0.0)) return;
-    aim_.bearing = bearing_of(way);
-    aim_.speed = std::clamp(length(way) * pull_gain, least_speed, most_speed(session));
+    stance_.bearing = bearing_of(way);
+    stance_.speed = std::clamp(length(way) * pull_gain, least_speed, most_speed(session));
 }
 
 std::string PoolSeat::next_pot(const Session& session, bool backwards) {
@@ -147,13 +162,13 @@ std::string PoolSeat::next_pot(const Session& session, bool backwards) {
     else
         pot_ = (pot_ + (backwards ? lines.size() - 1 : 1)) % lines.size();
     const PotLine& line = lines[pot_ % lines.size()];
-    aim_.bearing = bearing_of(line.direction);
-    aim_.side = aim_.follow = 0.0;
+    stance_.bearing = bearing_of(line.direction);
+    stance_.side = stance_.follow = 0.0;
     const PoolPlay* game = play(session);
     if (game && game->rules.game == PoolGame::eight_ball &&
         game->rules.phase == PoolPhase::playing) {
-        intent_ = Intent::pocket;
-        pocket_ = line.pocket;
+        stance_.intent = Intent::pocket;
+        stance_.pocket = line.pocket;
     }
     const auto number = game ? number_of(*game, line.object) : std::nullopt;
     constexpr std::string_view ways[] = {"", ", by a cushion", ", kicked by a cushion"};
@@ -167,13 +182,17 @@ std::string PoolSeat::next_pot(const Session& session, bool backwards) {
 void PoolSeat::take(const Session& session, const PoolThought& thought) {
     look(session);  // so that a turn that begins does not take the aim away again
     const Vec2 velocity = thought.strike.velocity;
-    aim_ = {bearing_of(velocity), length(velocity), thought.strike.side, thought.strike.follow};
+    stance_ = {.bearing = bearing_of(velocity),
+               .speed = length(velocity),
+               .side = thought.strike.side,
+               .follow = thought.strike.follow,
+               .aids = stance_.aids,
+               .pocket = thought.call.pocket};
     using enum PoolCall::Kind;
-    intent_ = thought.call.kind == pot        ? Intent::pocket
-              : thought.call.kind == safety   ? Intent::safety
-              : thought.call.kind == push_out ? Intent::push_out
-                                              : Intent::automatic;
-    pocket_ = thought.call.pocket;
+    stance_.intent = thought.call.kind == pot        ? Intent::pocket
+                     : thought.call.kind == safety   ? Intent::safety
+                     : thought.call.kind == push_out ? Intent::push_out
+                                                     : Intent::automatic;
 }
 
 bool PoolSeat::call_pocket(const Session& session, Vec2 place) {
@@ -185,8 +204,8 @@ bool PoolSeat::call_pocket(const Session& session, Vec2 place) {
     for (std::size_t i = 0; i < pockets.size(); ++i) {
         const Capsule& shape = session.scene().world.zones[pockets[i]].shape;
         if (length(place - shape.start) > shape.radius) continue;
-        intent_ = Intent::pocket;
-        pocket_ = static_cast<int>(i);
+        stance_.intent = Intent::pocket;
+        stance_.pocket = static_cast<int>(i);
         return true;
     }
     return false;
@@ -197,21 +216,22 @@ std::string PoolSeat::next_call(const Session& session) {
     if (!game || game->rules.phase != PoolPhase::playing) return "nothing is called now";
     if (game->rules.game == PoolGame::nine_ball) {
         if (!game->rules.may_push_out) return "in 9-ball nothing is called";
-        intent_ = intent_ == Intent::push_out ? Intent::automatic : Intent::push_out;
-        return intent_ == Intent::push_out ? "push-out" : "no push-out";
+        stance_.intent = stance_.intent == Intent::push_out ? Intent::automatic : Intent::push_out;
+        return stance_.intent == Intent::push_out ? "push-out" : "no push-out";
     }
-    intent_ = intent_ == Intent::safety ? Intent::automatic : Intent::safety;
-    return intent_ == Intent::safety ? "safety: the turn passes"
-                                     : "calls what the aim pockets; click a pocket for another";
+    stance_.intent = stance_.intent == Intent::safety ? Intent::automatic : Intent::safety;
+    return stance_.intent == Intent::safety
+               ? "safety: the turn passes"
+               : "calls what the aim pockets; click a pocket for another";
 }
 
 std::string PoolSeat::next_aids() {
     constexpr std::string_view texts[] = {"no help: the cue alone", "help: ghost ball and lines",
                                           "help: the whole shot",
                                           "help: 20 shots of a hand that errs"};
-    aids_ = static_cast<Aids>((static_cast<int>(aids_) + 1) % 4);
+    stance_.aids = static_cast<Aids>((static_cast<int>(stance_.aids) + 1) % 4);
     is_seen_ = false;
-    return std::string(texts[static_cast<std::size_t>(aids_)]);
+    return std::string(texts[static_cast<std::size_t>(stance_.aids)]);
 }
 
 // What the aim pockets, of the balls that count; or the pocket that was chosen.
@@ -220,31 +240,31 @@ PoolCall PoolSeat::call(const Session& session) const {
     if (!game || game->rules.phase != PoolPhase::playing) return {};
     const PoolState& rules = game->rules;
     if (rules.game == PoolGame::nine_ball) {
-        const bool pushes = rules.may_push_out && intent_ == Intent::push_out;
+        const bool pushes = rules.may_push_out && stance_.intent == Intent::push_out;
         return pushes ? PoolCall{PoolCall::Kind::push_out, 0, 0} : PoolCall{};
     }
-    if (intent_ == Intent::safety) return {PoolCall::Kind::safety, 0, 0};
+    if (stance_.intent == Intent::safety) return {PoolCall::Kind::safety, 0, 0};
     const auto* ahead = forecast_ ? std::get_if<PoolPlay>(&forecast_->game) : nullptr;
     if (ahead)
         for (const PoolShot::Pocketed& pocketed : ahead->shot.pocketed)
             if (pocketed.ball != 0 && may_hit_first(rules, pocketed.ball) &&
-                (intent_ == Intent::automatic || pocketed.pocket == pocket_))
+                (stance_.intent == Intent::automatic || pocketed.pocket == stance_.pocket))
                 return {PoolCall::Kind::pot, pocketed.ball, pocketed.pocket};
-    if (intent_ != Intent::pocket) return {};
+    if (stance_.intent != Intent::pocket) return {};
     const auto line = aim_line(session.world(), *cue_ball(session), strike(session).velocity);
     const auto met = line && line->object ? number_of(*game, *line->object) : std::nullopt;
     if (!met || !may_hit_first(rules, *met)) return {};
-    return {PoolCall::Kind::pot, *met, pocket_};
+    return {PoolCall::Kind::pot, *met, stance_.pocket};
 }
 
 command::Strike PoolSeat::strike(const Session& session) const {
-    const double angle = aim_.bearing * pi / 180.0;
-    const double speed = std::min(aim_.speed, most_speed(session));
+    const double angle = stance_.bearing * pi / 180.0;
+    const double speed = std::min(stance_.speed, most_speed(session));
     command::Strike strike;
     strike.ball = cue_ball(session).value_or(BallId{});
     strike.velocity = {speed * std::cos(angle), speed * std::sin(angle)};
-    if (session.world().model.spin) strike.side = aim_.side;
-    if (session.world().model.cloth) strike.follow = aim_.follow;
+    if (session.world().model.spin) strike.side = stance_.side;
+    if (session.world().model.cloth) strike.follow = stance_.follow;
     return strike;
 }
 
@@ -273,10 +293,10 @@ void PoolSeat::look(const Session& session) {
                                          static_cast<std::uint64_t>(game->rules.player)
                                    : 0;
     if (std::exchange(turn_, now) != now) begin_turn(session);
-    aim_.speed = std::min(aim_.speed, most_speed(session));
-    if (is_seen_ && seen_aim_ == aim_ && lay_ == session.world().balls.position) return;
+    stance_.speed = std::min(stance_.speed, most_speed(session));
+    if (is_seen_ && seen_stance_ == stance_ && lay_ == session.world().balls.position) return;
     is_seen_ = true;
-    seen_aim_ = aim_;
+    seen_stance_ = stance_;
     lay_ = session.world().balls.position;
     cloud_.clear();
     cloud_shots_ = 0;
@@ -286,7 +306,7 @@ void PoolSeat::look(const Session& session) {
 }
 
 bool PoolSeat::has_work() const {
-    return aids_ == Aids::cloud && forecast_ && cloud_shots_ < cloud_size;
+    return stance_.aids == Aids::cloud && forecast_ && cloud_shots_ < cloud_size;
 }
 
 bool PoolSeat::work(const Session& session) {

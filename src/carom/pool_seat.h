@@ -7,6 +7,7 @@
 
 #include "game/forecast.h"
 #include "game/pool.h"
+#include "game/pool_stance.h"
 #include "game/pool_thinker.h"
 #include "game/pool_words.h"
 #include "game/session.h"
@@ -15,14 +16,6 @@
 
 /// A person at a pool table, with the cue: aims, sees what the aim comes to, calls, shoots.
 namespace carom {
-
-/// How much the table shows of what a shot will do.
-enum class Aids : std::uint8_t {
-    none,   ///< the cue alone
-    ghost,  ///< straight lines: where the balls meet, and which ways they part
-    full,   ///< and the engine run ahead until all lies still
-    cloud   ///< and 20 shots of a hand that is not quite steady
-};
 
 class PoolSeat {
   public:
@@ -55,7 +48,11 @@ class PoolSeat {
     /// What the next shot shall be; returns it in words.
     std::string next_call(const Session& session);
     std::string next_aids();
-    Aids aids() const { return aids_; }
+    Aids aids() const { return stance_.aids; }
+
+    const PoolStance& stance() const { return stance_; }
+    /// Stands as before, in the turn that is now; what cannot be here is left out.
+    void stand(const Session& session, const PoolStance& stance);
 
     command::Strike strike(const Session& session) const;
     /// The call, where one is due, and the strike. Pre: may_aim().
@@ -73,15 +70,7 @@ class PoolSeat {
     std::string line(const Session& session, const Look& look) const;
 
   private:
-    struct Aim {
-        double bearing = 0.0;  ///< degrees, counter-clockwise from the right
-        double speed = 2.0;    ///< length/s
-        double side = 0.0;
-        double follow = 0.0;
-
-        friend bool operator==(const Aim&, const Aim&) = default;
-    };
-    enum class Intent : std::uint8_t { automatic, pocket, safety, push_out };
+    using Intent = PoolStance::Intent;
 
     const PoolPlay* play(const Session& session) const;
     PoolCall call(const Session& session) const;
@@ -89,16 +78,13 @@ class PoolSeat {
     void begin_turn(const Session& session);
     double most_speed(const Session& session) const;
 
-    Aim aim_;
-    Aids aids_ = Aids::full;
-    Intent intent_ = Intent::automatic;
-    int pocket_ = 0;
+    PoolStance stance_;
     std::size_t pot_ = 0;
     std::string pot_text_;
 
     // What the forecast was made of.
     std::vector<Vec2> lay_;
-    Aim seen_aim_;
+    PoolStance seen_stance_;
     bool is_seen_ = false;
     std::uint64_t turn_ = ~std::uint64_t{0};
     std::optional<Forecast> forecast_;

@@ -71,13 +71,13 @@ PoolMarks PoolSeat::marks(const Session& session, bool aims) const {
     const Vec2 tip = from - way * (1.5 * radius + 0.03 * length(strike.velocity));
     marks.stick = PoolMarks::Line{tip, tip - way * (16.0 * radius)};
     const PoolCall called = call(session);
-    if (called.kind == PoolCall::Kind::pot || intent_ == Intent::pocket) {
-        const int pocket = called.kind == PoolCall::Kind::pot ? called.pocket : pocket_;
+    if (called.kind == PoolCall::Kind::pot || stance_.intent == Intent::pocket) {
+        const int pocket = called.kind == PoolCall::Kind::pot ? called.pocket : stance_.pocket;
         const std::uint32_t zone = session.scene().pool.pockets[static_cast<std::size_t>(pocket)];
-        if (aids_ != Aids::none || intent_ == Intent::pocket)
+        if (stance_.aids != Aids::none || stance_.intent == Intent::pocket)
             marks.called = session.scene().world.zones[zone].shape.start;
     }
-    if (aids_ == Aids::none) return marks;
+    if (stance_.aids == Aids::none) return marks;
     if (const auto line = aim_line(world, cue, strike.velocity)) {
         marks.aim = PoolMarks::Line{line->from, line->to};
         if (line->object) {
@@ -85,7 +85,7 @@ PoolMarks PoolSeat::marks(const Session& session, bool aims) const {
             const double reach = 14.0 * radius;
             const Vec2 object = world.balls.position[*index_of(world, *line->object)];
             marks.ghost = Disc{line->to, radius};
-            if (aids_ == Aids::ghost) {
+            if (stance_.aids == Aids::ghost) {
                 marks.object =
                     PoolMarks::Line{object, object + line->object_way * (reach * line->cut_cosine)};
                 const double rest = 1.0 - line->cut_cosine * line->cut_cosine;
@@ -94,7 +94,7 @@ PoolMarks PoolSeat::marks(const Session& session, bool aims) const {
             }
         }
     }
-    if (aids_ == Aids::full)
+    if (stance_.aids == Aids::full)
         for (const Forecast::Track& track : forecast_->tracks)
             marks.tracks.push_back({track.ball, track.way, track.zone.has_value()});
     marks.spots = cloud_;
@@ -106,11 +106,11 @@ std::string PoolSeat::line(const Session& session, const Look& look) const {
     const command::Strike strike = this->strike(session);
     const double speed = length(strike.velocity);
     std::string text = fmt::format("{} {:.2f} m/s  {}", bar(speed / most_speed(session), look),
-                                   speed, tip_text(aim_.side, aim_.follow));
+                                   speed, tip_text(stance_.side, stance_.follow));
     const auto line = aim_line(session.world(), strike.ball, strike.velocity);
-    if (line && line->object && aids_ != Aids::none) text += "  " + cut_text(*line, look);
+    if (line && line->object && stance_.aids != Aids::none) text += "  " + cut_text(*line, look);
     const std::string called = call_text(session.scene(), call(session));
-    const bool tells = aids_ != Aids::none || intent_ != Intent::automatic;
+    const bool tells = stance_.aids != Aids::none || stance_.intent != Intent::automatic;
     if (!called.empty() && tells) text += "  calls: " + called;
     return text;
 }

@@ -175,7 +175,8 @@ std::optional<Problems> Program::open(const LevelSource& source) {
     }
     if (offer) {
         const double seconds = static_cast<double>(offer->replay.stands) / offer->replay.rate;
-        player.say(fmt::format("a game was cut off here at {:.1f} s: {} takes it up", seconds,
+        player.say(fmt::format("a game was {} here at {:.1f} s: {} takes it up",
+                               offer->was_left ? "left" : "cut off", seconds,
                                preferences_.keys.hint(Action::take_up)));
     }
     enter(std::move(found), std::move(player), std::move(offer));
@@ -220,7 +221,7 @@ void Program::enter(LevelSource source, Player player, std::optional<CutOffGame>
     const auto folder = resume_folder();
     if (folder && !player.is_watching()) resume_file = ResumeFile(*folder, source.path);
     page_.emplace<Game>(Game{std::move(source), std::move(player), std::move(watch),
-                             std::move(resume_file), 0, 0, std::move(offer)});
+                             std::move(resume_file), 0, 0, std::nullopt, std::move(offer)});
 }
 
 void Program::open_or_tell(const LevelSource& source) {
@@ -256,6 +257,8 @@ void Program::finish_taking_up() {
     source.seed = done.game.replay.seed;
     source.overrides = done.game.replay.overrides;
     Player player(std::move(done.replayer).take(), view(), preferences_.keys);
+    player.set_opponent(done.game.replay.opponent);
+    if (done.game.replay.stance) player.stand(*done.game.replay.stance);
     player.pause(true);
     player.say("taken up where it stood; " + preferences_.keys.hint(Action::pause) + " goes on");
     enter(std::move(source), std::move(player), std::nullopt);
@@ -283,21 +286,33 @@ bool Program::end_game() {
     return true;
 }
 
+// A match of pool is kept until it is won: it may be gone on with another day.
 void Program::leave_game() {
-    if (auto* game = std::get_if<Game>(&page_)) game->resume_file.remove();
+    auto* game = std::get_if<Game>(&page_);
+    if (!game) return;
+    is_kept_ = false;
+    if (game->player.is_in_match() && game->player.session().is_complete()) {
+        autosave(*game);
+        is_kept_ = game->resume_file.put_aside();
+    }
+    if (!is_kept_) game->resume_file.remove();
 }
 
 void Program::autosave(Game& game) {
     const Session& session = game.player.session();
     const std::uint64_t tick = session.world().tick;
     const std::size_t commands = session.commands().size();
-    if (tick == game.saved_tick && commands == game.saved_commands) return;
+    const auto stance = game.player.stance();
+    if (tick == game.saved_tick && commands == game.saved_commands && stance == game.saved_stance)
+        return;
     if (!session.is_complete() || game.player.is_watching()) return;
     game.saved_tick = tick;
     game.saved_commands = commands;
-    if (const auto problem =
-            game.resume_file.save(record(session, game.source.path, game.source.overrides)))
-        game.player.complain(*problem);
+    game.saved_stance = stance;
+    Replay replay = record(session, game.source.path, game.source.overrides);
+    replay.opponent = game.player.opponent();
+    replay.stance = stance;
+    if (const auto problem = game.resume_file.save(replay)) game.player.complain(*problem);
 }
 
 void Program::cut_off() {

@@ -53,6 +53,8 @@ class Program {
 
     /// The game has been cut off: writes what is needed to take it up again, and the recording.
     void cut_off();
+    /// The game that was left last can be gone on with.
+    bool is_kept() const { return is_kept_; }
     /// A recording that could not be written: for the person, once the screen is gone.
     const std::optional<std::string>& lost_recording() const { return lost_recording_; }
 
@@ -65,6 +67,7 @@ class Program {
         ResumeFile resume_file;
         std::uint64_t saved_tick = 0;
         std::size_t saved_commands = 0;
+        std::optional<PoolStance> saved_stance{};
         std::optional<CutOffGame> offer;          ///< what "take up" would take up
         std::vector<FingerprintMark> expected{};  ///< of a recording that is watched
         std::size_t marks_compared = 0;
@@ -124,6 +127,7 @@ class Program {
     std::optional<Recording> recording_;  ///< of the game that is played, until it ends
     std::optional<std::string> lost_recording_;
     bool mouse_ = true;
+    bool is_kept_ = false;
     bool has_told_lost_settings_ = false;  ///< once is enough
     bool is_over_ = false;
     double next_autosave_ = 0.0;

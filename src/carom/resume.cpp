@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <cstdio>
 #include <filesystem>
 #include <utility>
 
@@ -20,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view ending = ".resume";
+constexpr std::string_view left_ending = ".left";
 constexpr std::size_t most_files = 20;
 /// A day of dragging; what is longer is not ours.
 constexpr std::size_t most_bytes = std::size_t{256} << 20;
@@ -55,14 +57,15 @@ std::int64_t saved_at(const std::string& path) {
     return ::stat(path.c_str(), &status) == 0 ? status.st_mtim.tv_sec : 0;
 }
 
-/// Files of processes that run no more, newest first, then by name.
+/// Files of games that were left or whose processes run no more, newest first, then by name.
 std::vector<std::string> left_behind(const std::string& folder) {
     std::vector<std::pair<std::int64_t, std::string>> found;
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error)) {
         const std::string path = entry.path().string();
         const pid_t process = process_of(entry.path().filename().string());
-        if (process > 0 && !is_running(process)) found.emplace_back(-saved_at(path), path);
+        if (path.ends_with(left_ending) || (process > 0 && !is_running(process)))
+            found.emplace_back(-saved_at(path), path);
     }
     std::ranges::sort(found);
     std::vector<std::string> paths;
@@ -83,7 +86,7 @@ std::vector<CutOffGame> cut_off_games(const std::string& folder, std::string_vie
         auto replay = read_replay(*read.text);
         auto* good = std::get_if<Replay>(&replay);
         if (good && (level.empty() || good->level == level))
-            games.push_back({path, std::move(*good), saved_at(path)});
+            games.push_back({path, std::move(*good), saved_at(path), path.ends_with(left_ending)});
     }
     return games;
 }
@@ -108,6 +111,17 @@ std::optional<std::string> ResumeFile::save(const Replay& replay) {
 void ResumeFile::remove() {
     if (is_written_) ::unlink(path_.c_str());
     is_written_ = false;
+}
+
+bool ResumeFile::put_aside() {
+    if (!is_written_) return false;
+    is_written_ = false;
+    const std::string stem = path_.substr(0, path_.size() - ending.size());
+    std::error_code error;
+    for (int number = 0;; ++number) {
+        const std::string name = fmt::format("{}-{}{}", stem, number, left_ending);
+        if (!fs::exists(name, error)) return ::rename(path_.c_str(), name.c_str()) == 0;
+    }
 }
 
 void forget(const CutOffGame& game) {

@@ -8,20 +8,22 @@
 
 #include "game/replay_text.h"
 
-/// Games that were cut off, so that they can be taken up where they stood. Each running game writes
-/// a file of its own (its name holds the level's, a hash of its path, and the number of the
-/// process), again every few seconds and when it is cut off; a game that ends in good order takes
-/// its file away. What is left belongs to games that were cut off.
+/// Games that were cut off, or left in the middle, so that they can be taken up where they stood.
+/// Each running game writes a file of its own (its name holds the level's, a hash of its path, and
+/// the number of the process), again every few seconds and when it is cut off; a game that ends in
+/// good order takes its file away, and one that is left to be gone on with puts it aside under a
+/// name without a process. What is there of no running process can be taken up.
 namespace carom {
 
 struct CutOffGame {
     std::string file;
     Replay replay;
     std::int64_t saved = 0;  ///< s since 1970
+    bool was_left = false;   ///< by the player, who means to go on
 };
 
-/// Those of processes that run no more, the newest first; files that cannot be read are left out.
-/// `level`: the path of one level only, as it is in Replay::level; empty: of all.
+/// Those left, and those of processes that run no more, the newest first; files that cannot be read
+/// are left out. `level`: the path of one level only, as it is in Replay::level; empty: of all.
 std::vector<CutOffGame> cut_off_games(const std::string& folder, std::string_view level = {});
 
 /// The file of one running game. It stays when this goes: only remove() takes it away.
@@ -35,6 +37,8 @@ class ResumeFile {
     std::optional<std::string> save(const Replay& replay);
     /// The game has ended in good order.
     void remove();
+    /// The game is left as it was saved last, to be gone on with. False: nothing was saved.
+    bool put_aside();
 
   private:
     std::string folder_;

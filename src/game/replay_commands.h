@@ -4,18 +4,21 @@
 #include <string>
 
 #include "game/command.h"
+#include "game/pool_stance.h"
 #include "game/replay_words.h"
 #include "physics/solver.h"
 
-/// Commands and solvers as a replay says them: see replay_text.h.
+/// Commands, solvers and stances as a replay says them: see replay_text.h.
 namespace carom {
 
 std::string replay_text(const Command& command);
 std::string replay_text(const SolverSettings& settings);
+std::string replay_text(const PoolStance& stance);
 
 /// None: there is no such command. Wrong numbers make `words` fail.
 std::optional<Command> read_command(Words& words);
 /// What is wrong makes `words` fail.
 SolverSettings read_solver(Words& words);
+PoolStance read_stance(Words& words);
 
 }  // namespace carom

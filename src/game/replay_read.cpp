@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "game/pool_thinker.h"
 #include "game/replay_commands.h"
 #include "game/replay_text.h"
 #include "level/text.h"
@@ -110,6 +111,10 @@ class ReplayReader {
             wrong = timed_command(words);
         } else if (keyword == "mark") {
             wrong = mark(words);
+        } else if (keyword == "opponent") {
+            wrong = opponent(words.integer<int>());
+        } else if (keyword == "stance") {
+            replay_.stance = read_stance(words);
         } else if (keyword == "stands") {
             replay_.stands = words.integer<std::uint64_t>();
             has_stands_ = true;
@@ -160,6 +165,13 @@ class ReplayReader {
         const auto command = read_command(words);
         if (!command) return Fault{"there is no such command", take_out};
         replay_.commands.push_back({tick, *command});
+        return std::nullopt;
+    }
+
+    Wrong opponent(int steadiness) {
+        if (steadiness < least_steadiness || steadiness > most_steadiness)
+            return Fault{"there is no such opponent", take_out};
+        replay_.opponent = steadiness;
         return std::nullopt;
     }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -9,6 +10,7 @@
 
 #include "game/command.h"
 #include "game/fingerprint_mark.h"
+#include "game/pool_stance.h"
 #include "level/scene.h"
 #include "physics/solver.h"
 
@@ -55,12 +57,17 @@
 ///     at 69 decide break-again            or take-table, let-break, spot-eight, return-push
 ///     at 70 rack                          the next frame
 ///     mark 120 0123456789abcdef
+///     opponent 3                          carom played the second player, with that hand; absent:
+///     a
+///                                         person did
+///     stance 30.5 2 0.1 -0.3 full pocket 4  how a person stood at a pool table: bearing, speed,
+///                                         side and follow of the tip, what is shown, what is said
 ///     stands 1100                         where the player stood; absent: at the end
 ///     end 1200                            the last tick
 ///
 /// The lines `at` and `mark` are each in ascending order of ticks. Nothing may be missing but
-/// `include`, `set`, `at`, `mark` and `stands`. `end` is the last line: without it the recording is
-/// not whole.
+/// `include`, `set`, `at`, `mark`, `opponent`, `stance` and `stands`. `end` is the last line:
+/// without it the recording is not whole.
 namespace carom {
 
 struct Replay {
@@ -78,6 +85,8 @@ struct Replay {
     std::vector<FingerprintMark> marks;
     std::uint64_t end = 0;     ///< the last tick
     std::uint64_t stands = 0;  ///< where the player stood, 0..end
+    int opponent = 0;          ///< of carom's hands at pool, 1..4; 0: two people
+    std::optional<PoolStance> stance;
 };
 
 std::string replay_text(const Replay& replay);

@@ -31,9 +31,9 @@ struct HudCheck {
 struct HudInfo {
     std::string title;
     bool title_comes_first = false;  ///< it says how a game stands: other fields give way to it
-    std::string solver;             ///< with its settings, as "substep 4x15"
-    bool solver_is_picked = false;  ///< by carom, not by level or player
-    std::string reason;             ///< why it was picked; shown where there is room
+    std::string solver;              ///< with its settings, as "substep 4x15"
+    bool solver_is_picked = false;   ///< by carom, not by level or player
+    std::string reason;              ///< why it was picked; shown where there is room
     std::string beside;  ///< what runs beside the game, and how it compares; may be empty
     double time = 0.0;   ///< s
     std::uint64_t tick = 0;

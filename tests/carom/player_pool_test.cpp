@@ -7,21 +7,14 @@
 #include <variant>
 
 #include "carom/player.h"
+#include "carom/support/person.h"
 #include "game/support/shipped.h"
 #include "physics/fingerprint.h"
 
 using namespace carom;
+using carom::test::always;
 
 namespace {
-
-const MayGoOn always = [] { return true; };
-
-ViewOptions ascii_view() {
-    ViewOptions view;
-    view.renderer = Renderer::ascii;
-    view.look = {0, false, false};
-    return view;
-}
 
 Session session_of(const std::string& level) {
     Scene scene = test::shipped_level(level);
@@ -30,38 +23,17 @@ Session session_of(const std::string& level) {
 }
 
 /// Somebody at a table, with keys and a mouse.
-struct Person {
-    explicit Person(const std::string& level) : player(session_of(level), ascii_view(), KeyMap()) {
-        look();
-    }
-    std::string look() {
-        player.draw(window, 2.0);
-        return window.text();
-    }
-    bool sees(const std::string& text) { return look().find(text) != std::string::npos; }
+struct Person : test::PersonAtWindow {
+    explicit Person(const std::string& level) : Person(session_of(level)) {}
+    explicit Person(Session session) : PersonAtWindow(std::move(session), 120, 36) {}
+
     void key(char32_t code, std::uint8_t modifiers = no_modifier) {
-        InputEvent event;
-        event.key = code;
-        event.modifiers = modifiers;
-        player.handle(event);
-        look();
-    }
-    void mouse(InputEvent::Action action, Vec2 at, std::uint8_t button = 1) {
-        const CellPoint place = to_cells(player.camera(), at);
-        InputEvent event;
-        event.kind = InputEvent::Kind::mouse;
-        event.action = action;
-        event.button = button;
-        event.column = place.column;
-        event.row = place.row;
-        player.handle(event);
+        PersonAtWindow::key(code, modifiers);
         look();
     }
     void drag(Vec2 from, Vec2 to, std::uint8_t button = 1) {
-        mouse(InputEvent::Action::press, from, button);
-        mouse(InputEvent::Action::move, (from + to) * 0.5, button);
-        mouse(InputEvent::Action::move, to, button);
-        mouse(InputEvent::Action::release, to, button);
+        PersonAtWindow::drag(from, to, button);
+        look();
     }
     void wait() {
         for (int i = 0; i < 60 * 60 && play().is_shooting; ++i)
@@ -77,9 +49,6 @@ struct Person {
     Vec2 last_strike() const {
         return std::get<command::Strike>(player.session().commands().back().command).velocity;
     }
-
-    Player player;
-    Canvas window{120, 36};
 };
 
 }  // namespace
@@ -250,4 +219,30 @@ TEST_CASE("help for the aim: none, lines, the shot, a cloud that is computed bit
     CHECK(person.sees("the cue alone"));
     CHECK(dots() < full);
     CHECK_FALSE(person.sees("cut"));
+}
+
+TEST_CASE("the clock is seen, its last seconds are told, and its end passes the turn") {
+    Scene scene = test::shipped_level("eight-ball");
+    scene.pool.clock = 8.0;
+    const SolverSettings solver = pick_solver(scene.world).settings;
+    Person person(Session(std::move(scene), solver));
+    const auto pass = [&](double seconds) {
+        for (double passed = 0.0; passed < seconds - 0.05; passed += 0.1)
+            person.pass(0.1);
+    };
+    CHECK(person.sees("behind the line, 8 s"));
+    pass(2.0);
+    CHECK(person.sees("behind the line, 6 s"));
+    CHECK_FALSE(person.sees("6 s left"));
+    pass(2.0);
+    CHECK(person.sees("4 s left"));
+    // A pause stops it.
+    person.key(U' ');
+    pass(20.0);
+    CHECK(person.sees("4 s left"));
+    person.key(U' ');
+    pass(4.1);
+    CHECK(person.sees("player 2: to break"));
+    CHECK(person.sees("foul: the time is up"));
+    CHECK(person.play().shots == 0);
 }

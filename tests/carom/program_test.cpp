@@ -4,18 +4,18 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 
+#include "carom/support/home.h"
+
 using namespace carom;
+using carom::test::contents;
+using carom::test::Running;
 namespace fs = std::filesystem;
 
 namespace {
-
-const MayGoOn always = [] { return true; };
 
 const char* const level = R"(carom 1 "A test"
 edge r=1  0,0  40,0  40,30  0,30  close
@@ -23,59 +23,8 @@ ball a at=10,10 v=7,3
 ball b at=20,15 v=-5,4
 )";
 
-std::string contents(const fs::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-}
-
-/// A person's home, with a folder of levels in which the program runs; all of it goes again.
-struct Home {
-    fs::path path = fs::temp_directory_path() / ("carom-home-" + std::to_string(::getpid()));
-    fs::path before = fs::current_path();
-    Home() {
-        fs::create_directories(path / "work");
-        fs::current_path(path / "work");
-        ::setenv("XDG_CONFIG_HOME", (path / "config").c_str(), 1);
-        ::setenv("XDG_STATE_HOME", (path / "state").c_str(), 1);
-        write("test.level", level);
-    }
-    ~Home() {
-        fs::current_path(before);
-        fs::remove_all(path);
-        ::unsetenv("XDG_CONFIG_HOME");
-        ::unsetenv("XDG_STATE_HOME");
-    }
-    void write(const char* name, const std::string& text) const { std::ofstream(name) << text; }
-    fs::path preferences() const { return path / "config/carom/preferences"; }
-};
-
-struct Running {
-    Program program;
-    Canvas window{120, 30};
-    double now = 100.0;
-
-    explicit Running(const PlayOptions& options, const std::string& preferences = {})
-        : program(options, read_preferences(preferences, "preferences")) {
-        Capabilities capabilities;
-        capabilities.colors = 256;
-        capabilities.utf8 = true;
-        program.set_capabilities(capabilities);
-    }
-    void key(char32_t code) {
-        InputEvent event;
-        event.key = code;
-        program.handle(event, now);
-    }
-    void pass(double seconds) {
-        now += seconds;
-        program.advance(seconds, now, always);
-    }
-    std::string look() {
-        program.draw(window);
-        return window.text();
-    }
-    bool sees(const std::string& text) { return look().find(text) != std::string::npos; }
+struct Home : test::Home {
+    Home() { write("test.level", level); }
 };
 
 PlayOptions playing(const char* name) {

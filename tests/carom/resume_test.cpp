@@ -71,6 +71,26 @@ TEST_CASE("a game that runs, or has ended in good order, was not cut off") {
     CHECK(cut_off_games(folder.text()).empty());
 }
 
+TEST_CASE("games that are left stay, also of a process that runs on, each for itself") {
+    const Folder folder;
+    ResumeFile file(folder.text(), "a.level");
+    CHECK_FALSE(file.put_aside());
+    file.save(replay_of("a.level", 3));
+    CHECK(file.put_aside());
+    file.save(replay_of("a.level", 4));
+    CHECK(cut_off_games(folder.text()).size() == 1);
+    CHECK(file.put_aside());
+    file.save(replay_of("a.level", 5));
+    file.remove();
+    const auto games = cut_off_games(folder.text(), "a.level");
+    REQUIRE(games.size() == 2);
+    CHECK(games[0].was_left);
+    CHECK(games[0].replay.end + games[1].replay.end == 7);
+    forget(games[0]);
+    forget(games[1]);
+    CHECK(cut_off_games(folder.text()).empty());
+}
+
 TEST_CASE("a file that is torn or strange is left out") {
     const Folder folder;
     in_a_process_that_dies([&] {

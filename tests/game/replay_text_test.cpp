@@ -49,6 +49,8 @@ Replay everything() {
     replay.marks = {{600, 0xfedcba9876543210ull}, {1200, 1}};
     replay.end = 1200;
     replay.stands = 1100;
+    replay.opponent = 3;
+    replay.stance = {third, 2.5, -0.1, third, Aids::cloud, PoolStance::Intent::push_out, 4};
     return replay;
 }
 
@@ -79,6 +81,8 @@ TEST_CASE("a replay reads back as it was written, to the last bit") {
     CHECK(replay.overrides == everything().overrides);
     CHECK(replay.marks == everything().marks);
     CHECK(replay.solver == everything().solver);
+    CHECK(replay.opponent == 3);
+    CHECK(replay.stance == everything().stance);
     REQUIRE(replay.commands.size() == everything().commands.size());
     CHECK(std::get<command::Strike>(replay.commands[0].command).velocity ==
           Vec2{1.0 / 3.0, -2e-300});
@@ -95,6 +99,8 @@ TEST_CASE("a text without commands is enough") {
     const auto read = read_replay(head + "end 0\n");
     REQUIRE(std::holds_alternative<Replay>(read));
     CHECK(std::get<Replay>(read).stands == 0);
+    CHECK(std::get<Replay>(read).opponent == 0);
+    CHECK_FALSE(std::get<Replay>(read).stance);
 }
 
 TEST_CASE("what is wrong with a replay is told with its line") {
@@ -123,6 +129,9 @@ TEST_CASE("what is wrong with a replay is told with its line") {
         {head + "include 0 1 b\nend 1\n", 9, "the file that this is about is missing"},
         {head + "frobnicate\nend 1\n", 9, "there is no statement 'frobnicate'"},
         {head + "at 1 jump 3\nend 1\n", 9, "there is no such command"},
+        {head + "opponent 5\nend 1\n", 9, "there is no such opponent"},
+        {head + "stance 1 2 3 4 full guess 0\nend 1\n", 9, "'stance' is not complete or not right"},
+        {head + "stance 1 2 3 4 full pocket\nend 1\n", 9, "'stance' is not complete or not right"},
         {head + "at 1 strike 3 4\nend 1\n", 9, not_right},
         {head + "at 1 strike 3 4,nan\nend 1\n", 9, not_right},
         {head + "at 1 strike 3 4,inf\nend 1\n", 9, not_right},

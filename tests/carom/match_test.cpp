@@ -1,0 +1,114 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "carom/support/home.h"
+
+// A match of pool that is left in the middle, and gone on with another day.
+
+using namespace carom;
+using carom::test::Home;
+using carom::test::Running;
+
+namespace {
+
+PlayOptions at_the_table(int opponent) {
+    PlayOptions options;
+    options.level = CAROM_SOURCE_DIR "/levels/nine-ball.level";
+    options.overrides = {"game nineball race=3 clock=45s"};
+    options.opponent = opponent;
+    return options;
+}
+
+// Breaks, and waits until the balls lie still.
+void break_off(Running& running) {
+    REQUIRE_FALSE(running.program.start());
+    running.look();
+    running.key(key::enter);
+    running.pass(0.1);
+    for (int i = 0; i < 600 && running.sees("the balls roll"); ++i)
+        running.pass(0.1);
+    REQUIRE_FALSE(running.sees("the balls roll"));
+}
+
+// The status of the match: whose turn it is, and how much time is left.
+std::string title_of(Running& running) {
+    const std::string screen = running.look();
+    const std::size_t at = screen.find("0:0 to 3, ");
+    REQUIRE(at != std::string::npos);
+    return screen.substr(at, screen.find("  ", at) - at);
+}
+
+PlayOptions resuming() {
+    PlayOptions options;
+    options.resume = true;
+    return options;
+}
+
+}  // namespace
+
+TEST_CASE("a match that is left stands as it stood: score, turn, clock, aim, what is called") {
+    const Home home;
+    Running before(at_the_table(0));
+    break_off(before);
+    for (int i = 0; i < 7; ++i)
+        before.key(key::left);
+    before.key(key::up, shift);
+    before.key(key::down);
+    before.pass(2.0);
+    const std::string title = title_of(before);
+    CHECK(title.find("43 s") != std::string::npos);
+    CHECK(before.sees("1.90 m/s"));
+    CHECK(before.sees("follow 0.05"));
+    before.key(U'A');
+    before.look();
+    before.key(U'q');
+    CHECK(before.program.is_over());
+    CHECK(before.program.is_kept());
+
+    Running after(resuming());
+    REQUIRE_FALSE(after.program.start());
+    after.pass(0.1);
+    CHECK(title_of(after) == title);
+    CHECK(after.sees("1.90 m/s"));
+    CHECK(after.sees("follow 0.05"));
+    // The break is still there to be taken back.
+    after.key(U'u');
+    CHECK(after.sees("to break"));
+    after.key(U'q');
+    CHECK_FALSE(after.program.is_kept());
+    Running nothing(resuming());
+    CHECK(nothing.program.start());
+}
+
+TEST_CASE("a match against carom is gone on with against the same hand") {
+    const Home home;
+    {
+        Running before(at_the_table(2));
+        break_off(before);
+        before.key(key::escape);
+        CHECK(before.sees("to go on with"));
+        before.key(U'q');
+    }
+    Running after({});
+    REQUIRE_FALSE(after.program.start());
+    CHECK(after.sees("to go on with"));
+    after.key(key::enter);
+    after.pass(0.1);
+    CHECK_FALSE(after.sees("player 1"));
+    CHECK((title_of(after).find("you") != std::string::npos ||
+           title_of(after).find("carom") != std::string::npos));
+    after.key(U'O');
+    CHECK(after.sees("against carom, 3 of 4"));
+}
+
+TEST_CASE("a table at which nobody has shot is not kept") {
+    const Home home;
+    Running running(at_the_table(0));
+    REQUIRE_FALSE(running.program.start());
+    running.pass(1.0);
+    running.key(U'q');
+    CHECK_FALSE(running.program.is_kept());
+    Running nothing(resuming());
+    CHECK(nothing.program.start());
+}
