@@ -255,7 +255,7 @@ std::vector<KeyHelp> Player::pool_hints() const {
         return hints;
     }
     if (pool() && pool()->rules.phase == PoolPhase::over)
-        hint(Action::next_frame, "the next frame");
+        hint(Action::next_frame, match_winner(*pool()) ? "the next match" : "the next frame");
     if (!is_aiming()) return hints;
     hint(Action::grab, "shoot");
     hints.push_back({"arrows", "aim, power"});

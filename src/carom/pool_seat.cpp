@@ -78,16 +78,21 @@ std::vector<BallId> PoolSeat::targets(const Session& session) const {
     return balls;
 }
 
-// Towards the nearest ball that may be met.
 void PoolSeat::begin_turn(const Session& session) {
     const PoolPlay* game = play(session);
-    const auto cue = cue_ball(session);
     const bool is_break = game && game->rules.phase == PoolPhase::breaking;
     stance_ = {.bearing = stance_.bearing,
                .speed = std::min(is_break ? break_speed : usual_speed, most_speed(session)),
                .aids = stance_.aids};
     pot_ = 0;
     pot_text_.clear();
+    has_aimed_ = false;
+    aim_at_nearest(session);
+}
+
+// Of the balls that may be met.
+void PoolSeat::aim_at_nearest(const Session& session) {
+    const auto cue = cue_ball(session);
     if (!cue) return;
     const Vec2 from = place_of(session.world(), *cue);
     std::optional<Vec2> nearest;
@@ -101,6 +106,7 @@ void PoolSeat::begin_turn(const Session& session) {
 void PoolSeat::stand(const Session& session, const PoolStance& stance) {
     look(session);  // so that a turn that begins does not take it away again
     stance_ = stance;
+    has_aimed_ = true;
     constexpr double most = command::Strike::most_offset;
     if (!(stance.side * stance.side + stance.follow * stance.follow <= most * most))
         stance_.side = stance_.follow = 0.0;
@@ -117,6 +123,7 @@ void PoolSeat::turn(double degrees) {
     // In whole steps of the finest, so that straight lines can be met.
     const double bearing = std::round((stance_.bearing + degrees) / finest_turn) * finest_turn;
     stance_.bearing = std::remainder(bearing, 360.0);
+    has_aimed_ = true;
 }
 
 void PoolSeat::change_speed(double by) {
@@ -137,7 +144,9 @@ void PoolSeat::aim_at(const Session& session, Vec2 place) {
     const auto cue = cue_ball(session);
     if (!cue) return;
     const Vec2 way = place - place_of(session.world(), *cue);
-    if (length(way) > 0.0) stance_.bearing = bearing_of(way);
+    if (!(length(way) > 0.0)) return;
+    stance_.bearing = bearing_of(way);
+    has_aimed_ = true;
 }
 
 void PoolSeat::pull(const Session& session, Vec2 hand) {
@@ -146,6 +155,7 @@ void PoolSeat::pull(const Session& session, Vec2 hand) {
     const Vec2 way = place_of(session.world(), *cue) - hand;
     if (!(length(way) > 0.0)) return;
     stance_.bearing = bearing_of(way);
+    has_aimed_ = true;
     stance_.speed = std::clamp(length(way) * pull_gain, least_speed, most_speed(session));
 }
 
@@ -163,6 +173,7 @@ std::string PoolSeat::next_pot(const Session& session, bool backwards) {
         pot_ = (pot_ + (backwards ? lines.size() - 1 : 1)) % lines.size();
     const PotLine& line = lines[pot_ % lines.size()];
     stance_.bearing = bearing_of(line.direction);
+    has_aimed_ = true;
     stance_.side = stance_.follow = 0.0;
     const PoolPlay* game = play(session);
     if (game && game->rules.game == PoolGame::eight_ball &&
@@ -188,6 +199,7 @@ void PoolSeat::take(const Session& session, const PoolThought& thought) {
                .follow = thought.strike.follow,
                .aids = stance_.aids,
                .pocket = thought.call.pocket};
+    has_aimed_ = true;
     using enum PoolCall::Kind;
     stance_.intent = thought.call.kind == pot        ? Intent::pocket
                      : thought.call.kind == safety   ? Intent::safety
@@ -294,6 +306,9 @@ void PoolSeat::look(const Session& session) {
                                    : 0;
     if (std::exchange(turn_, now) != now) begin_turn(session);
     stance_.speed = std::min(stance_.speed, most_speed(session));
+    // The ball in hand was put elsewhere.
+    if (!has_aimed_ && may_place(session) && lay_ != session.world().balls.position)
+        aim_at_nearest(session);
     if (is_seen_ && seen_stance_ == stance_ && lay_ == session.world().balls.position) return;
     is_seen_ = true;
     seen_stance_ = stance_;

@@ -76,9 +76,11 @@ class PoolSeat {
     PoolCall call(const Session& session) const;
     std::vector<BallId> targets(const Session& session) const;
     void begin_turn(const Session& session);
+    void aim_at_nearest(const Session& session);
     double most_speed(const Session& session) const;
 
     PoolStance stance_;
+    bool has_aimed_ = false;  ///< in this turn: the bearing is the person's
     std::size_t pot_ = 0;
     std::string pot_text_;
 

@@ -221,6 +221,22 @@ TEST_CASE("help for the aim: none, lines, the shot, a cloud that is computed bit
     CHECK_FALSE(person.sees("cut"));
 }
 
+// The cue went on pointing past the rack once.
+TEST_CASE("the cue follows the ball in hand to its place, unless the person has aimed") {
+    for (const bool has_aimed : {false, true}) {
+        CAPTURE(has_aimed);
+        Person person("eight-ball");
+        if (has_aimed) person.key(key::left);
+        person.drag(person.cue(), {-0.9, 0.4});
+        REQUIRE(distance(person.cue(), Vec2{-0.9, 0.4}) < 0.1);
+        const Vec2 way = person.player.session().scene().pool.racks[0].foot - person.cue();
+        person.key(key::enter);
+        const double off = cross(person.last_strike(), way) / length(person.last_strike());
+        // The balls of a rack are off their places by a hair.
+        CHECK((std::abs(off) < 1e-3) != has_aimed);
+    }
+}
+
 TEST_CASE("the clock is seen, its last seconds are told, and its end passes the turn") {
     Scene scene = test::shipped_level("eight-ball");
     scene.pool.clock = 8.0;
