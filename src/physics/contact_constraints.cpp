@@ -61,7 +61,7 @@ ContactSolver::State ContactSolver::state_of(const World& world, const Pair& pai
     const double most = 0.25 * radius / duration_;
     const bool pushed = terms.special() && pair.by_hand && is_pushed(world, pair, approach);
     // A hand that touches goes on pushing, however far its target: it can be held back.
-    const bool is_fast = length_squared(relative) > most * most;
+    const bool is_fast = length_squared(relative) > most * most && !(pushed && pair.gap <= 0.0);
     if (approach > 0.0 && is_fast) return State::flying;
     if (pair.bounces && !pushed) {
         if (resting_speed_ == 0.0) return approach > 0.0 ? State::flying : State::idle;
@@ -227,28 +227,6 @@ void ContactSolver::note_new_contacts(std::vector<Contact>& contacts) {
                             .normal = pair.normal,
                             .approach = approach,
                             .impulse = pair.impulse});
-    }
-}
-
-// A hand goes no further into a ball than a tenth of its radius: beyond, it waits for the ball.
-void ContactSolver::hold_hands_back() {
-    for (const std::uint32_t p : hand_pairs_) {
-        const Pair& pair = pairs_[p];
-        if (pair.mass == 0.0) continue;
-        const bool by_a = pair.b < still_ && is_held_body(pair.a);
-        const std::uint32_t ball = by_a ? pair.b : pair.a;
-        const Vec2 normal = by_a ? -pair.normal : pair.normal;
-        const double surface = dot(mover_[by_a ? pair.a : pair.b].velocity, normal);
-        const double speed = dot(mover_[ball].velocity, normal);
-        const double room = std::max(0.0, pair.gap + 0.1 * radius_[ball]) / duration_;
-        if (!(surface > 0.0) || surface - speed <= room) continue;
-        Hand& hand =
-            *(by_a || pair.b < still_ ? hand_of_body(by_a ? pair.a : pair.b) : hand_of(pair.edge));
-        hand.share = std::min(hand.share, std::max(0.0, (speed + room) / surface));
-    }
-    for (const std::uint32_t p : hand_pairs_) {
-        const Pair& pair = pairs_[p];
-        if (pair.b > still_) mover_[pair.b].velocity *= hand_of(pair.edge)->share;
     }
 }
 

@@ -103,7 +103,9 @@ void ContactSolver::finish_paths(const World& world) {
             position_[i] += way_[i];
             continue;
         }
+        const Vec2 before = position_[i];
         position_[i] = position_at(world, i, duration_);
+        way_[i] = position_[i] - before;
         mover_[i].velocity = velocity_at(world, i, duration_);
     }
     for (const Hand& hand : hands_)
@@ -237,37 +239,6 @@ double ContactSolver::restitution_of(const World& world, const Pair& pair, doubl
     return std::min(world.balls.restitution[ball_[pair.a]], world.balls.restitution[ball_[pair.b]]);
 }
 
-ContactSolver::Hand* ContactSolver::hand_of(std::uint32_t capsule) {
-    for (Hand& hand : hands_)
-        if (!hand.is_ball && hand.index == capsule) return &hand;
-    return nullptr;
-}
-
-const ContactSolver::Hand* ContactSolver::hand_of(std::uint32_t capsule) const {
-    return const_cast<ContactSolver*>(this)->hand_of(capsule);
-}
-
-ContactSolver::Hand* ContactSolver::hand_of_body(std::uint32_t body) {
-    for (Hand& hand : hands_)
-        if (hand.is_ball && hand.index == body) return &hand;
-    return nullptr;
-}
-
-Vec2 ContactSolver::surface_velocity(const Hand& hand, const Capsule& shape, Vec2 point) const {
-    if (hand.stopped_at >= 0.0) return {};
-    const double place = closest_parameter(shape.start, shape.end, point);
-    return (hand.start_velocity + (hand.end_velocity - hand.start_velocity) * place) * hand.share;
-}
-
-Capsule ContactSolver::shape_of(const World& world, const Hand& hand, double now) const {
-    Capsule shape = world.capsules.shape[hand.index];
-    const double moved =
-        (hand.stopped_at >= 0.0 ? std::min(now, hand.stopped_at) : now) * hand.share;
-    shape.start += hand.start_velocity * moved;
-    shape.end += hand.end_velocity * moved;
-    return shape;
-}
-
 // The edge of a pair, as the ball sees it.
 Capsule ContactSolver::edge_at(const World& world, const Pair& pair, double now) const {
     if (pair.b > still_) return shape_of(world, *hand_of(pair.edge), now);
@@ -376,15 +347,6 @@ void ContactSolver::collide(World& world, const Event& event, std::vector<Contac
     }
     predict(world, a, now);
     if (b < still_) predict(world, b, now);
-}
-
-// Where a ball that stands is in its way, the hand stops for the substep.
-void ContactSolver::stop_hand(const World& world, std::uint32_t capsule, double now) {
-    Hand& hand = *hand_of(capsule);
-    hand.stopped_at = now;
-    ++hand.version;
-    for (const std::uint32_t p : hand_pairs_)
-        if (pairs_[p].edge == capsule) predict(world, pairs_[p].a, now);
 }
 
 std::optional<Contact> ContactSolver::collide_balls(World& world, Pair& pair, double now) {

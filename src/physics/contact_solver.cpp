@@ -23,6 +23,7 @@ void ContactSolver::tick(World& world, int substeps, std::vector<Contact>& conta
         spin_ease_ = 1.0 / *world.model.spin;
         spin_mass_ = 1.0 / (1.0 + spin_ease_);
     }
+    was_held_back_.clear();
     for (int i = 0; i < count; ++i) {
         if (i == 0 || !is_at_home()) {
             if (i > 0) store(world, touched);
@@ -51,7 +52,7 @@ void ContactSolver::substep(World& world, double share_of_way, std::vector<Conta
     prepare(world, terms_of(world));
     press(world.model.spin.has_value());
     if (any_new_) note_new_contacts(contacts);
-    hold_hands_back();
+    hold_hands_back(world.model.spin.has_value());
     find_ways();
     find_hits();
     had_impacts_ = !hits_.empty() || !strays_.empty();
@@ -60,31 +61,8 @@ void ContactSolver::substep(World& world, double share_of_way, std::vector<Conta
     else
         go(world);
     relax(world.model.spin.has_value());
+    if (!hands_.empty()) settle_jams();
     move_hands(world);
-}
-
-void ContactSolver::take_hands(const World& world, double share_of_way) {
-    for (Hand& hand : hands_) {
-        hand.share = 1.0;
-        hand.stopped_at = -1.0;
-        hand.version = 0;
-        const double per_second = share_of_way / duration_;
-        if (hand.is_ball) {
-            Vec2 way = world.held_balls[hand.held].target - position_[hand.index];
-            if (wraps_) way = nearest_image(way, torus_);
-            hand.start_velocity = hand.end_velocity = way * per_second;
-            continue;
-        }
-        const HeldCapsule& held = world.held_capsules[hand.held];
-        const Capsule& shape = world.capsules.shape[hand.index];
-        hand.start_velocity = (held.start_target - shape.start) * per_second;
-        hand.end_velocity = (held.end_target - shape.end) * per_second;
-    }
-}
-
-void ContactSolver::move_hands(World& world) {
-    for (const Hand& hand : hands_)
-        if (!hand.is_ball) world.capsules.shape[hand.index] = shape_of(world, hand, duration_);
 }
 
 void ContactSolver::kick(const World& world) {

@@ -35,14 +35,14 @@ namespace carom {
 ///
 /// No ball passes through anything: however hard they are pressed, two bodies that have come half
 /// a radius into one another stop there (`core`). A hand goes no further into a ball than a tenth
-/// of its radius. A ball with `most_impacts` impacts in a substep, or with a speed that would take
-/// it out of the region in which it was compared with others, stands for the rest of the substep:
-/// it keeps its velocity and loses time.
+/// of its radius, and what it jams has no more speed than it goes. A ball with `most_impacts`
+/// impacts in a substep, or with a speed that would take it out of the region in which it was
+/// compared with others, stands for the rest of the substep: it keeps its velocity and loses time.
 ///
 /// Fails by nature: pressed bodies overlap slightly, the more the heavier what lies on them; a pile
 /// of bounces goes pair by pair. A tower in which each ball is ten times as heavy as the one below
-/// goes in as deep as the cores. A ball that hands squeeze without a way out may move as fast as
-/// the hands would go, and faster, until they open.
+/// goes in as deep as the cores. What slips out between hands that are far behind where they are
+/// wanted may go as fast as they would to be there at the end of the tick.
 ///
 /// There is no sleep: in a heap at rest the last bits of the speeds go on changing, so who slept
 /// would wake with others than a run without sleep. What lies still costs as much as what moves.
@@ -54,6 +54,7 @@ class ContactSolver {
     static constexpr double resting_approach = 1.5;
     static constexpr int most_impacts = 64;
     static constexpr int most_pushes = 8;
+    static constexpr int most_holds = 8;
     /// Pressed pairs are springs of this many cycles a substep, damped by `damping` times what
     /// keeps them from ringing. More: less overlap, until heaps tremble: one of 2,000 without
     /// friction comes to rest at 0.22 (speeds of 1e-12), and at 0.25 never (0.01).
@@ -146,6 +147,7 @@ class ContactSolver {
         Vec2 start_velocity;
         Vec2 end_velocity;
         double share = 1.0;        ///< of its way that it can go in this substep
+        double shortened = 1.0;    ///< to this, of what the share was
         double stopped_at = -1.0;  ///< s in the substep; negative: moves
         std::uint32_t version = 0;
     };
@@ -200,7 +202,9 @@ class ContactSolver {
     void rub_pair(Pair& pair, Mover& a, Mover& b) const;
     void turn(Mover& a, Mover& b, double rub) const;
     void note_new_contacts(std::vector<Contact>& contacts);
-    void hold_hands_back();
+    void hold_hands_back(bool spin);
+    bool shorten_hands();
+    void settle_jams();
 
     // Impacts within a substep.
     void find_hits();
@@ -228,6 +232,7 @@ class ContactSolver {
     Capsule shape_of(const World& world, const Hand& hand, double now) const;
     Hand* hand_of(std::uint32_t capsule);
     const Hand* hand_of(std::uint32_t capsule) const;
+    Hand& hand_of(const Pair& pair);
     Hand* hand_of_body(std::uint32_t body);
     Vec2 surface_velocity(const Hand& hand, const Capsule& shape, Vec2 point) const;
     bool is_held_body(std::uint32_t body) const { return mover_[body].inverse_mass == 0.0; }
@@ -271,14 +276,18 @@ class ContactSolver {
     std::vector<std::uint16_t> step_of_;
     std::vector<std::uint32_t> first_impulse_;
     std::vector<std::uint32_t> pressed_;
+    std::vector<std::uint32_t> pressed_downwards_;
     std::vector<std::uint32_t> flying_;
     std::vector<std::uint32_t> hand_pairs_;
     std::vector<std::uint32_t> loaded_;  // of the pressed ones: see find_loaded
     std::vector<std::uint8_t> is_loaded_;
+    std::vector<std::uint32_t> jammed_;  // bodies: see settle_jams
+    std::vector<std::uint8_t> is_jammed_;
     bool any_new_ = false;
     bool any_uneven_ = false;
 
     std::vector<Hand> hands_;
+    std::vector<std::uint8_t> was_held_back_;  // by hand: in this tick
     std::vector<std::uint32_t> hits_;
     std::vector<std::uint32_t> strays_;  // bodies whose way leads out of their regions
     bool had_impacts_ = false;
