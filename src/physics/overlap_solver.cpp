@@ -115,16 +115,18 @@ void OverlapSolver::move_hands(World& world, double share, double duration) {
 template <Terms terms>
 void OverlapSolver::update(World& world, double duration, int steps, double end_time,
                            std::vector<Contact>& contacts, Patience& patience) {
+    const bool is_forced = world.model.gravity || world.model.drag;
     is_first_step_ = true;
     for (int step = 0; step < steps && (is_first_step_ || !active_.empty()); ++step) {
         const std::size_t moving = is_first_step_ ? world.balls.size() : active_.size();
         if (!patience.lasts(moving)) break;
         if (is_first_step_) {
-            move_all<terms>(world, duration);
+            is_forced ? move_all<terms, true>(world, duration)
+                      : move_all<terms, false>(world, duration);
             if (!neighbours_.cover(world)) neighbours_.look(world, margin_);
             part_all<terms>(world);
         } else {
-            move_active<terms>(world);
+            is_forced ? move_active<terms, true>(world) : move_active<terms, false>(world);
             if (has_strayed_) neighbours_.look(world, margin_);
             part_active<terms>(world);
         }
@@ -139,14 +141,18 @@ void OverlapSolver::update(World& world, double duration, int steps, double end_
     active_.clear();
 }
 
-template <Terms terms>
+template <Terms terms, bool forced>
 Vec2 OverlapSolver::move(World& world, std::uint32_t i, const Flight& flight) {
     Balls& balls = world.balls;
-    const Vec2 gravity = world.model.gravity.value_or(Vec2{});
     Vec2 way;
     if (terms.spin() && world.model.cloth) {
         way = move_on_cloth(world, i, flight.duration);
+    } else if constexpr (!forced) {
+        // No -0 is left, as none is where a gravity is added.
+        way = balls.velocity[i] * flight.duration + Vec2{};
+        balls.velocity[i] += Vec2{};
     } else {
+        const Vec2 gravity = world.model.gravity.value_or(Vec2{});
         way = travel(flight, balls.velocity[i], gravity);
         balls.velocity[i] = velocity_after(flight, balls.velocity[i], gravity);
     }
@@ -174,22 +180,22 @@ Vec2 OverlapSolver::move_on_cloth(World& world, std::uint32_t ball, double durat
     return Vec2(after.position);
 }
 
-template <Terms terms>
+template <Terms terms, bool forced>
 void OverlapSolver::move_all(World& world, double duration) {
     const Flight flight = flight_over(world.model.drag, duration);
     const auto count = static_cast<std::uint32_t>(world.balls.size());
     for (std::uint32_t i = 0; i < count; ++i) {
-        const Vec2 way = move<terms>(world, i, flight);
+        const Vec2 way = move<terms, forced>(world, i, flight);
         if (keeps_time_) way_[i] = way;
     }
 }
 
-template <Terms terms>
+template <Terms terms, bool forced>
 void OverlapSolver::move_active(World& world) {
     Flight flight;
     for (const std::uint32_t i : active_) {
         if (flight.duration != left_[i]) flight = flight_over(world.model.drag, left_[i]);
-        way_[i] = move<terms>(world, i, flight);
+        way_[i] = move<terms, forced>(world, i, flight);
         has_strayed_ = has_strayed_ || !neighbours_.covers(i, world.balls.position[i]);
     }
 }

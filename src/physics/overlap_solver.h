@@ -68,12 +68,12 @@ class OverlapSolver {
     template <Terms terms>
     void update(World& world, double duration, int steps, double end_time,
                 std::vector<Contact>& contacts, Patience& patience);
-    template <Terms terms>
+    template <Terms terms, bool forced>
     Vec2 move(World& world, std::uint32_t ball, const Flight& flight);
     Vec2 move_on_cloth(World& world, std::uint32_t ball, double duration);
-    template <Terms terms>
+    template <Terms terms, bool forced>
     void move_all(World& world, double duration);
-    template <Terms terms>
+    template <Terms terms, bool forced>
     void move_active(World& world);
     template <Terms terms>
     void part_all(World& world);
