@@ -250,3 +250,31 @@ TEST_CASE("the next frame is broken by the other player; one that is not over by
     CHECK(match.session.world().balls.size() == 16);
     CHECK(match.play().rules.down == 0u);
 }
+
+TEST_CASE("going back over a time that ran out, and on again, gives the same bits") {
+    Scene scene = shipped_level("nine-ball");
+    scene.pool.clock = 1.0;
+    const SolverSettings solver = pick_solver(scene.world).settings;
+    Session session(std::move(scene), solver);
+    const auto play = [&]() -> const PoolPlay& { return std::get<PoolPlay>(session.game()); };
+    const auto bits = [&] { return fingerprint(session.world(), session.game()); };
+    REQUIRE(session.step_to_collision(200) == false);
+    CHECK(session.world().tick == 200);
+    CHECK(play().last_foul == PoolFoul::time);
+    CHECK(play().rules.player == 1);
+    CHECK(time_left(session.world(), play()) == 40);
+    const std::uint64_t there = bits();
+    REQUIRE(session.go_to(100));
+    CHECK(play().rules.player == 0);
+    CHECK(play().last_foul == PoolFoul::none);
+    CHECK(time_left(session.world(), play()) == 20);
+    REQUIRE(session.go_to(200));
+    CHECK(bits() == there);
+    // A shot in time: the clock waits until the balls lie still.
+    REQUIRE(session.go_to(100));
+    REQUIRE_FALSE(session.apply(command::Strike{*play().balls[cue_ball], {0.2, 0.0}}));
+    CHECK_FALSE(time_left(session.world(), play()));
+    while (play().is_shooting)
+        REQUIRE(session.step_forward());
+    CHECK(time_left(session.world(), play()) == 120);
+}
