@@ -207,8 +207,7 @@ void Player::hear_referee() {
 }
 
 std::string Player::pool_title() const {
-    const std::string clock = clock_text(session_.world(), *pool());
-    return turn_text(*pool(), names()) + (clock.empty() ? "" : ", " + clock);
+    return turn_text(*pool(), names(), clock_text(session_.world(), *pool()));
 }
 
 // What the person aims at, or carom; what was called, while the balls roll; what came of it.
