@@ -1,9 +1,16 @@
 #include "physics/capsule_cells.h"
 
 #include <algorithm>
+#include <cstring>
+#include <iterator>
+#include <tuple>
+#include <utility>
 
 namespace carom {
 namespace {
+
+// Where more than one capsule in so many has changed, all are put in anew.
+constexpr std::size_t most_mended = 4;
 
 struct Span {
     double low = 0.0;
@@ -30,84 +37,175 @@ bool is_held(const World& world, CapsuleId id) {
                                [id](const HeldCapsule& held) { return held.id == id; });
 }
 
-bool CapsuleCells::is_current(const World& world, const CellFrame& frame, double margin) const {
-    if (!(frame == frame_) || margin != margin_ || shapes_.size() != world.capsules.size())
-        return false;
-    if (!std::ranges::equal(held_, world.held_capsules, {}, {}, &HeldCapsule::id)) return false;
-    if (held_.empty()) return shapes_ == world.capsules.shape;
-    for (std::size_t i = 0; i < shapes_.size(); ++i)
-        if (!(shapes_[i] == world.capsules.shape[i]) && !is_held(world, world.capsules.id[i]))
-            return false;
-    return true;
-}
-
 // Row by row, the cells under the part of the capsule in that row. Rows and columns at the border
-// reach outwards without end.
+// reach outwards without end, on a torus too.
 template <typename Visit>
 void CapsuleCells::for_each_cell(const Capsule& shape, Visit&& visit) const {
+    CellFrame frame = frame_;
+    frame.wraps = false;
     const double reach = shape.radius + margin_;
     const Box box = grow(join({shape.start, shape.start}, {shape.end, shape.end}), reach);
-    const int low = frame_.row(box.low.y);
-    const int high = frame_.row(box.high.y);
+    const int low = frame.row(box.low.y);
+    const int high = frame.row(box.high.y);
     for (int row = low; row <= high; ++row) {
-        const double bottom = frame_.origin.y + row * frame_.cell.y;
+        const double bottom = frame.origin.y + row * frame.cell.y;
         const double from = row == 0 ? box.low.y : bottom;
-        const double to = row == frame_.rows - 1 ? box.high.y : bottom + frame_.cell.y;
+        const double to = row == frame.rows - 1 ? box.high.y : bottom + frame.cell.y;
         // A hair wider than the row, so that rounding loses nothing.
-        const double slack = reach + 1e-9 * frame_.cell.y;
+        const double slack = reach + 1e-9 * frame.cell.y;
         const Span part = part_between(shape.start, shape.end, from - slack, to + slack);
-        const double hair = 1e-9 * frame_.cell.x;
-        const int last = frame_.column(part.high + reach + hair);
-        for (int column = frame_.column(part.low - reach - hair); column <= last; ++column)
-            visit(frame_.index(column, row));
+        const double hair = 1e-9 * frame.cell.x;
+        const int last = frame.column(part.high + reach + hair);
+        for (int column = frame.column(part.low - reach - hair); column <= last; ++column)
+            visit(frame.index(column, row));
+    }
+}
+
+// Calls visit(cell, entry) for every cell of a capsule. On a torus every image that reaches it
+// counts.
+template <typename Visit>
+void CapsuleCells::for_each_place(const World& world, std::uint32_t capsule, Visit&& visit) const {
+    const Capsule& shape = world.capsules.shape[capsule];
+    if (!frame_.wraps) {
+        for_each_cell(shape, [&](std::uint32_t cell) { visit(cell, CapsuleEntry{capsule, 0, 0}); });
+        return;
+    }
+    const Box whole = *world.model.wrap;
+    const Vec2 torus = size(whole);
+    for (int along = -1; along <= 1; ++along) {
+        for (int across = -1; across <= 1; ++across) {
+            const Vec2 shift{across * torus.x, along * torus.y};
+            const Capsule image{shape.start + shift, shape.end + shift, shape.radius};
+            if (!overlaps(grow(bounds(image), margin_), whole)) continue;
+            for_each_cell(image, [&](std::uint32_t cell) {
+                visit(cell, CapsuleEntry{capsule, static_cast<std::int8_t>(across),
+                                         static_cast<std::int8_t>(along)});
+            });
+        }
+    }
+}
+
+void CapsuleCells::note_held(const World& world) {
+    held_.clear();
+    for (const HeldCapsule& held : world.held_capsules) {
+        const auto index = index_of(world, held.id);
+        if (index && (held_.empty() || held_.back() != *index))
+            held_.push_back(static_cast<std::uint32_t>(*index));
     }
 }
 
 void CapsuleCells::update(const World& world, const CellFrame& frame, double margin) {
-    if (is_current(world, frame, margin)) return;
+    if (frame == frame_ && margin == margin_ && mend(world)) return;
     frame_ = frame;
     margin_ = margin;
-    shapes_ = world.capsules.shape;
-    held_.clear();
-    for (const HeldCapsule& held : world.held_capsules)
-        held_.push_back(held.id);
+    build(world);
+}
 
-    // On a torus every image that reaches the torus counts; the frame itself is walked as if it
-    // ended.
-    const bool wraps = frame.wraps;
-    frame_.wraps = false;
-    const Vec2 torus = wraps ? size(*world.model.wrap) : Vec2{};
-    const Box whole = wraps ? *world.model.wrap : Box{};
+void CapsuleCells::build(const World& world) {
+    note_held(world);
+    out_ = held_;
+    shapes_ = world.capsules.shape;
     const auto for_each_entry = [&](auto&& visit) {
+        auto out = out_.begin();
         for (std::uint32_t i = 0; i < shapes_.size(); ++i) {
-            if (!held_.empty() && is_held(world, world.capsules.id[i])) continue;
-            for (int along = wraps ? -1 : 0; along <= (wraps ? 1 : 0); ++along) {
-                for (int across = wraps ? -1 : 0; across <= (wraps ? 1 : 0); ++across) {
-                    Capsule image = shapes_[i];
-                    const Vec2 shift{across * torus.x, along * torus.y};
-                    image.start += shift;
-                    image.end += shift;
-                    if (wraps && !overlaps(grow(bounds(image), margin_), whole)) continue;
-                    for_each_cell(image, [&](std::uint32_t cell) {
-                        visit(cell, CapsuleEntry{i, static_cast<std::int8_t>(across),
-                                                 static_cast<std::int8_t>(along)});
-                    });
-                }
-            }
+            if (out != out_.end() && *out == i)
+                ++out;
+            else
+                for_each_place(world, i, visit);
         }
     };
     // One place further on until the entries are in: what marks the next free one of a cell then
     // stands where the next cell begins.
-    start_.assign(frame.count() + 2, 0);
+    start_.assign(frame_.count() + 2, 0);
     for_each_entry([&](std::uint32_t cell, CapsuleEntry) { ++start_[cell + 2]; });
     for (std::size_t i = 2; i < start_.size(); ++i)
         start_[i] += start_[i - 1];
     entries_.resize(start_.back());
     for_each_entry(
         [&](std::uint32_t cell, CapsuleEntry entry) { entries_[start_[cell + 1]++] = entry; });
-    frame_.wraps = wraps;
+    list_occupied();
+}
+
+bool CapsuleCells::mend(const World& world) {
+    if (shapes_.size() != world.capsules.size() || start_.empty()) return false;
+    note_held(world);
+    note_changes(world);
+    if (changed_.empty()) return true;
+    if (most_mended * changed_.size() > shapes_.size()) return false;
+    put_in_again(world);
+    return true;
+}
+
+// What is held now and was not, what is no longer, and what has another shape although it is not.
+void CapsuleCells::note_changes(const World& world) {
+    changed_.clear();
+    if (out_ != held_)
+        std::ranges::set_symmetric_difference(out_, held_, std::back_inserter(changed_));
+    const std::size_t let_go = changed_.size();
+    const std::vector<Capsule>& now = world.capsules.shape;
+    const auto look = [&](std::size_t from, std::size_t to) {
+        // Nearly always all are the same, bit by bit.
+        if (std::memcmp(now.data() + from, shapes_.data() + from, (to - from) * sizeof(Capsule)) ==
+            0)
+            return;
+        for (std::size_t i = from; i < to; ++i)
+            if (!(now[i] == shapes_[i])) changed_.push_back(static_cast<std::uint32_t>(i));
+    };
+    std::size_t from = 0;
+    for (const std::uint32_t held : held_) {
+        if (held > from) look(from, held);
+        from = held + 1;
+    }
+    if (from < now.size()) look(from, now.size());
+    if (let_go == 0 || let_go == changed_.size()) return;
+    std::ranges::sort(changed_);
+    const auto twice = std::ranges::unique(changed_);
+    changed_.erase(twice.begin(), twice.end());
+}
+
+// All of the others stay in their order, and those that have changed go where they belong.
+void CapsuleCells::put_in_again(const World& world) {
+    newcomers_.clear();
+    for (const std::uint32_t i : changed_) {
+        shapes_[i] = world.capsules.shape[i];
+        if (std::ranges::binary_search(held_, i)) continue;
+        for_each_place(world, i, [&](std::uint32_t cell, CapsuleEntry entry) {
+            newcomers_.push_back({cell, entry});
+        });
+    }
+    std::swap(out_, held_);
+    std::ranges::sort(newcomers_, {}, [](const Newcomer& n) {
+        return std::tuple(n.cell, n.entry.index, n.entry.along, n.entry.across);
+    });
+    new_start_.resize(start_.size());
+    new_entries_.resize(entries_.size() + newcomers_.size());
+    auto next = newcomers_.begin();
+    std::uint32_t end = 0;
+    for (std::uint32_t cell = 0; cell < frame_.count(); ++cell) {
+        new_start_[cell] = end;
+        for (std::uint32_t at = start_[cell]; at < start_[cell + 1]; ++at) {
+            const CapsuleEntry& stays = entries_[at];
+            if (std::ranges::binary_search(changed_, stays.index)) continue;
+            for (;
+                 next != newcomers_.end() && next->cell == cell && next->entry.index < stays.index;
+                 ++next)
+                new_entries_[end++] = next->entry;
+            new_entries_[end++] = stays;
+        }
+        for (; next != newcomers_.end() && next->cell == cell; ++next)
+            new_entries_[end++] = next->entry;
+    }
+    std::fill(new_start_.begin() + static_cast<std::ptrdiff_t>(frame_.count()), new_start_.end(),
+              end);
+    new_entries_.resize(end);
+    std::swap(start_, new_start_);
+    std::swap(entries_, new_entries_);
+    list_occupied();
+}
+
+void CapsuleCells::list_occupied() {
     occupied_.clear();
-    for (std::uint32_t cell = 0; cell < frame.count(); ++cell)
+    for (std::uint32_t cell = 0; cell < frame_.count(); ++cell)
         if (start_[cell + 1] != start_[cell]) occupied_.push_back(cell);
 }
 

@@ -17,12 +17,18 @@ struct CapsuleEntry {
     std::int8_t along = 0;
 };
 
-/// Built once and kept while frame and capsules stay as they are (compared, not trusted).
+/// Built once and kept while frame and capsules stay as they are (compared, not trusted). A few
+/// that have changed, as flippers do that come to rest, are taken out and put in again.
 class CapsuleCells {
   public:
     /// Each capsule enters the cells that it reaches when grown by `margin`. Held capsules are left
     /// out.
     void update(const World& world, const CellFrame& frame, double margin);
+
+    /// The same with the frame and margin of the last `update`. False, and nothing is done: the
+    /// world has another number of capsules than then, or so many have changed that it is cheaper
+    /// to begin anew.
+    bool mend(const World& world);
 
     /// Capsules of one cell, ascending.
     std::span<const CapsuleEntry> in_cell(std::uint32_t cell) const {
@@ -33,17 +39,34 @@ class CapsuleCells {
     std::span<const std::uint32_t> occupied() const { return occupied_; }
 
   private:
-    bool is_current(const World& world, const CellFrame& frame, double margin) const;
+    /// An entry that is to be put in.
+    struct Newcomer {
+        std::uint32_t cell = 0;
+        CapsuleEntry entry;
+    };
     template <typename Visit>
     void for_each_cell(const Capsule& shape, Visit&& visit) const;
+    template <typename Visit>
+    void for_each_place(const World& world, std::uint32_t capsule, Visit&& visit) const;
+    void build(const World& world);
+    void note_held(const World& world);
+    void note_changes(const World& world);
+    void put_in_again(const World& world);
+    void list_occupied();
 
     CellFrame frame_;
     double margin_ = -1.0;
-    std::vector<Capsule> shapes_;
-    std::vector<CapsuleId> held_;
+    std::vector<Capsule> shapes_;      // as they are in the cells
+    std::vector<std::uint32_t> out_;   // in no cell, being held; ascending
+    std::vector<std::uint32_t> held_;  // now
     std::vector<std::uint32_t> start_;
     std::vector<CapsuleEntry> entries_;
     std::vector<std::uint32_t> occupied_;
+    // While capsules are put in again.
+    std::vector<std::uint32_t> changed_;
+    std::vector<Newcomer> newcomers_;
+    std::vector<std::uint32_t> new_start_;
+    std::vector<CapsuleEntry> new_entries_;
 };
 
 /// Whether a hand holds the capsule.

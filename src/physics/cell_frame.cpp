@@ -39,25 +39,11 @@ Range most_of(const std::vector<Vec2>& positions, double Vec2::*axis) {
             std::ceil((high + (high - low) / 2) / step) * step};
 }
 
-}  // namespace
-
-CellFrame frame_around(const World& world, double cell, double cells_a_ball) {
-    if (world.balls.size() == 0) return {};
-    const std::vector<Vec2>& positions = world.balls.position;
-    CellFrame frame;
-    Vec2 extent;
-    if (world.model.wrap) {
-        frame.wraps = true;
-        frame.origin = world.model.wrap->low;
-        extent = size(*world.model.wrap);
-    } else {
-        const Range across = most_of(positions, &Vec2::x);
-        const Range along = most_of(positions, &Vec2::y);
-        frame.origin = {across.low, along.low};
-        extent = {across.high - across.low, along.high - along.low};
-    }
-    const double most_cells = cells_a_ball * static_cast<double>(positions.size()) + 64.0;
-    double side = cell > 0.0 && std::isfinite(cell) ? cell : 1.0;
+// Cells of at least `side` over what begins at the frame's origin, about `cells_a_point` at most.
+CellFrame cells_over(CellFrame frame, Vec2 extent, double side, double points,
+                     double cells_a_point) {
+    const double most_cells = cells_a_point * points + 64.0;
+    if (!(side > 0.0) || !std::isfinite(side)) side = 1.0;
     const double cells = (extent.x / side + 1.0) * (extent.y / side + 1.0);
     if (cells > most_cells)
         side = std::max({side * std::sqrt(cells / most_cells), 2.0 * extent.x / most_cells,
@@ -67,6 +53,28 @@ CellFrame frame_around(const World& world, double cell, double cells_a_ball) {
     frame.cell = {std::max(side, extent.x / frame.columns), std::max(side, extent.y / frame.rows)};
     if (frame.wraps) frame.cell = {extent.x / frame.columns, extent.y / frame.rows};
     return frame;
+}
+
+}  // namespace
+
+CellFrame frame_around(const std::vector<Vec2>& points, double cell, double cells_a_point) {
+    if (points.empty()) return {};
+    CellFrame frame;
+    const Range across = most_of(points, &Vec2::x);
+    const Range along = most_of(points, &Vec2::y);
+    frame.origin = {across.low, along.low};
+    return cells_over(frame, {across.high - across.low, along.high - along.low}, cell,
+                      static_cast<double>(points.size()), cells_a_point);
+}
+
+CellFrame frame_around(const World& world, double cell, double cells_a_ball) {
+    const std::vector<Vec2>& positions = world.balls.position;
+    if (!world.model.wrap || positions.empty()) return frame_around(positions, cell, cells_a_ball);
+    CellFrame frame;
+    frame.wraps = true;
+    frame.origin = world.model.wrap->low;
+    return cells_over(frame, size(*world.model.wrap), cell, static_cast<double>(positions.size()),
+                      cells_a_ball);
 }
 
 double room_of_a_ball(const World& world) {

@@ -54,6 +54,9 @@ struct CellFrame {
 /// `cells_a_ball`. A function of the world alone; it changes seldom while the balls move about.
 CellFrame frame_around(const World& world, double cell, double cells_a_ball = 4.0);
 
+/// The same around points that stand for something else, on a plane.
+CellFrame frame_around(const std::vector<Vec2>& points, double cell, double cells_a_point);
+
 /// Area for each ball where most of them are, length^2, roughly; 0 without balls.
 double room_of_a_ball(const World& world);
 

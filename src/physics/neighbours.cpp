@@ -23,6 +23,7 @@ void Neighbours::look(const World& world, double margin) {
     const Balls& balls = world.balls;
     margin_ = margin;
     push_ = 0.25;
+    has_map_ = false;
     reference_.clear();
     radius_.clear();
     if (margin > 0.0) {
@@ -36,6 +37,7 @@ void Neighbours::look(const World& world, std::span<const Vec2> centers,
                       std::span<const double> radii) {
     margin_ = 0.0;
     push_ = 0.0;
+    has_map_ = EdgeMap::suits(world);
     note(world, centers, radii);
 }
 
@@ -80,6 +82,10 @@ void Neighbours::look_for_edges(const World& world, std::span<const Vec2> center
         cells_of_edges_.clear();
         return;
     }
+    if (has_map_) {
+        look_on_map(world, centers, radii);
+        return;
+    }
     // Not fewer: levels come and go with the lengths of paths.
     if (cells_of_edges_.size() < grid_.levels()) cells_of_edges_.resize(grid_.levels());
     for (std::size_t level = 0; level < grid_.levels(); ++level) {
@@ -97,6 +103,19 @@ void Neighbours::look_for_edges(const World& world, std::span<const Vec2> center
                 }
             });
         }
+    }
+    std::sort(edges_.begin(), edges_.end());
+}
+
+void Neighbours::look_on_map(const World& world, std::span<const Vec2> centers,
+                             std::span<const double> radii) {
+    map_.update(world);
+    for (std::uint32_t ball = 0; ball < centers.size(); ++ball) {
+        const Disc disc{centers[ball], radii[ball] + edge_margin(radii[ball])};
+        map_.for_each_near(bounds(disc), [&](std::uint32_t capsule) {
+            const EdgePair pair{ball, capsule, 0, 0};
+            if (overlaps_edge(world, pair, disc)) edges_.push_back(pair);
+        });
     }
     std::sort(edges_.begin(), edges_.end());
 }

@@ -8,6 +8,7 @@
 
 #include "physics/capsule_cells.h"
 #include "physics/disc_grid.h"
+#include "physics/edge_map.h"
 #include "physics/world.h"
 
 /// Who is near whom: pairs of balls, and of balls and edges, in an order that knows no cells.
@@ -79,19 +80,29 @@ class Neighbours {
 
     const DiscGrid& grid() const { return grid_; }
 
+    /// Few balls are among many edges: these are on a map, and not in the cells of the grid. Only
+    /// where discs stand for the balls.
+    bool has_map() const { return has_map_; }
+    /// Pre: has_map().
+    EdgeMap& map() { return map_; }
+
   private:
     void sort_pairs(std::size_t balls);
     void note(const World& world, std::span<const Vec2> centers, std::span<const double> radii);
     void look_for_edges(const World& world, std::span<const Vec2> centers,
                         std::span<const double> radii);
+    void look_on_map(const World& world, std::span<const Vec2> centers,
+                     std::span<const double> radii);
 
     double margin_ = 0.0;
     double push_ = 0.0;  // share of the radius
     Vec2 torus_;
     DiscGrid grid_;
     std::vector<CapsuleCells> cells_of_edges_;  // by level
-    std::vector<Vec2> reference_;               // where the balls were; empty with margin 0
-    std::vector<double> radius_;                // the same
+    bool has_map_ = false;
+    EdgeMap map_;
+    std::vector<Vec2> reference_;  // where the balls were; empty with margin 0
+    std::vector<double> radius_;   // the same
     std::vector<BallPair> found_;
     std::vector<std::uint32_t> start_;
     std::vector<BallPair> pairs_;

@@ -89,7 +89,7 @@ void SweptSolver::look_around_paths(const World& world) {
     are_all_in_cells_ = false;
     changed_paths_ = 0;
     cells_.reset(are_alike(frame, cells_.frame()) ? cells_.frame() : frame, count);
-    if (world.model.ball_edge) edges_.update(world, cells_.frame(), 0.0);
+    if (world.model.ball_edge && !neighbours_.has_map()) edges_.update(world, cells_.frame(), 0.0);
 }
 
 // Where many have changed their paths, as in a heap, looking in one place is cheaper.
@@ -138,7 +138,8 @@ void SweptSolver::predict_all_at_start(const World& world) {
 template <Terms terms>
 void SweptSolver::predict(const World& world, std::uint32_t ball, double now, bool only_later) {
     std::optional<Event> best;
-    const SweptCells::Range cells = cells_.range_of(box_of_path(world, ball, now));
+    const Box box = box_of_path(world, ball, now);
+    const SweptCells::Range cells = cells_.range_of(box);
     if (world.model.ball_ball) {
         const auto meet = [&](std::uint32_t other) {
             if (other == ball || (only_later && other < ball)) return;
@@ -152,7 +153,11 @@ void SweptSolver::predict(const World& world, std::uint32_t ball, double now, bo
         }
         cells_.for_each_in(cells, meet);
     }
-    if (world.model.ball_edge && !paths_[ball].still) {
+    if (world.model.ball_edge && !paths_[ball].still && neighbours_.has_map()) {
+        neighbours_.map().for_each_near(box, [&](std::uint32_t capsule) {
+            predict_edge<terms>(world, ball, capsule, {}, now, best);
+        });
+    } else if (world.model.ball_edge && !paths_[ball].still) {
         cells_.for_each_cell(cells, [&](std::uint32_t cell, int across, int along) {
             for (const CapsuleEntry entry : edges_.in_cell(cell))
                 predict_edge<terms>(
