@@ -186,6 +186,10 @@ Refusal refused(const World&, const Press&) {
     return "there is no game that has buttons";
 }
 
+Refusal refused(const World&, const Pull&) {
+    return "there is no game that has a plunger";
+}
+
 Refusal refused_without_rules() {
     return "there is no game of pool that has rules";
 }
@@ -282,6 +286,7 @@ struct Obey {
     void operator()(const SetGravity& set) const { world.model.gravity = set.gravity; }
     void operator()(const SetSolver&) const {}
     void operator()(const Press&) const {}
+    void operator()(const Pull&) const {}
     void operator()(const CallShot&) const {}
     void operator()(const Decide&) const {}
     void operator()(const RackAgain&) const {}

@@ -77,6 +77,11 @@ struct Press {
     Button button = Button::left_flipper;
     bool is_down = false;
 };
+/// A hand has pulled the plunger so far, 0..1 of its way, and holds it there or lets go of it.
+struct Pull {
+    double share = 0.0;
+    bool lets_go = false;
+};
 /// Pool: what the next shot shall do; the last call counts.
 struct CallShot {
     PoolCall call;
@@ -94,7 +99,7 @@ using Command =
                  command::DropCapsule, command::PlaceBall, command::PlaceCapsule, command::AddBall,
                  command::RemoveBall, command::AddCapsule, command::RemoveCapsule,
                  command::SetGravity, command::SetSolver, command::Press, command::CallShot,
-                 command::Decide, command::RackAgain>;
+                 command::Decide, command::RackAgain, command::Pull>;
 
 /// A command and the tick at which it applies: before tick number `tick` + 1 is computed.
 struct TimedCommand {

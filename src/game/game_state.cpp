@@ -86,16 +86,23 @@ std::optional<std::string> refusal(const Scene& scene, const World& world, const
     if (const auto* pool = std::get_if<PoolPlay>(&game))
         return refusal(scene, world, *pool, command);
     const auto* press = std::get_if<command::Press>(&command);
-    if (!press || !std::holds_alternative<PinballState>(game)) return refusal(world, command);
-    if (has_button(scene, press->button)) return std::nullopt;
+    const auto* pull = std::get_if<command::Pull>(&command);
+    if ((!press && !pull) || !std::holds_alternative<PinballState>(game))
+        return refusal(world, command);
+    if (pull && !(pull->share >= 0.0 && pull->share <= 1.0))
+        return "a plunger is pulled by 0 to 1 of its way";
+    if (has_button(scene, press ? press->button : Button::plunger)) return std::nullopt;
     return "this table has nothing that the button moves";
 }
 
 void obey(const Scene& scene, World& world, GameState& game, const Command& command) {
     const auto* pressed = std::get_if<command::Press>(&command);
+    const auto* pulled = std::get_if<command::Pull>(&command);
     auto* pinball = std::get_if<PinballState>(&game);
     if (pressed && pinball)
         press(scene, world, *pinball, pressed->button, pressed->is_down);
+    else if (pulled && pinball)
+        pull_plunger(scene, world, *pinball, pulled->share, pulled->lets_go);
     else if (auto* pool = std::get_if<PoolPlay>(&game))
         obey(scene, world, *pool, command);
     else
@@ -109,6 +116,11 @@ std::vector<Button> pressed_buttons(const GameState& game) {
         if (pinball->is_down[static_cast<std::size_t>(button)])
             down.push_back(static_cast<Button>(button));
     return down;
+}
+
+bool is_plunger_pulled(const GameState& game) {
+    const auto* pinball = std::get_if<PinballState>(&game);
+    return pinball && pinball->pull > 0.0;
 }
 
 std::uint64_t fingerprint(const World& world, const GameState& game) {

@@ -39,6 +39,9 @@ void obey(const Scene& scene, World& world, GameState& game, const Command& comm
 /// Which buttons are down.
 std::vector<Button> pressed_buttons(const GameState& game);
 
+/// Whether the plunger is not where it rests, by a button or by hand.
+bool is_plunger_pulled(const GameState& game);
+
 /// Of both; without rules that of the world.
 std::uint64_t fingerprint(const World& world, const GameState& game);
 

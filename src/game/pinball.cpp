@@ -271,6 +271,14 @@ bool has_button(const Scene& scene, Button button) {
     return !scene.table.is_empty();
 }
 
+void pull_plunger(const Scene& scene, World& world, PinballState& state, double share,
+                  bool lets_go) {
+    const Pinball game{scene, world, state};
+    state.is_down[static_cast<std::size_t>(Button::plunger)] = false;
+    state.pull = lets_go ? 0.0 : share;
+    if (lets_go && launch(game, share)) note_launch(game);
+}
+
 void press(const Scene& scene, World& world, PinballState& state, Button button, bool is_down) {
     const Pinball game{scene, world, state};
     const bool was_down = std::exchange(state.is_down[static_cast<std::size_t>(button)], is_down);

@@ -23,6 +23,11 @@ bool has_button(const Scene& scene, Button button);
 /// A button goes down or up. It acts from the next tick on.
 void press(const Scene& scene, World& world, PinballState& state, Button button, bool is_down);
 
+/// A hand takes the plunger from its button, holds it at this share of its way, 0..1, and may let
+/// go of it there.
+void pull_plunger(const Scene& scene, World& world, PinballState& state, double share,
+                  bool lets_go);
+
 /// Whether a ball lies on the plunger.
 bool is_on_plunger(const Scene& scene, const World& world);
 

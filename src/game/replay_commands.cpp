@@ -83,6 +83,9 @@ struct CommandText {
         return fmt::format("{} {}", c.is_down ? "press" : "release",
                            button_names[static_cast<std::size_t>(c.button)]);
     }
+    std::string operator()(const Pull& c) const {
+        return fmt::format("{} {}", c.lets_go ? "launch" : "pull", c.share);
+    }
     std::string operator()(const CallShot& c) const {
         std::string text =
             fmt::format("call {}", call_names[static_cast<std::size_t>(c.call.kind)]);
@@ -217,6 +220,8 @@ std::optional<Command> read_command(Words& words) {
     if (what == "gravity") return gravity_of(words);
     if (what == "press") return Press{value_of<Button>(words, button_names), true};
     if (what == "release") return Press{value_of<Button>(words, button_names), false};
+    if (what == "pull") return Pull{words.real(), false};
+    if (what == "launch") return Pull{words.real(), true};
     if (what == "call") return call_of(words);
     if (what == "decide") return Decide{value_of<PoolChoice>(words, choice_names)};
     if (what == "rack") return RackAgain{};

@@ -53,6 +53,7 @@
 ///     at 65 gravity 0,-9.81               or: gravity off
 ///     at 66 solver swept updates=4 steps=15 substeps=1
 ///     at 67 press left                    and: release left
+///     at 67 pull 0.25                     the plunger, by a quarter; and: launch 0.25
 ///     at 68 call pot 3 2                  ball 3 into pocket 2; or none, safety, push-out
 ///     at 69 decide break-again            or take-table, let-break, spot-eight, return-push
 ///     at 70 rack                          the next frame

@@ -93,6 +93,10 @@ void Session::forget_future() {
         obey_now(command::Press{button, false});
         log(command::Press{button, false});
     }
+    if (is_plunger_pulled(game_)) {  // by a hand that is in the future now
+        obey_now(command::Pull{});
+        log(command::Pull{});
+    }
 }
 
 std::size_t Session::log_bytes() const {

@@ -232,10 +232,62 @@ TEST_CASE("without a game the mechanisms of a table work all the same") {
     CHECK(game.state().score == 0);
 }
 
+TEST_CASE("a plunger that a hand pulls sends the ball as far as it is pulled") {
+    const auto launched = [](double share, bool by_hand) {
+        Game game("game pinball save=0s\n");
+        game.send({390, 31}, {0.0, 0.0}, 0.01);
+        game.press(Button::plunger, true);
+        game.run(0.1);
+        if (!by_hand) {
+            game.run(0.9);
+            game.press(Button::plunger, false);
+            return game.world.balls.velocity[0].y;
+        }
+        const auto pull = [&](double to, bool lets_go) {
+            const Command command = command::Pull{to, lets_go};
+            REQUIRE_FALSE(refusal(game.scene, game.world, game.game, command).has_value());
+            obey(game.scene, game.world, game.game, command);
+        };
+        pull(0.9, false);
+        pull(share, false);
+        game.run(0.5);  // it stays where it is held
+        CHECK(game.state().pull == share);
+        CHECK_FALSE(game.state().is_down[static_cast<std::size_t>(Button::plunger)]);
+        pull(share, true);
+        CHECK(game.state().pull == 0.0);
+        CHECK(game.state().is_launched);
+        return game.world.balls.velocity[0].y;
+    };
+    CHECK(launched(0.0, true) == doctest::Approx(0.5));
+    CHECK(launched(0.25, true) == doctest::Approx(1.0));
+    CHECK(launched(1.0, true) == launched(1.0, false));
+}
+
+TEST_CASE("a hand that pulled the plunger in a future that no longer is has let go of it") {
+    const Scene scene = scene_of(small_table + "game pinball save=0s\n");
+    Session session(scene, {});
+    session.step_forward();
+    CHECK_FALSE(session.apply(command::Pull{0.5, false}).has_value());
+    for (int i = 0; i < 5; ++i)
+        session.step_forward();
+    REQUIRE(session.go_to(3));
+    CHECK(std::get<PinballState>(session.game()).pull == 0.5);
+    CHECK_FALSE(session.apply(command::Press{Button::left_flipper, true}).has_value());
+    CHECK(std::get<PinballState>(session.game()).pull == 0.0);
+    CHECK(session.apply(command::Pull{1.5, false}).has_value());
+    const std::string text = replay_text(record(session, "table.level", {}));
+    CHECK(text.find("at 1 pull 0.5\n") != std::string::npos);
+    CHECK(text.find("at 3 pull 0\n") != std::string::npos);
+    const auto read = read_replay(text);
+    REQUIRE(std::holds_alternative<Replay>(read));
+    CHECK(replay_text(std::get<Replay>(read)) == text);
+}
+
 TEST_CASE("buttons are refused where there are none") {
     Scene plain = scene_of("carom 1 \"Plain\"\nball a at=0,0\n");
     Session session(plain, {});
     CHECK(session.apply(command::Press{Button::left_flipper, true}).has_value());
+    CHECK(session.apply(command::Pull{0.5, true}).has_value());
     Scene table = scene_of(small_table);
     Session pinball(table, {});
     CHECK_FALSE(pinball.apply(command::Press{Button::left_flipper, true}).has_value());
@@ -289,6 +341,35 @@ TEST_CASE("a hole keeps a ball, and sends it on") {
     CHECK(game.world.balls.velocity[0].y > 0.8);
     CHECK(game.state().score == 5);
     CHECK(game.state().held.empty());
+}
+
+TEST_CASE("a ball in a hole is in play: while it is there, no drain ends the turn") {
+    Game game(
+        "hole cellar at=300,200 toward=200,400 speed=1m/s hold=0.5s r=8\n"
+        "lamp locks at=320,300 at=340,300\n"
+        "game pinball balls=3 save=0s bonus=10\n"
+        "on cellar enter advance locks, bonus +1\non locks all multiball 3\n");
+    add_ball(game.world, {.kind = game.world.balls.kind[0],
+                          .position = {0.2, 0.05},
+                          .radius = game.world.balls.radius[0]});
+    game.send({320, 200}, {-1.0, 0.0}, 0.1);
+    REQUIRE(game.state().held.size() == 1);
+    game.world.balls.velocity[1] = {0.0, -1.0};
+    game.run(0.1);
+    REQUIRE(game.state().drained == 1);
+    CHECK(game.state().phase == PinballState::Phase::playing);
+    CHECK(game.state().ball == 1);
+    game.run(0.5);
+    CHECK(game.world.balls.velocity[0].y > 0.8);
+    CHECK(game.state().phase == PinballState::Phase::playing);
+    // And what has been locked stays so on the next ball.
+    game.send({200, 40}, {0.0, -1.0}, 0.1);
+    CHECK(game.state().phase == PinballState::Phase::counting);
+    game.run(3.0);
+    CHECK(game.state().ball == 2);
+    REQUIRE(game.world.balls.size() == 1);
+    game.send({320, 200}, {-1.0, 0.0}, 0.1);
+    CHECK(game.state().to_serve + game.world.balls.size() == 3);
 }
 
 TEST_CASE("a ramp takes balls to another layer, and back when they do not make it") {
