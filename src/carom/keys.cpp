@@ -189,6 +189,7 @@ const HelpSection table_help{"At pinball",
                               {"enter", "hold and let go: the plunger"},
                               {"x up .", "nudge the table"},
                               {"k", "how flippers are held"},
+                              {"l", "the terminal's bell, on, off"},
                               {"d", "carom plays, you play"},
                               {"0", "all of the table, or after the ball"}}};
 

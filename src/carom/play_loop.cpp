@@ -77,6 +77,7 @@ void PlayLoop::turn() {
     std::optional<Canvas> canvas;
     if (is_due && !is_late) canvas = draw(is_stalled);
     const ScreenWishes wishes = program_.screen_wishes();
+    if (program_.take_bell()) screen_.bell();
     if (is_beside) advance_beside(passed, now);
     if (canvas) show(*canvas, drawing);
     screen_.set_mouse(mouse_mode(wishes));

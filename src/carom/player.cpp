@@ -38,6 +38,10 @@ Player Player::continued_with(Session session, bool solver_is_picked) const {
     next.clockwork_ = clockwork_;
     next.set_keep_going(keep_going_);
     next.mouse_is_off_ = mouse_is_off_;
+    next.has_bell_ = has_bell_;
+    if (table_ && next.table_)
+        next.table_->continue_from(*table_, next.session_.scene().table.highscores);
+    next.set_key_release(key_release_);
     if (opponent_) next.set_opponent(opponent_->steadiness());
     next.shows_cursor_ = shows_cursor_;
     if (next.session_.scene().view == session_.scene().view) {
@@ -114,7 +118,7 @@ void Player::advance(double seconds, const MayGoOn& may_go_on) {
     if (clockwork_.advance(session_, seconds, both_may_go_on) > 0) needs_draw_ = true;
     keep_up(may_go_on);
     tell_outcome();
-    hear_table();
+    hear_table(seconds);
     hear_referee();
     if (was_seeking && !clockwork_.is_seeking()) {
         if (session_.is_at_end())

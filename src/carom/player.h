@@ -78,6 +78,13 @@ class Player {
     /// At a table of pinball: carom plays by itself.
     void demonstrate(bool does);
     void set_honours(Honours honours);
+    /// The terminal tells when a key is let go.
+    void set_key_release(bool tells);
+    /// At a table of pinball: the terminal's bell rings for what kicks.
+    void set_bell(bool rings) { has_bell_ = rings; }
+    bool has_bell() const { return has_bell_; }
+    /// Whether it shall ring now, once.
+    bool take_bell();
     /// A line for the table of honour, once.
     std::optional<Honour> take_honour();
     const Session& session() const { return session_; }
@@ -153,7 +160,7 @@ class Player {
     bool handle_table_mouse(const InputEvent& event);
     void press_buttons(const std::vector<command::Press>& presses);
     void play_demonstration();
-    void hear_table();
+    void hear_table(double seconds);
     std::string hold_line() const;
     std::string score_line() const;  ///< empty where no points are counted
     void add_table_hints(std::vector<KeyHelp>& hints) const;
@@ -252,6 +259,9 @@ class Player {
     int page_scroll_ = 0;
     bool is_too_small_ = false;
     bool mouse_is_off_ = false;
+    bool key_release_ = false;
+    bool has_bell_ = false;
+    bool bell_is_due_ = false;
     bool needs_draw_ = true;
     KeepGoing keep_going_;
 

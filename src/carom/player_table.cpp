@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "carom/player.h"
 #include "game/pinball.h"
 
@@ -31,12 +33,24 @@ bool Player::handle_at_table(const InputEvent& event) {
         say(table_->next_hold());
         return true;
     }
+    if (event.key == bell_key) {
+        has_bell_ = !has_bell_;
+        bell_is_due_ = has_bell_;
+        say(has_bell_ ? "the terminal's bell rings for what kicks" : "no bell");
+        return true;
+    }
     return false;
 }
 
 bool Player::handle_table_mouse(const InputEvent& event) {
     if (!table_ || is_watching()) return false;
     const Vec2 at = to_world(camera_, {event.column, event.row});
+    const double row = length(to_world(camera_, {0.0, 1.0}) - to_world(camera_, {0.0, 0.0}));
+    if (const auto pull = table_->drag_plunger(event, at, row)) {
+        session_.apply(*pull);
+        needs_draw_ = true;
+        return true;
+    }
     const auto presses = table_->take_mouse(event, at, session_);
     if (!presses) return false;
     press_buttons(*presses);
@@ -71,10 +85,20 @@ std::optional<Honour> Player::take_honour() {
     return table_ ? table_->take_honour() : std::nullopt;
 }
 
+void Player::set_key_release(bool tells) {
+    key_release_ = tells;
+    if (table_ && tells) table_->set_tells_release(true);
+}
+
+bool Player::take_bell() {
+    return std::exchange(bell_is_due_, false);
+}
+
 // What the table says while time passes; a message stands until the next. Beside the table there is
 // room for it, so that the keys stay in sight.
-void Player::hear_table() {
+void Player::hear_table(double seconds) {
     if (!table_) return;
+    if (table_->rings(session_, seconds) && has_bell_) bell_is_due_ = true;
     table_->watch_end(session_);
     const auto heard = table_->hear(session_);
     if (heard && !heard->empty() && !table_->has_panel()) say(*heard);

@@ -89,6 +89,7 @@ constexpr Setting settings[] = {
     {"balls",
      [](Preferences& p, std::string_view v) { return choose(ball_styles, v, p.ball_style); }},
     {"trails", [](Preferences& p, std::string_view v) { return choose(switches, v, p.trails); }},
+    {"bell", [](Preferences& p, std::string_view v) { return choose(switches, v, p.bell); }},
 };
 
 constexpr std::string_view blanks = " \t\r";

@@ -22,6 +22,7 @@
 ///     color-by = speed        kind, speed, mass, ball
 ///     balls = outline         filled, outline
 ///     trails = on             on, off
+///     bell = on               on, off
 namespace carom {
 
 struct Preferences {
@@ -34,6 +35,7 @@ struct Preferences {
     ColorBy color_by = ColorBy::kind;
     BallStyle ball_style = BallStyle::filled;
     bool trails = false;
+    bool bell = false;
 };
 
 /// A line with a mistake has no effect, all others do.

@@ -103,6 +103,7 @@ void Program::set_capabilities(const Capabilities& capabilities) {
         ViewOptions changed = game->player.view();
         changed.look = view().look;
         game->player.set_view(changed);
+        game->player.set_key_release(capabilities.key_release);
     }
     if (auto* menu = std::get_if<Menu>(&page_)) menu->touch();
     if (auto* notice = std::get_if<Notice>(&page_)) notice->needs_draw = true;
@@ -209,6 +210,8 @@ void Program::compare_marks(Game& game) {
 
 void Program::enter(LevelSource source, Player player, std::optional<CutOffGame> offer) {
     player.set_mouse_is_off(!mouse_);
+    player.set_key_release(capabilities_.key_release);
+    player.set_bell(preferences_.bell);
     player.set_keep_going(keep_going_);
     if (options_.paused) player.pause(true);
     show_honours(player, source.path);

@@ -48,6 +48,8 @@ class Program {
     /// How long to wait for input at most, s.
     double seconds_to_change(double now) const;
 
+    /// Whether the terminal's bell shall ring now, once.
+    bool take_bell();
     bool is_over() const { return is_over_; }
     ScreenWishes screen_wishes() const;
 

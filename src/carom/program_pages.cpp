@@ -54,6 +54,10 @@ void Program::handle_game(Game& game, const InputEvent& event, double now) {
     if (const auto honour = game.player.take_honour())
         keep_in_honour(game.player, game.source.path, *honour);
     keep_preferences(before, game.player.view());
+    if (game.player.has_bell() != preferences_.bell) {
+        preferences_.bell = game.player.has_bell();
+        keep_setting("bell", preferences_.bell ? "on" : "off");
+    }
     if (next_autosave_ < now) next_autosave_ = now + autosave_interval;
     switch (wish) {
         case Wish::quit:
@@ -193,6 +197,11 @@ double Program::seconds_to_change(double now) const {
         if (!is_saved) seconds = std::min(seconds, std::max(0.0, next_autosave_ - now));
     }
     return seconds;
+}
+
+bool Program::take_bell() {
+    auto* const game = std::get_if<Game>(&page_);
+    return game && game->player.take_bell();
 }
 
 bool Program::needs_draw() const {

@@ -12,9 +12,10 @@
 /// The keys of a pinball table: they stay down as long as they are held.
 namespace carom {
 
-/// Keys beside the buttons: carom plays by itself; how flippers are held.
+/// Keys beside the buttons: carom plays by itself; how flippers are held; the bell.
 inline constexpr char32_t demo_key = U'd';
 inline constexpr char32_t hold_key = U'k';
+inline constexpr char32_t bell_key = U'l';
 
 /// The button that a key stands for, with no modifier but Shift; none: it is no key of a table.
 std::optional<Button> button_of(const InputEvent& event);
@@ -47,6 +48,8 @@ class TableKeys {
     std::vector<command::Press> let_go();
 
     bool is_down() const;
+    /// The terminal says that it tells when a key is let go; else the first release teaches it.
+    void set_tells_release(bool tells) { tells_release_ = tells; }
     bool tells_release() const { return tells_release_; }
 
   private:

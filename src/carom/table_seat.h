@@ -31,12 +31,21 @@ class TableSeat {
     /// meant for something else.
     std::optional<std::vector<command::Press>> take_mouse(const InputEvent& event, Vec2 at,
                                                           const Session& session);
+    /// A press on the plunger that is drawn on pulls it by hand: the further, the stronger.
+    /// `row`: height of a row of the screen, length. None: the event is meant for something else.
+    std::optional<command::Pull> drag_plunger(const InputEvent& event, Vec2 at, double row);
     std::vector<command::Press> pass(double seconds) { return keys_.pass(seconds); }
     std::vector<command::Press> let_go() { return keys_.let_go(); }
     /// Flippers stay where a press puts them, or only while it lasts. Returns what is so now.
     std::string next_hold();
-    /// "flippers up while held", how buttons are held, for the status line.
+    /// "up while held", how buttons are held, for the status line.
     std::string hold_text() const;
+    void set_tells_release(bool tells) { keys_.set_tells_release(tells); }
+
+    // Ears.
+    /// Whether a bell shall ring now: something kicked or took the ball since the last call, and
+    /// the bell has been still for a while. `seconds`: since the last call.
+    bool rings(const Session& session, double seconds);
 
     // carom plays by itself.
     void demonstrate(bool does) { demo_ = does ? std::optional(DemoPlayer{}) : std::nullopt; }
@@ -59,6 +68,9 @@ class TableSeat {
 
     // The table of honour.
     void set_honours(Honours honours) { honours_ = std::move(honours); }
+    /// The same table, changed on disk: how it is held and seen stays, and so do its honours, of
+    /// which it shows this many now.
+    void continue_from(const TableSeat& before, std::size_t most_honours);
     /// The game is over, and the score is among the best: letters are awaited.
     void watch_end(const Session& session);
     bool asks_initials() const { return initials_.has_value(); }
@@ -69,6 +81,16 @@ class TableSeat {
 
   private:
     TableKeys keys_;
+    /// The mouse has pressed on the plunger here, and has drawn it on or not.
+    struct Grip {
+        Vec2 from;
+        Vec2 direction;  ///< in which balls are sent
+        bool has_pulled = false;
+    };
+    std::optional<Grip> grip_;
+    std::uint64_t heard_flash_ = 0;  ///< what kicks: see rings()
+    std::size_t heard_held_ = 0;     ///< balls in holes
+    double since_bell_ = 1e9;        ///< s
     std::optional<DemoPlayer> demo_;
     bool was_demonstrated_ = false;  ///< some of this game: it leaves no initials
     TableCamera camera_;
