@@ -159,8 +159,7 @@ void CapsuleCells::note_changes(const World& world) {
     if (from < now.size()) look(from, now.size());
     if (let_go == 0 || let_go == changed_.size()) return;
     std::ranges::sort(changed_);
-    const auto twice = std::ranges::unique(changed_);
-    changed_.erase(twice.begin(), twice.end());
+    changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
 }
 
 // All of the others stay in their order, and those that have changed go where they belong.
