@@ -194,6 +194,7 @@ HudInfo Player::hud() const {
     info.rate = world.rate;
     info.terms = terms_in_force(world.model);
     info.balls = world.balls.size();
+    info.heaped = world.heaped.size();
     info.collisions = world.ball_ball_collisions + world.ball_edge_collisions;
     info.checks = checks();
     info.kinetic_energy = sums.kinetic_energy;

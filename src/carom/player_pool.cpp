@@ -207,7 +207,8 @@ void Player::hear_referee() {
 }
 
 std::string Player::pool_title() const {
-    return turn_text(*pool(), names(), clock_text(session_.world(), *pool()));
+    const std::string clock = clock_text(session_.world(), *pool());
+    return turn_text(*pool(), names()) + (clock.empty() ? "" : ", " + clock);
 }
 
 // What the person aims at, or carom; what was called, while the balls roll; what came of it.

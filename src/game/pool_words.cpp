@@ -124,12 +124,10 @@ std::string call_text(const Scene& scene, const PoolCall& call) {
     }
 }
 
-std::string turn_text(const PoolPlay& play, const PlayerNames& names, std::string_view clock) {
+std::string turn_text(const PoolPlay& play, const PlayerNames& names) {
     const PoolState& rules = play.rules;
-    std::string frames = fmt::format("{}:{}", play.frames[0], play.frames[1]);
-    if (play.race > 0) frames += fmt::format(" to {}", play.race);
-    if (!clock.empty()) frames += fmt::format(", {}", clock);
-    frames += play.race > 0 || !clock.empty() ? ", " : " ";
+    const std::string race = play.race > 0 ? fmt::format(" to {},", play.race) : "";
+    const std::string frames = fmt::format("{}:{}{} ", play.frames[0], play.frames[1], race);
     if (rules.winner) return frames + win_text(play, names);
     return frames + name_of(names, rules.player) + target_text(play) + ": " + task_text(play);
 }

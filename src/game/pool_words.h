@@ -21,9 +21,8 @@ std::string_view choice_text(PoolChoice choice);
 /// "the 3 into the top left"; "safety"; empty when nothing is called.
 std::string call_text(const Scene& scene, const PoolCall& call);
 
-/// Whose turn it is, and for what: "1:0 player 1, solids, 5 left: ball in hand". In a race, and
-/// with what a clock says (clock_text): "1:0 to 5, 23 s, player 1 ...".
-std::string turn_text(const PoolPlay& play, const PlayerNames& names, std::string_view clock = {});
+/// Whose turn it is, and for what: "1:0 player 1, solids, 5 left: ball in hand".
+std::string turn_text(const PoolPlay& play, const PlayerNames& names);
 
 /// What is left of the time for a shot, in whole seconds begun: "23 s". Empty where no clock runs.
 std::string clock_text(const World& world, const PoolPlay& play);

@@ -227,8 +227,13 @@ std::string explanation(const Model& model, double rate, const SolverPick& pick,
     const std::string solver_text =
         asked_for ? fmt::format("{}: asked for\nauto    would take {}", written(*asked_for), picked)
                   : fmt::format("{}: taken by auto", picked);
-    return fmt::format("model   {}\nsolver  {}\nreason  {}\nrate    {} ticks a second\n",
-                       model_text, solver_text, pick.reason, rate);
+    const SolverSettings& solver = asked_for ? *asked_for : pick.settings;
+    const std::string_view heaps =
+        hands_heaps_over(model, solver)
+            ? "heaps   too dense for events, they go over to contact, and come back\n"
+            : "";
+    return fmt::format("model   {}\nsolver  {}\n{}reason  {}\nrate    {} ticks a second\n",
+                       model_text, solver_text, heaps, pick.reason, rate);
 }
 
 }  // namespace carom

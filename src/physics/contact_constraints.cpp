@@ -51,6 +51,7 @@ bool ContactSolver::is_pushed(const World& world, const Pair& pair, double appro
 template <Terms terms>
 ContactSolver::State ContactSolver::state_of(const World& world, const Pair& pair) const {
     Vec2 relative = before_[pair.a] - before_[pair.b];
+    const Vec2 without_fall = relative;
     if (mover_[pair.b].inverse_mass == 0.0) relative += gravity_ * duration_;
     if (terms.special() && is_held_body(pair.a)) relative -= gravity_ * duration_;
     const double approach = -dot(relative, pair.normal);
@@ -65,7 +66,11 @@ ContactSolver::State ContactSolver::state_of(const World& world, const Pair& pai
     if (approach > 0.0 && is_fast) return State::flying;
     if (pair.bounces && !pushed) {
         if (resting_speed_ == 0.0) return approach > 0.0 ? State::flying : State::idle;
-        if (approach >= resting_speed_) return State::flying;
+        // Bodies that overlap meet at once, before gravity has made the approach any faster.
+        const bool is_held =
+            holds_ && pair.gap < 0.0 &&
+            (pair.impulse > 0.0 || -dot(without_fall, pair.normal) < resting_speed_);
+        if (approach >= resting_speed_ && !is_held) return State::flying;
     }
     if (terms.special() && world.model.one_way && pair.edge != NearPair::no_edge) {
         const bool engaged = pair.impulse > 0.0 || pair.gap > -0.5 * radius;

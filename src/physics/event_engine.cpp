@@ -158,6 +158,7 @@ template <typename Real>
 void EventEngine<Real>::begin(World& world) {
     is_begun_anew_ = false;
     begun_.clear();
+    crowded_.clear();
     edge_contacts_ = world.balls.edge_contacts;
     constexpr std::uint64_t look_at_frame_every = 64;
     const bool is_frame_kept = world.tick % look_at_frame_every != 0 || cells_.suits(world);
@@ -428,6 +429,7 @@ void EventEngine<Real>::write(World& world) {
     }
     if constexpr (std::is_same_v<Real, double>) {
         store_paths(world);
+        write_crowded(world);
         world.paths_gravity = world.model.gravity.value_or(Vec2{});
         world.paths_drag = world.model.drag.value_or(0.0);
     }

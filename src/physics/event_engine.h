@@ -46,13 +46,15 @@ enum class EventOutcome : std::uint8_t {
 /// than `lively_rise` of a radius, so their impacts stay finite in number (after Luding and
 /// McNamara, How to handle the inelastic collapse of a dissipative hard-sphere gas, Granular Matter
 /// 1, 1998). Heaps in which balls press on moving balls from all sides are too dense for events:
-/// a ball that has had `most_tiring` impacts in quick succession, and is slow, lies still where it
-/// is for a quarter of the time in which it would fall through its radius, and longer if what it
-/// touches then carries it. That loses energy and momentum. Balls that are pressed together and
-/// overlap by more than half of `lively_rise` are taken apart where nothing bars the way, which
-/// lifts them by as much; where they are barred, they sink in further. Without gravity,
-/// two balls that have met `most_quick` times in a row within `touching` of a radius pass their
-/// impulse without restitution, for the same reason.
+/// what has had more than `crowding` impacts in quick succession is in World::heaped when the tick
+/// ends, and goes over to `contact` (handover.h). Until then, and with other numbers than doubles,
+/// a ball that has had `most_tiring` of them, and is slow, lies still where it is for a quarter of
+/// the time in which it would fall through its radius, and longer if what it touches then carries
+/// it. That loses energy and momentum. Balls that are pressed together and overlap by more than
+/// half of `lively_rise` are taken apart where nothing bars the way, which lifts them by as much;
+/// where they are barred, they sink in further. Without gravity, two balls that have met
+/// `most_quick` times in a row within `touching` of a radius pass their impulse without
+/// restitution, for the same reason.
 ///
 /// Friction, at an impact: once the impulses along the normals are known, each contact passes along
 /// itself what stops its slip, but no more than its coefficient times its own impulse. Where bodies
@@ -80,6 +82,8 @@ class EventEngine {
     static constexpr double touching = 1e-10;
     static constexpr std::uint32_t most_quick = 64;
     static constexpr std::uint32_t most_tiring = 256;
+    /// A ball with more impacts in quick succession than this is in a heap: see handover.h.
+    static constexpr std::uint32_t crowding = 64;
     static constexpr double quick_succession = 1.0 / 64.0;  ///< of the fall through a radius
 
     /// Moves everything by one tick and appends the exchanges to `contacts` (bodies by index).
@@ -243,6 +247,8 @@ class EventEngine {
     Real fall_time(std::uint32_t ball) const;
     std::uint32_t tiredness(std::uint32_t ball, const EventPath<Real>& before) const;
     void lie_down_if_tired(std::uint32_t ball);
+    void note_crowded(std::size_t body);
+    void write_crowded(World& world);
 
     // event_friction.cpp: friction and spin. Pre, where nothing else is said: Model::spin.
     Real spin_at(std::uint32_t ball, const Real& time) const;
@@ -322,7 +328,8 @@ class EventEngine {
     std::pmr::unsynchronized_pool_resource reflections_{{.largest_required_pool_block = 1 << 20}};
     std::pmr::vector<Real> passed_{&reflections_};
     std::vector<std::uint32_t> changed_;
-    std::vector<std::uint32_t> gone_;  ///< what others rested on
+    std::vector<std::uint32_t> crowded_;  ///< in this tick, and may not be any more
+    std::vector<std::uint32_t> gone_;     ///< what others rested on
     std::vector<Support> supports_;
     std::vector<Support> points_;
     std::vector<Rubbing> rubbings_;

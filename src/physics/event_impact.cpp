@@ -260,6 +260,7 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
             path.motion = Motion::held;
             path.acceleration = {};
         }
+        if (path.quick > crowding) note_crowded(i);
         changed.push_back(each.ball);
     }
     for (std::size_t i = 0; i < bodies_.size(); ++i)

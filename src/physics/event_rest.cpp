@@ -297,6 +297,25 @@ void EventEngine<Real>::lie_down_if_tired(std::uint32_t ball) {
     path.quick = most_tiring / 4 * 3;
 }
 
+template <typename Real>
+void EventEngine<Real>::note_crowded(std::size_t body) {
+    if (!world_->model.gravity || !world_->model.lossy) return;
+    const std::uint32_t ball = bodies_[body].ball;
+    if (balls_[ball].path.motion == Motion::held) return;
+    for (const Touch& touch : touches_)
+        if (touch.kind == Kind::ball_ball && (touch.contact.a == body || touch.contact.b == body))
+            return crowded_.push_back(ball);
+}
+
+template <typename Real>
+void EventEngine<Real>::write_crowded(World& world) {
+    world.heaped.clear();
+    std::sort(crowded_.begin(), crowded_.end());
+    crowded_.erase(std::unique(crowded_.begin(), crowded_.end()), crowded_.end());
+    for (const std::uint32_t ball : crowded_)
+        if (balls_[ball].path.quick > crowding) world.heaped.push_back(world.balls.id[ball]);
+}
+
 template class EventEngine<double>;
 template class EventEngine<Wide>;
 

@@ -96,6 +96,8 @@ std::uint64_t fingerprint(const World& world) {
         hash.add(pair.impulse);
         hash.add(pair.rub);
     }
+    for (const BallId id : world.heaped)
+        hash.add(std::uint64_t{number(id)});
     return hash.state();
 }
 

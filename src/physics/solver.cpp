@@ -2,6 +2,7 @@
 
 #include "physics/contact_solver.h"
 #include "physics/event_engine.h"
+#include "physics/handover.h"
 #include "physics/overlap_solver.h"
 #include "physics/surroundings.h"
 #include "physics/swept_solver.h"
@@ -39,6 +40,11 @@ bool knows_cloth(SolverKind kind) {
     return kind != SolverKind::contact && kind != SolverKind::event;
 }
 
+bool hands_heaps_over(const Model& model, const SolverSettings& settings) {
+    return settings.kind == SolverKind::event && !settings.extended && model.gravity &&
+           model.lossy && model.ball_ball;
+}
+
 int substeps_of(const SolverSettings& settings) {
     return settings.kind == SolverKind::contact ? settings.contact_substeps : settings.substeps;
 }
@@ -55,9 +61,19 @@ struct Solver::State {
     ContactSolver contact;
     EventEngine<double> event;
     std::unique_ptr<EventEngine<Wide>> extended;  // large, and seldom asked for
+    Handover handover;
     std::vector<Contact> contacts;
     std::vector<std::uint8_t> touched;
     TickUndo undo;
+
+    EventOutcome tick_by_event(World& world, const std::function<bool()>& keep_going) {
+        if (extended) return extended->tick(world, contacts, touched, keep_going);
+        if (!world.heaped.empty())
+            return handover.tick(world, event, contact, contacts, touched, keep_going);
+        const EventOutcome outcome = event.tick(world, contacts, touched, keep_going);
+        if (outcome != EventOutcome::given_up) world.pressed.clear();
+        return outcome;
+    }
 };
 
 Solver::Solver(const SolverSettings& settings) : state_(std::make_unique<State>()) {
@@ -113,10 +129,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
                                state.touched);
             break;
         case SolverKind::event: {
-            const auto ended =
-                state.extended
-                    ? state.extended->tick(world, state.contacts, state.touched, keep_going)
-                    : state.event.tick(world, state.contacts, state.touched, keep_going);
+            const auto ended = state.tick_by_event(world, keep_going);
             if (ended == EventOutcome::given_up) outcome = TickOutcome::given_up;
             if (ended == EventOutcome::too_dense) outcome = TickOutcome::too_dense;
             break;
@@ -134,7 +147,9 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
         world.paths.clear();
         world.spin_paths.clear();
     }
-    if (state.settings.kind != SolverKind::contact) world.pressed.clear();
+    const bool has_heaps = state.settings.kind == SolverKind::event && !state.extended;
+    if (!has_heaps) world.heaped.clear();
+    if (!has_heaps && state.settings.kind != SolverKind::contact) world.pressed.clear();
     rest_flippers(world);
     stop_slow_balls(world, state.touched);
     ++world.tick;

@@ -27,7 +27,7 @@ struct SolverSettings {
     int contact_substeps = 4;  ///< contact: parts that a tick is cut into, 1..1000
     /// event: computed with about 32 digits (geometry/wide.h), as the reference for itself and the
     /// others. About 5 times slower in a gas. Its paths are not part of the world, so only one
-    /// solver object that ticks without interruption has all the digits.
+    /// solver object that ticks without interruption has all the digits. It hands no heaps over.
     bool extended = false;
 
     friend bool operator==(const SolverSettings&, const SolverSettings&) = default;
@@ -45,6 +45,10 @@ std::span<const SolverKind> solvers_available();
 
 /// Whether the solver moves balls on cloth as Model::cloth says.
 bool knows_cloth(SolverKind kind);
+
+/// Whether the solver hands heaps that are too dense for it over to `contact` (handover.h): where
+/// gravity acts, balls meet, and impacts lose energy.
+bool hands_heaps_over(const Model& model, const SolverSettings& settings);
 
 /// What `auto` picks for a world, and the reason in one sentence. Depends on the world alone.
 struct SolverPick {

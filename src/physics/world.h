@@ -225,8 +225,13 @@ struct World {
     /// By which a solver knows the paths that it left: the sum of sum_of (event_path.h) over them.
     std::uint64_t paths_sum = 0;
 
-    /// Ascending by ball; empty unless the last tick was one of the solver `contact`.
+    /// Ascending by ball; empty unless the last tick was one of the solver `contact`, or `event`
+    /// had a heap in it.
     std::vector<PressedPair> pressed;
+    /// Balls that the solver `event` hands over to `contact` in the next tick, with all that could
+    /// meet them (handover.h). Ascending; numbers of balls that are gone do not count. Empty unless
+    /// the last tick was one of the solver `event`.
+    std::vector<BallId> heaped;
 
     std::uint32_t next_ball = 0;
     std::uint32_t next_capsule = 0;

@@ -246,9 +246,9 @@ TEST_CASE("the clock is seen, its last seconds are told, and its end passes the 
         for (double passed = 0.0; passed < seconds - 0.05; passed += 0.1)
             person.pass(0.1);
     };
-    CHECK(person.sees("0:0, 8 s, player 1: to break"));
+    CHECK(person.sees("behind the line, 8 s"));
     pass(2.0);
-    CHECK(person.sees("0:0, 6 s, player 1: to break"));
+    CHECK(person.sees("behind the line, 6 s"));
     CHECK_FALSE(person.sees("6 s left"));
     pass(2.0);
     CHECK(person.sees("4 s left"));

@@ -159,4 +159,10 @@ TEST_CASE("the explanation names the terms and the solver") {
         explanation(load("solver discrete\nuse gravity 0,-2\nuse drag 1\nball a at=0,0\n"));
     CHECK(has(text, "model   gravity 0,-2\n        drag 1\n"));
     CHECK(has(text, "solver  discrete: asked for\nauto    would take "));
+    const std::string heaps =
+        "heaps   too dense for events, they go over to contact, and come back\n";
+    const std::string falls = "use gravity 0,-2\nkind soft r=1 e=0.5\nball a at=0,0 kind=soft\n";
+    CHECK(has(explanation(load("solver event\n" + falls)), heaps + "reason  "));
+    CHECK_FALSE(has(explanation(load("solver contact\n" + falls)), heaps));
+    CHECK_FALSE(has(explanation(load("solver event\nuse gravity 0,-2\nball a at=0,0\n")), heaps));
 }

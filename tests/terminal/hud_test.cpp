@@ -52,6 +52,14 @@ TEST_CASE("the world has all but the status lines") {
     CHECK(hud_rows(80, 0) == 0);
 }
 
+TEST_CASE("the status line says how many balls are under contact") {
+    HudInfo info = galton();
+    info.solver = "event";
+    CHECK(drawn(info, 160, 24).find("under contact") == std::string::npos);
+    info.heaped = 37;
+    CHECK(drawn(info, 160, 24).find("37 of 137 under contact") != std::string::npos);
+}
+
 TEST_CASE("status lines in a usual window") {
     CHECK(drawn(galton(), 80, 24) == R"(
  Galton board, 12 rows  > x1         12.345 s  swept (auto)    120/120 ticks/s
