@@ -84,6 +84,7 @@ std::vector<TermScene> term_scenes(const std::string& gas) {
         {"stop", scenes.with("use stop 1e-9"), scenes.with("use stop 0")},
         {"speed limit", scenes.with("use limit 1e9"), std::nullopt},
         {"spin and friction", rubbing, scenes.with_override("kind atom r=1 m=1 mu=0")},
+        {"cloth", scenes.with("use cloth slide=1e-9 roll=1e-9 spin=0 g=1"), std::nullopt},
         {"torus", scenes.with("world -2,-2 side+2,side+2\nuse wrap"),
          scenes.with("world -2,-2 side+2,side+2")},
         {"scatter", scenes.with("use scatter 1e-9"), scenes.with("use scatter 0")},

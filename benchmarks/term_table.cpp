@@ -19,8 +19,10 @@ std::vector<std::optional<Count>> counts(InstructionCounter& counter, const Coun
     return all;
 }
 
-std::string added(const Count& with, const Count& bare) {
-    const double more = with.instructions_a_ball_tick - bare.instructions_a_ball_tick;
+// None: the solver does not know the term.
+std::string added(const std::optional<Count>& with, const Count& bare) {
+    if (!with) return "-";
+    const double more = with->instructions_a_ball_tick - bare.instructions_a_ball_tick;
     return fmt::format("{:+.0f} ({:+.1f} %)", more, 100.0 * more / bare.instructions_a_ball_tick);
 }
 
@@ -40,7 +42,7 @@ double added_bytes(const std::vector<std::optional<Count>>& with,
                    const std::vector<std::optional<Count>>& bare) {
     double most = 0.0;
     for (std::size_t i = 0; i < bare.size(); ++i)
-        most = std::max(most, with[i]->bytes_a_ball - bare[i]->bytes_a_ball);
+        if (with[i]) most = std::max(most, with[i]->bytes_a_ball - bare[i]->bytes_a_ball);
     return most;
 }
 
@@ -67,7 +69,7 @@ std::string term_table(InstructionCounter& counter, const std::string& gas) {
         if (!with.front()) continue;
         std::vector<std::string> row{scene.term};
         for (std::size_t i = 0; i < bare.size(); ++i)
-            row.push_back(added(*with[i], *bare[i]));
+            row.push_back(added(with[i], *bare[i]));
         row.push_back(fmt::format("{:+.0f}", added_bytes(with, bare)));
         row.push_back(scene.without ? largest_change(counts(counter, *scene.without), bare) : "-");
         table.add(row);
