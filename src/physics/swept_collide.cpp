@@ -31,10 +31,11 @@ Vec2 SweptSolver::velocity_at(const World& world, std::uint32_t ball, double now
     const double since = now - path.time;
     if (world.model.cloth) return Vec2(on_cloth(world, ball, path.start_velocity, since).velocity);
     const Flight flight = flight_over(world.model.drag, since);
-    Vec2 velocity = velocity_after(flight, path.start_velocity, path.gravity);
-    const double pull = length(path.gravity);
+    const Vec2 gravity = gravity_on(ball);
+    Vec2 velocity = velocity_after(flight, path.start_velocity, gravity);
+    const double pull = length(gravity);
     if (pull > 0.0 && !world.model.drag) {
-        const Vec2 down = path.gravity / pull;
+        const Vec2 down = gravity / pull;
         const double fall = dot(velocity, down);
         const double there = std::sqrt(fall * fall + pull * pull * since * (duration_ - now));
         velocity += down * ((fall < 0.0 ? -there : there) - fall);
@@ -60,7 +61,7 @@ void SweptSolver::take_path(const World& world, std::uint32_t ball, double now, 
     path.start_velocity = path.still ? Vec2{} : velocity;
     path.velocity = path.still || is_held_ball(ball)
                         ? path.start_velocity
-                        : chord(world, ball, velocity, path.gravity, now);
+                        : chord(world, ball, velocity, gravity_on(ball), now);
     if (path.version++ == 0) ++changed_paths_;
     cells_.enter(ball, box_of_path(world, ball, now));
 }
@@ -80,17 +81,19 @@ void SweptSolver::rest_on(std::uint32_t ball, Vec2 normal, const World& world) {
     if (!world.model.gravity || !(dot(normal, *world.model.gravity) < 0.0)) return;
     Path& path = paths_[ball];
     path.carried = true;
-    if (dot(path.support, normal) < 0.999) path.other_support = path.support;
-    path.support = normal;
-    path.gravity = left_by_supports(*world.model.gravity, path.support, path.other_support);
+    Bearing& bearing = bearings_[ball];
+    if (!path.is_borne) bearing = {};
+    path.is_borne = true;
+    if (dot(bearing.support, normal) < 0.999) bearing.other_support = bearing.support;
+    bearing.support = normal;
+    bearing.gravity = left_by_supports(gravity_, bearing.support, bearing.other_support);
     if (world.model.spin) spin_rate_[ball] = 0.0;
 }
 
 // A bounce takes the ball off what it rested on.
 void SweptSolver::let_go(std::uint32_t ball, const World& world) {
     Path& path = paths_[ball];
-    path.support = path.other_support = {};
-    path.gravity = world.model.gravity.value_or(Vec2{});
+    path.is_borne = false;
     path.carried = path.still;
     if (world.model.spin) spin_rate_[ball] = 0.0;
 }
@@ -115,8 +118,10 @@ std::optional<Contact> SweptSolver::collide_balls(World& world, const Event& eve
         world.model.lossy ? std::min(world.balls.restitution[i], world.balls.restitution[j]) : 1.0;
     const bool pushed = is_held_ball(i) || is_held_ball(j);
     const auto meets_again = [&](Vec2 va, Vec2 vb) {
-        const Vec2 chord_a = a.still || is_held_ball(i) ? va : chord(world, i, va, a.gravity, now);
-        const Vec2 chord_b = b.still || is_held_ball(j) ? vb : chord(world, j, vb, b.gravity, now);
+        const Vec2 chord_a =
+            a.still || is_held_ball(i) ? va : chord(world, i, va, gravity_on(i), now);
+        const Vec2 chord_b =
+            b.still || is_held_ball(j) ? vb : chord(world, j, vb, gravity_on(j), now);
         return -dot(chord_a - chord_b, normal) > noise * (length(chord_a) + length(chord_b));
     };
     bool resting = pushed || (restitution < 1.0 && approach < resting_speed_);
@@ -261,7 +266,7 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
         rest_on(i, normal, world);
         if (world.model.spin) {
             rub();
-            if (path.support == normal)
+            if (path.is_borne && bearings_[i].support == normal)
                 hold_back(world, i, surface_way, material.friction, now, after);
         }
     }

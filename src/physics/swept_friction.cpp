@@ -83,31 +83,31 @@ void SweptSolver::rub_edge(World& world, std::uint32_t ball, Vec2 normal, Vec2 s
 
 void SweptSolver::hold_back(World& world, std::uint32_t ball, Vec2 surface, double coefficient,
                             double now, Vec2& velocity) {
-    Path& path = paths_[ball];
+    Bearing& bearing = bearings_[ball];
     double& spin = world.balls.spin[ball];
     const double left = duration_ - now;
     const double radius = world.balls.radius[ball];
     const double inertia = *world.model.spin;
     spin_rate_[ball] = 0.0;
-    const Vec2 reaction = path.gravity - world.model.gravity.value_or(Vec2{});
+    const Vec2 reaction = bearing.gravity - gravity_;
     const double press = length(reaction);
     if (!(left > 0.0) || !(press > 0.0)) return;
     const double most = coefficient * press * left;
-    if (path.gravity == Vec2{} && !(path.other_support == Vec2{})) {
+    if (bearing.gravity == Vec2{} && !(bearing.other_support == Vec2{})) {
         const double rim = std::clamp(-inertia * radius * spin, -most, most);
         spin_rate_[ball] = rim / (inertia * radius * left);
         return;
     }
     const Vec2 normal = reaction / press;
     const Vec2 along = perpendicular(normal);
-    const double pull = dot(path.gravity, along) * left;
+    const double pull = dot(bearing.gravity, along) * left;
     double slip = dot(velocity - surface, along) - radius * spin;
     if (slip * (slip + pull) < 0.0) {
         rub_on(velocity, {spin, radius}, 1.0, normal, surface, most, {1.0, inertia});
         slip = dot(velocity - surface, along) - radius * spin;
     }
     const double change = std::clamp(-(slip + pull) / (1.0 + 1.0 / inertia), -most, most);
-    path.gravity += along * (change / left);
+    bearing.gravity += along * (change / left);
     spin_rate_[ball] = -change / (inertia * radius * left);
 }
 

@@ -34,18 +34,16 @@ void SweptSolver::tick(World& world, int substeps, std::vector<Contact>& contact
 
 void SweptSolver::begin_paths(World& world, double share_of_way) {
     const Balls& balls = world.balls;
-    const Vec2 gravity = world.model.gravity.value_or(Vec2{});
+    gravity_ = world.model.gravity.value_or(Vec2{});
     paths_.resize(balls.size());
+    bearings_.resize(world.model.gravity ? balls.size() : 0);
     for (std::size_t i = 0; i < balls.size(); ++i) {
         Vec2 velocity = balls.velocity[i];
         if (world.model.speed_limit) velocity = limited(velocity, *world.model.speed_limit);
-        paths_[i] = Path{};
-        paths_[i].position = balls.position[i];
-        paths_[i].start_velocity = velocity;
-        paths_[i].gravity = gravity;
+        paths_[i] = Path{.position = balls.position[i], .start_velocity = velocity};
         paths_[i].velocity =
-            world.model.cloth ? chord(world, static_cast<std::uint32_t>(i), velocity, gravity, 0.0)
-                              : travel(flight_, velocity, gravity) / duration_;
+            world.model.cloth ? chord(world, static_cast<std::uint32_t>(i), velocity, gravity_, 0.0)
+                              : travel(flight_, velocity, gravity_) / duration_;
     }
     for (const HeldBall& held : world.held_balls) {
         const auto index = index_of(world, held.id);
@@ -93,7 +91,7 @@ void SweptSolver::finish_paths(World& world) {
         }
         const Flight flight =
             path.time == 0.0 ? flight_ : flight_over(world.model.drag, duration_ - path.time);
-        Vec2 velocity = velocity_after(flight, path.start_velocity, path.gravity);
+        Vec2 velocity = velocity_after(flight, path.start_velocity, gravity_on(ball));
         if (world.model.speed_limit) velocity = limited(velocity, *world.model.speed_limit);
         balls.velocity[i] = velocity;
     }

@@ -76,18 +76,24 @@ class SweptSolver {
 
   private:
     /// A ball in the substep: at `position` at `time`, since then along the chord at `velocity`.
-    struct Path {
+    /// One line of the cache: that is what a gas of many balls costs.
+    struct alignas(64) Path {
         Vec2 position;
         Vec2 velocity;
         Vec2 start_velocity;  ///< of the parabola, at `time`
-        Vec2 gravity;         ///< what of it the supports leave
         double time = 0.0;
-        std::uint32_t version = 0;  ///< counts its changes of path
+        std::uint32_t version : 29 = 0;  ///< counts its changes of path
+        std::uint32_t still : 1 = 0;     ///< lies still until the substep ends
+        std::uint32_t carried : 1 = 0;   ///< rests on something that does not give way
+        std::uint32_t is_borne : 1 = 0;  ///< something bears it: see bearings_
         std::uint16_t impacts = 0;
         std::uint16_t resting_impacts = 0;
-        bool still = false;    ///< lies still until the substep ends
-        bool carried = false;  ///< rests on something that does not give way
-        Vec2 support;          ///< normals of the last two supports, 0 where there is none
+    };
+
+    /// What bears a ball.
+    struct Bearing {
+        Vec2 gravity;  ///< what of it the supports leave
+        Vec2 support;  ///< normals of the last two supports, 0 where there is none
         Vec2 other_support;
     };
 
@@ -131,6 +137,9 @@ class SweptSolver {
                       double now, std::optional<Event>& best) const;
     std::optional<Contact> collide_balls(World& world, const Event& event);
     std::optional<Contact> collide_edge(World& world, const Event& event);
+    Vec2 gravity_on(std::uint32_t ball) const {
+        return paths_[ball].is_borne ? bearings_[ball].gravity : gravity_;
+    }
     Vec2 velocity_at(const World& world, std::uint32_t ball, double now) const;
     Vec2 chord(const World& world, std::uint32_t ball, Vec2 velocity, Vec2 gravity,
                double now) const;
@@ -149,7 +158,7 @@ class SweptSolver {
                    Vec2& velocity_b, double inverse_b, double impulse, bool resting);
     void rub_edge(World& world, std::uint32_t ball, Vec2 normal, Vec2 surface, double coefficient,
                   double impulse, Vec2& velocity) const;
-    /// Of the weight of a ball that has just come to rest on an edge.
+    /// Of the weight of a ball that has just come to rest on an edge, which bears it.
     void hold_back(World& world, std::uint32_t ball, Vec2 surface, double coefficient, double now,
                    Vec2& velocity);
     Vec2 surface_velocity(const World& world, std::uint32_t capsule, Vec2 point, double now) const;
@@ -167,7 +176,9 @@ class SweptSolver {
     double duration_ = 0.0;
     double resting_speed_ = 0.0;  ///< slower approaches do not bounce
     Vec2 torus_;
+    Vec2 gravity_;
     std::vector<Path> paths_;
+    std::vector<Bearing> bearings_;  // of the balls that are borne
     std::vector<double> inverse_mass_;
     std::vector<double> spin_rate_;  ///< rad/s^2 since the path's time; empty unless Model::spin
     std::vector<Hand> hands_;
