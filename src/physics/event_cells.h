@@ -6,6 +6,7 @@
 
 #include "physics/cell_frame.h"
 #include "physics/event_path.h"
+#include "physics/large_pages.h"
 
 /// The broad phase of the solver `event`: each ball in the cell of its centre, moved from cell to
 /// cell by events. A few balls much larger than the rest (*giants*) are in no cell: everybody looks
@@ -18,7 +19,7 @@ namespace carom {
 template <typename Real>
 class EventCells {
   public:
-    using Balls = std::vector<EventBall<Real>>;
+    using Balls = LargeVector<EventBall<Real>>;
     static constexpr std::uint32_t none = EventBall<Real>::none;
 
     /// A frame whose cells are at least as wide as the largest ball that is no giant, and every
@@ -147,8 +148,8 @@ class EventCells {
     double largest_ = 0.0;
     std::vector<std::uint32_t> by_size_;
     std::vector<std::uint32_t> giants_;
-    std::vector<std::uint32_t> head_;  ///< first ball of each cell
-    std::vector<Cell> places_;
+    LargeVector<std::uint32_t> head_;  ///< first ball of each cell
+    LargeVector<Cell> places_;
 };
 
 }  // namespace carom

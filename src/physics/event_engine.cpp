@@ -223,7 +223,7 @@ void EventEngine<Real>::begin_anew(const World& world) {
     torus_ = world.model.wrap ? size(*world.model.wrap) : Vec2{};
 
     // Paths that the world, or for other numbers this engine, remembers.
-    std::vector<EventBall<Real>> before;
+    LargeVector<EventBall<Real>> before;
     if constexpr (!std::is_same_v<Real, double>) before = balls_;
     balls_.resize(count);
     for (EventBall<Real>& ball : balls_) {

@@ -14,6 +14,7 @@
 #include "physics/event_closing.h"
 #include "physics/event_path.h"
 #include "physics/event_queue.h"
+#include "physics/large_pages.h"
 #include "physics/reflection.h"
 
 namespace carom {
@@ -303,9 +304,9 @@ class EventEngine {
     Real end_{};
     std::uint64_t events_ = 0;
 
-    std::vector<EventBall<Real>> balls_;
+    LargeVector<EventBall<Real>> balls_;
     std::vector<std::uint32_t> begun_;  ///< whose paths began in this tick; as many as balls: all
-    std::vector<Event> next_;
+    LargeVector<Event> next_;
     /// Whom a ball that flies among flying balls meets first, wherever: see event_predict.cpp.
     std::vector<Event> meeting_;
     std::vector<Spinning> spins_;  ///< empty unless Model::spin

@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "physics/large_pages.h"
+
 /// The event queue: the balls by the time of their next events, each of which can be replaced.
 ///
 /// Time is cut into slices of equal width. The balls whose events are in the present slice, or
@@ -255,8 +257,8 @@ class EventQueue {
     std::size_t finite_ = 0;            ///< the same, and far ones
     std::size_t taken_ = 0;             ///< into the heap, since `look_further`
     std::vector<std::uint32_t> heads_;  ///< of the slices, of the far, of those without a time
-    std::vector<Link> links_;           ///< by ball
-    std::vector<double> times_;         ///< by ball
+    LargeVector<Link> links_;           ///< by ball
+    LargeVector<double> times_;         ///< by ball
     std::vector<Entry> heap_;           ///< each above four
     std::vector<std::uint32_t> moved_;
 };

@@ -9,6 +9,7 @@
 #include "physics/cloth.h"
 #include "physics/contact.h"
 #include "physics/flight.h"
+#include "physics/large_pages.h"
 #include "physics/neighbours.h"
 #include "physics/patience.h"
 #include "physics/swept_cells.h"
@@ -177,7 +178,7 @@ class SweptSolver {
     double resting_speed_ = 0.0;  ///< slower approaches do not bounce
     Vec2 torus_;
     Vec2 gravity_;
-    std::vector<Path> paths_;
+    LargeVector<Path> paths_;
     std::vector<Bearing> bearings_;  // of the balls that are borne
     std::vector<double> inverse_mass_;
     std::vector<double> spin_rate_;  ///< rad/s^2 since the path's time; empty unless Model::spin

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <vector>
+
+/// Memory for large arrays that are read here and there: looking up where a page is would take as
+/// long as reading it.
+namespace carom {
+
+/// Asks the system to lay these bytes out in pages as large as it has, where it can; what they hold
+/// is the same either way. Pre: `start` comes from operator new with this alignment.
+void ask_for_large_pages(void* start, std::size_t bytes);
+
+/// An allocator that does so for arrays of some megabytes; smaller ones are as ever.
+template <typename T>
+class LargePages {
+  public:
+    using value_type = T;
+
+    LargePages() = default;
+    template <typename Other>
+    LargePages(const LargePages<Other>&) {}
+
+    T* allocate(std::size_t count) {
+        const std::size_t bytes = count * sizeof(T);
+        if (bytes < least) return static_cast<T*>(::operator new(bytes, small_alignment()));
+        void* const start = ::operator new(bytes, page);
+        ask_for_large_pages(start, bytes);
+        return static_cast<T*>(start);
+    }
+    void deallocate(T* start, std::size_t count) {
+        ::operator delete(start, count * sizeof(T) < least ? small_alignment() : page);
+    }
+
+    friend bool operator==(const LargePages&, const LargePages&) { return true; }
+
+  private:
+    static constexpr std::size_t least = std::size_t{4} << 20;
+    static constexpr std::align_val_t page{std::size_t{2} << 20};
+    static constexpr std::align_val_t small_alignment() { return std::align_val_t{alignof(T)}; }
+};
+
+template <typename T>
+using LargeVector = std::vector<T, LargePages<T>>;
+
+}  // namespace carom
