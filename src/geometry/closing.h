@@ -56,6 +56,15 @@ template <typename Real>
 struct ClosingTolerance {
     Real touch;  ///< length: gaps up to this touch
     Real slow;   ///< length/s: bodies that touch and approach more slowly than this have no impact
+    /// The same of bodies that are pressed together (Gap::lean): more slowly than in a fall through
+    /// half of this with what presses them, length. 0: no more than that.
+    Real rise{};
+
+    Real slow_at(const Gap<Real>& now) const {
+        if (!(rise > Real{}) || !(now.lean < Real{})) return slow;
+        const Real pressed = square_root(rise * -now.lean);
+        return slow < pressed ? pressed : slow;
+    }
 };
 
 /// First time >= 0 at which gap + rate t + bend t^2 / 2 goes from positive to negative. Exact to
@@ -100,7 +109,7 @@ std::optional<Real> first_closing(Look&& look, Real begin, Real end, Real pull,
         if (now.gap <= tolerance.touch) {
             const bool grazes =
                 now.bend > zero && now.rate * now.rate < Real(8.0) * now.bend * tolerance.touch;
-            const Real& slow = tolerance.slow;
+            const Real slow = tolerance.slow_at(now);
             if (now.rate < -slow && !grazes) return time;
             if (!(pull > zero)) return std::nullopt;
             if (grazes && now.rate < zero)

@@ -210,16 +210,19 @@ std::optional<Real> ball_closing(const EventPath<Real>& a, const EventPath<Real>
             is_parabola(a, field) && is_parabola(b, field));
     };
     const bool one_rests = a.motion == Motion::resting || b.motion == Motion::resting;
-    return first_closing<Real>(
-        look, begin, last, pull,
-        tolerance(a.position, reach, length(a.velocity) + length(b.velocity), pull, small,
-                  field.pressing, one_rests ? resting_rise : lively_rise));
+    const bool on_cloth = is_on_cloth(a) || is_on_cloth(b);
+    const double rise = on_cloth ? unpressed_rise : (one_rests ? resting_rise : lively_rise);
+    auto limits = tolerance(a.position, reach, length(a.velocity) + length(b.velocity), pull, small,
+                            field.pressing, rise);
+    const bool is_held = a.motion == Motion::held || b.motion == Motion::held;
+    if (on_cloth) limits.rise = Real(2.0 * (is_held ? lively_rise : pushing_rise)) * small;
+    return first_closing<Real>(look, begin, last, pull, limits);
 }
 
 template <typename Real>
 std::optional<Real> edge_closing(const EventPath<Real>& path, const Edge<Real>& edge,
                                  const Real& radius, const Field<Real>& field, const Real& end) {
-    if (path.motion == Motion::resting) return std::nullopt;
+    if (path.motion == Motion::resting || path.motion == Motion::still) return std::nullopt;
     const Real reach = radius + edge.radius;
     std::optional<Real> best = point_closing(path, edge.start, reach, radius, field, end);
     if (edge.is_point()) return best;
@@ -258,9 +261,9 @@ std::optional<Real> hand_closing(const EventPath<Real>& path, const MovingEdge<R
         const Vector<Real> surface = from + (to - from) * contact.place;
         return {contact.gap, dot(contact.normal, state.velocity - surface), zero};
     };
-    return first_closing<Real>(
-        look, begin, last, pull,
-        tolerance(now.position, radius, speed, pull, radius, field.pressing));
+    auto limits = tolerance(now.position, radius, speed, pull, radius, field.pressing,
+                            is_on_cloth(path) ? lively_rise : resting_rise);
+    return first_closing<Real>(look, begin, last, pull, limits);
 }
 
 #define CAROM_FOR(Real)                                                                           \

@@ -17,6 +17,13 @@ inline constexpr double resting_rise = 1e-9;
 /// more of once they rise less. So their impacts stay finite in number.
 inline constexpr double lively_rise = 1e-5;
 
+/// The same of two balls of which cloth pushes at least one towards the other. Their impacts lose
+/// nothing once they rise less.
+inline constexpr double pushing_rise = 1e-7;
+/// The same, with all of the acceleration, of balls on cloth that touch and that nothing presses
+/// together.
+inline constexpr double unpressed_rise = 1e-11;
+
 /// Approaches below this share of the speeds are rounding, and no impacts. What is left of an
 /// approach after an impact is less (event_impact.cpp), so that no impact is found twice.
 template <typename Real>

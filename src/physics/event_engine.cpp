@@ -79,12 +79,17 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
         // Time stands still: where everything is now, it is at the end of the tick.
         for (std::uint32_t i = 0; i < balls_.size(); ++i) {
             const BallState<Real> state = state_at(balls_[i].path, field_, now_);
+            const Vector<Real> roll = world.model.cloth ? roll_at(i, now_) : Vector<Real>{};
             balls_[i].path = {};
             balls_[i].path.time = end_;
             balls_[i].path.position = state.position;
             balls_[i].path.velocity = state.velocity;
             balls_[i].path.acceleration = field_.gravity;
             if (world.model.spin) let_spin(i, now_);
+            if (!world.model.cloth) continue;
+            spins_[i].time = end_;
+            balls_[i].path.center = roll;
+            begin_phase(i);
         }
         is_begun_anew_ = true;
     }
@@ -104,10 +109,11 @@ template <typename Real>
 bool EventEngine<Real>::leads_through(const EventPath<Real>& path, std::size_t ball) const {
     if (path.motion == Motion::held || path.time > now_) return false;
     if (path.motion == Motion::turning && piece_end(path, field_) < now_) return false;
+    if (!is_path_on_cloth(path)) return false;
     const BallState<Real> state = state_at(path, field_, now_);
     return shown_position(path, now_) == world_->balls.position[ball] &&
            Vec2(state.velocity) == world_->balls.velocity[ball] &&
-           is_spin_left(static_cast<std::uint32_t>(ball));
+           is_turn_left(static_cast<std::uint32_t>(ball));
 }
 
 // Whether what carries the ball is still there.
@@ -173,7 +179,7 @@ void EventEngine<Real>::begin(World& world) {
         for (std::uint32_t i = 0; i < balls_.size(); ++i)
             changed += left_.positions[i] != world.balls.position[i] ||
                        left_.velocities[i] != world.balls.velocity[i] ||
-                       (turns && !is_spin_left(i));
+                       (turns && !is_turn_left(i));
         if (changed <= balls_.size() / 8 + 1) {
             if (changed > 0) take_what_changed(world);
             return;
@@ -190,7 +196,7 @@ void EventEngine<Real>::take_what_changed(const World& world) {
     changed.clear();
     for (std::uint32_t i = 0; i < balls_.size(); ++i) {
         if (left_.positions[i] == world.balls.position[i] &&
-            left_.velocities[i] == world.balls.velocity[i] && is_spin_left(i))
+            left_.velocities[i] == world.balls.velocity[i] && is_turn_left(i))
             continue;
         changed.push_back(i);
         if (world.model.spin) spins_[i] = {now_, Real(world.balls.spin[i]), Real{}, false};
@@ -204,6 +210,7 @@ void EventEngine<Real>::take_what_changed(const World& world) {
             start_path(i, now_, state_at(balls_[i].path, field_, now_).position,
                        Vector<Real>(world.balls.velocity[i]));
         }
+        if (world.model.cloth) balls_[i].path.center = Vector<Real>(world.balls.roll[i]);
         if (was_resting) release_what_rests_on(i, changed);
     }
     std::sort(changed.begin(), changed.end());
@@ -299,6 +306,8 @@ void EventEngine<Real>::begin_anew(const World& world) {
         if (is_in_hand) velocity = balls_[i].path.velocity;
         if (world.model.spin) spins_[i] = {now_, Real(world.balls.spin[i]), Real{}, false};
         start_path(i, now_, Vector<Real>(world.balls.position[i]), velocity);
+        if (world.model.cloth && !is_in_hand)
+            balls_[i].path.center = Vector<Real>(world.balls.roll[i]);
         if (is_in_hand) {
             balls_[i].path.motion = Motion::held;
             balls_[i].path.acceleration = {};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "physics/capsule_cells.h"
+#include "physics/cloth.h"
 #include "physics/contact.h"
 #include "physics/event_cells.h"
 #include "physics/event_closing.h"
@@ -72,6 +73,17 @@ enum class EventOutcome : std::uint8_t {
 /// every 1/1024 of drag's time. A ball that lies on two, or that its spin presses against an edge,
 /// lies there while friction at both brakes its spin. Round ends, pegs and balls that rest do not
 /// rub what turns round them.
+///
+/// Cloth: a ball slips, rolls or lies still, each with a constant acceleration (cloth.h); the end
+/// of such a phase is an event of its own, and an impact begins another. A ball that lies still has
+/// no events: those that move look for it. Friction at an impact also acts on the roll, as in
+/// cloth_contact.h, and each contact passes as much along both slips as its limit allows. Cloth
+/// presses, too: a ball that turns towards what it touches would bounce there ever more softly. On
+/// an edge, once a rebound would rise less than `resting_rise`, it is none, and the ball loses the
+/// part of its roll that turns it into the edge. Of two balls, impacts that rise less than
+/// `pushing_rise` lose no more, nor do those of a ball and a hand below `lively_rise`: so they push
+/// one another in finitely many. Balls that overlap by more than twice `pushing_rise` are taken
+/// apart where nothing bars the way.
 ///
 /// What is in a hand moves in a straight line during a tick; the numeric bound that finds its
 /// impacts is in event_closing.h. A hand that would squeeze a ball against something stops for the
@@ -149,6 +161,8 @@ class EventEngine {
         Real most{};
         Real impulse{};
         Real change{};
+        Real lift{};  ///< the same upwards, on cloth
+        Real lift_change{};
     };
     struct Rub {
         Vector<Real> acceleration;
@@ -256,6 +270,7 @@ class EventEngine {
     void let_spin(std::uint32_t ball, const Real& time);
     Real friction_of(std::uint32_t ball, const PathSupport& support) const;
     void rub_contacts(const std::vector<std::uint32_t>& which, std::span<const Real> passed);
+    void take_rubbing(const std::vector<std::uint32_t>& which, std::span<const Real> passed);
     Real slip_noise(std::uint32_t ball, const Vector<Real>& velocity) const;
     Rub rub_on_side(std::uint32_t ball, const Support& support, const Vector<Real>& velocity,
                     const Vector<Real>& pull) const;
@@ -268,12 +283,28 @@ class EventEngine {
     std::optional<Real> end_of_slip(std::uint32_t ball, const Real& horizon) const;
     Vector<Real> slip_direction(std::uint32_t ball) const;
     void end_spin(std::uint32_t ball);
+    bool is_turn_left(std::uint32_t ball) const { return is_spin_left(ball) && is_roll_left(ball); }
     /// Nothing to do where balls do not turn.
     void take_spins(const World& world, const std::vector<std::int64_t>& known);
     bool are_spins_left(const World& world) const;
     /// Whether the ball turns as its path says. True where balls do not turn.
     bool is_spin_left(std::uint32_t ball) const;
     void write_spins(World& world);
+
+    // event_cloth.cpp: balls on cloth. Pre, where nothing else is said: Model::cloth.
+    Vector<Real> roll_at(std::uint32_t ball, const Real& time) const;
+    /// From its velocity and roll at the beginning of its path.
+    ClothPhase<Real> phase_of(const EventPath<Real>& path) const;
+    void begin_phase(std::uint32_t ball);
+    std::optional<Real> end_of_phase(std::uint32_t ball) const;
+    void end_phase(std::uint32_t ball);
+    void look_for_the_moving(std::uint32_t ball);
+    double restitution_on_cloth(const Touch& touch, bool is_alone, double usual) const;
+    void rub_contacts_on_cloth();
+    bool is_path_on_cloth(const EventPath<Real>& path) const;
+    /// Whether the ball rolls as its path says. True where there is no cloth.
+    bool is_roll_left(std::uint32_t ball) const;
+    void write_rolls(World& world) const;
 
     Vector<Real> position_of(std::uint32_t ball) const {
         const EventPath<Real>& path = balls_[ball].path;
@@ -320,7 +351,8 @@ class EventEngine {
 
     std::vector<Body> bodies_;
     std::vector<ImpactBody<Real>> impact_bodies_;
-    std::vector<Real> body_spins_;  ///< empty unless Model::spin
+    std::vector<Real> body_spins_;          ///< empty unless Model::spin
+    std::vector<Vector<Real>> body_rolls_;  ///< empty unless Model::cloth
     std::vector<Touch> touches_;
     std::vector<std::uint32_t> approaching_;
     std::vector<ImpactContact<Real>> group_;

@@ -17,7 +17,10 @@ Real clamped(const Real& value, const Real& most) {
 template <typename Real>
 Real EventEngine<Real>::spin_at(std::uint32_t ball, const Real& time) const {
     const Spinning& turn = spins_[ball];
-    return turn.rate == Real{} ? turn.spin : turn.spin + turn.rate * (time - turn.time);
+    if (turn.rate == Real{}) return turn.spin;
+    const Real since = time - turn.time;
+    if (world_->model.cloth) return cloth_spin_after(*world_->model.cloth, turn.spin, since);
+    return turn.spin + turn.rate * since;
 }
 
 // From now on it turns as it does now.
@@ -38,9 +41,9 @@ Real EventEngine<Real>::friction_of(std::uint32_t ball, const PathSupport& suppo
                                  world_->kinds[world_->balls.kind[*index]]));
 }
 
-// What contacts that have passed these impulses at the same instant pass along themselves.
+// The contacts that rub, of those that have passed these impulses at the same instant.
 template <typename Real>
-void EventEngine<Real>::rub_contacts(const std::vector<std::uint32_t>& which,
+void EventEngine<Real>::take_rubbing(const std::vector<std::uint32_t>& which,
                                      std::span<const Real> passed) {
     std::vector<Rubbing>& all = rubbings_;
     std::vector<int>& shares = shares_;
@@ -55,10 +58,20 @@ void EventEngine<Real>::rub_contacts(const std::vector<std::uint32_t>& which,
                 : friction_of(bodies_[touch.contact.a].ball, touch.support);
         const Real most = coefficient * passed[i];
         if (!(most > Real{})) continue;
-        all.push_back({&touch, most, Real{}, Real{}});
+        all.push_back({.touch = &touch, .most = most});
         ++shares[touch.contact.a];
         if (touch.contact.b != ImpactContact<Real>::fixed) ++shares[touch.contact.b];
     }
+}
+
+// What contacts that have passed these impulses at the same instant pass along themselves.
+template <typename Real>
+void EventEngine<Real>::rub_contacts(const std::vector<std::uint32_t>& which,
+                                     std::span<const Real> passed) {
+    take_rubbing(which, passed);
+    if (world_->model.cloth) return rub_contacts_on_cloth();
+    std::vector<Rubbing>& all = rubbings_;
+    const std::vector<int>& shares = shares_;
     const Real inertia(*world_->model.spin);
     const Real reluctance = Real(1.0) + Real(1.0) / inertia;
     const auto turn = [&](std::uint32_t body, const Real& impulse) {
@@ -323,6 +336,7 @@ void EventEngine<Real>::write_spins(World& world) {
         for (const Spinning& turn : spins_)
             world.spin_paths.push_back({turn.time, turn.spin, turn.rate, turn.rolls});
     }
+    if (world.model.cloth) write_rolls(world);
 }
 
 template class EventEngine<double>;

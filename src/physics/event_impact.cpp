@@ -74,7 +74,9 @@ void EventEngine<Real>::pass_impulses(const std::vector<std::uint32_t>& which, b
     approach.clear();
     for (const std::uint32_t index : which) {
         Touch& touch = touches_[index];
-        touch.contact.restitution = Real(restitution_of(touch, is_alone));
+        const double restitution = restitution_of(touch, is_alone);
+        touch.contact.restitution = Real(
+            world_->model.cloth ? restitution_on_cloth(touch, is_alone, restitution) : restitution);
         group.push_back(touch.contact);
         if (touch.kind == Kind::ball_edge && world_->model.scatter && is_alone) {
             const std::uint32_t ball = bodies_[touch.contact.a].ball;
@@ -144,6 +146,7 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     bodies_.clear();
     impact_bodies_.clear();
     body_spins_.clear();
+    body_rolls_.clear();
     touches_.clear();
     near_.clear();
     is_near_valid_ = true;
@@ -253,6 +256,7 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
         start_path(each.ball, now_, each.position, impact_bodies_[i].velocity);
         if (world_->model.spin) spins_[each.ball].spin = body_spins_[i];
         EventPath<Real>& path = balls_[each.ball].path;
+        if (world_->model.cloth) path.center = body_rolls_[i];
         path.quick = world_->model.gravity
                          ? tiredness(each.ball, before)
                          : (way < Real(touching) * radius(each.ball) ? before.quick + 1 : 0);
@@ -290,15 +294,19 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
 // apart to touch, the free ones of them, by their masses.
 template <typename Real>
 void EventEngine<Real>::part_pressed() {
-    if (!world_->model.gravity || !world_->model.lossy) return;
+    const bool on_cloth = world_->model.cloth.has_value();
+    if (!(world_->model.gravity && world_->model.lossy) && !on_cloth) return;
+    const Real deep(on_cloth ? 2.0 * pushing_rise : 0.5 * lively_rise);
     for (const Touch& touch : touches_) {
         if (touch.kind != Kind::ball_ball) continue;
         Body& a = bodies_[touch.contact.a];
         Body& b = bodies_[touch.contact.b];
         const Real small = std::min(radius(a.ball), radius(b.ball));
-        if (!(touch.gap < Real(-0.5 * lively_rise) * small)) continue;
+        if (!(touch.gap < -deep * small)) continue;
         const auto share = [&](const Body& body, std::uint32_t index, const Vector<Real>& way) {
-            if (!body.is_changed || balls_[body.ball].path.motion != Motion::free) return Real{};
+            const EventPath<Real>& path = balls_[body.ball].path;
+            const bool may_give_way = path.motion == Motion::free || is_on_cloth(path);
+            if (!body.is_changed || !may_give_way) return Real{};
             const Vector<Real> there = body.position - way * touch.gap;
             bool is_barred = false;  // never into an edge
             for_each_edge_near(body.ball, [&](std::uint32_t capsule, Vec2 shift, int, int) {

@@ -13,7 +13,7 @@ namespace carom {
 template <typename Real>
 struct EventPath {
     Vector<Real> acceleration;
-    Vector<Real> center;
+    Vector<Real> center;  ///< or the roll
     PathSupport support;
     PathSupport second_support;
     std::uint32_t quick = 0;
@@ -80,6 +80,12 @@ inline Vector<Real> parabola_at(const EventPath<Real>& path, const Real& time) {
 template <typename Real>
 inline bool is_parabola(const EventPath<Real>& path, const Field<Real>& field) {
     return path.motion != Motion::turning && (!field.has_drag || path.motion == Motion::held);
+}
+
+/// Whether the ball lies on cloth, in no hand.
+template <typename Real>
+inline bool is_on_cloth(const EventPath<Real>& path) {
+    return path.motion >= Motion::slipping;
 }
 
 /// The largest acceleration, length/s^2, that the ball has from `time` on, for Motion::turning

@@ -146,6 +146,8 @@ bool EventEngine<Real>::is_foreseen(std::uint32_t ball) const {
 // The first of all that can happen to the ball, from now on.
 template <typename Real>
 void EventEngine<Real>::choose_next(std::uint32_t ball) {
+    if (balls_[ball].path.motion == Motion::still && hands_.empty())
+        return look_for_the_moving(ball);
     const bool is_known = balls_[ball].is_meeting_known;
     const bool is_line = is_known && !world_->model.gravity;
     Event best;
@@ -170,16 +172,21 @@ void EventEngine<Real>::choose_next(std::uint32_t ball) {
 template <typename Real>
 bool EventEngine<Real>::is_far_round(const EventPath<Real>& path) const {
     constexpr int most_tori = 50;
-    return path.motion == Motion::free && (path.across > most_tori || path.across < -most_tori ||
-                                           path.along > most_tori || path.along < -most_tori);
+    return (path.motion == Motion::free || is_on_cloth(path)) &&
+           (path.across > most_tori || path.across < -most_tori || path.along > most_tori ||
+            path.along < -most_tori);
 }
 
 template <typename Real>
 void EventEngine<Real>::begin_in_frame(std::uint32_t ball) {
     const std::uint32_t quick = balls_[ball].path.quick;
     const BallState<Real> state = state_at(balls_[ball].path, field_, now_);
+    const Vector<Real> roll = world_->model.cloth ? roll_at(ball, now_) : Vector<Real>{};
     start_path(ball, now_, state.position, state.velocity);
     balls_[ball].path.quick = quick;
+    if (!world_->model.cloth) return;
+    balls_[ball].path.center = roll;
+    begin_phase(ball);
 }
 
 template <typename Real>
@@ -268,7 +275,8 @@ void EventEngine<Real>::predict_crossing_of_line(std::uint32_t ball, Event& best
 template <typename Real>
 void EventEngine<Real>::predict_crossing(std::uint32_t ball, Event& best) const {
     const EventPath<Real>& path = balls_[ball].path;
-    if (balls_[ball].is_giant || path.motion == Motion::resting) return;
+    if (balls_[ball].is_giant || path.motion == Motion::resting || path.motion == Motion::still)
+        return;
     const CellFrame& frame = cells_.frame();
     const BallState<Real> now = state_at(path, field_, now_);
     const bool is_simple = is_parabola(path, field_);
@@ -318,10 +326,16 @@ void EventEngine<Real>::predict_crossing(std::uint32_t ball, Event& best) const 
     }
 }
 
-// The end of the side along which the ball slides; the end of a piece of its turn.
+// The end of the side along which the ball slides, of a piece of its turn, of a phase on cloth.
 template <typename Real>
 void EventEngine<Real>::predict_own(std::uint32_t ball, Event& best) const {
     const EventPath<Real>& path = balls_[ball].path;
+    if (path.motion == Motion::free || path.motion == Motion::held) return;
+    if (is_on_cloth(path)) {
+        if (const auto time = end_of_phase(ball))
+            consider(ball, {*time < now_ ? now_ : *time, Kind::own, 0, 0, 0, 0}, best);
+        return;
+    }
     if (path.motion == Motion::turning) {
         if (const auto time = end_of_turn(ball))
             consider(ball, {*time, Kind::own, 0, 0, 0, 0}, best);
@@ -329,7 +343,7 @@ void EventEngine<Real>::predict_own(std::uint32_t ball, Event& best) const {
     }
     if (path.motion == Motion::resting && path.support.by == PathSupport::By::nothing)
         consider(ball, {path.time + fall_time(ball) * Real(0.25), Kind::own, 0, 0, 0, 0}, best);
-    if (world_->model.spin && path.motion != Motion::free && path.motion != Motion::held)
+    if (world_->model.spin)
         if (auto time = end_of_slip(ball, best.time)) {
             if (*time < now_) time = now_;
             consider(ball, {*time, Kind::own, 0, 0, 0, 0}, best);
@@ -422,6 +436,7 @@ void EventEngine<Real>::predict_pair(std::uint32_t ball, std::uint32_t other, in
     if (world_->model.filtered && !balls_meet(ball, other)) return;
     if (ours.motion == Motion::held && theirs.motion == Motion::held) return;
     if (ours.motion == Motion::resting && theirs.motion == Motion::resting) return;
+    if (ours.motion == Motion::still && theirs.motion == Motion::still) return;
     const auto rests_on = [this](const EventPath<Real>& path, std::uint32_t support) {
         const auto id = number(world_->balls.id[support]);
         return (path.support.by == PathSupport::By::ball && path.support.number == id) ||

@@ -127,7 +127,9 @@ std::optional<std::pair<std::size_t, std::size_t>> EventEngine<Real>::bearing_tw
 template <typename Real>
 void EventEngine<Real>::settle(std::uint32_t ball) {
     const EventPath<Real>& path = balls_[ball].path;
-    if (!world_->model.gravity || path.motion != Motion::free) return;
+    if (path.motion != Motion::free) return;
+    if (world_->model.cloth) return begin_phase(ball);
+    if (!world_->model.gravity) return;
     const std::vector<Support>& supports = supports_of(ball, false);
     if (const auto two = bearing_two(supports)) {
         const Real turn = cross(supports[two->first].normal, supports[two->second].normal);
@@ -225,6 +227,7 @@ void EventEngine<Real>::release_what_rests_on(std::uint32_t ball,
 // The ball has come to the end of the side along which it slid, or of a piece of its turn.
 template <typename Real>
 void EventEngine<Real>::end_own(std::uint32_t ball) {
+    if (world_->model.cloth) return end_phase(ball);
     const EventPath<Real> before = balls_[ball].path;
     const BallState<Real> state = state_at(before, field_, now_);
     if (world_->model.spin) end_spin(ball);

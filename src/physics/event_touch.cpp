@@ -15,6 +15,7 @@ std::uint32_t EventEngine<Real>::body_of(std::uint32_t ball) {
         {.ball = ball, .position = state.position, .was_resting = path.motion == Motion::resting});
     impact_bodies_.push_back({state.velocity, balls_[ball].inverse_mass});
     if (world_->model.spin) body_spins_.push_back(spin_at(ball, now_));
+    if (world_->model.cloth) body_rolls_.push_back(roll_at(ball, now_));
     balls_[ball].body = body;
     return body;
 }

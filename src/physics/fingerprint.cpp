@@ -82,6 +82,7 @@ std::uint64_t fingerprint(const World& world) {
         hash.add(path.acceleration);
         hash.add(std::uint64_t{path.quick});
         hash.add(static_cast<std::uint64_t>(path.motion));
+        if (world.model.cloth) hash.add(path.center);
     }
     for (const SpinPath& path : world.spin_paths) {
         hash.add(path.time);

@@ -37,7 +37,11 @@ std::span<const SolverKind> solvers_available() {
 }
 
 bool knows_cloth(SolverKind kind) {
-    return kind != SolverKind::contact && kind != SolverKind::event;
+    return kind != SolverKind::contact;
+}
+
+bool suits(SolverKind kind, const Model& model) {
+    return !model.cloth || knows_cloth(kind);
 }
 
 bool hands_heaps_over(const Model& model, const SolverSettings& settings) {

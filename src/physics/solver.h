@@ -45,6 +45,8 @@ std::span<const SolverKind> solvers_available();
 
 /// Whether the solver moves balls on cloth as Model::cloth says.
 bool knows_cloth(SolverKind kind);
+/// Whether the solver knows all that the model says.
+bool suits(SolverKind kind, const Model& model);
 
 /// Whether the solver hands heaps that are too dense for it over to `contact` (handover.h): where
 /// gravity acts, balls meet, and impacts lose energy.

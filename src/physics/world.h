@@ -123,11 +123,14 @@ struct HeldCapsule {
 
 /// How a ball moves, for the solver `event`.
 enum class Motion : std::uint8_t {
-    free,     ///< flies
-    sliding,  ///< along the side of an edge
-    turning,  ///< round an end of an edge, a peg or a ball that rests
-    resting,  ///< does not move until it is hit or its support goes
-    held      ///< a hand moves it: a straight line, whatever acts on it
+    free,      ///< flies
+    sliding,   ///< along the side of an edge
+    turning,   ///< round an end of an edge, a peg or a ball that rests
+    resting,   ///< does not move until it is hit or its support goes
+    held,      ///< a hand moves it: a straight line, whatever acts on it
+    slipping,  ///< on cloth, over which its lowest point slips
+    rolling,   ///< on cloth
+    still      ///< on cloth
 };
 
 /// What carries a ball, by number; on a torus, which image of it.
@@ -152,7 +155,7 @@ struct BallPath {
     Vec2 position;
     Vec2 velocity;
     Vec2 acceleration;
-    Vec2 center;  ///< turning: of the circle
+    Vec2 center;  ///< turning: of the circle; on cloth: the roll (cloth.h) at `time`
     PathSupport support;
     PathSupport second_support;
     std::uint32_t quick = 0;  ///< collisions in a row without way between them
