@@ -1,5 +1,7 @@
 #include "carom/compare.h"
 
+#include <fmt/format.h>
+
 #include <optional>
 
 #include "carom/files.h"
@@ -39,6 +41,11 @@ Comparison compare_with_bar(const Scene& scene, const CompareSettings& settings)
 }
 
 int compare_scene(const CompareOptions& options, const Scene& scene) {
+    for (const CompareOptions::Side& side : options.solvers) {
+        if (suits(side.kind, scene.world.model)) continue;
+        print_error(fmt::format("solver {} does not know cloth", name(side.kind)));
+        return 2;
+    }
     std::optional<OutputFile> json;
     if (!options.json.empty()) json.emplace(options.json);
     if (json && !json->error().empty()) {

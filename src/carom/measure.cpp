@@ -86,6 +86,11 @@ class Outputs {
 };
 
 int measure_scene(const MeasureOptions& options, const Scene& scene) {
+    for (const SolverKind kind : options.solvers) {
+        if (suits(kind, scene.world.model)) continue;
+        print_error(fmt::format("solver {} does not know cloth", name(kind)));
+        return 2;
+    }
     Outputs outputs(options);
     if (!outputs.error().empty()) {
         print_error(outputs.error());

@@ -17,13 +17,16 @@ constexpr std::array rival_kinds = {SolverKind::event, SolverKind::swept, Solver
 /// Most memory for the butterfly's copies as they begin.
 constexpr std::size_t most_swarm_bytes = std::size_t{512} << 20;
 
-/// The first kind after `last` that there is and that is not the game's own; none after the last.
-std::optional<SolverKind> next_kind(std::optional<SolverKind> last, SolverKind own) {
+/// The first kind after `last` that there is, that knows what the model says and that is not the
+/// game's own; none after the last.
+std::optional<SolverKind> next_kind(std::optional<SolverKind> last, SolverKind own,
+                                    const Model& model) {
     auto from = rival_kinds.begin();
     if (last) from = std::next(std::ranges::find(rival_kinds, *last));
     const auto available = solvers_available();
     const auto next = std::find_if(from, rival_kinds.end(), [&](SolverKind kind) {
-        return kind != own && std::ranges::find(available, kind) != available.end();
+        return kind != own && suits(kind, model) &&
+               std::ranges::find(available, kind) != available.end();
     });
     return next == rival_kinds.end() ? std::nullopt : std::optional(*next);
 }
@@ -33,7 +36,7 @@ std::optional<SolverKind> next_kind(std::optional<SolverKind> last, SolverKind o
 void Player::next_rival() {
     const std::optional<SolverKind> last =
         rival_ ? std::optional(rival_->solver().kind) : std::nullopt;
-    const auto next = next_kind(last, session_.solver().kind);
+    const auto next = next_kind(last, session_.solver().kind, session_.world().model);
     rival_.reset();
     rival_memory_ = {};
     if (!next) return say("one solver alone");

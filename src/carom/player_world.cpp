@@ -8,10 +8,13 @@
 namespace carom {
 namespace {
 
-SolverKind after(SolverKind current) {
+SolverKind after(SolverKind current, const Model& model) {
     const auto all = solvers_available();
     auto place = std::ranges::find(all, current);
-    return place == all.end() || ++place == all.end() ? all.front() : *place;
+    do
+        place = place == all.end() || ++place == all.end() ? all.begin() : place;
+    while (!suits(*place, model));
+    return *place;
 }
 
 /// Gravity for a scene that has none: a fall through the view takes about a second and a half.
@@ -56,7 +59,8 @@ void Player::set_gravity(std::optional<Vec2> gravity) {
 }
 
 void Player::next_solver() {
-    const SolverSettings settings = settings_of(after(session_.solver().kind), session_.scene());
+    const SolverSettings settings =
+        settings_of(after(session_.solver().kind, session_.world().model), session_.scene());
     solver_is_picked_ = false;
     obey(command::SetSolver{settings}, "solver " + solver_text(settings));
 }

@@ -42,6 +42,12 @@ TEST_CASE("what is measured: each solver at each rate, nothing twice, the level'
     for (const Choice& choice : choices)
         CHECK(std::ranges::count(choices, choice) == 1);
 
+    // A solver that would leave the cloth out has nothing to be measured by.
+    scene.world.model.cloth = Cloth{};
+    for (const Choice& choice : choices_for(scene, solvers_available(), usual_rates(120)))
+        CHECK(choice.solver.kind != SolverKind::contact);
+    scene.world.model.cloth.reset();
+
     const std::array one{SolverKind::discrete};
     for (const Choice& choice : choices_for(scene, one, usual_rates(120)))
         CHECK(choice.solver.kind == SolverKind::discrete);
