@@ -67,9 +67,8 @@ ContactSolver::State ContactSolver::state_of(const World& world, const Pair& pai
     if (pair.bounces && !pushed) {
         if (resting_speed_ == 0.0) return approach > 0.0 ? State::flying : State::idle;
         // Bodies that overlap meet at once, before gravity has made the approach any faster.
-        const bool is_held =
-            holds_ && pair.gap < 0.0 &&
-            (pair.impulse > 0.0 || -dot(without_fall, pair.normal) < resting_speed_);
+        const bool is_held = pair.gap < 0.0 && (pair.impulse > 0.0 ||
+                                                -dot(without_fall, pair.normal) < resting_speed_);
         if (approach >= resting_speed_ && !is_held) return State::flying;
     }
     if (terms.special() && world.model.one_way && pair.edge != NearPair::no_edge) {

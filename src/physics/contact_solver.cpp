@@ -9,13 +9,12 @@
 namespace carom {
 
 void ContactSolver::tick(World& world, int substeps, std::vector<Contact>& contacts,
-                         std::vector<std::uint8_t>& touched, Overlapping overlapping) {
+                         std::vector<std::uint8_t>& touched) {
     const int count = substeps_needed(world, substeps);
     duration_ = world.tick_length() / count;
     flight_ = flight_over(world.model.drag, duration_);
     gravity_ = world.model.gravity.value_or(Vec2{});
     resting_speed_ = resting_approach * length(gravity_) * duration_;
-    holds_ = overlapping == Overlapping::stay;
     wraps_ = world.model.wrap.has_value();
     torus_ = wraps_ ? size(*world.model.wrap) : Vec2{};
     softness_ = softness_of(world);

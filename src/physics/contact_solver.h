@@ -29,7 +29,9 @@ namespace carom {
 ///
 /// A pair is pressed when it approaches slower than `resting_approach` times the speed that gravity
 /// gives in a substep, or its restitution is 0, or a hand pushes the ball faster than it would
-/// bounce; and only while it moves less than a quarter of a radius a substep. So a ball in flight
+/// bounce; and only while it moves less than a quarter of a radius a substep. What overlaps stays
+/// pressed where it is pressed already, or would not bounce at once: else a ball that gravity lets
+/// fall anew in every substep would sink in, and high heaps would boil. So a ball in flight
 /// is on its exact path, an elastic bounce keeps the energy to rounding, and a bounce that would
 /// rise no higher than about g h^2 for a substep of h seconds is lost.
 ///
@@ -68,20 +70,10 @@ class ContactSolver {
     /// Approaches slower than this share of the speeds are rounding.
     static constexpr double noise = 1e-14;
 
-    /// What two bodies that overlap do when they approach fast enough to bounce.
-    enum class Overlapping : std::uint8_t {
-        /// They bounce, and what pressed them together presses no more: a disturbance can make a
-        /// high heap of lively balls boil and sink into itself, and a ball that gravity lets fall
-        /// anew in every substep sinks into the floor.
-        bounce,
-        /// They stay pressed where they are pressed already, or would not bounce at once.
-        stay
-    };
-
     /// Moves everything by one tick and appends the exchanges to `contacts`: impacts, and each
     /// pressed pair once, when it begins to press. `touched`: see surroundings.h.
     void tick(World& world, int substeps, std::vector<Contact>& contacts,
-              std::vector<std::uint8_t>& touched, Overlapping overlapping = Overlapping::bounce);
+              std::vector<std::uint8_t>& touched);
 
     const CellFrame& cells() const { return near_.frame(); }
 
@@ -258,7 +250,6 @@ class ContactSolver {
     Vec2 torus_;
     bool wraps_ = false;
     double resting_speed_ = 0.0;
-    bool holds_ = false;  ///< Overlapping::stay
     Softness softness_;
     double spin_ease_ = 2.0;        // m r^2 / inertia
     double spin_mass_ = 1.0 / 3.0;  // mass that a contact's friction moves, of its mass

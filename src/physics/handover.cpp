@@ -52,8 +52,7 @@ EventOutcome Handover::tick(World& world, EventEngine<double>& event, ContactSol
     for (int attempt = 1;; ++attempt) {
         const bool is_all = std::ranges::find(is_heap_, 0) == is_heap_.end();
         if (is_all || attempt > most_attempts) {
-            contact.tick(world, substeps_for(world), contacts, touched,
-                         ContactSolver::Overlapping::stay);
+            contact.tick(world, substeps_for(world), contacts, touched);
             world.paths.clear();
             world.spin_paths.clear();
             find_who_stays(world, world.heaped);
@@ -64,8 +63,7 @@ EventOutcome Handover::tick(World& world, EventEngine<double>& event, ContactSol
             event.tick(free_.world, free_.contacts, free_.touched, keep_going);
         if (outcome == EventOutcome::given_up) return outcome;
         take_part(world, true, heap_);
-        contact.tick(heap_.world, substeps_for(heap_.world), heap_.contacts, heap_.touched,
-                     ContactSolver::Overlapping::stay);
+        contact.tick(heap_.world, substeps_for(heap_.world), heap_.contacts, heap_.touched);
         const bool went_further = note_ways(world, free_) | note_ways(world, heap_);
         if (went_further) {
             was_heap_ = is_heap_;
@@ -89,10 +87,9 @@ EventOutcome Handover::tick(World& world, EventEngine<double>& event, ContactSol
         world.paths_drag = free_.world.paths_drag;
         world.pressed.swap(heap_.world.pressed);
         find_who_stays(heap_.world, world.heaped);
-        const auto middle = static_cast<std::ptrdiff_t>(world.heaped.size());
         const std::vector<BallId>& crowded = free_.world.heaped;
         world.heaped.insert(world.heaped.end(), crowded.begin(), crowded.end());
-        std::inplace_merge(world.heaped.begin(), world.heaped.begin() + middle, world.heaped.end());
+        std::ranges::sort(world.heaped);
         return outcome;
     }
 }
