@@ -36,8 +36,8 @@ std::string call_of(const Places& places, const std::string& program) {
 int runs_for(const Result& result, int rounds) {
     if (result.seconds.empty()) return 0;
     const double seconds = result.seconds.front() * result.ticks / result.measured;
-    if (seconds >= 60.0) return 1;
-    return seconds >= 10.0 ? std::min(rounds, 3) : rounds;
+    if (seconds >= 30.0) return 1;
+    return seconds >= 10.0 ? std::min(rounds, 2) : rounds;
 }
 
 std::optional<Frame> frame_at(const std::vector<Frame>& frames, std::int64_t tick) {
