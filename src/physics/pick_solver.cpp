@@ -7,8 +7,8 @@ namespace carom {
 // for: many balls that lose energy under gravity and are not drained.
 SolverPick pick_solver(const World& world) {
     if (world.model.cloth)
-        return {{.kind = SolverKind::swept},
-                "nothing passes through anything, and the way of a ball on cloth is exact"};
+        return {{.kind = SolverKind::event},
+                "exact from impact to impact, sliding, rolling and coming to rest on cloth"};
     if (!world.model.gravity && !world.model.drag)
         return {{.kind = SolverKind::event},
                 "exact from impact to impact, and cheapest where nothing bends the paths"};

@@ -525,3 +525,7 @@ TEST_CASE("event on cloth: what is struck from outside begins anew, the others g
     CHECK(length(world.balls.roll[3]) > 0.0);
     CHECK(length(world.balls.roll[3]) < 1.6);
 }
+
+TEST_CASE("event on cloth: it is what auto takes") {
+    CHECK(pick_solver(cloth_world(0.95, 0.05)).settings.kind == SolverKind::event);
+}
