@@ -208,7 +208,7 @@ void count_drained(Pinball game) {
     PinballState& state = game.state;
     const std::uint64_t gone = game.world.removed.size() - state.removals_seen;
     for (std::uint64_t i = state.removals_seen; i < game.world.removed.size(); ++i) {
-        const std::int32_t zone = game.world.removed[i].zone;
+        const std::int32_t zone = game.world.removed[static_cast<std::size_t>(i)].zone;
         for (std::uint32_t d = 0; d < game.table().devices.size() && zone >= 0; ++d)
             if (game.table().devices[d].zone == static_cast<std::uint32_t>(zone))
                 tell_rules(game, d, Rule::When::enter);
