@@ -64,8 +64,8 @@ EventOutcome Handover::tick(World& world, EventEngine<double>& event, ContactSol
         if (outcome == EventOutcome::given_up) return outcome;
         take_part(world, true, heap_);
         contact.tick(heap_.world, substeps_for(heap_.world), heap_.contacts, heap_.touched);
-        const bool went_further = note_ways(world, free_) | note_ways(world, heap_);
-        if (went_further) {
+        const bool free_went_further = note_ways(world, free_);
+        if (note_ways(world, heap_) || free_went_further) {
             was_heap_ = is_heap_;
             find_heap(world);
             if (is_heap_ != was_heap_) continue;
