@@ -62,7 +62,7 @@ std::uint32_t frames_won(const PoolMatch& match, int player) {
 
 std::uint32_t frames_unfinished(const PoolMatch& match) {
     return static_cast<std::uint32_t>(
-        std::ranges::count(match.frames, std::optional<int>(), &PoolFrame::winner));
+        std::ranges::count_if(match.frames, [](const PoolFrame& frame) { return !frame.winner; }));
 }
 
 ShareRange likely_share(std::uint32_t won, std::uint32_t frames) {
