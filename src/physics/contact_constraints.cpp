@@ -48,6 +48,30 @@ bool ContactSolver::is_pushed(const World& world, const Pair& pair, double appro
     return -restitution_of(world, pair, std::max(0.0, approach)) * speed <= surface;
 }
 
+// How many pairs pressed each body at the end of the last substep: the impulses say so.
+void ContactSolver::count_sides(const World& world) {
+    sides_.clear();
+    if (!any_damped_ || !world.model.gravity) return;
+    sides_.assign(mover_.size(), 0);
+    const auto count = [&](const Pair& pair) {
+        if (!(pair.impulse > 0.0)) return;
+        for (const std::uint32_t body : {pair.a, pair.b})
+            if (sides_[body] < bedded) ++sides_[body];
+    };
+    if (is_loaded_anew_)
+        for (const Pair& pair : pairs_)
+            count(pair);
+    else
+        for (const std::uint32_t p : pressed_)
+            count(pairs_[p]);
+}
+
+// Whether the two have no room to bounce.
+bool ContactSolver::is_bedded(const Pair& pair) const {
+    if (!pair.damped || sides_.empty()) return false;
+    return sides_[pair.a] >= bedded && (pair.b >= still_ || sides_[pair.b] >= bedded);
+}
+
 template <Terms terms>
 ContactSolver::State ContactSolver::state_of(const World& world, const Pair& pair) const {
     Vec2 relative = before_[pair.a] - before_[pair.b];
@@ -69,7 +93,7 @@ ContactSolver::State ContactSolver::state_of(const World& world, const Pair& pai
         // Bodies that overlap meet at once, before gravity has made the approach any faster.
         const bool is_held = pair.gap < 0.0 && (pair.impulse > 0.0 ||
                                                 -dot(without_fall, pair.normal) < resting_speed_);
-        if (approach >= resting_speed_ && !is_held) return State::flying;
+        if (approach >= resting_speed_ && !is_held && !is_bedded(pair)) return State::flying;
     }
     if (terms.special() && world.model.one_way && pair.edge != NearPair::no_edge) {
         const bool engaged = pair.impulse > 0.0 || pair.gap > -0.5 * radius;

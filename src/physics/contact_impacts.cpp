@@ -359,7 +359,8 @@ std::optional<Contact> ContactSolver::collide_balls(World& world, Pair& pair, do
     Vec2 velocity_b = velocity_at(world, b, now);
     const double approach = -dot(velocity_a - velocity_b, normal);
     const double rounding = noise * (length(velocity_a) + length(velocity_b));
-    const bool bounces = approach > std::max(rounding, resting_speed_) && !pair.settled;
+    const bool bounces =
+        approach > std::max(rounding, resting_speed_) && !pair.settled && !is_bedded(pair);
     pair.settled = pair.settled || !bounces;
     const double restitution = bounces ? restitution_of(world, pair, approach) : 0.0;
     Exchange done{0.0, approach};
@@ -410,8 +411,8 @@ std::optional<Contact> ContactSolver::collide_edge(World& world, Pair& pair, dou
         take_path(world, a, now, velocity + normal * std::max(0.0, approach));
         return std::nullopt;
     }
-    const bool bounces =
-        approach > std::max(rounding, along_normal > 0.0 ? 0.0 : resting_speed_) && !pair.settled;
+    const double least = std::max(rounding, along_normal > 0.0 ? 0.0 : resting_speed_);
+    const bool bounces = approach > least && !pair.settled && !is_bedded(pair);
     pair.settled = pair.settled || !bounces;
     Vec2 along = normal;
     Exchange done{0.0, approach};

@@ -97,6 +97,7 @@ void ContactSolver::load_hands(const World& world) {
 
 void ContactSolver::load_pairs(const World& world) {
     pairs_.clear();
+    any_damped_ = false;
     has_pairs_of_bodies_ = false;
     for (const NearPair& near : near_.pairs()) {
         const bool on_ball = near.edge == NearPair::no_edge;
@@ -125,16 +126,22 @@ void ContactSolver::add_pair(const World& world, const NearPair& near, std::uint
               .by_hand = b > still_ || is_held_body(near.a) || (b < still_ && is_held_body(b))};
     if (near.edge == NearPair::no_edge) {
         const std::uint32_t other = ball_[b];
-        pair.bounces = !world.model.lossy || std::min(world.balls.restitution[ball],
-                                                      world.balls.restitution[other]) > 0.0;
+        const double restitution = world.model.lossy ? std::min(world.balls.restitution[ball],
+                                                                world.balls.restitution[other])
+                                                     : 1.0;
+        pair.bounces = restitution > 0.0;
+        pair.damped = pair.bounces && restitution < 1.0;
         if (world.model.spin)
             pair.friction = friction_between(world.kinds[world.balls.kind[ball]],
                                              world.kinds[world.balls.kind[other]]);
     } else {
         const Material& material = world.materials[world.capsules.material[near.edge]];
         pair.bounces = material.restitution > 0.0 || world.model.scatter || material.kick > 0.0;
+        pair.damped = pair.bounces && (material.restitution < 1.0 || material.soften > 0.0) &&
+                      !(material.kick > 0.0);
         if (world.model.spin) pair.friction = material.friction;
     }
+    any_damped_ = any_damped_ || pair.damped;
     pairs_.push_back(pair);
 }
 

@@ -28,9 +28,11 @@ void ContactSolver::tick(World& world, int substeps, std::vector<Contact>& conta
         if (i == 0 || !is_at_home()) {
             if (i > 0) store(world, touched);
             load(world);
+            is_loaded_anew_ = true;
         }
         start_time_ = world.time() + duration_ * i;
         substep(world, 1.0 / (count - i), contacts);
+        is_loaded_anew_ = false;
     }
     store(world, touched);
 }
@@ -49,6 +51,7 @@ ContactSolver::Softness ContactSolver::softness_of(const World& world) const {
 void ContactSolver::substep(World& world, double share_of_way, std::vector<Contact>& contacts) {
     take_hands(world, share_of_way);
     kick(world);
+    count_sides(world);
     prepare(world, terms_of(world));
     press(world.model.spin.has_value());
     if (any_new_) note_new_contacts(contacts);

@@ -35,6 +35,11 @@ namespace carom {
 /// is on its exact path, an elastic bounce keeps the energy to rounding, and a bounce that would
 /// rise no higher than about g h^2 for a substep of h seconds is lost.
 ///
+/// A ball that pairs press from three sides or more (`bedded`) has no room to bounce in: two such
+/// balls, or one and an edge, meet as if their restitution were 0, unless it is 1. Impacts within a
+/// lively heap would follow one another without end, and boil it; what falls on the heap still
+/// bounces off it.
+///
 /// No ball passes through anything: however hard they are pressed, two bodies that have come half
 /// a radius into one another stop there (`core`). A hand goes no further into a ball than a tenth
 /// of its radius, and what it jams has no more speed than it goes. A ball with `most_impacts`
@@ -67,6 +72,8 @@ class ContactSolver {
     /// come to rest after a minute, with four after some seconds.
     static constexpr double uneven = 4.0;
     static constexpr int loaded_rounds = 4;
+    /// Pairs that press on a ball in a bed of others.
+    static constexpr int bedded = 3;
     /// Approaches slower than this share of the speeds are rounding.
     static constexpr double noise = 1e-14;
 
@@ -103,6 +110,7 @@ class ContactSolver {
         std::int8_t along = 0;
         State state = State::idle;
         bool bounces : 1 = false;  ///< restitution above 0
+        bool damped : 1 = false;   ///< and below 1
         bool by_hand : 1 = false;  ///< the edge is held
         bool is_new : 1 = true;    ///< did not press yet
         bool settled : 1 = false;  ///< in this substep: has come to rest at an impact
@@ -192,6 +200,8 @@ class ContactSolver {
     template <Terms terms>
     State state_of(const World& world, const Pair& pair) const;
     bool is_pushed(const World& world, const Pair& pair, double approach) const;
+    void count_sides(const World& world);
+    bool is_bedded(const Pair& pair) const;
     void press(bool spin);
     template <bool spin>
     void press_all(const std::vector<std::uint32_t>& pressed);
@@ -285,8 +295,11 @@ class ContactSolver {
     std::vector<std::uint8_t> is_loaded_;
     std::vector<std::uint32_t> jammed_;  // bodies: see settle_jams
     std::vector<std::uint8_t> is_jammed_;
+    std::vector<std::uint8_t> sides_;  // by body, up to `bedded`: see count_sides
     bool any_new_ = false;
     bool any_uneven_ = false;
+    bool any_damped_ = false;
+    bool is_loaded_anew_ = false;
 
     std::vector<Hand> hands_;
     std::vector<std::uint8_t> was_held_back_;  // by hand: in this tick

@@ -169,6 +169,45 @@ TEST_CASE("contact: a ball that rests on an edge with some bounce in it does not
     CHECK(world.balls.position[0].y == doctest::Approx(0.5).epsilon(1e-3));
 }
 
+// Two abreast just fit in, so every one presses on its neighbours and on a wall.
+TEST_CASE("contact: a high column of lively balls comes to rest, and lies on one another") {
+    World world = floor_world();
+    world.kinds[0] = {.radius = 0.2, .mass = 1.0, .restitution = 0.5};
+    world.materials[0].restitution = 0.5;
+    world.model.lossy = true;
+    for (const double side : {-0.5, 0.5})
+        add_capsule(world, {{side, 0.0}, {side, 60.0}, 0.1}, 0);
+    for (int i = 0; i < 60; ++i)
+        for (const double side : {-0.2, 0.2})
+            add_ball(world, {.position = {side, 0.3 + 0.45 * i + 0.1 * side}, .velocity = {}});
+    run(world, 1800);
+    CHECK(rms_speed(world) < 1e-3);
+    CHECK(deepest_overlap(world) < 0.04);
+}
+
+TEST_CASE("contact: what falls on a lively heap bounces off it") {
+    World world = floor_world();
+    world.kinds[0].restitution = 0.5;
+    world.materials[0].restitution = 0.5;
+    for (const double side : {-8.6, 8.6})
+        add_capsule(world, {{side, 0.0}, {side, 30.0}, 0.1}, 0);
+    for (int row = 0; row < 6; ++row)
+        for (int i = 0; i < 16; ++i)
+            add_ball(world,
+                     {.position = {-7.7 + i + 0.4 * (row % 2), 0.5 + 1.01 * row}, .velocity = {}});
+    run(world, 600);
+    REQUIRE(rms_speed(world) < 1e-3);
+    add_ball(world, {.position = {0.0, 12.0}, .velocity = {}});
+    double fastest = 0.0;
+    Solver solver({.kind = SolverKind::contact});
+    for (int i = 0; i < 300; ++i) {
+        solver.tick(world);
+        fastest = std::max(fastest, world.balls.velocity.back().y);
+    }
+    CHECK(fastest > 0.3);  // it comes at 10, and throws others up
+    CHECK(rms_speed(world) < 1e-3);
+}
+
 TEST_CASE("contact: a squeeze without a way out holds the hands, and lets go smoothly") {
     World world = floor_world();
     world.kinds[0].restitution = 0.5;
