@@ -36,20 +36,23 @@ void ContactSolver::find_hits() {
 void ContactSolver::run_impacts(World& world, std::vector<Contact>& contacts) {
     begin_paths();
     queue_.clear();
-    for (const std::uint32_t stray : strays_)
+    for (const std::uint32_t stray : strays_) {
+        begin_path(stray);
         end_path_at_border(stray, 0.0);
+    }
     for (const std::uint32_t p : hits_) {
-        Path& path = paths_[pairs_[p].a];
-        if (path.is_predicted) continue;
-        path.is_predicted = true;
-        predict(world, pairs_[p].a, 0.0);
+        const std::uint32_t body = pairs_[p].a;
+        begin_path(body);
+        if (path_of(body).is_predicted) continue;
+        path_of(body).is_predicted = true;
+        predict(world, body, 0.0);
     }
     while (!queue_.empty()) {
         std::pop_heap(queue_.begin(), queue_.end(),
                       [](const Event& a, const Event& b) { return is_earlier(b, a); });
         const Event event = queue_.back();
         queue_.pop_back();
-        if (event.body_version != paths_[event.body].version) continue;
+        if (event.body_version != path_of(event.body).version) continue;
         if (event.kind == Event::stands) {
             stand(event.body, event.time);
             predict(world, event.body, event.time);
@@ -67,49 +70,62 @@ bool ContactSolver::is_void(const Event& event) const {
     if (pair.b > still_) return hand_of(pair.edge)->version != event.other_version;
     if (pair.b == still_) return false;
     const std::uint32_t other = pair.a == event.body ? pair.b : pair.a;
-    return paths_[other].version != event.other_version;
+    return path_of(other).version != event.other_version;
 }
 
 void ContactSolver::begin_paths() {
     if (!has_pairs_of_bodies_) list_pairs_of_bodies();
-    paths_.resize(mover_.size());
-    const Vec2 fall = gravity_ * flight_.velocity_per_gravity;
-    for (std::uint32_t i = 0; i < still_; ++i) {
-        const Vec2 after = mover_[i].velocity;
-        Path& path = paths_[i];
-        path = Path{};
-        path.position = position_[i];
-        path.velocity = before_[i];
-        path.chord = way_[i] / duration_;
-        path.pull = (after - before_[i]) / duration_;
-        path.end = duration_;
-        path.free = after == before_[i] * flight_.decay + fall;
-    }
-    for (const Hand& hand : hands_) {
-        if (!hand.is_ball) continue;
-        Path& path = paths_[hand.index];
+    paths_.clear();
+    place_of_path_.resize(still_, none);
+    for (const Hand& hand : hands_)
+        if (hand.is_ball) begin_path(hand.index);
+}
+
+// Only balls that could meet something, and those that these could meet, need paths.
+void ContactSolver::begin_path(std::uint32_t body) {
+    if (place_of_path_[body] != none) return;
+    place_of_path_[body] = static_cast<std::uint32_t>(paths_.size());
+    const Vec2 before = before_[body];
+    const Vec2 after = mover_[body].velocity;
+    Path& path = paths_.emplace_back();
+    path.body = body;
+    path.position = position_[body];
+    path.chord = way_[body] / duration_;
+    path.end = duration_;
+    if (is_held_body(body)) {
         path.velocity = path.chord;
-        path.pull = {};
-        path.free = false;
+        return;
     }
-    for (std::size_t i = still_; i < paths_.size(); ++i)
-        paths_[i] = Path{.end = duration_};
+    path.velocity = before;
+    path.pull = (after - before) / duration_;
+    path.free = after == before * flight_.decay + gravity_ * flight_.velocity_per_gravity;
+}
+
+// Those of the body and of all balls in its pairs. Whoever holds a path finds it elsewhere then.
+void ContactSolver::begin_paths_around(std::uint32_t body) {
+    if (path_of(body).is_surrounded) return;
+    path_of(body).is_surrounded = true;
+    for (std::uint32_t k = pairs_begin_[body]; k < pairs_begin_[body + 1]; ++k) {
+        const Pair& pair = pairs_[pairs_of_[k]];
+        begin_path(pair.a);
+        if (pair.b < still_) begin_path(pair.b);
+    }
 }
 
 void ContactSolver::finish_paths(const World& world) {
-    for (std::uint32_t i = 0; i < still_; ++i) {
-        const Path& path = paths_[i];
-        if (path.version == 0) {
-            position_[i] += way_[i];
-            continue;
+    for (std::uint32_t i = 0; i < still_; ++i)
+        if (place_of_path_[i] == none || path_of(i).version == 0) position_[i] += way_[i];
+    for (const Path& path : paths_) {
+        const std::uint32_t body = path.body;
+        if (path.version > 0) {
+            const Vec2 after = position_at(world, body, duration_);
+            way_[body] = after - position_[body];
+            position_[body] = after;
+            mover_[body].velocity = velocity_at(world, body, duration_);
         }
-        const Vec2 before = position_[i];
-        position_[i] = position_at(world, i, duration_);
-        way_[i] = position_[i] - before;
-        mover_[i].velocity = velocity_at(world, i, duration_);
+        if (is_held_body(body)) mover_[body].velocity = path.chord;
+        place_of_path_[body] = none;
     }
-    for (const Hand& hand : hands_)
-        if (hand.is_ball) mover_[hand.index].velocity = paths_[hand.index].chord;
     if (!world.model.speed_limit) return;
     for (std::uint32_t i = 0; i < still_; ++i)
         mover_[i].velocity = limited(mover_[i].velocity, *world.model.speed_limit);
@@ -132,19 +148,19 @@ void ContactSolver::list_pairs_of_bodies() {
 }
 
 Vec2 ContactSolver::chord_position(std::uint32_t body, double now) const {
-    const Path& path = paths_[body];
+    const Path& path = path_of(body);
     return path.position + path.chord * (std::min(now, path.end) - path.time);
 }
 
 Vec2 ContactSolver::position_at(const World& world, std::uint32_t body, double now) const {
-    const Path& path = paths_[body];
+    const Path& path = path_of(body);
     const double since = std::min(now, path.end) - path.time;
     if (!path.free) return path.position + path.chord * since;
     return path.position + travel(flight_over(world.model.drag, since), path.velocity, gravity_);
 }
 
 Vec2 ContactSolver::velocity_at(const World& world, std::uint32_t body, double now) const {
-    const Path& path = paths_[body];
+    const Path& path = path_of(body);
     const double since = std::min(now, path.end) - path.time;
     if (!path.free) return path.velocity + path.pull * since;
     return velocity_after(flight_over(world.model.drag, since), path.velocity, gravity_);
@@ -152,7 +168,7 @@ Vec2 ContactSolver::velocity_at(const World& world, std::uint32_t body, double n
 
 // From now on the ball flies freely from where it is, at first at `velocity`.
 void ContactSolver::take_path(const World& world, std::uint32_t body, double now, Vec2 velocity) {
-    Path& path = paths_[body];
+    Path& path = path_of(body);
     path.position = position_at(world, body, now);
     path.time = now;
     path.velocity = velocity;
@@ -177,7 +193,7 @@ void ContactSolver::take_path(const World& world, std::uint32_t body, double now
 
 // What hands push to and fro comes to lie still.
 void ContactSolver::count_push(std::uint32_t body, double now) {
-    Path& path = paths_[body];
+    Path& path = path_of(body);
     if (++path.pushes < most_pushes) return;
     if (!path.stands) stand(body, now);
     path.velocity = {};
@@ -185,7 +201,7 @@ void ContactSolver::count_push(std::uint32_t body, double now) {
 
 // Where the path leads out of the region in which the ball was compared with others, it ends there.
 void ContactSolver::end_path_at_border(std::uint32_t body, double now) {
-    Path& path = paths_[body];
+    Path& path = path_of(body);
     const Vec2 away = path.position - home_[body];
     const double room = margin_[body] * margin_[body];
     const double left = duration_ - now;
@@ -210,7 +226,7 @@ void ContactSolver::end_path_at_border(std::uint32_t body, double now) {
 }
 
 void ContactSolver::stand(std::uint32_t body, double now) {
-    Path& path = paths_[body];
+    Path& path = path_of(body);
     const double since = std::min(now, path.end) - path.time;
     const Flight flight = flight_over(drag_, since);
     if (path.free) {
@@ -254,7 +270,7 @@ Capsule ContactSolver::edge_at(const World& world, const Pair& pair, double now)
 // When the pair meets from now on. Pairs that rest on one another meet where their cores do.
 std::optional<double> ContactSolver::meeting(const World& world, const Pair& pair,
                                              double now) const {
-    const Path& path = paths_[pair.a];
+    const Path& path = path_of(pair.a);
     const double left = duration_ - now;
     const Vec2 at = chord_position(pair.a, now);
     const Vec2 chord = now < path.end ? path.chord : Vec2{};
@@ -266,7 +282,7 @@ std::optional<double> ContactSolver::meeting(const World& world, const Pair& pai
     double radius = radius_[pair.a];
     std::optional<Impact> impact;
     if (pair.b < still_) {
-        const Path& other = paths_[pair.b];
+        const Path& other = path_of(pair.b);
         Vec2 offset = at - chord_position(pair.b, now);
         if (wraps_) offset = nearest_image(offset, torus_);
         if (is_soft(velocity_at(world, pair.b, now))) radius -= core(pair);
@@ -294,7 +310,8 @@ std::optional<double> ContactSolver::meeting(const World& world, const Pair& pai
 
 // Puts the first impact of a body from now on into the queue.
 void ContactSolver::predict(const World& world, std::uint32_t body, double now) {
-    const Path& path = paths_[body];
+    begin_paths_around(body);
+    const Path& path = path_of(body);
     std::optional<Event> best;
     for (std::uint32_t k = pairs_begin_[body]; k < pairs_begin_[body + 1]; ++k) {
         const std::uint32_t p = pairs_of_[k];
@@ -311,7 +328,7 @@ void ContactSolver::predict(const World& world, std::uint32_t body, double now) 
             .body = body,
             .pair = p,
             .body_version = path.version,
-            .other_version = on_ball ? paths_[other].version
+            .other_version = on_ball ? path_of(other).version
                                      : (pair.b > still_ ? hand_of(pair.edge)->version : 0)};
         if (!best || is_earlier(event, *best)) best = event;
     }
@@ -334,7 +351,7 @@ void ContactSolver::collide(World& world, const Event& event, std::vector<Contac
     const std::uint32_t a = pair.a;
     const std::uint32_t b = pair.b;
     const double now = event.time;
-    if (b > still_ && paths_[a].stands) {
+    if (b > still_ && path_of(a).stands) {
         stop_hand(world, pair.edge, now);
         return;
     }
@@ -386,7 +403,7 @@ std::optional<Contact> ContactSolver::collide_balls(World& world, Pair& pair, do
                    .kind = ContactKind::ball_ball,
                    .a = ball_[a],
                    .b = ball_[b],
-                   .point = paths_[b].position + normal * radius_[b],
+                   .point = path_of(b).position + normal * radius_[b],
                    .normal = normal,
                    .approach = done.approach,
                    .impulse = done.impulse};

@@ -132,6 +132,8 @@ class ContactSolver {
         bool free = false;
         bool stands = false;
         bool is_predicted = false;
+        bool is_surrounded = false;  ///< all that the ball could meet have paths
+        std::uint32_t body = 0;
     };
 
     struct Event {
@@ -222,6 +224,10 @@ class ContactSolver {
     void find_hits();
     void run_impacts(World& world, std::vector<Contact>& contacts);
     void begin_paths();
+    void begin_path(std::uint32_t body);
+    void begin_paths_around(std::uint32_t body);
+    Path& path_of(std::uint32_t body) { return paths_[place_of_path_[body]]; }
+    const Path& path_of(std::uint32_t body) const { return paths_[place_of_path_[body]]; }
     void finish_paths(const World& world);
     void list_pairs_of_bodies();
     void predict(const World& world, std::uint32_t body, double now);
@@ -306,7 +312,8 @@ class ContactSolver {
     std::vector<std::uint32_t> hits_;
     std::vector<std::uint32_t> strays_;  // bodies whose way leads out of their regions
     bool had_impacts_ = false;
-    std::vector<Path> paths_;
+    std::vector<Path> paths_;                   // only of those that could meet something
+    std::vector<std::uint32_t> place_of_path_;  // by body
     std::vector<Event> queue_;
     bool has_pairs_of_bodies_ = false;
     std::vector<std::uint32_t> pairs_begin_;  // by body, into pairs_of_
