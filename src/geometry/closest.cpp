@@ -4,19 +4,6 @@
 
 namespace carom {
 
-double closest_parameter(Vec2 start, Vec2 end, Vec2 point) {
-    const Vec2 span = end - start;
-    const double along = dot(point - start, span);
-    if (!(along > 0.0)) return 0.0;
-    const double whole = length_squared(span);
-    return along >= whole ? 1.0 : along / whole;
-}
-
-Vec2 closest_point(Vec2 start, Vec2 end, Vec2 point) {
-    const double t = closest_parameter(start, end, point);
-    return t == 1.0 ? end : start + (end - start) * t;
-}
-
 double separation(const Disc& disc, const Disc& other) {
     return distance(disc.center, other.center) - (disc.radius + other.radius);
 }

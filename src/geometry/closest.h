@@ -7,10 +7,19 @@ namespace carom {
 
 /// Where on the segment start..end the point nearest `point` lies: 0 at the start, 1 at the end. 0
 /// for a segment without length.
-double closest_parameter(Vec2 start, Vec2 end, Vec2 point);
+inline double closest_parameter(Vec2 start, Vec2 end, Vec2 point) {
+    const Vec2 span = end - start;
+    const double along = dot(point - start, span);
+    if (!(along > 0.0)) return 0.0;
+    const double whole = length_squared(span);
+    return along >= whole ? 1.0 : along / whole;
+}
 
 /// The point of the segment nearest `point`.
-Vec2 closest_point(Vec2 start, Vec2 end, Vec2 point);
+inline Vec2 closest_point(Vec2 start, Vec2 end, Vec2 point) {
+    const double t = closest_parameter(start, end, point);
+    return t == 1.0 ? end : start + (end - start) * t;
+}
 
 /// How far `disc` and `other` are apart, a length; negative is the depth of the overlap.
 double separation(const Disc& disc, const Disc& other);

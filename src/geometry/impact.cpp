@@ -60,6 +60,7 @@ bool is_leaving(const Disc& disc, Vec2 velocity, const Capsule& capsule) {
 std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Disc& other,
                                    double horizon) {
     const Vec2 offset = disc.center - other.center;
+    if (stays_apart(offset, velocity, disc.radius + other.radius, horizon)) return std::nullopt;
     const auto time = time_to_reach(offset, velocity, disc.radius + other.radius, horizon);
     if (!time) return std::nullopt;
     return Impact{*time, direction(offset + velocity * *time, direction(offset, {1.0, 0.0}))};
@@ -71,8 +72,9 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsul
     if (capsule.start == capsule.end) return first_impact(disc, velocity, start_cap, horizon);
 
     const Vec2 offset = disc.center - closest_point(capsule.start, capsule.end, disc.center);
-    const double place = closest_parameter(capsule.start, capsule.end, disc.center);
     const double reach = disc.radius + capsule.radius;
+    if (stays_apart(offset, velocity, reach, horizon)) return std::nullopt;
+    const double place = closest_parameter(capsule.start, capsule.end, disc.center);
     const bool touching = length_squared(offset) <= reach * reach;
     if (place > 0.0 && place < 1.0) {
         const auto side = side_impact(disc, velocity, capsule, touching, horizon);

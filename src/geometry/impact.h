@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "geometry/shapes.h"
@@ -12,6 +13,17 @@ struct Impact {
     double time = 0.0;
     Vec2 normal;
 };
+
+/// Whether a disc certainly has no impact within `horizon` seconds with a resting body whose
+/// nearest point lies at -`offset` from its centre now: `reach` is the sum of the radii, `velocity`
+/// constant. Cheap: no root, no division. False says nothing.
+inline bool stays_apart(Vec2 offset, Vec2 velocity, double reach, double horizon) {
+    // distance^2 at t >= offset^2 + 2 offset.velocity t, since the body is convex; the small
+    // numbers are well above rounding, so that no impact of the functions below is passed over.
+    const double away = length_squared(offset) * (1.0 - 1e-12);
+    const double change = 2.0 * dot(offset, velocity) * horizon;
+    return away + std::min(change, 0.0) > reach * reach * (1.0 + 1e-12);
+}
 
 /// First impact of `disc`, moving at constant `velocity`, with a resting `other`.
 ///

@@ -285,8 +285,9 @@ std::optional<double> ContactSolver::meeting(const World& world, const Pair& pai
         const Path& other = path_of(pair.b);
         Vec2 offset = at - chord_position(pair.b, now);
         if (wraps_) offset = nearest_image(offset, torus_);
-        if (is_soft(velocity_at(world, pair.b, now))) radius -= core(pair);
         const Vec2 relative = chord - (now < other.end ? other.chord : Vec2{});
+        if (stays_apart(offset, relative, radius + radius_[pair.b], left)) return std::nullopt;
+        if (is_soft(velocity_at(world, pair.b, now))) radius -= core(pair);
         const double reach = radius + radius_[pair.b];
         impact = first_impact(Disc{offset, reach}, relative, Disc{{}, 0.0}, left);
     } else if (pair.b == still_) {

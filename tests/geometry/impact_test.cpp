@@ -1,6 +1,7 @@
 #include "geometry/impact.h"
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <doctest/doctest.h>
@@ -135,6 +136,39 @@ TEST_CASE("impacts agree with a slow oracle") {
         CHECK(fast->time == doctest::Approx(*slow).epsilon(1e-9));
     }
     CHECK(found > 100);
+}
+
+// How long until it meets is known from a long horizon; so are horizons that are a hair too short
+// and long enough.
+TEST_CASE("what certainly stays apart has no impact") {
+    std::mt19937_64 engine(17);
+    int apart = 0;
+    int meetings = 0;
+    for (int i = 0; i < 100'000; ++i) {
+        const Disc disc{{uniform(engine, -9, 9), uniform(engine, -9, 9)}, uniform(engine, 0.1, 2)};
+        const Vec2 velocity{uniform(engine, -9, 9), uniform(engine, -9, 9)};
+        Capsule wall{{uniform(engine, -5, 5), uniform(engine, -5, 5)},
+                     {uniform(engine, -5, 5), uniform(engine, -5, 5)},
+                     uniform(engine, 0, 0.5)};
+        if (i % 2 == 0) wall.end = wall.start;
+        const double reach = disc.radius + wall.radius;
+        const Vec2 offset = disc.center - closest_point(wall.start, wall.end, disc.center);
+        const auto impact = first_impact(disc, velocity, wall, 1e3);
+        if (impact) {
+            ++meetings;
+            for (const double horizon : {impact->time * (1.0 + 1e-14), 2.0 * impact->time, 1e300})
+                CHECK_FALSE(stays_apart(offset, velocity, reach, horizon));
+        } else if (stays_apart(offset, velocity, reach, 0.1)) {
+            ++apart;
+        }
+    }
+    CHECK(meetings > 10'000);
+    CHECK(apart > 50'000);
+    CHECK_FALSE(stays_apart({3, 0}, {-1, 0}, 1.0, 4.0));
+    CHECK(stays_apart({3, 0}, {-1, 0}, 1.0, 1.3));
+    CHECK(stays_apart({3, 0}, {1, 0}, 1.0, 1e300));
+    CHECK_FALSE(stays_apart({1, 0}, {1, 0}, 1.0, 1.0));
+    CHECK_FALSE(stays_apart({3, 0}, {0, 1}, 1.0, std::numeric_limits<double>::infinity()));
 }
 
 TEST_CASE("grazing at 1e-8 rad is found, and on the near side") {
