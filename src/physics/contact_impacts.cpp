@@ -43,9 +43,7 @@ void ContactSolver::run_impacts(World& world, std::vector<Contact>& contacts) {
     for (const std::uint32_t p : hits_) {
         const std::uint32_t body = pairs_[p].a;
         begin_path(body);
-        if (path_of(body).is_predicted) continue;
-        path_of(body).is_predicted = true;
-        predict(world, body, 0.0);
+        if (!path_of(body).is_surrounded) predict(world, body, 0.0);
     }
     while (!queue_.empty()) {
         std::pop_heap(queue_.begin(), queue_.end(),
@@ -101,8 +99,9 @@ void ContactSolver::begin_path(std::uint32_t body) {
     path.free = after == before * flight_.decay + gravity_ * flight_.velocity_per_gravity;
 }
 
-// Those of the body and of all balls in its pairs. Whoever holds a path finds it elsewhere then.
+// The paths of the body and of all balls in its pairs. Whoever holds a path finds it elsewhere then.
 void ContactSolver::begin_paths_around(std::uint32_t body) {
+    begin_path(body);
     if (path_of(body).is_surrounded) return;
     path_of(body).is_surrounded = true;
     for (std::uint32_t k = pairs_begin_[body]; k < pairs_begin_[body + 1]; ++k) {

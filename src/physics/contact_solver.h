@@ -131,7 +131,6 @@ class ContactSolver {
         std::uint16_t pushes = 0;  ///< impacts with hands that moved towards it
         bool free = false;
         bool stands = false;
-        bool is_predicted = false;
         bool is_surrounded = false;  ///< all that the ball could meet have paths
         std::uint32_t body = 0;
     };
