@@ -204,8 +204,12 @@ void CapsuleCells::put_in_again(const World& world) {
 
 void CapsuleCells::list_occupied() {
     occupied_.clear();
-    for (std::uint32_t cell = 0; cell < frame_.count(); ++cell)
-        if (start_[cell + 1] != start_[cell]) occupied_.push_back(cell);
+    is_occupied_.assign(frame_.count() / 64 + 1, 0);
+    for (std::uint32_t cell = 0; cell < frame_.count(); ++cell) {
+        if (start_[cell + 1] == start_[cell]) continue;
+        occupied_.push_back(cell);
+        is_occupied_[cell / 64] |= std::uint64_t{1} << (cell % 64);
+    }
 }
 
 }  // namespace carom

@@ -35,6 +35,11 @@ class CapsuleCells {
         return std::span(entries_).subspan(start_[cell], start_[cell + 1] - start_[cell]);
     }
 
+    /// Whether the cell has none. Takes less memory to tell than which they are.
+    bool is_empty(std::uint32_t cell) const {
+        return (is_occupied_[cell / 64] >> (cell % 64) & 1u) == 0;
+    }
+
     /// The cells that have any, ascending.
     std::span<const std::uint32_t> occupied() const { return occupied_; }
 
@@ -62,6 +67,7 @@ class CapsuleCells {
     std::vector<std::uint32_t> start_;
     std::vector<CapsuleEntry> entries_;
     std::vector<std::uint32_t> occupied_;
+    std::vector<std::uint64_t> is_occupied_;  // a bit for each cell
     // While capsules are put in again.
     std::vector<std::uint32_t> changed_;
     std::vector<Newcomer> newcomers_;

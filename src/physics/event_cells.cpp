@@ -58,14 +58,13 @@ void EventCells<Real>::reset(const World& world, Balls& balls) {
 
     frame_ = frame_for(world);
     head_.assign(frame_.count(), none);
-    places_.resize(count);
     for (std::size_t i = count; i-- > 0;)
         enter(balls, static_cast<std::uint32_t>(i), world.balls.position[i]);
 }
 
 template <typename Real>
 void EventCells<Real>::enter(Balls& balls, std::uint32_t ball, Vec2 position) {
-    Cell& own = places_[ball];
+    EventPlace& own = balls.plan(ball).place;
     own.column = frame_.column_unbounded(position.x);
     own.row = frame_.row_unbounded(position.y);
     if (!frame_.wraps) {
@@ -77,7 +76,7 @@ void EventCells<Real>::enter(Balls& balls, std::uint32_t ball, Vec2 position) {
 
 template <typename Real>
 void EventCells<Real>::link(Balls& balls, std::uint32_t ball) {
-    Cell& own = places_[ball];
+    EventPlace& own = balls.plan(ball).place;
     int column = own.column;
     int row = own.row;
     if (frame_.wraps) {
@@ -92,27 +91,27 @@ void EventCells<Real>::link(Balls& balls, std::uint32_t ball) {
     own.before = none;
     const std::uint32_t next = head_[own.cell];
     balls[ball].next = next;
-    if (next != none) places_[next].before = ball;
+    if (next != none) balls.plan(next).place.before = ball;
     head_[own.cell] = ball;
 }
 
 template <typename Real>
 void EventCells<Real>::leave(Balls& balls, std::uint32_t ball) {
     if (balls[ball].is_giant) return;
-    const std::uint32_t before = places_[ball].before;
+    const std::uint32_t before = balls.plan(ball).place.before;
     const std::uint32_t next = balls[ball].next;
     if (before == none)
-        head_[places_[ball].cell] = next;
+        head_[balls.plan(ball).place.cell] = next;
     else
         balls[before].next = next;
-    if (next != none) places_[next].before = before;
+    if (next != none) balls.plan(next).place.before = before;
 }
 
 template <typename Real>
 void EventCells<Real>::step(Balls& balls, std::uint32_t ball, int columns, int rows) {
     leave(balls, ball);
-    places_[ball].column += columns;
-    places_[ball].row += rows;
+    balls.plan(ball).place.column += columns;
+    balls.plan(ball).place.row += rows;
     link(balls, ball);
 }
 

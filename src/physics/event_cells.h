@@ -1,25 +1,27 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "physics/cell_frame.h"
 #include "physics/event_path.h"
+#include "physics/fetch.h"
 #include "physics/large_pages.h"
 
 /// The broad phase of the solver `event`: each ball in the cell of its centre, moved from cell to
 /// cell by events. A few balls much larger than the rest (*giants*) are in no cell: everybody looks
 /// at them, so that cells can fit the others.
 ///
-/// What a walk over neighbours reads of a ball stands in the ball (EventBall::next, and the tori of
-/// its path), next to what the walk is for.
+/// What this knows of a ball stands in the ball (EventBall::place, ::next, and the tori of its
+/// path), next to what a walk over neighbours is for.
 namespace carom {
 
 template <typename Real>
 class EventCells {
   public:
-    using Balls = LargeVector<EventBall<Real>>;
+    using Balls = EventBalls<Real>;
     static constexpr std::uint32_t none = EventBall<Real>::none;
 
     /// A frame whose cells are at least as wide as the largest ball that is no giant, and every
@@ -34,22 +36,35 @@ class EventCells {
     double largest() const { return largest_; }
     const std::vector<std::uint32_t>& giants() const { return giants_; }
 
-    /// Cells are counted without bound, so that on a torus they say in which image a path is.
-    int column(std::uint32_t ball) const { return places_[ball].column; }
-    int row(std::uint32_t ball) const { return places_[ball].row; }
-    std::uint32_t cell(std::uint32_t ball) const { return places_[ball].cell; }
-
     void enter(Balls& balls, std::uint32_t ball, Vec2 position);
     void leave(Balls& balls, std::uint32_t ball);
     /// To the next cell; (columns, rows) is one of the four steps.
     void step(Balls& balls, std::uint32_t ball, int columns, int rows);
     /// The path has been moved by whole tori.
     void shift(Balls& balls, std::uint32_t ball, int across, int along) {
-        places_[ball].column += across * frame_.columns;
-        places_[ball].row += along * frame_.rows;
+        balls.plan(ball).place.column += across * frame_.columns;
+        balls.plan(ball).place.row += along * frame_.rows;
         EventPath<Real>& path = balls[ball].path;
         path.across = static_cast<std::int8_t>(path.across + across);
         path.along = static_cast<std::int8_t>(path.along + along);
+    }
+
+    /// Into the cache: which balls are in the nine cells around this one; and what a walk over them
+    /// reads of the balls, those who stand second in a cell left out.
+    void fetch_heads(std::uint32_t cell) const {
+        if (!is_inside(cell)) return;
+        const std::uint32_t* const middle = head_.data() + cell;
+        fetch_early(middle - frame_.columns);
+        fetch_early(middle);
+        fetch_early(middle + frame_.columns);
+    }
+    void fetch_near(const Balls& balls, std::uint32_t cell) const {
+        if (!is_inside(cell)) return;
+        const std::uint32_t* const middle = head_.data() + cell;
+        for (const std::uint32_t* row : {middle - frame_.columns, middle, middle + frame_.columns})
+            for (int i = -1; i <= 1; ++i)
+                // Ball 0 stands for nobody.
+                balls.fetch_neighbour(select(row[i] != none, row[i], 0));
     }
 
     /// Calls visit(other, tori across, tori along) for every ball in the nine cells around the
@@ -79,12 +94,6 @@ class EventCells {
         int columns = 0;
         int rows = 0;
     };
-    struct Cell {
-        int column = 0;
-        int row = 0;
-        std::uint32_t cell = 0;
-        std::uint32_t before = none;  ///< ball in the same cell
-    };
     /// A cell of the frame on one axis, and how many tori the way to it has crossed. Pre: on a
     /// torus place is in -1..count.
     struct Place {
@@ -101,7 +110,7 @@ class EventCells {
         // What a visit writes cannot change these, but no compiler knows that.
         const EventBall<Real>* const balls = all.data();
         const std::uint32_t* const heads = head_.data();
-        const Cell own = places_[ball];
+        const EventPlace own = all.plan(ball).place;
         const int columns = frame_.columns;
         const int rows = frame_.rows;
         const auto index = [columns](int column, int row) {
@@ -124,22 +133,40 @@ class EventCells {
                 }
             }
         } else {
+            // First whom the cells begin with, the ball itself passed over: no branch is taken
+            // where nobody can foretell whether a cell is empty.
+            std::array<std::uint32_t, 9> firsts;
+            std::size_t count = 0;
+            const std::uint32_t after = balls[ball].next;
+            const auto look_at = [&](std::uint32_t first) {
+                const std::uint32_t other = select(first == ball, after, first);
+                firsts[count] = other;
+                count += static_cast<std::size_t>(other != none);
+            };
             const int bottom = std::max(own.row + low.rows, 0);
             const int top = std::min(own.row + high.rows, rows - 1);
             const int left = std::max(own.column + low.columns, 0);
             const int right = std::min(own.column + high.columns, columns - 1);
-            // All at once from memory, where there are too many for the cache.
-            for (int y = bottom; y <= top; ++y)
-                for (int x = left; x <= right; ++x) {
-                    const std::uint32_t first = heads[index(x, y)];
-                    if (first != none) __builtin_prefetch(&balls[first].path.quick);
-                }
-            for (int y = bottom; y <= top; ++y)
-                for (int x = left; x <= right; ++x)
-                    for (std::uint32_t other = heads[index(x, y)]; other != none;
-                         other = balls[other].next)
-                        if (other != ball) visit(other, 0, 0);
+            if (top - bottom == 2 && right - left == 2) {
+                const std::uint32_t* const corner = heads + index(left, bottom);
+                for (int y = 0; y < 3; ++y)
+                    for (int x = 0; x < 3; ++x)
+                        look_at(corner[index(x, y)]);
+            } else {
+                for (int y = bottom; y <= top; ++y)
+                    for (int x = left; x <= right; ++x)
+                        look_at(heads[index(x, y)]);
+            }
+            for (std::size_t i = 0; i < count; ++i)
+                for (std::uint32_t other = firsts[i]; other != none; other = balls[other].next)
+                    if (other != ball) visit(other, 0, 0);
         }
+    }
+    /// Whether there are eight cells around this one, or what stands for them in memory. Any
+    /// number.
+    bool is_inside(std::uint32_t cell) const {
+        const auto columns = static_cast<std::uint32_t>(frame_.columns);
+        return cell > columns && cell < head_.size() && cell + columns + 1 < head_.size();
     }
     CellFrame frame_for(const World& world) const;
     void link(Balls& balls, std::uint32_t ball);
@@ -149,7 +176,6 @@ class EventCells {
     std::vector<std::uint32_t> by_size_;
     std::vector<std::uint32_t> giants_;
     LargeVector<std::uint32_t> head_;  ///< first ball of each cell
-    LargeVector<Cell> places_;
 };
 
 }  // namespace carom

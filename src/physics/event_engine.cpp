@@ -46,7 +46,7 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
     EventOutcome outcome = EventOutcome::done;
     while (const std::optional<std::uint32_t> first = first_ball()) {
         const std::uint32_t ball = *first;
-        const Event event = next_[ball];
+        const Event event = balls_.plan(ball).coming;
         if (!(event.time <= end_)) break;
         ++events_;
         if (events_ > most_events) {
@@ -230,12 +230,13 @@ void EventEngine<Real>::begin_anew(const World& world) {
     torus_ = world.model.wrap ? size(*world.model.wrap) : Vec2{};
 
     // Paths that the world, or for other numbers this engine, remembers.
-    LargeVector<EventBall<Real>> before;
+    EventBalls<Real> before;
     if constexpr (!std::is_same_v<Real, double>) before = balls_;
     balls_.resize(count);
-    for (EventBall<Real>& ball : balls_) {
-        ball.path = {};
-        ball.body = EventBall<Real>::none;
+    for (std::size_t i = 0; i < count; ++i) {
+        balls_[i].path = {};
+        balls_[i].body = EventBall<Real>::none;
+        balls_.plan(i).coming = {};
     }
     std::vector<std::uint8_t>& is_kept = is_kept_;
     std::vector<std::int64_t>& spin_from = spin_from_;
@@ -271,8 +272,6 @@ void EventEngine<Real>::begin_anew(const World& world) {
         balls_[i].radius = Real(world.balls.radius[i]);
     }
     begun_.reserve(count);
-    next_.assign(count, {});
-    meeting_.resize(count);
     take_hands(world);
     take_spins(world, spin_from);
     for (std::size_t i = 0; i < count; ++i)
@@ -363,7 +362,7 @@ void EventEngine<Real>::start_path(std::uint32_t ball, const Real& time, Vector<
         const int along = tori(inside.y - shown.y, torus_.y);
         if (across != 0 || along != 0) {
             position += torus_shift(across, along);
-            if (!next_.empty()) cells_.shift(balls_, ball, across, along);
+            cells_.shift(balls_, ball, across, along);
             is_near_valid_ = false;
         }
     }
@@ -400,8 +399,13 @@ void EventEngine<Real>::store_paths(World& world) {
             for (std::uint32_t i = 0; i < balls_.size(); ++i)
                 store(i);
         else
-            for (const std::uint32_t i : begun_)
-                store(i);
+            for (std::size_t at = 0; at < begun_.size(); ++at) {
+                const std::uint32_t soon = begun_[std::min(at + 8, begun_.size() - 1)];
+                fetch_early(&world.paths[soon]);
+                fetch_early(reinterpret_cast<const char*>(&world.paths[soon] + 1) - 1);
+                balls_.fetch_ball(soon);
+                store(begun_[at]);
+            }
         left_.paths_sum = world.paths_sum;
     }
 }
@@ -410,22 +414,28 @@ template <typename Real>
 void EventEngine<Real>::write(World& world) {
     Balls& balls = world.balls;
     const bool is_coasting = !world.model.gravity && !field_.has_drag;
-    for (std::size_t i = 0; i < balls_.size(); ++i) {
+    const std::size_t count = balls_.size();
+    left_.positions.resize(count);
+    left_.velocities.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        balls_.fetch_neighbour(std::min(i + 16, count - 1));
         const EventPath<Real>& path = balls_[i].path;
+        Vec2 position;
+        Vec2 velocity;
         if (is_coasting && path.motion == Motion::free) {
-            const Vec2 position(path.position + path.velocity * (end_ - path.time));
-            balls.position[i] = world.model.wrap ? wrapped(position, *world.model.wrap) : position;
-            balls.velocity[i] = Vec2(path.velocity);
-            continue;
+            position = Vec2(path.position + path.velocity * (end_ - path.time));
+            velocity = Vec2(path.velocity);
+        } else {
+            const BallState<Real> state = state_at(path, field_, end_);
+            position = Vec2(state.position);
+            velocity = path.motion == Motion::held ? Vec2{} : Vec2(state.velocity);
         }
-        const BallState<Real> state = state_at(path, field_, end_);
-        const Vec2 position(state.position);
-        balls.position[i] = world.model.wrap ? wrapped(position, *world.model.wrap) : position;
-        balls.velocity[i] = path.motion == Motion::held ? Vec2{} : Vec2(state.velocity);
+        if (world.model.wrap) position = wrapped(position, *world.model.wrap);
+        // What the paths say: a velocity that is limited below differs from it, and begins a new
+        // path.
+        balls.position[i] = left_.positions[i] = position;
+        balls.velocity[i] = left_.velocities[i] = velocity;
     }
-    // What the paths say: a velocity that is limited below differs from it, and begins a new path.
-    left_.positions = balls.position;
-    left_.velocities = balls.velocity;
     if (world.model.speed_limit)
         for (Vec2& velocity : balls.velocity)
             velocity = limited(velocity, *world.model.speed_limit);

@@ -108,14 +108,14 @@ class EventEngine {
     const CellFrame& cells() const { return cells_.frame(); }
 
   private:
-    enum class Kind : std::uint8_t { ball_ball, ball_edge, hand, own, crossing, none };
-    struct Event {
-        Real time{};
-        Kind kind = Kind::none;
-        std::int8_t across = 0;  ///< tori from the other's path to the image that is met
-        std::int8_t along = 0;
-        std::uint32_t other = 0;  ///< ball, capsule or direction
-        std::uint32_t other_version = 0;
+    using Kind = EventKind;
+    using Event = BallEvent<Real>;
+    /// A ball whose event comes soon, and what of it is known.
+    struct Coming {
+        std::uint32_t ball = 0;
+        std::uint32_t partner = 0;  ///< whom it meets; or itself
+        std::uint32_t cell = 0;     ///< around which it looks then
+        std::uint32_t partner_cell = 0;
     };
     struct Hand {
         std::uint32_t capsule = 0;
@@ -230,6 +230,10 @@ class EventEngine {
     void for_each_edge_near(std::uint32_t ball, Visit&& visit) const;
     bool is_solid_for(std::uint32_t capsule, const Vector<Real>& position, Vec2 shift) const;
 
+    // event_ahead.cpp: fetching from memory before it is needed.
+    static constexpr std::size_t many = 4096;  ///< balls, from which on it is worth its cost
+    void look_ahead();
+
     // event_touch.cpp: what touches what then.
     std::uint32_t body_of(std::uint32_t ball);
     void scan(std::uint32_t body);
@@ -335,17 +339,16 @@ class EventEngine {
     Real end_{};
     std::uint64_t events_ = 0;
 
-    LargeVector<EventBall<Real>> balls_;
+    EventBalls<Real> balls_;
     std::vector<std::uint32_t> begun_;  ///< whose paths began in this tick; as many as balls: all
-    LargeVector<Event> next_;
-    /// Whom a ball that flies among flying balls meets first, wherever: see event_predict.cpp.
-    std::vector<Event> meeting_;
-    std::vector<Spinning> spins_;  ///< empty unless Model::spin
+    std::vector<Spinning> spins_;       ///< empty unless Model::spin
     std::vector<std::uint32_t> edge_contacts_;
     std::vector<Hand> hands_;
     EventCells<Real> cells_;
     CapsuleCells edges_;
     EventQueue queue_;
+    std::array<Coming, 8> coming_{};  ///< whom look_ahead has seen, in a ring
+    std::uint32_t came_ = 0;
     bool hand_stopped_ = false;
     bool is_begun_anew_ = false;
 
@@ -428,9 +431,11 @@ void EventEngine<Real>::for_each_edge_near(std::uint32_t ball, Visit&& visit) co
         visit(capsule, Vec2{torus_.x * across, torus_.y * along}, across, along);
     };
     if (!balls_[ball].is_giant) {
+        const std::uint32_t cell = balls_.plan(ball).place.cell;
+        if (edges_.is_empty(cell)) return;
         const int across = balls_[ball].path.across;
         const int along = balls_[ball].path.along;
-        for (const CapsuleEntry entry : edges_.in_cell(cells_.cell(ball)))
+        for (const CapsuleEntry entry : edges_.in_cell(cell))
             at_image(entry.index, entry.across + across, entry.along + along);
         return;
     }

@@ -3,6 +3,8 @@
 #include <cstdint>
 
 #include "geometry/vector.h"
+#include "physics/fetch.h"
+#include "physics/large_pages.h"
 #include "physics/world.h"
 
 /// How a ball moves between two events of the solver `event`, exactly.
@@ -25,6 +27,27 @@ struct EventPath {
     Vector<Real> velocity;
 };
 
+/// What happens to a ball next. In the order in which those of the same time come.
+enum class EventKind : std::uint8_t { ball_ball, ball_edge, hand, own, crossing, none };
+template <typename Real>
+struct BallEvent {
+    Real time{};
+    EventKind kind = EventKind::none;
+    std::int8_t across = 0;  ///< tori from the other's path to the image that is met
+    std::int8_t along = 0;
+    std::uint32_t other = 0;  ///< ball, capsule or direction
+    std::uint32_t other_version = 0;
+};
+
+/// Where a ball is in EventCells.
+struct EventPlace {
+    /// Counted without bound, so that on a torus they say in which image the path is.
+    int column = 0;
+    int row = 0;
+    std::uint32_t cell = 0;
+    std::uint32_t before = 0;  ///< ball in the same cell
+};
+
 /// A ball as the solver `event` sees it. What is read of every neighbour is one line of the cache:
 /// from the path's `quick` on.
 template <typename Real>
@@ -41,6 +64,49 @@ struct alignas(64) EventBall {
     std::uint32_t version = 0;  ///< counts the paths
 };
 static_assert(sizeof(EventBall<double>) == 128);
+
+/// What only the ball's own events need of it, in one line.
+template <typename Real>
+struct alignas(64) EventPlan {
+    BallEvent<Real> coming;  ///< the first of those found
+    /// Whom it meets first, wherever, where it flies among flying balls: see EventEngine::predict.
+    BallEvent<Real> meeting;
+    EventPlace place;
+};
+static_assert(sizeof(EventPlan<double>) == 64);
+
+/// All of them.
+template <typename Real>
+class EventBalls {
+  public:
+    std::size_t size() const { return balls_.size(); }
+    void resize(std::size_t count) {
+        balls_.resize(count);
+        plans_.resize(count);
+    }
+    EventBall<Real>& operator[](std::size_t ball) { return balls_[ball]; }
+    const EventBall<Real>& operator[](std::size_t ball) const { return balls_[ball]; }
+    EventPlan<Real>& plan(std::size_t ball) { return plans_[ball]; }
+    const EventPlan<Real>& plan(std::size_t ball) const { return plans_[ball]; }
+    const EventBall<Real>* data() const { return balls_.data(); }
+    auto begin() { return balls_.begin(); }
+    auto end() { return balls_.end(); }
+
+    /// Into the cache: what is read of a neighbour; the ball; its plan too.
+    void fetch_neighbour(std::size_t ball) const { fetch_early(&balls_[ball].path.quick); }
+    void fetch_ball(std::size_t ball) const {
+        fetch_early(&balls_[ball]);
+        fetch_neighbour(ball);
+    }
+    void fetch(std::size_t ball) const {
+        fetch_ball(ball);
+        fetch_early(&plans_[ball]);
+    }
+
+  private:
+    LargeVector<EventBall<Real>> balls_;
+    LargeVector<EventPlan<Real>> plans_;
+};
 
 EventPath<double> path_from(const BallPath& stored);
 BallPath stored_path(BallId id, const EventPath<double>& path);

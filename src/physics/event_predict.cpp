@@ -54,29 +54,34 @@ bool EventEngine<Real>::comes_first(std::uint32_t ball_a, const Event& a, std::u
 
 template <typename Real>
 double EventEngine<Real>::queue_time(std::uint32_t ball) const {
-    const Event& next = next_[ball];
+    const Event& next = balls_.plan(ball).coming;
     return next.kind == Kind::none ? EventQueue::never : static_cast<double>(next.time);
 }
 
 template <typename Real>
 void EventEngine<Real>::build_queue() {
+    coming_.fill({});
     queue_.build(
         balls_.size(), [this](std::uint32_t ball) { return queue_time(ball); },
-        [this](std::uint32_t a, std::uint32_t b) { return comes_first(a, next_[a], b, next_[b]); });
+        [this](std::uint32_t a, std::uint32_t b) {
+            return comes_first(a, balls_.plan(a).coming, b, balls_.plan(b).coming);
+        });
 }
 
 // Whose event comes first.
 template <typename Real>
 std::optional<std::uint32_t> EventEngine<Real>::first_ball() {
-    return queue_.first(
-        [this](std::uint32_t a, std::uint32_t b) { return comes_first(a, next_[a], b, next_[b]); });
+    if (balls_.size() >= many) look_ahead();
+    return queue_.first([this](std::uint32_t a, std::uint32_t b) {
+        return comes_first(a, balls_.plan(a).coming, b, balls_.plan(b).coming);
+    });
 }
 
 // The ball's event has changed.
 template <typename Real>
 void EventEngine<Real>::reorder(std::uint32_t ball) {
     queue_.update(ball, queue_time(ball), [this](std::uint32_t a, std::uint32_t b) {
-        return comes_first(a, next_[a], b, next_[b]);
+        return comes_first(a, balls_.plan(a).coming, b, balls_.plan(b).coming);
     });
 }
 
@@ -100,7 +105,7 @@ void EventEngine<Real>::predict(std::uint32_t ball) {
             is_known = is_known && is_flying(other);
             if (is_known) meet_flying(ball, other, across, along, meeting);
         });
-    meeting_[ball] = meeting;
+    balls_.plan(ball).meeting = meeting;
     balls_[ball].is_meeting_known = is_known;
     choose_next(ball);
 }
@@ -132,7 +137,7 @@ void EventEngine<Real>::predict_after(const Body& body) {
         if (line.is_one())
             meet_at(ball, near.other, near.across, near.along, line, now, near.offset, meeting);
     }
-    meeting_[ball] = meeting;
+    balls_.plan(ball).meeting = meeting;
     balls_[ball].is_meeting_known = is_known;
     choose_next(ball);
 }
@@ -155,7 +160,8 @@ void EventEngine<Real>::choose_next(std::uint32_t ball) {
     // How far to look where it takes longer the further one looks.
     if (!is_line || !hands_.empty())
         best = {now_ + Real(16.0 / world_->rate), Kind::crossing, 0, 0, look_again, 0};
-    if (is_known && meeting_[ball].kind != Kind::none) consider(ball, meeting_[ball], best);
+    if (is_known && balls_.plan(ball).meeting.kind != Kind::none)
+        consider(ball, balls_.plan(ball).meeting, best);
     if (is_line)
         predict_crossing_of_line(ball, best);
     else
@@ -164,7 +170,7 @@ void EventEngine<Real>::choose_next(std::uint32_t ball) {
     if (!is_known && world_->model.ball_ball) predict_balls(ball, best);
     if (world_->model.ball_edge && balls_[ball].path.motion != Motion::resting)
         predict_edges(ball, best);
-    next_[ball] = best;
+    balls_.plan(ball).coming = best;
 }
 
 // On a torus a ball that meets nobody goes round and round: before its path leads too far from the
@@ -201,13 +207,13 @@ void EventEngine<Real>::enter_next_cell(std::uint32_t ball, std::uint32_t direct
             return;
         }
         if (is_known && world_->model.ball_ball) {
-            Event meeting = meeting_[ball];
+            Event meeting = balls_.plan(ball).meeting;
             cells_.for_each_new(balls_, ball, columns, rows,
                                 [&](std::uint32_t other, int across, int along) {
                                     is_known = is_known && is_flying(other);
                                     if (is_known) meet_flying(ball, other, across, along, meeting);
                                 });
-            meeting_[ball] = meeting;
+            balls_.plan(ball).meeting = meeting;
         }
     }
     if (is_known)
@@ -265,9 +271,9 @@ void EventEngine<Real>::predict_crossing_of_line(std::uint32_t ball, Event& best
         consider(ball, {time < now_ ? now_ : time, Kind::crossing, 0, 0, up ? ahead : ahead + 1, 0},
                  best);
     };
-    cross(path.position.x, path.velocity.x, cells_.column(ball), frame.columns, frame.origin.x,
-          frame.cell.x, 0);
-    cross(path.position.y, path.velocity.y, cells_.row(ball), frame.rows, frame.origin.y,
+    cross(path.position.x, path.velocity.x, balls_.plan(ball).place.column, frame.columns,
+          frame.origin.x, frame.cell.x, 0);
+    cross(path.position.y, path.velocity.y, balls_.plan(ball).place.row, frame.rows, frame.origin.y,
           frame.cell.y, 2);
 }
 
@@ -284,7 +290,8 @@ void EventEngine<Real>::predict_crossing(std::uint32_t ball, Event& best) const 
     const Real last = path.motion == Motion::turning ? piece_end(path, field_) : best.time;
     for (std::uint32_t direction = 0; direction < steps.size(); ++direction) {
         const auto [columns, rows] = steps[direction];
-        const int place = columns != 0 ? cells_.column(ball) : cells_.row(ball);
+        const int place =
+            columns != 0 ? balls_.plan(ball).place.column : balls_.plan(ball).place.row;
         const int count = columns != 0 ? frame.columns : frame.rows;
         const int way = columns + rows;
         if (!frame.wraps && (way > 0 ? place >= count - 1 : place <= 0)) continue;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "physics/fetch.h"
 #include "physics/large_pages.h"
 
 /// The event queue: the balls by the time of their next events, each of which can be replaced.
@@ -30,11 +31,11 @@ class EventQueue {
         heads_.assign(slices_ + 2, none);
         heap_.clear();
         links_.resize(count);
-        times_.resize(count);
         listed_ = finite_ = 0;
+        scout_ = none;
         for (std::uint32_t ball = 0; ball < count; ++ball) {
-            times_[ball] = time_of(ball);
-            enlist(ball, times_[ball] < never ? far() : no_time());
+            links_[ball].time = time_of(ball);
+            enlist(ball, links_[ball].time < never ? far() : no_time());
         }
         advance(is_before);
     }
@@ -48,12 +49,33 @@ class EventQueue {
         return heap_.front().ball;
     }
 
+    /// A ball whose event comes some slices after the present one: each of them about once, in
+    /// about their order; nothing if there is none that far ahead. What is told so may be out of
+    /// date a moment later: it is for fetching memory before it is needed.
+    std::optional<std::uint32_t> scout() {
+        std::uint32_t ball = none;
+        if (scout_ != none && links_[scout_].list == list_of_slice(scouted_))
+            ball = links_[scout_].next;
+        if (scouted_ < present_ + least_lead) {
+            scouted_ = present_ + least_lead;
+            ball = heads_[list_of_slice(scouted_)];
+        }
+        while (ball == none && scouted_ < present_ + most_lead)
+            ball = heads_[list_of_slice(++scouted_)];
+        scout_ = ball;
+        if (ball == none) return std::nullopt;
+        fetch(ball);
+        return ball;
+    }
+    /// What stands here about the ball, into the cache.
+    void fetch(std::uint32_t ball) const { fetch_early(&links_[ball]); }
+
     /// The event of `ball` has changed, and is at `time` now, or `never`.
     template <typename Before>
     void update(std::uint32_t ball, double time, Before&& is_before) {
         const std::uint32_t old = links_[ball].list;
         const std::uint32_t list = list_for(time);
-        times_[ball] = time;
+        links_[ball].time = time;
         if (old == in_heap && list == in_heap) {
             settle(links_[ball].next, {time, ball}, is_before);
             return;
@@ -72,12 +94,15 @@ class EventQueue {
     static constexpr std::uint32_t none = 0xffffffffu;
     static constexpr std::uint32_t in_heap = none;
     static constexpr std::uint32_t least_slices = 64;
+    static constexpr std::uint32_t least_lead = 10;  ///< of `scout`, slices
+    static constexpr std::uint32_t most_lead = 20;
 
     struct Entry {
         double time = 0.0;
         std::uint32_t ball = 0;
     };
     struct Link {
+        double time = 0.0;
         std::uint32_t next = none;  ///< in the same list; or the place in the heap
         std::uint32_t before = none;
         std::uint32_t list = in_heap;  ///< of heads_
@@ -125,7 +150,7 @@ class EventQueue {
         if (!is_width_right || (!is_length_right && slices_ > least_slices)) return arrange();
         for (std::uint32_t ball = heads_[far()]; ball != none;) {
             const std::uint32_t next = links_[ball].next;
-            const std::uint32_t list = list_for(times_[ball]);
+            const std::uint32_t list = list_for(links_[ball].time);
             if (list != far()) {
                 unlink(ball);
                 enlist(ball, list == in_heap ? list_of_slice(present_) : list);
@@ -152,25 +177,28 @@ class EventQueue {
         heads_[no_time()] = timeless;
 
         const auto is_earlier = [this](std::uint32_t a, std::uint32_t b) {
-            return times_[a] < times_[b];
+            return links_[a].time < links_[b].time;
         };
         const auto middle = moved_.begin() + static_cast<std::ptrdiff_t>(moved_.size() / 2);
         std::nth_element(moved_.begin(), middle, moved_.end(), is_earlier);
-        origin_ = times_[*std::min_element(moved_.begin(), middle + 1, is_earlier)];
+        origin_ = links_[*std::min_element(moved_.begin(), middle + 1, is_earlier)].time;
         // The first event of each of n is about to be the first of all once in middle / (n ln 2).
-        const double width = (times_[*middle] - origin_) * 1.5 / static_cast<double>(moved_.size());
+        const double width =
+            (links_[*middle].time - origin_) * 1.5 / static_cast<double>(moved_.size());
         slices_a_second_ = width > 1e-300 ? 1.0 / width : 1.0;
         present_ = taken_ = 0;
+        scouted_ = 0;
+        scout_ = none;
         listed_ = finite_ = 0;
         for (const std::uint32_t ball : moved_) {
-            const std::uint32_t list = list_for(times_[ball]);
+            const std::uint32_t list = list_for(links_[ball].time);
             enlist(ball, list == in_heap ? 0 : list);
         }
     }
 
     void enlist(std::uint32_t ball, std::uint32_t list) {
         const std::uint32_t next = heads_[list];
-        links_[ball] = {next, none, list};
+        links_[ball] = {links_[ball].time, next, none, list};
         if (next != none) links_[next].before = ball;
         heads_[list] = ball;
         listed_ += list < far();
@@ -192,7 +220,7 @@ class EventQueue {
     void enter_heap(std::uint32_t ball, Before&& is_before) {
         links_[ball].list = in_heap;
         heap_.push_back({});
-        rise(heap_.size() - 1, {times_[ball], ball}, is_before);
+        rise(heap_.size() - 1, {links_[ball].time, ball}, is_before);
     }
 
     template <typename Before>
@@ -256,9 +284,10 @@ class EventQueue {
     std::size_t listed_ = 0;            ///< in lists of slices
     std::size_t finite_ = 0;            ///< the same, and far ones
     std::size_t taken_ = 0;             ///< into the heap, since `look_further`
+    std::uint64_t scouted_ = 0;         ///< the slice in which `scout` is
+    std::uint32_t scout_ = none;        ///< whom it told last
     std::vector<std::uint32_t> heads_;  ///< of the slices, of the far, of those without a time
     LargeVector<Link> links_;           ///< by ball
-    LargeVector<double> times_;         ///< by ball
     std::vector<Entry> heap_;           ///< each above four
     std::vector<std::uint32_t> moved_;
 };

@@ -117,6 +117,42 @@ TEST_CASE("event queue: it follows events that become rare, and frequent again")
     }
 }
 
+TEST_CASE("event queue: the scout tells nearly everybody, each some events before its turn") {
+    constexpr std::size_t count = 3'000;
+    Dice dice(1);
+    std::vector<double> times(count);
+    for (double& time : times)
+        time = dice.unit();
+    EventQueue queue;
+    queue.build(
+        count, [&](std::uint32_t ball) { return times[ball]; }, by_number);
+    constexpr int never_told = -1;
+    std::vector<int> told(count, never_told);
+    constexpr int events = 30'000;
+    int tellings = 0;
+    int in_time = 0;
+    for (int i = 0; i < events; ++i) {
+        if (const auto ball = queue.scout()) {
+            REQUIRE(*ball < count);
+            told[*ball] = i;
+            ++tellings;
+        }
+        const auto first = queue.first(by_number);
+        REQUIRE(first);
+        const int ahead = i - told[*first];
+        in_time += told[*first] != never_told && ahead >= 4 && ahead <= 100;
+        told[*first] = never_told;
+        times[*first] += 2.0 * dice.unit();
+        queue.update(*first, times[*first], by_number);
+        // Some other's event is another then.
+        const std::uint32_t other = dice.below(count);
+        times[other] = times[*first];
+        queue.update(other, times[other], by_number);
+    }
+    CHECK(in_time > events * 8 / 10);
+    CHECK(tellings < events * 12 / 10);
+}
+
 // All can be predicted anew in the middle of a tick, and one of them once more before anybody asks
 // who is first: that one came first then, though it was not.
 TEST_CASE("event queue: built again, an event replaced before the first is asked for waits") {
@@ -136,6 +172,7 @@ TEST_CASE("event queue: without balls, and without events") {
     queue.build(
         0, [](std::uint32_t) { return 0.0; }, by_number);
     CHECK(!queue.first(by_number));
+    CHECK(!queue.scout());
     queue.build(
         3, [](std::uint32_t) { return EventQueue::never; }, by_number);
     CHECK(!queue.first(by_number));
