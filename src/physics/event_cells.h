@@ -81,6 +81,18 @@ class EventCells {
     template <typename Visit>
     void for_each_new(const Balls& balls, std::uint32_t ball, int columns, int rows,
                       Visit&& visit) const {
+        const EventPlace own = balls.plan(ball).place;
+        if (!frame_.wraps && own.column > 0 && own.column < frame_.columns - 1 && own.row > 0 &&
+            own.row < frame_.rows - 1) {
+            // Which way it goes nobody can foretell.
+            const std::ptrdiff_t width = frame_.columns;
+            const std::uint32_t* const middle = head_.data() + own.cell + rows * width + columns;
+            const std::ptrdiff_t aside = columns * columns * width + rows * rows;
+            Firsts firsts(balls[ball].next, ball);
+            for (const std::uint32_t* head : {middle - aside, middle, middle + aside})
+                firsts.look_at(*head);
+            return firsts.for_each(balls.data(), visit);
+        }
         const Step low{columns == 0 ? -1 : columns, rows == 0 ? -1 : rows};
         const Step high{columns == 0 ? 1 : columns, rows == 0 ? 1 : rows};
         if (frame_.wraps)
@@ -90,6 +102,30 @@ class EventCells {
     }
 
   private:
+    /// Whom the cells around a ball begin with, the ball itself passed over. Nobody can foretell
+    /// which cells are empty, so no branch is taken on that.
+    class Firsts {
+      public:
+        Firsts(std::uint32_t after_ball, std::uint32_t ball) : after_(after_ball), ball_(ball) {}
+        /// At most nine times.
+        void look_at(std::uint32_t first) {
+            const std::uint32_t other = select(first == ball_, after_, first);
+            firsts_[count_] = other;
+            count_ += static_cast<std::size_t>(other != none);
+        }
+        template <typename Visit>
+        void for_each(const EventBall<Real>* balls, Visit&& visit) const {
+            for (std::size_t i = 0; i < count_; ++i)
+                for (std::uint32_t other = firsts_[i]; other != none; other = balls[other].next)
+                    if (other != ball_) visit(other, 0, 0);
+        }
+
+      private:
+        std::array<std::uint32_t, 9> firsts_;
+        std::size_t count_ = 0;
+        std::uint32_t after_;
+        std::uint32_t ball_;
+    };
     struct Step {
         int columns = 0;
         int rows = 0;
@@ -133,16 +169,7 @@ class EventCells {
                 }
             }
         } else {
-            // First whom the cells begin with, the ball itself passed over: no branch is taken
-            // where nobody can foretell whether a cell is empty.
-            std::array<std::uint32_t, 9> firsts;
-            std::size_t count = 0;
-            const std::uint32_t after = balls[ball].next;
-            const auto look_at = [&](std::uint32_t first) {
-                const std::uint32_t other = select(first == ball, after, first);
-                firsts[count] = other;
-                count += static_cast<std::size_t>(other != none);
-            };
+            Firsts firsts(balls[ball].next, ball);
             const int bottom = std::max(own.row + low.rows, 0);
             const int top = std::min(own.row + high.rows, rows - 1);
             const int left = std::max(own.column + low.columns, 0);
@@ -151,15 +178,13 @@ class EventCells {
                 const std::uint32_t* const corner = heads + index(left, bottom);
                 for (int y = 0; y < 3; ++y)
                     for (int x = 0; x < 3; ++x)
-                        look_at(corner[index(x, y)]);
+                        firsts.look_at(corner[index(x, y)]);
             } else {
                 for (int y = bottom; y <= top; ++y)
                     for (int x = left; x <= right; ++x)
-                        look_at(heads[index(x, y)]);
+                        firsts.look_at(heads[index(x, y)]);
             }
-            for (std::size_t i = 0; i < count; ++i)
-                for (std::uint32_t other = firsts[i]; other != none; other = balls[other].next)
-                    if (other != ball) visit(other, 0, 0);
+            firsts.for_each(balls, visit);
         }
     }
     /// Whether there are eight cells around this one, or what stands for them in memory. Any

@@ -60,10 +60,13 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
             event.kind == Kind::ball_ball && event.other_version != balls_[event.other].version;
         if (event.kind == Kind::crossing) {
             enter_next_cell(ball, event.other);
+            reorder(ball);
         } else if (event.kind == Kind::own) {
             end_own(ball);
+            reorder(ball);
         } else if (is_stale) {
             predict(ball);
+            reorder(ball);
         } else {
             impact(ball, event, contacts, touched);
         }
@@ -73,7 +76,6 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
                 predict(i);
             build_queue();
         }
-        reorder(ball);
     }
     if (outcome == EventOutcome::too_dense) {
         // Time stands still: where everything is now, it is at the end of the tick.

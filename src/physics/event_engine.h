@@ -373,6 +373,7 @@ class EventEngine {
     std::vector<std::uint8_t> is_kept_;
     std::vector<std::int64_t> spin_from_;
     std::vector<Near> near_;
+    std::vector<std::uint32_t> approached_;     ///< of a body's: see predict_after
     std::vector<std::array<int, 3>> touching_;  ///< ball, tori across and along
     bool is_near_valid_ = false;                ///< no path has been moved by a torus since
 

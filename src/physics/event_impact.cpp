@@ -151,12 +151,12 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     near_.clear();
     is_near_valid_ = true;
     // Seen from the lower number, whoever's event it is: the other may not know of it yet.
-    const bool is_swapped = event.kind == Kind::ball_ball && event.other < ball;
-    const std::uint32_t body = body_of(is_swapped ? event.other : ball);
-    if (is_swapped)
-        add_ball_touch(body, ball, -event.across, -event.along, true);
-    else if (event.kind == Kind::ball_ball)
-        add_ball_touch(body, event.other, event.across, event.along, true);
+    const bool is_pair = event.kind == Kind::ball_ball;
+    const std::uint32_t body = body_of(is_pair ? std::min(ball, event.other) : ball);
+    const int side = event.other < ball ? -1 : 1;
+    if (is_pair)
+        add_ball_touch(body, std::max(ball, event.other), side * event.across, side * event.along,
+                       true);
     else if (event.kind == Kind::hand)
         add_hand_touch(body, hands_[event.other], true);
     else
@@ -277,7 +277,9 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     for (const std::uint32_t each : changed)
         lie_down_if_tired(each);
     if (squeezed) stop_hands();
+    bool is_predicted = false;
     for (const std::uint32_t each : changed) {
+        is_predicted = static_cast<int>(is_predicted) | static_cast<int>(each == ball);
         const std::uint32_t index = balls_[each].body;
         if (index != EventBall<Real>::none)
             predict_after(bodies_[index]);
@@ -287,7 +289,9 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     }
     for (const Body& each : bodies_)
         balls_[each.ball].body = EventBall<Real>::none;
-    if (!std::binary_search(changed.begin(), changed.end(), ball)) predict(ball);
+    if (is_predicted) return;
+    predict(ball);
+    reorder(ball);
 }
 
 // Balls that move and are pressed together sink in by a hair before they meet again: they are taken

@@ -120,22 +120,34 @@ void EventEngine<Real>::predict_after(const Body& body) {
     const bool is_filtered = world_->model.filtered;
     const EventBall<Real>* const balls = balls_.data();
     const Real now = now_;
-    Event meeting;
+    const Near* const near = near_.data() + body.first_near;
+    const auto line_to = [&](const Near& other) {
+        const EventPath<Real>& path = balls[other.other].path;
+        Vector<Real> relative = velocity - path.velocity;
+        if (has_gravity) relative += field_.gravity * -(now - path.time);
+        return LineMeeting<Real>(other.offset, relative, other.reach);
+    };
+    // First who of them may be met: nobody can foretell that.
+    approached_.resize(std::max<std::size_t>(approached_.size(), body.near));
+    std::uint32_t* const approached = approached_.data();
+    std::size_t count = 0;
     bool is_known = true;
-    for (std::uint32_t i = body.first_near; i < body.first_near + body.near; ++i) {
-        const Near& near = near_[i];
-        const EventBall<Real>& them = balls[near.other];
-        is_known = is_known && them.path.motion == Motion::free;
-        if (!is_known || (is_filtered && !balls_meet(ball, near.other))) continue;
-        if (them.path.time == now) {
-            meet_flying(ball, near.other, near.across, near.along, meeting);
-            continue;
-        }
-        Vector<Real> relative = velocity - them.path.velocity;
-        if (has_gravity) relative += field_.gravity * -(now_ - them.path.time);
-        const LineMeeting<Real> line(near.offset, relative, near.reach);
-        if (line.is_one())
-            meet_at(ball, near.other, near.across, near.along, line, now, near.offset, meeting);
+    for (std::uint32_t i = 0; i < body.near; ++i) {
+        const EventPath<Real>& path = balls[near[i].other].path;
+        is_known = static_cast<int>(is_known) & static_cast<int>(path.motion == Motion::free);
+        approached[count] = i;
+        count += static_cast<std::size_t>(static_cast<int>(line_to(near[i]).is_one()) |
+                                          static_cast<int>(path.time == now));
+    }
+    Event meeting;
+    for (std::size_t i = 0; i < count && is_known; ++i) {
+        const Near& other = near[approached[i]];
+        if (is_filtered && !balls_meet(ball, other.other)) continue;
+        if (balls[other.other].path.time == now)
+            meet_flying(ball, other.other, other.across, other.along, meeting);
+        else
+            meet_at(ball, other.other, other.across, other.along, line_to(other), now, other.offset,
+                    meeting);
     }
     balls_.plan(ball).meeting = meeting;
     balls_[ball].is_meeting_known = is_known;
@@ -255,26 +267,32 @@ void EventEngine<Real>::meet_at(std::uint32_t ball, std::uint32_t other, int acr
              best);
 }
 
-// The same as the next function for a straight line, which crosses only what lies ahead.
+// The same as the next function for a straight line, which crosses only what lies ahead. Nobody can
+// foretell which way that is, nor which of two borders comes first.
 template <typename Real>
 void EventEngine<Real>::predict_crossing_of_line(std::uint32_t ball, Event& best) const {
     const EventPath<Real>& path = balls_[ball].path;
+    const EventPlace& own = balls_.plan(ball).place;
     const CellFrame& frame = cells_.frame();
-    const auto cross = [&](const Real& from, const Real& speed, int place, int count, double origin,
-                           double width, std::uint32_t ahead) {
-        const Real zero{};
-        if (speed == zero) return;
-        const bool up = speed > zero;
-        if (!frame.wraps && (up ? place >= count - 1 : place <= 0)) return;
-        const Real border(origin + width * (up ? place + 1 : place));
-        const Real time = path.time + (border - from) / speed;
-        consider(ball, {time < now_ ? now_ : time, Kind::crossing, 0, 0, up ? ahead : ahead + 1, 0},
-                 best);
+    const Real zero{};
+    const Real never(std::numeric_limits<double>::infinity());
+    const auto crossing = [&](const Real& from, const Real& speed, int place, int count,
+                              double origin, double width) {
+        const int border = place + static_cast<int>(speed > zero);
+        if (speed == zero || (!frame.wraps && (border <= 0 || border >= count))) return never;
+        const Real time = path.time + (Real(origin + width * border) - from) / speed;
+        return time < now_ ? now_ : time;
     };
-    cross(path.position.x, path.velocity.x, balls_.plan(ball).place.column, frame.columns,
-          frame.origin.x, frame.cell.x, 0);
-    cross(path.position.y, path.velocity.y, balls_.plan(ball).place.row, frame.rows, frame.origin.y,
-          frame.cell.y, 2);
+    const Real x = crossing(path.position.x, path.velocity.x, own.column, frame.columns,
+                            frame.origin.x, frame.cell.x);
+    const Real y = crossing(path.position.y, path.velocity.y, own.row, frame.rows, frame.origin.y,
+                            frame.cell.y);
+    const bool is_y = y < x;
+    const Real time = is_y ? y : x;
+    if (!(time < never)) return;
+    const auto to_x = static_cast<std::uint32_t>(!(path.velocity.x > zero));
+    const auto to_y = static_cast<std::uint32_t>(!(path.velocity.y > zero));
+    consider(ball, {time, Kind::crossing, 0, 0, select(is_y, 2 + to_y, to_x), 0}, best);
 }
 
 // When the centre comes to a border of its cell. This is bookkeeping: it never changes a path.

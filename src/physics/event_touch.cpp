@@ -124,12 +124,8 @@ void EventEngine<Real>::scan(std::uint32_t body) {
     if (bodies_[body].is_scanned) return;
     const std::uint32_t ball = bodies_[body].ball;
     const auto is_first = [&](Kind kind, std::uint32_t other) {
-        // The contact that the event is about is there already.
         const Touch& first = touches_.front();
-        if (first.kind != kind) return true;
-        if (kind != Kind::ball_ball) return first.contact.a != body || first.other != other;
-        return !(first.contact.a == body && first.other == other) &&
-               !(bodies_[first.contact.a].ball == other && first.other == ball);
+        return first.kind != kind || first.contact.a != body || first.other != other;
     };
     const std::size_t first_near = near_.size();
     const Vector<Real> position = bodies_[body].position;
@@ -151,15 +147,22 @@ void EventEngine<Real>::scan(std::uint32_t body) {
     });
     bodies_[body].first_near = static_cast<std::uint32_t>(first_near);
     bodies_[body].near = static_cast<std::uint32_t>(near_.size() - first_near);
+    // The contact that the event is about is there already.
+    const Touch& first = touches_.front();
+    const std::uint32_t first_ball = bodies_[first.contact.a].ball;
+    const std::uint32_t partner = first.kind != Kind::ball_ball ? EventBall<Real>::none
+                                  : first.contact.a == body     ? first.other
+                                  : first.other == ball         ? first_ball
+                                                                : EventBall<Real>::none;
     touching_.clear();
     // Nearly all of them are further away than this, which is further than any that may touch.
     const Real slack = Real(16.0) * rounding_at(position, Real{});
     for (std::size_t i = first_near; i < near_.size(); ++i) {
         const Near& near = near_[i];
         const Real rough = near.reach * Real(1.0 + 4.0 * touching) + slack;
-        if (length_squared(near.offset) > rough * rough) continue;
-        if (may_touch(body, near) && balls_meet(ball, near.other) &&
-            is_first(Kind::ball_ball, near.other))
+        const bool is_far = length_squared(near.offset) > rough * rough;
+        if (static_cast<int>(is_far) | static_cast<int>(near.other == partner)) continue;
+        if (may_touch(body, near) && balls_meet(ball, near.other))
             touching_.push_back({static_cast<int>(near.other), near.across, near.along});
     }
     // By number: where the cells are must not show, not even in rounding.
