@@ -19,6 +19,31 @@ bool overlaps_edge(const World& world, const EdgePair& pair, const Disc& disc) {
     return length_squared(offset) < reach * reach;
 }
 
+// Few as they are; else by the first ball, counting, then the few of each by the second.
+void PairOrder::sort(std::vector<BallPair>& pairs, std::size_t balls) {
+    if (pairs.size() < balls / 16) {
+        std::ranges::sort(pairs);
+        return;
+    }
+    start_.assign(balls, 0);
+    for (const BallPair& pair : pairs)
+        ++start_[pair.first];
+    std::uint32_t end = 0;
+    for (std::uint32_t& start : start_)
+        start = end += start;
+    sorted_.resize(pairs.size());
+    for (const BallPair& pair : pairs)
+        sorted_[--start_[pair.first]] = pair;
+    for (std::size_t i = 1; i < sorted_.size(); ++i) {
+        const BallPair pair = sorted_[i];
+        std::size_t at = i;
+        for (; at > 0 && pair < sorted_[at - 1]; --at)
+            sorted_[at] = sorted_[at - 1];
+        sorted_[at] = pair;
+    }
+    pairs.swap(sorted_);
+}
+
 void Neighbours::look(const World& world, double margin) {
     const Balls& balls = world.balls;
     margin_ = margin;
@@ -45,47 +70,34 @@ void Neighbours::note(const World& world, std::span<const Vec2> centers,
                       std::span<const double> radii) {
     torus_ = world.model.wrap ? size(*world.model.wrap) : Vec2{};
     grid_.build(centers, radii, margin_, world.model.wrap);
-    found_.clear();
+    balls_ = centers.size();
+    pairs_.clear();
     if (world.model.ball_ball)
         grid_.for_each_pair([&](std::uint32_t a, std::uint32_t b) {
-            found_.push_back({std::min(a, b), std::max(a, b)});
+            pairs_.push_back({std::min(a, b), std::max(a, b)});
         });
     others_start_.clear();
-    sort_pairs(centers.size());
     look_for_edges(world, centers, radii);
-}
-
-// By the first ball, counting; then the few of each by the second.
-void Neighbours::sort_pairs(std::size_t balls) {
-    start_.assign(balls, 0);
-    for (const BallPair& pair : found_)
-        ++start_[pair.first];
-    std::uint32_t end = 0;
-    for (std::uint32_t& start : start_)
-        start = end += start;
-    pairs_.resize(found_.size());
-    for (const BallPair& pair : found_)
-        pairs_[--start_[pair.first]] = pair;
-    for (std::size_t i = 1; i < pairs_.size(); ++i) {
-        const BallPair pair = pairs_[i];
-        std::size_t at = i;
-        for (; at > 0 && pair < pairs_[at - 1]; --at)
-            pairs_[at] = pairs_[at - 1];
-        pairs_[at] = pair;
-    }
 }
 
 void Neighbours::look_for_edges(const World& world, std::span<const Vec2> centers,
                                 std::span<const double> radii) {
+    for (const EdgePair& pair : edges_)
+        if (pair.ball < has_edges_.size()) has_edges_[pair.ball] = 0;
     edges_.clear();
+    has_edges_.resize(centers.size(), 0);
     if (!world.model.ball_edge) {
         cells_of_edges_.clear();
         return;
     }
-    if (has_map_) {
-        look_on_map(world, centers, radii);
-        return;
-    }
+    has_map_ ? look_on_map(world, centers, radii) : look_in_cells(world, centers, radii);
+    std::sort(edges_.begin(), edges_.end());
+    for (const EdgePair& pair : edges_)
+        has_edges_[pair.ball] = 1;
+}
+
+void Neighbours::look_in_cells(const World& world, std::span<const Vec2> centers,
+                               std::span<const double> radii) {
     // Not fewer: levels come and go with the lengths of paths.
     if (cells_of_edges_.size() < grid_.levels()) cells_of_edges_.resize(grid_.levels());
     for (std::size_t level = 0; level < grid_.levels(); ++level) {
@@ -104,7 +116,6 @@ void Neighbours::look_for_edges(const World& world, std::span<const Vec2> center
             });
         }
     }
-    std::sort(edges_.begin(), edges_.end());
 }
 
 void Neighbours::look_on_map(const World& world, std::span<const Vec2> centers,
@@ -117,7 +128,6 @@ void Neighbours::look_on_map(const World& world, std::span<const Vec2> centers,
             if (overlaps_edge(world, pair, disc)) edges_.push_back(pair);
         });
     }
-    std::sort(edges_.begin(), edges_.end());
 }
 
 bool Neighbours::covers(std::uint32_t ball, Vec2 position) const {
@@ -139,22 +149,22 @@ bool Neighbours::cover(const World& world) const {
 
 void Neighbours::list_by_ball() {
     if (!others_start_.empty()) return;
-    others_start_.assign(start_.size() + 2, 0);
+    others_start_.assign(balls_ + 2, 0);
     for (const BallPair& pair : pairs_) {
         ++others_start_[pair.first + 2];
         ++others_start_[pair.second + 2];
     }
     for (std::size_t i = 2; i < others_start_.size(); ++i)
         others_start_[i] += others_start_[i - 1];
-    // Those before the ball first, in the order of pairs: so each list ascends.
     others_.resize(2 * pairs_.size());
-    for (const BallPair& pair : pairs_)
-        others_[others_start_[pair.second + 1]++] = pair.first;
-    for (const BallPair& pair : pairs_)
+    for (const BallPair& pair : pairs_) {
         others_[others_start_[pair.first + 1]++] = pair.second;
+        others_[others_start_[pair.second + 1]++] = pair.first;
+    }
 }
 
 std::span<const EdgePair> Neighbours::edges_of(std::uint32_t ball) const {
+    if (!has_edges_[ball]) return {};
     const auto first = std::ranges::lower_bound(edges_, ball, {}, &EdgePair::ball);
     auto last = first;
     while (last != edges_.end() && last->ball == ball)

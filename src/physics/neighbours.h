@@ -11,7 +11,7 @@
 #include "physics/edge_map.h"
 #include "physics/world.h"
 
-/// Who is near whom: pairs of balls, and of balls and edges, in an order that knows no cells.
+/// Who is near whom: pairs of balls, and of balls and edges.
 namespace carom {
 
 /// Two balls by index, first < second.
@@ -32,9 +32,20 @@ struct EdgePair {
     friend auto operator<=>(const EdgePair&, const EdgePair&) = default;
 };
 
+/// Puts pairs of balls in ascending order.
+class PairOrder {
+  public:
+    /// `balls`: how many there are. Takes as long as there are pairs and balls.
+    void sort(std::vector<BallPair>& pairs, std::size_t balls);
+
+  private:
+    std::vector<std::uint32_t> start_;
+    std::vector<BallPair> sorted_;
+};
+
 /// What `look` found stays good until some ball has gone further than the margin from where it was
-/// then, so that several steps can share it. Lists are in ascending order. Filters of who meets
-/// whom, and hands, are the caller's business; held capsules are left out.
+/// then, so that several steps can share it. Filters of who meets whom, and hands, are the caller's
+/// business; held capsules are left out.
 ///
 /// All is measured from surface to surface.
 class Neighbours {
@@ -55,10 +66,14 @@ class Neighbours {
     /// A quarter of the radius, or the margin if that is more: what is pushed in a step seldom
     /// goes further. For discs that stand for the balls 0.
     double edge_margin(double radius) const { return std::max(margin_, push_ * radius); }
+    /// In the order of the cells, in which what follows one another is near in memory too.
     std::span<const BallPair> pairs() const { return pairs_; }
+    /// Puts `pairs` in ascending order.
+    void sort_pairs() { order_.sort(pairs_, balls_); }
+    /// In ascending order.
     std::span<const EdgePair> edges() const { return edges_; }
 
-    /// The balls in pairs with `ball`, ascending. Pre: `list_by_ball` since the last `look`.
+    /// The balls in pairs with `ball`, in no order. Pre: `list_by_ball` since the last `look`.
     std::span<const std::uint32_t> of(std::uint32_t ball) const {
         return std::span(others_).subspan(others_start_[ball],
                                           others_start_[ball + 1] - others_start_[ball]);
@@ -87,10 +102,11 @@ class Neighbours {
     EdgeMap& map() { return map_; }
 
   private:
-    void sort_pairs(std::size_t balls);
     void note(const World& world, std::span<const Vec2> centers, std::span<const double> radii);
     void look_for_edges(const World& world, std::span<const Vec2> centers,
                         std::span<const double> radii);
+    void look_in_cells(const World& world, std::span<const Vec2> centers,
+                       std::span<const double> radii);
     void look_on_map(const World& world, std::span<const Vec2> centers,
                      std::span<const double> radii);
 
@@ -103,10 +119,11 @@ class Neighbours {
     EdgeMap map_;
     std::vector<Vec2> reference_;  // where the balls were; empty with margin 0
     std::vector<double> radius_;   // the same
-    std::vector<BallPair> found_;
-    std::vector<std::uint32_t> start_;
+    std::size_t balls_ = 0;
     std::vector<BallPair> pairs_;
+    PairOrder order_;
     std::vector<EdgePair> edges_;
+    std::vector<std::uint8_t> has_edges_;  // by ball
     std::vector<std::uint32_t> others_start_;
     std::vector<std::uint32_t> others_;
 };

@@ -205,6 +205,7 @@ void OverlapSolver::part_all(World& world) {
     overlapping_.clear();
     for (const BallPair& pair : neighbours_.pairs())
         if (overlap<terms>(world, pair.first, pair.second)) overlapping_.push_back(pair);
+    order_.sort(overlapping_, world.balls.size());
     for (const BallPair& pair : overlapping_)
         part<terms>(world, pair.first, pair.second);
 }
@@ -217,6 +218,7 @@ void OverlapSolver::part_active(World& world) {
         for (const std::uint32_t j : neighbours_.of(i))
             if ((j > i || !is_active_[j]) && overlap<terms>(world, i, j))
                 overlapping_.push_back({i, j});
+    order_.sort(overlapping_, world.balls.size());
     for (const BallPair& pair : overlapping_)
         part<terms>(world, pair.first, pair.second);
 }
@@ -354,7 +356,6 @@ void OverlapSolver::keep_time(World& world, double duration) {
     for (const std::uint32_t i : active_)
         is_active_[i] = 0;
     active_.clear();
-    std::ranges::sort(pushed_, {}, &Pushed::ball);
     for (const Pushed& pushed : pushed_) {
         const std::uint32_t i = pushed.ball;
         if (!(pushed.intended > 0.0)) continue;
@@ -374,6 +375,7 @@ void OverlapSolver::keep_time(World& world, double duration) {
         is_active_[i] = 1;
         active_.push_back(i);
     }
+    std::ranges::sort(active_);
 }
 
 void OverlapSolver::end_step(const World& world) {

@@ -111,6 +111,7 @@ class OverlapSolver {
     std::vector<ClothState<double>> before_;  // the step, on cloth
     std::vector<HandWay> hands_;              // by World::held_capsules
     std::vector<BallPair> overlapping_;
+    PairOrder order_;
     std::vector<EdgePair> at_edge_;
     std::vector<Pair> pairs_;
     std::vector<Pushed> pushed_;

@@ -83,6 +83,7 @@ void SweptSolver::look_around_paths(const World& world) {
         extent += std::min(2.0 * disc.radius, 10.0 * world.balls.radius[i]);
     }
     neighbours_.look(world, centers_, reaches_);
+    neighbours_.sort_pairs();
     const CellFrame frame =
         frame_around(world, count == 0 ? 1.0 : rounded_up(extent / static_cast<double>(count)));
     // Edges stay in their cells while those still fit fairly.
