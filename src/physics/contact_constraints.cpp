@@ -10,7 +10,7 @@ namespace carom {
 
 // The way from b to a, and the gap between them.
 template <Terms terms>
-void ContactSolver::measure(const World& world, Pair& pair) {
+inline void ContactSolver::measure(const World& world, Pair& pair) {
     Vec2 offset;
     double reach = radius_[pair.a];
     if (pair.edge == NearPair::no_edge) {
@@ -73,7 +73,7 @@ bool ContactSolver::is_bedded(const Pair& pair) const {
 }
 
 template <Terms terms>
-ContactSolver::State ContactSolver::state_of(const World& world, const Pair& pair) const {
+inline ContactSolver::State ContactSolver::state_of(const World& world, const Pair& pair) const {
     Vec2 relative = before_[pair.a] - before_[pair.b];
     const Vec2 without_fall = relative;
     if (mover_[pair.b].inverse_mass == 0.0) relative += gravity_ * duration_;
@@ -107,8 +107,8 @@ ContactSolver::State ContactSolver::state_of(const World& world, const Pair& pai
 template <Terms terms>
 void ContactSolver::sort_pairs(const World& world) {
     pressed_.clear();
+    new_.clear();
     flying_.clear();
-    any_new_ = false;
     any_uneven_ = false;
     deepest_ = 0.0;
     for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
@@ -124,17 +124,6 @@ void ContactSolver::sort_pairs(const World& world) {
         pressed_.push_back(p);
         any_uneven_ = any_uneven_ || is_uneven(pair);
         deepest_ = std::min(deepest_, pair.gap);
-        any_new_ = any_new_ || pair.is_new;
-        if (pair.impulse == 0.0) continue;
-        Mover& a = mover_[pair.a];
-        Mover& b = mover_[pair.b];
-        Vec2 push = pair.normal * pair.impulse;
-        if (terms.spin()) {
-            push += perpendicular(pair.normal) * pair.rub;
-            turn(a, b, pair.rub);
-        }
-        a.velocity += push * a.inverse_mass;
-        b.velocity -= push * b.inverse_mass;
     }
 }
 
@@ -142,120 +131,10 @@ void ContactSolver::prepare(const World& world, Terms terms) {
     with_terms(terms, [&]<Terms set>() { sort_pairs<set>(world); });
 }
 
-// What friction's impulse does to the rims.
-inline void ContactSolver::turn(Mover& a, Mover& b, double rub) const {
-    a.rim -= rub * a.inverse_mass * spin_ease_;
-    b.rim -= rub * b.inverse_mass * spin_ease_;
-}
-
-template <bool spin>
-inline void ContactSolver::rub_pair(Pair& pair, Mover& a, Mover& b) const {
-    if constexpr (spin) {
-        const Vec2 along = perpendicular(pair.normal);
-        const double slip = dot(a.velocity - b.velocity, along) - (a.rim + b.rim);
-        const double most = pair.friction * pair.impulse;
-        const double whole = std::clamp(pair.rub - slip * pair.mass * spin_mass_, -most, most);
-        const double part = whole - pair.rub;
-        pair.rub = whole;
-        a.velocity += along * (part * a.inverse_mass);
-        b.velocity -= along * (part * b.inverse_mass);
-        turn(a, b, part);
-    }
-}
-
-template <bool spin>
-void ContactSolver::press_all(const std::vector<std::uint32_t>& pressed) {
-    const double per_substep = 1.0 / duration_;
-    for (const std::uint32_t p : pressed) {
-        Pair& pair = pairs_[p];
-        Mover& a = mover_[pair.a];
-        Mover& b = mover_[pair.b];
-        const double apart = dot(a.velocity - b.velocity, pair.normal);
-        const bool open = pair.gap > 0.0;
-        const double target = pair.gap * (open ? per_substep : softness_.push);
-        const double part = (open ? 1.0 : softness_.mass) * pair.mass * (apart + target) +
-                            (open ? 0.0 : softness_.impulse) * pair.impulse;
-        const double whole = std::max(pair.impulse - part, 0.0);
-        const Vec2 push = pair.normal * (whole - pair.impulse);
-        pair.impulse = whole;
-        a.velocity += push * a.inverse_mass;
-        b.velocity -= push * b.inverse_mass;
-        rub_pair<spin>(pair, a, b);
-    }
-}
-
-// What has just bounced off something presses no pair that is about to bounce.
-template <bool spin>
-void ContactSolver::relax_all(const std::vector<std::uint32_t>& pressed) {
-    const double per_substep = 1.0 / duration_;
-    for (std::size_t k = pressed.size(); k-- > 0;) {
-        Pair& pair = pairs_[pressed[k]];
-        Mover& a = mover_[pair.a];
-        Mover& b = mover_[pair.b];
-        const double apart = dot(a.velocity - b.velocity, pair.normal);
-        if (had_impacts_ && pair.bounces && -apart > resting_speed_) continue;
-        // A gap that nothing has pressed on may close in the next substep, and no more.
-        const double room = pair.impulse == 0.0 ? std::max(0.0, pair.gap) * per_substep : 0.0;
-        const double whole = std::max(pair.impulse - pair.mass * (apart + room), 0.0);
-        const Vec2 push = pair.normal * (whole - pair.impulse);
-        pair.impulse = whole;
-        a.velocity += push * a.inverse_mass;
-        b.velocity -= push * b.inverse_mass;
-        rub_pair<spin>(pair, a, b);
-    }
-}
-
-void ContactSolver::press(bool spin) {
-    find_loaded();
-    spin ? press_all<true>(pressed_) : press_all<false>(pressed_);
-    for (int round = 1; round < loaded_rounds && !loaded_.empty(); ++round)
-        spin ? press_all<true>(loaded_) : press_all<false>(loaded_);
-}
-
-void ContactSolver::relax(bool spin) {
-    spin ? relax_all<true>(pressed_) : relax_all<false>(pressed_);
-    for (int round = 1; round < loaded_rounds && !loaded_.empty(); ++round)
-        spin ? relax_all<true>(loaded_) : relax_all<false>(loaded_);
-}
-
 bool ContactSolver::is_uneven(const Pair& pair) const {
     const double a = mover_[pair.a].inverse_mass;
     const double b = mover_[pair.b].inverse_mass;
     return a > 0.0 && b > 0.0 && std::max(a, b) >= uneven * std::min(a, b);
-}
-
-// From the top down: what presses on what bears a load, bears it too.
-void ContactSolver::find_loaded() {
-    loaded_.clear();
-    if (!any_uneven_) return;
-    is_loaded_.assign(mover_.size(), 0);
-    for (std::size_t k = pressed_.size(); k-- > 0;) {
-        const Pair& pair = pairs_[pressed_[k]];
-        if (!is_loaded_[pair.a] && !is_loaded_[pair.b] && !is_uneven(pair)) continue;
-        if (!is_held_body(pair.a)) is_loaded_[pair.a] = 1;
-        if (!is_held_body(pair.b)) is_loaded_[pair.b] = 1;
-        loaded_.push_back(pressed_[k]);
-    }
-    std::reverse(loaded_.begin(), loaded_.end());
-}
-
-// Pairs that press for the first time are contacts too.
-void ContactSolver::note_new_contacts(std::vector<Contact>& contacts) {
-    for (const std::uint32_t p : pressed_) {
-        Pair& pair = pairs_[p];
-        if (!pair.is_new || !(pair.impulse > 0.0)) continue;
-        pair.is_new = false;
-        const bool on_ball = pair.edge == NearPair::no_edge;
-        const double approach = pair.impulse / pair.mass;
-        contacts.push_back({.time = start_time_,
-                            .kind = on_ball ? ContactKind::ball_ball : ContactKind::ball_edge,
-                            .a = ball_[pair.a],
-                            .b = on_ball ? ball_[pair.b] : pair.edge,
-                            .point = position_[pair.a] - pair.normal * radius_[pair.a],
-                            .normal = pair.normal,
-                            .approach = approach,
-                            .impulse = pair.impulse});
-    }
 }
 
 }  // namespace carom

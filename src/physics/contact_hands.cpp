@@ -78,13 +78,8 @@ Capsule ContactSolver::shape_of(const World& world, const Hand& hand, double now
 // from the bottom up by turns, until no hand is held back any more. So a ball that is jammed keeps
 // no speed that the hands have not.
 void ContactSolver::hold_hands_back(bool spin) {
-    bool is_upwards = true;
-    for (int round = 0; round < most_holds && !hand_pairs_.empty() && shorten_hands(); ++round) {
-        if (is_upwards) pressed_downwards_.assign(pressed_.rbegin(), pressed_.rend());
-        is_upwards = !is_upwards;
-        const auto& pressed = is_upwards ? pressed_ : pressed_downwards_;
-        spin ? press_all<true>(pressed) : press_all<false>(pressed);
-    }
+    for (int round = 0; round < most_holds && !hand_pairs_.empty() && shorten_hands(); ++round)
+        press(spin, round % 2 == 0);
 }
 
 // A hand goes no further into a ball than a tenth of its radius: beyond, it waits for the ball.

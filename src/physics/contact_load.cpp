@@ -96,26 +96,31 @@ void ContactSolver::load_hands(const World& world) {
 }
 
 void ContactSolver::load_pairs(const World& world) {
-    pairs_.clear();
     any_damped_ = false;
     has_pairs_of_bodies_ = false;
-    for (const NearPair& near : near_.pairs()) {
-        const bool on_ball = near.edge == NearPair::no_edge;
-        if (on_ball && is_held_body(near.a) && is_held_body(near.b)) continue;
-        add_pair(world, near, on_ball ? near.b : still_);
-    }
+    std::vector<NearPair>& near = near_.pairs();
+    if (!hands_.empty())
+        std::erase_if(near, [&](const NearPair& pair) {
+            return pair.b < still_ && is_held_body(pair.a) && is_held_body(pair.b);
+        });
     for (const Hand& hand : hands_)
         if (!hand.is_ball) add_pairs_of_hand(world, hand);
-    recall_impulses(world);
-    sort_upwards();
+    pairs_.resize(near.size());
+    first_impulses(world);
+    order_pairs();
+    for (std::size_t p = 0; p < near.size(); ++p) {
+        pairs_[p] = pair_of(world, near[turn_.empty() ? p : turn_[p]]);
+        any_damped_ = any_damped_ || pairs_[p].damped;
+    }
     hand_pairs_.clear();
     if (hands_.empty()) return;
     for (std::uint32_t p = 0; p < pairs_.size(); ++p)
         if (pairs_[p].by_hand) hand_pairs_.push_back(p);
 }
 
-void ContactSolver::add_pair(const World& world, const NearPair& near, std::uint32_t b) {
+ContactSolver::Pair ContactSolver::pair_of(const World& world, const NearPair& near) const {
     const std::uint32_t ball = ball_[near.a];
+    const std::uint32_t b = near.b;
     const double inverse = mover_[near.a].inverse_mass + mover_[b].inverse_mass;
     Pair pair{.a = near.a,
               .b = b,
@@ -141,8 +146,12 @@ void ContactSolver::add_pair(const World& world, const NearPair& near, std::uint
                       !(material.kick > 0.0);
         if (world.model.spin) pair.friction = material.friction;
     }
-    any_damped_ = any_damped_ || pair.damped;
-    pairs_.push_back(pair);
+    if (const PressedPair* const then = last_impulse(world, pair)) {
+        pair.impulse = then->impulse;
+        pair.rub = then->rub;
+        pair.is_new = false;
+    }
+    return pair;
 }
 
 // Every ball that could be where the held capsule goes in the tick; each such pair has a body of
@@ -156,58 +165,66 @@ void ContactSolver::add_pairs_of_hand(const World& world, const Hand& hand) {
         if (!kind_meets_material(world, world.balls.kind[ball_[i]],
                                  world.capsules.material[hand.index]))
             continue;
+        near_.pairs().push_back(
+            {.a = i, .b = static_cast<std::uint32_t>(mover_.size()), .edge = hand.index});
         mover_.push_back({});
         before_.push_back({});
         way_.push_back({});
-        add_pair(world, {.a = i, .edge = hand.index},
-                 static_cast<std::uint32_t>(mover_.size() - 1));
     }
 }
 
-// The impulses at the end of the last tick, found by number.
-void ContactSolver::recall_impulses(const World& world) {
+// By ball, where its impulses of the last tick begin.
+void ContactSolver::first_impulses(const World& world) {
     const std::vector<PressedPair>& pressed = world.pressed;
     if (pressed.empty()) return;
-    const std::vector<BallId>& ids = world.balls.id;
-    first_impulse_.assign(still_ + 1, 0);
+    first_impulse_.resize(still_ + 1);
     std::uint32_t at = 0;
-    for (std::uint32_t ball = 0; ball <= still_; ++ball) {
-        while (at < pressed.size() && (ball == still_ || pressed[at].ball < ids[ball]))
+    for (std::uint32_t ball = 0; ball < still_; ++ball) {
+        while (at < pressed.size() && pressed[at].ball < world.balls.id[ball])
             ++at;
         first_impulse_[ball] = at;
     }
-    for (Pair& pair : pairs_) {
-        const std::uint32_t ball = ball_[pair.a];
-        const bool on_ball = pair.edge == NearPair::no_edge;
-        const std::uint32_t other =
-            on_ball ? number(ids[ball_[pair.b]]) : number(world.capsules.id[pair.edge]);
-        const ContactKind kind = on_ball ? ContactKind::ball_ball : ContactKind::ball_edge;
-        for (std::uint32_t k = first_impulse_[ball]; k < first_impulse_[ball + 1]; ++k) {
-            const PressedPair& then = pressed[k];
-            if (then.ball != ids[ball]) break;
-            if (then.other != other || then.kind != kind || then.across != pair.across ||
-                then.along != pair.along)
-                continue;
-            pair.impulse = then.impulse;
-            pair.rub = then.rub;
-            pair.is_new = false;
-            break;
-        }
+    first_impulse_[still_] = static_cast<std::uint32_t>(pressed.size());
+}
+
+// The impulses at the end of the last tick, found by number.
+const PressedPair* ContactSolver::last_impulse(const World& world, const Pair& pair) const {
+    if (world.pressed.empty()) return nullptr;
+    const std::vector<BallId>& ids = world.balls.id;
+    const std::uint32_t ball = ball_[pair.a];
+    const bool on_ball = pair.edge == NearPair::no_edge;
+    const std::uint32_t other =
+        on_ball ? number(ids[ball_[pair.b]]) : number(world.capsules.id[pair.edge]);
+    const ContactKind kind = on_ball ? ContactKind::ball_ball : ContactKind::ball_edge;
+    for (std::uint32_t k = first_impulse_[ball]; k < first_impulse_[ball + 1]; ++k) {
+        const PressedPair& then = world.pressed[k];
+        if (then.ball != ids[ball]) break;
+        if (then.other == other && then.kind == kind && then.across == pair.across &&
+            then.along == pair.along)
+            return &then;
     }
+    return nullptr;
 }
 
 // Against gravity, by the height of the contact in 4096 steps; what is as high stays in the order
-// of the cells.
-void ContactSolver::sort_upwards() {
-    if (gravity_ == Vec2{} || pairs_.size() < 2) return;
+// of the cells. Then into shifts: in each no two pairs have a body in common, and each pair comes
+// after all that were before it and share a body with it, so that the result is that of the first
+// order, bit by bit, but the processor need not wait for one pair to begin the next.
+void ContactSolver::order_pairs() {
+    const std::vector<NearPair>& near = near_.pairs();
+    turn_.clear();
+    if (gravity_ == Vec2{} || near.size() < 2) return;
     const Vec2 up = -gravity_ / length(gravity_);
-    const auto height_of = [&](const Pair& pair) {
-        const double a = dot(up, position_[pair.a]);
-        return pair.b < still_ ? a + dot(up, position_[pair.b]) : 2.0 * a;
+    height_.resize(still_);
+    for (std::uint32_t i = 0; i < still_; ++i)
+        height_[i] = dot(up, position_[i]);
+    const auto height_of = [&](const NearPair& pair) {
+        const double a = height_[pair.a];
+        return pair.b < still_ ? a + height_[pair.b] : 2.0 * a;
     };
-    double low = height_of(pairs_[0]);
+    double low = height_of(near[0]);
     double high = low;
-    for (const Pair& pair : pairs_) {
+    for (const NearPair& pair : near) {
         const double height = height_of(pair);
         low = std::min(low, height);
         high = std::max(high, height);
@@ -215,19 +232,35 @@ void ContactSolver::sort_upwards() {
     if (!(high > low)) return;
     constexpr std::size_t steps = 4096;
     const double scale = static_cast<double>(steps - 1) / (high - low);
-    bucket_.assign(steps + 1, 0);
-    step_of_.resize(pairs_.size());
-    for (std::size_t p = 0; p < pairs_.size(); ++p) {
-        const double step = (height_of(pairs_[p]) - low) * scale;
-        step_of_[p] = static_cast<std::uint16_t>(std::clamp(step, 0.0, steps - 1.0));
-        ++bucket_[step_of_[p] + 1u];
+    begin_.assign(steps + 1, 0);
+    shift_.resize(near.size());
+    for (std::size_t p = 0; p < near.size(); ++p) {
+        const double step = (height_of(near[p]) - low) * scale;
+        shift_[p] = static_cast<std::uint32_t>(std::clamp(step, 0.0, steps - 1.0));
+        ++begin_[shift_[p] + 1];
     }
     for (std::size_t s = 1; s <= steps; ++s)
-        bucket_[s] += bucket_[s - 1];
-    sorted_.resize(pairs_.size());
-    for (std::size_t p = 0; p < pairs_.size(); ++p)
-        sorted_[bucket_[step_of_[p]]++] = pairs_[p];
-    pairs_.swap(sorted_);
+        begin_[s] += begin_[s - 1];
+    upwards_.resize(near.size());
+    for (std::uint32_t p = 0; p < near.size(); ++p)
+        upwards_[begin_[shift_[p]]++] = p;
+
+    last_shift_.assign(still_ + 1, 0);
+    begin_.assign(2, 0);
+    for (const std::uint32_t p : upwards_) {
+        const NearPair& pair = near[p];
+        std::uint32_t& a = last_shift_[pair.a];
+        std::uint32_t& b = last_shift_[pair.b < still_ ? pair.b : pair.a];
+        a = b = std::max(a, b) + 1;
+        shift_[p] = a;
+        if (a + 1 >= begin_.size()) begin_.resize(a + 2, 0);
+        ++begin_[a + 1];
+    }
+    for (std::size_t s = 1; s < begin_.size(); ++s)
+        begin_[s] += begin_[s - 1];
+    turn_.resize(near.size());
+    for (const std::uint32_t p : upwards_)
+        turn_[begin_[shift_[p]]++] = p;
 }
 
 void ContactSolver::store(World& world, std::vector<std::uint8_t>& touched) {

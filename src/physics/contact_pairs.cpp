@@ -190,7 +190,7 @@ void NearPairs::pair_with_edges(const World& world, Level& level) {
             const Vec2 way = at - closest_point(shape.start, shape.end, at);
             if (length_squared(way) > reach * reach) continue;
             pairs_.push_back({.a = i,
-                              .b = 0,
+                              .b = static_cast<std::uint32_t>(order_.size()),
                               .edge = entry.index,
                               .across = entry.across,
                               .along = entry.along});

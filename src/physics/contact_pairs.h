@@ -20,7 +20,7 @@ struct NearPair {
     static constexpr std::uint32_t no_edge = 0xffffffffu;
 
     std::uint32_t a = 0;           ///< by place in NearPairs::order
-    std::uint32_t b = 0;           ///< the same; for an edge nothing
+    std::uint32_t b = 0;           ///< the same; for an edge the number of balls
     std::uint32_t edge = no_edge;  ///< index of the capsule
     std::int8_t across = 0;        ///< which image of the capsule on a torus
     std::int8_t along = 0;
@@ -36,6 +36,7 @@ class NearPairs {
     /// The balls' indices cell by cell: near in this order is mostly near in the plane.
     const std::vector<std::uint32_t>& order() const { return order_; }
     const std::vector<NearPair>& pairs() const { return pairs_; }
+    std::vector<NearPair>& pairs() { return pairs_; }
     const CellFrame& frame() const { return frame_; }
 
   private:

@@ -53,8 +53,8 @@ void ContactSolver::substep(World& world, double share_of_way, std::vector<Conta
     kick(world);
     count_sides(world);
     prepare(world, terms_of(world));
-    press(world.model.spin.has_value());
-    if (any_new_) note_new_contacts(contacts);
+    press_with_loads(world.model.spin.has_value());
+    note_new_contacts(contacts);
     hold_hands_back(world.model.spin.has_value());
     find_ways();
     find_hits();
@@ -63,7 +63,7 @@ void ContactSolver::substep(World& world, double share_of_way, std::vector<Conta
         run_impacts(world, contacts);
     else
         go(world);
-    relax(world.model.spin.has_value());
+    relax_with_loads(world.model.spin.has_value());
     if (!hands_.empty()) settle_jams();
     move_hands(world);
 }

@@ -9,6 +9,7 @@
 #include "physics/contact_pairs.h"
 #include "physics/flight.h"
 #include "physics/terms.h"
+#include "physics/two.h"
 
 namespace carom {
 
@@ -116,6 +117,22 @@ class ContactSolver {
         bool settled : 1 = false;  ///< in this substep: has come to rest at an impact
     };
 
+    /// Two pressed pairs in a substep that have no body in common: what the rounds need, one after
+    /// another in their order. Where there is no second one, its place is taken by two bodies that
+    /// nothing moves.
+    struct Presses {
+        std::uint32_t a[2];
+        std::uint32_t b[2];
+        std::uint32_t pair[2];  ///< or none
+        Two normal_x;
+        Two normal_y;
+        Two target;  ///< speed at which they may close (positive) or must part, length/s
+        Two mass;    ///< of a rigid contact
+        Two impulse;
+        Two rub;
+        Two friction;
+    };
+
     /// A ball in a substep with impacts: at `position` at `time`, since then on a parabola if it is
     /// free, else straight on at `chord` while its velocity changes evenly by `pull`. It stands
     /// from `end` on.
@@ -175,10 +192,11 @@ class ContactSolver {
     void load_bodies(const World& world);
     void load_hands(const World& world);
     void load_pairs(const World& world);
-    void add_pair(const World& world, const NearPair& near, std::uint32_t b);
+    Pair pair_of(const World& world, const NearPair& near) const;
     void add_pairs_of_hand(const World& world, const Hand& hand);
-    void recall_impulses(const World& world);
-    void sort_upwards();
+    void first_impulses(const World& world);
+    const PressedPair* last_impulse(const World& world, const Pair& pair) const;
+    void order_pairs();
     void store(World& world, std::vector<std::uint8_t>& touched);
     void store_impulses(World& world, std::vector<std::uint8_t>& touched);
 
@@ -203,17 +221,33 @@ class ContactSolver {
     bool is_pushed(const World& world, const Pair& pair, double approach) const;
     void count_sides(const World& world);
     bool is_bedded(const Pair& pair) const;
-    void press(bool spin);
     template <bool spin>
-    void press_all(const std::vector<std::uint32_t>& pressed);
-    void relax(bool spin);
+    void begin_presses();
     template <bool spin>
-    void relax_all(const std::vector<std::uint32_t>& pressed);
+    void start_with(const Presses& presses);
+    bool share_body(const Pair& one, const Pair& other) const;
+    void end_presses();
+    template <bool spin>
+    void exchange(Presses& presses, Two impulse);
+    template <bool spin>
+    void press(Presses& presses);
+    template <bool spin>
+    void relax(Presses& presses);
+    template <bool spin>
+    void relax_after_impacts(Presses& presses);
+    template <bool spin>
+    void press_all(bool downwards);
+    template <bool spin>
+    void relax_all();
+    Two apart(const Presses& presses) const;
+    bool is_about_to_bounce(const Presses& presses, int which) const;
+    template <typename Round>
+    void take_alone(Presses& presses, int which, Round&& round);
+    void press(bool spin, bool downwards);
+    void press_with_loads(bool spin);
+    void relax_with_loads(bool spin);
     bool is_uneven(const Pair& pair) const;
     void find_loaded();
-    template <bool spin>
-    void rub_pair(Pair& pair, Mover& a, Mover& b) const;
-    void turn(Mover& a, Mover& b, double rub) const;
     void note_new_contacts(std::vector<Contact>& contacts);
     void hold_hands_back(bool spin);
     bool shorten_hands();
@@ -288,20 +322,24 @@ class ContactSolver {
     std::vector<double> margin_of_ball_;
 
     std::vector<Pair> pairs_;
-    std::vector<Pair> sorted_;
-    std::vector<std::uint32_t> bucket_;
-    std::vector<std::uint16_t> step_of_;
+    std::vector<double> height_;  // by body; only while pairs are put in order
+    std::vector<std::uint32_t> begin_;
+    std::vector<std::uint32_t> shift_;       // by near pair
+    std::vector<std::uint32_t> last_shift_;  // by body
+    std::vector<std::uint32_t> upwards_;     // near pairs by height
+    std::vector<std::uint32_t> turn_;  // near pairs in the order of pairs_; empty: as they are
     std::vector<std::uint32_t> first_impulse_;
     std::vector<std::uint32_t> pressed_;
-    std::vector<std::uint32_t> pressed_downwards_;
+    std::vector<Presses> presses_;  // only the first presses_used_ count
+    std::size_t presses_used_ = 0;
+    std::vector<std::uint32_t> new_;  // places in presses_ of pairs that did not press yet
     std::vector<std::uint32_t> flying_;
     std::vector<std::uint32_t> hand_pairs_;
-    std::vector<std::uint32_t> loaded_;  // of the pressed ones: see find_loaded
+    std::vector<std::uint32_t> loaded_;  // places in presses_: see find_loaded
     std::vector<std::uint8_t> is_loaded_;
     std::vector<std::uint32_t> jammed_;  // bodies: see settle_jams
     std::vector<std::uint8_t> is_jammed_;
     std::vector<std::uint8_t> sides_;  // by body, up to `bedded`: see count_sides
-    bool any_new_ = false;
     bool any_uneven_ = false;
     bool any_damped_ = false;
     bool is_loaded_anew_ = false;
