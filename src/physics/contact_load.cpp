@@ -46,8 +46,9 @@ void ContactSolver::load(const World& world) {
         if (wraps_) way = nearest_image(way, torus_);
         margin_of_ball_[*index] += length(way);
     }
-    near_.find(world, margin_of_ball_);
+    near_.sort(world, margin_of_ball_, ball_);
     load_bodies(world);
+    near_.find(world, {.ball = ball_, .center = home_, .radius = radius_, .margin = margin_});
     load_hands(world);
     load_pairs(world);
 }
@@ -56,17 +57,14 @@ void ContactSolver::load_bodies(const World& world) {
     const Balls& balls = world.balls;
     const std::size_t count = balls.size();
     still_ = static_cast<std::uint32_t>(count);
-    ball_ = near_.order();
-    body_.resize(count);
     position_.resize(count);
-    before_.resize(count);
-    way_.resize(count);
-    mover_.resize(count);
     radius_.resize(count);
     margin_.resize(count);
+    before_.resize(count + 1);
+    way_.resize(count + 1);
+    mover_.resize(count + 1);
     for (std::uint32_t i = 0; i < still_; ++i) {
         const std::uint32_t ball = ball_[i];
-        body_[ball] = i;
         position_[i] = balls.position[ball];
         radius_[i] = balls.radius[ball];
         margin_[i] = margin_of_ball_[ball];
@@ -74,9 +72,8 @@ void ContactSolver::load_bodies(const World& world) {
         if (world.model.spin) mover_[i].rim = balls.spin[ball] * balls.radius[ball];
     }
     home_ = position_;
-    mover_.push_back({});
-    before_.push_back({});
-    way_.push_back({});
+    before_[still_] = way_[still_] = {};
+    mover_[still_] = {};
 }
 
 void ContactSolver::load_hands(const World& world) {
@@ -84,7 +81,8 @@ void ContactSolver::load_hands(const World& world) {
     for (std::uint32_t h = 0; h < world.held_balls.size(); ++h) {
         const auto index = index_of(world, world.held_balls[h].id);
         if (!index) continue;
-        const std::uint32_t body = body_[*index];
+        const auto body = static_cast<std::uint32_t>(
+            std::ranges::find(ball_, static_cast<std::uint32_t>(*index)) - ball_.begin());
         hands_.push_back({.index = body, .held = h, .is_ball = true});
         mover_[body].inverse_mass = 0.0;
     }
@@ -105,6 +103,7 @@ void ContactSolver::load_pairs(const World& world) {
         });
     for (const Hand& hand : hands_)
         if (!hand.is_ball) add_pairs_of_hand(world, hand);
+    if (pairs_.capacity() < near.size()) pairs_.reserve(near.size() + near.size() / 8);
     pairs_.resize(near.size());
     first_impulses(world);
     order_pairs();

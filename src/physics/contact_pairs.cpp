@@ -19,43 +19,62 @@ double rounded_up(double value) {
 
 // The level of a region: the least n with reach <= base 2^n.
 int level_of(double reach, double base) {
+    const double share = reach / base;
+    if (share > 0.5 && share <= 1.0) return 0;
     int exponent = 0;
-    const double fraction = std::frexp(reach / base, &exponent);
+    const double fraction = std::frexp(share, &exponent);
     return std::clamp(fraction == 0.5 ? exponent - 1 : exponent, -60, 60);
 }
 
 }  // namespace
 
-void NearPairs::find(const World& world, const std::vector<double>& margin) {
+void NearPairs::sort(const World& world, const std::vector<double>& margin,
+                     std::vector<std::uint32_t>& order) {
     wraps_ = world.model.wrap.has_value();
     torus_ = wraps_ ? size(*world.model.wrap) : Vec2{};
     filtered_ = world.model.filtered;
-    pairs_.clear();
     used_ = 0;
-    order_.clear();
-    if (world.balls.size() == 0) return;
+    order.resize(world.balls.size());
+    if (order.empty()) return;
     sort_into_levels(world, margin);
-    sort_into_cells(world);
+    sort_into_cells(world, order);
+}
+
+void NearPairs::find(const World& world, const Regions& regions) {
+    pairs_.clear();
     for (std::size_t fine = 0; fine < used_; ++fine) {
         if (world.model.ball_ball) {
-            pair_within(world, levels_[fine]);
+            pair_within(world, regions, levels_[fine]);
             for (std::size_t coarse = fine + 1; coarse < used_; ++coarse)
-                pair_with_coarser(world, levels_[fine], levels_[coarse]);
+                pair_with_coarser(world, regions, levels_[fine], levels_[coarse]);
         }
-        if (world.model.ball_edge) pair_with_edges(world, levels_[fine]);
+        if (world.model.ball_edge) pair_with_edges(world, regions, levels_[fine]);
     }
+}
+
+void NearPairs::find(const World& world, const std::vector<double>& margin,
+                     std::vector<std::uint32_t>& order) {
+    sort(world, margin, order);
+    center_.clear();
+    radius_.clear();
+    margin_.clear();
+    for (const std::uint32_t ball : order) {
+        center_.push_back(world.balls.position[ball]);
+        radius_.push_back(world.balls.radius[ball]);
+        margin_.push_back(margin[ball]);
+    }
+    find(world, {.ball = order, .center = center_, .radius = radius_, .margin = margin_});
 }
 
 // Where all regions are about as large as the mean one, one level holds all.
 void NearPairs::sort_into_levels(const World& world, const std::vector<double>& margin) {
     const std::size_t count = world.balls.size();
-    reach_.resize(count);
     double sum = 0.0;
     double largest = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-        reach_[i] = world.balls.radius[i] + margin[i];
-        sum += reach_[i];
-        largest = std::max(largest, reach_[i]);
+        const double reach = world.balls.radius[i] + margin[i];
+        sum += reach;
+        largest = std::max(largest, reach);
     }
     const double mean = sum / static_cast<double>(count);
     const double base = rounded_up(largest <= 1.6 * mean ? largest : 1.25 * mean);
@@ -64,7 +83,8 @@ void NearPairs::sort_into_levels(const World& world, const std::vector<double>& 
     std::array<std::uint32_t, 121> balls_in{};
     level_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-        level_[i] = static_cast<std::uint8_t>(level_of(reach_[i], base) - lowest);
+        level_[i] =
+            static_cast<std::uint8_t>(level_of(world.balls.radius[i] + margin[i], base) - lowest);
         ++balls_in[level_[i]];
     }
     std::array<std::uint8_t, 121> place{};
@@ -85,7 +105,7 @@ void NearPairs::sort_into_levels(const World& world, const std::vector<double>& 
     frame_ = levels_[0].frame;
 }
 
-void NearPairs::sort_into_cells(const World& world) {
+void NearPairs::sort_into_cells(const World& world, std::vector<std::uint32_t>& order) {
     const std::size_t count = world.balls.size();
     cell_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -96,70 +116,73 @@ void NearPairs::sort_into_cells(const World& world) {
     }
     for (std::size_t c = 1; c < start_.size(); ++c)
         start_[c] += start_[c - 1];
-    fill_.assign(start_.begin(), start_.end() - 1);
-    order_.resize(count);
-    place_.resize(count);
-    around_.resize(count);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const std::uint32_t at = fill_[cell_[i]]++;
-        order_[at] = i;
-        place_[at] = world.balls.position[i];
-        around_[at] = reach_[i];
-    }
+    // While they fill, cells begin where the next free place is, which in the end is where the next
+    // cell begins.
+    for (std::uint32_t i = 0; i < count; ++i)
+        order[start_[cell_[i]]++] = i;
+    std::copy_backward(start_.begin(), start_.end() - 1, start_.end());
+    start_[0] = 0;
     for (std::size_t l = 0; l < used_; ++l) {
         levels_[l].begin = start_[levels_[l].first];
         levels_[l].end = start_[levels_[l].first + levels_[l].frame.count()];
     }
 }
 
-bool NearPairs::is_near(std::uint32_t i, std::uint32_t j) const {
-    Vec2 offset = place_[i] - place_[j];
+inline bool NearPairs::is_near(const Regions& regions, std::uint32_t i, std::uint32_t j) const {
+    Vec2 offset = regions.center[i] - regions.center[j];
     if (wraps_) offset = nearest_image(offset, torus_);
-    const double reach = around_[i] + around_[j];
+    const double reach =
+        (regions.radius[i] + regions.margin[i]) + (regions.radius[j] + regions.margin[j]);
     return length_squared(offset) <= reach * reach;
 }
 
-void NearPairs::consider(const World& world, std::uint32_t i, std::uint32_t j) {
-    if (!is_near(i, j)) return;
+inline void NearPairs::consider(const World& world, const Regions& regions, std::uint32_t i,
+                                std::uint32_t j) {
+    if (!is_near(regions, i, j)) return;
     const Balls& balls = world.balls;
-    if (filtered_ && !kinds_meet(world, balls.kind[order_[i]], balls.kind[order_[j]])) return;
-    const bool in_order = order_[i] < order_[j];
+    const std::uint32_t first = regions.ball[i];
+    const std::uint32_t second = regions.ball[j];
+    if (filtered_ && !kinds_meet(world, balls.kind[first], balls.kind[second])) return;
+    const bool in_order = first < second;
     pairs_.push_back({.a = in_order ? i : j, .b = in_order ? j : i});
 }
 
 // Each pair once: a ball looks at those after it in its row of cells, and at the row above.
-void NearPairs::pair_within(const World& world, const Level& level) {
+void NearPairs::pair_within(const World& world, const Regions& regions, const Level& level) {
     const CellFrame& frame = level.frame;
     const std::uint32_t* start = start_.data() + level.first;
     if (wraps_) {
-        pair_with_coarser(world, level, level);
+        pair_with_coarser(world, regions, level, level);
         return;
     }
+    std::uint32_t cell = 0;
     for (std::uint32_t i = level.begin; i < level.end; ++i) {
-        const std::uint32_t cell = cell_[order_[i]] - level.first;
+        while (start[cell + 1] <= i)
+            ++cell;
         const auto column = static_cast<int>(cell % static_cast<std::uint32_t>(frame.columns));
         const auto row = static_cast<int>(cell / static_cast<std::uint32_t>(frame.columns));
         const int last = std::min(column + 1, frame.columns - 1);
         const std::uint32_t row_end = start[frame.index(last, row) + 1];
         for (std::uint32_t j = i + 1; j < row_end; ++j)
-            consider(world, i, j);
+            consider(world, regions, i, j);
         if (row + 1 == frame.rows) continue;
         const std::uint32_t above = start[frame.index(std::max(column - 1, 0), row + 1)];
         const std::uint32_t above_end = start[frame.index(last, row + 1) + 1];
         for (std::uint32_t j = above; j < above_end; ++j)
-            consider(world, i, j);
+            consider(world, regions, i, j);
     }
 }
 
-void NearPairs::pair_with_coarser(const World& world, const Level& level, const Level& coarser) {
+void NearPairs::pair_with_coarser(const World& world, const Regions& regions, const Level& level,
+                                  const Level& coarser) {
     const CellFrame& frame = coarser.frame;
     const bool same = &level == &coarser;
     const std::uint32_t* start = start_.data() + coarser.first;
     const int across = frame.wraps ? std::min(3, frame.columns) : 3;
     const int along = frame.wraps ? std::min(3, frame.rows) : 3;
     for (std::uint32_t i = level.begin; i < level.end; ++i) {
-        const int column = frame.column(place_[i].x);
-        const int row = frame.row(place_[i].y);
+        const int column = frame.column(regions.center[i].x);
+        const int row = frame.row(regions.center[i].y);
         for (int dy = 0; dy < along; ++dy) {
             int y = row - 1 + dy;
             if (frame.wraps) y = frame.bounded(y, frame.rows);
@@ -170,27 +193,32 @@ void NearPairs::pair_with_coarser(const World& world, const Level& level, const 
                 if (x < 0 || x >= frame.columns) continue;
                 const std::uint32_t cell = frame.index(x, y);
                 for (std::uint32_t j = start[cell]; j < start[cell + 1]; ++j)
-                    if (!same || j > i) consider(world, i, j);
+                    if (!same || j > i) consider(world, regions, i, j);
             }
         }
     }
 }
 
-void NearPairs::pair_with_edges(const World& world, Level& level) {
+void NearPairs::pair_with_edges(const World& world, const Regions& regions, Level& level) {
     // The level's cells hold the edges that reach the largest of its regions.
     level.edges.update(world, level.frame, level.reach);
+    const std::uint32_t* start = start_.data() + level.first;
+    std::uint32_t cell = 0;
     for (std::uint32_t i = level.begin; i < level.end; ++i) {
-        for (const CapsuleEntry entry : level.edges.in_cell(cell_[order_[i]] - level.first)) {
-            if (filtered_ && !kind_meets_material(world, world.balls.kind[order_[i]],
+        while (start[cell + 1] <= i)
+            ++cell;
+        for (const CapsuleEntry entry : level.edges.in_cell(cell)) {
+            if (filtered_ && !kind_meets_material(world, world.balls.kind[regions.ball[i]],
                                                   world.capsules.material[entry.index]))
                 continue;
             const Capsule& shape = world.capsules.shape[entry.index];
-            const Vec2 at = place_[i] - Vec2{entry.across * torus_.x, entry.along * torus_.y};
-            const double reach = around_[i] + shape.radius;
+            const Vec2 at =
+                regions.center[i] - Vec2{entry.across * torus_.x, entry.along * torus_.y};
+            const double reach = (regions.radius[i] + regions.margin[i]) + shape.radius;
             const Vec2 way = at - closest_point(shape.start, shape.end, at);
             if (length_squared(way) > reach * reach) continue;
             pairs_.push_back({.a = i,
-                              .b = static_cast<std::uint32_t>(order_.size()),
+                              .b = static_cast<std::uint32_t>(regions.ball.size()),
                               .edge = entry.index,
                               .across = entry.across,
                               .along = entry.along});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "physics/capsule_cells.h"
@@ -19,22 +20,36 @@ namespace carom {
 struct NearPair {
     static constexpr std::uint32_t no_edge = 0xffffffffu;
 
-    std::uint32_t a = 0;           ///< by place in NearPairs::order
+    std::uint32_t a = 0;           ///< a body: by place in the order of NearPairs::sort
     std::uint32_t b = 0;           ///< the same; for an edge the number of balls
     std::uint32_t edge = no_edge;  ///< index of the capsule
     std::int8_t across = 0;        ///< which image of the capsule on a torus
     std::int8_t along = 0;
 };
 
+/// The regions of the balls, in the order of NearPairs::sort.
+struct Regions {
+    std::span<const std::uint32_t> ball;  ///< index in the world
+    std::span<const Vec2> center;
+    std::span<const double> radius;  ///< of the ball
+    std::span<const double> margin;  ///< how far its centre may go
+};
+
 class NearPairs {
   public:
-    /// Finds all pairs. `margin`: by ball, how far its centre may go. Who does not meet whom
-    /// (Model::filtered) is left out, and so are held capsules. Ball on ball, a has the lower
-    /// number.
-    void find(const World& world, const std::vector<double>& margin);
+    /// Puts the balls' indices cell by cell: near in this order is mostly near in the plane.
+    /// `margin`: by ball, how far its centre may go.
+    void sort(const World& world, const std::vector<double>& margin,
+              std::vector<std::uint32_t>& order);
 
-    /// The balls' indices cell by cell: near in this order is mostly near in the plane.
-    const std::vector<std::uint32_t>& order() const { return order_; }
+    /// Finds all pairs. Who does not meet whom (Model::filtered) is left out, and so are held
+    /// capsules. Ball on ball, a has the lower number. Pre: what `sort` was given, in its order.
+    void find(const World& world, const Regions& regions);
+
+    /// Both at once.
+    void find(const World& world, const std::vector<double>& margin,
+              std::vector<std::uint32_t>& order);
+
     const std::vector<NearPair>& pairs() const { return pairs_; }
     std::vector<NearPair>& pairs() { return pairs_; }
     const CellFrame& frame() const { return frame_; }
@@ -51,24 +66,24 @@ class NearPairs {
     };
 
     void sort_into_levels(const World& world, const std::vector<double>& margin);
-    void sort_into_cells(const World& world);
-    void pair_within(const World& world, const Level& level);
-    void pair_with_coarser(const World& world, const Level& level, const Level& coarser);
-    void pair_with_edges(const World& world, Level& level);
-    void consider(const World& world, std::uint32_t i, std::uint32_t j);
-    bool is_near(std::uint32_t i, std::uint32_t j) const;
+    void sort_into_cells(const World& world, std::vector<std::uint32_t>& order);
+    void pair_within(const World& world, const Regions& regions, const Level& level);
+    void pair_with_coarser(const World& world, const Regions& regions, const Level& level,
+                           const Level& coarser);
+    void pair_with_edges(const World& world, const Regions& regions, Level& level);
+    void consider(const World& world, const Regions& regions, std::uint32_t i, std::uint32_t j);
+    bool is_near(const Regions& regions, std::uint32_t i, std::uint32_t j) const;
 
     std::vector<Level> levels_;  // from fine to coarse; only the first used_ count
     std::size_t used_ = 0;
-    std::vector<std::uint8_t> level_;  // by ball
-    std::vector<std::uint32_t> cell_;  // by ball, among all cells of all levels
-    std::vector<std::uint32_t> start_;
-    std::vector<std::uint32_t> fill_;
-    std::vector<double> reach_;  // by ball: radius + margin
-    std::vector<std::uint32_t> order_;
-    std::vector<Vec2> place_;     // by place in the order
-    std::vector<double> around_;  // the same: reach
+    std::vector<std::uint8_t> level_;   // by ball
+    std::vector<std::uint32_t> cell_;   // by ball, among all cells of all levels
+    std::vector<std::uint32_t> start_;  // by cell: its first place in the order
     std::vector<NearPair> pairs_;
+    // Of those who leave the regions to the search.
+    std::vector<Vec2> center_;
+    std::vector<double> radius_;
+    std::vector<double> margin_;
     Vec2 torus_;
     bool wraps_ = false;
     bool filtered_ = false;

@@ -311,7 +311,6 @@ class ContactSolver {
     // one for each pair of a ball and a held edge.
     std::uint32_t still_ = 0;
     std::vector<std::uint32_t> ball_;  // by body: index in the world
-    std::vector<std::uint32_t> body_;  // by index in the world
     std::vector<Vec2> position_;
     std::vector<Vec2> home_;    // where they were when the pairs were found
     std::vector<Vec2> before_;  // velocity at the start of the substep

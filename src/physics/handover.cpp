@@ -119,10 +119,9 @@ void Handover::find_heap(const World& world) {
     const std::size_t count = world.balls.size();
     parent_.resize(count + world.held_capsules.size());
     std::iota(parent_.begin(), parent_.end(), 0u);
-    near_.find(world, reach_);
-    const std::vector<std::uint32_t>& order = near_.order();
+    near_.find(world, reach_, order_);
     for (const NearPair& pair : near_.pairs())
-        if (pair.edge == NearPair::no_edge) unite(order[pair.a], order[pair.b]);
+        if (pair.edge == NearPair::no_edge) unite(order_[pair.a], order_[pair.b]);
     join_what_hands_meet(world);
     is_heap_.assign(parent_.size(), 0);
     for (const BallId id : world.heaped)
@@ -287,16 +286,15 @@ void Handover::find_who_stays(const World& heap, std::vector<BallId>& heaped) {
                (!heap.model.one_way || is_on_solid_side(shape, heap.capsules.side[edge], at));
     };
     margin_.assign(balls.size(), 0.0);
-    near_.find(heap, margin_);
-    const std::vector<std::uint32_t>& order = near_.order();
+    near_.find(heap, margin_, order_);
     for (const NearPair& pair : near_.pairs()) {
-        const std::uint32_t a = order[pair.a];
+        const std::uint32_t a = order_[pair.a];
         if (pair.edge != NearPair::no_edge) {
             const Vec2 shift{pair.across * torus.x, pair.along * torus.y};
             stays_[a] |= is_sunk(a, balls.position[a] - shift, pair.edge);
             continue;
         }
-        const std::uint32_t b = order[pair.b];
+        const std::uint32_t b = order_[pair.b];
         const double away = length(way_between(heap, balls.position[a], balls.position[b]));
         const double gap = away - balls.radius[a] - balls.radius[b];
         if (gap < -sunk * std::min(balls.radius[a], balls.radius[b])) stays_[a] = stays_[b] = 1;

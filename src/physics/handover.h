@@ -83,6 +83,7 @@ class Handover {
     void find_who_stays(const World& heap, std::vector<BallId>& heaped);
 
     NearPairs near_;
+    std::vector<std::uint32_t> order_;   // of the balls in near_
     std::vector<double> reach_;          // by ball: how far it may get in the tick
     std::vector<std::uint32_t> parent_;  // a forest: balls, then what is held of the capsules
     std::vector<std::uint8_t> is_heap_;  // by ball, then by World::held_capsules
