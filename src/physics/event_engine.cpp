@@ -56,15 +56,14 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
         constexpr std::uint64_t ask_every = 4096;
         if (events_ % ask_every == 0 && keep_going && !keep_going()) return EventOutcome::given_up;
         if (now_ < event.time) now_ = event.time;
-        const bool is_stale =
-            event.kind == Kind::ball_ball && event.other_version != balls_[event.other].version;
         if (event.kind == Kind::crossing) {
             enter_next_cell(ball, event.other);
             reorder(ball);
         } else if (event.kind == Kind::own) {
             end_own(ball);
             reorder(ball);
-        } else if (is_stale) {
+        } else if (event.kind == Kind::ball_ball &&
+                   event.other_version != balls_[event.other].version) {
             predict(ball);
             reorder(ball);
         } else {
@@ -403,8 +402,9 @@ void EventEngine<Real>::store_paths(World& world) {
         else
             for (std::size_t at = 0; at < begun_.size(); ++at) {
                 const std::uint32_t soon = begun_[std::min(at + 8, begun_.size() - 1)];
-                fetch_early(&world.paths[soon]);
-                fetch_early(reinterpret_cast<const char*>(&world.paths[soon] + 1) - 1);
+                const auto* const path = reinterpret_cast<const char*>(&world.paths[soon]);
+                for (const std::size_t byte : {0, 64, static_cast<int>(sizeof(BallPath)) - 1})
+                    fetch_early(path + byte);
                 balls_.fetch_ball(soon);
                 store(begun_[at]);
             }
@@ -419,12 +419,16 @@ void EventEngine<Real>::write(World& world) {
     const std::size_t count = balls_.size();
     left_.positions.resize(count);
     left_.velocities.resize(count);
+    // The velocity of what flies undisturbed is there already, unless its path began in this tick.
+    const bool are_velocities_there = is_coasting && !is_begun_anew_ && begun_.size() < count &&
+                                      !world.model.cloth && !world.model.speed_limit;
     for (std::size_t i = 0; i < count; ++i) {
         balls_.fetch_neighbour(std::min(i + 16, count - 1));
         const EventPath<Real>& path = balls_[i].path;
         Vec2 position;
         Vec2 velocity;
-        if (is_coasting && path.motion == Motion::free) {
+        const bool is_undisturbed = is_coasting && path.motion == Motion::free;
+        if (is_undisturbed) {
             position = Vec2(path.position + path.velocity * (end_ - path.time));
             velocity = Vec2(path.velocity);
         } else {
@@ -436,8 +440,13 @@ void EventEngine<Real>::write(World& world) {
         // What the paths say: a velocity that is limited below differs from it, and begins a new
         // path.
         balls.position[i] = left_.positions[i] = position;
+        if (are_velocities_there && is_undisturbed) continue;
         balls.velocity[i] = left_.velocities[i] = velocity;
     }
+    if (are_velocities_there)
+        for (const std::uint32_t i : begun_)
+            if (balls_[i].path.motion == Motion::free)
+                balls.velocity[i] = left_.velocities[i] = Vec2(balls_[i].path.velocity);
     if (world.model.speed_limit)
         for (Vec2& velocity : balls.velocity)
             velocity = limited(velocity, *world.model.speed_limit);

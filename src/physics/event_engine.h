@@ -216,12 +216,13 @@ class EventEngine {
     void reorder(std::uint32_t ball);
     bool comes_first(std::uint32_t ball_a, const Event& a, std::uint32_t ball_b,
                      const Event& b) const;
-    /// Pre: `event` is one.
+    /// Nobody can foretell which of two comes first.
     void consider(std::uint32_t ball, const Event& event, Event& best) const {
-        if (best.kind != Kind::none && best.time < event.time) return;
-        if (best.kind == Kind::none || event.time < best.time ||
-            comes_first(ball, event, ball, best))
-            best = event;
+        const auto is_event = static_cast<int>(event.kind != Kind::none);
+        const auto is_none = static_cast<int>(best.kind == Kind::none);
+        int comes = is_event & (is_none | static_cast<int>(event.time < best.time));
+        if (event.time == best.time) comes = comes_first(ball, event, ball, best);
+        assign_if(comes != 0, best, event);
     }
     /// Every other ball that may be near, as visit(other, tori across, tori along).
     template <typename Visit>
@@ -372,8 +373,9 @@ class EventEngine {
     std::vector<int> shares_;
     std::vector<std::uint8_t> is_kept_;
     std::vector<std::int64_t> spin_from_;
-    std::vector<Near> near_;
-    std::vector<std::uint32_t> approached_;     ///< of a body's: see predict_after
+    std::vector<Near> near_;  ///< the first `near_count_` count
+    std::size_t near_count_ = 0;
+    std::vector<std::uint32_t> which_near_;     ///< some of them, for a moment
     std::vector<std::array<int, 3>> touching_;  ///< ball, tori across and along
     bool is_near_valid_ = false;                ///< no path has been moved by a torus since
 

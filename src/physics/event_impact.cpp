@@ -148,15 +148,16 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     body_spins_.clear();
     body_rolls_.clear();
     touches_.clear();
-    near_.clear();
+    near_count_ = 0;
     is_near_valid_ = true;
     // Seen from the lower number, whoever's event it is: the other may not know of it yet.
     const bool is_pair = event.kind == Kind::ball_ball;
-    const std::uint32_t body = body_of(is_pair ? std::min(ball, event.other) : ball);
-    const int side = event.other < ball ? -1 : 1;
+    const bool is_swapped = is_pair && event.other < ball;
+    const std::uint32_t body = body_of(select(is_swapped, event.other, ball));
+    const int side = 1 - 2 * static_cast<int>(is_swapped);
     if (is_pair)
-        add_ball_touch(body, std::max(ball, event.other), side * event.across, side * event.along,
-                       true);
+        add_ball_touch(body, select(is_swapped, ball, event.other), side * event.across,
+                       side * event.along, true);
     else if (event.kind == Kind::hand)
         add_hand_touch(body, hands_[event.other], true);
     else
@@ -183,13 +184,14 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
                 inverse += impact_bodies_[touch.contact.b].inverse_mass;
             }
             if (!(inverse > Real{})) continue;
-            const Real small =
-                touch.kind == Kind::ball_ball
-                    ? std::min(radius(bodies_[touch.contact.a].ball), radius(touch.other))
-                    : radius(bodies_[touch.contact.a].ball);
-            const Real rounding =
-                Real(approach_noise<Real>) * speeds +
-                Real(0.125 * pressing_noise) * square_root(field_.pressing * small);
+            Real rounding = Real(approach_noise<Real>) * speeds;
+            if (field_.pressing > Real{}) {
+                const Real small =
+                    touch.kind == Kind::ball_ball
+                        ? std::min(radius(bodies_[touch.contact.a].ball), radius(touch.other))
+                        : radius(bodies_[touch.contact.a].ball);
+                rounding += Real(0.125 * pressing_noise) * square_root(field_.pressing * small);
+            }
             const Real slow = round == 0 && i == 0 ? Real{} : pressing_speed(touch);
             if (approach_of<Real>(touch.contact, impact_bodies_) > std::max(rounding, slow))
                 approaching.push_back(i);

@@ -127,27 +127,35 @@ void EventEngine<Real>::predict_after(const Body& body) {
         if (has_gravity) relative += field_.gravity * -(now - path.time);
         return LineMeeting<Real>(other.offset, relative, other.reach);
     };
-    // First who of them may be met: nobody can foretell that.
-    approached_.resize(std::max<std::size_t>(approached_.size(), body.near));
-    std::uint32_t* const approached = approached_.data();
-    std::size_t count = 0;
-    bool is_known = true;
+    // First who of them may be met, and who has a new path too: nobody can foretell that.
+    which_near_.resize(std::max<std::size_t>(which_near_.size(), 2 * std::size_t{body.near}));
+    std::uint32_t* const approached = which_near_.data();
+    std::uint32_t* const begun = which_near_.data() + body.near;
+    std::size_t approached_count = 0;
+    std::size_t begun_count = 0;
+    int are_free = 1;
     for (std::uint32_t i = 0; i < body.near; ++i) {
         const EventPath<Real>& path = balls[near[i].other].path;
-        is_known = static_cast<int>(is_known) & static_cast<int>(path.motion == Motion::free);
-        approached[count] = i;
-        count += static_cast<std::size_t>(static_cast<int>(line_to(near[i]).is_one()) |
-                                          static_cast<int>(path.time == now));
+        const auto has_begun = static_cast<int>(path.time == now);
+        are_free &= static_cast<int>(path.motion == Motion::free);
+        approached[approached_count] = begun[begun_count] = i;
+        approached_count +=
+            static_cast<std::size_t>(static_cast<int>(line_to(near[i]).is_one()) & ~has_begun);
+        begun_count += static_cast<std::size_t>(has_begun);
     }
+    const bool is_known = are_free != 0;
     Event meeting;
-    for (std::size_t i = 0; i < count && is_known; ++i) {
-        const Near& other = near[approached[i]];
-        if (is_filtered && !balls_meet(ball, other.other)) continue;
-        if (balls[other.other].path.time == now)
+    if (is_known) {
+        for (std::size_t i = 0; i < begun_count; ++i) {
+            const Near& other = near[begun[i]];
             meet_flying(ball, other.other, other.across, other.along, meeting);
-        else
+        }
+        for (std::size_t i = 0; i < approached_count; ++i) {
+            const Near& other = near[approached[i]];
+            if (is_filtered && !balls_meet(ball, other.other)) continue;
             meet_at(ball, other.other, other.across, other.along, line_to(other), now, other.offset,
                     meeting);
+        }
     }
     balls_.plan(ball).meeting = meeting;
     balls_[ball].is_meeting_known = is_known;
@@ -172,8 +180,7 @@ void EventEngine<Real>::choose_next(std::uint32_t ball) {
     // How far to look where it takes longer the further one looks.
     if (!is_line || !hands_.empty())
         best = {now_ + Real(16.0 / world_->rate), Kind::crossing, 0, 0, look_again, 0};
-    if (is_known && balls_.plan(ball).meeting.kind != Kind::none)
-        consider(ball, balls_.plan(ball).meeting, best);
+    if (is_known) consider(ball, balls_.plan(ball).meeting, best);
     if (is_line)
         predict_crossing_of_line(ball, best);
     else
@@ -255,10 +262,9 @@ void EventEngine<Real>::meet_at(std::uint32_t ball, std::uint32_t other, int acr
     const EventBall<Real>& them = balls_[other];
     const Real small = us.radius < them.radius ? us.radius : them.radius;
     // As seen from the one with the lower number, whoever asks: the same bits.
-    const bool is_lower = ball < other;
-    auto time =
-        meeting_time(meeting, is_lower ? us.path : them.path, is_lower ? them.path : us.path, begin,
-                     offset, field_.gravity, us.radius + them.radius, small, field_);
+    auto time = meeting_time(meeting, balls_[std::min(ball, other)].path,
+                             balls_[std::max(ball, other)].path, begin, offset, field_.gravity,
+                             us.radius + them.radius, small, field_);
     if (!time) return;
     if (*time < now_) time = now_;
     consider(ball,
@@ -288,7 +294,8 @@ void EventEngine<Real>::predict_crossing_of_line(std::uint32_t ball, Event& best
     const Real y = crossing(path.position.y, path.velocity.y, own.row, frame.rows, frame.origin.y,
                             frame.cell.y);
     const bool is_y = y < x;
-    const Real time = is_y ? y : x;
+    Real time = x;
+    assign_if(is_y, time, y);
     if (!(time < never)) return;
     const auto to_x = static_cast<std::uint32_t>(!(path.velocity.x > zero));
     const auto to_y = static_cast<std::uint32_t>(!(path.velocity.y > zero));

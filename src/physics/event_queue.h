@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -28,9 +29,9 @@ class EventQueue {
     template <typename Time, typename Before>
     void build(std::size_t count, Time&& time_of, Before&& is_before) {
         slices_ = least_slices;
-        heads_.assign(slices_ + 2, none);
+        make_lists();
         heap_.clear();
-        links_.resize(count);
+        links_.resize(count + 1);
         listed_ = finite_ = 0;
         scout_ = none;
         for (std::uint32_t ball = 0; ball < count; ++ball) {
@@ -60,8 +61,10 @@ class EventQueue {
             scouted_ = present_ + least_lead;
             ball = heads_[list_of_slice(scouted_)];
         }
-        while (ball == none && scouted_ < present_ + most_lead)
-            ball = heads_[list_of_slice(++scouted_)];
+        if (ball == none && scouted_ < present_ + most_lead) {
+            scouted_ = filled_from(scouted_ + 1, present_ + most_lead);
+            ball = heads_[list_of_slice(scouted_)];
+        }
         scout_ = ball;
         if (ball == none) return std::nullopt;
         fetch(ball);
@@ -116,25 +119,52 @@ class EventQueue {
 
     // Where an event at that time belongs.
     std::uint32_t list_for(double time) const {
-        // Signed, which processors convert faster.
+        // Signed, which processors convert faster; and nobody can foretell which of the lists.
         const double slice = (time - origin_) * slices_a_second_;
         const auto present = static_cast<std::int64_t>(present_);
         if (slice < static_cast<double>(present + 1)) return in_heap;
-        if (slice < static_cast<double>(present + slices_))
-            return list_of_slice(static_cast<std::uint64_t>(static_cast<std::int64_t>(slice)));
-        return time < never ? far() : no_time();
+        const auto end = static_cast<double>(present + slices_);
+        const auto whole =
+            static_cast<std::uint64_t>(static_cast<std::int64_t>(std::min(slice, end)));
+        return select(slice < end, list_of_slice(whole),
+                      far() + static_cast<std::uint32_t>(!(time < never)));
     }
 
-    // To the next slice: what is in it goes into the heap. False: no ball has an event.
+    // The first slice before `end` that has somebody, from `slice` on; or `end`.
+    std::uint64_t filled_from(std::uint64_t slice, std::uint64_t end) const {
+        while (slice < end) {
+            const std::uint32_t list = list_of_slice(slice);
+            const std::uint64_t bits = is_filled_[list / 64] >> (list % 64);
+            if (bits != 0)
+                return std::min(slice + static_cast<std::uint64_t>(std::countr_zero(bits)), end);
+            slice += 64 - list % 64;
+        }
+        return end;
+    }
+    void note_emptied(std::uint32_t list) {
+        const auto is_empty = static_cast<std::uint64_t>(heads_[list] == none);
+        is_filled_[list / 64] &= ~(is_empty << (list % 64));
+    }
+    void make_lists() {
+        heads_.assign(slices_ + 2, none);
+        is_filled_.assign(slices_ / 64 + 1, 0);
+    }
+
+    // To the next slice that has somebody: what is in it goes into the heap. False: no ball has an
+    // event.
     template <typename Before>
     bool advance(Before&& is_before) {
         if (finite_ == 0) return false;
-        ++present_;
-        if (listed_ == 0)
+        if (listed_ == 0) {
             arrange();
-        else if ((present_ & (slices_ / 2 - 1)) == 0)
-            look_further();
-        std::uint32_t& head = heads_[list_of_slice(present_)];
+        } else {
+            const std::uint64_t half = slices_ / 2;
+            const std::uint64_t rest = half - (present_ & (half - 1));
+            present_ = filled_from(present_ + 1, present_ + rest);
+            if ((present_ & (half - 1)) == 0) look_further();
+        }
+        const std::uint32_t list = list_of_slice(present_);
+        std::uint32_t& head = heads_[list];
         std::size_t count = 0;
         for (std::uint32_t ball = head; ball != none; ++count) {
             const std::uint32_t next = links_[ball].next;
@@ -142,6 +172,7 @@ class EventQueue {
             ball = next;
         }
         head = none;
+        note_emptied(list);
         listed_ -= count;
         finite_ -= count;
         taken_ += count;
@@ -177,7 +208,7 @@ class EventQueue {
             slices_ *= 2;
         while (slices_ > least_slices && slices_ / 8 > moved_.size())
             slices_ /= 2;
-        heads_.assign(slices_ + 2, none);
+        make_lists();
         for (std::uint32_t ball = timeless; ball != none; ball = links_[ball].next)
             links_[ball].list = no_time();
         heads_[no_time()] = timeless;
@@ -202,11 +233,17 @@ class EventQueue {
         }
     }
 
+    // Or, in place of nobody, one link more than there are balls, to write to.
+    std::uint32_t somebody(std::uint32_t ball) const {
+        return std::min(ball, static_cast<std::uint32_t>(links_.size() - 1));
+    }
+
     void enlist(std::uint32_t ball, std::uint32_t list) {
         const std::uint32_t next = heads_[list];
         links_[ball] = {links_[ball].time, next, none, list};
-        if (next != none) links_[next].before = ball;
+        links_[somebody(next)].before = ball;
         heads_[list] = ball;
+        is_filled_[list / 64] |= std::uint64_t{1} << (list % 64);
         listed_ += list < far();
         finite_ += list < no_time();
     }
@@ -217,7 +254,8 @@ class EventQueue {
             heads_[link.list] = link.next;
         else
             links_[link.before].next = link.next;
-        if (link.next != none) links_[link.next].before = link.before;
+        links_[somebody(link.next)].before = link.before;
+        note_emptied(link.list);
         listed_ -= link.list < far();
         finite_ -= link.list < no_time();
     }
@@ -293,8 +331,9 @@ class EventQueue {
     std::uint64_t scouted_ = 0;         ///< the slice in which `scout` is
     std::uint32_t scout_ = none;        ///< whom it told last
     std::vector<std::uint32_t> heads_;  ///< of the slices, of the far, of those without a time
-    LargeVector<Link> links_;           ///< by ball
-    std::vector<Entry> heap_;           ///< each above four
+    std::vector<std::uint64_t> is_filled_;  ///< a bit for each of the lists
+    LargeVector<Link> links_;               ///< by ball
+    std::vector<Entry> heap_;               ///< each above four
     std::vector<std::uint32_t> moved_;
 };
 

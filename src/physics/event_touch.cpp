@@ -127,41 +127,53 @@ void EventEngine<Real>::scan(std::uint32_t body) {
         const Touch& first = touches_.front();
         return first.kind != kind || first.contact.a != body || first.other != other;
     };
-    const std::size_t first_near = near_.size();
     const Vector<Real> position = bodies_[body].position;
     const Real size = radius(ball);
     const EventBall<Real>* const balls = balls_.data();
     const bool is_coasting = !world_->model.gravity && !field_.has_drag;
     const bool wraps = world_->model.wrap.has_value();
-    for_each_ball_near(ball, [=, this, now = now_](std::uint32_t other, int across, int along) {
+    // The contact that the event is about is there already.
+    const Touch& first = touches_.front();
+    const std::uint32_t first_ball = bodies_[first.contact.a].ball;
+    const std::uint32_t second_ball =
+        select(first.other == ball, first_ball, EventBall<Real>::none);
+    const std::uint32_t partner = first.kind != Kind::ball_ball
+                                      ? EventBall<Real>::none
+                                      : select(first.contact.a == body, first.other, second_ball);
+    // Nearly all of the others are further away than this, which is further than any that may
+    // touch.
+    const Real slack = Real(16.0) * rounding_at(position, Real{});
+    const std::size_t first_near = near_count_;
+    std::size_t count = first_near;
+    std::size_t close_count = 0;
+    for_each_ball_near(ball, [&, balls, now = now_](std::uint32_t other, int across, int along) {
+        if (count == near_.size()) {
+            near_.resize(2 * count + 16);
+            which_near_.resize(std::max(which_near_.size(), near_.size()));
+        }
         const EventPath<Real>& path = balls[other].path;
         Vector<Real> offset = position - (is_coasting && path.motion == Motion::free
                                               ? path.position + path.velocity * (now - path.time)
                                               : position_of(other));
         if (wraps) offset = offset - torus_shift(across, along);
-        near_.push_back({.offset = offset,
-                         .reach = size + balls[other].radius,
-                         .other = other,
-                         .across = static_cast<std::int8_t>(across),
-                         .along = static_cast<std::int8_t>(along)});
+        const Real reach = size + balls[other].radius;
+        near_[count] = {.offset = offset,
+                        .reach = reach,
+                        .other = other,
+                        .across = static_cast<std::int8_t>(across),
+                        .along = static_cast<std::int8_t>(along)};
+        const Real rough = reach * Real(1.0 + 4.0 * touching) + slack;
+        const bool is_far = length_squared(offset) > rough * rough;
+        which_near_[close_count] = static_cast<std::uint32_t>(count++);
+        close_count += static_cast<std::size_t>(static_cast<int>(!is_far) &
+                                                static_cast<int>(other != partner));
     });
+    near_count_ = count;
     bodies_[body].first_near = static_cast<std::uint32_t>(first_near);
-    bodies_[body].near = static_cast<std::uint32_t>(near_.size() - first_near);
-    // The contact that the event is about is there already.
-    const Touch& first = touches_.front();
-    const std::uint32_t first_ball = bodies_[first.contact.a].ball;
-    const std::uint32_t partner = first.kind != Kind::ball_ball ? EventBall<Real>::none
-                                  : first.contact.a == body     ? first.other
-                                  : first.other == ball         ? first_ball
-                                                                : EventBall<Real>::none;
+    bodies_[body].near = static_cast<std::uint32_t>(count - first_near);
     touching_.clear();
-    // Nearly all of them are further away than this, which is further than any that may touch.
-    const Real slack = Real(16.0) * rounding_at(position, Real{});
-    for (std::size_t i = first_near; i < near_.size(); ++i) {
-        const Near& near = near_[i];
-        const Real rough = near.reach * Real(1.0 + 4.0 * touching) + slack;
-        const bool is_far = length_squared(near.offset) > rough * rough;
-        if (static_cast<int>(is_far) | static_cast<int>(near.other == partner)) continue;
+    for (std::size_t i = 0; i < close_count; ++i) {
+        const Near& near = near_[which_near_[i]];
         if (may_touch(body, near) && balls_meet(ball, near.other))
             touching_.push_back({static_cast<int>(near.other), near.across, near.along});
     }
