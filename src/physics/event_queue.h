@@ -16,7 +16,7 @@
 /// before, stand in a heap; there are few. Those of the slices to come stand in a list for each
 /// slice, in no order, so that to replace an event costs the same however many balls there are;
 /// those further ahead than the lists reach, in one list that is gone through now and then. The
-/// width follows the events, about one a slice, and changes nothing but the cost: who comes first
+/// width follows the events, about three a slice, and changes nothing but the cost: who comes first
 /// at the same time is asked, and the order is total. (After Paul, A complexity O(1) priority queue
 /// for event driven molecular dynamics simulations, Journal of Computational Physics 221, 2007.)
 namespace carom {
@@ -97,8 +97,8 @@ class EventQueue {
     static constexpr std::uint32_t none = 0xffffffffu;
     static constexpr std::uint32_t in_heap = none;
     static constexpr std::uint32_t least_slices = 64;
-    static constexpr std::uint32_t least_lead = 10;  ///< of `scout`, slices
-    static constexpr std::uint32_t most_lead = 20;
+    static constexpr std::uint32_t least_lead = 3;  ///< of `scout`, slices
+    static constexpr std::uint32_t most_lead = 10;
 
     struct Entry {
         double time = 0.0;
@@ -221,7 +221,7 @@ class EventQueue {
         origin_ = links_[*std::min_element(moved_.begin(), middle + 1, is_earlier)].time;
         // The first event of each of n is about to be the first of all once in middle / (n ln 2).
         const double width =
-            (links_[*middle].time - origin_) * 1.5 / static_cast<double>(moved_.size());
+            (links_[*middle].time - origin_) * 4.0 / static_cast<double>(moved_.size());
         slices_a_second_ = width > 1e-300 ? 1.0 / width : 1.0;
         present_ = taken_ = 0;
         scouted_ = 0;
