@@ -4,6 +4,7 @@
 
 #include "physics/bounce.h"
 #include "physics/contact_solver.h"
+#include "physics/fetch.h"
 
 // Between the world and the bodies of the solver `contact`.
 namespace carom {
@@ -18,6 +19,9 @@ double margin_for(double speed, double radius, double duration, double tick, dou
     const double as_the_fastest = std::min(1.1 * fastest * duration, 0.25 * radius);
     return std::max(1.25 * std::min(whole, most), as_the_fastest) + 0.03 * radius;
 }
+
+// The balls lie anywhere in the world's arrays: asked for so many bodies ahead, they are there.
+constexpr std::uint32_t ahead = 16;
 
 }  // namespace
 
@@ -64,6 +68,14 @@ void ContactSolver::load_bodies(const World& world) {
     way_.resize(count + 1);
     mover_.resize(count + 1);
     for (std::uint32_t i = 0; i < still_; ++i) {
+        if (i + ahead < still_) {
+            const std::uint32_t next = ball_[i + ahead];
+            fetch_early(&balls.position[next]);
+            fetch_early(&balls.velocity[next]);
+            fetch_early(&balls.radius[next]);
+            fetch_early(&balls.inverse_mass[next]);
+            fetch_early(&margin_of_ball_[next]);
+        }
         const std::uint32_t ball = ball_[i];
         position_[i] = balls.position[ball];
         radius_[i] = balls.radius[ball];
@@ -265,6 +277,10 @@ void ContactSolver::order_pairs() {
 void ContactSolver::store(World& world, std::vector<std::uint8_t>& touched) {
     Balls& balls = world.balls;
     for (std::uint32_t i = 0; i < still_; ++i) {
+        if (i + ahead < still_) {
+            fetch_early(&balls.position[ball_[i + ahead]]);
+            fetch_early(&balls.velocity[ball_[i + ahead]]);
+        }
         const std::uint32_t ball = ball_[i];
         balls.position[ball] = wraps_ ? wrapped(position_[i], *world.model.wrap) : position_[i];
         balls.velocity[ball] = mover_[i].velocity;

@@ -128,21 +128,32 @@ void NearPairs::sort_into_cells(const World& world, std::vector<std::uint32_t>& 
     }
 }
 
-inline bool NearPairs::is_near(const Regions& regions, std::uint32_t i, std::uint32_t j) const {
-    Vec2 offset = regions.center[i] - regions.center[j];
-    if (wraps_) offset = nearest_image(offset, torus_);
-    const double reach =
-        (regions.radius[i] + regions.margin[i]) + (regions.radius[j] + regions.margin[j]);
-    return length_squared(offset) <= reach * reach;
+// Those of the bodies first..last-1 whose regions touch that of i: found without a branch that
+// nobody can foretell, then noted.
+inline void NearPairs::consider(const World& world, const Regions& regions, std::uint32_t i,
+                                std::uint32_t first, std::uint32_t last) {
+    if (first >= last) return;
+    if (touching_.size() < last - first) touching_.resize(last - first);
+    const Vec2 center = regions.center[i];
+    const double around = regions.radius[i] + regions.margin[i];
+    std::uint32_t* const touching = touching_.data();
+    std::size_t count = 0;
+    for (std::uint32_t j = first; j < last; ++j) {
+        Vec2 offset = center - regions.center[j];
+        if (wraps_) offset = nearest_image(offset, torus_);
+        const double reach = around + (regions.radius[j] + regions.margin[j]);
+        touching[count] = j;
+        count += length_squared(offset) <= reach * reach ? 1 : 0;
+    }
+    for (std::size_t k = 0; k < count; ++k)
+        note(world, regions, i, touching[k]);
 }
 
-inline void NearPairs::consider(const World& world, const Regions& regions, std::uint32_t i,
-                                std::uint32_t j) {
-    if (!is_near(regions, i, j)) return;
-    const Balls& balls = world.balls;
+inline void NearPairs::note(const World& world, const Regions& regions, std::uint32_t i,
+                            std::uint32_t j) {
     const std::uint32_t first = regions.ball[i];
     const std::uint32_t second = regions.ball[j];
-    if (filtered_ && !kinds_meet(world, balls.kind[first], balls.kind[second])) return;
+    if (filtered_ && !kinds_meet(world, world.balls.kind[first], world.balls.kind[second])) return;
     const bool in_order = first < second;
     pairs_.push_back({.a = in_order ? i : j, .b = in_order ? j : i});
 }
@@ -155,21 +166,22 @@ void NearPairs::pair_within(const World& world, const Regions& regions, const Le
         pair_with_coarser(world, regions, level, level);
         return;
     }
-    std::uint32_t cell = 0;
-    for (std::uint32_t i = level.begin; i < level.end; ++i) {
-        while (start[cell + 1] <= i)
-            ++cell;
-        const auto column = static_cast<int>(cell % static_cast<std::uint32_t>(frame.columns));
-        const auto row = static_cast<int>(cell / static_cast<std::uint32_t>(frame.columns));
-        const int last = std::min(column + 1, frame.columns - 1);
-        const std::uint32_t row_end = start[frame.index(last, row) + 1];
-        for (std::uint32_t j = i + 1; j < row_end; ++j)
-            consider(world, regions, i, j);
-        if (row + 1 == frame.rows) continue;
-        const std::uint32_t above = start[frame.index(std::max(column - 1, 0), row + 1)];
-        const std::uint32_t above_end = start[frame.index(last, row + 1) + 1];
-        for (std::uint32_t j = above; j < above_end; ++j)
-            consider(world, regions, i, j);
+    for (int row = 0; row < frame.rows; ++row) {
+        for (int column = 0; column < frame.columns; ++column) {
+            const std::uint32_t cell = frame.index(column, row);
+            const int last = std::min(column + 1, frame.columns - 1);
+            const std::uint32_t row_end = start[frame.index(last, row) + 1];
+            std::uint32_t above = 0;
+            std::uint32_t above_end = 0;
+            if (row + 1 < frame.rows) {
+                above = start[frame.index(std::max(column - 1, 0), row + 1)];
+                above_end = start[frame.index(last, row + 1) + 1];
+            }
+            for (std::uint32_t i = start[cell]; i < start[cell + 1]; ++i) {
+                consider(world, regions, i, i + 1, row_end);
+                consider(world, regions, i, above, above_end);
+            }
+        }
     }
 }
 
@@ -180,20 +192,31 @@ void NearPairs::pair_with_coarser(const World& world, const Regions& regions, co
     const std::uint32_t* start = start_.data() + coarser.first;
     const int across = frame.wraps ? std::min(3, frame.columns) : 3;
     const int along = frame.wraps ? std::min(3, frame.rows) : 3;
+    if (!frame.wraps) {
+        for (std::uint32_t i = level.begin; i < level.end; ++i) {
+            const int column = frame.column(regions.center[i].x);
+            const int row = frame.row(regions.center[i].y);
+            const int left = std::max(column - 1, 0);
+            const int right = std::min(column + 1, frame.columns - 1);
+            for (int y = std::max(row - 1, 0); y <= std::min(row + 1, frame.rows - 1); ++y) {
+                consider(world, regions, i, start[frame.index(left, y)],
+                         start[frame.index(right, y) + 1]);
+            }
+        }
+        return;
+    }
     for (std::uint32_t i = level.begin; i < level.end; ++i) {
         const int column = frame.column(regions.center[i].x);
         const int row = frame.row(regions.center[i].y);
         for (int dy = 0; dy < along; ++dy) {
             int y = row - 1 + dy;
-            if (frame.wraps) y = frame.bounded(y, frame.rows);
-            if (y < 0 || y >= frame.rows) continue;
+            y = frame.bounded(y, frame.rows);
             for (int dx = 0; dx < across; ++dx) {
                 int x = column - 1 + dx;
-                if (frame.wraps) x = frame.bounded(x, frame.columns);
-                if (x < 0 || x >= frame.columns) continue;
+                x = frame.bounded(x, frame.columns);
                 const std::uint32_t cell = frame.index(x, y);
-                for (std::uint32_t j = start[cell]; j < start[cell + 1]; ++j)
-                    if (!same || j > i) consider(world, regions, i, j);
+                const std::uint32_t first = same ? std::max(start[cell], i + 1) : start[cell];
+                consider(world, regions, i, first, start[cell + 1]);
             }
         }
     }

@@ -71,14 +71,16 @@ class NearPairs {
     void pair_with_coarser(const World& world, const Regions& regions, const Level& level,
                            const Level& coarser);
     void pair_with_edges(const World& world, const Regions& regions, Level& level);
-    void consider(const World& world, const Regions& regions, std::uint32_t i, std::uint32_t j);
-    bool is_near(const Regions& regions, std::uint32_t i, std::uint32_t j) const;
+    void consider(const World& world, const Regions& regions, std::uint32_t i, std::uint32_t first,
+                  std::uint32_t last);
+    void note(const World& world, const Regions& regions, std::uint32_t i, std::uint32_t j);
 
     std::vector<Level> levels_;  // from fine to coarse; only the first used_ count
     std::size_t used_ = 0;
     std::vector<std::uint8_t> level_;   // by ball
     std::vector<std::uint32_t> cell_;   // by ball, among all cells of all levels
     std::vector<std::uint32_t> start_;  // by cell: its first place in the order
+    std::vector<std::uint32_t> touching_;
     std::vector<NearPair> pairs_;
     // Of those who leave the regions to the search.
     std::vector<Vec2> center_;
