@@ -76,11 +76,13 @@ bool uses(std::string_view line, std::string_view word) {
 std::string defined_type(const std::string& line) {
     for (const std::string_view keyword : {"struct ", "class ", "enum class ", "enum "}) {
         if (!line.starts_with(keyword)) continue;
-        std::size_t end = keyword.size();
+        std::size_t begin = keyword.size();
+        if (line.compare(begin, 8, "alignas(") == 0) begin = line.find(") ", begin) + 2;
+        std::size_t end = begin;
         while (end < line.size() && (is_name_part(line[end]) || line[end] == ':'))
             ++end;  // with the type that it is part of
         const bool is_declared_only = end < line.size() && line[end] == ';';
-        return is_declared_only ? "" : line.substr(keyword.size(), end - keyword.size());
+        return is_declared_only ? "" : line.substr(begin, end - begin);
     }
     return {};
 }
