@@ -30,7 +30,7 @@ struct EventPath {
 /// What happens to a ball next. In the order in which those of the same time come.
 enum class EventKind : std::uint8_t { ball_ball, ball_edge, hand, own, crossing, none };
 template <typename Real>
-struct BallEvent {
+struct alignas(8) BallEvent {  // on every machine, for assign_if
     Real time{};
     EventKind kind = EventKind::none;
     std::int8_t across = 0;  ///< tori from the other's path to the image that is met
