@@ -99,7 +99,8 @@ void ContactSolver::begin_path(std::uint32_t body) {
     path.free = after == before * flight_.decay + gravity_ * flight_.velocity_per_gravity;
 }
 
-// The paths of the body and of all balls in its pairs. Whoever holds a path finds it elsewhere then.
+// The paths of the body and of all balls in its pairs. Whoever holds a path finds it elsewhere
+// then.
 void ContactSolver::begin_paths_around(std::uint32_t body) {
     begin_path(body);
     if (path_of(body).is_surrounded) return;
