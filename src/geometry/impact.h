@@ -18,8 +18,9 @@ struct Impact {
 /// nearest point lies at -`offset` from its centre now: `reach` is the sum of the radii, `velocity`
 /// constant. Cheap: no root, no division. False says nothing.
 inline bool stays_apart(Vec2 offset, Vec2 velocity, double reach, double horizon) {
-    // distance^2 at t >= offset^2 + 2 offset.velocity t, since the body is convex; the small
-    // numbers are well above rounding, so that no impact of the functions below is passed over.
+    // distance^2 at t >= offset^2 + 2 offset.velocity t, since the body is convex. The small
+    // numbers are above rounding, but for walls and paths some thousand times as long as the reach:
+    // of those, an impact at 1e-8 rad at the very end of the horizon may be passed over.
     const double away = length_squared(offset) * (1.0 - 1e-12);
     const double change = 2.0 * dot(offset, velocity) * horizon;
     return away + std::min(change, 0.0) > reach * reach * (1.0 + 1e-12);

@@ -48,15 +48,15 @@ bool ContactSolver::is_pushed(const World& world, const Pair& pair, double appro
     return -restitution_of(world, pair, std::max(0.0, approach)) * speed <= surface;
 }
 
-// How many pairs pressed each body at the end of the last substep: the impulses say so.
-void ContactSolver::count_sides(const World& world) {
-    sides_.clear();
-    if (!any_damped_ || !world.model.gravity) return;
-    sides_.assign(mover_.size(), 0);
+// On each body, at the end of the last substep: the impulses say so.
+void ContactSolver::count_presses() {
+    presses_on_.clear();
+    if (!any_damped_ || gravity_ == Vec2{}) return;
+    presses_on_.assign(mover_.size(), 0);
     const auto count = [&](const Pair& pair) {
         if (!(pair.impulse > 0.0)) return;
         for (const std::uint32_t body : {pair.a, pair.b})
-            if (sides_[body] < bedded) ++sides_[body];
+            if (presses_on_[body] < bedded) ++presses_on_[body];
     };
     if (is_loaded_anew_)
         for (const Pair& pair : pairs_)
@@ -68,8 +68,8 @@ void ContactSolver::count_sides(const World& world) {
 
 // Whether the two have no room to bounce.
 bool ContactSolver::is_bedded(const Pair& pair) const {
-    if (!pair.damped || sides_.empty()) return false;
-    return sides_[pair.a] >= bedded && (pair.b >= still_ || sides_[pair.b] >= bedded);
+    if (!pair.damped || presses_on_.empty()) return false;
+    return presses_on_[pair.a] >= bedded && (pair.b >= still_ || presses_on_[pair.b] >= bedded);
 }
 
 template <Terms terms>

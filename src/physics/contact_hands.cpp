@@ -120,7 +120,7 @@ void ContactSolver::settle_jams() {
     const auto jam = [&](const Pair& pair, std::uint32_t body) {
         const double smaller =
             pair.b < still_ ? std::min(radius_[pair.a], radius_[pair.b]) : radius_[pair.a];
-        if (pair.gap > 0.1 * smaller || is_jammed_[body] || is_held_body(body)) return;
+        if (pair.gap > 0.1 * smaller || is_held_body(body) || is_jammed_[body]) return;
         is_jammed_[body] = 1;
         jammed_.push_back(body);
     };

@@ -153,8 +153,8 @@ ContactSolver::Pair ContactSolver::pair_of(const World& world, const NearPair& n
     } else {
         const Material& material = world.materials[world.capsules.material[near.edge]];
         pair.bounces = material.restitution > 0.0 || world.model.scatter || material.kick > 0.0;
-        pair.damped = pair.bounces && (material.restitution < 1.0 || material.soften > 0.0) &&
-                      !(material.kick > 0.0);
+        pair.damped = pair.bounces && world.model.lossy && !(material.kick > 0.0) &&
+                      (material.restitution < 1.0 || material.soften > 0.0);
         if (world.model.spin) pair.friction = material.friction;
     }
     if (const PressedPair* const then = last_impulse(world, pair)) {
@@ -247,7 +247,7 @@ void ContactSolver::order_pairs() {
     shift_.resize(near.size());
     for (std::size_t p = 0; p < near.size(); ++p) {
         const double step = (height_of(near[p]) - low) * scale;
-        shift_[p] = static_cast<std::uint32_t>(std::clamp(step, 0.0, steps - 1.0));
+        shift_[p] = static_cast<std::uint32_t>(step > 0.0 ? std::min(step, steps - 1.0) : 0.0);
         ++begin_[shift_[p] + 1];
     }
     for (std::size_t s = 1; s <= steps; ++s)

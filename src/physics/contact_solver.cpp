@@ -51,7 +51,7 @@ ContactSolver::Softness ContactSolver::softness_of(const World& world) const {
 void ContactSolver::substep(World& world, double share_of_way, std::vector<Contact>& contacts) {
     take_hands(world, share_of_way);
     kick(world);
-    count_sides(world);
+    count_presses();
     prepare(world, terms_of(world));
     press_with_loads(world.model.spin.has_value());
     note_new_contacts(contacts);

@@ -36,10 +36,10 @@ namespace carom {
 /// is on its exact path, an elastic bounce keeps the energy to rounding, and a bounce that would
 /// rise no higher than about g h^2 for a substep of h seconds is lost.
 ///
-/// A ball that pairs press from three sides or more (`bedded`) has no room to bounce in: two such
-/// balls, or one and an edge, meet as if their restitution were 0, unless it is 1. Impacts within a
-/// lively heap would follow one another without end, and boil it; what falls on the heap still
-/// bounces off it.
+/// A ball on which three pairs or more press (`bedded`) has no room to bounce in: two such balls,
+/// or one and an edge, meet as if their restitution were 0, except where nothing would be lost or
+/// the edge kicks. Impacts within a lively heap would follow one another without end, and boil it;
+/// what falls on the heap still bounces off it.
 ///
 /// No ball passes through anything: however hard they are pressed, two bodies that have come half
 /// a radius into one another stop there (`core`). A hand goes no further into a ball than a tenth
@@ -118,8 +118,8 @@ class ContactSolver {
     };
 
     /// Two pressed pairs in a substep that have no body in common: what the rounds need, one after
-    /// another in their order. Where there is no second one, its place is taken by two bodies that
-    /// nothing moves.
+    /// another in their order. Where there is no second one, the body that nothing moves takes both
+    /// its places.
     struct Presses {
         std::uint32_t a[2];
         std::uint32_t b[2];
@@ -219,7 +219,7 @@ class ContactSolver {
     template <Terms terms>
     State state_of(const World& world, const Pair& pair) const;
     bool is_pushed(const World& world, const Pair& pair, double approach) const;
-    void count_sides(const World& world);
+    void count_presses();
     bool is_bedded(const Pair& pair) const;
     template <bool spin>
     void begin_presses();
@@ -338,7 +338,7 @@ class ContactSolver {
     std::vector<std::uint8_t> is_loaded_;
     std::vector<std::uint32_t> jammed_;  // bodies: see settle_jams
     std::vector<std::uint8_t> is_jammed_;
-    std::vector<std::uint8_t> sides_;  // by body, up to `bedded`: see count_sides
+    std::vector<std::uint8_t> presses_on_;  // by body: how many pairs, up to `bedded`
     bool any_uneven_ = false;
     bool any_damped_ = false;
     bool is_loaded_anew_ = false;

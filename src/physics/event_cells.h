@@ -14,8 +14,8 @@
 /// cell by events. A few balls much larger than the rest (*giants*) are in no cell: everybody looks
 /// at them, so that cells can fit the others.
 ///
-/// What this knows of a ball stands in the ball (EventBall::place, ::next, and the tori of its
-/// path), next to what a walk over neighbours is for.
+/// What this knows of a ball stands with the ball: what a walk over neighbours reads in EventBall
+/// (`next`, and the tori of its path), the rest in its plan (EventPlan::place).
 namespace carom {
 
 template <typename Real>

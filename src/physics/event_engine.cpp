@@ -167,14 +167,15 @@ void EventEngine<Real>::begin(World& world) {
     begun_.clear();
     crowded_.clear();
     edge_contacts_ = world.balls.edge_contacts;
-    constexpr std::uint64_t look_at_frame_every = 64;
-    const bool is_frame_kept = world.tick % look_at_frame_every != 0 || cells_.suits(world);
     // What a ball will meet on a one-way edge depends on when that is asked: for a snapshot to go
     // on with the same bits, all ask when a tick begins.
-    if (is_continued(world) && is_frame_kept && !world.model.one_way) {
+    are_velocities_left_ = false;
+    constexpr std::uint64_t look_at_frame_every = 64;
+    if (!world.model.one_way && is_continued(world) &&
+        (world.tick % look_at_frame_every != 0 || cells_.suits(world))) {
         const bool turns = world.model.spin.has_value();
-        if (!turns && have_same_bits(left_.positions, world.balls.position) &&
-            have_same_bits(left_.velocities, world.balls.velocity))
+        are_velocities_left_ = have_same_bits(left_.velocities, world.balls.velocity);
+        if (!turns && are_velocities_left_ && have_same_bits(left_.positions, world.balls.position))
             return;
         std::size_t changed = 0;
         for (std::uint32_t i = 0; i < balls_.size(); ++i)
@@ -420,8 +421,9 @@ void EventEngine<Real>::write(World& world) {
     left_.positions.resize(count);
     left_.velocities.resize(count);
     // The velocity of what flies undisturbed is there already, unless its path began in this tick.
-    const bool are_velocities_there = is_coasting && !is_begun_anew_ && begun_.size() < count &&
-                                      !world.model.cloth && !world.model.speed_limit;
+    const bool are_velocities_there = are_velocities_left_ && is_coasting &&
+                                      begun_.size() < count && !world.model.cloth &&
+                                      !world.model.speed_limit;
     for (std::size_t i = 0; i < count; ++i) {
         balls_.fetch_neighbour(std::min(i + 16, count - 1));
         const EventPath<Real>& path = balls_[i].path;

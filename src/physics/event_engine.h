@@ -352,6 +352,8 @@ class EventEngine {
     std::uint32_t came_ = 0;
     bool hand_stopped_ = false;
     bool is_begun_anew_ = false;
+    bool are_velocities_left_ =
+        false;  ///< those of the world, bit by bit as the last tick left them
 
     std::vector<Body> bodies_;
     std::vector<ImpactBody<Real>> impact_bodies_;

@@ -125,7 +125,7 @@ class EventQueue {
         if (slice < static_cast<double>(present + 1)) return in_heap;
         const auto end = static_cast<double>(present + slices_);
         const auto whole =
-            static_cast<std::uint64_t>(static_cast<std::int64_t>(std::min(slice, end)));
+            static_cast<std::uint64_t>(static_cast<std::int64_t>(std::min(end, slice)));
         return select(slice < end, list_of_slice(whole),
                       far() + static_cast<std::uint32_t>(!(time < never)));
     }

@@ -277,6 +277,21 @@ TEST_CASE("contact: what hands jam is not thrown") {
     }
 }
 
+TEST_CASE("contact: an edge in a hand comes down on a ball in a hand") {
+    World world = scenes::bucket(30, 0.3);
+    run(world, 300);
+    const CapsuleId lid = add_capsule(world, {{5.0, 8.0}, {15.0, 8.0}, 0.2}, 0);
+    Solver solver({.kind = SolverKind::contact});
+    for (int i = 1; i <= 120; ++i) {
+        const double height = std::max(0.5, 8.0 - 0.1 * i);
+        world.held_capsules = {{lid, {5.0, height}, {15.0, height}}};
+        world.held_balls = {{world.balls.id[5], {10.0, 0.6}}};
+        solver.tick(world);
+    }
+    for (const Vec2 place : world.balls.position)
+        CHECK((place.x > 0.0 && place.x < 20.0 && place.y > 0.0 && place.y < 60.0));
+}
+
 TEST_CASE("contact: four orders of magnitude of radii in one heap stay finite and inside") {
     World world = floor_world();
     add_capsule(world, {{-31.0, -1.0}, {-31.0, 60.0}, 1.0}, 0);
