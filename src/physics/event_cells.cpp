@@ -74,47 +74,6 @@ void EventCells<Real>::enter(Balls& balls, std::uint32_t ball, Vec2 position) {
     link(balls, ball);
 }
 
-template <typename Real>
-void EventCells<Real>::link(Balls& balls, std::uint32_t ball) {
-    EventPlace& own = balls.plan(ball).place;
-    int column = own.column;
-    int row = own.row;
-    if (frame_.wraps) {
-        column = frame_.bounded(column, frame_.columns);
-        row = frame_.bounded(row, frame_.rows);
-        EventPath<Real>& path = balls[ball].path;
-        path.across = static_cast<std::int8_t>((own.column - column) / frame_.columns);
-        path.along = static_cast<std::int8_t>((own.row - row) / frame_.rows);
-    }
-    own.cell = frame_.index(column, row);
-    if (balls[ball].is_giant) return;
-    own.before = none;
-    const std::uint32_t next = head_[own.cell];
-    balls[ball].next = next;
-    if (next != none) balls.plan(next).place.before = ball;
-    head_[own.cell] = ball;
-}
-
-template <typename Real>
-void EventCells<Real>::leave(Balls& balls, std::uint32_t ball) {
-    if (balls[ball].is_giant) return;
-    const std::uint32_t before = balls.plan(ball).place.before;
-    const std::uint32_t next = balls[ball].next;
-    if (before == none)
-        head_[balls.plan(ball).place.cell] = next;
-    else
-        balls[before].next = next;
-    if (next != none) balls.plan(next).place.before = before;
-}
-
-template <typename Real>
-void EventCells<Real>::step(Balls& balls, std::uint32_t ball, int columns, int rows) {
-    leave(balls, ball);
-    balls.plan(ball).place.column += columns;
-    balls.plan(ball).place.row += rows;
-    link(balls, ball);
-}
-
 template class EventCells<double>;
 template class EventCells<Wide>;
 

@@ -37,9 +37,23 @@ class EventCells {
     const std::vector<std::uint32_t>& giants() const { return giants_; }
 
     void enter(Balls& balls, std::uint32_t ball, Vec2 position);
-    void leave(Balls& balls, std::uint32_t ball);
+    void leave(Balls& balls, std::uint32_t ball) {
+        if (balls[ball].is_giant) return;
+        const std::uint32_t before = balls.plan(ball).place.before;
+        const std::uint32_t next = balls[ball].next;
+        if (before == none)
+            head_[balls.plan(ball).place.cell] = next;
+        else
+            balls[before].next = next;
+        if (next != none) balls.plan(next).place.before = before;
+    }
     /// To the next cell; (columns, rows) is one of the four steps.
-    void step(Balls& balls, std::uint32_t ball, int columns, int rows);
+    void step(Balls& balls, std::uint32_t ball, int columns, int rows) {
+        leave(balls, ball);
+        balls.plan(ball).place.column += columns;
+        balls.plan(ball).place.row += rows;
+        link(balls, ball);
+    }
     /// The path has been moved by whole tori.
     void shift(Balls& balls, std::uint32_t ball, int across, int along) {
         balls.plan(ball).place.column += across * frame_.columns;
@@ -72,64 +86,111 @@ class EventCells {
     /// its path.
     template <typename Visit>
     void for_each_near(const Balls& balls, std::uint32_t ball, Visit&& visit) const {
-        if (frame_.wraps)
-            walk<true>(balls, ball, {-1, -1}, {1, 1}, visit);
-        else
-            walk<false>(balls, ball, {-1, -1}, {1, 1}, visit);
+        if (!frame_.wraps) {
+            Firsts firsts = firsts_near(balls, ball);
+            return firsts.for_each(balls.data(), visit);
+        }
+        walk(balls, ball, {-1, -1}, {1, 1}, visit);
     }
     /// The same in those three of the nine cells that a step of (columns, rows) has brought near.
     template <typename Visit>
     void for_each_new(const Balls& balls, std::uint32_t ball, int columns, int rows,
                       Visit&& visit) const {
-        const EventPlace own = balls.plan(ball).place;
-        if (!frame_.wraps && own.column > 0 && own.column < frame_.columns - 1 && own.row > 0 &&
-            own.row < frame_.rows - 1) {
-            // Which way it goes nobody can foretell.
-            const std::ptrdiff_t width = frame_.columns;
-            const std::uint32_t* const middle = head_.data() + own.cell + rows * width + columns;
-            const std::ptrdiff_t aside = columns * columns * width + rows * rows;
-            Firsts firsts(balls[ball].next, ball);
-            for (const std::uint32_t* head : {middle - aside, middle, middle + aside})
-                firsts.look_at(*head);
+        if (!frame_.wraps) {
+            Firsts firsts = firsts_of_new(balls, ball, columns, rows);
             return firsts.for_each(balls.data(), visit);
         }
-        const Step low{columns == 0 ? -1 : columns, rows == 0 ? -1 : rows};
-        const Step high{columns == 0 ? 1 : columns, rows == 0 ? 1 : rows};
-        if (frame_.wraps)
-            walk<true>(balls, ball, low, high, visit);
-        else
-            walk<false>(balls, ball, low, high, visit);
+        const auto [low, high] = new_near(columns, rows);
+        walk(balls, ball, low, high, visit);
     }
 
-  private:
     /// Whom the cells around a ball begin with, the ball itself passed over. Nobody can foretell
-    /// which cells are empty, so no branch is taken on that.
+    /// which cells are empty, nor how many stand in which, so no branch is taken on that.
     class Firsts {
       public:
         Firsts(std::uint32_t after_ball, std::uint32_t ball) : after_(after_ball), ball_(ball) {}
         /// At most nine times.
-        void look_at(std::uint32_t first) {
-            const std::uint32_t other = select(first == ball_, after_, first);
-            firsts_[count_] = other;
-            count_ += static_cast<std::size_t>(other != none);
+        void look_at(std::uint32_t first) { add(select(first == ball_, after_, first)); }
+        /// The same of a cell in which the ball is not.
+        void add(std::uint32_t first) {
+            balls_[count_] = first;
+            count_ += static_cast<std::size_t>(first != none);
         }
+        /// Calls visit(other, 0, 0) for all of them and for those behind them in their cells.
         template <typename Visit>
-        void for_each(const EventBall<Real>* balls, Visit&& visit) const {
-            for (std::size_t i = 0; i < count_; ++i)
-                for (std::uint32_t other = firsts_[i]; other != none; other = balls[other].next)
+        void for_each(const EventBall<Real>* balls, Visit&& visit) {
+            std::size_t i = 0;
+            for (; i < count_ && count_ < balls_.size(); ++i) {
+                const std::uint32_t other = balls_[i];
+                look_at(balls[other].next);
+                visit(other, 0, 0);
+            }
+            // Too many for the room: cell by cell.
+            for (; i < count_; ++i)
+                for (std::uint32_t other = balls_[i]; other != none; other = balls[other].next)
                     if (other != ball_) visit(other, 0, 0);
         }
 
       private:
-        std::array<std::uint32_t, 9> firsts_;
+        std::array<std::uint32_t, 48> balls_;
         std::size_t count_ = 0;
         std::uint32_t after_;
         std::uint32_t ball_;
     };
+    /// For `for_each_near` and `for_each_new` where nothing wraps.
+    Firsts firsts_near(const Balls& balls, std::uint32_t ball) const {
+        const EventPlace own = balls.plan(ball).place;
+        Firsts firsts(balls[ball].next, ball);
+        if (!is_amid(own)) {
+            add_firsts(own, {-1, -1}, {1, 1}, firsts);
+            return firsts;
+        }
+        const std::ptrdiff_t width = frame_.columns;
+        const std::uint32_t* const middle = head_.data() + own.cell;
+        firsts.look_at(*middle);
+        for (const std::ptrdiff_t way : {-width - 1, -width, -width + 1, std::ptrdiff_t{-1},
+                                         std::ptrdiff_t{1}, width - 1, width, width + 1})
+            firsts.add(middle[way]);
+        return firsts;
+    }
+    Firsts firsts_of_new(const Balls& balls, std::uint32_t ball, int columns, int rows) const {
+        const EventPlace own = balls.plan(ball).place;
+        Firsts firsts(balls[ball].next, ball);
+        if (!is_amid(own)) {
+            const auto [low, high] = new_near(columns, rows);
+            add_firsts(own, low, high, firsts);
+            return firsts;
+        }
+        // Which way it goes nobody can foretell.
+        const std::ptrdiff_t width = frame_.columns;
+        const std::uint32_t* const middle = head_.data() + own.cell + rows * width + columns;
+        const std::ptrdiff_t aside = columns * columns * width + rows * rows;
+        for (const std::uint32_t* head : {middle - aside, middle, middle + aside})
+            firsts.add(*head);
+        return firsts;
+    }
+
+  private:
     struct Step {
         int columns = 0;
         int rows = 0;
     };
+    /// From where to where those cells are that a step has brought near.
+    static std::array<Step, 2> new_near(int columns, int rows) {
+        return {{{columns == 0 ? -1 : columns, rows == 0 ? -1 : rows},
+                 {columns == 0 ? 1 : columns, rows == 0 ? 1 : rows}}};
+    }
+    bool is_amid(const EventPlace& own) const {
+        return own.column > 0 && own.column < frame_.columns - 1 && own.row > 0 &&
+               own.row < frame_.rows - 1;
+    }
+    void add_firsts(const EventPlace& own, Step low, Step high, Firsts& firsts) const {
+        for (int y = std::max(own.row + low.rows, 0);
+             y <= std::min(own.row + high.rows, frame_.rows - 1); ++y)
+            for (int x = std::max(own.column + low.columns, 0);
+                 x <= std::min(own.column + high.columns, frame_.columns - 1); ++x)
+                firsts.look_at(head_[frame_.index(x, y)]);
+    }
     /// A cell of the frame on one axis, and how many tori the way to it has crossed. Pre: on a
     /// torus place is in -1..count.
     struct Place {
@@ -141,7 +202,7 @@ class EventCells {
         return place < count ? Place{place, 0} : Place{place - count, 1};
     }
 
-    template <bool wraps, typename Visit>
+    template <typename Visit>
     void walk(const Balls& all, std::uint32_t ball, Step low, Step high, Visit&& visit) const {
         // What a visit writes cannot change these, but no compiler knows that.
         const EventBall<Real>* const balls = all.data();
@@ -152,39 +213,20 @@ class EventCells {
         const auto index = [columns](int column, int row) {
             return static_cast<std::ptrdiff_t>(row) * columns + column;
         };
-        if constexpr (wraps) {
-            const int across = balls[ball].path.across;
-            const int along = balls[ball].path.along;
-            const int column = own.column - across * columns;
-            const int row = own.row - along * rows;
-            for (int j = row + low.rows; j <= row + high.rows; ++j) {
-                const Place y = around(j, rows);
-                for (int i = column + low.columns; i <= column + high.columns; ++i) {
-                    const Place x = around(i, columns);
-                    for (std::uint32_t other = heads[index(x.place, y.place)]; other != none;
-                         other = balls[other].next)
-                        if (other != ball)
-                            visit(other, across + x.tori - balls[other].path.across,
-                                  along + y.tori - balls[other].path.along);
-                }
+        const int across = balls[ball].path.across;
+        const int along = balls[ball].path.along;
+        const int column = own.column - across * columns;
+        const int row = own.row - along * rows;
+        for (int j = row + low.rows; j <= row + high.rows; ++j) {
+            const Place y = around(j, rows);
+            for (int i = column + low.columns; i <= column + high.columns; ++i) {
+                const Place x = around(i, columns);
+                for (std::uint32_t other = heads[index(x.place, y.place)]; other != none;
+                     other = balls[other].next)
+                    if (other != ball)
+                        visit(other, across + x.tori - balls[other].path.across,
+                              along + y.tori - balls[other].path.along);
             }
-        } else {
-            Firsts firsts(balls[ball].next, ball);
-            const int bottom = std::max(own.row + low.rows, 0);
-            const int top = std::min(own.row + high.rows, rows - 1);
-            const int left = std::max(own.column + low.columns, 0);
-            const int right = std::min(own.column + high.columns, columns - 1);
-            if (top - bottom == 2 && right - left == 2) {
-                const std::uint32_t* const corner = heads + index(left, bottom);
-                for (int y = 0; y < 3; ++y)
-                    for (int x = 0; x < 3; ++x)
-                        firsts.look_at(corner[index(x, y)]);
-            } else {
-                for (int y = bottom; y <= top; ++y)
-                    for (int x = left; x <= right; ++x)
-                        firsts.look_at(heads[index(x, y)]);
-            }
-            firsts.for_each(balls, visit);
         }
     }
     /// Whether there are eight cells around this one, or what stands for them in memory. Any
@@ -194,7 +236,25 @@ class EventCells {
         return cell > columns && cell < head_.size() && cell + columns + 1 < head_.size();
     }
     CellFrame frame_for(const World& world) const;
-    void link(Balls& balls, std::uint32_t ball);
+    void link(Balls& balls, std::uint32_t ball) {
+        EventPlace& own = balls.plan(ball).place;
+        int column = own.column;
+        int row = own.row;
+        if (frame_.wraps) {
+            column = frame_.bounded(column, frame_.columns);
+            row = frame_.bounded(row, frame_.rows);
+            EventPath<Real>& path = balls[ball].path;
+            path.across = static_cast<std::int8_t>((own.column - column) / frame_.columns);
+            path.along = static_cast<std::int8_t>((own.row - row) / frame_.rows);
+        }
+        own.cell = frame_.index(column, row);
+        if (balls[ball].is_giant) return;
+        own.before = none;
+        const std::uint32_t next = head_[own.cell];
+        balls[ball].next = next;
+        if (next != none) balls.plan(next).place.before = ball;
+        head_[own.cell] = ball;
+    }
 
     CellFrame frame_;
     double largest_ = 0.0;

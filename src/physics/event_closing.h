@@ -29,6 +29,10 @@ inline constexpr double unpressed_rise = 1e-11;
 template <typename Real>
 inline constexpr double impact_noise = 1024.0 * precision<Real>;
 
+/// What of an approach is left to be rounding, at an impact: a share of the speeds.
+template <typename Real>
+inline constexpr double approach_noise = 0.125 * impact_noise<Real>;
+
 /// The same where balls come to be pressed together: a share of the speed that gravity gives in a
 /// fall through a radius.
 inline constexpr double pressing_noise = 8e-10;
@@ -102,9 +106,10 @@ struct StraightPair {
 /// `reach`. Seen from either, the bits are the same.
 template <typename Real>
 struct LineMeeting {
-    Real closing;
-    Real discriminant;
+    Real closing{};
+    Real discriminant{};
 
+    LineMeeting() = default;
     LineMeeting(const Vector<Real>& offset, const Vector<Real>& velocity, const Real& reach)
         : closing(-dot(offset, velocity)) {
         const Real miss = cross(offset, velocity);

@@ -56,7 +56,9 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
         constexpr std::uint64_t ask_every = 4096;
         if (events_ % ask_every == 0 && keep_going && !keep_going()) return EventOutcome::given_up;
         if (now_ < event.time) now_ = event.time;
-        if (event.kind == Kind::crossing) {
+        if (are_lines_) {
+            happen_on_lines(ball, event, contacts, touched);
+        } else if (event.kind == Kind::crossing) {
             enter_next_cell(ball, event.other);
             reorder(ball);
         } else if (event.kind == Kind::own) {
@@ -314,6 +316,7 @@ void EventEngine<Real>::begin_anew(const World& world) {
             balls_[i].path.acceleration = {};
         }
     }
+    are_lines_ = are_lines();
     if (world.model.ball_edge) edges_.update(world, cells_.frame(), 1.01 * cells_.largest());
     for (std::uint32_t i = 0; i < count; ++i)
         if (!is_kept[i]) settle(i);

@@ -139,6 +139,16 @@ class EventEngine {
         std::int8_t across = 0;  ///< tori to the image that is near
         std::int8_t along = 0;
     };
+    /// The balls near one that flies, `count` of them, and whom of them it approaches so as to
+    /// meet.
+    struct Lines {
+        static constexpr std::size_t most = 64;
+        std::array<std::uint32_t, most> other;
+        std::array<Vector<Real>, most> offset;  ///< as of Near, now
+        std::array<LineMeeting<Real>, most> meeting;
+        std::array<std::uint32_t, most> approached;  ///< indices of those
+        std::size_t approached_count = 0;
+    };
     struct Touch {
         ImpactContact<Real> contact;
         Kind kind = Kind::ball_ball;
@@ -255,6 +265,22 @@ class EventEngine {
     void stop_hands();
     void part_pressed();
 
+    // event_lines.cpp: the same where all balls fly in straight lines.
+    bool are_lines() const;
+    void happen_on_lines(std::uint32_t ball, const Event& event, std::vector<Contact>& contacts,
+                         std::vector<std::uint8_t>& touched);
+    void meet_on_line(std::uint32_t ball, std::uint32_t other, const LineMeeting<Real>& meeting,
+                      const Real& begin, const Vector<Real>& offset, Event& best) const;
+    void look_at_line(std::uint32_t ball, std::uint32_t other, Event& best) const;
+    void predict_on_line(std::uint32_t ball);
+    void enter_next_cell_on_line(std::uint32_t ball, std::uint32_t direction);
+    void choose_next_on_line(std::uint32_t ball, const Event& meeting);
+    bool find_lines(std::uint32_t ball, std::uint32_t partner, const Vector<Real>& place,
+                    const Vector<Real>& velocity, Lines& lines) const;
+    bool is_off_edges(std::uint32_t ball, const Vector<Real>& place) const;
+    bool impact_of_two(std::uint32_t ball, const Event& event, std::vector<Contact>& contacts,
+                       std::vector<std::uint8_t>& touched);
+
     // event_rest.cpp: what carries a ball.
     void settle(std::uint32_t ball);
     /// Valid until the next call.
@@ -350,6 +376,7 @@ class EventEngine {
     EventQueue queue_;
     std::array<Coming, 8> coming_{};  ///< whom look_ahead has seen, in a ring
     std::uint32_t came_ = 0;
+    bool are_lines_ = false;  ///< see event_lines.cpp
     bool hand_stopped_ = false;
     bool is_begun_anew_ = false;
     bool are_velocities_left_ =
@@ -377,6 +404,7 @@ class EventEngine {
     std::vector<std::int64_t> spin_from_;
     std::vector<Near> near_;  ///< the first `near_count_` count
     std::size_t near_count_ = 0;
+    std::array<Lines, 2> lines_;
     std::vector<std::uint32_t> which_near_;     ///< some of them, for a moment
     std::vector<std::array<int, 3>> touching_;  ///< ball, tori across and along
     bool is_near_valid_ = false;                ///< no path has been moved by a torus since

@@ -6,13 +6,6 @@
 
 // What an impact does.
 namespace carom {
-namespace {
-
-// Approaches below this share of the speeds are rounding.
-template <typename Real>
-constexpr double approach_noise = 0.125 * impact_noise<Real>;
-
-}  // namespace
 
 // What the pair's restitution is worth here: see the rules in event_engine.h.
 template <typename Real>

@@ -91,6 +91,8 @@ class EventBalls {
     const EventBall<Real>* data() const { return balls_.data(); }
     auto begin() { return balls_.begin(); }
     auto end() { return balls_.end(); }
+    auto begin() const { return balls_.begin(); }
+    auto end() const { return balls_.end(); }
 
     /// Into the cache: what is read of a neighbour; the ball; its plan too.
     void fetch_neighbour(std::size_t ball) const { fetch_early(&balls_[ball].path.quick); }

@@ -39,15 +39,6 @@ Real coupling(const ImpactContact<Real>& i, const ImpactContact<Real>& j,
     return sum;
 }
 
-template <typename Real>
-void push(std::span<ImpactBody<Real>> bodies, const ImpactContact<Real>& contact,
-          const Real& impulse) {
-    const Vector<Real> way = contact.normal * impulse;
-    bodies[contact.a].velocity += way * bodies[contact.a].inverse_mass;
-    if (contact.b != ImpactContact<Real>::fixed)
-        bodies[contact.b].velocity -= way * bodies[contact.b].inverse_mass;
-}
-
 // The solution of the rows and columns in `active`, of least size where there are several: the
 // matrix is made definite by a trace on its diagonal, and the error that makes is taken back by
 // repetition. Pre: the diagonal is between 1 and 4.
@@ -229,14 +220,6 @@ std::pmr::vector<std::pmr::vector<std::uint32_t>> groups_of(
 }  // namespace
 
 template <typename Real>
-Real reflect_alone(std::span<ImpactBody<Real>> bodies, const ImpactContact<Real>& contact) {
-    const Real impulse = (Real(1.0) + contact.restitution) * approach_of<Real>(contact, bodies) /
-                         coupling<Real>(contact, contact, bodies);
-    push<Real>(bodies, contact, impulse);
-    return impulse;
-}
-
-template <typename Real>
 std::pmr::vector<Real> reflect(std::span<ImpactBody<Real>> bodies,
                                std::span<const ImpactContact<Real>> contacts,
                                std::pmr::memory_resource* memory) {
@@ -290,8 +273,6 @@ std::pmr::vector<Real> reflect(std::span<ImpactBody<Real>> bodies,
     return passed;
 }
 
-template double reflect_alone(std::span<ImpactBody<double>>, const ImpactContact<double>&);
-template Wide reflect_alone(std::span<ImpactBody<Wide>>, const ImpactContact<Wide>&);
 template std::pmr::vector<double> reflect(std::span<ImpactBody<double>>,
                                           std::span<const ImpactContact<double>>,
                                           std::pmr::memory_resource*);

@@ -54,8 +54,27 @@ std::pmr::vector<Real> reflect(
     std::span<ImpactBody<Real>> bodies, std::span<const ImpactContact<Real>> contacts,
     std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 
-/// The same for one contact alone: its impulse.
+/// The bodies of the contact, after an impulse at it.
 template <typename Real>
-Real reflect_alone(std::span<ImpactBody<Real>> bodies, const ImpactContact<Real>& contact);
+void push(std::span<ImpactBody<Real>> bodies, const ImpactContact<Real>& contact,
+          const Real& impulse) {
+    const Vector<Real> way = contact.normal * impulse;
+    bodies[contact.a].velocity += way * bodies[contact.a].inverse_mass;
+    if (contact.b != ImpactContact<Real>::fixed)
+        bodies[contact.b].velocity -= way * bodies[contact.b].inverse_mass;
+}
+
+/// The same as `reflect` for one contact alone: its impulse.
+template <typename Real>
+Real reflect_alone(std::span<ImpactBody<Real>> bodies, const ImpactContact<Real>& contact) {
+    const Real square = length_squared(contact.normal);
+    Real yielding = square * bodies[contact.a].inverse_mass;
+    if (contact.b != ImpactContact<Real>::fixed)
+        yielding += square * bodies[contact.b].inverse_mass;
+    const Real impulse =
+        (Real(1.0) + contact.restitution) * approach_of<Real>(contact, bodies) / yielding;
+    push<Real>(bodies, contact, impulse);
+    return impulse;
+}
 
 }  // namespace carom
