@@ -5,6 +5,8 @@
 #include <bit>
 #include <limits>
 
+#include "physics/fetch.h"
+
 namespace carom {
 namespace {
 
@@ -195,9 +197,16 @@ void DiscGrid::sort_by_cell(std::span<const Vec2> centers, std::span<const doubl
     std::uint32_t end = 0;
     for (std::uint32_t& start : start_)
         start = end += start;
-    for (std::size_t i = count; i-- > 0;)
+    // Where the discs go is anywhere: of many, asked for in time, it is there.
+    const std::size_t ahead = count >= too_many_to_cache ? 16 : count;
+    for (std::size_t i = count; i-- > 0;) {
+        if (i >= ahead) {
+            fetch_early(&start_[cell_[i - std::min(i, 2 * ahead)]]);
+            fetch_early(&places_[start_[cell_[i - ahead]] - 1]);
+        }
         places_[--start_[cell_[i]]] = {centers[i], radii[i] + margin, static_cast<std::uint32_t>(i),
                                        cell_[i]};
+    }
 }
 
 void DiscGrid::build(std::span<const Vec2> centers, std::span<const double> radii, double margin,

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
 
 namespace carom {
+
+/// So many balls do not all lie in the nearest caches; of fewer nothing need be fetched early.
+inline constexpr std::size_t too_many_to_cache = 8192;
 
 /// Fetches the line of memory at `address` into the cache, and does not wait for it.
 inline void fetch_early(const void* address) {

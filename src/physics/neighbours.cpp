@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/closest.h"
+#include "physics/fetch.h"
 
 namespace carom {
 
@@ -19,21 +20,25 @@ bool overlaps_edge(const World& world, const EdgePair& pair, const Disc& disc) {
     return length_squared(offset) < reach * reach;
 }
 
-// Few as they are; else by the first ball, counting, then the few of each by the second.
+// Few as they are; else by the first ball, counting, in about as many ranges of balls as there are
+// pairs; then the few of each.
 void PairOrder::sort(std::vector<BallPair>& pairs, std::size_t balls) {
-    if (pairs.size() < balls / 16) {
+    if (pairs.size() < 64) {
         std::ranges::sort(pairs);
         return;
     }
-    start_.assign(balls, 0);
+    int shift = 0;
+    while (balls >> shift > 2 * pairs.size())
+        ++shift;
+    start_.assign((balls >> shift) + 1, 0);
     for (const BallPair& pair : pairs)
-        ++start_[pair.first];
+        ++start_[pair.first >> shift];
     std::uint32_t end = 0;
     for (std::uint32_t& start : start_)
         start = end += start;
     sorted_.resize(pairs.size());
     for (const BallPair& pair : pairs)
-        sorted_[--start_[pair.first]] = pair;
+        sorted_[--start_[pair.first >> shift]] = pair;
     for (std::size_t i = 1; i < sorted_.size(); ++i) {
         const BallPair pair = sorted_[i];
         std::size_t at = i;
@@ -47,6 +52,7 @@ void PairOrder::sort(std::vector<BallPair>& pairs, std::size_t balls) {
 void Neighbours::look(const World& world, double margin) {
     const Balls& balls = world.balls;
     margin_ = margin;
+    furthest_ = 0.0;
     push_ = 0.25;
     has_map_ = false;
     reference_.clear();
@@ -130,21 +136,38 @@ void Neighbours::look_on_map(const World& world, std::span<const Vec2> centers,
     }
 }
 
-bool Neighbours::covers(std::uint32_t ball, Vec2 position) const {
-    if (!(margin_ > 0.0)) return false;
+// The square of how far a ball has gone since the look that is now at `position`.
+double Neighbours::gone(std::uint32_t ball, Vec2 position) const {
     Vec2 way = position - reference_[ball];
     if (torus_.x > 0.0) way = nearest_image(way, torus_);
-    constexpr double share = 0.999;  // of the margin; the rest is for rounding
-    return length_squared(way) <= share * margin_ * (share * margin_);
+    return length_squared(way);
 }
 
-bool Neighbours::cover(const World& world) const {
+bool Neighbours::covers(std::uint32_t ball, Vec2 position) const {
+    return margin_ > 0.0 && gone(ball, position) <= room();
+}
+
+bool Neighbours::note_place(std::uint32_t ball, Vec2 position) {
+    if (!(margin_ > 0.0)) return false;
+    const double square = gone(ball, position);
+    furthest_ = std::max(furthest_, square);
+    return square <= room();
+}
+
+bool Neighbours::cover(const World& world) {
     const Balls& balls = world.balls;
     if (!(margin_ > 0.0) || radius_ != balls.radius) return false;
     if (torus_ != (world.model.wrap ? size(*world.model.wrap) : Vec2{})) return false;
+    furthest_ = 0.0;
     for (std::uint32_t i = 0; i < balls.size(); ++i)
-        if (!covers(i, balls.position[i])) return false;
+        if (!note_place(i, balls.position[i])) return false;
     return true;
+}
+
+bool Neighbours::cover_after(double way) {
+    const double all = std::sqrt(furthest_) + way;
+    furthest_ = all * all;
+    return margin_ > 0.0 && furthest_ <= room();
 }
 
 void Neighbours::list_by_ball() {
@@ -157,7 +180,14 @@ void Neighbours::list_by_ball() {
     for (std::size_t i = 2; i < others_start_.size(); ++i)
         others_start_[i] += others_start_[i - 1];
     others_.resize(2 * pairs_.size());
-    for (const BallPair& pair : pairs_) {
+    constexpr std::size_t ahead = 16;
+    const auto fetch = [&](std::uint32_t ball) { fetch_early(&others_[others_start_[ball + 1]]); };
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+        if (p + ahead < pairs_.size()) {
+            fetch(pairs_[p + ahead].first);
+            fetch(pairs_[p + ahead].second);
+        }
+        const BallPair& pair = pairs_[p];
         others_[others_start_[pair.first + 1]++] = pair.second;
         others_[others_start_[pair.second + 1]++] = pair.first;
     }

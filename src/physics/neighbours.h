@@ -35,7 +35,7 @@ struct EdgePair {
 /// Puts pairs of balls in ascending order.
 class PairOrder {
   public:
-    /// `balls`: how many there are. Takes as long as there are pairs and balls.
+    /// `balls`: how many there are. Takes as long as there are pairs.
     void sort(std::vector<BallPair>& pairs, std::size_t balls);
 
   private:
@@ -59,9 +59,14 @@ class Neighbours {
 
     /// Whether every two bodies that overlap now are among those noted: same balls, and none has
     /// gone further than the margin. With margin 0: false.
-    bool cover(const World& world) const;
+    bool cover(const World& world);
+    /// The same without a look at the world, if it was so since the last look and no ball has gone
+    /// further than `way` since it was last asked for, here or by `note_place`.
+    bool cover_after(double way);
     /// The same for a single ball, which is now at `position`.
     bool covers(std::uint32_t ball, Vec2 position) const;
+    /// The same, for `cover_after` to know where the ball is.
+    bool note_place(std::uint32_t ball, Vec2 position);
 
     /// A quarter of the radius, or the margin if that is more: what is pushed in a step seldom
     /// goes further. For discs that stand for the balls 0.
@@ -103,6 +108,9 @@ class Neighbours {
 
   private:
     void note(const World& world, std::span<const Vec2> centers, std::span<const double> radii);
+    double gone(std::uint32_t ball, Vec2 position) const;
+    // The square of the margin, without what is for rounding.
+    double room() const { return 0.999 * margin_ * (0.999 * margin_); }
     void look_for_edges(const World& world, std::span<const Vec2> centers,
                         std::span<const double> radii);
     void look_in_cells(const World& world, std::span<const Vec2> centers,
@@ -111,7 +119,8 @@ class Neighbours {
                      std::span<const double> radii);
 
     double margin_ = 0.0;
-    double push_ = 0.0;  // share of the radius
+    double push_ = 0.0;      // share of the radius
+    double furthest_ = 0.0;  // square of what no ball has gone beyond since the look
     Vec2 torus_;
     DiscGrid grid_;
     std::vector<CapsuleCells> cells_of_edges_;  // by level

@@ -1,10 +1,13 @@
 #include "physics/overlap_solver.h"
 
 #include <algorithm>
+#include <bit>
+#include <limits>
 
 #include "geometry/closest.h"
 #include "physics/bounce.h"
 #include "physics/cloth.h"
+#include "physics/fetch.h"
 
 namespace carom {
 namespace {
@@ -13,31 +16,20 @@ namespace {
 constexpr std::uint8_t strayed = 2;
 
 template <Terms terms>
-bool overlap(const World& world, std::uint32_t i, std::uint32_t j) {
+bool overlap(const World& world, const BallPair& pair) {
     const Balls& balls = world.balls;
-    Vec2 offset = balls.position[i] - balls.position[j];
+    Vec2 offset = balls.position[pair.first] - balls.position[pair.second];
     if (terms.wrap()) offset = nearest_image(offset, size(*world.model.wrap));
-    const double reach = balls.radius[i] + balls.radius[j];
+    const double reach = balls.radius[pair.first] + balls.radius[pair.second];
     return length_squared(offset) < reach * reach;
 }
 
-// How far around itself each ball looks for others at once, so that the steps of a tick can share
-// the answer: at least what the fastest goes in the tick, unless that is a large part of the mean
-// ball. One of a few values, so that the cells seldom change.
-double margin_for(const World& world) {
-    double fastest = 0.0;
-    for (const Vec2 velocity : world.balls.velocity)
-        fastest = std::max(fastest, length_squared(velocity));
-    double way = std::sqrt(fastest) * world.tick_length();
-    if (world.model.gravity)
-        way += length(*world.model.gravity) * world.tick_length() * world.tick_length();
-    double radii = 0.0;
-    for (const double radius : world.balls.radius)
-        radii += radius;
-    double margin = 0.5 * radii / static_cast<double>(std::max<std::size_t>(1, world.balls.size()));
-    for (int halvings = 0; halvings < 6 && way <= margin / 2.0; ++halvings)
-        margin /= 2.0;
-    return margin;
+// Seldom; it costs more to write a velocity of which nothing changes than to see that.
+bool has_negative_zero(Vec2 v) {
+    const auto is_negative_zero = [](double x) {
+        return std::bit_cast<std::uint64_t>(x) == std::uint64_t{1} << 63;
+    };
+    return is_negative_zero(v.x) || is_negative_zero(v.y);
 }
 
 ClothState<double> state_on_cloth(const Balls& balls, std::size_t i) {
@@ -65,19 +57,23 @@ void OverlapSolver::tick(World& world, int updates, int steps, std::vector<Conta
         inverse_mass_ = with_held_balls_;
     }
     keeps_time_ = steps > 1;
-    margin_ = updates > 1 || steps > 1 ? margin_for(world) : 0.0;
+    looks_around_ = updates > 1 || steps > 1;
     is_pushed_.resize(count, 0);
     if (world.model.cloth) before_.resize(count);
+    keeps_ways_ = keeps_time_ && (world.model.gravity || world.model.drag ||
+                                  world.model.speed_limit || world.model.cloth);
+    if (keeps_ways_) way_.resize(count);
     if (keeps_time_) {
         is_active_.resize(count, 0);
         left_.resize(count);
-        way_.resize(count);
     }
+    duration_ = duration;
+    has_asked_all_ = false;
     const auto first = static_cast<std::ptrdiff_t>(contacts.size());
     for (int i = 0; i < updates && !patience.is_out(); ++i) {
-        move_hands(world, 1.0 / (updates - i), duration);
+        move_hands(world, 1.0 / (updates - i));
         with_terms(terms_of(world), [&]<Terms terms>() {
-            update<terms>(world, duration, steps, start + duration * (i + 1), contacts, patience);
+            update<terms>(world, updates, steps, start + duration * (i + 1), contacts, patience);
         });
     }
     for (auto contact = contacts.begin() + first; contact != contacts.end(); ++contact) {
@@ -88,7 +84,8 @@ void OverlapSolver::tick(World& world, int updates, int steps, std::vector<Conta
 
 // Hands go `share` of what is left of their way, whatever is in it; balls are pushed out of it
 // afterwards.
-void OverlapSolver::move_hands(World& world, double share, double duration) {
+void OverlapSolver::move_hands(World& world, double share) {
+    hands_way_ = 0.0;
     for (const HeldBall& held : world.held_balls) {
         const auto index = index_of(world, held.id);
         if (!index) continue;
@@ -96,6 +93,7 @@ void OverlapSolver::move_hands(World& world, double share, double duration) {
         Vec2 way = held.target - position;
         if (world.model.wrap) way = nearest_image(way, size(*world.model.wrap));
         position += way * share;
+        hands_way_ = std::max(hands_way_, length(way * share));
         world.balls.velocity[*index] = {};
     }
     hands_.assign(world.held_capsules.size(), {});
@@ -106,14 +104,14 @@ void OverlapSolver::move_hands(World& world, double share, double duration) {
         Capsule& shape = world.capsules.shape[*index];
         const Vec2 start = (held.start_target - shape.start) * share;
         const Vec2 end = (held.end_target - shape.end) * share;
-        hands_[i] = {start / duration, end / duration};
+        hands_[i] = {start / duration_, end / duration_};
         shape.start += start;
         shape.end += end;
     }
 }
 
 template <Terms terms>
-void OverlapSolver::update(World& world, double duration, int steps, double end_time,
+void OverlapSolver::update(World& world, int updates, int steps, double end_time,
                            std::vector<Contact>& contacts, Patience& patience) {
     const bool is_forced = world.model.gravity || world.model.drag;
     is_first_step_ = true;
@@ -121,10 +119,10 @@ void OverlapSolver::update(World& world, double duration, int steps, double end_
         const std::size_t moving = is_first_step_ ? world.balls.size() : active_.size();
         if (!patience.lasts(moving)) break;
         if (is_first_step_) {
-            is_forced ? move_all<terms, true>(world, duration)
-                      : move_all<terms, false>(world, duration);
-            if (!neighbours_.cover(world)) neighbours_.look(world, margin_);
-            part_all<terms>(world);
+            const double way =
+                is_forced ? move_all<terms, true>(world) : move_all<terms, false>(world);
+            if (!still_cover(world, way)) look(world, way * updates);
+            part_overlapping<terms>(world, neighbours_.pairs());
         } else {
             is_forced ? move_active<terms, true>(world) : move_active<terms, false>(world);
             if (has_strayed_) neighbours_.look(world, margin_);
@@ -132,7 +130,7 @@ void OverlapSolver::update(World& world, double duration, int steps, double end_
         }
         has_strayed_ = false;
         push_out_of_edges<terms>(world);
-        if (keeps_time_) keep_time(world, duration);
+        if (keeps_time_) keep_time(world);
         exchange_momentum(world, end_time, contacts);
         end_step(world);
     }
@@ -150,7 +148,7 @@ Vec2 OverlapSolver::move(World& world, std::uint32_t i, const Flight& flight) {
     } else if constexpr (!forced) {
         // No -0 is left, as none is where a gravity is added.
         way = balls.velocity[i] * flight.duration + Vec2{};
-        balls.velocity[i] += Vec2{};
+        if (has_negative_zero(balls.velocity[i])) balls.velocity[i] += Vec2{};
     } else {
         const Vec2 gravity = world.model.gravity.value_or(Vec2{});
         way = travel(flight, balls.velocity[i], gravity);
@@ -181,13 +179,54 @@ Vec2 OverlapSolver::move_on_cloth(World& world, std::uint32_t ball, double durat
 }
 
 template <Terms terms, bool forced>
-void OverlapSolver::move_all(World& world, double duration) {
-    const Flight flight = flight_over(world.model.drag, duration);
+double OverlapSolver::move_all(World& world) {
+    const Flight flight = flight_over(world.model.drag, duration_);
     const auto count = static_cast<std::uint32_t>(world.balls.size());
+    double longest = 0.0;
     for (std::uint32_t i = 0; i < count; ++i) {
+        const Vec2 before = world.balls.position[i];
         const Vec2 way = move<terms, forced>(world, i, flight);
-        if (keeps_time_) way_[i] = way;
+        if (keeps_ways_) way_[i] = way;
+        if (!looks_around_) continue;
+        Vec2 gone = world.balls.position[i] - before;
+        if (terms.wrap()) gone = nearest_image(gone, size(*world.model.wrap));
+        longest = std::max(longest, length_squared(gone));
     }
+    return std::sqrt(longest);
+}
+
+// How far around itself each ball looks for others at once, so that the steps of a tick can share
+// the answer: at least what the fastest goes in the tick (`way`), unless that is a large part of
+// the mean ball. One of a few values, so that the cells seldom change.
+void OverlapSolver::look(const World& world, double way) {
+    margin_ = 0.0;
+    widest_ = std::numeric_limits<double>::infinity();
+    are_alike_ = false;
+    if (looks_around_ && world.balls.size() > 0) {
+        double sum = 0.0;
+        double smallest = world.balls.radius[0];
+        double largest = smallest;
+        for (const double radius : world.balls.radius) {
+            sum += radius;
+            smallest = std::min(smallest, radius);
+            largest = std::max(largest, radius);
+        }
+        widest_ = 2.0 * largest;
+        are_alike_ = smallest == largest;
+        margin_ = 0.5 * sum / static_cast<double>(world.balls.size());
+        for (int halvings = 0; halvings < 6 && way <= margin_ / 2.0; ++halvings)
+            margin_ /= 2.0;
+    }
+    neighbours_.look(world, margin_);
+}
+
+// Whether the neighbours are still those that count when all have moved, none further than `way`.
+// Once in a tick every ball is asked where it is; then it is enough how far any of them has gone
+// since.
+bool OverlapSolver::still_cover(const World& world, double way) {
+    if (has_asked_all_) return neighbours_.cover_after(way + hands_way_);
+    has_asked_all_ = true;
+    return neighbours_.cover(world);
 }
 
 template <Terms terms, bool forced>
@@ -195,32 +234,73 @@ void OverlapSolver::move_active(World& world) {
     Flight flight;
     for (const std::uint32_t i : active_) {
         if (flight.duration != left_[i]) flight = flight_over(world.model.drag, left_[i]);
-        way_[i] = move<terms, forced>(world, i, flight);
-        has_strayed_ = has_strayed_ || !neighbours_.covers(i, world.balls.position[i]);
+        const Vec2 way = move<terms, forced>(world, i, flight);
+        if (keeps_ways_) way_[i] = way;
+        has_strayed_ = !neighbours_.note_place(i, world.balls.position[i]) || has_strayed_;
     }
 }
 
-template <Terms terms>
-void OverlapSolver::part_all(World& world) {
-    overlapping_.clear();
-    for (const BallPair& pair : neighbours_.pairs())
-        if (overlap<terms>(world, pair.first, pair.second)) overlapping_.push_back(pair);
-    order_.sort(overlapping_, world.balls.size());
-    for (const BallPair& pair : overlapping_)
-        part<terms>(world, pair.first, pair.second);
+// The way of a ball that has moved in this step and has not been pushed yet.
+Vec2 OverlapSolver::way_of(const World& world, std::uint32_t ball) const {
+    if (keeps_ways_) return way_[ball];
+    return world.balls.velocity[ball] * (is_first_step_ ? duration_ : left_[ball]) + Vec2{};
 }
 
 template <Terms terms>
 void OverlapSolver::part_active(World& world) {
     neighbours_.list_by_ball();
-    overlapping_.clear();
+    near_active_.clear();
     for (const std::uint32_t i : active_)
         for (const std::uint32_t j : neighbours_.of(i))
-            if ((j > i || !is_active_[j]) && overlap<terms>(world, i, j))
-                overlapping_.push_back({i, j});
-    order_.sort(overlapping_, world.balls.size());
-    for (const BallPair& pair : overlapping_)
-        part<terms>(world, pair.first, pair.second);
+            if (j > i || !is_active_[j]) near_active_.push_back({i, j});
+    part_overlapping<terms>(world, near_active_);
+}
+
+// Whether the two would overlap if they were as large as the largest ball.
+template <Terms terms>
+bool OverlapSolver::are_near(const World& world, const BallPair& pair) const {
+    Vec2 offset = world.balls.position[pair.first] - world.balls.position[pair.second];
+    if (terms.wrap()) offset = nearest_image(offset, size(*world.model.wrap));
+    return length_squared(offset) < widest_ * widest_;
+}
+
+// Which of the pairs overlap is settled before any is parted. The balls of a pair lie anywhere in
+// the world's arrays: where they are many they are asked for in time, radii only of those that are
+// near.
+template <Terms terms>
+void OverlapSolver::part_overlapping(World& world, std::span<const BallPair> pairs) {
+    const Balls& balls = world.balls;
+    const bool are_many = balls.size() >= too_many_to_cache;
+    overlapping_.clear();
+    const std::size_t ahead = are_many ? 24 : pairs.size();
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+        if (p + ahead < pairs.size()) {
+            fetch_early(&balls.position[pairs[p + ahead].first]);
+            fetch_early(&balls.position[pairs[p + ahead].second]);
+        }
+        if (!are_near<terms>(world, pairs[p])) continue;
+        overlapping_.push_back(pairs[p]);
+        if (!are_many || are_alike_) continue;
+        fetch_early(&balls.radius[pairs[p].first]);
+        fetch_early(&balls.radius[pairs[p].second]);
+    }
+    if (!are_alike_)
+        std::erase_if(overlapping_,
+                      [&](const BallPair& pair) { return !overlap<terms>(world, pair); });
+    order_.sort(overlapping_, balls.size());
+    const std::size_t few = are_many ? 8 : overlapping_.size();
+    for (std::size_t p = 0; p < overlapping_.size(); ++p) {
+        if (p + few < overlapping_.size()) {
+            const BallPair& next = overlapping_[p + few];
+            for (const std::uint32_t ball : {next.first, next.second}) {
+                fetch_early(&balls.position[ball]);
+                fetch_early(&balls.velocity[ball]);
+                fetch_early(&balls.radius[ball]);
+                fetch_early(&inverse_mass_[ball]);
+            }
+        }
+        part<terms>(world, overlapping_[p].first, overlapping_[p].second);
+    }
 }
 
 // The pair overlapped when all had moved; others may have parted it since.
@@ -344,14 +424,16 @@ void OverlapSolver::note_push(const World& world, std::uint32_t ball) {
     if (is_pushed_[ball]) return;
     is_pushed_[ball] = 1;
     const Vec2 position = world.balls.position[ball];
-    if (keeps_time_ && (is_first_step_ || is_active_[ball]))
-        pushed_.push_back({ball, length(way_[ball]), position - way_[ball]});
-    else
+    if (keeps_time_ && (is_first_step_ || is_active_[ball])) {
+        const Vec2 way = way_of(world, ball);
+        pushed_.push_back({ball, length(way), position - way});
+    } else {
         pushed_.push_back({ball, 0.0, position});
+    }
 }
 
 // What each ball that was pushed has left of its time; the others are done.
-void OverlapSolver::keep_time(World& world, double duration) {
+void OverlapSolver::keep_time(World& world) {
     Balls& balls = world.balls;
     for (const std::uint32_t i : active_)
         is_active_[i] = 0;
@@ -362,7 +444,7 @@ void OverlapSolver::keep_time(World& world, double duration) {
         Vec2 way = balls.position[i] - pushed.origin;
         if (world.model.wrap) way = nearest_image(way, size(*world.model.wrap));
         const double covered = std::min(1.0, length(way) / pushed.intended);
-        const double had = is_first_step_ ? duration : left_[i];
+        const double had = is_first_step_ ? duration_ : left_[i];
         const double left = had * (1.0 - covered);
         if (world.model.gravity) balls.velocity[i] -= *world.model.gravity * left;
         // A ball that got nowhere gives up the rest of its time.
@@ -375,14 +457,13 @@ void OverlapSolver::keep_time(World& world, double duration) {
         is_active_[i] = 1;
         active_.push_back(i);
     }
-    std::ranges::sort(active_);
 }
 
 void OverlapSolver::end_step(const World& world) {
     for (const Pushed& pushed : pushed_) {
         is_pushed_[pushed.ball] = 0;
         has_strayed_ =
-            has_strayed_ || !neighbours_.covers(pushed.ball, world.balls.position[pushed.ball]);
+            !neighbours_.note_place(pushed.ball, world.balls.position[pushed.ball]) || has_strayed_;
     }
     pushed_.clear();
     pairs_.clear();

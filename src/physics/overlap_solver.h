@@ -66,19 +66,25 @@ class OverlapSolver {
     };
 
     template <Terms terms>
-    void update(World& world, double duration, int steps, double end_time,
+    void update(World& world, int updates, int steps, double end_time,
                 std::vector<Contact>& contacts, Patience& patience);
     template <Terms terms, bool forced>
     Vec2 move(World& world, std::uint32_t ball, const Flight& flight);
     Vec2 move_on_cloth(World& world, std::uint32_t ball, double duration);
+    // Returns the longest way that a ball has gone; 0 where nobody asks.
     template <Terms terms, bool forced>
-    void move_all(World& world, double duration);
+    double move_all(World& world);
+    void look(const World& world, double way);
+    bool still_cover(const World& world, double way);
+    Vec2 way_of(const World& world, std::uint32_t ball) const;
     template <Terms terms, bool forced>
     void move_active(World& world);
     template <Terms terms>
-    void part_all(World& world);
-    template <Terms terms>
     void part_active(World& world);
+    template <Terms terms>
+    bool are_near(const World& world, const BallPair& pair) const;
+    template <Terms terms>
+    void part_overlapping(World& world, std::span<const BallPair> pairs);
     template <Terms terms>
     void part(World& world, std::uint32_t i, std::uint32_t j);
     template <Terms terms>
@@ -90,26 +96,34 @@ class OverlapSolver {
     template <Terms terms>
     void bounce_pairs(World& world, double time, std::vector<Contact>& contacts);
     void note_push(const World& world, std::uint32_t ball);
-    void keep_time(World& world, double duration);
+    void keep_time(World& world);
     void end_step(const World& world);
-    void move_hands(World& world, double share, double duration);
+    void move_hands(World& world, double share);
     bool is_driven(const World& world, std::uint32_t capsule) const;
     Vec2 hand_velocity(const World& world, std::uint32_t capsule, Vec2 point) const;
 
     Neighbours neighbours_;
     double margin_ = 0.0;
+    double widest_ = 0.0;                // no two that are further apart overlap
+    bool are_alike_ = false;             // all radii are the same: all that are nearer overlap
+    bool looks_around_ = false;          // steps share a look
     bool keeps_time_ = false;            // there is more than one step
     bool is_first_step_ = false;         // every ball is active
+    bool keeps_ways_ = false;            // a way is not just the velocity times its time
+    bool has_asked_all_ = false;         // in this tick, where they are
     bool has_strayed_ = false;           // a ball went further than the neighbours cover
-    std::vector<std::uint32_t> active_;  // ascending; empty in the first step
+    double duration_ = 0.0;              // of an update, s
+    double hands_way_ = 0.0;             // longest way of a held ball in this update
+    std::vector<std::uint32_t> active_;  // empty in the first step
     std::vector<std::uint8_t> is_active_;
     std::vector<std::uint8_t> is_pushed_;
     std::vector<double> left_;              // s of the update, by ball; of the active ones
-    std::vector<Vec2> way_;                 // in this step, by ball
+    std::vector<Vec2> way_;                 // in this step, by ball; where keeps_ways_
     std::span<const double> inverse_mass_;  // 0 where a hand holds the ball
     std::vector<double> with_held_balls_;
     std::vector<ClothState<double>> before_;  // the step, on cloth
     std::vector<HandWay> hands_;              // by World::held_capsules
+    std::vector<BallPair> near_active_;
     std::vector<BallPair> overlapping_;
     PairOrder order_;
     std::vector<EdgePair> at_edge_;

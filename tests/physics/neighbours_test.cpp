@@ -132,6 +132,31 @@ TEST_CASE("neighbours cover what overlaps until a ball has gone further than the
     }
 }
 
+TEST_CASE("neighbours cover what overlaps until balls may have gone further than the margin") {
+    World world = gas_with_edges(false);
+    Neighbours neighbours;
+    neighbours.look(world, 0.25);
+    CHECK(neighbours.cover_after(0.1));
+    CHECK(neighbours.cover_after(0.1));
+    CHECK_FALSE(neighbours.cover_after(0.1));
+    // Where they are counts, once they are all asked.
+    world.balls.position[7] += Vec2{0.0, 0.12};
+    CHECK(neighbours.cover(world));
+    CHECK(neighbours.cover_after(0.12));
+    CHECK_FALSE(neighbours.cover_after(0.02));
+    // One that was pushed has gone further than the others.
+    neighbours.look(world, 0.25);
+    CHECK(neighbours.cover_after(0.1));
+    CHECK(neighbours.note_place(5, world.balls.position[5] + Vec2{0.2, 0.0}));
+    CHECK_FALSE(neighbours.cover_after(0.1));
+    neighbours.look(world, 0.25);
+    CHECK_FALSE(neighbours.note_place(5, world.balls.position[5] + Vec2{0.3, 0.0}));
+    CHECK_FALSE(neighbours.cover_after(0.0));
+    // Without a margin there is nothing that lasts.
+    neighbours.look(world, 0.0);
+    CHECK_FALSE(neighbours.cover_after(0.0));
+}
+
 TEST_CASE("neighbours of other balls, or of another torus, cover nothing") {
     const World world = gas_with_edges(true);
     Neighbours neighbours;
