@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "physics/cell_frame.h"
+#include "physics/fetch.h"
 
 /// The broad phase of discs that stand still while it looks: equal cells, discs sorted by cell, so
 /// that the neighbours of a disc are three short runs of memory.
@@ -36,6 +37,29 @@ class DiscGrid {
     /// `reach` to `center`. `center` may lie outside of the torus.
     template <typename Visit>
     void for_each_near(Vec2 center, double reach, Visit&& visit) const;
+
+    /// Who looks for the neighbours of a place, which lies anywhere in memory, has them fetched
+    /// first: `fetch_starts`, then `fetch_places`, each some time before the next. Both and
+    /// `for_each_around`, which calls visit(i) for each disc in the nine cells around the place,
+    /// know the finest level only.
+    void fetch_starts(Vec2 place) const {
+        for_each_row_around(place,
+                            [&](std::uint32_t low, std::uint32_t) { fetch_early(&start_[low]); });
+    }
+    void fetch_places(Vec2 place) const {
+        for_each_row_around(place, [&](std::uint32_t low, std::uint32_t high) {
+            if (start_[low] == start_[high + 1]) return;
+            fetch_early(&places_[start_[low]]);
+            fetch_early(&places_[start_[high + 1] - 1]);
+        });
+    }
+    template <typename Visit>
+    void for_each_around(Vec2 place, Visit&& visit) const {
+        for_each_row_around(place, [&](std::uint32_t low, std::uint32_t high) {
+            for (std::uint32_t at = start_[low]; at < start_[high + 1]; ++at)
+                visit(places_[at].disc);
+        });
+    }
 
     /// Levels from the coarsest to the finest, at least one; some may be empty.
     std::size_t levels() const { return levels_.size(); }
@@ -102,6 +126,16 @@ class DiscGrid {
     std::size_t level_for(double reach) const;
     static std::uint32_t place_along(double cells, int count);
     static Span reached(double place, double reach, int count, bool wraps);
+    template <typename Visit>
+    void for_each_row_around(Vec2 place, Visit&& visit) const {
+        const Level& level = levels_.back();
+        const Vec2 from = place - level.frame.origin;
+        const auto column =
+            static_cast<int>(place_along(from.x * level.per_cell.x, level.frame.columns));
+        const auto row = static_cast<int>(place_along(from.y * level.per_cell.y, level.frame.rows));
+        for (int step = -1; step <= 1; ++step)
+            visit(level.cell(column - 1, row + step), level.cell(column + 1, row + step));
+    }
     template <bool images, typename Visit>
     void pairs_within(const Level& level, Visit&& visit) const;
     template <typename Visit>

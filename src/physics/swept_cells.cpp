@@ -8,9 +8,15 @@ void SweptCells::reset(const CellFrame& frame, std::size_t balls) {
     frame_ = frame;
     head_.assign(frame.count(), none);
     entries_.clear();
-    ranges_.assign(balls, {});
-    seen_.assign(balls, 0);
-    round_ = 0;
+    ranges_.resize(balls);
+    seen_.resize(balls, round_);
+}
+
+// Rounds go on from one reset to the next, until there are no more numbers.
+void SweptCells::begin_round() {
+    if (++round_ != 0) return;
+    seen_.assign(seen_.size(), 0);
+    round_ = 1;
 }
 
 SweptCells::Range SweptCells::range_of(const Box& box) const {
@@ -24,9 +30,9 @@ SweptCells::Range SweptCells::range_of(const Box& box) const {
     return range;
 }
 
-void SweptCells::enter(std::uint32_t index, const Box& box) {
+void SweptCells::enter(std::uint32_t index, const Box& box, bool is_first) {
     const Range now = range_of(box);
-    const Range old = ranges_[index];
+    const Range old = is_first ? Range{} : ranges_[index];
     ranges_[index] = now;
     const auto was_there = [&](int column, int row) {
         return column >= old.low_column && column <= old.high_column && row >= old.low_row &&

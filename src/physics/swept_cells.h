@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "physics/cell_frame.h"
+#include "physics/fetch.h"
 
 /// The broad phase of discs that change their paths: each enters every cell that its path can
 /// touch.
@@ -24,8 +25,20 @@ class SweptCells {
 
     const CellFrame& frame() const { return frame_; }
 
-    /// Ball `index` may be anywhere in `box` until further notice.
-    void enter(std::uint32_t index, const Box& box);
+    /// Ball `index` may be anywhere in `box` until further notice. `is_first`: it has not entered
+    /// any cell since the last `reset`.
+    void enter(std::uint32_t index, const Box& box, bool is_first);
+
+    /// Fetches from memory what tells where the ball has been, and who has entered the cells around
+    /// this place.
+    void fetch(std::uint32_t index, Vec2 place) const {
+        fetch_early(&ranges_[index]);
+        fetch_early(&seen_[index]);
+        const int column = frame_.column(place.x);
+        const int row = frame_.row(place.y);
+        for (int step = -1; step <= 1; ++step)
+            fetch_early(&head_[frame_.index(column, frame_.bounded(row + step, frame_.rows))]);
+    }
 
     /// The cells that `box` touches.
     Range range_of(const Box& box) const;
@@ -33,7 +46,7 @@ class SweptCells {
     /// Calls visit(other) for each ball that has entered a cell of `range`, each once.
     template <typename Visit>
     void for_each_in(const Range& range, Visit&& visit) {
-        ++round_;
+        begin_round();
         for_each_cell(range, [&](std::uint32_t cell, int, int) {
             for (std::uint32_t at = head_[cell]; at != none; at = entries_[at].next) {
                 const std::uint32_t other = entries_[at].ball;
@@ -65,11 +78,13 @@ class SweptCells {
         std::uint32_t next = none;
     };
 
+    void begin_round();
+
     CellFrame frame_;
-    std::vector<Range> ranges_;
+    std::vector<Range> ranges_;  // by ball; only of those that have entered cells
     std::vector<std::uint32_t> head_;
     std::vector<Entry> entries_;
-    std::vector<std::uint32_t> seen_;
+    std::vector<std::uint32_t> seen_;  // by ball: in which round
     std::uint32_t round_ = 0;
 };
 

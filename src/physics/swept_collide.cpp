@@ -62,8 +62,9 @@ void SweptSolver::take_path(const World& world, std::uint32_t ball, double now, 
     path.velocity = path.still || is_held_ball(ball)
                         ? path.start_velocity
                         : chord(world, ball, velocity, gravity_on(ball), now);
-    if (path.version++ == 0) ++changed_paths_;
-    cells_.enter(ball, box_of_path(world, ball, now));
+    const bool is_first = path.version++ == 0;
+    if (is_first) ++changed_paths_;
+    cells_.enter(ball, box_of_path(world, ball, now), is_first && !are_all_in_cells_);
 }
 
 void SweptSolver::count_impact(std::uint32_t ball, bool resting) {

@@ -4,6 +4,7 @@
 
 #include "geometry/closest.h"
 #include "physics/bounce.h"
+#include "physics/fetch.h"
 #include "physics/swept_solver.h"
 
 // The impacts of a substep of the solver `swept`, found one after the other; what happens at one is
@@ -71,6 +72,73 @@ void SweptSolver::push(const Event& event) {
                    [](const Event& a, const Event& b) { return is_earlier(b, a); });
 }
 
+// By slices of time, about one event long.
+void SweptSolver::sort_first_events() {
+    const std::size_t count = unsorted_.size();
+    next_first_ = 0;
+    first_events_.resize(count);
+    slice_start_.assign(count + 1, 0);
+    const double slices = static_cast<double>(count) / duration_;
+    const auto slice = [&](const Event& event) {
+        return std::min(count - 1, static_cast<std::size_t>(event.time * slices));
+    };
+    for (const Event& event : unsorted_)
+        ++slice_start_[slice(event)];
+    std::uint32_t end = 0;
+    for (std::uint32_t& start : slice_start_)
+        start = end += start;
+    for (const Event& event : unsorted_)
+        first_events_[--slice_start_[slice(event)]] = event;
+    for (std::size_t s = 0; s < count; ++s)
+        if (slice_start_[s + 1] > slice_start_[s] + 1)
+            std::sort(first_events_.begin() + slice_start_[s],
+                      first_events_.begin() + slice_start_[s + 1], is_earlier);
+}
+
+// The earliest event of all.
+std::optional<SweptSolver::Event> SweptSolver::take_event(const World& world) {
+    if (next_first_ < first_events_.size() &&
+        (queue_.empty() || is_earlier(first_events_[next_first_], queue_.front()))) {
+        if (paths_.size() >= too_many_to_cache) look_ahead(world);
+        return first_events_[next_first_++];
+    }
+    if (queue_.empty()) return std::nullopt;
+    std::pop_heap(queue_.begin(), queue_.end(),
+                  [](const Event& a, const Event& b) { return is_earlier(b, a); });
+    const Event event = queue_.back();
+    queue_.pop_back();
+    return event;
+}
+
+// Fetches from memory what events to come are going to need: first the paths, then what tells who
+// lies around them, then who that is, then the paths of these.
+void SweptSolver::look_ahead(const World& world) const {
+    const DiscGrid& grid = neighbours_.grid();
+    const auto coming = [&](std::size_t by) {
+        return next_first_ + by < first_events_.size() ? &first_events_[next_first_ + by] : nullptr;
+    };
+    const auto place = [&](const Event& event) { return position_at(event.ball, event.time); };
+    if (const Event* const event = coming(16)) {
+        fetch_early(&paths_[event->ball]);
+        fetch_early(&world.balls.radius[event->ball]);
+        if (event->kind == ContactKind::ball_ball) {
+            fetch_early(&paths_[event->other]);
+            fetch_early(&world.balls.radius[event->other]);
+        }
+    }
+    if (const Event* const event = coming(12)) {
+        grid.fetch_starts(place(*event));
+        cells_.fetch(event->ball, place(*event));
+        if (event->kind == ContactKind::ball_ball) cells_.fetch(event->other, place(*event));
+        fetch_early(&inverse_mass_[event->ball]);
+        if (event->kind == ContactKind::ball_ball) fetch_early(&inverse_mass_[event->other]);
+    }
+    if (const Event* const event = coming(8)) grid.fetch_places(place(*event));
+    if (const Event* const event = coming(4))
+        grid.for_each_around(place(*event),
+                             [&](std::uint32_t ball) { fetch_early(&paths_[ball]); });
+}
+
 void SweptSolver::look_around_paths(const World& world) {
     const std::size_t count = world.balls.size();
     centers_.resize(count);
@@ -96,7 +164,7 @@ void SweptSolver::look_around_paths(const World& world) {
 // Where many have changed their paths, as in a heap, looking in one place is cheaper.
 void SweptSolver::enter_the_rest(const World& world) {
     for (std::uint32_t i = 0; i < paths_.size(); ++i)
-        if (paths_[i].version == 0) cells_.enter(i, box_of_path(world, i, 0.0));
+        if (paths_[i].version == 0) cells_.enter(i, box_of_path(world, i, 0.0), true);
     are_all_in_cells_ = true;
 }
 
@@ -130,7 +198,7 @@ void SweptSolver::predict_all_at_start(const World& world) {
         if (has_hands)
             for (const Hand& hand : hands_)
                 predict_edge<terms>(world, i, hand.index, {}, 0.0, best);
-        if (best && best->time < duration_) push(*best);
+        if (best && best->time < duration_) unsorted_.push_back(*best);
     }
 }
 
@@ -160,6 +228,7 @@ void SweptSolver::predict(const World& world, std::uint32_t ball, double now, bo
         });
     } else if (world.model.ball_edge && !paths_[ball].still) {
         cells_.for_each_cell(cells, [&](std::uint32_t cell, int across, int along) {
+            if (edges_.is_empty(cell)) return;
             for (const CapsuleEntry entry : edges_.in_cell(cell))
                 predict_edge<terms>(
                     world, ball, entry.index,
@@ -238,12 +307,13 @@ void SweptSolver::substep(World& world, double start_time, std::vector<Contact>&
     const auto count = static_cast<std::uint32_t>(world.balls.size());
     look_around_paths(world);
     queue_.clear();
+    unsorted_.clear();
     predict_all_at_start<terms>(world);
-    while (!queue_.empty() && patience.lasts(work_of_impact)) {
-        std::pop_heap(queue_.begin(), queue_.end(),
-                      [](const Event& a, const Event& b) { return is_earlier(b, a); });
-        const Event event = queue_.back();
-        queue_.pop_back();
+    sort_first_events();
+    while (patience.lasts(work_of_impact)) {
+        const std::optional<Event> next = take_event(world);
+        if (!next) break;
+        const Event& event = *next;
         if (event.ball_version != paths_[event.ball].version) continue;
         if (is_void(event)) {
             predict<terms>(world, event.ball, event.time, false);
@@ -260,6 +330,7 @@ void SweptSolver::substep(World& world, double start_time, std::vector<Contact>&
         if (hand_stopped_) {
             hand_stopped_ = false;
             queue_.clear();
+            next_first_ = first_events_.size();
             for (std::uint32_t i = 0; i < count; ++i)
                 predict<terms>(world, i, event.time, true);
             continue;

@@ -172,6 +172,9 @@ class SweptSolver {
     bool is_held_ball(std::uint32_t ball) const { return inverse_mass_[ball] == 0.0; }
     static bool is_earlier(const Event& a, const Event& b);
     void push(const Event& event);
+    void sort_first_events();
+    std::optional<Event> take_event(const World& world);
+    void look_ahead(const World& world) const;
 
     Flight flight_;
     double duration_ = 0.0;
@@ -185,7 +188,13 @@ class SweptSolver {
     std::vector<Hand> hands_;
     bool slides_first_ = false;  ///< on cloth a ball stops sliding before it lies still
     bool hand_stopped_ = false;  ///< in the last collision: every prediction must be made again
+    // Events that are known when the substep begins, in their order, of which those before
+    // `next_first_` are done; and those that come up in it.
+    std::vector<Event> first_events_;
+    std::size_t next_first_ = 0;
     std::vector<Event> queue_;
+    std::vector<Event> unsorted_;
+    std::vector<std::uint32_t> slice_start_;  ///< of slices of time, into first_events_
     // Who is near whom at the start of the substep: as discs around the paths (on a torus, of the
     // image that lies in it).
     std::vector<Vec2> centers_;

@@ -114,8 +114,8 @@ TEST_CASE("paths that come near share a cell, each pair once") {
         const Vec2 p = world.balls.position[i];
         const Vec2 to = p + Vec2{draw(-30, 30, i, 11), draw(-30, 30, i, 12)};
         boxes.push_back(grow(join({p, p}, {to, to}), 1.0));
-        cells.enter(i, grow({p, p}, 1.0));
-        cells.enter(i, boxes.back());
+        cells.enter(i, grow({p, p}, 1.0), true);
+        cells.enter(i, boxes.back(), false);
     }
     for (std::uint32_t i = 0; i < 200; ++i) {
         std::vector<std::uint32_t> sharing;
