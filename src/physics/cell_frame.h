@@ -55,7 +55,7 @@ struct CellFrame {
 CellFrame frame_around(const World& world, double cell, double cells_a_ball = 4.0);
 
 /// The same around points that stand for something else, on a plane.
-CellFrame frame_around(const std::vector<Vec2>& points, double cell, double cells_a_point);
+CellFrame frame_around(const std::vector<Vec2>& points, double cell, double cells_a_point = 4.0);
 
 /// Area for each ball where most of them are, length^2, roughly; 0 without balls.
 double room_of_a_ball(const World& world);

@@ -25,36 +25,63 @@ constexpr std::uint32_t ahead = 16;
 
 }  // namespace
 
-void ContactSolver::load(const World& world) {
+// Regions for all balls, around where they are now.
+void ContactSolver::find_homes(World& world) const {
     const Balls& balls = world.balls;
-    const std::size_t count = balls.size();
     const double tick = world.tick_length();
     const double fall = length(gravity_);
     double fastest = 0.0;
-    double smallest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < count; ++i) {
-        fastest = std::max(fastest, length_squared(balls.velocity[i]));
-        smallest = std::min(smallest, balls.radius[i]);
-    }
+    for (const Vec2 velocity : balls.velocity)
+        fastest = std::max(fastest, length_squared(velocity));
     fastest = std::sqrt(fastest);
-    smallest_ = smallest;
-    guard_ = 0.02 * smallest;
-    margin_of_ball_.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
-        margin_of_ball_[i] =
+    Homes& homes = world.homes;
+    homes.ball = balls.id;
+    homes.place = balls.position;
+    homes.margin.resize(balls.size());
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        homes.margin[i] =
             margin_for(length(balls.velocity[i]), balls.radius[i], duration_, tick, fall, fastest);
     for (const HeldBall& held : world.held_balls) {
         const auto index = index_of(world, held.id);
         if (!index) continue;
         Vec2 way = held.target - balls.position[*index];
         if (wraps_) way = nearest_image(way, torus_);
-        margin_of_ball_[*index] += length(way);
+        homes.margin[*index] += length(way);
     }
-    near_.sort(world, margin_of_ball_, ball_);
+}
+
+// Whether the regions of an earlier tick will do, at least for the next substep. What a hand meets
+// is asked anew in each tick, and on a torus balls leave their homes behind at its seams.
+bool ContactSolver::has_homes(const World& world) const {
+    const Homes& homes = world.homes;
+    if (wraps_ || !world.held_balls.empty() || !world.held_capsules.empty()) return false;
+    if (homes.ball != world.balls.id) return false;
+    const Balls& balls = world.balls;
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        if (!stays_home(balls.position[i] - homes.place[i], balls.velocity[i], homes.margin[i]))
+            return false;
+    return true;
+}
+
+void ContactSolver::begin(World& world) {
+    if (!has_homes(world))
+        find_homes(world);
+    else if (take_up(world))
+        return;
+    load(world);
+}
+
+void ContactSolver::load(const World& world) {
+    smallest_ = std::numeric_limits<double>::infinity();
+    for (const double radius : world.balls.radius)
+        smallest_ = std::min(smallest_, radius);
+    guard_ = 0.02 * smallest_;
+    near_.sort(world, world.homes.place, world.homes.margin, ball_);
     load_bodies(world);
     near_.find(world, {.ball = ball_, .center = home_, .radius = radius_, .margin = margin_});
     load_hands(world);
     load_pairs(world);
+    scenery_.note(world);
 }
 
 void ContactSolver::load_bodies(const World& world) {
@@ -62,6 +89,7 @@ void ContactSolver::load_bodies(const World& world) {
     const std::size_t count = balls.size();
     still_ = static_cast<std::uint32_t>(count);
     position_.resize(count);
+    home_.resize(count);
     radius_.resize(count);
     margin_.resize(count);
     before_.resize(count + 1);
@@ -74,18 +102,37 @@ void ContactSolver::load_bodies(const World& world) {
             fetch_early(&balls.velocity[next]);
             fetch_early(&balls.radius[next]);
             fetch_early(&balls.inverse_mass[next]);
-            fetch_early(&margin_of_ball_[next]);
+            fetch_early(&world.homes.place[next]);
+            fetch_early(&world.homes.margin[next]);
         }
         const std::uint32_t ball = ball_[i];
         position_[i] = balls.position[ball];
         radius_[i] = balls.radius[ball];
-        margin_[i] = margin_of_ball_[ball];
+        home_[i] = world.homes.place[ball];
+        margin_[i] = world.homes.margin[ball];
         mover_[i] = {balls.velocity[ball], 0.0, balls.inverse_mass[ball]};
         if (world.model.spin) mover_[i].rim = balls.spin[ball] * balls.radius[ball];
     }
-    home_ = position_;
     before_[still_] = way_[still_] = {};
     mover_[still_] = {};
+}
+
+// Goes on with the pairs of the last tick, where they are those that `load` would find. False: they
+// are not, or it cannot tell.
+bool ContactSolver::take_up(const World& world) {
+    const Balls& balls = world.balls;
+    if (!hands_.empty() || still_ != balls.size() || !scenery_.is_that_of(world)) return false;
+    for (std::uint32_t i = 0; i < still_; ++i) {
+        const std::uint32_t ball = ball_[i];
+        const bool is_same =
+            home_[i] == world.homes.place[ball] && margin_[i] == world.homes.margin[ball] &&
+            radius_[i] == balls.radius[ball] && mover_[i].inverse_mass == balls.inverse_mass[ball];
+        if (!is_same) return false;
+        position_[i] = balls.position[ball];
+        mover_[i].velocity = balls.velocity[ball];
+        if (world.model.spin) mover_[i].rim = balls.spin[ball] * balls.radius[ball];
+    }
+    return true;
 }
 
 void ContactSolver::load_hands(const World& world) {
@@ -228,7 +275,7 @@ void ContactSolver::order_pairs() {
     const Vec2 up = -gravity_ / length(gravity_);
     height_.resize(still_);
     for (std::uint32_t i = 0; i < still_; ++i)
-        height_[i] = dot(up, position_[i]);
+        height_[i] = dot(up, home_[i]);
     const auto height_of = [&](const NearPair& pair) {
         const double a = height_[pair.a];
         return pair.b < still_ ? a + height_[pair.b] : 2.0 * a;
@@ -293,8 +340,12 @@ void ContactSolver::store(World& world, std::vector<std::uint8_t>& touched) {
 
 void ContactSolver::store_impulses(World& world, std::vector<std::uint8_t>& touched) {
     first_impulse_.assign(still_ + 1, 0);
-    for (const Pair& pair : pairs_) {
-        if (!(pair.impulse > 0.0)) continue;
+    for (Pair& pair : pairs_) {
+        pair.is_new = !(pair.impulse > 0.0);
+        if (pair.is_new) {
+            pair.impulse = pair.rub = 0.0;
+            continue;
+        }
         ++first_impulse_[ball_[pair.a] + 1];
         touched[ball_[pair.a]] = 1;
         if (pair.b < still_) touched[ball_[pair.b]] = 1;
@@ -303,7 +354,7 @@ void ContactSolver::store_impulses(World& world, std::vector<std::uint8_t>& touc
         first_impulse_[i] += first_impulse_[i - 1];
     world.pressed.resize(first_impulse_[still_]);
     for (const Pair& pair : pairs_) {
-        if (!(pair.impulse > 0.0)) continue;
+        if (pair.is_new) continue;
         const std::uint32_t ball = ball_[pair.a];
         const bool on_ball = pair.edge == NearPair::no_edge;
         world.pressed[first_impulse_[ball]++] = {
@@ -316,6 +367,7 @@ void ContactSolver::store_impulses(World& world, std::vector<std::uint8_t>& touc
             .impulse = pair.impulse,
             .rub = pair.rub};
     }
+    scenery_.note_impulses(world);
 }
 
 }  // namespace carom

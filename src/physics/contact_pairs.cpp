@@ -28,16 +28,16 @@ int level_of(double reach, double base) {
 
 }  // namespace
 
-void NearPairs::sort(const World& world, const std::vector<double>& margin,
-                     std::vector<std::uint32_t>& order) {
+void NearPairs::sort(const World& world, const std::vector<Vec2>& place,
+                     const std::vector<double>& margin, std::vector<std::uint32_t>& order) {
     wraps_ = world.model.wrap.has_value();
     torus_ = wraps_ ? size(*world.model.wrap) : Vec2{};
     filtered_ = world.model.filtered;
     used_ = 0;
     order.resize(world.balls.size());
     if (order.empty()) return;
-    sort_into_levels(world, margin);
-    sort_into_cells(world, order);
+    sort_into_levels(world, place, margin);
+    sort_into_cells(place, order);
 }
 
 void NearPairs::find(const World& world, const Regions& regions) {
@@ -54,7 +54,7 @@ void NearPairs::find(const World& world, const Regions& regions) {
 
 void NearPairs::find(const World& world, const std::vector<double>& margin,
                      std::vector<std::uint32_t>& order) {
-    sort(world, margin, order);
+    sort(world, world.balls.position, margin, order);
     center_.clear();
     radius_.clear();
     margin_.clear();
@@ -67,7 +67,8 @@ void NearPairs::find(const World& world, const std::vector<double>& margin,
 }
 
 // Where all regions are about as large as the mean one, one level holds all.
-void NearPairs::sort_into_levels(const World& world, const std::vector<double>& margin) {
+void NearPairs::sort_into_levels(const World& world, const std::vector<Vec2>& place,
+                                 const std::vector<double>& margin) {
     const std::size_t count = world.balls.size();
     double sum = 0.0;
     double largest = 0.0;
@@ -87,30 +88,31 @@ void NearPairs::sort_into_levels(const World& world, const std::vector<double>& 
             static_cast<std::uint8_t>(level_of(world.balls.radius[i] + margin[i], base) - lowest);
         ++balls_in[level_[i]];
     }
-    std::array<std::uint8_t, 121> place{};
+    std::array<std::uint8_t, 121> number{};
     std::uint32_t cells = 0;
     for (std::size_t l = 0; l < balls_in.size(); ++l) {
         if (balls_in[l] == 0) continue;
-        place[l] = static_cast<std::uint8_t>(used_);
+        number[l] = static_cast<std::uint8_t>(used_);
         if (used_ == levels_.size()) levels_.emplace_back();
         Level& level = levels_[used_++];
         level.reach = std::ldexp(base, static_cast<int>(l) + lowest);
-        level.frame = frame_around(world, 2.0 * level.reach);
+        level.frame = wraps_ ? frame_around(world, 2.0 * level.reach)
+                             : frame_around(place, 2.0 * level.reach);
         level.first = cells;
         cells += static_cast<std::uint32_t>(level.frame.count());
     }
     for (std::uint8_t& l : level_)
-        l = place[l];
+        l = number[l];
     start_.assign(cells + 1, 0);
     frame_ = levels_[0].frame;
 }
 
-void NearPairs::sort_into_cells(const World& world, std::vector<std::uint32_t>& order) {
-    const std::size_t count = world.balls.size();
+void NearPairs::sort_into_cells(const std::vector<Vec2>& place, std::vector<std::uint32_t>& order) {
+    const std::size_t count = place.size();
     cell_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         const Level& level = levels_[level_[i]];
-        const Vec2 at = world.balls.position[i];
+        const Vec2 at = place[i];
         cell_[i] = level.first + level.frame.index(level.frame.column(at.x), level.frame.row(at.y));
         ++start_[cell_[i] + 1];
     }

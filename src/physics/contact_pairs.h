@@ -38,15 +38,16 @@ struct Regions {
 class NearPairs {
   public:
     /// Puts the balls' indices cell by cell: near in this order is mostly near in the plane.
-    /// `margin`: by ball, how far its centre may go.
-    void sort(const World& world, const std::vector<double>& margin,
+    /// By ball, `place`: its region's centre (on a torus where it is); `margin`: how far the ball's
+    /// centre may go from there.
+    void sort(const World& world, const std::vector<Vec2>& place, const std::vector<double>& margin,
               std::vector<std::uint32_t>& order);
 
     /// Finds all pairs. Who does not meet whom (Model::filtered) is left out, and so are held
     /// capsules. Ball on ball, a has the lower number. Pre: what `sort` was given, in its order.
     void find(const World& world, const Regions& regions);
 
-    /// Both at once.
+    /// Both at once, around where the balls are.
     void find(const World& world, const std::vector<double>& margin,
               std::vector<std::uint32_t>& order);
 
@@ -65,8 +66,9 @@ class NearPairs {
         CapsuleCells edges;
     };
 
-    void sort_into_levels(const World& world, const std::vector<double>& margin);
-    void sort_into_cells(const World& world, std::vector<std::uint32_t>& order);
+    void sort_into_levels(const World& world, const std::vector<Vec2>& place,
+                          const std::vector<double>& margin);
+    void sort_into_cells(const std::vector<Vec2>& place, std::vector<std::uint32_t>& order);
     void pair_within(const World& world, const Regions& regions, const Level& level);
     void pair_with_coarser(const World& world, const Regions& regions, const Level& level,
                            const Level& coarser);

@@ -14,6 +14,7 @@ void ContactSolver::tick(World& world, int substeps, std::vector<Contact>& conta
     duration_ = world.tick_length() / count;
     flight_ = flight_over(world.model.drag, duration_);
     gravity_ = world.model.gravity.value_or(Vec2{});
+    fall_ = length(gravity_) * duration_ * duration_;
     resting_speed_ = resting_approach * length(gravity_) * duration_;
     wraps_ = world.model.wrap.has_value();
     torus_ = wraps_ ? size(*world.model.wrap) : Vec2{};
@@ -25,14 +26,18 @@ void ContactSolver::tick(World& world, int substeps, std::vector<Contact>& conta
     }
     was_held_back_.clear();
     for (int i = 0; i < count; ++i) {
-        if (i == 0 || !is_at_home()) {
-            if (i > 0) store(world, touched);
+        is_loaded_anew_ = true;
+        if (i == 0) {
+            begin(world);
+        } else if (!is_at_home()) {
+            store(world, touched);
+            find_homes(world);
             load(world);
-            is_loaded_anew_ = true;
+        } else {
+            is_loaded_anew_ = false;
         }
         start_time_ = world.time() + duration_ * i;
         substep(world, 1.0 / (count - i), contacts);
-        is_loaded_anew_ = false;
     }
     store(world, touched);
 }
@@ -115,13 +120,8 @@ void ContactSolver::go(const World& world) {
 
 // Whether nobody can leave the region in which it was compared in the next substep.
 bool ContactSolver::is_at_home() const {
-    const double fall = length(gravity_) * duration_ * duration_;
-    for (std::uint32_t i = 0; i < still_; ++i) {
-        const double way = length(mover_[i].velocity) * duration_ + fall;
-        // (away + way)^2 <= 2 (away^2 + way^2)
-        if (2.0 * (length_squared(position_[i] - home_[i]) + way * way) > margin_[i] * margin_[i])
-            return false;
-    }
+    for (std::uint32_t i = 0; i < still_; ++i)
+        if (!stays_home(position_[i] - home_[i], mover_[i].velocity, margin_[i])) return false;
     return true;
 }
 

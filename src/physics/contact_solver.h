@@ -7,6 +7,7 @@
 #include "geometry/impact.h"
 #include "physics/contact.h"
 #include "physics/contact_pairs.h"
+#include "physics/contact_scenery.h"
 #include "physics/flight.h"
 #include "physics/terms.h"
 #include "physics/two.h"
@@ -53,7 +54,9 @@ namespace carom {
 /// wanted may go as fast as they would to be there at the end of the tick.
 ///
 /// There is no sleep: in a heap at rest the last bits of the speeds go on changing, so who slept
-/// would wake with others than a run without sleep. What lies still costs as much as what moves.
+/// would wake with others than a run without sleep. But the pairs of balls that stay about where
+/// they are last for many ticks, by the homes in the world (World::homes): a solver that has not
+/// got these pairs finds them anew from there, the same in the same order.
 ///
 /// Source: soft constraints, substeps and relaxing are those of Box2D 3 (Catto, Solver2D, 2024);
 /// sequential impulses and warm starting: Catto, Iterative Dynamics with Temporal Coherence (2005).
@@ -188,7 +191,11 @@ class ContactSolver {
     };
 
     // Between the world and the bodies.
+    void begin(World& world);
+    bool has_homes(const World& world) const;
+    void find_homes(World& world) const;
     void load(const World& world);
+    bool take_up(const World& world);
     void load_bodies(const World& world);
     void load_hands(const World& world);
     void load_pairs(const World& world);
@@ -209,6 +216,7 @@ class ContactSolver {
     void find_ways();
     void go(const World& world);
     bool is_at_home() const;
+    bool stays_home(Vec2 away, Vec2 velocity, double margin) const;
 
     // Pressed pairs.
     void prepare(const World& world, Terms terms);
@@ -291,6 +299,7 @@ class ContactSolver {
     static bool is_earlier(const Event& a, const Event& b);
 
     NearPairs near_;
+    ContactScenery scenery_;
     Flight flight_;          // over a substep
     double duration_ = 0.0;  // of a substep, s
     double start_time_ = 0.0;
@@ -303,6 +312,7 @@ class ContactSolver {
     double spin_ease_ = 2.0;        // m r^2 / inertia
     double spin_mass_ = 1.0 / 3.0;  // mass that a contact's friction moves, of its mass
     double smallest_ = 0.0;         // radius
+    double fall_ = 0.0;             // that gravity gives in a substep, length
     double guard_ = 0.0;            // a gap that pressed pairs may close for others in a substep
     double most_push_ = 0.0;        // longest way that pressing gave in this substep
     double deepest_ = 0.0;          // smallest gap of the pressed pairs
@@ -318,7 +328,6 @@ class ContactSolver {
     std::vector<Mover> mover_;
     std::vector<double> radius_;
     std::vector<double> margin_;
-    std::vector<double> margin_of_ball_;
 
     std::vector<Pair> pairs_;
     std::vector<double> height_;  // by body; only while pairs are put in order
@@ -355,5 +364,12 @@ class ContactSolver {
     std::vector<std::uint32_t> pairs_begin_;  // by body, into pairs_of_
     std::vector<std::uint32_t> pairs_of_;
 };
+
+// Whether a ball so far from home cannot leave its region in the next substep with this velocity:
+// (away + way)^2 <= 2 (away^2 + way^2).
+inline bool ContactSolver::stays_home(Vec2 away, Vec2 velocity, double margin) const {
+    const double way = length(velocity) * duration_ + fall_;
+    return 2.0 * (length_squared(away) + way * way) <= margin * margin;
+}
 
 }  // namespace carom

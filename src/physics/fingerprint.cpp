@@ -97,6 +97,11 @@ std::uint64_t fingerprint(const World& world) {
         hash.add(pair.impulse);
         hash.add(pair.rub);
     }
+    for (std::size_t i = 0; i < world.homes.ball.size(); ++i) {
+        hash.add(std::uint64_t{number(world.homes.ball[i])});
+        hash.add(world.homes.place[i]);
+        hash.add(world.homes.margin[i]);
+    }
     for (const BallId id : world.heaped)
         hash.add(std::uint64_t{number(id)});
     return hash.state();

@@ -197,6 +197,7 @@ void Handover::take_part(const World& world, bool of_heap, Part& part) const {
             some.held_capsules.push_back(world.held_capsules[h]);
     some.heaped.clear();
     some.pressed.clear();
+    some.homes.clear();
     some.paths.clear();
     some.spin_paths.clear();
     if (of_heap) {

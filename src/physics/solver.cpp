@@ -154,6 +154,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     const bool has_heaps = state.settings.kind == SolverKind::event && !state.extended;
     if (!has_heaps) world.heaped.clear();
     if (!has_heaps && state.settings.kind != SolverKind::contact) world.pressed.clear();
+    if (state.settings.kind != SolverKind::contact) world.homes.clear();
     rest_flippers(world);
     stop_slow_balls(world, state.touched);
     ++world.tick;

@@ -49,6 +49,8 @@ struct Kind {
     /// Above the table, as on a ramp. World::kinds has all kinds of layer 0 first, then the same
     /// ones in the same order on each layer above.
     std::uint8_t layer = 0;
+
+    friend bool operator==(const Kind&, const Kind&) = default;
 };
 
 /// What a kind of edge is made of (ball on edge).
@@ -64,6 +66,8 @@ struct Material {
     double kick_from = 0.0;
     /// The kick is that of the middle of the edge, and falls off to 0 at its ends as a parabola.
     bool kicks_in_the_middle = false;
+
+    friend bool operator==(const Material&, const Material&) = default;
 };
 
 /// Which balls an edge pushes, seen from its start to its end; `none`: it is out of the way, as a
@@ -177,6 +181,21 @@ struct PressedPair {
     friend bool operator==(const PressedPair&, const PressedPair&) = default;
 };
 
+/// Where the balls were when the solver `contact` last looked who could meet whom. While each stays
+/// within its margin of there, it goes on with the same pairs in the same order: they belong to the
+/// state, since pairs are solved one after another. Counts only for a world of just these balls.
+struct Homes {
+    std::vector<BallId> ball;
+    std::vector<Vec2> place;     ///< by index: of the ball's centre
+    std::vector<double> margin;  ///< by index, length
+
+    void clear() {
+        ball.clear();
+        place.clear();
+        margin.clear();
+    }
+};
+
 /// How a ball on a BallPath turns: with `spin` at `time`, changing at `rate` since.
 struct SpinPath {
     double time = 0.0;   ///< s since the start
@@ -231,6 +250,8 @@ struct World {
     /// Ascending by ball; empty unless the last tick was one of the solver `contact`, or `event`
     /// had a heap in it.
     std::vector<PressedPair> pressed;
+    /// Empty unless the last tick was one of the solver `contact`.
+    Homes homes;
     /// Balls that the solver `event` hands over to `contact` in the next tick, with all that could
     /// meet them (handover.h). Ascending; numbers of balls that are gone do not count. Empty unless
     /// the last tick was one of the solver `event`.
