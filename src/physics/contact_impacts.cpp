@@ -5,6 +5,7 @@
 #include "geometry/closest.h"
 #include "physics/bounce.h"
 #include "physics/contact_solver.h"
+#include "physics/fetch.h"
 
 // Impacts within a substep of the solver `contact`: found along the paths of the balls, and dealt
 // with in the order (time, kind, lower number, higher number).
@@ -40,8 +41,9 @@ void ContactSolver::run_impacts(World& world, std::vector<Contact>& contacts) {
         begin_path(stray);
         end_path_at_border(stray, 0.0);
     }
-    for (const std::uint32_t p : hits_) {
-        const std::uint32_t body = pairs_[p].a;
+    for (std::size_t hit = 0; hit < hits_.size(); ++hit) {
+        if (still_ >= too_many_to_cache) look_ahead(hit);
+        const std::uint32_t body = pairs_[hits_[hit]].a;
         begin_path(body);
         if (!path_of(body).is_surrounded) predict(world, body, 0.0);
     }
@@ -61,6 +63,39 @@ void ContactSolver::run_impacts(World& world, std::vector<Contact>& contacts) {
         }
     }
     finish_paths(world);
+}
+
+// Fetches from memory what the hits to come are going to need: first the pair, then its bodies,
+// then the pairs of these, then their bodies.
+void ContactSolver::look_ahead(std::size_t hit) const {
+    const auto coming = [&](std::size_t by) -> const Pair* {
+        return hit + by < hits_.size() ? &pairs_[hits_[hit + by]] : nullptr;
+    };
+    const auto fetch_body = [&](std::uint32_t body) {
+        fetch_early(&place_of_path_[body]);
+        fetch_early(&position_[body]);
+        fetch_early(&way_[body]);
+        fetch_early(&before_[body]);
+        fetch_early(&mover_[body]);
+    };
+    const auto for_each_pair = [&](const Pair& pair, auto&& visit) {
+        for (std::uint32_t k = pairs_begin_[pair.a]; k < pairs_begin_[pair.a + 1]; ++k)
+            visit(pairs_[pairs_of_[k]]);
+    };
+    if (hit + 24 < hits_.size()) fetch_early(&pairs_[hits_[hit + 24]]);
+    if (const Pair* const pair = coming(16)) {
+        fetch_early(&pairs_begin_[pair->a]);
+        fetch_body(pair->a);
+        if (pair->b < still_) fetch_body(pair->b);
+    }
+    if (const Pair* const pair = coming(12)) fetch_early(&pairs_of_[pairs_begin_[pair->a]]);
+    if (const Pair* const pair = coming(8))
+        for_each_pair(*pair, [&](const Pair& near) { fetch_early(&near); });
+    if (const Pair* const pair = coming(4))
+        for_each_pair(*pair, [&](const Pair& near) {
+            const std::uint32_t other = near.a == pair->a ? near.b : near.a;
+            if (other < still_) fetch_body(other);
+        });
 }
 
 bool ContactSolver::is_void(const Event& event) const {
@@ -131,19 +166,22 @@ void ContactSolver::finish_paths(const World& world) {
         mover_[i].velocity = limited(mover_[i].velocity, *world.model.speed_limit);
 }
 
+// From the near pairs, which take less memory than what has become of them.
 void ContactSolver::list_pairs_of_bodies() {
     has_pairs_of_bodies_ = true;
     pairs_begin_.assign(still_ + 2, 0);
-    for (const Pair& pair : pairs_) {
+    const std::vector<NearPair>& near = near_.pairs();
+    for (const NearPair& pair : near) {
         ++pairs_begin_[pair.a + 2];
         if (pair.b < still_) ++pairs_begin_[pair.b + 2];
     }
     for (std::size_t i = 2; i < pairs_begin_.size(); ++i)
         pairs_begin_[i] += pairs_begin_[i - 1];
     pairs_of_.resize(pairs_begin_.back());
-    for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
-        pairs_of_[pairs_begin_[pairs_[p].a + 1]++] = p;
-        if (pairs_[p].b < still_) pairs_of_[pairs_begin_[pairs_[p].b + 1]++] = p;
+    for (std::uint32_t p = 0; p < near.size(); ++p) {
+        const NearPair& pair = near[turn_.empty() ? p : turn_[p]];
+        pairs_of_[pairs_begin_[pair.a + 1]++] = p;
+        if (pair.b < still_) pairs_of_[pairs_begin_[pair.b + 1]++] = p;
     }
 }
 

@@ -11,17 +11,24 @@ namespace carom {
 namespace {
 
 // How far each ball may go in a tick before the pairs must be found again: what it needs at its
-// speed, more for what pushes it; of a very fast one, what it needs in a substep.
+// speed, but at least `hit`, for what pushes it; of a very fast one, what it needs in a substep.
 double margin_for(double speed, double radius, double duration, double tick, double fall,
-                  double fastest) {
+                  double hit) {
     const double whole = speed * tick + fall * tick * tick;
     const double most = std::max(4.0 * radius, speed * duration + fall * duration * duration);
-    const double as_the_fastest = std::min(1.1 * fastest * duration, 0.25 * radius);
-    return std::max(1.25 * std::min(whole, most), as_the_fastest) + 0.03 * radius;
+    return std::max(1.25 * std::min(whole, most), hit) + 0.03 * radius;
 }
 
 // The balls lie anywhere in the world's arrays: asked for so many bodies ahead, they are there.
 constexpr std::uint32_t ahead = 16;
+
+// Whether it does not show in the result when the pairs are found: nothing is ever pressed, so they
+// are in no order, and neither the torus nor spin is rounded anew when bodies are loaded.
+bool is_order_free(const World& world) {
+    const Model& model = world.model;
+    return !model.gravity && !model.lossy && !model.wrap && !model.spin &&
+           world.held_balls.empty() && world.held_capsules.empty();
+}
 
 }  // namespace
 
@@ -31,16 +38,25 @@ void ContactSolver::find_homes(World& world) const {
     const double tick = world.tick_length();
     const double fall = length(gravity_);
     double fastest = 0.0;
-    for (const Vec2 velocity : balls.velocity)
-        fastest = std::max(fastest, length_squared(velocity));
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        fastest = std::max(fastest, length_squared(balls.velocity[i]));
+        smallest = std::min(smallest, balls.radius[i]);
+    }
     fastest = std::sqrt(fastest);
+    // Where it does not show when the pairs are found, more for what is hit: so that they last for
+    // the tick, mostly.
+    const double roomy =
+        is_order_free(world) ? std::min(1.15 * fastest * tick, 0.6 * smallest) : 0.0;
     Homes& homes = world.homes;
     homes.ball = balls.id;
     homes.place = balls.position;
     homes.margin.resize(balls.size());
-    for (std::size_t i = 0; i < balls.size(); ++i)
-        homes.margin[i] =
-            margin_for(length(balls.velocity[i]), balls.radius[i], duration_, tick, fall, fastest);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const double radius = balls.radius[i];
+        const double hit = std::max(std::min(1.1 * fastest * duration_, 0.25 * radius), roomy);
+        homes.margin[i] = margin_for(length(balls.velocity[i]), radius, duration_, tick, fall, hit);
+    }
     for (const HeldBall& held : world.held_balls) {
         const auto index = index_of(world, held.id);
         if (!index) continue;
@@ -339,6 +355,10 @@ void ContactSolver::store(World& world, std::vector<std::uint8_t>& touched) {
 }
 
 void ContactSolver::store_impulses(World& world, std::vector<std::uint8_t>& touched) {
+    if (is_order_free(world)) {
+        world.pressed.clear();
+        return;
+    }
     first_impulse_.assign(still_ + 1, 0);
     for (Pair& pair : pairs_) {
         pair.is_new = !(pair.impulse > 0.0);

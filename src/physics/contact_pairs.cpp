@@ -228,27 +228,27 @@ void NearPairs::pair_with_edges(const World& world, const Regions& regions, Leve
     // The level's cells hold the edges that reach the largest of its regions.
     level.edges.update(world, level.frame, level.reach);
     const std::uint32_t* start = start_.data() + level.first;
-    std::uint32_t cell = 0;
-    for (std::uint32_t i = level.begin; i < level.end; ++i) {
-        while (start[cell + 1] <= i)
-            ++cell;
-        for (const CapsuleEntry entry : level.edges.in_cell(cell)) {
-            if (filtered_ && !kind_meets_material(world, world.balls.kind[regions.ball[i]],
-                                                  world.capsules.material[entry.index]))
-                continue;
-            const Capsule& shape = world.capsules.shape[entry.index];
-            const Vec2 at =
-                regions.center[i] - Vec2{entry.across * torus_.x, entry.along * torus_.y};
-            const double reach = (regions.radius[i] + regions.margin[i]) + shape.radius;
-            const Vec2 way = at - closest_point(shape.start, shape.end, at);
-            if (length_squared(way) > reach * reach) continue;
-            pairs_.push_back({.a = i,
-                              .b = static_cast<std::uint32_t>(regions.ball.size()),
-                              .edge = entry.index,
-                              .across = entry.across,
-                              .along = entry.along});
-        }
-    }
+    for (const std::uint32_t cell : level.edges.occupied())
+        for (std::uint32_t i = start[cell]; i < start[cell + 1]; ++i)
+            for (const CapsuleEntry entry : level.edges.in_cell(cell))
+                pair_with_edge(world, regions, i, entry);
+}
+
+inline void NearPairs::pair_with_edge(const World& world, const Regions& regions, std::uint32_t i,
+                                      const CapsuleEntry& entry) {
+    if (filtered_ && !kind_meets_material(world, world.balls.kind[regions.ball[i]],
+                                          world.capsules.material[entry.index]))
+        return;
+    const Capsule& shape = world.capsules.shape[entry.index];
+    const Vec2 at = regions.center[i] - Vec2{entry.across * torus_.x, entry.along * torus_.y};
+    const double reach = (regions.radius[i] + regions.margin[i]) + shape.radius;
+    const Vec2 way = at - closest_point(shape.start, shape.end, at);
+    if (length_squared(way) > reach * reach) return;
+    pairs_.push_back({.a = i,
+                      .b = static_cast<std::uint32_t>(regions.ball.size()),
+                      .edge = entry.index,
+                      .across = entry.across,
+                      .along = entry.along});
 }
 
 }  // namespace carom

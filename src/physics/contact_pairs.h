@@ -73,6 +73,8 @@ class NearPairs {
     void pair_with_coarser(const World& world, const Regions& regions, const Level& level,
                            const Level& coarser);
     void pair_with_edges(const World& world, const Regions& regions, Level& level);
+    void pair_with_edge(const World& world, const Regions& regions, std::uint32_t i,
+                        const CapsuleEntry& entry);
     void consider(const World& world, const Regions& regions, std::uint32_t i, std::uint32_t first,
                   std::uint32_t last);
     void note(const World& world, const Regions& regions, std::uint32_t i, std::uint32_t j);

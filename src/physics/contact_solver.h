@@ -263,6 +263,7 @@ class ContactSolver {
 
     // Impacts within a substep.
     void find_hits();
+    void look_ahead(std::size_t hit) const;
     void run_impacts(World& world, std::vector<Contact>& contacts);
     void begin_paths();
     void begin_path(std::uint32_t body);
