@@ -396,9 +396,14 @@ void EventEngine<Real>::store_paths(World& world) {
             world.paths_sum = balls_.size() * sum_of(BallPath{});
         }
         const auto store = [&](std::uint32_t i) {
-            world.paths_sum -= sum_of(world.paths[i]);
-            world.paths[i] = stored_path(world.balls.id[i], balls_[i].path);
-            world.paths_sum += sum_of(world.paths[i]);
+            BallPath& stored = world.paths[i];
+            const EventPath<double>& path = balls_[i].path;
+            world.paths_sum -= sum_of(stored);
+            if (are_all || stored.motion != Motion::free || path.motion != Motion::free)
+                stored = stored_path(world.balls.id[i], path);
+            else
+                begin_stored(stored, path);
+            world.paths_sum += sum_of(stored);
         };
         if (are_all)
             for (std::uint32_t i = 0; i < balls_.size(); ++i)
@@ -406,10 +411,9 @@ void EventEngine<Real>::store_paths(World& world) {
         else
             for (std::size_t at = 0; at < begun_.size(); ++at) {
                 const std::uint32_t soon = begun_[std::min(at + 8, begun_.size() - 1)];
-                const auto* const path = reinterpret_cast<const char*>(&world.paths[soon]);
-                for (const std::size_t byte : {0, 64, static_cast<int>(sizeof(BallPath)) - 1})
-                    fetch_early(path + byte);
-                balls_.fetch_ball(soon);
+                fetch_early(&world.paths[soon].id);
+                fetch_early(&world.paths[soon].velocity.y);
+                balls_.fetch_neighbour(soon);
                 store(begun_[at]);
             }
         left_.paths_sum = world.paths_sum;

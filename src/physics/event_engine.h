@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory_resource>
 #include <optional>
 #include <vector>
@@ -139,8 +140,14 @@ class EventEngine {
         std::int8_t across = 0;  ///< tori to the image that is near
         std::int8_t along = 0;
     };
-    /// The balls near one that flies, `count` of them, and whom of them it approaches so as to
-    /// meet.
+    /// Whom a ball on a line meets first, wherever. Passed about by value, in registers: what has
+    /// been written to memory in parts takes long to be read as a whole.
+    struct FirstMet {
+        Real time{std::numeric_limits<double>::infinity()};
+        std::uint32_t other = EventBall<Real>::none;
+        std::uint32_t version = 0;
+    };
+    /// The balls near one that flies, and whom of them it approaches so as to meet.
     struct Lines {
         static constexpr std::size_t most = 64;
         std::array<std::uint32_t, most> other;
@@ -222,7 +229,13 @@ class EventEngine {
     void predict_edges(std::uint32_t ball, Event& best) const;
     double queue_time(std::uint32_t ball) const;
     void build_queue();
-    std::optional<std::uint32_t> first_ball();
+    /// Whose event comes first. Inlined, so that what it returns stays in registers.
+    [[gnu::always_inline]] std::optional<std::uint32_t> first_ball() {
+        if (balls_.size() >= many) look_ahead();
+        return queue_.first([this](std::uint32_t a, std::uint32_t b) {
+            return comes_first(a, balls_.plan(a).coming, b, balls_.plan(b).coming);
+        });
+    }
     void reorder(std::uint32_t ball);
     bool comes_first(std::uint32_t ball_a, const Event& a, std::uint32_t ball_b,
                      const Event& b) const;
@@ -269,14 +282,16 @@ class EventEngine {
     bool are_lines() const;
     void happen_on_lines(std::uint32_t ball, const Event& event, std::vector<Contact>& contacts,
                          std::vector<std::uint8_t>& touched);
-    void meet_on_line(std::uint32_t ball, std::uint32_t other, const LineMeeting<Real>& meeting,
-                      const Real& begin, const Vector<Real>& offset, Event& best) const;
-    void look_at_line(std::uint32_t ball, std::uint32_t other, Event& best) const;
+    FirstMet first_met(std::uint32_t ball, std::uint32_t other, const LineMeeting<Real>& meeting,
+                       const Real& begin, const Vector<Real>& offset, FirstMet best) const;
+    FirstMet first_met(std::uint32_t ball, std::uint32_t other, FirstMet best) const;
     void predict_on_line(std::uint32_t ball);
     void enter_next_cell_on_line(std::uint32_t ball, std::uint32_t direction);
-    void choose_next_on_line(std::uint32_t ball, const Event& meeting);
+    void choose_next_on_line(std::uint32_t ball, FirstMet met);
     bool find_lines(std::uint32_t ball, std::uint32_t partner, const Vector<Real>& place,
                     const Vector<Real>& velocity, Lines& lines) const;
+    void begin_line(std::uint32_t ball, const Vector<Real>& place, const Vector<Real>& velocity,
+                    std::uint32_t quick);
     bool is_off_edges(std::uint32_t ball, const Vector<Real>& place) const;
     bool impact_of_two(std::uint32_t ball, const Event& event, std::vector<Contact>& contacts,
                        std::vector<std::uint8_t>& touched);

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <type_traits>
 
 #include "physics/event_engine.h"
+#include "physics/two.h"
 
 // Where all balls fly in straight lines and may meet one another, as in a gas: the same events,
 // with the same bits, without asking at each what gravity, friction, a torus or rest would change.
@@ -25,7 +27,7 @@ struct LinePair {
 
 }  // namespace
 
-// Pre: no path has been kept from a time when the scene had other terms.
+// Whether all balls fly in straight lines, and each may meet any other.
 template <typename Real>
 bool EventEngine<Real>::are_lines() const {
     const Model& model = world_->model;
@@ -33,7 +35,10 @@ bool EventEngine<Real>::are_lines() const {
            !model.wrap && !model.filtered && !model.one_way && hands_.empty() &&
            cells_.giants().empty() &&
            std::all_of(balls_.begin(), balls_.end(), [](const EventBall<Real>& ball) {
-               return ball.path.motion == Motion::free;
+               const EventPath<Real>& path = ball.path;
+               return path.motion == Motion::free && path.acceleration == Vector<Real>{} &&
+                      path.center == Vector<Real>{} && path.support == PathSupport{} &&
+                      path.second_support == PathSupport{};
            });
 }
 
@@ -52,43 +57,49 @@ void EventEngine<Real>::happen_on_lines(std::uint32_t ball, const Event& event,
     }
 }
 
-// The ball is going to meet another: takes that for `best`, if it comes before.
+// The ball is going to meet another, unless it meets `best` before: who comes first.
 template <typename Real>
-inline void EventEngine<Real>::meet_on_line(std::uint32_t ball, std::uint32_t other,
-                                            const LineMeeting<Real>& meeting, const Real& begin,
-                                            const Vector<Real>& offset, Event& best) const {
+inline auto EventEngine<Real>::first_met(std::uint32_t ball, std::uint32_t other,
+                                         const LineMeeting<Real>& meeting, const Real& begin,
+                                         const Vector<Real>& offset, FirstMet best) const
+    -> FirstMet {
     const EventBall<Real>& us = balls_[ball];
     const EventBall<Real>& them = balls_[other];
     const Real small = us.radius < them.radius ? us.radius : them.radius;
     // As seen from the one with the lower number, whoever asks: the same bits.
-    auto time = meeting_time(meeting, balls_[std::min(ball, other)].path,
-                             balls_[std::max(ball, other)].path, begin, offset, Vector<Real>{},
-                             us.radius + them.radius, small, field_);
-    if (!time) return;
-    if (*time < now_) time = now_;
-    const Event found{*time, Kind::ball_ball, 0, 0, other, them.version};
-    int comes = static_cast<int>(*time < best.time);
-    if (*time == best.time) comes = comes_first(ball, found, ball, best);
-    assign_if(comes != 0, best, found);
+    const auto met = meeting_time(meeting, balls_[std::min(ball, other)].path,
+                                  balls_[std::max(ball, other)].path, begin, offset, Vector<Real>{},
+                                  us.radius + them.radius, small, field_);
+    if (!met) return best;
+    const Real time = *met < now_ ? now_ : *met;
+    bool comes = time < best.time;
+    if (time == best.time)
+        comes = comes_first(ball, {time, Kind::ball_ball, 0, 0, other, 0}, ball,
+                            {best.time, Kind::ball_ball, 0, 0, best.other, 0});
+    best.time = time < best.time ? time : best.time;
+    best.other = select(comes, other, best.other);
+    best.version = select(comes, them.version, best.version);
+    return best;
 }
 
+// The same of a ball that it may never meet.
 template <typename Real>
-void EventEngine<Real>::look_at_line(std::uint32_t ball, std::uint32_t other, Event& best) const {
+inline auto EventEngine<Real>::first_met(std::uint32_t ball, std::uint32_t other,
+                                         FirstMet best) const -> FirstMet {
     const EventBall<Real>& us = balls_[ball];
     const EventBall<Real>& them = balls_[other];
     const LinePair<Real> pair(us.path, them.path);
     const LineMeeting<Real> line(pair.offset, pair.velocity, us.radius + them.radius);
-    if (line.is_one()) meet_on_line(ball, other, line, pair.begin, pair.offset, best);
+    return line.is_one() ? first_met(ball, other, line, pair.begin, pair.offset, best) : best;
 }
 
 template <typename Real>
 void EventEngine<Real>::predict_on_line(std::uint32_t ball) {
-    Event meeting;
-    meeting.time = Real(std::numeric_limits<double>::infinity());
+    FirstMet met;
     auto firsts = cells_.firsts_near(balls_, ball);
     firsts.for_each(balls_.data(),
-                    [&](std::uint32_t other, int, int) { look_at_line(ball, other, meeting); });
-    choose_next_on_line(ball, meeting);
+                    [&](std::uint32_t other, int, int) { met = first_met(ball, other, met); });
+    choose_next_on_line(ball, met);
 }
 
 template <typename Real>
@@ -97,23 +108,63 @@ void EventEngine<Real>::enter_next_cell_on_line(std::uint32_t ball, std::uint32_
     const int rows = way & -static_cast<int>(direction >> 1);
     const int columns = way - rows;
     cells_.step(balls_, ball, columns, rows);
-    Event meeting = balls_.plan(ball).meeting;
-    assign_if(meeting.kind == Kind::none, meeting.time,
-              Real(std::numeric_limits<double>::infinity()));
+    const Event& known = balls_.plan(ball).meeting;
+    FirstMet met;
+    if (known.kind != Kind::none) met = {known.time, known.other, known.other_version};
     auto firsts = cells_.firsts_of_new(balls_, ball, columns, rows);
     firsts.for_each(balls_.data(),
-                    [&](std::uint32_t other, int, int) { look_at_line(ball, other, meeting); });
-    choose_next_on_line(ball, meeting);
+                    [&](std::uint32_t other, int, int) { met = first_met(ball, other, met); });
+    choose_next_on_line(ball, met);
 }
 
-// `choose_next`, and `reorder`.
+// `choose_next`, and `reorder`. Where and when the ball leaves its cell: predict_crossing_of_line
+// on a plane, both axes side by side where the numbers are doubles.
 template <typename Real>
-inline void EventEngine<Real>::choose_next_on_line(std::uint32_t ball, const Event& meeting) {
+inline void EventEngine<Real>::choose_next_on_line(std::uint32_t ball, FirstMet met) {
     EventPlan<Real>& plan = balls_.plan(ball);
-    plan.meeting = meeting;
     balls_[ball].is_meeting_known = true;
-    plan.coming = meeting;
-    predict_crossing_of_line(ball, plan.coming);
+    const bool is_one = met.other != EventBall<Real>::none;
+    plan.meeting.time = met.time;
+    plan.meeting.kind = is_one ? Kind::ball_ball : Kind::none;
+    plan.meeting.across = plan.meeting.along = 0;
+    plan.meeting.other = met.other;
+    plan.meeting.other_version = met.version;
+    if constexpr (!std::is_same_v<Real, double>) {
+        plan.coming = plan.meeting;
+        predict_crossing_of_line(ball, plan.coming);
+    } else {
+        const EventPath<double>& path = balls_[ball].path;
+        const EventPlace& own = plan.place;
+        const CellFrame& frame = cells_.frame();
+        const Two speed{path.velocity.x, path.velocity.y};
+        const Two place{path.position.x, path.position.y};
+        const Two origin{frame.origin.x, frame.origin.y};
+        const Two width{frame.cell.x, frame.cell.y};
+        const Two last{static_cast<double>(frame.columns), static_cast<double>(frame.rows)};
+        const Two cell{static_cast<double>(own.column), static_cast<double>(own.row)};
+        const Two zero{};
+        const Two one{1.0, 1.0};
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        const Two never{infinity, infinity};
+        const Two border = cell + (speed > zero ? one : zero);
+        const Two crossed = path.time + ((origin + width * border) - place) / speed;
+        const Two no_earlier = at_least(Two{now_, now_}, crossed);
+        const auto is_crossing = (speed != zero) & (border > zero) & (border < last);
+        const Two time = is_crossing ? no_earlier : never;
+        const bool is_y = time[1] < time[0];
+        const double left = time[1] < time[0] ? time[1] : time[0];
+        const auto to_x = static_cast<std::uint32_t>(!(path.velocity.x > 0.0));
+        const auto to_y = static_cast<std::uint32_t>(!(path.velocity.y > 0.0));
+        // At the same time meetings come first.
+        const bool leaves = left < met.time;
+        plan.coming.time = left < met.time ? left : met.time;
+        constexpr auto crossing = static_cast<std::uint32_t>(Kind::crossing);
+        const auto otherwise = static_cast<std::uint32_t>(plan.meeting.kind);
+        plan.coming.kind = static_cast<Kind>(select(leaves, crossing, otherwise));
+        plan.coming.across = plan.coming.along = 0;
+        plan.coming.other = select(leaves, select(is_y, 2 + to_y, to_x), met.other);
+        plan.coming.other_version = met.version;
+    }
     if (world_->model.ball_edge && !edges_.is_empty(plan.place.cell))
         predict_edges(ball, plan.coming);
     reorder(ball);
@@ -172,6 +223,19 @@ bool EventEngine<Real>::is_off_edges(std::uint32_t ball, const Vector<Real>& pla
     return is_off;
 }
 
+// `start_path`, after a path that was a line too.
+template <typename Real>
+inline void EventEngine<Real>::begin_line(std::uint32_t ball, const Vector<Real>& place,
+                                          const Vector<Real>& velocity, std::uint32_t quick) {
+    EventBall<Real>& each = balls_[ball];
+    each.path.quick = quick;
+    each.path.time = now_;
+    each.path.position = place;
+    each.path.velocity = velocity;
+    ++each.version;
+    if (!is_begun_anew_ && begun_.size() < balls_.size()) begun_.push_back(ball);
+}
+
 // Two balls meet that touch nothing else, which nearly all do. False, and nothing has changed:
 // `impact` has to do it.
 template <typename Real>
@@ -187,10 +251,14 @@ bool EventEngine<Real>::impact_of_two(std::uint32_t ball, const Event& event,
     for (std::size_t i = 0; i < 2; ++i) {
         const EventBall<Real>& each = balls_[both[i]];
         if (each.path.quick >= most_quick) return false;
-        const Vector<Real> way = each.path.velocity * (now_ - each.path.time);
-        places[i] = each.path.position + way;
-        bodies[i] = {each.path.velocity, each.inverse_mass};
-        const bool is_quick = length(places[i] - each.path.position) < Real(touching) * each.radius;
+        // As state_at, which makes 0 of -0.
+        places[i] = parabola_at(each.path, now_);
+        bodies[i] = {each.path.velocity + each.path.acceleration * (now_ - each.path.time),
+                     each.inverse_mass};
+        const Vector<Real> way = places[i] - each.path.position;
+        const Real near = Real(touching) * each.radius;
+        // Roughly first: nearly none are near.
+        const bool is_quick = length_squared(way) < Real(2.0) * near * near && length(way) < near;
         quick[i] = select(is_quick, each.path.quick + 1, 0);
     }
     const Vector<Real> offset = places[0] - places[1];
@@ -199,19 +267,18 @@ bool EventEngine<Real>::impact_of_two(std::uint32_t ball, const Event& event,
     contact.a = 0;
     contact.b = 1;
     contact.normal = offset / away;
-    const auto approach_now = [&] { return approach_of<Real>(contact, bodies); };
-    const auto noise = [&] {
-        return Real(approach_noise<Real>) *
-               (length(bodies[0].velocity) + length(bodies[1].velocity));
-    };
-    const Real approach = approach_now();
+    // What may be rounding is for `impact`: more than what it takes for that.
+    const auto sum_of_parts = [](const Vector<Real>& v) { return absolute(v.x) + absolute(v.y); };
+    const Real noise = Real(2.0 * approach_noise<Real>) *
+                       (sum_of_parts(bodies[0].velocity) + sum_of_parts(bodies[1].velocity));
+    const Real approach = approach_of<Real>(contact, bodies);
     const bool can_move = bodies[0].inverse_mass + bodies[1].inverse_mass > Real{};
-    if (!(away > Real{}) || !can_move || !(approach > noise())) return false;
+    if (!(away > Real{}) || !can_move || !(approach > noise)) return false;
     if (world_->model.lossy)
         contact.restitution =
             Real(std::min(world_->balls.restitution[both[0]], world_->balls.restitution[both[1]]));
     const Real impulse = reflect_alone<Real>(bodies, contact);
-    if (!(impulse > Real{}) || approach_now() > noise()) return false;
+    if (!(impulse > Real{}) || approach_of<Real>(contact, bodies) > Real{}) return false;
     if (!is_off_edges(both[0], places[0]) || !is_off_edges(both[1], places[1])) return false;
     for (std::size_t i = 0; i < 2; ++i)
         if (!find_lines(both[i], both[1 - i], places[i], bodies[i].velocity, lines_[i]))
@@ -227,24 +294,22 @@ bool EventEngine<Real>::impact_of_two(std::uint32_t ball, const Event& event,
                         .impulse = static_cast<double>(impulse)});
     for (std::size_t i = 0; i < 2; ++i) {
         touched[both[i]] = 1;
-        start_path(both[i], now_, places[i], bodies[i].velocity);
-        balls_[both[i]].path.quick = quick[i];
+        begin_line(both[i], places[i], bodies[i].velocity, quick[i]);
     }
     // They part; or nearly so.
     const bool is_parting = !LineMeeting<Real>(offset, bodies[0].velocity - bodies[1].velocity,
                                                radius(both[0]) + radius(both[1]))
                                  .is_one();
     for (std::size_t i = 0; i < 2; ++i) {
-        Event meeting;
-        meeting.time = Real(std::numeric_limits<double>::infinity());
-        if (!is_parting) look_at_line(both[i], both[1 - i], meeting);
+        FirstMet met;
+        if (!is_parting) met = first_met(both[i], both[1 - i], met);
         const Lines& lines = lines_[i];
         for (std::size_t at = 0; at < lines.approached_count; ++at) {
             const std::uint32_t which = lines.approached[at];
-            meet_on_line(both[i], lines.other[which], lines.meeting[which], now_,
-                         lines.offset[which], meeting);
+            met = first_met(both[i], lines.other[which], lines.meeting[which], now_,
+                            lines.offset[which], met);
         }
-        choose_next_on_line(both[i], meeting);
+        choose_next_on_line(both[i], met);
     }
     return true;
 }

@@ -113,6 +113,7 @@ EventPath<double> path_from(const BallPath& stored) {
 
 BallPath stored_path(BallId id, const EventPath<double>& path) {
     return {.id = id,
+            .quick = path.quick,
             .motion = path.motion,
             .time = path.time,
             .position = Vec2(path.position),
@@ -120,8 +121,7 @@ BallPath stored_path(BallId id, const EventPath<double>& path) {
             .acceleration = Vec2(path.acceleration),
             .center = Vec2(path.center),
             .support = path.support,
-            .second_support = path.second_support,
-            .quick = path.quick};
+            .second_support = path.second_support};
 }
 
 std::uint64_t sum_of(const BallPath& path) {

@@ -112,6 +112,14 @@ class EventBalls {
 
 EventPath<double> path_from(const BallPath& stored);
 BallPath stored_path(BallId id, const EventPath<double>& path);
+/// The same where `stored` is an earlier path of the ball, and it flew and flies: those differ in
+/// nothing else.
+inline void begin_stored(BallPath& stored, const EventPath<double>& path) {
+    stored.quick = path.quick;
+    stored.time = path.time;
+    stored.position = Vec2(path.position);
+    stored.velocity = Vec2(path.velocity);
+}
 
 /// What the path adds to World::paths_sum: all of it, stirred.
 std::uint64_t sum_of(const BallPath& path);

@@ -68,15 +68,6 @@ void EventEngine<Real>::build_queue() {
         });
 }
 
-// Whose event comes first.
-template <typename Real>
-std::optional<std::uint32_t> EventEngine<Real>::first_ball() {
-    if (balls_.size() >= many) look_ahead();
-    return queue_.first([this](std::uint32_t a, std::uint32_t b) {
-        return comes_first(a, balls_.plan(a).coming, b, balls_.plan(b).coming);
-    });
-}
-
 // The ball's event has changed.
 template <typename Real>
 void EventEngine<Real>::reorder(std::uint32_t ball) {

@@ -44,7 +44,7 @@ class EventQueue {
     /// Whose event comes first; nothing if no ball has one. `is_before(a, b)`: whether ball a's
     /// event comes before ball b's, a total order that goes by time first.
     template <typename Before>
-    std::optional<std::uint32_t> first(Before&& is_before) {
+    [[gnu::always_inline]] std::optional<std::uint32_t> first(Before&& is_before) {
         while (heap_.empty())
             if (!advance(is_before)) return std::nullopt;
         return heap_.front().ball;
@@ -153,7 +153,7 @@ class EventQueue {
     // To the next slice that has somebody: what is in it goes into the heap. False: no ball has an
     // event.
     template <typename Before>
-    bool advance(Before&& is_before) {
+    [[gnu::noinline]] bool advance(Before&& is_before) {
         if (finite_ == 0) return false;
         if (listed_ == 0) {
             arrange();

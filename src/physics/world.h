@@ -154,6 +154,7 @@ struct PathSupport {
 /// its rounded end, the path belongs to the state.
 struct BallPath {
     BallId id{};
+    std::uint32_t quick = 0;  ///< collisions in a row without way between them
     Motion motion = Motion::free;
     double time = 0.0;  ///< s since the start
     Vec2 position;
@@ -162,7 +163,6 @@ struct BallPath {
     Vec2 center;  ///< turning: of the circle; on cloth: the roll (cloth.h) at `time`
     PathSupport support;
     PathSupport second_support;
-    std::uint32_t quick = 0;  ///< collisions in a row without way between them
 
     friend bool operator==(const BallPath&, const BallPath&) = default;
 };

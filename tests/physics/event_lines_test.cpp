@@ -24,6 +24,9 @@ World mixture(std::uint64_t seed, bool is_lossy) {
     for (std::size_t i = 0; i < 6; ++i)
         add_ball(world, {.position = {-20.0 - 2.0 * static_cast<double>(i), 5.0},
                          .velocity = {i == 0 ? -8.0 : 0.0, 0.0}});
+    // Two that meet head-on, so that signs of zero show.
+    add_ball(world, {.position = {-40.0, 20.0}, .velocity = {3.0, -0.0}});
+    add_ball(world, {.position = {-36.0, 20.0}, .velocity = {-3.0, -0.0}});
     return world;
 }
 
