@@ -18,10 +18,8 @@ bool is_inside(const Capsule& capsule, Vec2 point) {
            capsule.radius * capsule.radius;
 }
 
-Vec2 direction(Vec2 v, Vec2 otherwise) {
-    const double size = length(v);
-    if (size > 1e-150 && size < 1e150) return v / size;
-    // Tiny or huge: scale to the larger coordinate first, so that the squares are representable.
+// To the larger coordinate first, so that the squares are representable.
+Vec2 direction_by_scale(Vec2 v, Vec2 otherwise) {
     const double scale = std::max(std::fabs(v.x), std::fabs(v.y));
     if (!(scale > 0.0) || !std::isfinite(scale)) return otherwise;
     const Vec2 scaled = v / scale;

@@ -28,7 +28,13 @@ double separation(const Disc& disc, const Capsule& capsule);
 /// Whether `point` lies in the capsule or on its rim.
 bool is_inside(const Capsule& capsule, Vec2 point);
 
+/// The same as `direction`, also of what is tiny or huge.
+Vec2 direction_by_scale(Vec2 v, Vec2 otherwise);
+
 /// The unit vector along `v`; `otherwise` when v has no length (or one that under- or overflows).
-Vec2 direction(Vec2 v, Vec2 otherwise);
+inline Vec2 direction(Vec2 v, Vec2 otherwise) {
+    const double size = length(v);
+    return size > 1e-150 && size < 1e150 ? v / size : direction_by_scale(v, otherwise);
+}
 
 }  // namespace carom
