@@ -305,7 +305,10 @@ Capsule ContactSolver::edge_at(const World& world, const Pair& pair, double now)
     return shape;
 }
 
-// When the pair meets from now on. Pairs that rest on one another meet where their cores do.
+// When the pair meets from now on. Pressed pairs that rest on one another meet where their cores
+// do; and so do those that would not bounce, while they are no deeper in one another than a hand
+// goes: what the rounds have left of their approach is for the rounds of the next substep. Impact
+// by impact a heap that falls together would never be done.
 std::optional<double> ContactSolver::meeting(const World& world, const Pair& pair,
                                              double now) const {
     const Path& path = path_of(pair.a);
@@ -315,6 +318,7 @@ std::optional<double> ContactSolver::meeting(const World& world, const Pair& pai
     const auto is_soft = [&](Vec2 other) {
         if (pair.settled) return true;
         if (pair.state != State::pressed) return false;
+        if ((!pair.bounces || is_bedded(pair)) && pair.gap > -0.2 * core(pair)) return true;
         return -dot(velocity_at(world, pair.a, now) - other, pair.normal) <= resting_speed_;
     };
     double radius = radius_[pair.a];
