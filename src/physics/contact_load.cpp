@@ -47,7 +47,7 @@ void ContactSolver::find_homes(World& world) const {
     // Where it does not show when the pairs are found, more for what is hit: so that they last for
     // the tick, mostly.
     const double roomy =
-        is_order_free(world) ? std::min(1.15 * fastest * tick, 0.6 * smallest) : 0.0;
+        is_order_free(world) ? std::min(1.15 * fastest * tick, 0.4 * smallest) : 0.0;
     Homes& homes = world.homes;
     homes.ball = balls.id;
     homes.place = balls.position;
