@@ -230,7 +230,17 @@ std::optional<Real> edge_closing(const EventPath<Real>& path, const Edge<Real>& 
     const Real whole = length(span);
     const Vector<Real> along = span / whole;
     const Vector<Real> left = perpendicular(along);
-    take_earlier(best, point_closing(path, edge.end, reach, radius, field, best ? *best : end));
+    // A ball that lies a little in the side, as heaps leave it, comes into the circle of an end
+    // while it is still beside: there nothing is met. (Sides and ends both count at the seam.)
+    const Real seam = Real(1e-9) * reach;
+    const auto is_beyond = [&](const Vector<Real>& point, const Vector<Real>& outwards,
+                               const Real& time) {
+        return dot(outwards, state_at(path, field, time).position - point) >= -seam;
+    };
+    if (best && !is_beyond(edge.start, -along, *best)) best.reset();
+    auto other = point_closing(path, edge.end, reach, radius, field, best ? *best : end);
+    if (other && !is_beyond(edge.end, along, *other)) other.reset();
+    take_earlier(best, other);
     for (const Vector<Real>& normal : {left, -left})
         take_earlier(best, side_closing(path, edge, along, whole, normal, radius, field,
                                         best ? *best : end));
