@@ -282,10 +282,6 @@ void ContactSolver::stand(std::uint32_t body, double now) {
     ++path.version;
 }
 
-double ContactSolver::core(const Pair& pair) const {
-    return 0.5 * (pair.b < still_ ? std::min(radius_[pair.a], radius_[pair.b]) : radius_[pair.a]);
-}
-
 double ContactSolver::restitution_of(const World& world, const Pair& pair, double approach) const {
     if (!world.model.lossy) return 1.0;
     if (pair.edge != NearPair::no_edge)
