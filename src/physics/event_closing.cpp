@@ -219,10 +219,45 @@ std::optional<Real> ball_closing(const EventPath<Real>& a, const EventPath<Real>
     return first_closing<Real>(look, begin, last, pull, limits);
 }
 
+namespace {
+
+// Whether the path begins deeper in the edge than bodies that touch are, as heaps leave balls.
+template <typename Real>
+bool is_in(const Edge<Real>& edge, const EventPath<Real>& path, const Real& radius,
+           const Field<Real>& field) {
+    const Real gap = contact_with(edge, path.position, radius).gap;
+    if (!(gap < Real{})) return false;
+    const auto limits = tolerance(path.position, radius + edge.radius, length(path.velocity),
+                                  Real{}, radius, field.pressing);
+    return gap < -Real(4.0) * limits.touch;
+}
+
+// Of such a path, with the nearest place of the edge. Its parts taken one by one would not do: the
+// circle of an end is entered while the ball is beside the edge, where nothing is met.
+template <typename Real>
+std::optional<Real> closing_from_inside(const EventPath<Real>& path, const Edge<Real>& edge,
+                                        const Real& radius, const Field<Real>& field,
+                                        const Real& end) {
+    const Real pull = most_acceleration(path, field, path.time);
+    const auto limits = tolerance(path.position, radius + edge.radius, length(path.velocity), pull,
+                                  radius, field.pressing);
+    return first_closing<Real>(
+        [&](const Real& time) -> Gap<Real> {
+            const BallState<Real> state = state_at(path, field, time);
+            const auto contact = contact_with(edge, state.position, radius);
+            return {contact.gap, dot(contact.normal, state.velocity), Real{}};
+        },
+        path.time, last_moment(path, field, end), pull, limits);
+}
+
+}  // namespace
+
 template <typename Real>
 std::optional<Real> edge_closing(const EventPath<Real>& path, const Edge<Real>& edge,
                                  const Real& radius, const Field<Real>& field, const Real& end) {
     if (path.motion == Motion::resting || path.motion == Motion::still) return std::nullopt;
+    if (!edge.is_point() && is_in(edge, path, radius, field))
+        return closing_from_inside(path, edge, radius, field, end);
     const Real reach = radius + edge.radius;
     std::optional<Real> best = point_closing(path, edge.start, reach, radius, field, end);
     if (edge.is_point()) return best;
@@ -230,17 +265,7 @@ std::optional<Real> edge_closing(const EventPath<Real>& path, const Edge<Real>& 
     const Real whole = length(span);
     const Vector<Real> along = span / whole;
     const Vector<Real> left = perpendicular(along);
-    // A ball that lies a little in the side, as heaps leave it, comes into the circle of an end
-    // while it is still beside: there nothing is met. (Sides and ends both count at the seam.)
-    const Real seam = Real(1e-9) * reach;
-    const auto is_beyond = [&](const Vector<Real>& point, const Vector<Real>& outwards,
-                               const Real& time) {
-        return dot(outwards, state_at(path, field, time).position - point) >= -seam;
-    };
-    if (best && !is_beyond(edge.start, -along, *best)) best.reset();
-    auto other = point_closing(path, edge.end, reach, radius, field, best ? *best : end);
-    if (other && !is_beyond(edge.end, along, *other)) other.reset();
-    take_earlier(best, other);
+    take_earlier(best, point_closing(path, edge.end, reach, radius, field, best ? *best : end));
     for (const Vector<Real>& normal : {left, -left})
         take_earlier(best, side_closing(path, edge, along, whole, normal, radius, field,
                                         best ? *best : end));

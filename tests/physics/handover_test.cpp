@@ -288,6 +288,33 @@ TEST_CASE("event: a ball that lies a little in an edge slides off its end") {
     }
 }
 
+TEST_CASE("event: a ball that lies a little in an edge does not get through its end") {
+    for (const double depth : {1e-3, 1e-4, 1e-5, 1e-7}) {
+        for (std::uint32_t shot = 0; shot < 300; ++shot) {
+            CAPTURE(depth);
+            CAPTURE(shot);
+            const auto share = [&](std::uint32_t of) { return std::fmod(0.618 * of * shot, 1.0); };
+            const double circle = std::sqrt(2.0 * depth);
+            const double speed = 0.3 + 2.7 * share(1);
+            const double angle = 2.4 * share(2) - 1.2;
+            World world = open_air(0.5);
+            world.model.gravity = Vec2{10.0 * std::sin(angle), -10.0 * std::cos(angle)};
+            add_capsule(world, {{0.0, 0.0}, {20.0, 0.0}, 0.0}, 0);
+            add_ball(world,
+                     {.position = {0.5 * circle * (1.0 + 0.05 * share(3)), 0.5 - 0.5 * depth},
+                      .velocity = {-speed, share(5) * speed * circle}});
+            Solver solver({.kind = SolverKind::event});
+            for (int i = 0; i < 50; ++i) {
+                int asked = 0;
+                REQUIRE(solver.tick(world, [&] { return ++asked < 30; }) == TickOutcome::done);
+                const Vec2 p = world.balls.position[0];
+                REQUIRE((p.x >= 0.0 ? std::abs(p.y) : length(p)) >
+                        0.5 * (1.0 - 2.0 * depth) - 1e-6);
+            }
+        }
+    }
+}
+
 TEST_CASE("event: a heap whose floor goes falls, and its balls come back to exact paths") {
     World world = open_air(0.3);
     const CapsuleId floor = add_capsule(world, {{-2.0, 0.0}, {2.0, 0.0}, 0.0}, 0);
