@@ -357,6 +357,7 @@ void ContactSolver::store(World& world, std::vector<std::uint8_t>& touched) {
 void ContactSolver::store_impulses(World& world, std::vector<std::uint8_t>& touched) {
     if (is_order_free(world)) {
         world.pressed.clear();
+        scenery_.note_impulses(world);
         return;
     }
     first_impulse_.assign(still_ + 1, 0);

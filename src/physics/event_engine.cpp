@@ -190,6 +190,7 @@ void EventEngine<Real>::begin(World& world) {
         }
     }
     is_begun_anew_ = true;
+    are_velocities_left_ = false;
     begin_anew(world);
 }
 

@@ -60,6 +60,7 @@ void Neighbours::look(const World& world, double margin) {
     if (margin > 0.0) {
         reference_ = balls.position;
         radius_ = balls.radius;
+        note_scene(world);
     }
     note(world, balls.position, balls.radius);
 }
@@ -154,10 +155,31 @@ bool Neighbours::note_place(std::uint32_t ball, Vec2 position) {
     return square <= room();
 }
 
+void Neighbours::note_scene(const World& world) {
+    shapes_ = world.capsules.shape;
+    held_.clear();
+    for (const HeldCapsule& held : world.held_capsules)
+        held_.push_back(held.id);
+    meet_balls_ = world.model.ball_ball;
+    meet_edges_ = world.model.ball_edge;
+}
+
+// Edges that were in hands and still are may have moved.
+bool Neighbours::is_scene_of(const World& world) const {
+    const Capsules& capsules = world.capsules;
+    if (meet_balls_ != world.model.ball_ball || meet_edges_ != world.model.ball_edge) return false;
+    if (shapes_.size() != capsules.size()) return false;
+    if (!std::ranges::equal(held_, world.held_capsules, {}, {}, &HeldCapsule::id)) return false;
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+        if (shapes_[i] != capsules.shape[i] && !is_held(world, capsules.id[i])) return false;
+    return true;
+}
+
 bool Neighbours::cover(const World& world) {
     const Balls& balls = world.balls;
     if (!(margin_ > 0.0) || radius_ != balls.radius) return false;
     if (torus_ != (world.model.wrap ? size(*world.model.wrap) : Vec2{})) return false;
+    if (!is_scene_of(world)) return false;
     furthest_ = 0.0;
     for (std::uint32_t i = 0; i < balls.size(); ++i)
         if (!note_place(i, balls.position[i])) return false;

@@ -57,8 +57,8 @@ class Neighbours {
     /// centres and radii, by ball. Margin 0.
     void look(const World& world, std::span<const Vec2> centers, std::span<const double> radii);
 
-    /// Whether every two bodies that overlap now are among those noted: same balls, and none has
-    /// gone further than the margin. With margin 0: false.
+    /// Whether every two bodies that overlap now are among those noted: same balls, none of which
+    /// has gone further than the margin, and same edges. With margin 0: false.
     bool cover(const World& world);
     /// The same without a look at the world, if it was so since the last look and no ball has gone
     /// further than `way` since it was last asked for, here or by `note_place`.
@@ -108,6 +108,8 @@ class Neighbours {
 
   private:
     void note(const World& world, std::span<const Vec2> centers, std::span<const double> radii);
+    void note_scene(const World& world);
+    bool is_scene_of(const World& world) const;
     double gone(std::uint32_t ball, Vec2 position) const;
     // The square of the margin, without what is for rounding.
     double room() const { return 0.999 * margin_ * (0.999 * margin_); }
@@ -128,6 +130,10 @@ class Neighbours {
     EdgeMap map_;
     std::vector<Vec2> reference_;  // where the balls were; empty with margin 0
     std::vector<double> radius_;   // the same
+    std::vector<Capsule> shapes_;  // the same, of the capsules
+    std::vector<CapsuleId> held_;  // the same: in hands, and left out
+    bool meet_balls_ = false;
+    bool meet_edges_ = false;
     std::size_t balls_ = 0;
     std::vector<BallPair> pairs_;
     PairOrder order_;
