@@ -112,6 +112,7 @@ void ContactSolver::begin_presses() {
         const Two mass{first.mass, second.mass};
         const auto open = gap > Two{};
         const Two whole = Two{1.0, 1.0};
+        const Two most = whole * most_hardening;
         const Two harder = 0.5 * hardening / Two{core(first), q == none ? 1.0 : core(second)};
         const auto place = static_cast<std::uint32_t>(2 * presses_used_);
         if (first.is_new) new_.push_back(place);
@@ -126,7 +127,8 @@ void ContactSolver::begin_presses() {
         both.pair[1] = q;
         both.normal_x = Two{first.normal.x, second.normal.x};
         both.normal_y = Two{first.normal.y, second.normal.y};
-        both.target = gap * (open ? whole * per_substep : (whole - gap * harder) * softness_.push);
+        both.target = gap * (open ? whole * per_substep
+                                  : (whole + at_most(most, -gap * harder)) * softness_.push);
         both.mass = mass;
         both.impulse = Two{first.impulse, second.impulse};
         both.rub = Two{first.rub, second.rub};

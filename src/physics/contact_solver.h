@@ -75,6 +75,8 @@ class ContactSolver {
     /// the speed of one of x (1 + hardening x / radius) in a spring, by the smaller radius. So
     /// where much weight comes together balls go in by less, and elsewhere heaps do not tremble.
     static constexpr double hardening = 5.0;
+    /// And no more than half as hard again, or heaps would throw up what lands hard on them.
+    static constexpr double most_hardening = 0.5;
     /// A ball that presses on one so many times lighter is a load: all below it that presses is
     /// solved in this many rounds. With one, 400 on balls of mass 1 rock for ever; with two they
     /// come to rest after a minute, with four after some seconds.
