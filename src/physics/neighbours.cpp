@@ -4,6 +4,7 @@
 
 #include "geometry/closest.h"
 #include "physics/fetch.h"
+#include "physics/same_bits.h"
 
 namespace carom {
 
@@ -170,6 +171,7 @@ bool Neighbours::is_scene_of(const World& world) const {
     if (meet_balls_ != world.model.ball_ball || meet_edges_ != world.model.ball_edge) return false;
     if (shapes_.size() != capsules.size()) return false;
     if (!std::ranges::equal(held_, world.held_capsules, {}, {}, &HeldCapsule::id)) return false;
+    if (have_same_bits(shapes_, capsules.shape)) return true;
     for (std::size_t i = 0; i < shapes_.size(); ++i)
         if (shapes_[i] != capsules.shape[i] && !is_held(world, capsules.id[i])) return false;
     return true;
