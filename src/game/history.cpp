@@ -6,9 +6,9 @@
 namespace carom {
 namespace {
 
-template <typename T>
-std::size_t bytes_in(const std::vector<T>& values) {
-    return values.capacity() * sizeof(T);
+template <typename Vector>
+std::size_t bytes_in(const Vector& values) {
+    return values.capacity() * sizeof(typename Vector::value_type);
 }
 
 constexpr auto tick_of = [](const auto& kept) { return kept.snapshot.world.tick; };

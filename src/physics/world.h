@@ -8,6 +8,7 @@
 #include "physics/contact.h"
 #include "physics/flipper.h"
 #include "physics/ids.h"
+#include "physics/large_pages.h"
 #include "physics/model.h"
 
 /// The world: all state of a simulation, and nothing else. Copy it and you have a snapshot; a copy
@@ -240,7 +241,7 @@ struct World {
     /// Ascending by id; empty unless the last tick was one of the solver `event`. A path counts
     /// only while it leads through the ball's position and velocity, bit by bit, so what moves a
     /// ball from outside need not know of it.
-    std::vector<BallPath> paths;
+    LargeVector<BallPath> paths;
     std::vector<SpinPath> spin_paths;  ///< beside `paths`; empty unless Model::spin
     Vec2 paths_gravity;       ///< what acted on `paths`: another field, and they count no more
     double paths_drag = 0.0;  ///< 1/s
