@@ -7,18 +7,26 @@
 #include <optional>
 #include <vector>
 
+#include "physics/event_bags.h"
 #include "physics/fetch.h"
 #include "physics/large_pages.h"
 
 /// The event queue: the balls by the time of their next events, each of which can be replaced.
 ///
 /// Time is cut into slices of equal width. The balls whose events are in the present slice, or
-/// before, stand in a heap; there are few. Those of the slices to come stand in a list for each
-/// slice, in no order, so that to replace an event costs the same however many balls there are;
-/// those further ahead than the lists reach, in one list that is gone through now and then. The
-/// width follows the events, about three a slice, and changes nothing but the cost: who comes first
-/// at the same time is asked, and the order is total. (After Paul, A complexity O(1) priority queue
-/// for event driven molecular dynamics simulations, Journal of Computational Physics 221, 2007.)
+/// before, stand in a heap; there are few. Those of the slices that come next stand in a list for
+/// each slice, in no order, so that it costs the same however many balls there are. The slices
+/// after those come in blocks, with a bag (event_bags.h) for each block, which is emptied into the
+/// lists when its turn is near: with many balls, lists for all slices would not stay in the cache.
+/// Those further ahead are in one more bag, that is gone through now and then. The width follows
+/// the events, about three a slice, and changes nothing but the cost: who comes first at the same
+/// time is asked, and the order is total. (After Paul, A complexity O(1) priority queue for event
+/// driven molecular dynamics simulations, Journal of Computational Physics 221, 2007, and Tang, Goh
+/// and Thng, Ladder queue: an O(1) priority queue structure for large-scale discrete event
+/// simulation, ACM Transactions on Modeling and Computer Simulation 15, 2005.)
+///
+/// Outside of the heap, what has been replaced stays where it is until its turn comes, and is
+/// passed over then; should there be too much of it, all of it is thrown out.
 namespace carom {
 
 class EventQueue {
@@ -28,17 +36,17 @@ class EventQueue {
     /// Balls 0..count-1. `time_of(ball)`: of its event, s, or `never`. `is_before`: see `first`.
     template <typename Time, typename Before>
     void build(std::size_t count, Time&& time_of, Before&& is_before) {
-        slices_ = least_slices;
-        make_lists();
         heap_.clear();
-        links_.resize(count + 1);
-        listed_ = finite_ = 0;
-        scout_ = none;
+        marks_.assign(count, unlisted);
+        moved_.clear();
+        moved_.reserve(count);
         for (std::uint32_t ball = 0; ball < count; ++ball) {
-            links_[ball].time = time_of(ball);
-            enlist(ball, links_[ball].time < never ? far() : no_time());
+            const double time = time_of(ball);
+            if (time < never) moved_.push_back({time, ball, 0});
         }
-        advance(is_before);
+        slices_ = least_slices;
+        arrange();
+        take_present(is_before);
     }
 
     /// Whose event comes first; nothing if no ball has one. `is_before(a, b)`: whether ball a's
@@ -54,83 +62,89 @@ class EventQueue {
     /// about their order; nothing if there is none that far ahead. What is told so may be out of
     /// date a moment later: it is for fetching memory before it is needed.
     std::optional<std::uint32_t> scout() {
-        std::uint32_t ball = none;
-        if (scout_ != none && links_[scout_].list == list_of_slice(scouted_))
-            ball = links_[scout_].next;
+        std::uint32_t node = scout_ != none ? valid_from(nodes_[scout_].next) : none;
         if (scouted_ < present_ + least_lead) {
             scouted_ = present_ + least_lead;
-            ball = heads_[list_of_slice(scouted_)];
+            node = valid_from(heads_[list_of_slice(scouted_)]);
         }
-        if (ball == none && scouted_ < present_ + most_lead) {
+        if (node == none && scouted_ < present_ + most_lead) {
             scouted_ = filled_from(scouted_ + 1, present_ + most_lead);
-            ball = heads_[list_of_slice(scouted_)];
+            node = valid_from(heads_[list_of_slice(scouted_)]);
         }
-        scout_ = ball;
-        if (ball == none) return std::nullopt;
+        scout_ = node;
+        if (node == none) return std::nullopt;
+        const std::uint32_t ball = nodes_[node].event.ball;
         fetch(ball);
         return ball;
     }
     /// What stands here about the ball, into the cache.
-    void fetch(std::uint32_t ball) const { fetch_early(&links_[ball]); }
+    void fetch(std::uint32_t ball) const { fetch_early(&marks_[ball]); }
 
     /// The event of `ball` has changed, and is at `time` now, or `never`.
     template <typename Before>
     void update(std::uint32_t ball, double time, Before&& is_before) {
-        const std::uint32_t old = links_[ball].list;
-        const std::uint32_t list = list_for(time);
-        links_[ball].time = time;
-        if (old == in_heap && list == in_heap) {
-            settle(links_[ball].next, {time, ball}, is_before);
-            return;
+        const std::uint32_t mark = marks_[ball];
+        // Signed, which processors convert faster.
+        const bool is_present =
+            slice_of(time) < static_cast<double>(static_cast<std::int64_t>(present_) + 1);
+        if ((mark & in_heap) != 0) {
+            const std::uint32_t at = mark & ~in_heap;
+            if (is_present) {
+                settle(at, {time, ball}, is_before);
+                return;
+            }
+            leave_heap(at, is_before);
         }
-        if (old == in_heap)
-            leave_heap(links_[ball].next, is_before);
-        else
-            unlink(ball);
-        if (list == in_heap)
-            enter_heap(ball, is_before);
-        else
-            enlist(ball, list);
+        // Whatever of it stands in a list or a bag is void now.
+        marks_[ball] = unlisted;
+        if (is_present)
+            enter_heap({time, ball}, is_before);
+        else if (time < never)
+            keep(ball, time);
     }
 
   private:
     static constexpr std::uint32_t none = 0xffffffffu;
-    static constexpr std::uint32_t in_heap = none;
     static constexpr std::uint32_t least_slices = 64;
-    static constexpr std::uint32_t least_lead = 3;  ///< of `scout`, slices
+    static constexpr std::uint32_t most_listed = 4096;    ///< slices, up to which all are lists
+    static constexpr std::uint32_t slices_a_block = 256;  ///< where not
+    static constexpr std::uint32_t least_lead = 3;        ///< of `scout`, slices
     static constexpr std::uint32_t most_lead = 10;
+
+    /// A ball's mark is its place in the heap with `in_heap`, or the stamp of its event.
+    static constexpr std::uint32_t in_heap = 1u << 31;
+    static constexpr std::uint32_t unlisted = 0;
+    static constexpr std::uint32_t last_stamp = in_heap - 1;
 
     struct Entry {
         double time = 0.0;
         std::uint32_t ball = 0;
     };
-    struct Link {
-        double time = 0.0;
-        std::uint32_t next = none;  ///< in the same list; or the place in the heap
-        std::uint32_t before = none;
-        std::uint32_t list = in_heap;  ///< of heads_
+    /// One in a list, or in none.
+    struct Node {
+        QueuedEvent event;
+        std::uint32_t next = none;
     };
 
-    std::uint32_t far() const { return slices_; }
-    std::uint32_t no_time() const { return slices_ + 1; }
+    bool is_valid(const QueuedEvent& event) const { return marks_[event.ball] == event.stamp; }
+    // The first in the list, from that node on, that counts.
+    std::uint32_t valid_from(std::uint32_t node) const {
+        while (node != none && !is_valid(nodes_[node].event))
+            node = nodes_[node].next;
+        return node;
+    }
+    std::uint64_t block_slices() const { return std::uint64_t{1} << block_bits_; }
+    double slice_of(double time) const { return (time - origin_) * slices_a_second_; }
     std::uint32_t list_of_slice(std::uint64_t slice) const {
-        return static_cast<std::uint32_t>(slice & (slices_ - 1));
+        return static_cast<std::uint32_t>(slice & (heads_.size() - 1));
     }
-
-    // Where an event at that time belongs.
-    std::uint32_t list_for(double time) const {
-        // Signed, which processors convert faster; and nobody can foretell which of the lists.
-        const double slice = (time - origin_) * slices_a_second_;
-        const auto present = static_cast<std::int64_t>(present_);
-        if (slice < static_cast<double>(present + 1)) return in_heap;
-        const auto end = static_cast<double>(present + slices_);
-        const auto whole =
-            static_cast<std::uint64_t>(static_cast<std::int64_t>(std::min(end, slice)));
-        return select(slice < end, list_of_slice(whole),
-                      far() + static_cast<std::uint32_t>(!(time < never)));
+    std::size_t bag_of_block(std::uint64_t block) const {
+        return static_cast<std::size_t>(block & (blocks_ - 1));
     }
+    std::size_t far() const { return blocks_; }
 
-    // The first slice before `end` that has somebody, from `slice` on; or `end`.
+    // The first slice before `end` that has somebody, from `slice` on; or `end`. Pre: all of them
+    // have lists.
     std::uint64_t filled_from(std::uint64_t slice, std::uint64_t end) const {
         while (slice < end) {
             const std::uint32_t list = list_of_slice(slice);
@@ -141,130 +155,179 @@ class EventQueue {
         }
         return end;
     }
-    void note_emptied(std::uint32_t list) {
-        const auto is_empty = static_cast<std::uint64_t>(heads_[list] == none);
-        is_filled_[list / 64] &= ~(is_empty << (list % 64));
-    }
-    void make_lists() {
-        heads_.assign(slices_ + 2, none);
-        is_filled_.assign(slices_ / 64 + 1, 0);
+
+    // Up to where there are lists, and bags of blocks.
+    void reach_from(std::uint64_t block) {
+        lists_end_ = (block + 2) << block_bits_;
+        bags_end_ = (block + blocks_) << block_bits_;
     }
 
-    // To the next slice that has somebody: what is in it goes into the heap. False: no ball has an
-    // event.
+    // To the next slice that has somebody, or to the next block: what is in it goes into the heap.
+    // False: no ball has an event.
     template <typename Before>
     [[gnu::noinline]] bool advance(Before&& is_before) {
-        if (finite_ == 0) return false;
-        if (listed_ == 0) {
+        if (near_ == 0) {
+            collect();
             arrange();
+            if (near_ == 0) return false;
         } else {
-            const std::uint64_t half = slices_ / 2;
-            const std::uint64_t rest = half - (present_ & (half - 1));
-            present_ = filled_from(present_ + 1, present_ + rest);
-            if ((present_ & (half - 1)) == 0) look_further();
+            const std::uint64_t border = lists_end_ - block_slices();
+            present_ = filled_from(present_ + 1, border);
+            if (present_ == border) begin_block();
         }
-        const std::uint32_t list = list_of_slice(present_);
-        std::uint32_t& head = heads_[list];
-        std::size_t count = 0;
-        for (std::uint32_t ball = head; ball != none; ++count) {
-            const std::uint32_t next = links_[ball].next;
-            enter_heap(ball, is_before);
-            ball = next;
-        }
-        head = none;
-        note_emptied(list);
-        listed_ -= count;
-        finite_ -= count;
-        taken_ += count;
+        take_present(is_before);
         return true;
     }
 
-    // Every half round of the slices: those of the far events that the lists reach now.
-    void look_further() {
-        const bool is_width_right = taken_ >= slices_ / 16 && taken_ <= 4 * slices_;
-        const bool is_length_right = finite_ <= 4 * slices_ && finite_ >= slices_ / 16;
-        taken_ = 0;
-        if (!is_width_right || (!is_length_right && slices_ > least_slices)) return arrange();
-        for (std::uint32_t ball = heads_[far()]; ball != none;) {
-            const std::uint32_t next = links_[ball].next;
-            const std::uint32_t list = list_for(links_[ball].time);
-            if (list != far()) {
-                unlink(ball);
-                enlist(ball, list == in_heap ? list_of_slice(present_) : list);
-            }
-            ball = next;
+    // What is in the list of the present slice goes into the heap.
+    template <typename Before>
+    void take_present(Before&& is_before) {
+        const std::uint32_t list = list_of_slice(present_);
+        std::uint32_t node = heads_[list];
+        heads_[list] = none;
+        is_filled_[list / 64] &= ~(std::uint64_t{1} << (list % 64));
+        while (node != none) {
+            const QueuedEvent event = nodes_[node].event;
+            const std::uint32_t next = nodes_[node].next;
+            nodes_[node].next = free_node_;
+            free_node_ = node;
+            node = next;
+            --near_;
+            --listed_;
+            if (!is_valid(event)) continue;
+            ++taken_;
+            enter_heap({event.time, event.ball}, is_before);
         }
     }
 
-    // Slices as the events are now, from the first of them on. Pre: the heap is empty, and some
-    // ball has an event.
-    void arrange() {
+    // The present slice is the first of a block: lists for the next one too. Every half round of
+    // the blocks, those of the far events that are within reach now.
+    void begin_block() {
+        const std::uint64_t block = present_ >> block_bits_;
+        reach_from(block);
+        const auto list_if_valid = [this](const QueuedEvent& event) {
+            --near_;
+            if (is_valid(event)) put_in(event);
+        };
+        bags_.empty(bag_of_block(block + 1), list_if_valid);
+        const std::uint64_t half = blocks_ / 2;
+        if ((block & (half - 1)) != 0) return;
+        const std::uint64_t passed = half << block_bits_;
+        const bool is_width_right = taken_ >= passed / 8 && taken_ <= 8 * passed;
+        const std::size_t kept = listed_ + bags_.size();
+        const bool is_length_right = kept <= 4 * slices_ && kept >= slices_ / 16;
+        taken_ = 0;
+        if (!is_width_right || (!is_length_right && slices_ > least_slices)) {
+            collect();
+            return arrange();
+        }
+        bags_.empty(far(), [this](const QueuedEvent& event) {
+            if (is_valid(event)) put_in(event);
+        });
+    }
+
+    // All events outside of the heap that count.
+    void collect() {
         moved_.clear();
-        for (std::uint32_t list = 0; list <= far(); ++list)
-            for (std::uint32_t ball = heads_[list]; ball != none; ball = links_[ball].next)
-                moved_.push_back(ball);
-        const std::uint32_t timeless = heads_[no_time()];
+        const auto keep_if_valid = [this](const QueuedEvent& event) {
+            if (is_valid(event)) moved_.push_back(event);
+        };
+        for (std::uint64_t slice = present_; slice < lists_end_; ++slice)
+            for (std::uint32_t node = heads_[list_of_slice(slice)]; node != none;
+                 node = nodes_[node].next)
+                keep_if_valid(nodes_[node].event);
+        for (std::size_t bag = 0; bag <= far(); ++bag)
+            bags_.empty(bag, keep_if_valid);
+    }
+
+    // Slices as the events are now, from the first of them on. Pre: the heap is empty, and
+    // `moved_` are all.
+    void arrange() {
         while (slices_ < moved_.size() && slices_ < (1u << 30))
             slices_ *= 2;
         while (slices_ > least_slices && slices_ / 8 > moved_.size())
             slices_ /= 2;
-        make_lists();
-        for (std::uint32_t ball = timeless; ball != none; ball = links_[ball].next)
-            links_[ball].list = no_time();
-        heads_[no_time()] = timeless;
-
-        const auto is_earlier = [this](std::uint32_t a, std::uint32_t b) {
-            return links_[a].time < links_[b].time;
-        };
-        const auto middle = moved_.begin() + static_cast<std::ptrdiff_t>(moved_.size() / 2);
-        std::nth_element(moved_.begin(), middle, moved_.end(), is_earlier);
-        origin_ = links_[*std::min_element(moved_.begin(), middle + 1, is_earlier)].time;
-        // The first event of each of n is about to be the first of all once in middle / (n ln 2).
-        const double width =
-            (links_[*middle].time - origin_) * 4.0 / static_cast<double>(moved_.size());
-        slices_a_second_ = width > 1e-300 ? 1.0 / width : 1.0;
+        const std::uint32_t in_block = slices_ <= most_listed ? slices_ : slices_a_block;
+        block_bits_ = std::countr_zero(in_block);
+        blocks_ = std::max(slices_ / in_block, 2u);
         present_ = taken_ = 0;
+        reach_from(0);
+        if (!moved_.empty()) {
+            const auto is_earlier = [](const QueuedEvent& a, const QueuedEvent& b) {
+                return a.time < b.time;
+            };
+            const auto middle = moved_.begin() + static_cast<std::ptrdiff_t>(moved_.size() / 2);
+            std::nth_element(moved_.begin(), middle, moved_.end(), is_earlier);
+            origin_ = std::min_element(moved_.begin(), middle + 1, is_earlier)->time;
+            // The first event of each of n is about to be the first of all once in
+            // middle / (n ln 2).
+            const double width =
+                (middle->time - origin_) * 4.0 / static_cast<double>(moved_.size());
+            slices_a_second_ = width > 1e-300 ? 1.0 / width : 1.0;
+        }
+        keep_moved();
+    }
+
+    // Puts those of `moved_`, and nothing else, where they belong.
+    void keep_moved() {
+        heads_.assign(2 * block_slices(), none);
+        is_filled_.assign(2 * block_slices() / 64, 0);
+        nodes_.clear();
+        free_node_ = scout_ = none;
         scouted_ = 0;
-        scout_ = none;
-        listed_ = finite_ = 0;
-        for (const std::uint32_t ball : moved_) {
-            const std::uint32_t list = list_for(links_[ball].time);
-            enlist(ball, list == in_heap ? 0 : list);
+        most_kept_ = marks_.size() + marks_.size() / 2 + 64;
+        nodes_.reserve(std::min<std::size_t>(most_kept_, 2 * most_listed));
+        bags_.reset(blocks_ + 1, most_kept_);
+        near_ = listed_ = 0;
+        stamp_ = unlisted;
+        for (QueuedEvent event : moved_) {
+            event.stamp = marks_[event.ball] = ++stamp_;
+            put_in(event);
         }
     }
 
-    // Or, in place of nobody, one link more than there are balls, to write to.
-    std::uint32_t somebody(std::uint32_t ball) const {
-        return std::min(ball, static_cast<std::uint32_t>(links_.size() - 1));
+    void keep(std::uint32_t ball, double time) {
+        if (listed_ + bags_.size() == most_kept_ || stamp_ == last_stamp) {
+            collect();
+            keep_moved();
+        }
+        marks_[ball] = ++stamp_;
+        put_in({time, ball, stamp_});
     }
 
-    void enlist(std::uint32_t ball, std::uint32_t list) {
-        const std::uint32_t next = heads_[list];
-        links_[ball] = {links_[ball].time, next, none, list};
-        links_[somebody(next)].before = ball;
-        heads_[list] = ball;
-        is_filled_[list / 64] |= std::uint64_t{1} << (list % 64);
-        listed_ += list < far();
-        finite_ += list < no_time();
-    }
-
-    void unlink(std::uint32_t ball) {
-        const Link link = links_[ball];
-        if (link.before == none)
-            heads_[link.list] = link.next;
+    // Into a list, or a bag. What comes before the present slice is in its list.
+    void put_in(const QueuedEvent& event) {
+        const double slice = slice_of(event.time);
+        const bool is_near = slice < static_cast<double>(static_cast<std::int64_t>(bags_end_));
+        near_ += static_cast<std::size_t>(is_near);
+        if (!is_near) return bags_.add(far(), event);
+        const auto whole =
+            std::max(static_cast<std::int64_t>(slice), static_cast<std::int64_t>(present_));
+        const auto place = static_cast<std::uint64_t>(whole);
+        if (place < lists_end_)
+            enlist(event, list_of_slice(place));
         else
-            links_[link.before].next = link.next;
-        links_[somebody(link.next)].before = link.before;
-        note_emptied(link.list);
-        listed_ -= link.list < far();
-        finite_ -= link.list < no_time();
+            bags_.add(bag_of_block(place >> block_bits_), event);
+    }
+
+    void enlist(const QueuedEvent& event, std::uint32_t list) {
+        std::uint32_t node = free_node_;
+        if (node == none) {
+            node = static_cast<std::uint32_t>(nodes_.size());
+            nodes_.push_back({});
+        } else {
+            free_node_ = nodes_[node].next;
+        }
+        nodes_[node] = {event, heads_[list]};
+        heads_[list] = node;
+        is_filled_[list / 64] |= std::uint64_t{1} << (list % 64);
+        ++listed_;
     }
 
     template <typename Before>
-    void enter_heap(std::uint32_t ball, Before&& is_before) {
-        links_[ball].list = in_heap;
+    void enter_heap(const Entry& entry, Before&& is_before) {
         heap_.push_back({});
-        rise(heap_.size() - 1, {links_[ball].time, ball}, is_before);
+        rise(heap_.size() - 1, entry, is_before);
     }
 
     template <typename Before>
@@ -317,24 +380,32 @@ class EventQueue {
 
     void put(const Entry& entry, std::size_t at) {
         heap_[at] = entry;
-        links_[entry.ball].next = static_cast<std::uint32_t>(at);
+        marks_[entry.ball] = in_heap | static_cast<std::uint32_t>(at);
     }
 
     double origin_ = 0.0;  ///< where slice 0 begins, s
     double slices_a_second_ = 1.0;
     std::uint64_t present_ = 0;
-    std::uint32_t slices_ =
-        least_slices;                   ///< lists, a power of two; slice i is in list i mod slices_
-    std::size_t listed_ = 0;            ///< in lists of slices
-    std::size_t finite_ = 0;            ///< the same, and far ones
-    std::size_t taken_ = 0;             ///< into the heap, since `look_further`
+    std::uint64_t lists_end_ = 0;          ///< the first slice that has no list
+    std::uint64_t bags_end_ = 0;           ///< the first that has no bag either
+    std::uint32_t slices_ = least_slices;  ///< within reach, about; a power of two, as the next two
+    int block_bits_ = 0;                   ///< slices a block: 2^block_bits_
+    std::uint32_t blocks_ = 0;
+    std::uint32_t stamp_ = unlisted;    ///< the last
+    std::size_t listed_ = 0;            ///< in lists, void ones too
+    std::size_t near_ = 0;              ///< in lists and in bags of blocks, void ones too
+    std::size_t most_kept_ = 0;         ///< in all lists and bags
+    std::size_t taken_ = 0;             ///< into the heap, since the far were looked at
     std::uint64_t scouted_ = 0;         ///< the slice in which `scout` is
-    std::uint32_t scout_ = none;        ///< whom it told last
-    std::vector<std::uint32_t> heads_;  ///< of the slices, of the far, of those without a time
+    std::uint32_t scout_ = none;        ///< the node that it told last
+    std::uint32_t free_node_ = none;    ///< the first in no list, the others behind it
+    std::vector<std::uint32_t> heads_;  ///< first nodes of the lists: slice i has list i mod size
     std::vector<std::uint64_t> is_filled_;  ///< a bit for each of the lists
-    LargeVector<Link> links_;               ///< by ball
-    std::vector<Entry> heap_;               ///< each above four
-    std::vector<std::uint32_t> moved_;
+    std::vector<Node> nodes_;
+    EventBags bags_;                    ///< of the blocks, block i mod blocks_; of the far
+    LargeVector<std::uint32_t> marks_;  ///< by ball
+    std::vector<Entry> heap_;           ///< each above four
+    std::vector<QueuedEvent> moved_;
 };
 
 }  // namespace carom

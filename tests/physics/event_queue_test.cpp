@@ -1,6 +1,8 @@
 #include "physics/event_queue.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -62,7 +64,7 @@ TEST_CASE("event queue: the first is the first, however the times lie") {
                 return 0.0;
         }
     };
-    for (const std::size_t count : {1u, 2u, 7u, 300u, 2'000u}) {
+    for (const std::size_t count : {1u, 2u, 7u, 300u, 2'000u, 10'000u}) {
         for (int kind = 0; kind < 5; ++kind) {
             CAPTURE(count);
             CAPTURE(kind);
@@ -114,6 +116,38 @@ TEST_CASE("event queue: it follows events that become rare, and frequent again")
             queue.update(*first, time, by_number);
             slow.update(*first, time);
         }
+    }
+}
+
+// More balls than there are lists of slices, for long enough that events come from further ahead
+// than any bag of a block; and more events replaced than there is room for.
+TEST_CASE("event queue: many balls, many of whose events are replaced long before they come") {
+    constexpr std::size_t count = 6'000;
+    using Timed = std::pair<double, std::uint32_t>;
+    Dice dice(1);
+    std::vector<double> times(count);
+    std::set<Timed> sorted;
+    const auto wait = [&dice] {
+        const double unit = dice.unit();
+        return unit < 0.05 ? 100.0 * unit : unit;
+    };
+    for (std::uint32_t ball = 0; ball < count; ++ball)
+        sorted.emplace(times[ball] = wait(), ball);
+    EventQueue queue;
+    queue.build(
+        count, [&](std::uint32_t ball) { return times[ball]; }, by_number);
+    const auto change = [&](std::uint32_t ball, double time) {
+        sorted.erase({times[ball], ball});
+        sorted.emplace(times[ball] = time, ball);
+        queue.update(ball, time, by_number);
+    };
+    for (int i = 0; i < 60'000; ++i) {
+        const auto first = queue.first(by_number);
+        REQUIRE(first == sorted.begin()->second);
+        const double now = times[*first];
+        change(*first, now + wait());
+        for (int j = 0; j < 3; ++j)
+            change(dice.below(count), now + wait());
     }
 }
 
