@@ -25,7 +25,7 @@ namespace carom {
 ///   3. one round over the pressed pairs, from the bottom up;
 ///   4. all balls go along their paths; impacts in the order of time;
 ///   5. one round over the pressed pairs from the top down, that takes back the speed with which
-///      overlaps were pushed apart.
+///      overlaps were pushed apart, and a little more (`overshoot`).
 /// What bears a ball that is at least four times as heavy is solved in four rounds (`uneven`).
 /// The impulses at the end of a tick belong to the world (World::pressed).
 ///
@@ -59,7 +59,8 @@ namespace carom {
 /// got these pairs finds them anew from there, the same in the same order.
 ///
 /// Source: soft constraints, substeps and relaxing are those of Box2D 3 (Catto, Solver2D, 2024);
-/// sequential impulses and warm starting: Catto, Iterative Dynamics with Temporal Coherence (2005).
+/// sequential impulses and warm starting: Catto, Iterative Dynamics with Temporal Coherence (2005);
+/// over-relaxation of impulses that can only push: Cryer, SIAM J. Control 9 (1971) 385.
 class ContactSolver {
   public:
     static constexpr double resting_approach = 1.5;
@@ -77,6 +78,11 @@ class ContactSolver {
     static constexpr double hardening = 5.0;
     /// And no more than half as hard again, or heaps would throw up what lands hard on them.
     static constexpr double most_hardening = 0.5;
+    /// Step 5 takes back so much more of a speed, up to this share of the resting speed, where the
+    /// pair pressed in the last substep (successive over-relaxation): what a pair takes back, its
+    /// neighbours partly give again. With 0 a high heap goes up and down as a whole for a minute;
+    /// from 1 on rounds would gain energy. What lands, and so did not press, does not bounce.
+    static constexpr double overshoot = 0.6;
     /// A ball that presses on one so many times lighter is a load: all below it that presses is
     /// solved in this many rounds. With one, 400 on balls of mass 1 rock for ever; with two they
     /// come to rest after a minute, with four after some seconds.
@@ -133,6 +139,7 @@ class ContactSolver {
         std::uint32_t a[2];
         std::uint32_t b[2];
         std::uint32_t pair[2];  ///< or none
+        float overshoot[2];     ///< most, length/s; 0 for what did not press before
         Two normal_x;
         Two normal_y;
         Two target;  ///< speed at which they may close (positive) or must part, length/s
