@@ -252,9 +252,11 @@ void SweptSolver::predict_ball(const World& world, std::uint32_t ball, std::uint
     const Path& theirs = paths_[other];
     Vec2 offset = position_at(ball, now) - position_at(other, now);
     if (terms.wrap()) offset = nearest_image(offset, torus_);
-    const auto impact =
-        first_impact(Disc{offset, balls.radius[ball]}, path.velocity - theirs.velocity,
-                     Disc{{}, balls.radius[other]}, duration_ - now);
+    const Vec2 relative = path.velocity - theirs.velocity;
+    const double left = duration_ - now;
+    if (stays_apart(offset, relative, balls.radius[ball] + balls.radius[other], left)) return;
+    const auto impact = first_impact(Disc{offset, balls.radius[ball]}, relative,
+                                     Disc{{}, balls.radius[other]}, left);
     if (!impact ||
         is_noise(impact->time, impact->normal, path.velocity, theirs.velocity, resting_speed_))
         return;

@@ -99,11 +99,6 @@ void SweptSolver::finish_paths(World& world) {
         world.capsules.shape[hand.index] = shape_at(world, hand.index, duration_);
 }
 
-Vec2 SweptSolver::position_at(std::uint32_t ball, double now) const {
-    const Path& path = paths_[ball];
-    return path.position + path.velocity * (now - path.time);
-}
-
 const SweptSolver::Hand* SweptSolver::hand_of(std::uint32_t capsule) const {
     for (const Hand& hand : hands_)
         if (hand.index == capsule) return &hand;

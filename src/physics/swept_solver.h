@@ -163,7 +163,10 @@ class SweptSolver {
     void hold_back(World& world, std::uint32_t ball, Vec2 surface, double coefficient, double now,
                    Vec2& velocity);
     Vec2 surface_velocity(const World& world, std::uint32_t capsule, Vec2 point, double now) const;
-    Vec2 position_at(std::uint32_t ball, double now) const;
+    Vec2 position_at(std::uint32_t ball, double now) const {
+        const Path& path = paths_[ball];
+        return path.position + path.velocity * (now - path.time);
+    }
     Disc around_path(const World& world, std::uint32_t ball, double now) const;
     Box box_of_path(const World& world, std::uint32_t ball, double now) const;
     Capsule shape_at(const World& world, std::uint32_t capsule, double now) const;
