@@ -48,6 +48,9 @@ namespace carom {
 /// impacts in a substep, or with a speed that would take it out of the region in which it was
 /// compared with others, stands for the rest of the substep: it keeps its velocity and loses time.
 ///
+/// Where nothing in a scene can press, all is flight, and `swept` goes in its place
+/// (contact_flights.h).
+///
 /// Fails by nature: pressed bodies overlap slightly, the more the heavier what lies on them; a pile
 /// of bounces goes pair by pair. A tower in which each ball is ten times as heavy as the one below
 /// goes in as deep as the cores. What slips out between hands that are far behind where they are

@@ -1,5 +1,6 @@
 #include "physics/solver.h"
 
+#include "physics/contact_flights.h"
 #include "physics/contact_solver.h"
 #include "physics/event_engine.h"
 #include "physics/handover.h"
@@ -15,9 +16,11 @@ constexpr std::array<std::string_view, 5> names{"discrete", "substep", "swept", 
 constexpr std::array available{SolverKind::discrete, SolverKind::substep, SolverKind::swept,
                                SolverKind::contact, SolverKind::event};
 
-// `discrete` does no more than look at each ball once, and `contact` a fixed number of times.
-bool may_give_up(SolverKind kind) {
-    return kind == SolverKind::substep || kind == SolverKind::swept || kind == SolverKind::event;
+// `discrete` does no more than look at each ball once, and `contact` a fixed number of times where
+// anything can press.
+bool may_give_up(SolverKind kind, const World& world) {
+    if (kind == SolverKind::contact) return is_flight_only(world);
+    return kind != SolverKind::discrete;
 }
 
 }  // namespace
@@ -69,6 +72,7 @@ struct Solver::State {
     std::vector<Contact> contacts;
     std::vector<std::uint8_t> touched;
     TickUndo undo;
+    bool flies = false;  // the last tick was one of `contact` that went by `swept`
 
     EventOutcome tick_by_event(World& world, const std::function<bool()>& keep_going) {
         if (extended) return extended->tick(world, contacts, touched, keep_going);
@@ -101,7 +105,7 @@ const CellFrame& Solver::cells() const {
         case SolverKind::swept:
             return state_->swept.cells();
         case SolverKind::contact:
-            return state_->contact.cells();
+            return state_->flies ? state_->swept.cells() : state_->contact.cells();
         case SolverKind::event:
             return state_->extended ? state_->extended->cells() : state_->event.cells();
         default:
@@ -112,7 +116,7 @@ const CellFrame& Solver::cells() const {
 TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) {
     State& state = *state_;
     state.contacts.clear();
-    const bool can_give_up = keep_going && may_give_up(state.settings.kind);
+    const bool can_give_up = keep_going && may_give_up(state.settings.kind, world);
     if (can_give_up) state.undo.note(world);
     emit(world);
     drive_flippers(world);
@@ -120,6 +124,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     TickOutcome outcome = TickOutcome::done;
     const std::function<bool()> nobody;
     Patience patience(can_give_up ? keep_going : nobody);
+    state.flies = state.settings.kind == SolverKind::contact && is_flight_only(world);
     switch (state.settings.kind) {
         case SolverKind::discrete:
             state.overlap.tick(world, 1, 1, state.contacts, state.touched, patience);
@@ -129,6 +134,11 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
                                state.touched, patience);
             break;
         case SolverKind::contact:
+            if (state.flies) {
+                state.swept.tick(world, flight_substeps(world, state.settings.contact_substeps),
+                                 state.contacts, state.touched, patience);
+                break;
+            }
             state.contact.tick(world, state.settings.contact_substeps, state.contacts,
                                state.touched);
             break;
@@ -153,8 +163,9 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     }
     const bool has_heaps = state.settings.kind == SolverKind::event && !state.extended;
     if (!has_heaps) world.heaped.clear();
-    if (!has_heaps && state.settings.kind != SolverKind::contact) world.pressed.clear();
-    if (state.settings.kind != SolverKind::contact) world.homes.clear();
+    const bool may_press = state.settings.kind == SolverKind::contact && !state.flies;
+    if (!has_heaps && !may_press) world.pressed.clear();
+    if (!may_press) world.homes.clear();
     rest_flippers(world);
     stop_slow_balls(world, state.touched);
     ++world.tick;

@@ -251,7 +251,7 @@ struct World {
     /// Ascending by ball; empty unless the last tick was one of the solver `contact`, or `event`
     /// had a heap in it.
     std::vector<PressedPair> pressed;
-    /// Empty unless the last tick was one of the solver `contact`.
+    /// Empty unless the last tick was one of the solver `contact`, and something could press in it.
     Homes homes;
     /// Balls that the solver `event` hands over to `contact` in the next tick, with all that could
     /// meet them (handover.h). Ascending; numbers of balls that are gone do not count. Empty unless

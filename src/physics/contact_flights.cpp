@@ -1,0 +1,27 @@
+#include "physics/contact_flights.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+
+bool is_flight_only(const World& world) {
+    const Model& model = world.model;
+    return !model.gravity && !model.drag && !model.speed_limit && !model.lossy && !model.cloth &&
+           world.held_balls.empty() && world.held_capsules.empty();
+}
+
+int flight_substeps(const World& world, int most) {
+    if (most == 1) return 1;
+    double ways = 0.0;
+    for (const Vec2 velocity : world.balls.velocity)
+        ways += length_squared(velocity);
+    double radii = 0.0;
+    for (const double radius : world.balls.radius)
+        radii += radius * radius;
+    const double share = std::sqrt(ways / radii) * world.tick_length() / 0.3;
+    // No ball at all, or balls of no size: not a number, or without bound.
+    return share > 1.0 ? static_cast<int>(std::min(std::ceil(share), 1.0 * most)) : 1;
+}
+
+}  // namespace carom

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "physics/world.h"
+
+/// Where the solver `contact` has nothing to press: there it goes by `swept`.
+///
+/// In a scene without gravity and drag, where nothing loses energy and nobody holds anything, no
+/// pair can ever press: whatever meets, bounces at that instant. Between impacts all fly straight,
+/// on paths that are exact however long they are, so cutting a tick into substeps changes nothing
+/// but the last digits. That is just what `swept` does, in less memory and in one piece.
+namespace carom {
+
+/// Whether the next tick of this world is such a one. Depends on the model and on who holds what.
+bool is_flight_only(const World& world);
+
+/// Into how many pieces `swept` cuts such a tick: as many as keep the typical way of a ball in one,
+/// by the mean of the squares, under 0.3 radii, `most` at most. More are not more accurate, but
+/// where balls go far in a tick they look at fewer others. Pre: most >= 1.
+int flight_substeps(const World& world, int most);
+
+}  // namespace carom
