@@ -102,7 +102,6 @@ void ContactSolver::begin_presses() {
     new_.clear();
     const Pair nobody{.a = still_, .b = still_, .is_new = false};
     const double per_substep = 1.0 / duration_;
-    const auto most_overshoot = static_cast<float>(overshoot * resting_speed_);
     for (std::size_t k = 0; k < pressed_.size();) {
         const std::uint32_t p = pressed_[k++];
         std::uint32_t q = none;
@@ -131,8 +130,8 @@ void ContactSolver::begin_presses() {
         both.target = gap * (open ? whole * per_substep
                                   : (whole + at_most(most, -gap * harder)) * softness_.push);
         both.mass = mass;
-        both.overshoot[0] = first.impulse > 0.0 ? most_overshoot : 0.0f;
-        both.overshoot[1] = second.impulse > 0.0 ? most_overshoot : 0.0f;
+        both.lasts[0] = first.impulse > 0.0;
+        both.lasts[1] = second.impulse > 0.0;
         both.impulse = Two{first.impulse, second.impulse};
         both.rub = Two{first.rub, second.rub};
         both.friction = Two{first.friction, second.friction};
@@ -163,7 +162,8 @@ template <bool spin>
 inline void ContactSolver::relax(Presses& presses) {
     const Two room = presses.impulse == Two{} ? at_least(Two{}, presses.target) : Two{};
     const Two parting = apart(presses) + room;
-    const Two most{presses.overshoot[0], presses.overshoot[1]};
+    const double bound = overshoot * resting_speed_;
+    const Two most{presses.lasts[0] ? bound : 0.0, presses.lasts[1] ? bound : 0.0};
     const Two part = presses.mass * (parting + at_least(-most, at_most(most, overshoot * parting)));
     exchange<spin>(presses, at_least(Two{}, presses.impulse - part));
 }
@@ -187,7 +187,7 @@ inline void ContactSolver::take_alone(Presses& presses, int which, Round&& round
     alone.normal_y[0] = presses.normal_y[which];
     alone.target[0] = presses.target[which];
     alone.mass[0] = presses.mass[which];
-    alone.overshoot[0] = presses.overshoot[which];
+    alone.lasts[0] = presses.lasts[which];
     alone.impulse[0] = presses.impulse[which];
     alone.rub[0] = presses.rub[which];
     alone.friction[0] = presses.friction[which];

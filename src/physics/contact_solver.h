@@ -142,7 +142,7 @@ class ContactSolver {
         std::uint32_t a[2];
         std::uint32_t b[2];
         std::uint32_t pair[2];  ///< or none
-        float overshoot[2];     ///< most, length/s; 0 for what did not press before
+        bool lasts[2];          ///< pressed in the last substep too
         Two normal_x;
         Two normal_y;
         Two target;  ///< speed at which they may close (positive) or must part, length/s
