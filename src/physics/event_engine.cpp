@@ -402,7 +402,7 @@ void EventEngine<Real>::store_paths(World& world) {
                 store(i);
         else
             for (std::size_t at = 0; at < begun_.size(); ++at) {
-                const std::uint32_t soon = begun_[std::min(at + 8, begun_.size() - 1)];
+                const std::uint32_t soon = begun_[std::min(at + 16, begun_.size() - 1)];
                 fetch_early(&world.paths[soon].id);
                 fetch_early(&world.paths[soon].velocity.y);
                 balls_.fetch_neighbour(soon);

@@ -173,6 +173,7 @@ class EventQueue {
         } else {
             const std::uint64_t border = lists_end_ - block_slices();
             present_ = filled_from(present_ + 1, border);
+            bags_.fetch_more();
             if (present_ == border) begin_block();
         }
         take_present(is_before);
@@ -210,6 +211,7 @@ class EventQueue {
             if (is_valid(event)) put_in(event);
         };
         bags_.empty(bag_of_block(block + 1), list_if_valid);
+        bags_.fetch_soon(bag_of_block(block + 2));
         const std::uint64_t half = blocks_ / 2;
         if ((block & (half - 1)) != 0) return;
         const std::uint64_t passed = half << block_bits_;
