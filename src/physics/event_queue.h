@@ -142,6 +142,8 @@ class EventQueue {
         return static_cast<std::size_t>(block & (blocks_ - 1));
     }
     std::size_t far() const { return blocks_; }
+    // How many are in lists and in bags of blocks, void ones too.
+    std::size_t near() const { return listed_ + bags_.size() - far_kept_; }
 
     // The first slice before `end` that has somebody, from `slice` on; or `end`. Pre: all of them
     // have lists.
@@ -166,10 +168,10 @@ class EventQueue {
     // False: no ball has an event.
     template <typename Before>
     [[gnu::noinline]] bool advance(Before&& is_before) {
-        if (near_ == 0) {
+        if (near() == 0) {
             collect();
             arrange();
-            if (near_ == 0) return false;
+            if (near() == 0) return false;
         } else {
             const std::uint64_t border = lists_end_ - block_slices();
             present_ = filled_from(present_ + 1, border);
@@ -193,7 +195,6 @@ class EventQueue {
             nodes_[node].next = free_node_;
             free_node_ = node;
             node = next;
-            --near_;
             --listed_;
             if (!is_valid(event)) continue;
             ++taken_;
@@ -206,11 +207,10 @@ class EventQueue {
     void begin_block() {
         const std::uint64_t block = present_ >> block_bits_;
         reach_from(block);
-        const auto list_if_valid = [this](const QueuedEvent& event) {
-            --near_;
+        const auto keep_if_valid = [this](const QueuedEvent& event) {
             if (is_valid(event)) put_in(event);
         };
-        bags_.empty(bag_of_block(block + 1), list_if_valid);
+        bags_.empty(bag_of_block(block + 1), keep_if_valid);
         bags_.fetch_soon(bag_of_block(block + 2));
         const std::uint64_t half = blocks_ / 2;
         if ((block & (half - 1)) != 0) return;
@@ -223,9 +223,8 @@ class EventQueue {
             collect();
             return arrange();
         }
-        bags_.empty(far(), [this](const QueuedEvent& event) {
-            if (is_valid(event)) put_in(event);
-        });
+        far_kept_ = 0;
+        bags_.empty(far(), keep_if_valid);
     }
 
     // All events outside of the heap that count.
@@ -280,7 +279,7 @@ class EventQueue {
         most_kept_ = marks_.size() + marks_.size() / 2 + 64;
         nodes_.reserve(std::min<std::size_t>(most_kept_, 2 * most_listed));
         bags_.reset(blocks_ + 1, most_kept_);
-        near_ = listed_ = 0;
+        far_kept_ = listed_ = 0;
         stamp_ = unlisted;
         for (QueuedEvent event : moved_) {
             event.stamp = marks_[event.ball] = ++stamp_;
@@ -300,9 +299,10 @@ class EventQueue {
     // Into a list, or a bag. What comes before the present slice is in its list.
     void put_in(const QueuedEvent& event) {
         const double slice = slice_of(event.time);
-        const bool is_near = slice < static_cast<double>(static_cast<std::int64_t>(bags_end_));
-        near_ += static_cast<std::size_t>(is_near);
-        if (!is_near) return bags_.add(far(), event);
+        if (!(slice < static_cast<double>(static_cast<std::int64_t>(bags_end_)))) {
+            ++far_kept_;
+            return bags_.add(far(), event);
+        }
         const auto whole =
             std::max(static_cast<std::int64_t>(slice), static_cast<std::int64_t>(present_));
         const auto place = static_cast<std::uint64_t>(whole);
@@ -313,17 +313,20 @@ class EventQueue {
     }
 
     void enlist(const QueuedEvent& event, std::uint32_t list) {
-        std::uint32_t node = free_node_;
-        if (node == none) {
-            node = static_cast<std::uint32_t>(nodes_.size());
-            nodes_.push_back({});
-        } else {
-            free_node_ = nodes_[node].next;
-        }
-        nodes_[node] = {event, heads_[list]};
-        heads_[list] = node;
+        if (free_node_ == none) add_node();
+        const std::uint32_t at = free_node_;
+        Node& node = nodes_[at];
+        free_node_ = node.next;
+        node.event = event;
+        node.next = heads_[list];
+        heads_[list] = at;
         is_filled_[list / 64] |= std::uint64_t{1} << (list % 64);
         ++listed_;
+    }
+    // Seldom: they are used again.
+    [[gnu::noinline]] void add_node() {
+        free_node_ = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.push_back({});
     }
 
     template <typename Before>
@@ -395,7 +398,7 @@ class EventQueue {
     std::uint32_t blocks_ = 0;
     std::uint32_t stamp_ = unlisted;    ///< the last
     std::size_t listed_ = 0;            ///< in lists, void ones too
-    std::size_t near_ = 0;              ///< in lists and in bags of blocks, void ones too
+    std::size_t far_kept_ = 0;          ///< in the bag of the far, void ones too
     std::size_t most_kept_ = 0;         ///< in all lists and bags
     std::size_t taken_ = 0;             ///< into the heap, since the far were looked at
     std::uint64_t scouted_ = 0;         ///< the slice in which `scout` is
