@@ -107,7 +107,7 @@ class EventQueue {
     static constexpr std::uint32_t none = 0xffffffffu;
     static constexpr std::uint32_t least_slices = 64;
     static constexpr std::uint32_t most_listed = 4096;    ///< slices, up to which all are lists
-    static constexpr std::uint32_t slices_a_block = 256;  ///< where not
+    static constexpr std::uint32_t slices_a_block = 128;  ///< where not
     static constexpr std::uint32_t least_lead = 3;        ///< of `scout`, slices
     static constexpr std::uint32_t most_lead = 10;
 
