@@ -60,20 +60,20 @@ void gas_lines(Lines& lines, const SceneResults& scene) {
         lines.at_least(at, "discrete: speed / Box2D 3's", box2d3 * speed(*discrete), 7, 15);
         lines.at_least(at, "discrete: speed / Chipmunk's", speed(*discrete), 3, 6);
         lines.at_most(at, "discrete: drift of the energy",
-                      std::abs(discrete->accuracy.energy_drift.value_or(1.0)), 1e-12, 1e-12);
+                      std::abs(discrete->accuracy().energy_drift.value_or(1.0)), 1e-12, 1e-12);
     }
     if (const Result* substep = find(scene, "carom substep")) {
         lines.at_least(at, "substep: speed / Box2D 3's", box2d3 * speed(*substep), 3, 5);
         const Result* peer = find(scene, "Box2D 3 WASM");
-        if (peer && peer->accuracy.error && substep->accuracy.error) {
+        if (peer && peer->accuracy().error && substep->accuracy().error) {
             lines.at_most(at, "substep: error after 0.1 s / Box2D 3's",
-                          *substep->accuracy.error / *peer->accuracy.error, 0.25, 0.25);
+                          *substep->accuracy().error / *peer->accuracy().error, 0.25, 0.25);
         }
     }
     if (const Result* event = find(scene, "carom event")) {
         lines.at_least(at, "event: speed / Box2D 3's", box2d3 * speed(*event), 6, 12);
         lines.at_least(at, "event: speed / Chipmunk's", speed(*event), 2.5, 5);
-        lines.at_most(at, "event: deepest overlap", event->accuracy.deepest_overlap, 1e-9, 1e-9);
+        lines.at_most(at, "event: deepest overlap", event->accuracy().deepest_overlap, 1e-9, 1e-9);
     }
 }
 
@@ -90,10 +90,10 @@ void pile_lines(Lines& lines, const SceneResults& scene) {
                   has_friction ? 0.6 : 0.5);
     const double part = has_friction ? 0.45 : 0.5;
     lines.at_most(at, "contact: overlap / Box2D 3's",
-                  contact->accuracy.deepest_overlap / peer.overlap, part, part);
+                  contact->accuracy().deepest_overlap / peer.overlap, part, part);
     if (has_friction) {
         lines.at_most(at, "contact: residual speed / Box2D 3's",
-                      contact->accuracy.residual_speed / peer.residual, 1.0, 1.0);
+                      contact->accuracy().residual_speed / peer.residual, 1.0, 1.0);
     }
 }
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <sstream>
 
@@ -56,8 +57,9 @@ std::vector<std::string> carom_arguments(const std::string& level, std::vector<s
 
 // A scene that is ready to be run.
 struct Stage {
-    const Places& places;
+    const Places* places = nullptr;
     std::string level;
+    std::vector<std::string> settings;
     World world;
     SceneList list;
     std::string list_path;
@@ -70,32 +72,69 @@ std::optional<Frame> reference_of(const Stage& stage, const BenchScene& scene) {
     if (scene.sort != SceneSort::gas) return std::nullopt;
     SceneList head = stage.list;
     head.plan = {.ticks = tenth_of_a_second, .measured_from = 0, .sample_every = tenth_of_a_second};
-    const std::string path = stage.places.scratch + "/reference.list";
+    const std::string path = stage.places->scratch + "/reference.list";
     std::ofstream(path) << scene_list_text(head);
-    const auto arguments = carom_arguments(stage.level, scene.settings, {"solver event"});
-    if (!run_engine(stage.places, "bench_carom", path, stage.frames_path, arguments))
+    const auto arguments = carom_arguments(stage.level, stage.settings, {"solver event"});
+    if (!run_engine(*stage.places, "bench_carom", path, stage.frames_path, arguments))
         return std::nullopt;
     return frame_at(read_frames(stage.frames_path), tenth_of_a_second);
 }
 
-// Once; only the first run of an engine is judged, since all are alike.
-void run_contestant(const Stage& stage, const BenchScene& scene, Result& result) {
-    const bool is_first = result.seconds.empty();
+// Sets the scene for one of its runs. None: `error` says why.
+std::optional<Stage> stage_of(const Places& places, const BenchScene& scene, int run,
+                              std::string& error) {
+    std::vector<std::string> settings = scene.settings;
+    std::ranges::copy(arrangement(scene, run), std::back_inserter(settings));
+    const std::string level = places.scenes + "/" + scene.level;
+    LoadedScene loaded = load_scene(level, settings);
+    if (!loaded.scene) {
+        error = loaded.error;
+        return std::nullopt;
+    }
+    ListedScene listed = list_of(loaded.scene->world, scene.plan);
+    if (!listed.list) {
+        error = listed.error;
+        return std::nullopt;
+    }
+    Stage stage{.places = &places,
+                .level = level,
+                .settings = std::move(settings),
+                .world = std::move(loaded.scene->world),
+                .list = std::move(*listed.list),
+                .list_path = places.scratch + "/scene.list",
+                .frames_path = places.scratch + "/run.frames",
+                .reference = {}};
+    std::ofstream(stage.list_path) << scene_list_text(stage.list);
+    stage.reference = reference_of(stage, scene);
+    return stage;
+}
+
+// Once. Of runs that are all alike only the first is judged.
+void run_contestant(const Stage& stage, bool is_judged, Result& result) {
     std::vector<std::string> arguments;
     if (result.contestant.program == "bench_carom")
-        arguments = carom_arguments(stage.level, scene.settings, result.contestant.settings);
+        arguments = carom_arguments(stage.level, stage.settings, result.contestant.settings);
     std::filesystem::remove(stage.frames_path);
-    auto run = run_engine(stage.places, result.contestant.program, stage.list_path,
-                          is_first ? stage.frames_path : "-", arguments);
+    auto run = run_engine(*stage.places, result.contestant.program, stage.list_path,
+                          is_judged ? stage.frames_path : "-", arguments);
     if (!run) return;
     result.engine = run->engine;
     result.ticks = run->figures["ticks"];
     result.measured = run->figures["measured"];
     result.seconds.push_back(run->figures["seconds"]);
-    if (is_first) {
-        result.accuracy =
-            judge(stage.world, stage.list, read_frames(stage.frames_path), stage.reference);
-    }
+    if (is_judged)
+        result.judged.push_back(
+            judge(stage.world, stage.list, read_frames(stage.frames_path), stage.reference));
+}
+
+// Of those that have it.
+template <typename Figure>
+std::optional<double> median_of(const std::vector<Accuracy>& judged, Figure figure) {
+    std::vector<double> values;
+    for (const Accuracy& accuracy : judged)
+        if (const std::optional<double> value = figure(accuracy)) values.push_back(*value);
+    if (values.empty()) return std::nullopt;
+    return median(std::move(values));
 }
 
 }  // namespace
@@ -108,6 +147,18 @@ double median(std::vector<double> values) {
 
 double Result::median_seconds() const {
     return median(seconds);
+}
+
+Accuracy Result::accuracy() const {
+    const auto of = [&](auto member) {
+        return median_of(judged, [&](const Accuracy& accuracy) {
+            return std::optional<double>(accuracy.*member);
+        });
+    };
+    return {.energy_drift = of(&Accuracy::energy_drift),
+            .deepest_overlap = of(&Accuracy::deepest_overlap).value_or(0.0),
+            .residual_speed = of(&Accuracy::residual_speed).value_or(0.0),
+            .error = of(&Accuracy::error)};
 }
 
 std::optional<RunFigures> run_engine(const Places& places, const std::string& program,
@@ -141,35 +192,20 @@ std::optional<RunFigures> run_engine(const Places& places, const std::string& pr
 SceneResults run_scene(const Places& places, const BenchScene& scene, int rounds,
                        const std::function<void(const std::string&)>& say) {
     SceneResults all{.scene = scene};
-    const std::string level = places.scenes + "/" + scene.level;
-    const LoadedScene loaded = load_scene(level, scene.settings);
-    if (!loaded.scene) {
-        all.error = loaded.error;
-        return all;
-    }
-    const ListedScene listed = list_of(loaded.scene->world, scene.plan);
-    if (!listed.list) {
-        all.error = listed.error;
-        return all;
-    }
-    all.balls = listed.list->balls.size();
-    Stage stage{.places = places,
-                .level = level,
-                .world = loaded.scene->world,
-                .list = *listed.list,
-                .list_path = places.scratch + "/scene.list",
-                .frames_path = places.scratch + "/run.frames"};
-    std::ofstream(stage.list_path) << scene_list_text(stage.list);
-    stage.reference = reference_of(stage, scene);
+    std::optional<Stage> stage = stage_of(places, scene, 0, all.error);
+    if (!stage) return all;
+    all.balls = stage->list.balls.size();
 
     std::vector<Result> results;
     for (const Contestant& contestant : scene.contestants)
         results.push_back({.contestant = contestant});
     for (int round = 0; round < rounds; ++round) {
+        const bool differs = !arrangement(scene, round).empty();
+        if (differs && !(stage = stage_of(places, scene, round, all.error))) break;
         for (Result& result : results) {
             if (round > 0 && round >= runs_for(result, rounds)) continue;
             say(fmt::format("{}: {}, run {}", scene.name, result.contestant.name, round + 1));
-            run_contestant(stage, scene, result);
+            run_contestant(*stage, round == 0 || differs, result);
         }
     }
     for (Result& result : results) {

@@ -39,8 +39,9 @@ struct Result {
     std::vector<double> seconds;  ///< of each run, for `measured` ticks
     double measured = 0.0;        ///< ticks
     double ticks = 0.0;
-    Accuracy accuracy;
+    std::vector<Accuracy> judged;  ///< the first run; where runs differ (arrangement) each
 
+    Accuracy accuracy() const;  ///< medians
     double median_seconds() const;
     double milliseconds_a_tick() const { return 1e3 * median_seconds() / measured; }
 };

@@ -1,5 +1,7 @@
 #include "suite.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "physics/solver.h"
@@ -93,6 +95,13 @@ std::vector<BenchScene> bench_scenes(bool quick) {
              .box2d3_by_chipmunk = 0.25});
     }
     return scenes;
+}
+
+std::vector<std::string> arrangement(const BenchScene& scene, int run) {
+    if (scene.sort != SceneSort::pile || run == 0) return {};
+    // 0.04, 0.0404, 0.0396, 0.0408, ...
+    const double away = 0.0004 * ((run + 1) / 2);
+    return {fmt::format("let jitter={}", run % 2 == 1 ? 0.04 + away : 0.04 - away)};
 }
 
 }  // namespace carom::bench

@@ -28,6 +28,11 @@ struct BenchScene {
     double box2d3_by_chipmunk;
 };
 
+/// What a run replaces beside, the first run nothing. How deep a pile's deepest pair lies and
+/// whether a ball goes on rolling under an arch is chance: each run of a pile falls from a lattice
+/// that differs by some ten-thousandths of a ball, the same for all engines.
+std::vector<std::string> arrangement(const BenchScene& scene, int run);
+
 /// All scenes; `quick`: shorter runs, and none of the large scenes.
 std::vector<BenchScene> bench_scenes(bool quick);
 

@@ -48,7 +48,7 @@ std::vector<std::string> cells(const SceneResults& scene, const Result& result, 
     const double time = told_time(scene, result);
     std::vector<std::string> row{result.contestant.name, figure(time),
                                  reference > 0.0 ? figure(reference / time) : "-"};
-    const Accuracy& accuracy = result.accuracy;
+    const Accuracy accuracy = result.accuracy();
     const auto landed = [&scene, &result] {
         const bool has = result.ticks < static_cast<double>(scene.scene.plan.ticks);
         return has ? fmt::format("{} ticks", grouped(result.ticks)) : std::string("never");
@@ -148,7 +148,7 @@ std::string csv(const std::vector<SceneResults>& scenes, const OwnFigures& own) 
         for (const Result& result : scene.results) {
             const auto [best, worst] = std::ranges::minmax(result.seconds);
             const double unit = 1e3 / result.measured;
-            const Accuracy& accuracy = result.accuracy;
+            const Accuracy accuracy = result.accuracy();
             text += fmt::format(
                 "\"{}\",\"{}\",{},{},{},{},{},{},{},{},{},,\n", scene.scene.name,
                 result.contestant.name, result.seconds.size(), result.milliseconds_a_tick(),
