@@ -84,7 +84,7 @@ class ContactSolver {
     /// Step 5 takes back so much more of a speed, up to this share of the resting speed, where the
     /// pair pressed in the last substep (successive over-relaxation): what a pair takes back, its
     /// neighbours partly give again. With 0 a high heap goes up and down as a whole for a minute;
-    /// from 1 on rounds would gain energy. What lands, and so did not press, does not bounce.
+    /// from 1 on rounds would gain energy. What has just landed is left out, or it would bounce.
     static constexpr double overshoot = 0.6;
     /// A ball that presses on one so many times lighter is a load: all below it that presses is
     /// solved in this many rounds. With one, 400 on balls of mass 1 rock for ever; with two they

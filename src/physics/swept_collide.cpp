@@ -58,23 +58,26 @@ void SweptSolver::take_path(const World& world, std::uint32_t ball, double now, 
     Path& path = paths_[ball];
     path.position = position_at(ball, now);
     path.time = now;
-    path.start_velocity = path.still ? Vec2{} : velocity;
-    path.velocity = path.still || is_held_ball(ball)
-                        ? path.start_velocity
-                        : chord(world, ball, velocity, gravity_on(ball), now);
+    if (!path.still) path.start_velocity = velocity;
+    path.velocity = path.still           ? Vec2{}
+                    : is_held_ball(ball) ? velocity
+                                         : chord(world, ball, velocity, gravity_on(ball), now);
     const bool is_first = path.version++ == 0;
     if (is_first) ++changed_paths_;
     cells_.enter(ball, box_of_path(world, ball, now), is_first && !are_all_in_cells_);
 }
 
-void SweptSolver::count_impact(std::uint32_t ball, bool resting) {
+// The ball leaves the impact at `velocity`.
+void SweptSolver::count_impact(std::uint32_t ball, Vec2 velocity, bool resting) {
     Path& path = paths_[ball];
+    if (path.still) return;
     ++path.impacts;
     if (resting) ++path.resting_impacts;
     const int most = most_resting_impacts * (slides_first_ ? 2 : 1);
     if (path.resting_impacts < most && path.impacts < most_impacts) return;
     path.still = true;
     path.carried = true;
+    path.start_velocity = keeps_energy_ ? velocity : Vec2{};
 }
 
 // The ball has come to rest on what lies against `normal`, which does not give way.
@@ -169,7 +172,7 @@ std::optional<Contact> SweptSolver::collide_balls(World& world, const Event& eve
                   is_contact ? done.impulse : 0.0, resting);
     for (const std::uint32_t ball : {i, j}) {
         if (!resting && is_contact) let_go(ball, world);
-        count_impact(ball, resting || !is_contact);
+        count_impact(ball, ball == i ? velocity_a : velocity_b, resting || !is_contact);
     }
     if (world.model.cloth) {
         stop_sliding_if_pressed(world, i, velocity_a);
@@ -222,7 +225,7 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
     if (world.model.spin) advance_spin(world, i, now);
     const double approach = surface - dot(velocity, normal);
     if (is_held_ball(i)) {
-        count_impact(i, true);
+        count_impact(i, {}, true);
         take_path(world, i, now, velocity + normal * approach);
         return std::nullopt;
     }
@@ -271,7 +274,7 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
                 hold_back(world, i, surface_way, material.friction, now, after);
         }
     }
-    count_impact(i, (resting && !(is_driven && pushed)) || !(approach > 0.0));
+    count_impact(i, after, (resting && !(is_driven && pushed)) || !(approach > 0.0));
     if (world.model.cloth) stop_sliding_if_pressed(world, i, after);
     take_path(world, i, now, after);
     if (!(approach > 0.0)) return std::nullopt;

@@ -5,6 +5,7 @@
 
 #include "geometry/closest.h"
 #include "physics/bounce.h"
+#include "physics/contact_flights.h"
 #include "physics/surroundings.h"
 
 namespace carom {
@@ -19,6 +20,7 @@ void SweptSolver::tick(World& world, int substeps, std::vector<Contact>& contact
     resting_speed_ =
         world.model.gravity ? resting_approach * length(*world.model.gravity) * duration : 0.0;
     slides_first_ = world.model.cloth.has_value();
+    keeps_energy_ = is_flight_only(world);
     torus_ = world.model.wrap ? size(*world.model.wrap) : Vec2{};
     inverse_mass_ = world.balls.inverse_mass;
     for (const HeldBall& held : world.held_balls)
@@ -74,11 +76,11 @@ void SweptSolver::finish_paths(World& world) {
         if (world.model.wrap) position = wrapped(position, *world.model.wrap);
         balls.position[i] = position;
         if (world.model.spin)
-            balls.spin[i] = path.still || is_held_ball(ball)
+            balls.spin[i] = (path.still && !keeps_energy_) || is_held_ball(ball)
                                 ? 0.0
                                 : balls.spin[i] + spin_rate_[i] * (duration_ - path.time);
         if (path.still || is_held_ball(ball)) {
-            balls.velocity[i] = {};
+            balls.velocity[i] = is_held_ball(ball) ? Vec2{} : path.start_velocity;
             if (world.model.cloth) balls.roll[i] = {};
             continue;
         }

@@ -36,7 +36,9 @@ namespace carom {
 /// carried, and feels only the gravity along it; a carried ball carries, within the substep, what
 /// comes to rest on it. A ball that has had `most_resting_impacts` of these in a substep, or
 /// `most_impacts` of any kind, lies still until the substep ends; nothing moves it until then. That
-/// loses energy and momentum, never gains any, and bounds the work.
+/// loses energy and momentum, never gains any, and bounds the work. In a scene that is all elastic
+/// flight (contact_flights.h) it goes on after the substep as fast as it was: it loses time and
+/// momentum, and no energy.
 ///
 /// Friction: the impulse of an impact rubs at once (bounce.h). On an edge on which a ball rests,
 /// the weight rubs as a constant acceleration for what is left of the substep: as much of it as
@@ -81,7 +83,7 @@ class SweptSolver {
     struct alignas(64) Path {
         Vec2 position;
         Vec2 velocity;
-        Vec2 start_velocity;  ///< of the parabola, at `time`
+        Vec2 start_velocity;  ///< of the parabola, at `time`; of what lies still, at the end
         double time = 0.0;
         std::uint32_t version : 29 = 0;  ///< counts its changes of path
         std::uint32_t still : 1 = 0;     ///< lies still until the substep ends
@@ -151,7 +153,7 @@ class SweptSolver {
     void stop_sliding_if_pressed(World& world, std::uint32_t ball, Vec2& velocity);
     void take_path(const World& world, std::uint32_t ball, double now, Vec2 velocity);
     void let_go(std::uint32_t ball, const World& world);
-    void count_impact(std::uint32_t ball, bool resting);
+    void count_impact(std::uint32_t ball, Vec2 velocity, bool resting);
     void rest_on(std::uint32_t ball, Vec2 normal, const World& world);
     /// Friction, in swept_friction.cpp. Pre, for all of them: Model::spin.
     void advance_spin(World& world, std::uint32_t ball, double now) const;
@@ -206,7 +208,8 @@ class SweptSolver {
     SweptCells cells_;  ///< of the balls that have changed their paths since, or of all
     std::size_t changed_paths_ = 0;
     bool are_all_in_cells_ = false;
-    CapsuleCells edges_;  ///< in the same cells
+    bool keeps_energy_ = false;  ///< what lies still goes on as fast after the substep
+    CapsuleCells edges_;         ///< in the same cells
 };
 
 }  // namespace carom

@@ -1,5 +1,6 @@
 #include "physics/contact_flights.h"
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -89,6 +90,28 @@ TEST_CASE("contact: a fast gas keeps its energy, and nothing overlaps") {
         CHECK(deepest_overlap(world) < 1e-9);
     }
     CHECK(totals(world).kinetic_energy == doctest::Approx(energy).epsilon(1e-11));
+}
+
+// A ball that has had thousands of impacts in a tick stands for the rest of it, and goes on as
+// fast.
+TEST_CASE("elastic flights: what is jammed keeps its energy, however often it bounces") {
+    for (const SolverKind kind : {SolverKind::contact, SolverKind::swept}) {
+        CAPTURE(static_cast<int>(kind));
+        // To and fro in a channel, 167,000 times a tick.
+        World world = scenes::empty();
+        world.rate = 60.0;
+        add_capsule(world, {{-50.0, -1.5}, {50.0, -1.5}, 1.0}, 0);
+        add_capsule(world, {{-50.0, 1.5001}, {50.0, 1.5001}, 1.0}, 0);
+        add_ball(world, {.position = {0.0, 0.0}, .velocity = {0.3, 1000.0}, .radius = 0.5});
+        const double energy = totals(world).kinetic_energy;
+        const auto bounces = world.ball_edge_collisions;
+        Solver solver({.kind = kind});
+        for (int i = 0; i < 5; ++i)
+            solver.tick(world);
+        CHECK(world.ball_edge_collisions > bounces + 5 * 4000);
+        CHECK(totals(world).kinetic_energy == doctest::Approx(energy).epsilon(1e-11));
+        CHECK(std::abs(world.balls.position[0].y) < 1e-4);
+    }
 }
 
 TEST_CASE("contact: all flight, it has the bits of swept, whatever its substeps") {
