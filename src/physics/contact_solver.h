@@ -53,8 +53,9 @@ namespace carom {
 ///
 /// Fails by nature: pressed bodies overlap slightly, the more the heavier what lies on them; a pile
 /// of bounces goes pair by pair. A tower in which each ball is ten times as heavy as the one below
-/// goes in as deep as the cores. What slips out between hands that are far behind where they are
-/// wanted may go as fast as they would to be there at the end of the tick.
+/// goes in as deep as the cores; a heap with friction whose masses are 1e5 apart may gain energy.
+/// What slips out between hands that are far behind where they are wanted may go as fast as they
+/// would to be there at the end of the tick.
 ///
 /// There is no sleep: in a heap at rest the last bits of the speeds go on changing, so who slept
 /// would wake with others than a run without sleep. But the pairs of balls that stay about where

@@ -170,6 +170,28 @@ TEST_CASE("contact: a heap that falls together is not dealt with impact by impac
     CHECK(deepest < 0.2);
 }
 
+// More of a speed is taken back than there is only from what pressed before: what lands would go up
+// again with that.
+TEST_CASE("contact: a ball that does not bounce lands from any height, and stays") {
+    for (int i = 0; i < 40; ++i) {
+        World world = floor_world();
+        world.model.lossy = true;
+        const double height = 0.3 + 0.187 * i;
+        CAPTURE(height);
+        add_ball(world, {.position = {0.0, 0.5 + height}});
+        Solver solver({.kind = SolverKind::contact});
+        bool has_landed = false;
+        double fastest = 0.0;
+        for (int tick = 0; tick < 180; ++tick) {
+            solver.tick(world);
+            has_landed = has_landed || !world.pressed.empty();
+            if (has_landed) fastest = std::max(fastest, world.balls.velocity[0].y);
+        }
+        CHECK(has_landed);
+        CHECK(fastest < 0.005);
+    }
+}
+
 // Each round over the pairs carries a change of the load one ball further, so what is slow to rest
 // is not single balls but all of them together.
 TEST_CASE("contact: a high heap soon stops going up and down as a whole") {
