@@ -124,6 +124,8 @@ void ContactSolver::begin_path(std::uint32_t body) {
     path.body = body;
     path.position = position_[body];
     path.chord = way_[body] / duration_;
+    path.rim = rim_before_.empty() ? 0.0 : rim_before_[body];
+    path.turn = (mover_[body].rim - path.rim) / duration_;
     path.end = duration_;
     if (is_held_body(body)) {
         path.velocity = path.chord;
@@ -147,7 +149,20 @@ void ContactSolver::begin_paths_around(std::uint32_t body) {
     }
 }
 
+// Friction may take back what it has given to both, and no more: else it would speed up slip.
+void ContactSolver::forget_rubs_not_given() {
+    const auto given = [&](std::uint32_t body) {
+        return body < still_ && place_of_path_[body] != none ? path_of(body).given : 1.0;
+    };
+    for (std::size_t k = 0; k < presses_used_; ++k) {
+        Presses& presses = presses_[k];
+        for (const int which : {0, 1})
+            presses.rub[which] *= std::min(given(presses.a[which]), given(presses.b[which]));
+    }
+}
+
 void ContactSolver::finish_paths(const World& world) {
+    if (world.model.spin) forget_rubs_not_given();
     for (std::uint32_t i = 0; i < still_; ++i)
         if (place_of_path_[i] == none || path_of(i).version == 0) position_[i] += way_[i];
     for (const Path& path : paths_) {
@@ -157,6 +172,7 @@ void ContactSolver::finish_paths(const World& world) {
             way_[body] = after - position_[body];
             position_[body] = after;
             mover_[body].velocity = velocity_at(world, body, duration_);
+            mover_[body].rim = rim_at(body, duration_);
         }
         if (is_held_body(body)) mover_[body].velocity = path.chord;
         place_of_path_[body] = none;
@@ -204,13 +220,27 @@ Vec2 ContactSolver::velocity_at(const World& world, std::uint32_t body, double n
     return velocity_after(flight_over(world.model.drag, since), path.velocity, gravity_);
 }
 
-// From now on the ball flies freely from where it is, at first at `velocity`.
-void ContactSolver::take_path(const World& world, std::uint32_t body, double now, Vec2 velocity) {
+double ContactSolver::rim_at(std::uint32_t body, double now) const {
+    const Path& path = path_of(body);
+    return path.rim + path.turn * (std::min(now, path.end) - path.time);
+}
+
+// The path ends that the ball was on at the start of the substep.
+void ContactSolver::leave(Path& path, double now) const {
+    if (path.version == 0 && !path.free) path.given = std::min(now, path.end) / duration_;
+}
+
+// From now on the ball flies freely from where it is, at first at `velocity`, and turns evenly.
+void ContactSolver::take_path(const World& world, std::uint32_t body, double now, Vec2 velocity,
+                              double rim) {
     Path& path = path_of(body);
+    leave(path, now);
     path.position = position_at(world, body, now);
     path.time = now;
     path.velocity = velocity;
     path.pull = {};
+    path.rim = rim;
+    path.turn = 0.0;
     ++path.version;
     if (path.stands) return;
     if (++path.impacts >= most_impacts) {
@@ -265,6 +295,7 @@ void ContactSolver::end_path_at_border(std::uint32_t body, double now) {
 
 void ContactSolver::stand(std::uint32_t body, double now) {
     Path& path = path_of(body);
+    leave(path, now);
     const double since = std::min(now, path.end) - path.time;
     const Flight flight = flight_over(drag_, since);
     if (path.free) {
@@ -274,7 +305,9 @@ void ContactSolver::stand(std::uint32_t body, double now) {
         path.position += path.chord * since;
         path.velocity += path.pull * since;
     }
+    path.rim += path.turn * since;
     path.chord = path.pull = {};
+    path.turn = 0.0;
     path.time = now;
     path.end = duration_;
     path.free = false;
@@ -413,6 +446,8 @@ std::optional<Contact> ContactSolver::collide_balls(World& world, Pair& pair, do
     const Vec2 normal = direction(offset, pair.normal);
     Vec2 velocity_a = velocity_at(world, a, now);
     Vec2 velocity_b = velocity_at(world, b, now);
+    double rim_a = rim_at(a, now);
+    double rim_b = rim_at(b, now);
     const double approach = -dot(velocity_a - velocity_b, normal);
     const double rounding = noise * (length(velocity_a) + length(velocity_b));
     const bool bounces =
@@ -430,11 +465,10 @@ std::optional<Contact> ContactSolver::collide_balls(World& world, Pair& pair, do
         done = bounce(velocity_a, mover_[a].inverse_mass, velocity_b, mover_[b].inverse_mass,
                       normal, restitution);
     if (world.model.spin)
-        rub(velocity_a, {mover_[a].rim, 1.0}, mover_[a].inverse_mass, velocity_b,
-            {mover_[b].rim, 1.0}, mover_[b].inverse_mass, normal, done.impulse,
-            {pair.friction, *world.model.spin});
-    take_path(world, a, now, velocity_a);
-    take_path(world, b, now, velocity_b);
+        rub(velocity_a, {rim_a, 1.0}, mover_[a].inverse_mass, velocity_b, {rim_b, 1.0},
+            mover_[b].inverse_mass, normal, done.impulse, {pair.friction, *world.model.spin});
+    take_path(world, a, now, velocity_a, rim_a);
+    take_path(world, b, now, velocity_b, rim_b);
     if (is_held_body(a)) count_push(b, now);
     if (is_held_body(b)) count_push(a, now);
     if (!(approach > rounding)) return std::nullopt;
@@ -459,12 +493,13 @@ std::optional<Contact> ContactSolver::collide_edge(World& world, Pair& pair, dou
     const bool is_driven = hand && hand->is_driven;
     const double along_normal = dot(surface, normal);
     Vec2 velocity = velocity_at(world, a, now);
+    double rim = rim_at(a, now);
     const double approach = along_normal - dot(velocity, normal);
     const double rounding = noise * (length(velocity) + length(surface));
     if (is_held_body(a)) {
         // A held ball goes no further than the edge lets it.
         pair.settled = true;
-        take_path(world, a, now, velocity + normal * std::max(0.0, approach));
+        take_path(world, a, now, velocity + normal * std::max(0.0, approach), rim);
         return std::nullopt;
     }
     const double least = std::max(rounding, along_normal > 0.0 ? 0.0 : resting_speed_);
@@ -484,10 +519,10 @@ std::optional<Contact> ContactSolver::collide_edge(World& world, Pair& pair, dou
             velocity += along * kick_at(world.materials[world.capsules.material[pair.edge]], shape,
                                         position, approach);
         if (world.model.spin)
-            rub_on(velocity, {mover_[a].rim, 1.0}, mover_[a].inverse_mass, along, surface,
-                   done.impulse, {pair.friction, *world.model.spin});
+            rub_on(velocity, {rim, 1.0}, mover_[a].inverse_mass, along, surface, done.impulse,
+                   {pair.friction, *world.model.spin});
     }
-    take_path(world, a, now, velocity);
+    take_path(world, a, now, velocity, rim);
     if (along_normal > 0.0 && !is_driven) count_push(a, now);
     if (!(approach > rounding)) return std::nullopt;
     return Contact{.time = now,

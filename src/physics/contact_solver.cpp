@@ -76,6 +76,10 @@ void ContactSolver::substep(World& world, double share_of_way, std::vector<Conta
 void ContactSolver::kick(const World& world) {
     const Vec2 fall = gravity_ * flight_.velocity_per_gravity;
     const std::optional<double> limit = world.model.speed_limit;
+    rim_before_.clear();
+    if (world.model.spin)
+        for (std::uint32_t i = 0; i < still_; ++i)
+            rim_before_.push_back(mover_[i].rim);
     for (std::uint32_t i = 0; i < still_; ++i) {
         Vec2 velocity = mover_[i].velocity;
         if (limit) velocity = limited(velocity, *limit);

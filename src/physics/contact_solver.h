@@ -53,9 +53,8 @@ namespace carom {
 ///
 /// Fails by nature: pressed bodies overlap slightly, the more the heavier what lies on them; a pile
 /// of bounces goes pair by pair. A tower in which each ball is ten times as heavy as the one below
-/// goes in as deep as the cores; a heap with friction whose masses are 1e5 apart may gain energy.
-/// What slips out between hands that are far behind where they are wanted may go as fast as they
-/// would to be there at the end of the tick.
+/// goes in as deep as the cores. What slips out between hands that are far behind where they are
+/// wanted may go as fast as they would to be there at the end of the tick.
 ///
 /// There is no sleep: in a heap at rest the last bits of the speeds go on changing, so who slept
 /// would wake with others than a run without sleep. But the pairs of balls that stay about where
@@ -154,13 +153,16 @@ class ContactSolver {
     };
 
     /// A ball in a substep with impacts: at `position` at `time`, since then on a parabola if it is
-    /// free, else straight on at `chord` while its velocity changes evenly by `pull`. It stands
-    /// from `end` on.
+    /// free, else straight on at `chord` while its velocity changes evenly by `pull` and its rim's
+    /// by `turn`. It stands from `end` on.
     struct Path {
         Vec2 position;
         Vec2 velocity;
-        Vec2 chord;  ///< to where it will be at the end, length/s
-        Vec2 pull;   ///< length/s^2
+        Vec2 chord;          ///< to where it will be at the end, length/s
+        Vec2 pull;           ///< length/s^2
+        double rim = 0.0;    ///< spin * radius, length/s
+        double turn = 0.0;   ///< length/s^2
+        double given = 1.0;  ///< share of what pressing gives in the substep
         double time = 0.0;
         double end = 0.0;
         std::uint32_t version = 0;
@@ -296,12 +298,15 @@ class ContactSolver {
     std::optional<Contact> collide_balls(World& world, Pair& pair, double now);
     std::optional<Contact> collide_edge(World& world, Pair& pair, double now);
     void stop_hand(const World& world, std::uint32_t capsule, double now);
-    void take_path(const World& world, std::uint32_t body, double now, Vec2 velocity);
+    void take_path(const World& world, std::uint32_t body, double now, Vec2 velocity, double rim);
+    void leave(Path& path, double now) const;
+    void forget_rubs_not_given();
     void count_push(std::uint32_t body, double now);
     void end_path_at_border(std::uint32_t body, double now);
     void stand(std::uint32_t body, double now);
     Vec2 position_at(const World& world, std::uint32_t body, double now) const;
     Vec2 velocity_at(const World& world, std::uint32_t body, double now) const;
+    double rim_at(std::uint32_t body, double now) const;
     Vec2 chord_position(std::uint32_t body, double now) const;
     double core(const Pair& pair) const;
     double restitution_of(const World& world, const Pair& pair, double approach) const;
@@ -340,9 +345,10 @@ class ContactSolver {
     std::uint32_t still_ = 0;
     std::vector<std::uint32_t> ball_;  // by body: index in the world
     std::vector<Vec2> position_;
-    std::vector<Vec2> home_;    // where they were when the pairs were found
-    std::vector<Vec2> before_;  // velocity at the start of the substep
-    std::vector<Vec2> way_;     // in the substep, length
+    std::vector<Vec2> home_;          // where they were when the pairs were found
+    std::vector<Vec2> before_;        // velocity at the start of the substep
+    std::vector<double> rim_before_;  // the same of the rims; empty where nothing turns
+    std::vector<Vec2> way_;           // in the substep, length
     std::vector<Mover> mover_;
     std::vector<double> radius_;
     std::vector<double> margin_;

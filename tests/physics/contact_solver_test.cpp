@@ -367,6 +367,29 @@ TEST_CASE("contact: an edge in a hand comes down on a ball in a hand") {
         CHECK((place.x > 0.0 && place.x < 20.0 && place.y > 0.0 && place.y < 60.0));
 }
 
+// What friction takes of the speed it gives to the spin, though the ball is hit in each substep.
+TEST_CASE(
+    "contact: a disc that slides through hail rolls as fast in the end as one that does not") {
+    World world = floor_world();
+    world.model.lossy = true;
+    world.model.spin = 0.5;
+    world.kinds[0] = {.radius = 0.5, .mass = 1.0, .restitution = 1.0};
+    world.materials[0].friction = 0.5;
+    const double speed = 5.0;
+    add_ball(world, {.position = {0.0, 0.5}, .velocity = {speed, 0.0}});
+    for (int k = 0; k < 120; ++k) {
+        const double time = 0.005 + 0.0037 * k;
+        add_ball(world, {.position = {speed * time, 1.01 + 30.0 * time},
+                         .velocity = {speed, -30.0},
+                         .radius = 0.01,
+                         .mass = 1e-12});
+    }
+    run(world, 60);
+    // Of the momentum about a point of the floor nothing is lost.
+    CHECK(world.balls.velocity[0].x == doctest::Approx(speed / 1.5).epsilon(1e-3));
+    CHECK(-0.5 * world.balls.spin[0] == doctest::Approx(speed / 1.5).epsilon(1e-3));
+}
+
 TEST_CASE("contact: four orders of magnitude of radii in one heap stay finite and inside") {
     World world = floor_world();
     add_capsule(world, {{-31.0, -1.0}, {-31.0, 60.0}, 1.0}, 0);

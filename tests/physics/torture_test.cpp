@@ -216,6 +216,30 @@ Ordeal heap(std::uint64_t who) {
     return {world, room, 120};
 }
 
+// In a shaft, so that the heap is deep: light balls bear heavy ones, and all rub.
+Ordeal rubbing_heap(std::uint64_t who) {
+    World world = scenes::empty();
+    const Box shaft{{-3.0, 0.0}, {3.0, 40.0}};
+    scenes::add_walls(world, shaft);
+    world.model.gravity = Vec2{0.0, -10.0};
+    world.model.spin = who % 2 == 0 ? 0.5 : 0.4;
+    world.model.lossy = true;
+    const double restitution = who % 4 < 2 ? 0.5 : 0.0;
+    const double friction = who % 3 == 0 ? 1.0 : 0.4;
+    world.materials[0] = {.restitution = restitution, .friction = friction};
+    world.kinds[0] = {.radius = 0.5, .restitution = restitution, .friction = friction};
+    for (int i = 0; i < 40; ++i) {
+        const auto n = static_cast<std::uint64_t>(i);
+        const double x = -2.4 + 1.15 * (i % 5) + draw(-0.05, 0.05, who, 2 * n);
+        const double power = who < 4 ? 2.6 : 4.0;
+        add_ball(world, {.position = {x, 0.6 + 1.1 * (i / 5)},
+                         .velocity = {},
+                         .radius = 0.5,
+                         .mass = draw_size(-power, power, who, 2 * n + 1)});
+    }
+    return {world, shaft, 600};
+}
+
 constexpr Trial trials[] = {{"masses 1e12 apart", 5, masses},
                             {"radii 1e6 apart", 5, radii},
                             {"1e9 from the origin", 4, far_off},
@@ -225,7 +249,8 @@ constexpr Trial trials[] = {{"masses 1e12 apart", 5, masses},
                             {"centres that coincide", 10, coincident},
                             {"squeezed by closing edges", 16, squeeze},
                             {"many contacts at once", 12, at_once},
-                            {"heaps of unequal masses", 4, heap}};
+                            {"heaps of unequal masses", 4, heap},
+                            {"the same, deep, with friction", 6, rubbing_heap}};
 
 struct Outcome {
     std::size_t not_finite = 0;
