@@ -63,6 +63,16 @@ void EventCells<Real>::reset(const World& world, Balls& balls) {
 }
 
 template <typename Real>
+EventSpot EventCells<Real>::spot_of(Vec2 position) const {
+    const int column = frame_.column_unbounded(position.x);
+    const int row = frame_.row_unbounded(position.y);
+    const int x = frame_.bounded(column, frame_.columns);
+    const int y = frame_.bounded(row, frame_.rows);
+    if (!frame_.wraps) return {frame_.index(x, y)};
+    return {frame_.index(x, y), (column - x) / frame_.columns, (row - y) / frame_.rows};
+}
+
+template <typename Real>
 void EventCells<Real>::enter(Balls& balls, std::uint32_t ball, Vec2 position) {
     EventPlace& own = balls.plan(ball).place;
     own.column = frame_.column_unbounded(position.x);

@@ -18,6 +18,13 @@
 /// (`next`, and the tori of its path), the rest in its plan (EventPlan::place).
 namespace carom {
 
+/// A cell, and how many tori the way to it has crossed.
+struct EventSpot {
+    std::uint32_t cell = 0;
+    int across = 0;
+    int along = 0;
+};
+
 template <typename Real>
 class EventCells {
   public:
@@ -36,6 +43,7 @@ class EventCells {
     double largest() const { return largest_; }
     const std::vector<std::uint32_t>& giants() const { return giants_; }
 
+    EventSpot spot_of(Vec2 position) const;
     void enter(Balls& balls, std::uint32_t ball, Vec2 position);
     void leave(Balls& balls, std::uint32_t ball) {
         if (balls[ball].is_giant) return;

@@ -110,31 +110,24 @@ bool EventEngine<Real>::leads_through(const EventPath<Real>& path, std::size_t b
            is_turn_left(static_cast<std::uint32_t>(ball));
 }
 
-// Whether what carries the ball is still there.
+// Whether the edges that carry the ball are still there, as they were.
+template <typename Real>
+bool EventEngine<Real>::are_carriers_left(const EventPath<Real>& path, std::uint32_t sum) const {
+    return path.motion == Motion::free ||
+           sum_of_carriers(*world_, path.support, path.second_support) == sum;
+}
+
+// Whether the balls that carry the ball are still there.
 template <typename Real>
 bool EventEngine<Real>::has_support(const std::vector<std::uint8_t>& is_kept,
                                     std::size_t ball) const {
     const EventPath<Real>& path = balls_[ball].path;
     for (const PathSupport& support : {path.support, path.second_support}) {
-        const Vector<Real> shift = torus_shift(support.across, support.along);
-        const Vector<Real> position = state_at(path, field_, now_).position;
-        const Real size = radius(static_cast<std::uint32_t>(ball));
-        const Real near = size * Real(1e-6) + rounding_at(position, Real{});
-        // In a heap it may have been pressed into its support by as much as a lively hop.
-        const Real deep = near + size * Real(4.0 * lively_rise);
-        if (support.by == PathSupport::By::edge) {
-            const auto index = index_of(*world_, CapsuleId{support.number});
-            if (!index || is_held(*world_, CapsuleId{support.number})) return false;
-            if (world_->model.one_way && world_->capsules.side[*index] == Side::none) return false;
-            const Edge<Real> edge(world_->capsules.shape[*index], Vec2(shift));
-            const Real gap = contact_with(edge, position, size).gap;
-            if (near < gap || gap < -deep) return false;
-        } else if (support.by == PathSupport::By::ball) {
-            const auto index = index_of(*world_, BallId{support.number});
-            // It rests, so it is where it was.
-            if (!index || !is_kept[*index] || balls_[*index].path.motion != Motion::resting)
-                return false;
-        }
+        if (support.by != PathSupport::By::ball) continue;
+        const auto index = index_of(*world_, BallId{support.number});
+        // It rests, so it is where it was.
+        if (!index || !is_kept[*index] || balls_[*index].path.motion != Motion::resting)
+            return false;
     }
     return true;
 }
@@ -247,7 +240,8 @@ void EventEngine<Real>::begin_anew(const World& world) {
                 ++at;
             if (at < world.paths.size() && world.paths[at].id == world.balls.id[i]) {
                 balls_[i].path = path_from(world.paths[at]);
-                is_kept[i] = !world.model.spin || at < world.spin_paths.size();
+                is_kept[i] = (!world.model.spin || at < world.spin_paths.size()) &&
+                             are_carriers_left(balls_[i].path, world.paths[at].carriers);
                 if (world.model.spin && is_kept[i]) spin_from[i] = static_cast<std::int64_t>(at);
             }
         }
@@ -258,7 +252,7 @@ void EventEngine<Real>::begin_anew(const World& world) {
                 ++at;
             if (at < left_.ids.size() && left_.ids[at] == world.balls.id[i]) {
                 balls_[i].path = before[at].path;
-                is_kept[i] = 1;
+                is_kept[i] = are_carriers_left(balls_[i].path, left_.carriers[at]);
                 if (world.model.spin) spin_from[i] = static_cast<std::int64_t>(at);
             }
         }
@@ -392,7 +386,7 @@ void EventEngine<Real>::store_paths(World& world) {
             const EventPath<double>& path = balls_[i].path;
             world.paths_sum -= sum_of(stored);
             if (are_all || stored.motion != Motion::free || path.motion != Motion::free)
-                stored = stored_path(world.balls.id[i], path);
+                stored = stored_path(world, world.balls.id[i], path);
             else
                 begin_stored(stored, path);
             world.paths_sum += sum_of(stored);
@@ -409,6 +403,11 @@ void EventEngine<Real>::store_paths(World& world) {
                 store(begun_[at]);
             }
         left_.paths_sum = world.paths_sum;
+    } else {
+        left_.carriers.clear();
+        for (const EventBall<Real>& ball : balls_)
+            left_.carriers.push_back(
+                sum_of_carriers(world, ball.path.support, ball.path.second_support));
     }
 }
 
@@ -458,8 +457,8 @@ void EventEngine<Real>::write(World& world) {
         world.capsules.shape[hand.capsule].start = Vec2(shape.start);
         world.capsules.shape[hand.capsule].end = Vec2(shape.end);
     }
+    store_paths(world);
     if constexpr (std::is_same_v<Real, double>) {
-        store_paths(world);
         write_crowded(world);
         world.paths_gravity = world.model.gravity.value_or(Vec2{});
         world.paths_drag = world.model.drag.value_or(0.0);

@@ -54,8 +54,8 @@ enum class EventOutcome : std::uint8_t {
 /// a ball that has had `most_tiring` of them, and is slow, lies still where it is for a quarter of
 /// the time in which it would fall through its radius, and longer if what it touches then carries
 /// it. That loses energy and momentum. Balls that are pressed together and overlap by more than
-/// half of `lively_rise` are taken apart where nothing bars the way, which lifts them by as much;
-/// where they are barred, they sink in further. Without gravity, two balls that have met
+/// half of `lively_rise` are taken apart where nothing bars the way, by half a radius at most, which
+/// lifts them by as much; where they are barred, they sink in further. Without gravity, two balls that have met
 /// `most_quick` times in a row within `touching` of a radius pass their impulse without
 /// restitution, for the same reason.
 ///
@@ -128,6 +128,7 @@ class EventEngine {
         Vector<Real> position;
         bool is_scanned = false;
         bool is_changed = false;
+        bool is_moved = false;  ///< taken apart from another
         bool was_resting = false;
         std::uint32_t first_near = 0;  ///< in near_, as many as `near`, once it is scanned
         std::uint32_t near = 0;
@@ -200,6 +201,7 @@ class EventEngine {
     void take_hands(const World& world);
     void store_paths(World& world);
     bool leads_through(const EventPath<Real>& path, std::size_t ball) const;
+    bool are_carriers_left(const EventPath<Real>& path, std::uint32_t sum) const;
     bool has_support(const std::vector<std::uint8_t>& is_kept, std::size_t ball) const;
     void write(World& world);
     Vec2 shown_position(const EventPath<Real>& path, const Real& time) const;
@@ -212,7 +214,7 @@ class EventEngine {
     bool is_foreseen(std::uint32_t ball) const;
     void choose_next(std::uint32_t ball);
     void enter_next_cell(std::uint32_t ball, std::uint32_t direction);
-    bool is_far_round(const EventPath<Real>& path) const;
+    void predict_far_round(std::uint32_t ball, Event& best) const;
     void begin_in_frame(std::uint32_t ball);
     bool is_flying(std::uint32_t ball) const;
     void meet_flying(std::uint32_t ball, std::uint32_t other, int across, int along, Event& best);
@@ -251,7 +253,13 @@ class EventEngine {
     template <typename Visit>
     void for_each_ball_near(std::uint32_t ball, Visit&& visit) const;
     template <typename Visit>
-    void for_each_edge_near(std::uint32_t ball, Visit&& visit) const;
+    void for_each_edge_near(std::uint32_t ball, Visit&& visit) const {
+        const EventPath<Real>& path = balls_[ball].path;
+        for_each_edge_around(ball, {balls_.plan(ball).place.cell, path.across, path.along}, visit);
+    }
+    /// The same if it were somewhere else.
+    template <typename Visit>
+    void for_each_edge_around(std::uint32_t ball, EventSpot spot, Visit&& visit) const;
     bool is_solid_for(std::uint32_t capsule, const Vector<Real>& position, Vec2 shift) const;
 
     // event_ahead.cpp: fetching from memory before it is needed.
@@ -438,6 +446,8 @@ class EventEngine {
         std::vector<std::uint8_t> meets;
         Capsules capsules;
         std::uint64_t paths_sum = 0;
+        /// By ball, BallPath::carriers; empty with doubles, whose paths are in the world.
+        std::vector<std::uint32_t> carriers;
         bool had_hands = false;
     };
     Left left_;
@@ -472,19 +482,17 @@ void EventEngine<Real>::for_each_ball_near(std::uint32_t ball, Visit&& visit) co
 
 template <typename Real>
 template <typename Visit>
-void EventEngine<Real>::for_each_edge_near(std::uint32_t ball, Visit&& visit) const {
+void EventEngine<Real>::for_each_edge_around(std::uint32_t ball, EventSpot spot,
+                                             Visit&& visit) const {
     if (!world_->model.ball_edge) return;
     const auto at_image = [&](std::uint32_t capsule, int across, int along) {
         if (!ball_meets(ball, capsule)) return;
         visit(capsule, Vec2{torus_.x * across, torus_.y * along}, across, along);
     };
     if (!balls_[ball].is_giant) {
-        const std::uint32_t cell = balls_.plan(ball).place.cell;
-        if (edges_.is_empty(cell)) return;
-        const int across = balls_[ball].path.across;
-        const int along = balls_[ball].path.along;
-        for (const CapsuleEntry entry : edges_.in_cell(cell))
-            at_image(entry.index, entry.across + across, entry.along + along);
+        if (edges_.is_empty(spot.cell)) return;
+        for (const CapsuleEntry entry : edges_.in_cell(spot.cell))
+            at_image(entry.index, entry.across + spot.across, entry.along + spot.along);
         return;
     }
     int across = 0;

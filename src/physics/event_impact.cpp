@@ -248,7 +248,9 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
         if (!each.is_changed) continue;
         const EventPath<Real> before = balls_[each.ball].path;
         const Real way = length(each.position - before.position);
+        if (each.is_moved) cells_.leave(balls_, each.ball);
         start_path(each.ball, now_, each.position, impact_bodies_[i].velocity);
+        if (each.is_moved) cells_.enter(balls_, each.ball, Vec2(balls_[each.ball].path.position));
         if (world_->model.spin) spins_[each.ball].spin = body_spins_[i];
         EventPath<Real>& path = balls_[each.ball].path;
         if (world_->model.cloth) path.center = body_rolls_[i];
@@ -302,28 +304,33 @@ void EventEngine<Real>::part_pressed() {
         Body& b = bodies_[touch.contact.b];
         const Real small = std::min(radius(a.ball), radius(b.ball));
         if (!(touch.gap < -deep * small)) continue;
+        // By no more than what cannot take a ball past an edge unseen, even where one has been put
+        // into another.
+        const Real depth = std::min(-touch.gap, Real(0.5) * small);
         const auto share = [&](const Body& body, std::uint32_t index, const Vector<Real>& way) {
             const EventPath<Real>& path = balls_[body.ball].path;
             const bool may_give_way = path.motion == Motion::free || is_on_cloth(path);
             if (!body.is_changed || !may_give_way) return Real{};
-            const Vector<Real> there = body.position - way * touch.gap;
+            const Vector<Real> there = body.position + way * depth;
             bool is_barred = false;  // never into an edge
-            for_each_edge_near(body.ball, [&](std::uint32_t capsule, Vec2 shift, int, int) {
+            const auto bar = [&](std::uint32_t capsule, Vec2 shift, int, int) {
                 const Edge<Real> edge(world_->capsules.shape[capsule], shift);
                 const Real size = radius(body.ball);
                 const Real gap = contact_with(edge, there, size).gap;
                 is_barred = is_barred ||
                             (gap < Real{} && gap < contact_with(edge, body.position, size).gap);
-            });
+            };
+            for_each_edge_around(body.ball, cells_.spot_of(Vec2(there)), bar);
             if (is_barred) return Real{};
             return impact_bodies_[index].inverse_mass;
         };
         const Real ours = share(a, touch.contact.a, touch.contact.normal);
         const Real theirs = share(b, touch.contact.b, -touch.contact.normal);
         if (!(ours + theirs > Real{})) continue;
-        const Vector<Real> way = touch.contact.normal * (-touch.gap / (ours + theirs));
+        const Vector<Real> way = touch.contact.normal * (depth / (ours + theirs));
         a.position += way * ours;
         b.position -= way * theirs;
+        a.is_moved = b.is_moved = true;
         is_near_valid_ = false;
     }
 }

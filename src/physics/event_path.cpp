@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "geometry/elementary.h"
+#include "physics/capsule_cells.h"
 
 namespace carom {
 namespace {
@@ -95,6 +96,16 @@ AngleAndRate<Real> swing(Real rate, Real along, Real outward, const Real& drag, 
     return result;
 }
 
+std::uint64_t stirred(std::uint64_t sum, std::uint64_t word) {
+    return std::rotl(sum ^ word, 29) * 0x9fb21c651e98df25u;
+}
+std::uint64_t stirred(std::uint64_t sum, double value) {
+    return stirred(sum, std::bit_cast<std::uint64_t>(value));
+}
+std::uint64_t stirred(std::uint64_t sum, Vec2 v) {
+    return stirred(stirred(sum, v.x), v.y);
+}
+
 }  // namespace
 
 EventPath<double> path_from(const BallPath& stored) {
@@ -111,10 +122,13 @@ EventPath<double> path_from(const BallPath& stored) {
     return path;
 }
 
-BallPath stored_path(BallId id, const EventPath<double>& path) {
+BallPath stored_path(const World& world, BallId id, const EventPath<double>& path) {
     return {.id = id,
             .quick = path.quick,
             .motion = path.motion,
+            .carriers = path.motion == Motion::free
+                            ? 0
+                            : sum_of_carriers(world, path.support, path.second_support),
             .time = path.time,
             .position = Vec2(path.position),
             .velocity = Vec2(path.velocity),
@@ -124,14 +138,26 @@ BallPath stored_path(BallId id, const EventPath<double>& path) {
             .second_support = path.second_support};
 }
 
+std::uint32_t sum_of_carriers(const World& world, const PathSupport& support,
+                              const PathSupport& second) {
+    std::uint64_t sum = 0;
+    for (const PathSupport& by : {support, second}) {
+        if (by.by != PathSupport::By::edge) continue;
+        sum = stirred(sum, std::uint64_t{by.number});
+        const auto index = index_of(world, CapsuleId{by.number});
+        if (!index || is_held(world, CapsuleId{by.number})) continue;
+        const Capsule& shape = world.capsules.shape[*index];
+        const Side side = world.model.one_way ? world.capsules.side[*index] : Side::both;
+        // 0 and -0 are the same place.
+        const Vec2 start = shape.start + Vec2{};
+        const Vec2 end = shape.end + Vec2{};
+        sum = stirred(stirred(stirred(sum, start), end), shape.radius);
+        sum = stirred(sum, static_cast<std::uint64_t>(side));
+    }
+    return static_cast<std::uint32_t>(sum >> 32);
+}
+
 std::uint64_t sum_of(const BallPath& path) {
-    const auto stir = [](std::uint64_t sum, std::uint64_t word) {
-        return std::rotl(sum ^ word, 29) * 0x9fb21c651e98df25u;
-    };
-    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
-    const auto with = [&](std::uint64_t sum, Vec2 v) {
-        return stir(stir(sum, bits(v.x)), bits(v.y));
-    };
     const auto word_of = [](const PathSupport& by) {
         return static_cast<std::uint64_t>(by.by) |
                std::uint64_t{static_cast<std::uint8_t>(by.across)} << 8 |
@@ -140,17 +166,18 @@ std::uint64_t sum_of(const BallPath& path) {
     };
     // Two chains, since each step of one waits for the last.
     const auto motion = static_cast<std::uint64_t>(path.motion);
-    std::uint64_t first = stir(number(path.id), motion | std::uint64_t{path.quick} << 8);
-    std::uint64_t second = stir(1, bits(path.time));
-    first = with(first, path.position);
-    second = with(second, path.velocity);
+    std::uint64_t first = stirred(number(path.id), motion | std::uint64_t{path.quick} << 8);
+    std::uint64_t second = stirred(1, path.time);
+    first = stirred(first, path.position);
+    second = stirred(second, path.velocity);
     if (path.motion != Motion::free) {
-        first = with(first, path.center);
-        second = with(second, path.acceleration);
-        first = stir(first, word_of(path.support));
-        second = stir(second, word_of(path.second_support));
+        first = stirred(first, path.center);
+        second = stirred(second, path.acceleration);
+        first = stirred(first, word_of(path.support));
+        second = stirred(second, word_of(path.second_support));
+        first = stirred(first, std::uint64_t{path.carriers});
     }
-    return stir(first, second);
+    return stirred(first, second);
 }
 
 template <typename Real>

@@ -111,7 +111,7 @@ class EventBalls {
 };
 
 EventPath<double> path_from(const BallPath& stored);
-BallPath stored_path(BallId id, const EventPath<double>& path);
+BallPath stored_path(const World& world, BallId id, const EventPath<double>& path);
 /// The same where `stored` is an earlier path of the ball, and it flew and flies: those differ in
 /// nothing else.
 inline void begin_stored(BallPath& stored, const EventPath<double>& path) {
@@ -120,6 +120,12 @@ inline void begin_stored(BallPath& stored, const EventPath<double>& path) {
     stored.position = Vec2(path.position);
     stored.velocity = Vec2(path.velocity);
 }
+
+/// What BallPath::carriers is for a ball that these carry: where they are and which way they push,
+/// stirred; 0 where no edge is among them. An edge that is gone, or in a hand, is as one of another
+/// shape.
+std::uint32_t sum_of_carriers(const World& world, const PathSupport& support,
+                              const PathSupport& second);
 
 /// What the path adds to World::paths_sum: all of it, stirred.
 std::uint64_t sum_of(const BallPath& path);

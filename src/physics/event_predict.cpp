@@ -14,6 +14,7 @@ struct Step {
     int rows = 0;
 };
 constexpr std::uint32_t look_again = 4;
+constexpr std::uint32_t begin_again = 5;
 constexpr std::array<Step, 4> steps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
 // The first time in begin..end at which `value` (0 at most, say) has changed its sign. Pre: it
@@ -176,6 +177,7 @@ void EventEngine<Real>::choose_next(std::uint32_t ball) {
         predict_crossing_of_line(ball, best);
     else
         predict_crossing(ball, best);
+    if (world_->model.wrap) predict_far_round(ball, best);
     predict_own(ball, best);
     if (!is_known && world_->model.ball_ball) predict_balls(ball, best);
     if (world_->model.ball_edge && balls_[ball].path.motion != Motion::resting)
@@ -184,13 +186,27 @@ void EventEngine<Real>::choose_next(std::uint32_t ball) {
 }
 
 // On a torus a ball that meets nobody goes round and round: before its path leads too far from the
-// frame for the images to be counted, it begins anew.
+// frame for the images to be counted, it begins anew. When that is depends on the path alone, so
+// that it does not show where the cells are, nor when somebody asked.
 template <typename Real>
-bool EventEngine<Real>::is_far_round(const EventPath<Real>& path) const {
-    constexpr int most_tori = 50;
-    return (path.motion == Motion::free || is_on_cloth(path)) &&
-           (path.across > most_tori || path.across < -most_tori || path.along > most_tori ||
-            path.along < -most_tori);
+void EventEngine<Real>::predict_far_round(std::uint32_t ball, Event& best) const {
+    constexpr double most_tori = 50.0;
+    const EventPath<Real>& path = balls_[ball].path;
+    if (path.motion != Motion::free && !is_on_cloth(path)) return;
+    const Real far(most_tori * std::min(torus_.x, torus_.y));
+    // Roughly first: nearly all do something else before.
+    const auto sum_of_parts = [](const Vector<Real>& v) { return absolute(v.x) + absolute(v.y); };
+    const Real since = best.time - path.time;
+    const Real most = sum_of_parts(path.velocity) + sum_of_parts(path.acceleration) * since;
+    if (most * since < far) return;
+    // |velocity| s + |acceleration| s^2 / 2 = far, which no drag makes longer, by the root without
+    // cancellation.
+    const Real speed = length(path.velocity);
+    const Real pull = length(path.acceleration);
+    const Real root = speed + square_root(speed * speed + Real(2.0) * pull * far);
+    if (!(root > Real{})) return;
+    const Real time = path.time + Real(2.0) * far / root;
+    consider(ball, {time < now_ ? now_ : time, Kind::crossing, 0, 0, begin_again, 0}, best);
 }
 
 template <typename Real>
@@ -207,15 +223,15 @@ void EventEngine<Real>::begin_in_frame(std::uint32_t ball) {
 
 template <typename Real>
 void EventEngine<Real>::enter_next_cell(std::uint32_t ball, std::uint32_t direction) {
+    if (direction == begin_again) {
+        begin_in_frame(ball);
+        predict(ball);
+        return;
+    }
     bool is_known = balls_[ball].is_meeting_known;
     if (direction < steps.size()) {
         const auto [columns, rows] = steps[direction];
         cells_.step(balls_, ball, columns, rows);
-        if (world_->model.wrap && is_far_round(balls_[ball].path)) {
-            begin_in_frame(ball);
-            predict(ball);
-            return;
-        }
         if (is_known && world_->model.ball_ball) {
             Event meeting = balls_.plan(ball).meeting;
             cells_.for_each_new(balls_, ball, columns, rows,

@@ -157,6 +157,9 @@ struct BallPath {
     BallId id{};
     std::uint32_t quick = 0;  ///< collisions in a row without way between them
     Motion motion = Motion::free;
+    /// Sum of the edges that carry it, as they were when it began (event_path.h): what carries it
+    /// is no longer there once that is another.
+    std::uint32_t carriers = 0;
     double time = 0.0;  ///< s since the start
     Vec2 position;
     Vec2 velocity;
