@@ -232,8 +232,9 @@ bool is_in(const Edge<Real>& edge, const EventPath<Real>& path, const Real& radi
     return gap < -Real(4.0) * limits.touch;
 }
 
-// Of such a path, with the nearest place of the edge. Its parts taken one by one would not do: the
-// circle of an end is entered while the ball is beside the edge, where nothing is met.
+// Of such a path, with the nearest place of the edge, and of one that slides along the edge less
+// deep. Its parts taken one by one would not do: the circle of an end is entered while the ball is
+// beside the edge, where nothing is met.
 template <typename Real>
 std::optional<Real> closing_from_inside(const EventPath<Real>& path, const Edge<Real>& edge,
                                         const Real& radius, const Field<Real>& field,
@@ -248,6 +249,18 @@ std::optional<Real> closing_from_inside(const EventPath<Real>& path, const Edge<
             return {contact.gap, dot(contact.normal, state.velocity), Real{}};
         },
         path.time, last_moment(path, field, end), pull, limits);
+}
+
+// Whether the ball only slides by at that time: beside the edge, without approaching its side.
+template <typename Real>
+bool slides_by(const EventPath<Real>& path, const Edge<Real>& edge, const Real& radius,
+               const Field<Real>& field, const Real& time) {
+    const BallState<Real> state = state_at(path, field, time);
+    const auto contact = contact_with(edge, state.position, radius);
+    if (!(contact.place > Real{} && contact.place < Real(1.0))) return false;
+    const auto limits =
+        tolerance(state.position, radius, length(state.velocity), Real{}, radius, field.pressing);
+    return !(dot(contact.normal, state.velocity) < -limits.slow);
 }
 
 }  // namespace
@@ -266,9 +279,12 @@ std::optional<Real> edge_closing(const EventPath<Real>& path, const Edge<Real>& 
     const Vector<Real> along = span / whole;
     const Vector<Real> left = perpendicular(along);
     take_earlier(best, point_closing(path, edge.end, reach, radius, field, best ? *best : end));
+    const std::optional<Real> at_end = best;
     for (const Vector<Real>& normal : {left, -left})
         take_earlier(best, side_closing(path, edge, along, whole, normal, radius, field,
                                         best ? *best : end));
+    if (best && best == at_end && slides_by(path, edge, radius, field, *best))
+        return closing_from_inside(path, edge, radius, field, end);
     return best;
 }
 

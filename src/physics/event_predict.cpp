@@ -345,17 +345,18 @@ void EventEngine<Real>::predict_crossing(std::uint32_t ball, Event& best) const 
                 exact);
             if (since) time = now_ + *since;
         } else {
-            // Not exact, but never late: a cell is a little wider than it need be.
+            // Not exact: when it may have come a hair past the border, which is not too late, since
+            // a cell is a little wider than it need be. So who has crossed is past the border he
+            // would have to cross to come back, by all of that hair.
+            const Real hair(1e-3 * width);
             const Real most = most_acceleration(path, field_, now_);
             const auto since = quadratic_closing<Real>(
-                {(border - along(now.position)) * sign, -along(now.velocity) * sign, -most}, exact);
+                {(border - along(now.position)) * sign + hair, -along(now.velocity) * sign, -most},
+                exact);
             if (since) {
                 const Real crossing = now_ + *since;
-                const Vector<Real> there =
-                    crossing < last ? state_at(path, field_, crossing).position : now.position;
-                const Real slack(1e-3 * width);
                 if (!(crossing < last)) continue;
-                if ((border - along(there)) * sign <= slack)
+                if ((border - along(state_at(path, field_, crossing).position)) * sign <= Real{})
                     time = crossing;
                 else  // look again then
                     consider(ball, {crossing, Kind::crossing, 0, 0, look_again, 0}, best);

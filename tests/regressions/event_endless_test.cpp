@@ -1,0 +1,74 @@
+#include <doctest/doctest.h>
+
+#include "physics/solver.h"
+#include "physics/support/scenes.h"
+
+// Ticks of the solver `event` that did not end: balls went to and fro between two cells on whose
+// border they were, and balls that slid along an edge less deep in it than rounding met its end
+// without end.
+
+using namespace carom;
+
+namespace {
+
+// Whether each of so many ticks ends within a few thousand events.
+bool ends(World& world, int ticks) {
+    Solver solver({.kind = SolverKind::event});
+    for (int tick = 0; tick < ticks; ++tick) {
+        int asked = 0;  // every 4096 events
+        if (solver.tick(world, [&] { return ++asked < 5; }) != TickOutcome::done) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("event: a ball on the border of two cells that goes neither way does not go to and fro") {
+    // Wherever the borders are.
+    for (int cells = 1; cells <= 12; ++cells)
+        for (int cell = 0; cell < cells; ++cell) {
+            CAPTURE(cells);
+            CAPTURE(cell);
+            World world = scenes::empty();
+            world.model.wrap = Box{{0.0, 0.0}, {12.0, 12.0}};
+            world.model.drag = 0.5;
+            world.model.gravity = Vec2{0.0, -10.0};
+            for (int i = 0; i < 12; ++i)
+                add_ball(world, {.position = {0.5 + i, 1.0}, .radius = 0.4});
+            add_ball(world, {.position = {12.0 * cell / cells, 11.0}, .radius = 0.4});
+            CHECK(ends(world, 10));
+        }
+}
+
+TEST_CASE("event: a ball that begins to turn on the border of two cells does not go to and fro") {
+    for (int cells = 1; cells <= 12; ++cells)
+        for (int cell = 0; cell < cells; ++cell) {
+            CAPTURE(cells);
+            CAPTURE(cell);
+            World world = scenes::empty();
+            world.model.wrap = Box{{0.0, 0.0}, {12.0, 12.0}};
+            world.model.gravity = Vec2{0.0, -10.0};
+            for (int i = 0; i < 12; ++i)
+                add_ball(world, {.position = {0.5 + i, 1.0}, .radius = 0.4});
+            const Vec2 place{12.0 * cell / cells, 11.0};
+            const Vec2 peg = place - Vec2{0.6, 0.8};
+            add_capsule(world, {peg, peg, 0.6}, 0);
+            add_ball(world, {.position = place, .radius = 0.4});
+            REQUIRE(ends(world, 1));
+            CHECK(world.paths.back().motion == Motion::turning);
+        }
+}
+
+TEST_CASE("event: a ball that slides by the end of an edge, as deep in it as rounding, goes on") {
+    for (int depth = -20; depth <= 60; ++depth) {
+        CAPTURE(depth);
+        World world = scenes::empty();
+        add_capsule(world, {{0.0, 0.0}, {5.0, 0.0}, 0.2}, 0);
+        add_ball(
+            world,
+            {.position = {2.0, 0.7 - depth * 0.5e-15}, .velocity = {100.0, 0.0}, .radius = 0.5});
+        REQUIRE(ends(world, 10));
+        CHECK(world.balls.position[0].x > 10.0);
+        CHECK(world.balls.position[0].y == doctest::Approx(0.7).epsilon(1e-6));
+    }
+}
