@@ -143,12 +143,13 @@ inline double kick_at(const Material& material, const Capsule& shape, Vec2 point
 Vec2 scattered_normal(const World& world, BallId id, std::uint32_t contact, Vec2 normal,
                       Vec2 velocity, double restitution);
 
-/// Whether an edge pushes a ball whose centre is at `center`.
+/// Whether an edge pushes a ball whose centre is at `center`. One on the line of a one-way edge has
+/// not come to its solid side yet: from behind, it passes.
 inline bool is_on_solid_side(const Capsule& capsule, Side side, Vec2 center) {
     if (side == Side::both) return true;
     if (side == Side::none) return false;
     const double left = cross(capsule.end - capsule.start, center - capsule.start);
-    return side == Side::left ? left >= 0.0 : left <= 0.0;
+    return side == Side::left ? left > 0.0 : left < 0.0;
 }
 
 }  // namespace carom

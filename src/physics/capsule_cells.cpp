@@ -1,8 +1,10 @@
 #include "physics/capsule_cells.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <iterator>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -103,27 +105,13 @@ void CapsuleCells::update(const World& world, const CellFrame& frame, double mar
 
 void CapsuleCells::build(const World& world) {
     note_held(world);
-    out_ = held_;
     shapes_ = world.capsules.shape;
-    const auto for_each_entry = [&](auto&& visit) {
-        auto out = out_.begin();
-        for (std::uint32_t i = 0; i < shapes_.size(); ++i) {
-            if (out != out_.end() && *out == i)
-                ++out;
-            else
-                for_each_place(world, i, visit);
-        }
-    };
-    // One place further on until the entries are in: what marks the next free one of a cell then
-    // stands where the next cell begins.
-    start_.assign(frame_.count() + 2, 0);
-    for_each_entry([&](std::uint32_t cell, CapsuleEntry) { ++start_[cell + 2]; });
-    for (std::size_t i = 2; i < start_.size(); ++i)
-        start_[i] += start_[i - 1];
-    entries_.resize(start_.back());
-    for_each_entry(
-        [&](std::uint32_t cell, CapsuleEntry entry) { entries_[start_[cell + 1]++] = entry; });
-    list_occupied();
+    start_.assign(1, 0);
+    entries_.clear();
+    occupied_.clear();
+    changed_.resize(shapes_.size());
+    std::iota(changed_.begin(), changed_.end(), 0u);
+    put_in_again(world);
 }
 
 bool CapsuleCells::mend(const World& world) {
@@ -176,39 +164,47 @@ void CapsuleCells::put_in_again(const World& world) {
     std::ranges::sort(newcomers_, {}, [](const Newcomer& n) {
         return std::tuple(n.cell, n.entry.index, n.entry.along, n.entry.across);
     });
-    new_start_.resize(start_.size());
-    new_entries_.resize(entries_.size() + newcomers_.size());
+    new_start_.assign(1, 0);
+    new_entries_.clear();
+    new_occupied_.clear();
     auto next = newcomers_.begin();
-    std::uint32_t end = 0;
-    for (std::uint32_t cell = 0; cell < frame_.count(); ++cell) {
-        new_start_[cell] = end;
-        for (std::uint32_t at = start_[cell]; at < start_[cell + 1]; ++at) {
-            const CapsuleEntry& stays = entries_[at];
-            if (std::ranges::binary_search(changed_, stays.index)) continue;
-            for (;
-                 next != newcomers_.end() && next->cell == cell && next->entry.index < stays.index;
+    for (std::size_t at = 0; at < occupied_.size() || next != newcomers_.end();) {
+        constexpr std::uint32_t none = 0xffffffffu;
+        const std::uint32_t cell = std::min(at < occupied_.size() ? occupied_[at] : none,
+                                            next != newcomers_.end() ? next->cell : none);
+        const auto put_in_before = [&](std::uint32_t index) {
+            for (; next != newcomers_.end() && next->cell == cell && next->entry.index < index;
                  ++next)
-                new_entries_[end++] = next->entry;
-            new_entries_[end++] = stays;
+                new_entries_.push_back(next->entry);
+        };
+        if (at < occupied_.size() && occupied_[at] == cell) {
+            for (std::uint32_t i = start_[at]; i < start_[at + 1]; ++i) {
+                const CapsuleEntry& stays = entries_[i];
+                if (std::ranges::binary_search(changed_, stays.index)) continue;
+                put_in_before(stays.index);
+                new_entries_.push_back(stays);
+            }
+            ++at;
         }
-        for (; next != newcomers_.end() && next->cell == cell; ++next)
-            new_entries_[end++] = next->entry;
+        put_in_before(none);
+        if (new_entries_.size() == new_start_.back()) continue;
+        new_occupied_.push_back(cell);
+        new_start_.push_back(static_cast<std::uint32_t>(new_entries_.size()));
     }
-    std::fill(new_start_.begin() + static_cast<std::ptrdiff_t>(frame_.count()), new_start_.end(),
-              end);
-    new_entries_.resize(end);
-    std::swap(start_, new_start_);
-    std::swap(entries_, new_entries_);
-    list_occupied();
+    start_ = new_start_;
+    entries_ = new_entries_;
+    occupied_ = new_occupied_;
+    mark_occupied();
 }
 
-void CapsuleCells::list_occupied() {
-    occupied_.clear();
-    is_occupied_.assign(frame_.count() / 64 + 1, 0);
-    for (std::uint32_t cell = 0; cell < frame_.count(); ++cell) {
-        if (start_[cell + 1] == start_[cell]) continue;
-        occupied_.push_back(cell);
-        is_occupied_[cell / 64] |= std::uint64_t{1} << (cell % 64);
+void CapsuleCells::mark_occupied() {
+    words_.assign(frame_.count() / 64 + 1, {});
+    for (const std::uint32_t cell : occupied_)
+        words_[cell / 64].is_occupied |= std::uint64_t{1} << (cell % 64);
+    std::uint32_t before = 0;
+    for (Word& word : words_) {
+        word.before = before;
+        before += static_cast<std::uint32_t>(std::popcount(word.is_occupied));
     }
 }
 

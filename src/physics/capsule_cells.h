@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -32,18 +33,28 @@ class CapsuleCells {
 
     /// Capsules of one cell, ascending.
     std::span<const CapsuleEntry> in_cell(std::uint32_t cell) const {
-        return std::span(entries_).subspan(start_[cell], start_[cell + 1] - start_[cell]);
+        const Word& word = words_[cell / 64];
+        const std::uint64_t bit = std::uint64_t{1} << (cell % 64);
+        if ((word.is_occupied & bit) == 0) return {};
+        const std::size_t at =
+            word.before + static_cast<std::size_t>(std::popcount(word.is_occupied & (bit - 1)));
+        return std::span(entries_).subspan(start_[at], start_[at + 1] - start_[at]);
     }
 
     /// Whether the cell has none. Takes less memory to tell than which they are.
     bool is_empty(std::uint32_t cell) const {
-        return (is_occupied_[cell / 64] >> (cell % 64) & 1u) == 0;
+        return (words_[cell / 64].is_occupied >> (cell % 64) & 1u) == 0;
     }
 
     /// The cells that have any, ascending.
     std::span<const std::uint32_t> occupied() const { return occupied_; }
 
   private:
+    /// Of 64 cells.
+    struct Word {
+        std::uint64_t is_occupied = 0;  ///< a bit for each
+        std::uint32_t before = 0;       ///< occupied cells before these
+    };
     /// An entry that is to be put in.
     struct Newcomer {
         std::uint32_t cell = 0;
@@ -57,20 +68,22 @@ class CapsuleCells {
     void note_held(const World& world);
     void note_changes(const World& world);
     void put_in_again(const World& world);
-    void list_occupied();
+    void mark_occupied();
 
     CellFrame frame_;
     double margin_ = -1.0;
     std::vector<Capsule> shapes_;      // as they are in the cells
     std::vector<std::uint32_t> out_;   // in no cell, being held; ascending
     std::vector<std::uint32_t> held_;  // now
+    // Few cells have any edge, so only these have entries: where those of the k-th begin.
+    std::vector<std::uint32_t> occupied_;
     std::vector<std::uint32_t> start_;
     std::vector<CapsuleEntry> entries_;
-    std::vector<std::uint32_t> occupied_;
-    std::vector<std::uint64_t> is_occupied_;  // a bit for each cell
+    std::vector<Word> words_;
     // While capsules are put in again.
     std::vector<std::uint32_t> changed_;
     std::vector<Newcomer> newcomers_;
+    std::vector<std::uint32_t> new_occupied_;
     std::vector<std::uint32_t> new_start_;
     std::vector<CapsuleEntry> new_entries_;
 };

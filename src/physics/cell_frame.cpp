@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace carom {
 namespace {
@@ -19,24 +20,59 @@ struct Range {
     double high = 0.0;
 };
 
-// Where the middle four fifths of the balls are along one axis, by a sample.
-Range middle_of(const std::vector<Vec2>& positions, double Vec2::*axis) {
-    constexpr std::size_t most_samples = 64;
-    std::array<double, most_samples> sample{};
-    const std::size_t count = std::min(most_samples, positions.size());
-    for (std::size_t i = 0; i < count; ++i)
-        sample[i] = positions[i * positions.size() / count].*axis;
-    std::sort(sample.begin(), sample.begin() + static_cast<std::ptrdiff_t>(count));
-    return {sample[count / 10], sample[count - 1 - count / 10]};
+// Some of the balls along one axis, in ascending order. Pre: there are balls.
+class Sample {
+  public:
+    Sample(const std::vector<Vec2>& positions, double Vec2::*axis)
+        : count_(std::min(places_.size(), positions.size())) {
+        for (std::size_t i = 0; i < count_; ++i)
+            places_[i] = positions[i * positions.size() / count_].*axis;
+        std::sort(places_.begin(), places_.begin() + static_cast<std::ptrdiff_t>(count_));
+    }
+    Range all() const { return {places_[0], places_[count_ - 1]}; }
+    Range middle_four_fifths() const {
+        return {places_[count_ / 10], places_[count_ - 1 - count_ / 10]};
+    }
+
+  private:
+    std::array<double, 64> places_{};
+    std::size_t count_;
+};
+
+// Widened to multiples of a power of two, at least `part` of it.
+Range snapped(Range range, double part) {
+    const double step = power_of_two_above((range.high - range.low) * part);
+    return {std::floor(range.low / step) * step, std::ceil(range.high / step) * step};
 }
 
 // Where most of the balls are along one axis: the middle four fifths, with as much again on either
 // side, snapped to a coarse lattice so that it seldom changes.
-Range most_of(const std::vector<Vec2>& positions, double Vec2::*axis) {
-    const auto [low, high] = middle_of(positions, axis);
-    const double step = power_of_two_above((high - low) / 4);
-    return {std::floor((low - (high - low) / 2) / step) * step,
-            std::ceil((high + (high - low) / 2) / step) * step};
+Range most_of(const Sample& sample) {
+    const auto [low, high] = sample.middle_four_fifths();
+    const double more = (high - low) / 2;
+    return snapped({low - more, high + more}, 0.125);
+}
+
+// From the first to the last edge along one axis. Pre: there are edges.
+Range edges_along(const Capsules& capsules, double Vec2::*axis) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Range range{infinity, -infinity};
+    for (const Capsule& edge : capsules.shape) {
+        range.low = std::min(range.low, std::min(edge.start.*axis, edge.end.*axis) - edge.radius);
+        range.high = std::max(range.high, std::max(edge.start.*axis, edge.end.*axis) + edge.radius);
+    }
+    return range;
+}
+
+// Balls within edges are expected to stay there.
+Range expected(const World& world, double Vec2::*axis) {
+    const Sample sample(world.balls.position, axis);
+    const Range most = most_of(sample);
+    if (world.capsules.size() == 0) return most;
+    const Range edges = snapped(edges_along(world.capsules, axis), 1.0 / 64.0);
+    const Range all = sample.all();
+    if (!(edges.low <= all.low && all.high <= edges.high)) return most;
+    return {std::max(most.low, edges.low), std::min(most.high, edges.high)};
 }
 
 // Cells of at least `side` over what begins at the frame's origin, about `cells_a_point` at most.
@@ -60,8 +96,8 @@ CellFrame cells_over(CellFrame frame, Vec2 extent, double side, double points,
 CellFrame frame_around(const std::vector<Vec2>& points, double cell, double cells_a_point) {
     if (points.empty()) return {};
     CellFrame frame;
-    const Range across = most_of(points, &Vec2::x);
-    const Range along = most_of(points, &Vec2::y);
+    const Range across = most_of(Sample(points, &Vec2::x));
+    const Range along = most_of(Sample(points, &Vec2::y));
     frame.origin = {across.low, along.low};
     return cells_over(frame, {across.high - across.low, along.high - along.low}, cell,
                       static_cast<double>(points.size()), cells_a_point);
@@ -69,11 +105,18 @@ CellFrame frame_around(const std::vector<Vec2>& points, double cell, double cell
 
 CellFrame frame_around(const World& world, double cell, double cells_a_ball) {
     const std::vector<Vec2>& positions = world.balls.position;
-    if (!world.model.wrap || positions.empty()) return frame_around(positions, cell, cells_a_ball);
+    if (positions.empty()) return {};
+    const auto balls = static_cast<double>(positions.size());
     CellFrame frame;
-    frame.wraps = true;
-    frame.origin = world.model.wrap->low;
-    return cells_over(frame, size(*world.model.wrap), cell, static_cast<double>(positions.size()),
+    if (world.model.wrap) {
+        frame.wraps = true;
+        frame.origin = world.model.wrap->low;
+        return cells_over(frame, size(*world.model.wrap), cell, balls, cells_a_ball);
+    }
+    const Range across = expected(world, &Vec2::x);
+    const Range along = expected(world, &Vec2::y);
+    frame.origin = {across.low, along.low};
+    return cells_over(frame, {across.high - across.low, along.high - along.low}, cell, balls,
                       cells_a_ball);
 }
 
@@ -84,8 +127,8 @@ double room_of_a_ball(const World& world) {
         const Vec2 torus = size(*world.model.wrap);
         return torus.x * torus.y / count;
     }
-    const Range across = middle_of(world.balls.position, &Vec2::x);
-    const Range along = middle_of(world.balls.position, &Vec2::y);
+    const Range across = Sample(world.balls.position, &Vec2::x).middle_four_fifths();
+    const Range along = Sample(world.balls.position, &Vec2::y).middle_four_fifths();
     return (across.high - across.low) * (along.high - along.low) / (0.64 * count);
 }
 

@@ -207,6 +207,32 @@ TEST_CASE("a one-way edge stops balls on its side only") {
     }
 }
 
+// Events look at edges where a ball goes from cell to cell, and its centre is on the edge then.
+TEST_CASE("event: a one-way edge along the border of cells lets through what comes from behind") {
+    const auto start = [](double x) {
+        World world = scenes::empty();
+        scenes::add_walls(world, {{0, 0}, {60, 60}});
+        add_capsule(world, {{x, 59}, {x, 1}}, 0, Side::right);
+        for (int i = 0; i < 16; ++i)
+            add_ball(world, {.position = {36.0 + i % 4, 4.0 + 3.5 * i}, .velocity = {-4, 0}});
+        return world;
+    };
+    Solver solver({.kind = SolverKind::event});
+    World world = start(30);
+    solver.tick(world);
+    const CellFrame frame = solver.cells();
+    const double x =
+        frame.origin.x + frame.cell.x * std::floor((30 - frame.origin.x) / frame.cell.x);
+    world = start(x);
+    solver.tick(world);
+    REQUIRE(solver.cells() == frame);
+    run(world, solver, static_cast<int>(4 * world.rate));
+    for (std::size_t i = 0; i < world.balls.size(); ++i) {
+        CHECK(world.balls.velocity[i].x == -4.0);
+        CHECK(world.balls.position[i].x < x);
+    }
+}
+
 TEST_CASE(
     "scatter turns the bounce within its angle, keeps the speed and never sends a ball into the "
     "edge") {
