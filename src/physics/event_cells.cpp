@@ -50,10 +50,10 @@ void EventCells<Real>::reset(const World& world, Balls& balls) {
     }
     giants_.assign(by_size_.begin(), by_size_.begin() + static_cast<std::ptrdiff_t>(giants));
     std::sort(giants_.begin(), giants_.end());
-    for (EventBall<Real>& ball : balls)
-        ball.is_giant = false;
+    for (std::size_t i = 0; i < count; ++i)
+        balls.plan(i).place = {};
     for (const std::uint32_t giant : giants_)
-        balls[giant].is_giant = true;
+        balls.plan(giant).place.cell = none;
     largest_ = giants < count ? radius[by_size_[giants]] : 1.0;
 
     frame_ = frame_for(world);

@@ -42,11 +42,14 @@ class EventCells {
     /// Largest radius among those that are in cells.
     double largest() const { return largest_; }
     const std::vector<std::uint32_t>& giants() const { return giants_; }
+    static bool is_giant(const Balls& balls, std::uint32_t ball) {
+        return balls.plan(ball).place.cell == none;
+    }
 
     EventSpot spot_of(Vec2 position) const;
     void enter(Balls& balls, std::uint32_t ball, Vec2 position);
     void leave(Balls& balls, std::uint32_t ball) {
-        if (balls[ball].is_giant) return;
+        if (is_giant(balls, ball)) return;
         const std::uint32_t before = balls.plan(ball).place.before;
         const std::uint32_t next = balls[ball].next;
         if (before == none)
@@ -66,9 +69,9 @@ class EventCells {
     void shift(Balls& balls, std::uint32_t ball, int across, int along) {
         balls.plan(ball).place.column += across * frame_.columns;
         balls.plan(ball).place.row += along * frame_.rows;
-        EventPath<Real>& path = balls[ball].path;
-        path.across = static_cast<std::int8_t>(path.across + across);
-        path.along = static_cast<std::int8_t>(path.along + along);
+        EventLine<Real>& line = balls[ball].line;
+        line.across = static_cast<std::int8_t>(line.across + across);
+        line.along = static_cast<std::int8_t>(line.along + along);
     }
 
     /// Into the cache: which balls are in the nine cells around this one; and what a walk over them
@@ -221,8 +224,8 @@ class EventCells {
         const auto index = [columns](int column, int row) {
             return static_cast<std::ptrdiff_t>(row) * columns + column;
         };
-        const int across = balls[ball].path.across;
-        const int along = balls[ball].path.along;
+        const int across = balls[ball].line.across;
+        const int along = balls[ball].line.along;
         const int column = own.column - across * columns;
         const int row = own.row - along * rows;
         for (int j = row + low.rows; j <= row + high.rows; ++j) {
@@ -232,8 +235,8 @@ class EventCells {
                 for (std::uint32_t other = heads[index(x.place, y.place)]; other != none;
                      other = balls[other].next)
                     if (other != ball)
-                        visit(other, across + x.tori - balls[other].path.across,
-                              along + y.tori - balls[other].path.along);
+                        visit(other, across + x.tori - balls[other].line.across,
+                              along + y.tori - balls[other].line.along);
             }
         }
     }
@@ -251,12 +254,12 @@ class EventCells {
         if (frame_.wraps) {
             column = frame_.bounded(column, frame_.columns);
             row = frame_.bounded(row, frame_.rows);
-            EventPath<Real>& path = balls[ball].path;
-            path.across = static_cast<std::int8_t>((own.column - column) / frame_.columns);
-            path.along = static_cast<std::int8_t>((own.row - row) / frame_.rows);
+            EventLine<Real>& line = balls[ball].line;
+            line.across = static_cast<std::int8_t>((own.column - column) / frame_.columns);
+            line.along = static_cast<std::int8_t>((own.row - row) / frame_.rows);
         }
+        if (is_giant(balls, ball)) return;
         own.cell = frame_.index(column, row);
-        if (balls[ball].is_giant) return;
         own.before = none;
         const std::uint32_t next = head_[own.cell];
         balls[ball].next = next;

@@ -89,7 +89,7 @@ struct StraightPair {
     Vector<Real> velocity;
     Vector<Real> offset;
 
-    StraightPair(const EventPath<Real>& a, const EventPath<Real>& b,
+    StraightPair(const EventLine<Real>& a, const EventLine<Real>& b,
                  const Vector<Real>& acceleration, const Vector<Real>& shift)
         : begin(a.time < b.time ? b.time : a.time) {
         const Real half(0.5);
@@ -124,8 +124,8 @@ struct LineMeeting {
 /// When they do, the paths being `a` and `b`, `offset` and `velocity` those of a seen from b at
 /// `begin`. Nothing where they touch already and part, or close no faster than rounding.
 template <typename Real>
-inline std::optional<Real> meeting_time(const LineMeeting<Real>& meeting, const EventPath<Real>& a,
-                                        const EventPath<Real>& b, const Real& begin,
+inline std::optional<Real> meeting_time(const LineMeeting<Real>& meeting, const EventLine<Real>& a,
+                                        const EventLine<Real>& b, const Real& begin,
                                         const Vector<Real>& offset,
                                         const Vector<Real>& acceleration, const Real& reach,
                                         const Real& small, const Field<Real>& field) {

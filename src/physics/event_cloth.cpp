@@ -14,7 +14,7 @@ ClothPhase<Real> EventEngine<Real>::phase_of(const EventPath<Real>& path) const 
 // A ball that lies still or is in a hand does not roll.
 template <typename Real>
 Vector<Real> EventEngine<Real>::roll_at(std::uint32_t ball, const Real& time) const {
-    const EventPath<Real>& path = balls_[ball].path;
+    const EventPath<Real> path = balls_.path(ball);
     const Real since = time - path.time;
     if (path.motion == Motion::slipping)
         return path.center - path.acceleration * (since / Real(*world_->model.spin));
@@ -27,7 +27,7 @@ Vector<Real> EventEngine<Real>::roll_at(std::uint32_t ball, const Real& time) co
 template <typename Real>
 void EventEngine<Real>::begin_phase(std::uint32_t ball) {
     constexpr int most_edges = 4;
-    EventPath<Real>& path = balls_[ball].path;
+    EventPath<Real> path = balls_.path(ball);
     ClothPhase<Real> phase = phase_of(path);
     for (int i = 0; phase.motion == ClothMotion::sliding; ++i) {
         const auto edge = barrier_to(ball, path.velocity, phase.acceleration);
@@ -50,6 +50,7 @@ void EventEngine<Real>::begin_phase(std::uint32_t ball) {
             path.motion = Motion::still;
             path.velocity = path.center = {};
     }
+    balls_.set_path(ball, path);
     Spinning& turn = spins_[ball];
     const Real rate(world_->model.cloth->spin);
     turn.rate = turn.spin == Real{} ? Real{} : (turn.spin < Real{} ? rate : -rate);
@@ -57,7 +58,7 @@ void EventEngine<Real>::begin_phase(std::uint32_t ball) {
 
 template <typename Real>
 std::optional<Real> EventEngine<Real>::end_of_phase(std::uint32_t ball) const {
-    const EventPath<Real>& path = balls_[ball].path;
+    const EventPath<Real> path = balls_.path(ball);
     const ClothPhase<Real> phase = phase_of(path);
     if (!phase.lasts) return std::nullopt;
     return path.time + *phase.lasts;
@@ -66,12 +67,12 @@ std::optional<Real> EventEngine<Real>::end_of_phase(std::uint32_t ball) const {
 // The end of a phase is known, not computed: what has slipped rolls, what has rolled lies still.
 template <typename Real>
 void EventEngine<Real>::end_phase(std::uint32_t ball) {
-    const EventPath<Real> before = balls_[ball].path;
+    const EventPath<Real> before = balls_.path(ball);
     const BallState<Real> state = state_at(before, field_, now_);
     const bool stops = before.motion == Motion::rolling;
     start_path(ball, now_, state.position, stops ? Vector<Real>{} : state.velocity);
-    balls_[ball].path.center = balls_[ball].path.velocity;
-    balls_[ball].path.quick = before.quick;
+    balls_.bend(ball).center = balls_[ball].line.velocity;
+    balls_[ball].line.quick = before.quick;
     begin_phase(ball);
     predict(ball);
 }
@@ -99,14 +100,14 @@ double EventEngine<Real>::restitution_on_cloth(const Touch& touch, bool is_alone
                                                double usual) const {
     if (!is_alone) return usual;
     const EventBall<Real>& us = balls_[bodies_[touch.contact.a].ball];
-    Vector<Real> acceleration = us.path.acceleration;
+    Vector<Real> acceleration = balls_.bend(bodies_[touch.contact.a].ball).acceleration;
     Real small = us.radius;
-    bool is_hand = touch.kind == Kind::hand || us.path.motion == Motion::held;
+    bool is_hand = touch.kind == Kind::hand || us.line.motion == Motion::held;
     if (touch.kind == Kind::ball_ball) {
         const EventBall<Real>& them = balls_[touch.other];
-        acceleration -= them.path.acceleration;
+        acceleration -= balls_.bend(touch.other).acceleration;
         small = them.radius < small ? them.radius : small;
-        is_hand = is_hand || them.path.motion == Motion::held;
+        is_hand = is_hand || them.line.motion == Motion::held;
     }
     const Real press = -dot(acceleration, touch.contact.normal);
     if (!(press > Real{})) return usual;

@@ -18,10 +18,6 @@ Field<Real> field_of(const Model& model) {
     return field;
 }
 
-bool are_same(const Capsules& a, const Capsules& b) {
-    return a.id == b.id && a.shape == b.shape && a.material == b.material && a.side == b.side;
-}
-
 }  // namespace
 
 template <typename Real>
@@ -72,17 +68,18 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
     if (outcome == EventOutcome::too_dense) {
         // Time stands still: where everything is now, it is at the end of the tick.
         for (std::uint32_t i = 0; i < balls_.size(); ++i) {
-            const BallState<Real> state = state_at(balls_[i].path, field_, now_);
+            const BallState<Real> state = state_at(balls_.path(i), field_, now_);
             const Vector<Real> roll = world.model.cloth ? roll_at(i, now_) : Vector<Real>{};
-            balls_[i].path = {};
-            balls_[i].path.time = end_;
-            balls_[i].path.position = state.position;
-            balls_[i].path.velocity = state.velocity;
-            balls_[i].path.acceleration = field_.gravity;
+            EventPath<Real> path;
+            path.time = end_;
+            path.position = state.position;
+            path.velocity = state.velocity;
+            path.acceleration = field_.gravity;
+            balls_.set_path(i, path);
             if (world.model.spin) let_spin(i, now_);
             if (!world.model.cloth) continue;
             spins_[i].time = end_;
-            balls_[i].path.center = roll;
+            balls_.bend(i).center = roll;
             begin_phase(i);
         }
         is_begun_anew_ = true;
@@ -121,30 +118,15 @@ bool EventEngine<Real>::are_carriers_left(const EventPath<Real>& path, std::uint
 template <typename Real>
 bool EventEngine<Real>::has_support(const std::vector<std::uint8_t>& is_kept,
                                     std::size_t ball) const {
-    const EventPath<Real>& path = balls_[ball].path;
+    const EventPath<Real> path = balls_.path(ball);
     for (const PathSupport& support : {path.support, path.second_support}) {
         if (support.by != PathSupport::By::ball) continue;
         const auto index = index_of(*world_, BallId{support.number});
         // It rests, so it is where it was.
-        if (!index || !is_kept[*index] || balls_[*index].path.motion != Motion::resting)
+        if (!index || !is_kept[*index] || balls_[*index].line.motion != Motion::resting)
             return false;
     }
     return true;
-}
-
-template <typename Real>
-bool EventEngine<Real>::is_continued(const World& world) const {
-    // The sum stands for the paths, which are too many to be compared one by one in every tick.
-    if (std::is_same_v<Real, double> &&
-        (world.paths.size() != balls_.size() || world.paths_sum != left_.paths_sum))
-        return false;
-    return are_spins_left(world) && left_.is_valid && !left_.had_hands &&
-           world.held_balls.empty() && world.held_capsules.empty() && left_.tick == world.tick &&
-           left_.rate == world.rate && left_.model == world.model &&
-           have_same_bits(left_.ids, world.balls.id) &&
-           have_same_bits(left_.radii, world.balls.radius) &&
-           have_same_bits(left_.inverse_masses, world.balls.inverse_mass) &&
-           left_.meets == world.meets && are_same(left_.capsules, world.capsules);
 }
 
 template <typename Real>
@@ -155,26 +137,23 @@ void EventEngine<Real>::begin(World& world) {
     edge_contacts_ = world.balls.edge_contacts;
     // What a ball will meet on a one-way edge depends on when that is asked: for a snapshot to go
     // on with the same bits, all ask when a tick begins.
-    are_velocities_left_ = false;
+    is_all_left_ = false;
     constexpr std::uint64_t look_at_frame_every = 64;
     if (!world.model.one_way && is_continued(world) &&
         (world.tick % look_at_frame_every != 0 || cells_.suits(world))) {
         const bool turns = world.model.spin.has_value();
-        are_velocities_left_ = have_same_bits(left_.velocities, world.balls.velocity);
-        if (!turns && are_velocities_left_ && have_same_bits(left_.positions, world.balls.position))
-            return;
+        is_all_left_ = are_left(world);
+        if (!turns && is_all_left_) return;
         std::size_t changed = 0;
         for (std::uint32_t i = 0; i < balls_.size(); ++i)
-            changed += left_.positions[i] != world.balls.position[i] ||
-                       left_.velocities[i] != world.balls.velocity[i] ||
-                       (turns && !is_turn_left(i));
+            changed += !is_position_left(i) || !is_velocity_left(i) || (turns && !is_turn_left(i));
         if (changed <= balls_.size() / 8 + 1) {
             if (changed > 0) take_what_changed(world);
             return;
         }
     }
     is_begun_anew_ = true;
-    are_velocities_left_ = false;
+    is_all_left_ = false;
     begin_anew(world);
 }
 
@@ -184,22 +163,20 @@ void EventEngine<Real>::take_what_changed(const World& world) {
     std::vector<std::uint32_t>& changed = changed_;
     changed.clear();
     for (std::uint32_t i = 0; i < balls_.size(); ++i) {
-        if (left_.positions[i] == world.balls.position[i] &&
-            left_.velocities[i] == world.balls.velocity[i] && is_turn_left(i))
-            continue;
+        if (is_position_left(i) && is_velocity_left(i) && is_turn_left(i)) continue;
         changed.push_back(i);
         if (world.model.spin) spins_[i] = {now_, Real(world.balls.spin[i]), Real{}, false};
-        const bool was_resting = balls_[i].path.motion == Motion::resting;
-        if (left_.positions[i] != world.balls.position[i]) {
+        const bool was_resting = balls_[i].line.motion == Motion::resting;
+        if (!is_position_left(i)) {
             cells_.leave(balls_, i);
             start_path(i, now_, Vector<Real>(world.balls.position[i]),
                        Vector<Real>(world.balls.velocity[i]));
             cells_.enter(balls_, i, world.balls.position[i]);
         } else {
-            start_path(i, now_, state_at(balls_[i].path, field_, now_).position,
+            start_path(i, now_, state_at(balls_.path(i), field_, now_).position,
                        Vector<Real>(world.balls.velocity[i]));
         }
-        if (world.model.cloth) balls_[i].path.center = Vector<Real>(world.balls.roll[i]);
+        if (world.model.cloth) balls_.bend(i).center = Vector<Real>(world.balls.roll[i]);
         if (was_resting) release_what_rests_on(i, changed);
     }
     std::sort(changed.begin(), changed.end());
@@ -221,10 +198,10 @@ void EventEngine<Real>::begin_anew(const World& world) {
     // Paths that the world, or for other numbers this engine, remembers.
     EventBalls<Real> before;
     if constexpr (!std::is_same_v<Real, double>) before = balls_;
-    balls_.resize(count);
+    balls_.resize(count, has_bends(world.model));
     for (std::size_t i = 0; i < count; ++i) {
-        balls_[i].path = {};
-        balls_[i].body = EventBall<Real>::none;
+        balls_.set_path(i, {});
+        balls_.mass(i).body = EventBall<Real>::none;
         balls_.plan(i).coming = {};
     }
     std::vector<std::uint8_t>& is_kept = is_kept_;
@@ -239,9 +216,11 @@ void EventEngine<Real>::begin_anew(const World& world) {
             while (at < world.paths.size() && world.paths[at].id < world.balls.id[i])
                 ++at;
             if (at < world.paths.size() && world.paths[at].id == world.balls.id[i]) {
-                balls_[i].path = path_from(world.paths[at]);
+                const PathBend bend =
+                    at < world.path_bends.size() ? world.path_bends[at] : PathBend{};
+                balls_.set_path(i, path_from(world.paths[at], bend));
                 is_kept[i] = (!world.model.spin || at < world.spin_paths.size()) &&
-                             are_carriers_left(balls_[i].path, world.paths[at].carriers);
+                             are_carriers_left(balls_.path(i), bend.carriers);
                 if (world.model.spin && is_kept[i]) spin_from[i] = static_cast<std::int64_t>(at);
             }
         }
@@ -251,14 +230,14 @@ void EventEngine<Real>::begin_anew(const World& world) {
             while (at < left_.ids.size() && left_.ids[at] < world.balls.id[i])
                 ++at;
             if (at < left_.ids.size() && left_.ids[at] == world.balls.id[i]) {
-                balls_[i].path = before[at].path;
-                is_kept[i] = are_carriers_left(balls_[i].path, left_.carriers[at]);
+                balls_.set_path(i, before.path(at));
+                is_kept[i] = are_carriers_left(balls_.path(i), left_.carriers[at]);
                 if (world.model.spin) spin_from[i] = static_cast<std::int64_t>(at);
             }
         }
     }
     for (std::size_t i = 0; i < count; ++i) {
-        balls_[i].inverse_mass = Real(world.balls.inverse_mass[i]);
+        balls_.mass(i).inverse = Real(world.balls.inverse_mass[i]);
         balls_[i].radius = Real(world.balls.radius[i]);
     }
     begun_.reserve(count);
@@ -266,7 +245,7 @@ void EventEngine<Real>::begin_anew(const World& world) {
     take_spins(world, spin_from);
     for (std::size_t i = 0; i < count; ++i)
         is_kept[i] =
-            is_kept[i] && !(balls_[i].inverse_mass == Real{}) && leads_through(balls_[i].path, i);
+            is_kept[i] && !(balls_.mass(i).inverse == Real{}) && leads_through(balls_.path(i), i);
     // What rests on something that is gone begins anew, and so on up the heap.
     for (bool changed = true; changed;) {
         changed = false;
@@ -282,7 +261,7 @@ void EventEngine<Real>::begin_anew(const World& world) {
             // The path may be some tori away from where the ball is shown.
             if (world.model.wrap) {
                 const Vec2 way =
-                    Vec2(state_at(balls_[i].path, field_, now_).position) - world.balls.position[i];
+                    Vec2(state_at(balls_.path(i), field_, now_).position) - world.balls.position[i];
                 const auto tori = [](double x, double torus) {
                     return static_cast<int>(x / torus + (x < 0.0 ? -0.5 : 0.5));
                 };
@@ -290,16 +269,15 @@ void EventEngine<Real>::begin_anew(const World& world) {
             }
             continue;
         }
-        const bool is_in_hand = balls_[i].inverse_mass == Real{};
+        const bool is_in_hand = balls_.mass(i).inverse == Real{};
         Vector<Real> velocity(world.balls.velocity[i]);
-        if (is_in_hand) velocity = balls_[i].path.velocity;
+        if (is_in_hand) velocity = balls_[i].line.velocity;
         if (world.model.spin) spins_[i] = {now_, Real(world.balls.spin[i]), Real{}, false};
         start_path(i, now_, Vector<Real>(world.balls.position[i]), velocity);
         if (world.model.cloth && !is_in_hand)
-            balls_[i].path.center = Vector<Real>(world.balls.roll[i]);
+            balls_.bend(i).center = Vector<Real>(world.balls.roll[i]);
         if (is_in_hand) {
-            balls_[i].path.motion = Motion::held;
-            balls_[i].path.acceleration = {};
+            hold(i);
         }
     }
     are_lines_ = are_lines();
@@ -319,8 +297,8 @@ void EventEngine<Real>::take_hands(const World& world) {
         if (!index) continue;
         Vec2 way = held.target - world.balls.position[*index];
         if (world.model.wrap) way = nearest_image(way, torus_);
-        balls_[*index].inverse_mass = Real{};
-        balls_[*index].path.velocity = Vector<Real>(way) / duration;
+        balls_.mass(*index).inverse = Real{};
+        balls_[*index].line.velocity = Vector<Real>(way) / duration;
     }
     hands_.clear();
     for (const HeldCapsule& held : world.held_capsules) {
@@ -358,123 +336,22 @@ void EventEngine<Real>::start_path(std::uint32_t ball, const Real& time, Vector<
         }
     }
     if (world_->model.spin) let_spin(ball, time);
-    EventPath<Real>& path = balls_[ball].path;
-    path = {.acceleration = field_.gravity,
-            .center = {},
-            .support = {},
-            .second_support = {},
-            .across = path.across,
-            .along = path.along,
+    EventLine<Real>& line = balls_[ball].line;
+    line = {.across = line.across,
+            .along = line.along,
             .time = time,
             .position = position,
             .velocity = velocity};
+    if (balls_.may_bend()) balls_.bend(ball) = {.acceleration = field_.gravity};
     ++balls_[ball].version;
     if (!is_begun_anew_ && begun_.size() < balls_.size()) begun_.push_back(ball);
 }
 
-// Those that began in this tick: the others are there already.
+// A hand holds the ball: its path is straight.
 template <typename Real>
-void EventEngine<Real>::store_paths(World& world) {
-    if constexpr (std::is_same_v<Real, double>) {
-        const bool are_all = is_begun_anew_ || begun_.size() >= balls_.size();
-        if (are_all) {
-            world.paths.assign(balls_.size(), {});
-            world.paths_sum = balls_.size() * sum_of(BallPath{});
-        }
-        const auto store = [&](std::uint32_t i) {
-            BallPath& stored = world.paths[i];
-            const EventPath<double>& path = balls_[i].path;
-            world.paths_sum -= sum_of(stored);
-            if (are_all || stored.motion != Motion::free || path.motion != Motion::free)
-                stored = stored_path(world, world.balls.id[i], path);
-            else
-                begin_stored(stored, path);
-            world.paths_sum += sum_of(stored);
-        };
-        if (are_all)
-            for (std::uint32_t i = 0; i < balls_.size(); ++i)
-                store(i);
-        else
-            for (std::size_t at = 0; at < begun_.size(); ++at) {
-                const std::uint32_t soon = begun_[std::min(at + 16, begun_.size() - 1)];
-                fetch_early(&world.paths[soon].id);
-                fetch_early(&world.paths[soon].velocity.y);
-                balls_.fetch_neighbour(soon);
-                store(begun_[at]);
-            }
-        left_.paths_sum = world.paths_sum;
-    } else {
-        left_.carriers.clear();
-        for (const EventBall<Real>& ball : balls_)
-            left_.carriers.push_back(
-                sum_of_carriers(world, ball.path.support, ball.path.second_support));
-    }
-}
-
-template <typename Real>
-void EventEngine<Real>::write(World& world) {
-    Balls& balls = world.balls;
-    const bool is_coasting = !world.model.gravity && !field_.has_drag;
-    const std::size_t count = balls_.size();
-    left_.positions.resize(count);
-    left_.velocities.resize(count);
-    // The velocity of what flies undisturbed is there already, unless its path began in this tick.
-    const bool are_velocities_there = are_velocities_left_ && is_coasting &&
-                                      begun_.size() < count && !world.model.cloth &&
-                                      !world.model.speed_limit;
-    for (std::size_t i = 0; i < count; ++i) {
-        balls_.fetch_neighbour(std::min(i + 16, count - 1));
-        const EventPath<Real>& path = balls_[i].path;
-        Vec2 position;
-        Vec2 velocity;
-        const bool is_undisturbed = is_coasting && path.motion == Motion::free;
-        if (is_undisturbed) {
-            position = Vec2(path.position + path.velocity * (end_ - path.time));
-            velocity = Vec2(path.velocity);
-        } else {
-            const BallState<Real> state = state_at(path, field_, end_);
-            position = Vec2(state.position);
-            velocity = path.motion == Motion::held ? Vec2{} : Vec2(state.velocity);
-        }
-        if (world.model.wrap) position = wrapped(position, *world.model.wrap);
-        // What the paths say: a velocity that is limited below differs from it, and begins a new
-        // path.
-        balls.position[i] = left_.positions[i] = position;
-        if (are_velocities_there && is_undisturbed) continue;
-        balls.velocity[i] = left_.velocities[i] = velocity;
-    }
-    if (are_velocities_there)
-        for (const std::uint32_t i : begun_)
-            if (balls_[i].path.motion == Motion::free)
-                balls.velocity[i] = left_.velocities[i] = Vec2(balls_[i].path.velocity);
-    if (world.model.speed_limit)
-        for (Vec2& velocity : balls.velocity)
-            velocity = limited(velocity, *world.model.speed_limit);
-    balls.edge_contacts = edge_contacts_;
-    if (world.model.spin) write_spins(world);
-    for (const Hand& hand : hands_) {
-        const Edge<Real> shape = hand.edge.at(end_);
-        world.capsules.shape[hand.capsule].start = Vec2(shape.start);
-        world.capsules.shape[hand.capsule].end = Vec2(shape.end);
-    }
-    store_paths(world);
-    if constexpr (std::is_same_v<Real, double>) {
-        write_crowded(world);
-        world.paths_gravity = world.model.gravity.value_or(Vec2{});
-        world.paths_drag = world.model.drag.value_or(0.0);
-    }
-    left_.tick = world.tick + 1;
-    left_.rate = world.rate;
-    left_.had_hands = !world.held_balls.empty() || !hands_.empty();
-    if (is_begun_anew_) {
-        left_.model = world.model;
-        left_.ids = balls.id;
-        left_.radii = balls.radius;
-        left_.inverse_masses = balls.inverse_mass;
-        left_.meets = world.meets;
-        left_.capsules = world.capsules;
-    }
-    left_.is_valid = true;
+void EventEngine<Real>::hold(std::uint32_t ball) {
+    balls_[ball].line.motion = Motion::held;
+    if (balls_.may_bend()) balls_.bend(ball).acceleration = {};
 }
 
 template class EventEngine<double>;

@@ -18,6 +18,7 @@
 #include "physics/event_queue.h"
 #include "physics/large_pages.h"
 #include "physics/reflection.h"
+#include "physics/same_bits.h"
 
 namespace carom {
 
@@ -54,10 +55,10 @@ enum class EventOutcome : std::uint8_t {
 /// a ball that has had `most_tiring` of them, and is slow, lies still where it is for a quarter of
 /// the time in which it would fall through its radius, and longer if what it touches then carries
 /// it. That loses energy and momentum. Balls that are pressed together and overlap by more than
-/// half of `lively_rise` are taken apart where nothing bars the way, by half a radius at most, which
-/// lifts them by as much; where they are barred, they sink in further. Without gravity, two balls that have met
-/// `most_quick` times in a row within `touching` of a radius pass their impulse without
-/// restitution, for the same reason.
+/// half of `lively_rise` are taken apart where nothing bars the way, by half a radius at most,
+/// which lifts them by as much; where they are barred, they sink in further. Without gravity, two
+/// balls that have met `most_quick` times in a row within `touching` of a radius pass their impulse
+/// without restitution, for the same reason.
 ///
 /// Friction, at an impact: once the impulses along the normals are known, each contact passes along
 /// itself what stops its slip, but no more than its coefficient times its own impulse. Where bodies
@@ -194,19 +195,27 @@ class EventEngine {
     };
 
     // event_engine.cpp: a tick, and what lasts from one to the next.
-    bool is_continued(const World& world) const;
     void begin(World& world);
     void begin_anew(const World& world);
     void take_what_changed(const World& world);
     void take_hands(const World& world);
-    void store_paths(World& world);
     bool leads_through(const EventPath<Real>& path, std::size_t ball) const;
     bool are_carriers_left(const EventPath<Real>& path, std::uint32_t sum) const;
     bool has_support(const std::vector<std::uint8_t>& is_kept, std::size_t ball) const;
-    void write(World& world);
     Vec2 shown_position(const EventPath<Real>& path, const Real& time) const;
     void start_path(std::uint32_t ball, const Real& time, Vector<Real> position,
                     const Vector<Real>& velocity);
+    void hold(std::uint32_t ball);
+
+    // event_left.cpp: what a tick leaves in the world.
+    bool is_continued(const World& world) const;
+    bool are_left(const World& world) const;
+    bool is_position_left(std::uint32_t ball) const;
+    bool is_velocity_left(std::uint32_t ball) const;
+    void write(World& world);
+    void write_lines(Balls& balls);
+    void write_paths(World& world);
+    void store_paths(World& world);
 
     // event_predict.cpp: which event comes next.
     void predict(std::uint32_t ball);
@@ -254,7 +263,7 @@ class EventEngine {
     void for_each_ball_near(std::uint32_t ball, Visit&& visit) const;
     template <typename Visit>
     void for_each_edge_near(std::uint32_t ball, Visit&& visit) const {
-        const EventPath<Real>& path = balls_[ball].path;
+        const EventLine<Real>& path = balls_[ball].line;
         for_each_edge_around(ball, {balls_.plan(ball).place.cell, path.across, path.along}, visit);
     }
     /// The same if it were somewhere else.
@@ -311,6 +320,8 @@ class EventEngine {
     std::optional<std::pair<std::size_t, std::size_t>> bearing_two(
         const std::vector<Support>& supports) const;
     void rest(std::uint32_t ball, const Support& first, const Support* second);
+    void lay_down(std::uint32_t ball, const PathSupport& support,
+                  const PathSupport& second_support);
     void release_what_rests_on(std::uint32_t ball, std::vector<std::uint32_t>& released);
     void end_own(std::uint32_t ball);
     Real fall_time(std::uint32_t ball) const;
@@ -361,11 +372,12 @@ class EventEngine {
     void write_rolls(World& world) const;
 
     Vector<Real> position_of(std::uint32_t ball) const {
-        const EventPath<Real>& path = balls_[ball].path;
-        if (path.motion == Motion::free && !field_.has_drag) {
-            const Real since = now_ - path.time;
-            return path.position + (path.velocity + field_.gravity * (Real(0.5) * since)) * since;
+        const EventLine<Real>& line = balls_[ball].line;
+        if (line.motion == Motion::free && !field_.has_drag) {
+            const Real since = now_ - line.time;
+            return line.position + (line.velocity + field_.gravity * (Real(0.5) * since)) * since;
         }
+        const EventPath<Real> path = balls_.path(ball);
         return is_parabola(path, field_) ? parabola_at(path, now_)
                                          : state_at(path, field_, now_).position;
     }
@@ -402,8 +414,7 @@ class EventEngine {
     bool are_lines_ = false;  ///< see event_lines.cpp
     bool hand_stopped_ = false;
     bool is_begun_anew_ = false;
-    bool are_velocities_left_ =
-        false;  ///< those of the world, bit by bit as the last tick left them
+    bool is_all_left_ = false;  ///< positions and velocities, bit by bit as the last tick left them
 
     std::vector<Body> bodies_;
     std::vector<ImpactBody<Real>> impact_bodies_;
@@ -438,15 +449,18 @@ class EventEngine {
         std::uint64_t tick = 0;
         double rate = 0.0;
         Model model;
+        /// All balls flew in straight lines, and are where those say: there are no copies.
+        bool on_lines = false;
         std::vector<BallId> ids;
+        /// Not so where they are on lines.
         std::vector<Vec2> positions;
         std::vector<Vec2> velocities;
-        std::vector<double> radii;
-        std::vector<double> inverse_masses;
+        KeptBits<double> radii;
+        KeptBits<double> inverse_masses;
         std::vector<std::uint8_t> meets;
         Capsules capsules;
         std::uint64_t paths_sum = 0;
-        /// By ball, BallPath::carriers; empty with doubles, whose paths are in the world.
+        /// By ball, PathBend::carriers; empty with doubles, whose paths are in the world.
         std::vector<std::uint32_t> carriers;
         bool had_hands = false;
     };
@@ -457,15 +471,15 @@ template <typename Real>
 template <typename Visit>
 void EventEngine<Real>::for_each_ball_near(std::uint32_t ball, Visit&& visit) const {
     if (!world_->model.ball_ball) return;
-    const bool is_giant = balls_[ball].is_giant;
+    const bool is_giant = cells_.is_giant(balls_, ball);
     if (!is_giant) cells_.for_each_near(balls_, ball, visit);
     if (cells_.giants().empty()) return;
     // Giants reach beyond cells: on a torus, the nearest image and those around it.
     const auto with_images = [&](std::uint32_t other) {
         if (other == ball) return;
         if (!world_->model.wrap) return visit(other, 0, 0);
-        const Vec2 way(state_at(balls_[ball].path, field_, now_).position -
-                       state_at(balls_[other].path, field_, now_).position);
+        const Vec2 way(state_at(balls_.path(ball), field_, now_).position -
+                       state_at(balls_.path(other), field_, now_).position);
         const int across = static_cast<int>(std::floor(way.x / torus_.x + 0.5));
         const int along = static_cast<int>(std::floor(way.y / torus_.y + 0.5));
         for (int i = across - 1; i <= across + 1; ++i)
@@ -489,7 +503,7 @@ void EventEngine<Real>::for_each_edge_around(std::uint32_t ball, EventSpot spot,
         if (!ball_meets(ball, capsule)) return;
         visit(capsule, Vec2{torus_.x * across, torus_.y * along}, across, along);
     };
-    if (!balls_[ball].is_giant) {
+    if (!cells_.is_giant(balls_, ball)) {
         if (edges_.is_empty(spot.cell)) return;
         for (const CapsuleEntry entry : edges_.in_cell(spot.cell))
             at_image(entry.index, entry.across + spot.across, entry.along + spot.along);
@@ -498,7 +512,7 @@ void EventEngine<Real>::for_each_edge_around(std::uint32_t ball, EventSpot spot,
     int across = 0;
     int along = 0;
     if (world_->model.wrap) {
-        const Vec2 way(state_at(balls_[ball].path, field_, now_).position -
+        const Vec2 way(state_at(balls_.path(ball), field_, now_).position -
                        Vector<Real>(world_->model.wrap->low));
         across = static_cast<int>(std::floor(way.x / torus_.x));
         along = static_cast<int>(std::floor(way.y / torus_.y));

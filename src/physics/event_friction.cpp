@@ -171,7 +171,7 @@ void EventEngine<Real>::brake_spin(std::uint32_t ball, const Real& friction) {
 template <typename Real>
 std::optional<typename EventEngine<Real>::Support> EventEngine<Real>::barrier_to(
     std::uint32_t ball, const Vector<Real>& velocity, const Vector<Real>& acceleration) const {
-    const EventPath<Real>& path = balls_[ball].path;
+    const EventPath<Real> path = balls_.path(ball);
     const Real size = radius(ball);
     std::optional<Support> found;
     for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int across, int along) {
@@ -205,11 +205,7 @@ bool EventEngine<Real>::is_braced(std::uint32_t ball, const Support& carrier,
     const Real ours = friction_of(ball, carrier.by);
     const Real theirs = friction_of(ball, barrier->by);
     const Real press = -dot(field_.gravity, carrier.normal) / (Real(1.0) + ours * theirs);
-    EventPath<Real>& path = balls_[ball].path;
-    path.motion = Motion::resting;
-    path.velocity = path.acceleration = {};
-    path.support = carrier.by;
-    path.second_support = barrier->by;
+    lay_down(ball, carrier.by, barrier->by);
     brake_spin(ball, ours * press * (Real(1.0) + theirs));
     return true;
 }
@@ -227,7 +223,7 @@ bool EventEngine<Real>::rolls_off(std::uint32_t ball, const Support& side,
 // When the slip of a ball that slides comes to its end, or the spin of one that lies still.
 template <typename Real>
 std::optional<Real> EventEngine<Real>::end_of_slip(std::uint32_t ball, const Real& horizon) const {
-    const EventPath<Real>& path = balls_[ball].path;
+    const EventPath<Real> path = balls_.path(ball);
     const Spinning& turn = spins_[ball];
     if (turn.rolls) {
         // Under drag what rolls needs less and less friction: it is found anew, piece by piece.
@@ -260,7 +256,7 @@ std::optional<Real> EventEngine<Real>::end_of_slip(std::uint32_t ball, const Rea
 // To the left of the normal of the side along which the ball slides.
 template <typename Real>
 Vector<Real> EventEngine<Real>::slip_direction(std::uint32_t ball) const {
-    const EventPath<Real>& path = balls_[ball].path;
+    const EventPath<Real> path = balls_.path(ball);
     const auto capsule = index_of(*world_, CapsuleId{path.support.number});
     const Edge<Real> edge(world_->capsules.shape[*capsule],
                           Vec2(torus_shift(path.support.across, path.support.along)));
@@ -274,7 +270,7 @@ Vector<Real> EventEngine<Real>::slip_direction(std::uint32_t ball) const {
 // come to its end is none.
 template <typename Real>
 void EventEngine<Real>::end_spin(std::uint32_t ball) {
-    const EventPath<Real>& path = balls_[ball].path;
+    const EventPath<Real> path = balls_.path(ball);
     const bool rolled = spins_[ball].rolls;
     const bool was_braked = path.motion == Motion::resting && !(spins_[ball].rate == Real{});
     const Real first = spins_[ball].spin;
@@ -330,7 +326,7 @@ template <typename Real>
 void EventEngine<Real>::write_spins(World& world) {
     for (std::uint32_t i = 0; i < spins_.size(); ++i)
         world.balls.spin[i] =
-            balls_[i].path.motion == Motion::held ? 0.0 : static_cast<double>(spin_at(i, end_));
+            balls_[i].line.motion == Motion::held ? 0.0 : static_cast<double>(spin_at(i, end_));
     if constexpr (std::is_same_v<Real, double>) {
         world.spin_paths.clear();
         for (const Spinning& turn : spins_)

@@ -15,9 +15,9 @@ double EventEngine<Real>::restitution_of(const Touch& touch, bool is_alone) {
     const Real approach = approach_of<Real>(touch.contact, impact_bodies_);
     const double speed = static_cast<double>(approach);
     double restitution = 1.0;
-    const EventPath<Real>& path = balls_[ball].path;
+    const EventPath<Real> path = balls_.path(ball);
     if (touch.kind == Kind::ball_ball) {
-        const EventPath<Real>& theirs = balls_[touch.other].path;
+        const EventPath<Real> theirs = balls_.path(touch.other);
         if (world_->model.lossy)
             restitution =
                 std::min(world_->balls.restitution[ball], world_->balls.restitution[touch.other]);
@@ -224,19 +224,19 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     for (const Touch& touch : touches_) {
         const std::uint32_t held = bodies_[touch.contact.a].ball;
         if (touch.kind == Kind::ball_ball) continue;
-        if (balls_[held].path.motion == Motion::held) {
+        if (balls_[held].line.motion == Motion::held) {
             auto& velocity = impact_bodies_[touch.contact.a].velocity;
             const Real into = touch.contact.surface - dot(velocity, touch.contact.normal);
             if (into > Real{}) velocity += touch.contact.normal * into;
         }
-        if (touch.kind == Kind::hand && (is_shut_in || balls_[held].path.quick > most_quick))
+        if (touch.kind == Kind::hand && (is_shut_in || balls_[held].line.quick > most_quick))
             squeezed = true;
     }
     for (const Touch& touch : touches_)
         if (touch.kind == Kind::ball_ball &&
-            (is_shut_in || balls_[bodies_[touch.contact.a].ball].path.quick > most_quick) &&
-            (balls_[bodies_[touch.contact.a].ball].path.motion == Motion::held ||
-             balls_[touch.other].path.motion == Motion::held))
+            (is_shut_in || balls_[bodies_[touch.contact.a].ball].line.quick > most_quick) &&
+            (balls_[bodies_[touch.contact.a].ball].line.motion == Motion::held ||
+             balls_[touch.other].line.motion == Motion::held))
             squeezed = true;
 
     part_pressed();
@@ -246,22 +246,19 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
         const Body& each = bodies_[i];
         touched[each.ball] |= each.is_changed;
         if (!each.is_changed) continue;
-        const EventPath<Real> before = balls_[each.ball].path;
+        const EventPath<Real> before = balls_.path(each.ball);
         const Real way = length(each.position - before.position);
         if (each.is_moved) cells_.leave(balls_, each.ball);
         start_path(each.ball, now_, each.position, impact_bodies_[i].velocity);
-        if (each.is_moved) cells_.enter(balls_, each.ball, Vec2(balls_[each.ball].path.position));
+        if (each.is_moved) cells_.enter(balls_, each.ball, Vec2(balls_[each.ball].line.position));
         if (world_->model.spin) spins_[each.ball].spin = body_spins_[i];
-        EventPath<Real>& path = balls_[each.ball].path;
-        if (world_->model.cloth) path.center = body_rolls_[i];
-        path.quick = world_->model.gravity
+        if (world_->model.cloth) balls_.bend(each.ball).center = body_rolls_[i];
+        EventLine<Real>& line = balls_[each.ball].line;
+        line.quick = world_->model.gravity
                          ? tiredness(each.ball, before)
                          : (way < Real(touching) * radius(each.ball) ? before.quick + 1 : 0);
-        if (before.motion == Motion::held) {
-            path.motion = Motion::held;
-            path.acceleration = {};
-        }
-        if (path.quick > crowding) note_crowded(i);
+        if (before.motion == Motion::held) hold(each.ball);
+        if (line.quick > crowding) note_crowded(i);
         changed.push_back(each.ball);
     }
     for (std::size_t i = 0; i < bodies_.size(); ++i)
@@ -277,7 +274,7 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     bool is_predicted = false;
     for (const std::uint32_t each : changed) {
         is_predicted = static_cast<int>(is_predicted) | static_cast<int>(each == ball);
-        const std::uint32_t index = balls_[each].body;
+        const std::uint32_t index = balls_.mass(each).body;
         if (index != EventBall<Real>::none)
             predict_after(bodies_[index]);
         else
@@ -285,7 +282,7 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
         reorder(each);
     }
     for (const Body& each : bodies_)
-        balls_[each.ball].body = EventBall<Real>::none;
+        balls_.mass(each.ball).body = EventBall<Real>::none;
     if (is_predicted) return;
     predict(ball);
     reorder(ball);
@@ -308,7 +305,7 @@ void EventEngine<Real>::part_pressed() {
         // into another.
         const Real depth = std::min(-touch.gap, Real(0.5) * small);
         const auto share = [&](const Body& body, std::uint32_t index, const Vector<Real>& way) {
-            const EventPath<Real>& path = balls_[body.ball].path;
+            const EventPath<Real> path = balls_.path(body.ball);
             const bool may_give_way = path.motion == Motion::free || is_on_cloth(path);
             if (!body.is_changed || !may_give_way) return Real{};
             const Vector<Real> there = body.position + way * depth;
@@ -341,10 +338,9 @@ void EventEngine<Real>::stop_hands() {
     for (Hand& hand : hands_)
         if (now_ < hand.edge.stop) hand.edge.stop = now_;
     for (std::uint32_t i = 0; i < balls_.size(); ++i) {
-        if (balls_[i].path.motion != Motion::held) continue;
-        start_path(i, now_, state_at(balls_[i].path, field_, now_).position, {});
-        balls_[i].path.motion = Motion::held;
-        balls_[i].path.acceleration = {};
+        if (balls_[i].line.motion != Motion::held) continue;
+        start_path(i, now_, state_at(balls_.path(i), field_, now_).position, {});
+        hold(i);
     }
     hand_stopped_ = true;
 }

@@ -18,7 +18,7 @@ struct LinePair {
     Vector<Real> velocity;
     Vector<Real> offset;
 
-    LinePair(const EventPath<Real>& a, const EventPath<Real>& b)
+    LinePair(const EventLine<Real>& a, const EventLine<Real>& b)
         : begin(a.time < b.time ? b.time : a.time),
           velocity(a.velocity - b.velocity),
           offset((a.position + a.velocity * (begin - a.time)) -
@@ -35,10 +35,7 @@ bool EventEngine<Real>::are_lines() const {
            !model.wrap && !model.filtered && !model.one_way && hands_.empty() &&
            cells_.giants().empty() &&
            std::all_of(balls_.begin(), balls_.end(), [](const EventBall<Real>& ball) {
-               const EventPath<Real>& path = ball.path;
-               return path.motion == Motion::free && path.acceleration == Vector<Real>{} &&
-                      path.center == Vector<Real>{} && path.support == PathSupport{} &&
-                      path.second_support == PathSupport{};
+               return ball.line.motion == Motion::free;
            });
 }
 
@@ -67,8 +64,8 @@ inline auto EventEngine<Real>::first_met(std::uint32_t ball, std::uint32_t other
     const EventBall<Real>& them = balls_[other];
     const Real small = us.radius < them.radius ? us.radius : them.radius;
     // As seen from the one with the lower number, whoever asks: the same bits.
-    const auto met = meeting_time(meeting, balls_[std::min(ball, other)].path,
-                                  balls_[std::max(ball, other)].path, begin, offset, Vector<Real>{},
+    const auto met = meeting_time(meeting, balls_[std::min(ball, other)].line,
+                                  balls_[std::max(ball, other)].line, begin, offset, Vector<Real>{},
                                   us.radius + them.radius, small, field_);
     if (!met) return best;
     const Real time = *met < now_ ? now_ : *met;
@@ -88,7 +85,7 @@ inline auto EventEngine<Real>::first_met(std::uint32_t ball, std::uint32_t other
                                          FirstMet best) const -> FirstMet {
     const EventBall<Real>& us = balls_[ball];
     const EventBall<Real>& them = balls_[other];
-    const LinePair<Real> pair(us.path, them.path);
+    const LinePair<Real> pair(us.line, them.line);
     const LineMeeting<Real> line(pair.offset, pair.velocity, us.radius + them.radius);
     return line.is_one() ? first_met(ball, other, line, pair.begin, pair.offset, best) : best;
 }
@@ -122,7 +119,6 @@ void EventEngine<Real>::enter_next_cell_on_line(std::uint32_t ball, std::uint32_
 template <typename Real>
 inline void EventEngine<Real>::choose_next_on_line(std::uint32_t ball, FirstMet met) {
     EventPlan<Real>& plan = balls_.plan(ball);
-    balls_[ball].is_meeting_known = true;
     const bool is_one = met.other != EventBall<Real>::none;
     plan.meeting.time = met.time;
     plan.meeting.kind = is_one ? Kind::ball_ball : Kind::none;
@@ -133,7 +129,7 @@ inline void EventEngine<Real>::choose_next_on_line(std::uint32_t ball, FirstMet 
         plan.coming = plan.meeting;
         predict_crossing_of_line(ball, plan.coming);
     } else {
-        const EventPath<double>& path = balls_[ball].path;
+        const EventLine<double>& path = balls_[ball].line;
         const EventPlace& own = plan.place;
         const CellFrame& frame = cells_.frame();
         const Two speed{path.velocity.x, path.velocity.y};
@@ -187,7 +183,7 @@ inline bool EventEngine<Real>::find_lines(std::uint32_t ball, std::uint32_t part
     int are_apart = 1;
     auto firsts = cells_.firsts_near(balls_, ball);
     firsts.for_each(balls, [&](std::uint32_t other, int, int) {
-        const EventPath<Real>& path = balls[other].path;
+        const EventLine<Real>& path = balls[other].line;
         const Vector<Real> offset = from - (path.position + path.velocity * (now - path.time));
         const Real reach = size + balls[other].radius;
         // Further than any that may touch: as in `scan`.
@@ -228,10 +224,10 @@ template <typename Real>
 inline void EventEngine<Real>::begin_line(std::uint32_t ball, const Vector<Real>& place,
                                           const Vector<Real>& velocity, std::uint32_t quick) {
     EventBall<Real>& each = balls_[ball];
-    each.path.quick = quick;
-    each.path.time = now_;
-    each.path.position = place;
-    each.path.velocity = velocity;
+    each.line.quick = quick;
+    each.line.time = now_;
+    each.line.position = place;
+    each.line.velocity = velocity;
     ++each.version;
     if (!is_begun_anew_ && begun_.size() < balls_.size()) begun_.push_back(ball);
 }
@@ -250,16 +246,16 @@ bool EventEngine<Real>::impact_of_two(std::uint32_t ball, const Event& event,
     std::array<std::uint32_t, 2> quick{};
     for (std::size_t i = 0; i < 2; ++i) {
         const EventBall<Real>& each = balls_[both[i]];
-        if (each.path.quick >= most_quick) return false;
+        if (each.line.quick >= most_quick) return false;
         // As state_at, which makes 0 of -0.
-        places[i] = parabola_at(each.path, now_);
-        bodies[i] = {each.path.velocity + each.path.acceleration * (now_ - each.path.time),
-                     each.inverse_mass};
-        const Vector<Real> way = places[i] - each.path.position;
+        const Vector<Real> speed = each.line.velocity + Vector<Real>{};
+        places[i] = each.line.position + speed * (now_ - each.line.time);
+        bodies[i] = {speed, balls_.mass(both[i]).inverse};
+        const Vector<Real> way = places[i] - each.line.position;
         const Real near = Real(touching) * each.radius;
         // Roughly first: nearly none are near.
         const bool is_quick = length_squared(way) < Real(2.0) * near * near && length(way) < near;
-        quick[i] = select(is_quick, each.path.quick + 1, 0);
+        quick[i] = select(is_quick, each.line.quick + 1, 0);
     }
     const Vector<Real> offset = places[0] - places[1];
     const Real away = length(offset);

@@ -96,46 +96,30 @@ AngleAndRate<Real> swing(Real rate, Real along, Real outward, const Real& drag, 
     return result;
 }
 
-std::uint64_t stirred(std::uint64_t sum, std::uint64_t word) {
-    return std::rotl(sum ^ word, 29) * 0x9fb21c651e98df25u;
-}
-std::uint64_t stirred(std::uint64_t sum, double value) {
-    return stirred(sum, std::bit_cast<std::uint64_t>(value));
-}
-std::uint64_t stirred(std::uint64_t sum, Vec2 v) {
-    return stirred(stirred(sum, v.x), v.y);
-}
-
 }  // namespace
 
-EventPath<double> path_from(const BallPath& stored) {
+EventPath<double> path_from(const BallPath& stored, const PathBend& bend) {
     EventPath<double> path;
     path.time = stored.time;
     path.position = Vector<double>(stored.position);
     path.velocity = Vector<double>(stored.velocity);
-    path.acceleration = Vector<double>(stored.acceleration);
-    path.center = Vector<double>(stored.center);
+    path.acceleration = Vector<double>(bend.acceleration);
+    path.center = Vector<double>(bend.center);
     path.motion = stored.motion;
-    path.support = stored.support;
-    path.second_support = stored.second_support;
+    path.support = bend.support;
+    path.second_support = bend.second_support;
     path.quick = stored.quick;
     return path;
 }
 
-BallPath stored_path(const World& world, BallId id, const EventPath<double>& path) {
-    return {.id = id,
-            .quick = path.quick,
-            .motion = path.motion,
-            .carriers = path.motion == Motion::free
-                            ? 0
-                            : sum_of_carriers(world, path.support, path.second_support),
-            .time = path.time,
-            .position = Vec2(path.position),
-            .velocity = Vec2(path.velocity),
-            .acceleration = Vec2(path.acceleration),
+PathBend stored_bend(const World& world, const EventPath<double>& path) {
+    return {.acceleration = Vec2(path.acceleration),
             .center = Vec2(path.center),
             .support = path.support,
-            .second_support = path.second_support};
+            .second_support = path.second_support,
+            .carriers = path.motion == Motion::free
+                            ? 0
+                            : sum_of_carriers(world, path.support, path.second_support)};
 }
 
 std::uint32_t sum_of_carriers(const World& world, const PathSupport& support,
@@ -157,27 +141,16 @@ std::uint32_t sum_of_carriers(const World& world, const PathSupport& support,
     return static_cast<std::uint32_t>(sum >> 32);
 }
 
-std::uint64_t sum_of(const BallPath& path) {
-    const auto word_of = [](const PathSupport& by) {
-        return static_cast<std::uint64_t>(by.by) |
-               std::uint64_t{static_cast<std::uint8_t>(by.across)} << 8 |
-               std::uint64_t{static_cast<std::uint8_t>(by.along)} << 16 |
-               std::uint64_t{by.number} << 32;
-    };
-    // Two chains, since each step of one waits for the last.
-    const auto motion = static_cast<std::uint64_t>(path.motion);
-    std::uint64_t first = stirred(number(path.id), motion | std::uint64_t{path.quick} << 8);
-    std::uint64_t second = stirred(1, path.time);
-    first = stirred(first, path.position);
-    second = stirred(second, path.velocity);
-    if (path.motion != Motion::free) {
-        first = stirred(first, path.center);
-        second = stirred(second, path.acceleration);
-        first = stirred(first, word_of(path.support));
-        second = stirred(second, word_of(path.second_support));
-        first = stirred(first, std::uint64_t{path.carriers});
-    }
-    return stirred(first, second);
+std::uint64_t sum_of(const BallPath& path, const PathBend& bend) {
+    std::uint64_t sum = sum_of(path);
+    if (path.motion == Motion::free) return sum;
+    sum = stirred(stirred(sum, bend.center), bend.acceleration);
+    for (const PathSupport& by : {bend.support, bend.second_support})
+        sum = stirred(sum, static_cast<std::uint64_t>(by.by) |
+                               std::uint64_t{static_cast<std::uint8_t>(by.across)} << 8 |
+                               std::uint64_t{static_cast<std::uint8_t>(by.along)} << 16 |
+                               std::uint64_t{by.number} << 32);
+    return stirred(sum, std::uint64_t{bend.carriers});
 }
 
 template <typename Real>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 #include "geometry/vector.h"
@@ -10,14 +11,10 @@
 /// How a ball moves between two events of the solver `event`, exactly.
 namespace carom {
 
-/// A path, over any number type; World stores the double ones (BallPath says what each part means).
-/// What is read of every neighbour comes last: see EventBall.
+/// What there is to a path that is a straight line, over any number type; World stores the double
+/// ones (BallPath says what each part means).
 template <typename Real>
-struct EventPath {
-    Vector<Real> acceleration;
-    Vector<Real> center;  ///< or the roll
-    PathSupport support;
-    PathSupport second_support;
+struct EventLine {
     std::uint32_t quick = 0;
     Motion motion = Motion::free;
     std::int8_t across = 0;  ///< tori between where it is now and the frame: EventCells counts them
@@ -27,8 +24,31 @@ struct EventPath {
     Vector<Real> velocity;
 };
 
+/// What bends one (PathBend says what each part means).
+template <typename Real>
+struct EventBend {
+    Vector<Real> acceleration;
+    Vector<Real> center;  ///< or the roll
+    PathSupport support;
+    PathSupport second_support;
+
+    friend bool operator==(const EventBend&, const EventBend&) = default;
+};
+
+/// A whole path.
+template <typename Real>
+struct EventPath : EventLine<Real>, EventBend<Real> {};
+
 /// What happens to a ball next. In the order in which those of the same time come.
-enum class EventKind : std::uint8_t { ball_ball, ball_edge, hand, own, crossing, none };
+enum class EventKind : std::uint8_t {
+    ball_ball,
+    ball_edge,
+    hand,
+    own,
+    crossing,
+    none,
+    unknown,  ///< of EventPlan::meeting alone
+};
 template <typename Real>
 struct alignas(8) BallEvent {  // on every machine, for assign_if
     Real time{};
@@ -44,33 +64,35 @@ struct EventPlace {
     /// Counted without bound, so that on a torus they say in which image the path is.
     int column = 0;
     int row = 0;
-    std::uint32_t cell = 0;
+    std::uint32_t cell = 0;    ///< of a giant (EventCells): the highest number
     std::uint32_t before = 0;  ///< ball in the same cell
 };
 
-/// A ball as the solver `event` sees it. What is read of every neighbour is one line of the cache:
-/// from the path's `quick` on.
+/// What the solver `event` reads of every neighbour, in one line of the cache.
 template <typename Real>
 struct alignas(64) EventBall {
     static constexpr std::uint32_t none = 0xffffffffu;
 
-    Real inverse_mass{};            ///< 0: in a hand
-    std::uint32_t body = none;      ///< in the impact that is being worked out
-    bool is_giant = false;          ///< see EventCells
-    bool is_meeting_known = false;  ///< see EventEngine::predict
-    EventPath<Real> path;
+    EventLine<Real> line;  ///< of its path
     Real radius{};
     std::uint32_t next = none;  ///< ball in the same cell
     std::uint32_t version = 0;  ///< counts the paths
 };
-static_assert(sizeof(EventBall<double>) == 128);
+static_assert(sizeof(EventBall<double>) == 64);
+
+/// What its impacts need besides.
+template <typename Real>
+struct EventMass {
+    Real inverse{};                              ///< 0: in a hand
+    std::uint32_t body = EventBall<Real>::none;  ///< in the impact that is being worked out
+};
 
 /// What only the ball's own events need of it, in one line.
 template <typename Real>
 struct alignas(64) EventPlan {
     BallEvent<Real> coming;  ///< the first of those found
     /// Whom it meets first, wherever, where it flies among flying balls: see EventEngine::predict.
-    BallEvent<Real> meeting;
+    BallEvent<Real> meeting{.kind = EventKind::unknown};
     EventPlace place;
 };
 static_assert(sizeof(EventPlan<double>) == 64);
@@ -80,12 +102,30 @@ template <typename Real>
 class EventBalls {
   public:
     std::size_t size() const { return balls_.size(); }
-    void resize(std::size_t count) {
+    /// `bend`: whether their paths may, as has_bends says.
+    void resize(std::size_t count, bool bend) {
         balls_.resize(count);
+        masses_.resize(count);
         plans_.resize(count);
+        bends_.resize(bend ? count : 0);
     }
     EventBall<Real>& operator[](std::size_t ball) { return balls_[ball]; }
     const EventBall<Real>& operator[](std::size_t ball) const { return balls_[ball]; }
+    EventPath<Real> path(std::size_t ball) const {
+        return bends_.empty() ? EventPath<Real>{balls_[ball].line, {}}
+                              : EventPath<Real>{balls_[ball].line, bends_[ball]};
+    }
+    /// Pre: it does not bend, unless paths may.
+    void set_path(std::size_t ball, const EventPath<Real>& path) {
+        balls_[ball].line = path;
+        if (!bends_.empty()) bends_[ball] = path;
+    }
+    bool may_bend() const { return !bends_.empty(); }
+    /// Pre: paths may bend.
+    EventBend<Real>& bend(std::size_t ball) { return bends_[ball]; }
+    const EventBend<Real>& bend(std::size_t ball) const { return bends_[ball]; }
+    EventMass<Real>& mass(std::size_t ball) { return masses_[ball]; }
+    const EventMass<Real>& mass(std::size_t ball) const { return masses_[ball]; }
     EventPlan<Real>& plan(std::size_t ball) { return plans_[ball]; }
     const EventPlan<Real>& plan(std::size_t ball) const { return plans_[ball]; }
     const EventBall<Real>* data() const { return balls_.data(); }
@@ -94,41 +134,56 @@ class EventBalls {
     auto begin() const { return balls_.begin(); }
     auto end() const { return balls_.end(); }
 
-    /// Into the cache: what is read of a neighbour; the ball; its plan too.
-    void fetch_neighbour(std::size_t ball) const { fetch_early(&balls_[ball].path.quick); }
-    void fetch_ball(std::size_t ball) const {
-        fetch_early(&balls_[ball]);
-        fetch_neighbour(ball);
-    }
+    /// Into the cache: what is read of a neighbour; all that a ball's own events need.
+    void fetch_neighbour(std::size_t ball) const { fetch_early(&balls_[ball]); }
     void fetch(std::size_t ball) const {
-        fetch_ball(ball);
+        fetch_neighbour(ball);
+        fetch_early(&masses_[ball]);
         fetch_early(&plans_[ball]);
     }
 
   private:
     LargeVector<EventBall<Real>> balls_;
+    LargeVector<EventMass<Real>> masses_;
     LargeVector<EventPlan<Real>> plans_;
+    LargeVector<EventBend<Real>> bends_;  ///< empty where paths do not bend
 };
 
-EventPath<double> path_from(const BallPath& stored);
-BallPath stored_path(const World& world, BallId id, const EventPath<double>& path);
-/// The same where `stored` is an earlier path of the ball, and it flew and flies: those differ in
-/// nothing else.
-inline void begin_stored(BallPath& stored, const EventPath<double>& path) {
-    stored.quick = path.quick;
-    stored.time = path.time;
-    stored.position = Vec2(path.position);
-    stored.velocity = Vec2(path.velocity);
+EventPath<double> path_from(const BallPath& stored, const PathBend& bend);
+inline BallPath stored_line(BallId id, const EventLine<double>& line) {
+    return {.id = id,
+            .quick = line.quick,
+            .time = line.time,
+            .position = Vec2(line.position),
+            .velocity = Vec2(line.velocity),
+            .motion = line.motion};
 }
+PathBend stored_bend(const World& world, const EventPath<double>& path);
 
-/// What BallPath::carriers is for a ball that these carry: where they are and which way they push,
+/// What PathBend::carriers is for a ball that these carry: where they are and which way they push,
 /// stirred; 0 where no edge is among them. An edge that is gone, or in a hand, is as one of another
 /// shape.
 std::uint32_t sum_of_carriers(const World& world, const PathSupport& support,
                               const PathSupport& second);
 
-/// What the path adds to World::paths_sum: all of it, stirred.
-std::uint64_t sum_of(const BallPath& path);
+inline std::uint64_t stirred(std::uint64_t sum, std::uint64_t word) {
+    return std::rotl(sum ^ word, 29) * 0x9fb21c651e98df25u;
+}
+inline std::uint64_t stirred(std::uint64_t sum, double value) {
+    return stirred(sum, std::bit_cast<std::uint64_t>(value));
+}
+inline std::uint64_t stirred(std::uint64_t sum, Vec2 v) {
+    return stirred(stirred(sum, v.x), v.y);
+}
+/// What the path adds to World::paths_sum: all of it, stirred; without what bends one that flies.
+inline std::uint64_t sum_of(const BallPath& path) {
+    // Two chains, since each step of one waits for the last.
+    const auto motion = static_cast<std::uint64_t>(path.motion);
+    const std::uint64_t first = stirred(number(path.id), motion | std::uint64_t{path.quick} << 8);
+    const std::uint64_t second = stirred(1, path.time);
+    return stirred(stirred(first, path.position), stirred(second, path.velocity));
+}
+std::uint64_t sum_of(const BallPath& path, const PathBend& bend);
 
 template <typename Real>
 struct BallState {
@@ -166,7 +221,7 @@ inline bool is_parabola(const EventPath<Real>& path, const Field<Real>& field) {
 
 /// Whether the ball lies on cloth, in no hand.
 template <typename Real>
-inline bool is_on_cloth(const EventPath<Real>& path) {
+inline bool is_on_cloth(const EventLine<Real>& path) {
     return path.motion >= Motion::slipping;
 }
 

@@ -79,7 +79,7 @@ void EventEngine<Real>::reorder(std::uint32_t ball) {
 
 template <typename Real>
 bool EventEngine<Real>::is_flying(std::uint32_t ball) const {
-    return balls_[ball].path.motion == Motion::free && !field_.has_drag;
+    return balls_[ball].line.motion == Motion::free && !field_.has_drag;
 }
 
 // All anew: after its path has changed, or another's that it was to meet.
@@ -97,8 +97,8 @@ void EventEngine<Real>::predict(std::uint32_t ball) {
             is_known = is_known && is_flying(other);
             if (is_known) meet_flying(ball, other, across, along, meeting);
         });
+    if (!is_known) meeting.kind = Kind::unknown;
     balls_.plan(ball).meeting = meeting;
-    balls_[ball].is_meeting_known = is_known;
     choose_next(ball);
 }
 
@@ -107,14 +107,14 @@ template <typename Real>
 void EventEngine<Real>::predict_after(const Body& body) {
     const std::uint32_t ball = body.ball;
     if (!is_near_valid_ || !body.is_scanned || !is_foreseen(ball)) return predict(ball);
-    const Vector<Real> velocity = balls_[ball].path.velocity;
+    const Vector<Real> velocity = balls_[ball].line.velocity;
     const bool has_gravity = world_->model.gravity.has_value();
     const bool is_filtered = world_->model.filtered;
     const EventBall<Real>* const balls = balls_.data();
     const Real now = now_;
     const Near* const near = near_.data() + body.first_near;
     const auto line_to = [&](const Near& other) {
-        const EventPath<Real>& path = balls[other.other].path;
+        const EventLine<Real>& path = balls[other.other].line;
         Vector<Real> relative = velocity - path.velocity;
         if (has_gravity) relative += field_.gravity * -(now - path.time);
         return LineMeeting<Real>(other.offset, relative, other.reach);
@@ -127,7 +127,7 @@ void EventEngine<Real>::predict_after(const Body& body) {
     std::size_t begun_count = 0;
     int are_free = 1;
     for (std::uint32_t i = 0; i < body.near; ++i) {
-        const EventPath<Real>& path = balls[near[i].other].path;
+        const EventLine<Real>& path = balls[near[i].other].line;
         const auto has_begun = static_cast<int>(path.time == now);
         are_free &= static_cast<int>(path.motion == Motion::free);
         approached[approached_count] = begun[begun_count] = i;
@@ -149,8 +149,8 @@ void EventEngine<Real>::predict_after(const Body& body) {
                     meeting);
         }
     }
+    if (!is_known) meeting.kind = Kind::unknown;
     balls_.plan(ball).meeting = meeting;
-    balls_[ball].is_meeting_known = is_known;
     choose_next(ball);
 }
 
@@ -163,9 +163,9 @@ bool EventEngine<Real>::is_foreseen(std::uint32_t ball) const {
 // The first of all that can happen to the ball, from now on.
 template <typename Real>
 void EventEngine<Real>::choose_next(std::uint32_t ball) {
-    if (balls_[ball].path.motion == Motion::still && hands_.empty())
+    if (balls_[ball].line.motion == Motion::still && hands_.empty())
         return look_for_the_moving(ball);
-    const bool is_known = balls_[ball].is_meeting_known;
+    const bool is_known = balls_.plan(ball).meeting.kind != Kind::unknown;
     const bool is_line = is_known && !world_->model.gravity;
     Event best;
     best.time = Real(std::numeric_limits<double>::infinity());
@@ -180,7 +180,7 @@ void EventEngine<Real>::choose_next(std::uint32_t ball) {
     if (world_->model.wrap) predict_far_round(ball, best);
     predict_own(ball, best);
     if (!is_known && world_->model.ball_ball) predict_balls(ball, best);
-    if (world_->model.ball_edge && balls_[ball].path.motion != Motion::resting)
+    if (world_->model.ball_edge && balls_[ball].line.motion != Motion::resting)
         predict_edges(ball, best);
     balls_.plan(ball).coming = best;
 }
@@ -191,7 +191,7 @@ void EventEngine<Real>::choose_next(std::uint32_t ball) {
 template <typename Real>
 void EventEngine<Real>::predict_far_round(std::uint32_t ball, Event& best) const {
     constexpr double most_tori = 50.0;
-    const EventPath<Real>& path = balls_[ball].path;
+    const EventPath<Real> path = balls_.path(ball);
     if (path.motion != Motion::free && !is_on_cloth(path)) return;
     const Real far(most_tori * std::min(torus_.x, torus_.y));
     // Roughly first: nearly all do something else before.
@@ -211,13 +211,13 @@ void EventEngine<Real>::predict_far_round(std::uint32_t ball, Event& best) const
 
 template <typename Real>
 void EventEngine<Real>::begin_in_frame(std::uint32_t ball) {
-    const std::uint32_t quick = balls_[ball].path.quick;
-    const BallState<Real> state = state_at(balls_[ball].path, field_, now_);
+    const std::uint32_t quick = balls_[ball].line.quick;
+    const BallState<Real> state = state_at(balls_.path(ball), field_, now_);
     const Vector<Real> roll = world_->model.cloth ? roll_at(ball, now_) : Vector<Real>{};
     start_path(ball, now_, state.position, state.velocity);
-    balls_[ball].path.quick = quick;
+    balls_[ball].line.quick = quick;
     if (!world_->model.cloth) return;
-    balls_[ball].path.center = roll;
+    balls_.bend(ball).center = roll;
     begin_phase(ball);
 }
 
@@ -228,7 +228,7 @@ void EventEngine<Real>::enter_next_cell(std::uint32_t ball, std::uint32_t direct
         predict(ball);
         return;
     }
-    bool is_known = balls_[ball].is_meeting_known;
+    bool is_known = balls_.plan(ball).meeting.kind != Kind::unknown;
     if (direction < steps.size()) {
         const auto [columns, rows] = steps[direction];
         cells_.step(balls_, ball, columns, rows);
@@ -255,7 +255,7 @@ void EventEngine<Real>::meet_flying(std::uint32_t ball, std::uint32_t other, int
     if (!balls_meet(ball, other)) return;
     const EventBall<Real>& us = balls_[ball];
     const EventBall<Real>& them = balls_[other];
-    const StraightPair<Real> pair(us.path, them.path, field_.gravity, torus_shift(across, along));
+    const StraightPair<Real> pair(us.line, them.line, field_.gravity, torus_shift(across, along));
     const LineMeeting<Real> line(pair.offset, pair.velocity, us.radius + them.radius);
     if (line.is_one()) meet_at(ball, other, across, along, line, pair.begin, pair.offset, best);
 }
@@ -269,8 +269,8 @@ void EventEngine<Real>::meet_at(std::uint32_t ball, std::uint32_t other, int acr
     const EventBall<Real>& them = balls_[other];
     const Real small = us.radius < them.radius ? us.radius : them.radius;
     // As seen from the one with the lower number, whoever asks: the same bits.
-    auto time = meeting_time(meeting, balls_[std::min(ball, other)].path,
-                             balls_[std::max(ball, other)].path, begin, offset, field_.gravity,
+    auto time = meeting_time(meeting, balls_[std::min(ball, other)].line,
+                             balls_[std::max(ball, other)].line, begin, offset, field_.gravity,
                              us.radius + them.radius, small, field_);
     if (!time) return;
     if (*time < now_) time = now_;
@@ -284,7 +284,7 @@ void EventEngine<Real>::meet_at(std::uint32_t ball, std::uint32_t other, int acr
 // foretell which way that is, nor which of two borders comes first.
 template <typename Real>
 void EventEngine<Real>::predict_crossing_of_line(std::uint32_t ball, Event& best) const {
-    const EventPath<Real>& path = balls_[ball].path;
+    const EventLine<Real>& path = balls_[ball].line;
     const EventPlace& own = balls_.plan(ball).place;
     const CellFrame& frame = cells_.frame();
     const Real zero{};
@@ -312,8 +312,9 @@ void EventEngine<Real>::predict_crossing_of_line(std::uint32_t ball, Event& best
 // When the centre comes to a border of its cell. This is bookkeeping: it never changes a path.
 template <typename Real>
 void EventEngine<Real>::predict_crossing(std::uint32_t ball, Event& best) const {
-    const EventPath<Real>& path = balls_[ball].path;
-    if (balls_[ball].is_giant || path.motion == Motion::resting || path.motion == Motion::still)
+    const EventPath<Real> path = balls_.path(ball);
+    if (cells_.is_giant(balls_, ball) || path.motion == Motion::resting ||
+        path.motion == Motion::still)
         return;
     const CellFrame& frame = cells_.frame();
     const BallState<Real> now = state_at(path, field_, now_);
@@ -369,7 +370,7 @@ void EventEngine<Real>::predict_crossing(std::uint32_t ball, Event& best) const 
 // The end of the side along which the ball slides, of a piece of its turn, of a phase on cloth.
 template <typename Real>
 void EventEngine<Real>::predict_own(std::uint32_t ball, Event& best) const {
-    const EventPath<Real>& path = balls_[ball].path;
+    const EventPath<Real> path = balls_.path(ball);
     if (path.motion == Motion::free || path.motion == Motion::held) return;
     if (is_on_cloth(path)) {
         if (const auto time = end_of_phase(ball))
@@ -427,7 +428,7 @@ void EventEngine<Real>::predict_own(std::uint32_t ball, Event& best) const {
 // more, or where the side of an edge begins.
 template <typename Real>
 std::optional<Real> EventEngine<Real>::end_of_turn(std::uint32_t ball) const {
-    const EventPath<Real>& path = balls_[ball].path;
+    const EventPath<Real> path = balls_.path(ball);
     Real last = piece_end(path, field_);
     const Turn<Real> first = turn_at(path, field_, path.time);
     const auto shorten = [&](auto&& value) {
@@ -471,8 +472,8 @@ void EventEngine<Real>::predict_balls(std::uint32_t ball, Event& best) const {
 template <typename Real>
 void EventEngine<Real>::predict_pair(std::uint32_t ball, std::uint32_t other, int across, int along,
                                      Event& best) const {
-    const EventPath<Real>& ours = balls_[ball].path;
-    const EventPath<Real>& theirs = balls_[other].path;
+    const EventPath<Real> ours = balls_.path(ball);
+    const EventPath<Real> theirs = balls_.path(other);
     if (world_->model.filtered && !balls_meet(ball, other)) return;
     if (ours.motion == Motion::held && theirs.motion == Motion::held) return;
     if (ours.motion == Motion::resting && theirs.motion == Motion::resting) return;
@@ -512,7 +513,7 @@ bool EventEngine<Real>::is_solid_for(std::uint32_t capsule, const Vector<Real>& 
 
 template <typename Real>
 void EventEngine<Real>::predict_edges(std::uint32_t ball, Event& best) const {
-    const EventPath<Real>& path = balls_[ball].path;
+    const EventPath<Real> path = balls_.path(ball);
     const auto rests_on = [&](std::uint32_t capsule, int across, int along) {
         const auto is = [&](const PathSupport& support) {
             return support.by == PathSupport::By::edge && support.across == across &&

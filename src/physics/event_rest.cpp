@@ -21,7 +21,7 @@ Real noise_of(const Vector<Real>& gravity) {
 template <typename Real>
 const std::vector<typename EventEngine<Real>::Support>& EventEngine<Real>::supports_of(
     std::uint32_t ball, bool also_moving) {
-    const EventPath<Real>& path = balls_[ball].path;
+    const EventPath<Real> path = balls_.path(ball);
     const Real size = radius(ball);
     std::vector<Support>& sides = supports_;
     std::vector<Support>& points = points_;
@@ -78,10 +78,10 @@ const std::vector<typename EventEngine<Real>::Support>& EventEngine<Real>::suppo
     });
     const auto with_ball = [&](std::uint32_t other, int across, int along) {
         if (!balls_meet(ball, other)) return;
-        if (!also_moving && balls_[other].path.motion != Motion::resting) return;
+        if (!also_moving && balls_[other].line.motion != Motion::resting) return;
         Support support;
         support.center =
-            state_at(balls_[other].path, field_, now_).position + torus_shift(across, along);
+            state_at(balls_.path(other), field_, now_).position + torus_shift(across, along);
         const Vector<Real> arm = path.position - support.center;
         const Real away = length(arm);
         const Real reach = size + radius(other);
@@ -126,7 +126,7 @@ std::optional<std::pair<std::size_t, std::size_t>> EventEngine<Real>::bearing_tw
 // Decides on what a ball that has just begun a path lies, if on anything.
 template <typename Real>
 void EventEngine<Real>::settle(std::uint32_t ball) {
-    const EventPath<Real>& path = balls_[ball].path;
+    const EventPath<Real> path = balls_.path(ball);
     if (path.motion != Motion::free) return;
     if (world_->model.cloth) return begin_phase(ball);
     if (!world_->model.gravity) return;
@@ -158,12 +158,8 @@ void EventEngine<Real>::settle(std::uint32_t ball) {
 
 template <typename Real>
 void EventEngine<Real>::rest(std::uint32_t ball, const Support& first, const Support* second) {
-    EventPath<Real>& path = balls_[ball].path;
     if (second) {
-        path.motion = Motion::resting;
-        path.velocity = path.acceleration = {};
-        path.support = first.by;
-        path.second_support = second->by;
+        lay_down(ball, first.by, second->by);
         if (world_->model.spin) {
             const Real turn = cross(first.normal, second->normal);
             const Real ours = cross(-field_.gravity, second->normal) / turn;
@@ -173,6 +169,7 @@ void EventEngine<Real>::rest(std::uint32_t ball, const Support& first, const Sup
         }
         return;
     }
+    EventPath<Real> path = balls_.path(ball);
     const Vector<Real> velocity = path.velocity - first.normal * dot(path.velocity, first.normal);
     Vector<Real> along = field_.gravity - first.normal * dot(field_.gravity, first.normal);
     if (length(along) <= noise_of(field_.gravity)) along = {};
@@ -194,6 +191,18 @@ void EventEngine<Real>::rest(std::uint32_t ball, const Support& first, const Sup
     path.velocity = velocity;
     path.acceleration = along;
     path.motion = is_still ? Motion::resting : (first.is_side ? Motion::sliding : Motion::turning);
+    balls_.set_path(ball, path);
+}
+
+template <typename Real>
+void EventEngine<Real>::lay_down(std::uint32_t ball, const PathSupport& support,
+                                 const PathSupport& second_support) {
+    EventPath<Real> path = balls_.path(ball);
+    path.motion = Motion::resting;
+    path.velocity = path.acceleration = {};
+    path.support = support;
+    path.second_support = second_support;
+    balls_.set_path(ball, path);
 }
 
 // The ball's support has changed its path: what lies on it flies, until it settles again.
@@ -207,7 +216,7 @@ void EventEngine<Real>::release_what_rests_on(std::uint32_t ball,
         gone.pop_back();
         const auto id = number(world_->balls.id[support]);
         const auto look = [&](std::uint32_t other, int, int) {
-            const EventPath<Real>& path = balls_[other].path;
+            const EventPath<Real> path = balls_.path(other);
             const auto is = [id](const PathSupport& by) {
                 return by.by == PathSupport::By::ball && by.number == id;
             };
@@ -217,7 +226,7 @@ void EventEngine<Real>::release_what_rests_on(std::uint32_t ball,
             if (path.motion == Motion::resting) gone.push_back(other);
             const std::uint32_t quick = path.quick;
             start_path(other, now_, state.position, state.velocity);
-            balls_[other].path.quick = quick;
+            balls_[other].line.quick = quick;
             released.push_back(other);
         };
         for_each_ball_near(support, look);
@@ -228,19 +237,19 @@ void EventEngine<Real>::release_what_rests_on(std::uint32_t ball,
 template <typename Real>
 void EventEngine<Real>::end_own(std::uint32_t ball) {
     if (world_->model.cloth) return end_phase(ball);
-    const EventPath<Real> before = balls_[ball].path;
+    const EventPath<Real> before = balls_.path(ball);
     const BallState<Real> state = state_at(before, field_, now_);
     if (world_->model.spin) end_spin(ball);
     start_path(ball, now_, state.position, state.velocity);
     if (before.motion == Motion::resting && bearing_two(supports_of(ball, true))) {
         // Tired, and what it touches carries it, though that may not have come to rest: on it lies.
-        balls_[ball].path.motion = Motion::resting;
-        balls_[ball].path.acceleration = {};
-        balls_[ball].path.quick = before.quick;
+        balls_[ball].line.motion = Motion::resting;
+        balls_.bend(ball).acceleration = {};
+        balls_[ball].line.quick = before.quick;
         predict(ball);
         return;
     }
-    balls_[ball].path.quick = before.quick;
+    balls_[ball].line.quick = before.quick;
     if (before.motion == Motion::turning) {
         // The ball of a turn keeps to its circle, whatever else it touches there, until it leaves.
         const Turn<Real> turn = turn_at(before, field_, now_);
@@ -251,7 +260,7 @@ void EventEngine<Real>::end_own(std::uint32_t ball) {
         }
     }
     settle(ball);
-    if (before.motion == Motion::resting && balls_[ball].path.motion != Motion::resting) {
+    if (before.motion == Motion::resting && balls_[ball].line.motion != Motion::resting) {
         std::vector<std::uint32_t>& released = changed_;
         released.clear();
         release_what_rests_on(ball, released);
@@ -288,23 +297,21 @@ std::uint32_t EventEngine<Real>::tiredness(std::uint32_t ball,
 
 template <typename Real>
 void EventEngine<Real>::lie_down_if_tired(std::uint32_t ball) {
-    EventPath<Real>& path = balls_[ball].path;
+    const EventPath<Real> path = balls_.path(ball);
     if (path.quick <= most_tiring || !world_->model.gravity || !world_->model.lossy) return;
     if (path.motion == Motion::resting || path.motion == Motion::held) return;
     // Fast balls that rattle in a narrow place go on.
     if (Real(2.0) * length(field_.gravity) * radius(ball) < length_squared(path.velocity)) return;
-    path.motion = Motion::resting;
-    path.velocity = path.acceleration = {};
-    path.support = path.second_support = {};
+    lay_down(ball, {}, {});
     if (world_->model.spin) spins_[ball] = {now_, Real{}, Real{}, false};
-    path.quick = most_tiring / 4 * 3;
+    balls_[ball].line.quick = most_tiring / 4 * 3;
 }
 
 template <typename Real>
 void EventEngine<Real>::note_crowded(std::size_t body) {
     if (!world_->model.gravity || !world_->model.lossy) return;
     const std::uint32_t ball = bodies_[body].ball;
-    if (balls_[ball].path.motion == Motion::held) return;
+    if (balls_[ball].line.motion == Motion::held) return;
     for (const Touch& touch : touches_)
         if (touch.kind == Kind::ball_ball && (touch.contact.a == body || touch.contact.b == body))
             return crowded_.push_back(ball);
@@ -316,7 +323,7 @@ void EventEngine<Real>::write_crowded(World& world) {
     std::sort(crowded_.begin(), crowded_.end());
     crowded_.erase(std::unique(crowded_.begin(), crowded_.end()), crowded_.end());
     for (const std::uint32_t ball : crowded_)
-        if (balls_[ball].path.quick > crowding) world.heaped.push_back(world.balls.id[ball]);
+        if (balls_[ball].line.quick > crowding) world.heaped.push_back(world.balls.id[ball]);
 }
 
 template class EventEngine<double>;

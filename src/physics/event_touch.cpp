@@ -7,16 +7,16 @@ namespace carom {
 
 template <typename Real>
 std::uint32_t EventEngine<Real>::body_of(std::uint32_t ball) {
-    if (balls_[ball].body != EventBall<Real>::none) return balls_[ball].body;
+    if (balls_.mass(ball).body != EventBall<Real>::none) return balls_.mass(ball).body;
     const auto body = static_cast<std::uint32_t>(bodies_.size());
-    const EventPath<Real>& path = balls_[ball].path;
+    const EventPath<Real> path = balls_.path(ball);
     const BallState<Real> state = state_at(path, field_, now_);
     bodies_.push_back(
         {.ball = ball, .position = state.position, .was_resting = path.motion == Motion::resting});
-    impact_bodies_.push_back({state.velocity, balls_[ball].inverse_mass});
+    impact_bodies_.push_back({state.velocity, balls_.mass(ball).inverse});
     if (world_->model.spin) body_spins_.push_back(spin_at(ball, now_));
     if (world_->model.cloth) body_rolls_.push_back(roll_at(ball, now_));
-    balls_[ball].body = body;
+    balls_.mass(ball).body = body;
     return body;
 }
 
@@ -24,7 +24,7 @@ template <typename Real>
 void EventEngine<Real>::add_ball_touch(std::uint32_t body, std::uint32_t other, int across,
                                        int along, bool is_certain) {
     const std::uint32_t ball = bodies_[body].ball;
-    const std::uint32_t known = balls_[other].body;
+    const std::uint32_t known = balls_.mass(other).body;
     if (known != EventBall<Real>::none && bodies_[known].is_scanned && !is_certain) return;
     const Vector<Real> shift = torus_shift(across, along);
     const Vector<Real> theirs =
@@ -151,7 +151,7 @@ void EventEngine<Real>::scan(std::uint32_t body) {
             near_.resize(2 * count + 16);
             which_near_.resize(std::max(which_near_.size(), near_.size()));
         }
-        const EventPath<Real>& path = balls[other].path;
+        const EventLine<Real>& path = balls[other].line;
         Vector<Real> offset = position - (is_coasting && path.motion == Motion::free
                                               ? path.position + path.velocity * (now - path.time)
                                               : position_of(other));

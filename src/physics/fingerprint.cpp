@@ -74,15 +74,17 @@ std::uint64_t fingerprint(const World& world) {
         hash.add(held.start_target);
         hash.add(held.end_target);
     }
-    for (const BallPath& path : world.paths) {
+    for (std::size_t i = 0; i < world.paths.size(); ++i) {
+        const BallPath& path = world.paths[i];
+        const PathBend bend = i < world.path_bends.size() ? world.path_bends[i] : PathBend{};
         hash.add(std::uint64_t{number(path.id)});
         hash.add(path.time);
         hash.add(path.position);
         hash.add(path.velocity);
-        hash.add(path.acceleration);
+        hash.add(bend.acceleration);
         hash.add(std::uint64_t{path.quick});
         hash.add(static_cast<std::uint64_t>(path.motion));
-        if (world.model.cloth) hash.add(path.center);
+        if (world.model.cloth) hash.add(bend.center);
     }
     for (const SpinPath& path : world.spin_paths) {
         hash.add(path.time);

@@ -53,8 +53,7 @@ EventOutcome Handover::tick(World& world, EventEngine<double>& event, ContactSol
         const bool is_all = std::ranges::find(is_heap_, 0) == is_heap_.end();
         if (is_all || attempt > most_attempts) {
             contact.tick(world, substeps_for(world), contacts, touched);
-            world.paths.clear();
-            world.spin_paths.clear();
+            forget_paths(world);
             find_who_stays(world, world.heaped);
             return EventOutcome::done;
         }
@@ -81,6 +80,7 @@ EventOutcome Handover::tick(World& world, EventEngine<double>& event, ContactSol
         }
         merge_contacts(contacts);
         world.paths.swap(free_.world.paths);
+        world.path_bends.swap(free_.world.path_bends);
         world.spin_paths.swap(free_.world.spin_paths);
         world.paths_sum = free_.world.paths_sum;
         world.paths_gravity = free_.world.paths_gravity;
@@ -198,13 +198,13 @@ void Handover::take_part(const World& world, bool of_heap, Part& part) const {
     some.heaped.clear();
     some.pressed.clear();
     some.homes.clear();
-    some.paths.clear();
-    some.spin_paths.clear();
+    forget_paths(some);
     if (of_heap) {
         some.pressed = world.pressed;
         return;
     }
     some.paths = world.paths;
+    some.path_bends = world.path_bends;
     some.spin_paths = world.spin_paths;
     some.paths_sum = world.paths_sum;
     some.paths_gravity = world.paths_gravity;

@@ -15,4 +15,32 @@ bool have_same_bits(const std::vector<Value>& a, const std::vector<Value>& b) {
            (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
 }
 
+/// What an array held, to tell whether it still does: of one whose values are all the same, only
+/// that value. Pre: as for `have_same_bits`.
+template <typename Value>
+class KeptBits {
+  public:
+    void keep(const std::vector<Value>& values) {
+        count_ = values.size();
+        are_same_ = are_all_the_same(values);
+        values_.assign(values.begin(), are_same_ ? values.begin() + 1 : values.end());
+    }
+    bool are(const std::vector<Value>& values) const {
+        if (values.size() != count_) return false;
+        if (!are_same_) return have_same_bits(values, values_);
+        return are_all_the_same(values) &&
+               std::memcmp(values.data(), values_.data(), sizeof(Value)) == 0;
+    }
+
+  private:
+    static bool are_all_the_same(const std::vector<Value>& values) {
+        return !values.empty() && std::memcmp(values.data(), values.data() + 1,
+                                              (values.size() - 1) * sizeof(Value)) == 0;
+    }
+
+    std::vector<Value> values_;
+    std::size_t count_ = 0;
+    bool are_same_ = false;
+};
+
 }  // namespace carom

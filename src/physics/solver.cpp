@@ -157,10 +157,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
         state.undo.take_back(world);
         return TickOutcome::given_up;
     }
-    if (state.settings.kind != SolverKind::event) {
-        world.paths.clear();
-        world.spin_paths.clear();
-    }
+    if (state.settings.kind != SolverKind::event) forget_paths(world);
     const bool has_heaps = state.settings.kind == SolverKind::event && !state.extended;
     if (!has_heaps) world.heaped.clear();
     const bool may_press = state.settings.kind == SolverKind::contact && !state.flies;

@@ -98,7 +98,12 @@ void set_layer(World& world, BallId id, std::uint8_t layer) {
     if (there == kind || there >= world.kinds.size()) return;
     kind = static_cast<ClassIndex>(there);
     // What a path was to meet, it no longer does.
+    forget_paths(world);
+}
+
+void forget_paths(World& world) {
     world.paths.clear();
+    world.path_bends.clear();
     world.spin_paths.clear();
 }
 

@@ -149,27 +149,38 @@ struct PathSupport {
     friend bool operator==(const PathSupport&, const PathSupport&) = default;
 };
 
-/// The path that a ball has been on since its last event: at `position` with `velocity` at `time`,
-/// and `acceleration` since (before drag). The solver `event` goes from one event to the next,
-/// however many ticks lie between: so that the next tick starts from the very path and not from
-/// its rounded end, the path belongs to the state.
+/// The path that a ball has been on since its last event: at `position` with `velocity` at `time`.
+/// The solver `event` goes from one event to the next, however many ticks lie between: so that the
+/// next tick starts from the very path and not from its rounded end, the path belongs to the state.
 struct BallPath {
     BallId id{};
     std::uint32_t quick = 0;  ///< collisions in a row without way between them
-    Motion motion = Motion::free;
-    /// Sum of the edges that carry it, as they were when it began (event_path.h): what carries it
-    /// is no longer there once that is another.
-    std::uint32_t carriers = 0;
-    double time = 0.0;  ///< s since the start
+    double time = 0.0;        ///< s since the start
     Vec2 position;
     Vec2 velocity;
-    Vec2 acceleration;
-    Vec2 center;  ///< turning: of the circle; on cloth: the roll (cloth.h) at `time`
-    PathSupport support;
-    PathSupport second_support;
+    Motion motion = Motion::free;
 
     friend bool operator==(const BallPath&, const BallPath&) = default;
 };
+
+/// What makes the path of a ball other than a straight line; drag does so to all of them.
+struct PathBend {
+    Vec2 acceleration;  ///< since the path's `time`, before drag
+    Vec2 center;        ///< turning: of the circle; on cloth: the roll (cloth.h) at `time`
+    PathSupport support;
+    PathSupport second_support;
+    /// Sum of the edges that carry it, as they were when it began (event_path.h): what carries it
+    /// is no longer there once that is another.
+    std::uint32_t carriers = 0;
+
+    friend bool operator==(const PathBend&, const PathBend&) = default;
+};
+
+/// Whether anything can bend the paths of balls, drag apart: without gravity and cloth nothing
+/// accelerates, carries or presses a ball between two events.
+inline bool has_bends(const Model& model) {
+    return model.gravity || model.cloth;
+}
 
 /// A ball that presses on another or on an edge: what the solver `contact` starts the next tick
 /// from.
@@ -245,6 +256,7 @@ struct World {
     /// only while it leads through the ball's position and velocity, bit by bit, so what moves a
     /// ball from outside need not know of it.
     LargeVector<BallPath> paths;
+    std::vector<PathBend> path_bends;  ///< beside `paths`; empty unless has_bends (Model)
     std::vector<SpinPath> spin_paths;  ///< beside `paths`; empty unless Model::spin
     Vec2 paths_gravity;       ///< what acted on `paths`: another field, and they count no more
     double paths_drag = 0.0;  ///< 1/s
@@ -308,6 +320,9 @@ std::size_t kinds_of_a_layer(const World& world);
 /// The ball is on this layer from now on: it meets what stands there. Nothing happens when there is
 /// no such ball, or no such layer.
 void set_layer(World& world, BallId id, std::uint8_t layer);
+
+/// The solver `event` starts from where the balls are. As if the last tick had been another's.
+void forget_paths(World& world);
 
 /// By the player; `removed` gets an entry. Nothing happens when there is no such ball.
 void remove_ball(World& world, BallId id);
