@@ -166,7 +166,8 @@ void EventEngine<Real>::take_what_changed(const World& world) {
         if (is_position_left(i) && is_velocity_left(i) && is_turn_left(i)) continue;
         changed.push_back(i);
         if (world.model.spin) spins_[i] = {now_, Real(world.balls.spin[i]), Real{}, false};
-        const bool was_resting = balls_[i].line.motion == Motion::resting;
+        // While it is where they lie on it.
+        if (balls_[i].line.motion == Motion::resting) release_what_rests_on(i, changed);
         if (!is_position_left(i)) {
             cells_.leave(balls_, i);
             start_path(i, now_, Vector<Real>(world.balls.position[i]),
@@ -177,10 +178,12 @@ void EventEngine<Real>::take_what_changed(const World& world) {
                        Vector<Real>(world.balls.velocity[i]));
         }
         if (world.model.cloth) balls_.bend(i).center = Vector<Real>(world.balls.roll[i]);
-        if (was_resting) release_what_rests_on(i, changed);
     }
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    // As in begin_anew, also for those that lay on others.
+    for (const std::uint32_t i : changed)
+        balls_[i].line.quick = 0;
     for (const std::uint32_t i : changed)
         settle(i);
     for (const std::uint32_t i : changed) {

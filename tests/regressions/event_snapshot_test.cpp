@@ -9,7 +9,8 @@
 
 // The solver `event` went on with other bits than one that began from a copy of the world: where a
 // ball lay deeper in what carried it than a fall would press it, where one went round a torus more
-// than fifty times, and where balls had been put into one another beside an edge.
+// than fifty times, where one was moved on which another lay, and where balls had been put into one
+// another beside an edge.
 
 using namespace carom;
 
@@ -101,6 +102,29 @@ TEST_CASE("event: a snapshot goes on with the same bits where a ball goes round 
                 add_ball(world, {.position = {1.0, 1.0}, .velocity = {speed, 33.0}, .radius = 0.3});
             CHECK(first_difference(world, 300) == -1);
         }
+}
+
+TEST_CASE("event: a snapshot goes on with the same bits where what carries a ball is moved") {
+    for (const Vec2 push : {Vec2{0.0, 0.0}, Vec2{0.5, 0.0}, Vec2{30.0, 0.0}}) {
+        CAPTURE(push.x);
+        World world = lossy();
+        add_capsule(world, {{-50.0, 0.0}, {50.0, 0.0}, 0.0}, 0);
+        for (const double height : {1.0, 2.2})
+            add_ball(world, {.position = {0.0, height}, .radius = 0.5, .restitution = 0.5});
+        Solver solver({.kind = SolverKind::event});
+        for (int tick = 0; tick < 120; ++tick)
+            solver.tick(world);
+        REQUIRE(world.paths[1].motion == Motion::resting);
+        REQUIRE(world.path_bends[1].support.by == PathSupport::By::ball);
+        REQUIRE(world.paths[1].quick > 0);
+        world.balls.position[0] += push;
+        world.balls.velocity[0].y = 0.1;
+        World copy = world;
+        Solver({.kind = SolverKind::event}).tick(copy);
+        solver.tick(world);
+        CHECK(copy.paths == world.paths);
+        CHECK(world.paths[1].motion != Motion::resting);
+    }
 }
 
 TEST_CASE("event: a snapshot goes on with the same bits where balls are put into one another") {
