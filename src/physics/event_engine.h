@@ -292,6 +292,7 @@ class EventEngine {
     double restitution_of(const Touch& touch, bool is_alone);
     void pass_impulses(const std::vector<std::uint32_t>& which, bool is_alone,
                        std::vector<Contact>& contacts);
+    bool hold_back(std::uint32_t body);
     void stop_hands();
     void part_pressed();
 

@@ -219,16 +219,12 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
         for (std::uint32_t i = 0; i < count; ++i)
             if (bodies_[i].is_changed) scan(i);
     }
-    // A held ball goes no further against what cannot give way.
     bool squeezed = false;
+    for (std::uint32_t i = 0; i < bodies_.size(); ++i)
+        if (balls_[bodies_[i].ball].line.motion == Motion::held && !hold_back(i)) squeezed = true;
     for (const Touch& touch : touches_) {
         const std::uint32_t held = bodies_[touch.contact.a].ball;
         if (touch.kind == Kind::ball_ball) continue;
-        if (balls_[held].line.motion == Motion::held) {
-            auto& velocity = impact_bodies_[touch.contact.a].velocity;
-            const Real into = touch.contact.surface - dot(velocity, touch.contact.normal);
-            if (into > Real{}) velocity += touch.contact.normal * into;
-        }
         if (touch.kind == Kind::hand && (is_shut_in || balls_[held].line.quick > most_quick))
             squeezed = true;
     }
@@ -286,6 +282,40 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     if (is_predicted) return;
     predict(ball);
     reorder(ball);
+}
+
+// A held ball goes no further against what cannot give way, but along it; and where that leads
+// against something else that it touches, along that, or not at all. False: something comes at it
+// even then.
+template <typename Real>
+bool EventEngine<Real>::hold_back(std::uint32_t body) {
+    const auto for_each_bar = [&](auto&& visit) {
+        for (const Touch& touch : touches_)
+            if (touch.kind != Kind::ball_ball && touch.contact.a == body) visit(touch.contact);
+    };
+    const auto is_free = [&](const Vector<Real>& velocity) {
+        bool is = true;
+        for_each_bar([&](const ImpactContact<Real>& bar) {
+            const Real speeds = length(velocity) + absolute(bar.surface);
+            is = is &&
+                 !(bar.surface - dot(velocity, bar.normal) > Real(approach_noise<Real>) * speeds);
+        });
+        return is;
+    };
+    Vector<Real>& velocity = impact_bodies_[body].velocity;
+    const Vector<Real> wanted = velocity;
+    const auto along = [](const Vector<Real>& way, const ImpactContact<Real>& bar) {
+        const Real into = bar.surface - dot(way, bar.normal);
+        return into > Real{} ? way + bar.normal * into : way;
+    };
+    for_each_bar([&](const ImpactContact<Real>& bar) { velocity = along(velocity, bar); });
+    if (is_free(velocity)) return true;
+    for_each_bar([&](const ImpactContact<Real>& bar) {
+        if (!is_free(velocity)) velocity = along(wanted, bar);
+    });
+    if (is_free(velocity)) return true;
+    velocity = {};
+    return is_free(velocity);
 }
 
 // Balls that move and are pressed together sink in by a hair before they meet again: they are taken

@@ -1,11 +1,13 @@
+#include <cmath>
+
 #include <doctest/doctest.h>
 
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 
 // Ticks of the solver `event` that did not end: balls went to and fro between two cells on whose
-// border they were, and balls that slid along an edge less deep in it than rounding met its end
-// without end.
+// border they were, balls that slid along an edge less deep in it than rounding met its end without
+// end, and balls that hands pulled into wedges went from one edge to the other.
 
 using namespace carom;
 
@@ -70,5 +72,21 @@ TEST_CASE("event: a ball that slides by the end of an edge, as deep in it as rou
         REQUIRE(ends(world, 10));
         CHECK(world.balls.position[0].x > 10.0);
         CHECK(world.balls.position[0].y == doctest::Approx(0.7).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("event: a ball that a hand pulls into a wedge stays in it") {
+    for (const double target : {-0.4, -0.1, 0.0, 0.1, 0.4}) {
+        CAPTURE(target);
+        World world = scenes::empty();
+        add_capsule(world, {{0.0, 0.0}, {100.0, 5.0}, 0.0}, 0);
+        add_capsule(world, {{0.0, 0.0}, {100.0, -5.0}, 0.0}, 0);
+        const BallId ball = add_ball(world, {.position = {20.0, 0.0}, .radius = 0.5});
+        world.held_balls = {{ball, {2.0, target}}};
+        REQUIRE(ends(world, 60));
+        // Where both edges are as far away as they may be.
+        const double deepest = 0.5 * std::sqrt(100.0 * 100.0 + 5.0 * 5.0) / 5.0;
+        CHECK(world.balls.position[0].x == doctest::Approx(deepest).epsilon(1e-6));
+        CHECK(std::abs(world.balls.position[0].y) < 1e-6);
     }
 }
