@@ -172,7 +172,7 @@ void EventEngine<Real>::take_what_changed(const World& world) {
             cells_.leave(balls_, i);
             start_path(i, now_, Vector<Real>(world.balls.position[i]),
                        Vector<Real>(world.balls.velocity[i]));
-            cells_.enter(balls_, i, world.balls.position[i]);
+            cells_.enter(balls_, i, Vec2(balls_[i].line.position));
         } else {
             start_path(i, now_, state_at(balls_.path(i), field_, now_).position,
                        Vector<Real>(world.balls.velocity[i]));

@@ -24,7 +24,9 @@ int first_difference(World& world, int ticks) {
         Solver stranger({.kind = SolverKind::event});
         stranger.tick(copy);
         solver.tick(world);
-        if (fingerprint(copy) != fingerprint(world) || copy.paths != world.paths) return tick;
+        if (fingerprint(copy) != fingerprint(world) || copy.paths != world.paths ||
+            copy.path_bends != world.path_bends)
+            return tick;
     }
     return -1;
 }
@@ -123,8 +125,23 @@ TEST_CASE("event: a snapshot goes on with the same bits where what carries a bal
         Solver({.kind = SolverKind::event}).tick(copy);
         solver.tick(world);
         CHECK(copy.paths == world.paths);
+        CHECK(copy.path_bends == world.path_bends);
         CHECK(world.paths[1].motion != Motion::resting);
     }
+}
+
+TEST_CASE("event: a ball that is pushed over the seam of a torus meets who is there") {
+    World world = scenes::empty();
+    world.model.wrap = Box{{0.0, 0.0}, {10.0, 10.0}};
+    add_ball(world, {.position = {9.0, 5.0}, .radius = 0.5});
+    add_ball(world, {.position = {3.0, 5.0}, .radius = 0.5});
+    Solver solver({.kind = SolverKind::event});
+    solver.tick(world);
+    world.balls.position[0].x = 10.5;
+    world.balls.velocity[0].x = 1.0;
+    for (int tick = 0; tick < 240; ++tick)
+        solver.tick(world);
+    CHECK(world.ball_ball_collisions == 1);
 }
 
 TEST_CASE("event: a snapshot goes on with the same bits where balls are put into one another") {
