@@ -315,6 +315,17 @@ void ContactSolver::stand(std::uint32_t body, double now) {
     ++path.version;
 }
 
+// What runs into a body that stands, or into an edge, though it comes no faster, would meet it
+// again at once and for ever: it waits there. `normal` points from there to the body.
+void ContactSolver::wait_behind(std::uint32_t other, std::uint32_t body, Vec2 normal, double now) {
+    if (path_of(other).stands) wait_at(body, normal, now);
+}
+
+void ContactSolver::wait_at(std::uint32_t body, Vec2 normal, double now) {
+    if (path_of(body).stands || is_held_body(body)) return;
+    if (dot(path_of(body).chord, normal) < 0.0) stand(body, now);
+}
+
 double ContactSolver::restitution_of(const World& world, const Pair& pair, double approach) const {
     if (!world.model.lossy) return 1.0;
     if (pair.edge != NearPair::no_edge)
@@ -452,7 +463,8 @@ std::optional<Contact> ContactSolver::collide_balls(World& world, Pair& pair, do
     const double rounding = noise * (length(velocity_a) + length(velocity_b));
     const bool bounces =
         approach > std::max(rounding, resting_speed_) && !pair.settled && !is_bedded(pair);
-    pair.settled = pair.settled || !bounces;
+    const bool again = pair.settled;
+    pair.settled = again || !bounces;
     const double restitution = bounces ? restitution_of(world, pair, approach) : 0.0;
     Exchange done{0.0, approach};
     if (is_held_body(a))
@@ -471,7 +483,13 @@ std::optional<Contact> ContactSolver::collide_balls(World& world, Pair& pair, do
     take_path(world, b, now, velocity_b, rim_b);
     if (is_held_body(a)) count_push(b, now);
     if (is_held_body(b)) count_push(a, now);
-    if (!(approach > rounding)) return std::nullopt;
+    if (!(approach > rounding)) {
+        if (again) {
+            wait_behind(a, b, -normal, now);
+            wait_behind(b, a, normal, now);
+        }
+        return std::nullopt;
+    }
     return Contact{.time = now,
                    .kind = ContactKind::ball_ball,
                    .a = ball_[a],
@@ -504,7 +522,8 @@ std::optional<Contact> ContactSolver::collide_edge(World& world, Pair& pair, dou
     }
     const double least = std::max(rounding, along_normal > 0.0 ? 0.0 : resting_speed_);
     const bool bounces = approach > least && !pair.settled && !is_bedded(pair);
-    pair.settled = pair.settled || !bounces;
+    const bool again = pair.settled;
+    pair.settled = again || !bounces;
     Vec2 along = normal;
     Exchange done{0.0, approach};
     if (approach > 0.0) {
@@ -524,7 +543,10 @@ std::optional<Contact> ContactSolver::collide_edge(World& world, Pair& pair, dou
     }
     take_path(world, a, now, velocity, rim);
     if (along_normal > 0.0 && !is_driven) count_push(a, now);
-    if (!(approach > rounding)) return std::nullopt;
+    if (!(approach > rounding)) {
+        if (again && !hand) wait_at(a, normal, now);
+        return std::nullopt;
+    }
     return Contact{.time = now,
                    .kind = ContactKind::ball_edge,
                    .a = ball_[a],

@@ -47,14 +47,16 @@ namespace carom {
 /// of its radius, and what it jams has no more speed than it goes. A ball with `most_impacts`
 /// impacts in a substep, or with a speed that would take it out of the region in which it was
 /// compared with others, stands for the rest of the substep: it keeps its velocity and loses time.
+/// So does what runs into it and is no faster.
 ///
 /// Where nothing in a scene can press, all is flight, and `swept` goes in its place
 /// (contact_flights.h).
 ///
 /// Fails by nature: pressed bodies overlap slightly, the more the heavier what lies on them; a pile
 /// of bounces goes pair by pair. A tower in which each ball is ten times as heavy as the one below
-/// goes in as deep as the cores. What slips out between hands that are far behind where they are
-/// wanted may go as fast as they would to be there at the end of the tick.
+/// goes in as deep as the cores; a heap with friction whose masses are 1e8 apart may gain a part of
+/// its energy for a time. What slips out between hands that are far behind where they are wanted
+/// may go as fast as they would to be there at the end of the tick.
 ///
 /// There is no sleep: in a heap at rest the last bits of the speeds go on changing, so who slept
 /// would wake with others than a run without sleep. But the pairs of balls that stay about where
@@ -304,6 +306,8 @@ class ContactSolver {
     void count_push(std::uint32_t body, double now);
     void end_path_at_border(std::uint32_t body, double now);
     void stand(std::uint32_t body, double now);
+    void wait_at(std::uint32_t body, Vec2 normal, double now);
+    void wait_behind(std::uint32_t other, std::uint32_t body, Vec2 normal, double now);
     Vec2 position_at(const World& world, std::uint32_t body, double now) const;
     Vec2 velocity_at(const World& world, std::uint32_t body, double now) const;
     double rim_at(std::uint32_t body, double now) const;
