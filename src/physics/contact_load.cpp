@@ -10,13 +10,35 @@
 namespace carom {
 namespace {
 
+// What the sizes of regions depend on.
+struct Times {
+    double tick = 0.0;     // s
+    double substep = 0.0;  // s
+    double fall = 0.0;     // length/s^2
+    double radii = 0.0;    // that a region may be larger than the ball, for a way of a whole tick
+};
+
 // How far each ball may go in a tick before the pairs must be found again: what it needs at its
 // speed, but at least `hit`, for what pushes it; of a very fast one, what it needs in a substep.
-double margin_for(double speed, double radius, double duration, double tick, double fall,
-                  double hit) {
-    const double whole = speed * tick + fall * tick * tick;
-    const double most = std::max(4.0 * radius, speed * duration + fall * duration * duration);
+double margin_for(double speed, double radius, const Times& times, double hit) {
+    const double whole = speed * times.tick + times.fall * times.tick * times.tick;
+    const double most = std::max(
+        times.radii * radius, speed * times.substep + times.fall * times.substep * times.substep);
     return std::max(1.25 * std::min(whole, most), hit) + 0.03 * radius;
+}
+
+// A few fast balls get large regions, so that not all pairs are found anew for their sake. Where
+// balls typically (by the mean of the squares) go further than their radius in a tick, such regions
+// would hold a crowd each, and all that meets looks at all of it: there they last for a substep.
+double most_radii(const World& world) {
+    double ways = 0.0;
+    for (const Vec2 velocity : world.balls.velocity)
+        ways += length_squared(velocity);
+    double radii = 0.0;
+    for (const double radius : world.balls.radius)
+        radii += radius * radius;
+    const double tick = world.tick_length();
+    return ways * tick * tick > radii ? 0.5 : 4.0;
 }
 
 // The balls lie anywhere in the world's arrays: asked for so many bodies ahead, they are there.
@@ -35,8 +57,10 @@ bool is_order_free(const World& world) {
 // Regions for all balls, around where they are now.
 void ContactSolver::find_homes(World& world) const {
     const Balls& balls = world.balls;
-    const double tick = world.tick_length();
-    const double fall = length(gravity_);
+    const Times times{.tick = world.tick_length(),
+                      .substep = duration_,
+                      .fall = length(gravity_),
+                      .radii = most_radii(world)};
     double fastest = 0.0;
     double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -47,7 +71,7 @@ void ContactSolver::find_homes(World& world) const {
     // Where it does not show when the pairs are found, more for what is hit: so that they last for
     // the tick, mostly.
     const double roomy =
-        is_order_free(world) ? std::min(1.15 * fastest * tick, 0.4 * smallest) : 0.0;
+        is_order_free(world) ? std::min(1.15 * fastest * times.tick, 0.4 * smallest) : 0.0;
     Homes& homes = world.homes;
     homes.ball = balls.id;
     homes.place = balls.position;
@@ -55,7 +79,7 @@ void ContactSolver::find_homes(World& world) const {
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const double radius = balls.radius[i];
         const double hit = std::max(std::min(1.1 * fastest * duration_, 0.25 * radius), roomy);
-        homes.margin[i] = margin_for(length(balls.velocity[i]), radius, duration_, tick, fall, hit);
+        homes.margin[i] = margin_for(length(balls.velocity[i]), radius, times, hit);
     }
     for (const HeldBall& held : world.held_balls) {
         const auto index = index_of(world, held.id);

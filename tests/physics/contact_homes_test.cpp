@@ -144,3 +144,25 @@ TEST_CASE("contact: a heap that somebody changes goes on as in a solver that nev
         }
     }
 }
+
+TEST_CASE(
+    "contact: a crowd of fast balls has regions for a substep, a fast one among slow a tick") {
+    for (const bool is_crowd : {true, false}) {
+        CAPTURE(is_crowd);
+        World world = scenes::empty();
+        world.rate = 60.0;
+        world.model.gravity = Vec2{0.0, -10.0};
+        for (int i = 0; i < 100; ++i)
+            add_ball(world, {.position = {10.0 * (i % 10), 10.0 * (i / 10)},
+                             .velocity = {is_crowd || i == 0 ? 90.0 : 0.0, 0.0},
+                             .radius = 0.5});
+        Solver solver({.kind = SolverKind::contact});
+        solver.tick(world);
+        // It goes 1.5 in a tick of four substeps.
+        REQUIRE(world.homes.margin.size() == 100);
+        if (is_crowd)
+            CHECK(world.homes.margin[0] < 0.6);
+        else
+            CHECK(world.homes.margin[0] > 1.5);
+    }
+}
