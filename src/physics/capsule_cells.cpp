@@ -1,7 +1,7 @@
 #include "physics/capsule_cells.h"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cstring>
 #include <iterator>
 #include <numeric>
@@ -161,9 +161,7 @@ void CapsuleCells::put_in_again(const World& world) {
         });
     }
     std::swap(out_, held_);
-    std::ranges::sort(newcomers_, {}, [](const Newcomer& n) {
-        return std::tuple(n.cell, n.entry.index, n.entry.along, n.entry.across);
-    });
+    sort_newcomers();
     new_start_.assign(1, 0);
     new_entries_.clear();
     new_occupied_.clear();
@@ -197,14 +195,43 @@ void CapsuleCells::put_in_again(const World& world) {
     mark_occupied();
 }
 
+// By cell, those of a cell by capsule and image, which is how they came: where they are many digit
+// by digit, the lowest first.
+void CapsuleCells::sort_newcomers() {
+    constexpr int bits = 11;
+    constexpr std::uint32_t digits = 1u << bits;
+    if (newcomers_.size() < digits / 4) {
+        std::ranges::sort(newcomers_, {}, [](const Newcomer& n) {
+            return std::tuple(n.cell, n.entry.index, n.entry.along, n.entry.across);
+        });
+        return;
+    }
+    for (int shift = 0; shift < 32 && frame_.count() >> shift != 0; shift += bits) {
+        const auto digit_of = [shift](const Newcomer& n) { return n.cell >> shift & (digits - 1); };
+        std::array<std::uint32_t, digits + 1> next{};
+        for (const Newcomer& newcomer : newcomers_)
+            ++next[digit_of(newcomer) + 1];
+        for (std::uint32_t i = 1; i < digits; ++i)
+            next[i] += next[i - 1];
+        sorted_.resize(newcomers_.size());
+        for (const Newcomer& newcomer : newcomers_)
+            sorted_[next[digit_of(newcomer)]++] = newcomer;
+        std::swap(newcomers_, sorted_);
+    }
+}
+
 void CapsuleCells::mark_occupied() {
     words_.assign(frame_.count() / 64 + 1, {});
-    for (const std::uint32_t cell : occupied_)
-        words_[cell / 64].is_occupied |= std::uint64_t{1} << (cell % 64);
+    before_.assign(frame_.count(), 0);
     std::uint32_t before = 0;
-    for (Word& word : words_) {
+    auto next = occupied_.begin();
+    for (std::uint32_t i = 0; i < words_.size(); ++i) {
+        Word& word = words_[i];
         word.before = before;
-        before += static_cast<std::uint32_t>(std::popcount(word.is_occupied));
+        for (; next != occupied_.end() && *next / 64 == i; ++next) {
+            before_[*next] = static_cast<std::uint8_t>(before++ - word.before);
+            word.is_occupied |= std::uint64_t{1} << (*next % 64);
+        }
     }
 }
 

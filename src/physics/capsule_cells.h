@@ -1,6 +1,5 @@
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -33,11 +32,8 @@ class CapsuleCells {
 
     /// Capsules of one cell, ascending.
     std::span<const CapsuleEntry> in_cell(std::uint32_t cell) const {
-        const Word& word = words_[cell / 64];
-        const std::uint64_t bit = std::uint64_t{1} << (cell % 64);
-        if ((word.is_occupied & bit) == 0) return {};
-        const std::size_t at =
-            word.before + static_cast<std::size_t>(std::popcount(word.is_occupied & (bit - 1)));
+        if (is_empty(cell)) return {};
+        const std::size_t at = words_[cell / 64].before + before_[cell];
         return std::span(entries_).subspan(start_[at], start_[at + 1] - start_[at]);
     }
 
@@ -68,6 +64,7 @@ class CapsuleCells {
     void note_held(const World& world);
     void note_changes(const World& world);
     void put_in_again(const World& world);
+    void sort_newcomers();
     void mark_occupied();
 
     CellFrame frame_;
@@ -80,9 +77,11 @@ class CapsuleCells {
     std::vector<std::uint32_t> start_;
     std::vector<CapsuleEntry> entries_;
     std::vector<Word> words_;
+    std::vector<std::uint8_t> before_;  // by cell: occupied ones before it among the 64
     // While capsules are put in again.
     std::vector<std::uint32_t> changed_;
     std::vector<Newcomer> newcomers_;
+    std::vector<Newcomer> sorted_;
     std::vector<std::uint32_t> new_occupied_;
     std::vector<std::uint32_t> new_start_;
     std::vector<CapsuleEntry> new_entries_;

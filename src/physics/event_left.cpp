@@ -46,6 +46,7 @@ bool EventEngine<Real>::are_left(const World& world) const {
         differ |= (bits(a.x) ^ bits(b.x)) | (bits(a.y) ^ bits(b.y));
     };
     for (std::size_t i = 0; i < balls_.size(); ++i) {
+        balls_.fetch_neighbour(std::min(i + 40, balls_.size() - 1));
         const EventLine<Real>& line = balls_[i].line;
         compare(place_on(line, now_), world.balls.position[i]);
         compare(Vec2(line.velocity), world.balls.velocity[i]);
@@ -70,8 +71,10 @@ template <typename Real>
 void EventEngine<Real>::write_lines(Balls& balls) {
     const std::size_t count = balls_.size();
     const bool are_velocities_there = is_all_left_ && begun_.size() < count;
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
+        balls_.fetch_neighbour(std::min(i + 40, count - 1));
         balls.position[i] = place_on(balls_[i].line, end_);
+    }
     const auto write_velocity = [&](std::uint32_t i) {
         balls.velocity[i] = Vec2(balls_[i].line.velocity);
     };

@@ -191,8 +191,9 @@ void EventEngine<Real>::choose_next(std::uint32_t ball) {
 template <typename Real>
 void EventEngine<Real>::predict_far_round(std::uint32_t ball, Event& best) const {
     constexpr double most_tori = 50.0;
+    const EventLine<Real>& line = balls_[ball].line;
+    if (line.motion != Motion::free && !is_on_cloth(line)) return;
     const EventPath<Real> path = balls_.path(ball);
-    if (path.motion != Motion::free && !is_on_cloth(path)) return;
     const Real far(most_tori * std::min(torus_.x, torus_.y));
     // Roughly first: nearly all do something else before.
     const auto sum_of_parts = [](const Vector<Real>& v) { return absolute(v.x) + absolute(v.y); };
@@ -370,8 +371,9 @@ void EventEngine<Real>::predict_crossing(std::uint32_t ball, Event& best) const 
 // The end of the side along which the ball slides, of a piece of its turn, of a phase on cloth.
 template <typename Real>
 void EventEngine<Real>::predict_own(std::uint32_t ball, Event& best) const {
+    const Motion motion = balls_[ball].line.motion;
+    if (motion == Motion::free || motion == Motion::held) return;
     const EventPath<Real> path = balls_.path(ball);
-    if (path.motion == Motion::free || path.motion == Motion::held) return;
     if (is_on_cloth(path)) {
         if (const auto time = end_of_phase(ball))
             consider(ball, {*time < now_ ? now_ : *time, Kind::own, 0, 0, 0, 0}, best);
@@ -472,12 +474,13 @@ void EventEngine<Real>::predict_balls(std::uint32_t ball, Event& best) const {
 template <typename Real>
 void EventEngine<Real>::predict_pair(std::uint32_t ball, std::uint32_t other, int across, int along,
                                      Event& best) const {
+    if (world_->model.filtered && !balls_meet(ball, other)) return;
+    const Motion motion = balls_[ball].line.motion;
+    const bool may_stay =
+        motion == Motion::held || motion == Motion::resting || motion == Motion::still;
+    if (may_stay && balls_[other].line.motion == motion) return;
     const EventPath<Real> ours = balls_.path(ball);
     const EventPath<Real> theirs = balls_.path(other);
-    if (world_->model.filtered && !balls_meet(ball, other)) return;
-    if (ours.motion == Motion::held && theirs.motion == Motion::held) return;
-    if (ours.motion == Motion::resting && theirs.motion == Motion::resting) return;
-    if (ours.motion == Motion::still && theirs.motion == Motion::still) return;
     const auto rests_on = [this](const EventPath<Real>& path, std::uint32_t support) {
         const auto id = number(world_->balls.id[support]);
         return (path.support.by == PathSupport::By::ball && path.support.number == id) ||

@@ -126,7 +126,7 @@ std::optional<std::pair<std::size_t, std::size_t>> EventEngine<Real>::bearing_tw
 // Decides on what a ball that has just begun a path lies, if on anything.
 template <typename Real>
 void EventEngine<Real>::settle(std::uint32_t ball) {
-    const EventPath<Real> path = balls_.path(ball);
+    const EventLine<Real> path = balls_[ball].line;
     if (path.motion != Motion::free) return;
     if (world_->model.cloth) return begin_phase(ball);
     if (!world_->model.gravity) return;
@@ -297,7 +297,7 @@ std::uint32_t EventEngine<Real>::tiredness(std::uint32_t ball,
 
 template <typename Real>
 void EventEngine<Real>::lie_down_if_tired(std::uint32_t ball) {
-    const EventPath<Real> path = balls_.path(ball);
+    const EventLine<Real>& path = balls_[ball].line;
     if (path.quick <= most_tiring || !world_->model.gravity || !world_->model.lossy) return;
     if (path.motion == Motion::resting || path.motion == Motion::held) return;
     // Fast balls that rattle in a narrow place go on.

@@ -9,10 +9,10 @@ template <typename Real>
 std::uint32_t EventEngine<Real>::body_of(std::uint32_t ball) {
     if (balls_.mass(ball).body != EventBall<Real>::none) return balls_.mass(ball).body;
     const auto body = static_cast<std::uint32_t>(bodies_.size());
-    const EventPath<Real> path = balls_.path(ball);
-    const BallState<Real> state = state_at(path, field_, now_);
-    bodies_.push_back(
-        {.ball = ball, .position = state.position, .was_resting = path.motion == Motion::resting});
+    const BallState<Real> state = state_at(balls_.path(ball), field_, now_);
+    bodies_.push_back({.ball = ball,
+                       .position = state.position,
+                       .was_resting = balls_[ball].line.motion == Motion::resting});
     impact_bodies_.push_back({state.velocity, balls_.mass(ball).inverse});
     if (world_->model.spin) body_spins_.push_back(spin_at(ball, now_));
     if (world_->model.cloth) body_rolls_.push_back(roll_at(ball, now_));
