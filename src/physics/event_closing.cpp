@@ -16,8 +16,8 @@ template <typename Real>
 ClosingTolerance<Real> tolerance(const Vector<Real>& position, const Real& reach,
                                  const Real& speeds, const Real& pull, const Real& small,
                                  const Real& pressing, double rise = resting_rise) {
-    const Real noise =
-        Real(impact_noise<Real>) * speeds + Real(pressing_noise) * square_root(pressing * small);
+    const Real noise = Real(impact_noise<Real>) * speeds +
+                       Real(pressing_noise) * square_root(pressing * small) + Real(least_approach);
     const Real slow = pull > Real{} ? square_root(Real(2.0 * rise) * pull * small) : Real{};
     return {rounding_at(position, reach), greater(noise, slow)};
 }

@@ -29,6 +29,9 @@ inline constexpr double unpressed_rise = 1e-11;
 template <typename Real>
 inline constexpr double impact_noise = 1024.0 * precision<Real>;
 
+/// Length/s: slower ones are none, since shares of them are lost where numbers end.
+inline constexpr double least_approach = 1e-280;
+
 /// What of an approach is left to be rounding, at an impact: a share of the speeds.
 template <typename Real>
 inline constexpr double approach_noise = 0.125 * impact_noise<Real>;
@@ -136,7 +139,8 @@ inline std::optional<Real> meeting_time(const LineMeeting<Real>& meeting, const 
         const Real noise = Real(impact_noise<Real>) *
                                (length(a.velocity) + length(b.velocity) +
                                 length(acceleration) * ((begin - a.time) + (begin - b.time))) +
-                           Real(pressing_noise) * square_root(field.pressing * small);
+                           Real(pressing_noise) * square_root(field.pressing * small) +
+                           Real(least_approach);
         if (!(rate > noise)) return std::nullopt;
         // In a heap what closes slowly may sink in by a hair before it counts.
         const Real hair = Real(lively_rise) * small;

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "physics/event_closing.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 
@@ -88,5 +89,22 @@ TEST_CASE("event: a ball that a hand pulls into a wedge stays in it") {
         const double deepest = 0.5 * std::sqrt(100.0 * 100.0 + 5.0 * 5.0) / 5.0;
         CHECK(world.balls.position[0].x == doctest::Approx(deepest).epsilon(1e-6));
         CHECK(std::abs(world.balls.position[0].y) < 1e-6);
+    }
+}
+
+// What had been shut in among three was left with the least number there is for a speed, of which
+// no share is taken away by an impact.
+TEST_CASE("event: what approaches as slowly as numbers can say has no impact") {
+    const Edge<double> wall(Capsule{{0.0, -1.0}, {0.0, 1.0}, 0.0}, {});
+    const Edge<double> peg(Capsule{{0.0, 0.0}, {0.0, 0.0}, 0.0}, {});
+    for (const double speed : {5e-324, 1e-320, 1e-310, 1e-300}) {
+        CAPTURE(speed);
+        EventPath<double> path;
+        path.position = {0.5, 0.0};
+        path.velocity = {-speed, 0.0};
+        CHECK(!edge_closing(path, wall, 0.5, Field<double>{}, 1.0));
+        CHECK(!edge_closing(path, peg, 0.5, Field<double>{}, 1.0));
+        EventPath<double> other;
+        CHECK(!ball_closing(path, other, {}, 0.5, 0.25, Field<double>{}, 1.0));
     }
 }
