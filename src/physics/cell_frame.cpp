@@ -39,9 +39,8 @@ class Sample {
     std::size_t count_;
 };
 
-// Widened to multiples of a power of two, at least `part` of it.
-Range snapped(Range range, double part) {
-    const double step = power_of_two_above((range.high - range.low) * part);
+// Widened to multiples of `step`.
+Range snapped(Range range, double step) {
     return {std::floor(range.low / step) * step, std::ceil(range.high / step) * step};
 }
 
@@ -50,7 +49,7 @@ Range snapped(Range range, double part) {
 Range most_of(const Sample& sample) {
     const auto [low, high] = sample.middle_four_fifths();
     const double more = (high - low) / 2;
-    return snapped({low - more, high + more}, 0.125);
+    return snapped({low - more, high + more}, power_of_two_above((high - low) / 4));
 }
 
 // From the first to the last edge along one axis. Pre: there are edges.
@@ -69,7 +68,8 @@ Range expected(const World& world, double Vec2::*axis) {
     const Sample sample(world.balls.position, axis);
     const Range most = most_of(sample);
     if (world.capsules.size() == 0) return most;
-    const Range edges = snapped(edges_along(world.capsules, axis), 1.0 / 64.0);
+    Range edges = edges_along(world.capsules, axis);
+    edges = snapped(edges, power_of_two_above((edges.high - edges.low) / 64));
     const Range all = sample.all();
     if (!(edges.low <= all.low && all.high <= edges.high)) return most;
     return {std::max(most.low, edges.low), std::min(most.high, edges.high)};
