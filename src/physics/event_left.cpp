@@ -66,24 +66,17 @@ bool EventEngine<Real>::is_velocity_left(std::uint32_t ball) const {
     return left_.on_lines ? Vec2(balls_[ball].line.velocity) == now : left_.velocities[ball] == now;
 }
 
-// Velocities that were there when the tick began, only where it has changed them.
+// Velocities that were there when the tick began only where a path has begun: with the paths.
 template <typename Real>
 void EventEngine<Real>::write_lines(Balls& balls) {
     const std::size_t count = balls_.size();
-    const bool are_velocities_there = is_all_left_ && begun_.size() < count;
     for (std::size_t i = 0; i < count; ++i) {
         balls_.fetch_neighbour(std::min(i + 40, count - 1));
         balls.position[i] = place_on(balls_[i].line, end_);
     }
-    const auto write_velocity = [&](std::uint32_t i) {
+    if (std::is_same_v<Real, double> && is_all_left_) return;
+    for (std::size_t i = 0; i < count; ++i)
         balls.velocity[i] = Vec2(balls_[i].line.velocity);
-    };
-    if (are_velocities_there)
-        for (const std::uint32_t i : begun_)
-            write_velocity(i);
-    else
-        for (std::uint32_t i = 0; i < count; ++i)
-            write_velocity(i);
 }
 
 template <typename Real>
@@ -130,6 +123,7 @@ void EventEngine<Real>::store_paths(World& world) {
             BallPath& stored = world.paths[i];
             const BallPath before = stored;
             stored = stored_line(world.balls.id[i], balls_[i].line);
+            if (left_.on_lines) world.balls.velocity[i] = stored.velocity;
             if (!balls_.may_bend()) {
                 world.paths_sum += sum_of(stored) - sum_of(before);
                 return;
@@ -147,6 +141,7 @@ void EventEngine<Real>::store_paths(World& world) {
                 const std::uint32_t soon = begun_[std::min(at + 16, begun_.size() - 1)];
                 fetch_early(&world.paths[soon].id);
                 fetch_early(&world.paths[soon].motion);
+                fetch_early(&world.balls.velocity[soon]);
                 balls_.fetch_neighbour(soon);
                 store(begun_[at]);
             }
