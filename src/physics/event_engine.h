@@ -452,7 +452,7 @@ class EventEngine {
         Model model;
         /// All balls flew in straight lines, and are where those say: there are no copies.
         bool on_lines = false;
-        std::vector<BallId> ids;
+        KeptIds<BallId> ids;
         /// Not so where they are on lines.
         std::vector<Vec2> positions;
         std::vector<Vec2> velocities;

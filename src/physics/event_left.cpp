@@ -29,7 +29,7 @@ bool EventEngine<Real>::is_continued(const World& world) const {
     return are_spins_left(world) && left_.is_valid && !left_.had_hands &&
            world.held_balls.empty() && world.held_capsules.empty() && left_.tick == world.tick &&
            left_.rate == world.rate && left_.model == world.model &&
-           have_same_bits(left_.ids, world.balls.id) && left_.radii.are(world.balls.radius) &&
+           left_.ids.are(world.balls.id) && left_.radii.are(world.balls.radius) &&
            left_.inverse_masses.are(world.balls.inverse_mass) && left_.meets == world.meets &&
            are_same(left_.capsules, world.capsules);
 }
@@ -46,7 +46,10 @@ bool EventEngine<Real>::are_left(const World& world) const {
         differ |= (bits(a.x) ^ bits(b.x)) | (bits(a.y) ^ bits(b.y));
     };
     for (std::size_t i = 0; i < balls_.size(); ++i) {
-        balls_.fetch_neighbour(std::min(i + 40, balls_.size() - 1));
+        const std::size_t soon = std::min(i + 40, balls_.size() - 1);
+        balls_.fetch_neighbour(soon);
+        fetch_early(&world.balls.position[soon]);
+        fetch_early(&world.balls.velocity[soon]);
         const EventLine<Real>& line = balls_[i].line;
         compare(place_on(line, now_), world.balls.position[i]);
         compare(Vec2(line.velocity), world.balls.velocity[i]);
@@ -71,7 +74,9 @@ template <typename Real>
 void EventEngine<Real>::write_lines(Balls& balls) {
     const std::size_t count = balls_.size();
     for (std::size_t i = 0; i < count; ++i) {
-        balls_.fetch_neighbour(std::min(i + 40, count - 1));
+        const std::size_t soon = std::min(i + 40, count - 1);
+        balls_.fetch_neighbour(soon);
+        fetch_early(&balls.position[soon]);
         balls.position[i] = place_on(balls_[i].line, end_);
     }
     if (std::is_same_v<Real, double> && is_all_left_) return;
@@ -181,7 +186,7 @@ void EventEngine<Real>::write(World& world) {
     left_.had_hands = !world.held_balls.empty() || !hands_.empty();
     if (is_begun_anew_) {
         left_.model = world.model;
-        left_.ids = balls.id;
+        left_.ids.keep(balls.id);
         left_.radii.keep(balls.radius);
         left_.inverse_masses.keep(balls.inverse_mass);
         left_.meets = world.meets;

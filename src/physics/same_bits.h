@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <cstring>
 #include <type_traits>
 #include <vector>
+
+#include "physics/ids.h"
 
 namespace carom {
 
@@ -41,6 +44,36 @@ class KeptBits {
     std::vector<Value> values_;
     std::size_t count_ = 0;
     bool are_same_ = false;
+};
+
+/// The same of numbers that ascend: of those without a gap, the first and how many.
+template <typename Id>
+class KeptIds {
+  public:
+    void keep(const std::vector<Id>& ids) {
+        count_ = ids.size();
+        first_ = ids.empty() ? Id{} : ids.front();
+        const bool has_gap = !ids.empty() && !is_without_gap(ids);
+        ids_.assign(ids.begin(), has_gap ? ids.end() : ids.begin());
+    }
+    bool are(const std::vector<Id>& ids) const {
+        if (ids.size() != count_) return false;
+        if (!ids_.empty()) return have_same_bits(ids, ids_);
+        return ids.empty() || (ids.front() == first_ && is_without_gap(ids));
+    }
+    std::size_t size() const { return count_; }
+    Id operator[](std::size_t i) const {
+        return ids_.empty() ? Id{number(first_) + static_cast<std::uint32_t>(i)} : ids_[i];
+    }
+
+  private:
+    static bool is_without_gap(const std::vector<Id>& ids) {
+        return number(ids.back()) - number(ids.front()) == ids.size() - 1;
+    }
+
+    std::vector<Id> ids_;
+    std::size_t count_ = 0;
+    Id first_{};
 };
 
 }  // namespace carom
