@@ -31,9 +31,8 @@ std::size_t bytes_of(const World& world) {
            bytes_in(world.zones) + bytes_in(world.emitters) + bytes_in(world.counters) +
            bytes_in(world.removed) + bytes_in(world.held_balls) + bytes_in(world.held_capsules) +
            bytes_in(world.flippers) + bytes_in(world.paths) + bytes_in(world.path_bends) +
-           bytes_in(world.spin_paths) +
-           bytes_in(world.pressed) + bytes_in(world.homes.ball) + bytes_in(world.homes.place) +
-           bytes_in(world.homes.margin) + bytes_in(world.heaped);
+           bytes_in(world.spin_paths) + bytes_in(world.pressed) + bytes_in(world.homes.ball) +
+           bytes_in(world.homes.place) + bytes_in(world.homes.margin) + bytes_in(world.heaped);
 }
 
 void History::keep(const World& world, const SolverSettings& solver, const GameState& game) {
