@@ -37,6 +37,13 @@ void EventEngine<Real>::begin_phase(std::uint32_t ball) {
         if (i == most_edges) path.center = path.velocity;
         phase = phase_of(path);
     }
+    // What is over before the clock can tell is over now.
+    while (phase.lasts && path.time + *phase.lasts == path.time) {
+        const bool stops = phase.motion == ClothMotion::rolling;
+        path.velocity = stops ? Vector<Real>{} : path.velocity + phase.acceleration * *phase.lasts;
+        path.center = path.velocity;
+        phase = phase_of(path);
+    }
     path.acceleration = phase.acceleration;
     switch (phase.motion) {
         case ClothMotion::sliding:

@@ -108,3 +108,28 @@ TEST_CASE("event: what approaches as slowly as numbers can say has no impact") {
         CHECK(!ball_closing(path, other, {}, 0.5, 0.25, Field<double>{}, 1.0));
     }
 }
+
+// Pushed into a wedge until it has hardly any speed left, a ball met one side of it again and
+// again.
+TEST_CASE("event: what slips on cloth for less than the clock can tell rolls or stands at once") {
+    World world = scenes::empty();
+    world.model.spin = 0.4;
+    world.model.cloth = Cloth{};
+    world.model.lossy = true;
+    world.kinds[0].restitution = world.materials[0].restitution = 0.23479314322297762;
+    world.rate = 91.367009479875293;
+    world.tick = 39;
+    add_capsule(world, {{0.0, 12.0}, {0.0, 0.0}, 0.1}, 0);
+    add_capsule(
+        world,
+        {{1.0579249775954223, 1.6944907455177463}, {0.88895036006671146, 1.9289293202502973}, 0.05},
+        0);
+    const Vec2 corner{0.6, 1.3891908503178798};
+    add_ball(world, {.position = corner, .radius = 0.5, .roll = Vec2{}});
+    add_ball(world, {.position = {1.3309120063014124, 0.7067192534440716},
+                     .velocity = {-0.0056060425050721372, -0.0055245823540975812},
+                     .radius = 0.5,
+                     .roll = Vec2{-0.60241657068506416, 0.23396926626568393}});
+    CHECK(ends(world, 20));
+    CHECK(length(world.balls.position[0] - corner) < 1e-3);
+}
