@@ -11,7 +11,8 @@ namespace {
 template <typename Real>
 Field<Real> field_of(const Model& model) {
     Field<Real> field;
-    field.gravity = Vector<Real>(model.gravity.value_or(Vec2{}));
+    // Models with 0 and with -0 are equal.
+    field.gravity = Vector<Real>(model.gravity.value_or(Vec2{}) + Vec2{});
     field.has_drag = model.drag.has_value();
     field.drag = Real(model.drag.value_or(0.0));
     if (model.lossy) field.pressing = length(field.gravity);
@@ -25,12 +26,14 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
                                      std::vector<std::uint8_t>& touched,
                                      const std::function<bool()>& keep_going) {
     world_ = &world;
-    events_ = 0;
+    events_ = more_rounds_ = 0;
     now_ = Real(world.time());
     end_ = Real(static_cast<double>(world.tick + 1) / world.rate);
     begin(world);
     left_.is_valid = false;
     EventOutcome outcome = EventOutcome::done;
+    constexpr std::uint64_t ask_every = 4096;
+    std::uint64_t next_ask = ask_every;
     while (const std::optional<std::uint32_t> first = first_ball()) {
         const std::uint32_t ball = *first;
         const Event event = balls_.plan(ball).coming;
@@ -40,8 +43,10 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
             outcome = EventOutcome::too_dense;
             break;
         }
-        constexpr std::uint64_t ask_every = 4096;
-        if (events_ % ask_every == 0 && keep_going && !keep_going()) return EventOutcome::given_up;
+        if (events_ + more_rounds_ >= next_ask) {
+            next_ask = events_ + more_rounds_ + ask_every;
+            if (keep_going && !keep_going()) return EventOutcome::given_up;
+        }
         if (now_ < event.time) now_ = event.time;
         if (are_lines_) {
             happen_on_lines(ball, event, contacts, touched);

@@ -103,7 +103,7 @@ class EventEngine {
 
     /// Moves everything by one tick and appends the exchanges to `contacts` (bodies by index).
     /// `touched`: see surroundings.h. `keep_going`, where there is one, is asked every few thousand
-    /// events.
+    /// events, and sooner where impacts take many rounds.
     EventOutcome tick(World& world, std::vector<Contact>& contacts,
                       std::vector<std::uint8_t>& touched, const std::function<bool()>& keep_going);
 
@@ -401,6 +401,7 @@ class EventEngine {
     Real now_{};
     Real end_{};
     std::uint64_t events_ = 0;
+    std::uint64_t more_rounds_ = 0;  ///< of impacts, in events that take as long, roughly
 
     EventBalls<Real> balls_;
     std::vector<std::uint32_t> begun_;  ///< whose paths began in this tick; as many as balls: all

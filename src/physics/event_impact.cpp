@@ -190,6 +190,7 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
                 approaching.push_back(i);
         }
         if (approaching.empty()) break;
+        if (round > 0) more_rounds_ += 1 + approaching.size() * approaching.size();
         // Many rounds: losing contacts that are shut in. From here on they stop, all at once.
         if (round > most_rounds + 8 * touches_.size()) break;
         if (round > most_rounds / 2 + 4 * touches_.size()) {

@@ -76,6 +76,7 @@ struct Solver::State {
 
     EventOutcome tick_by_event(World& world, const std::function<bool()>& keep_going) {
         if (extended) return extended->tick(world, contacts, touched, keep_going);
+        if (!hands_heaps_over(world.model, settings)) world.heaped.clear();
         if (!world.heaped.empty())
             return handover.tick(world, event, contact, contacts, touched, keep_going);
         const EventOutcome outcome = event.tick(world, contacts, touched, keep_going);

@@ -174,3 +174,32 @@ TEST_CASE("event: a snapshot goes on with the same bits where balls are put into
         }
     }
 }
+
+TEST_CASE("event: a gravity of -0 in place of one of 0 changes no bits") {
+    World whole = scenes::gas(30, 5);
+    whole.model.gravity = Vec2{0.0, 0.0};
+    World parted = whole;
+    Solver solver({.kind = SolverKind::event});
+    for (int tick = 0; tick < 30; ++tick) {
+        const Vec2 gravity{tick % 2 == 0 ? -0.0 : 0.0, tick % 3 == 0 ? -0.0 : 0.0};
+        whole.model.gravity = parted.model.gravity = gravity;
+        solver.tick(whole);
+        Solver({.kind = SolverKind::event}).tick(parted);
+        REQUIRE(fingerprint(whole) == fingerprint(parted));
+    }
+}
+
+TEST_CASE("event: a heap is not handed over any more once the model has cloth") {
+    World world = scenes::bucket(40, 0.3);
+    Solver solver({.kind = SolverKind::event});
+    for (int tick = 0; tick < 3000 && world.heaped.empty(); ++tick)
+        solver.tick(world);
+    REQUIRE(!world.heaped.empty());
+    world.model.gravity.reset();
+    world.model.spin = 0.4;
+    world.model.cloth = Cloth{};
+    world.balls.spin.assign(world.balls.size(), 0.0);
+    world.balls.roll.assign(world.balls.size(), Vec2{});
+    CHECK(solver.tick(world) != TickOutcome::given_up);
+    CHECK(world.heaped.empty());
+}
