@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/totals.h"
+
 namespace carom {
 
 bool is_flight_only(const World& world) {
@@ -13,13 +15,7 @@ bool is_flight_only(const World& world) {
 
 int flight_substeps(const World& world, int most) {
     if (most == 1) return 1;
-    double ways = 0.0;
-    for (const Vec2 velocity : world.balls.velocity)
-        ways += length_squared(velocity);
-    double radii = 0.0;
-    for (const double radius : world.balls.radius)
-        radii += radius * radius;
-    const double share = std::sqrt(ways / radii) * world.tick_length() / 0.3;
+    const double share = typical_way(world) / 0.3;
     // No ball at all, or balls of no size: not a number, or without bound.
     return share > 1.0 ? static_cast<int>(std::min(std::ceil(share), 1.0 * most)) : 1;
 }

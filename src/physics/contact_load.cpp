@@ -5,6 +5,7 @@
 #include "physics/bounce.h"
 #include "physics/contact_solver.h"
 #include "physics/fetch.h"
+#include "physics/totals.h"
 
 // Between the world and the bodies of the solver `contact`.
 namespace carom {
@@ -28,17 +29,10 @@ double margin_for(double speed, double radius, const Times& times, double hit) {
 }
 
 // A few fast balls get large regions, so that not all pairs are found anew for their sake. Where
-// balls typically (by the mean of the squares) go further than their radius in a tick, such regions
+// balls typically go further than their radius in a tick, such regions
 // would hold a crowd each, and all that meets looks at all of it: there they last for a substep.
 double most_radii(const World& world) {
-    double ways = 0.0;
-    for (const Vec2 velocity : world.balls.velocity)
-        ways += length_squared(velocity);
-    double radii = 0.0;
-    for (const double radius : world.balls.radius)
-        radii += radius * radius;
-    const double tick = world.tick_length();
-    return ways * tick * tick > radii ? 0.5 : 4.0;
+    return typical_way(world) > 1.0 ? 0.5 : 4.0;
 }
 
 // The balls lie anywhere in the world's arrays: asked for so many bodies ahead, they are there.

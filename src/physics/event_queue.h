@@ -271,8 +271,9 @@ class EventQueue {
 
     // Puts those of `moved_`, and nothing else, where they belong.
     void keep_moved() {
-        heads_.assign(2 * block_slices(), none);
-        is_filled_.assign(2 * block_slices() / 64, 0);
+        const auto lists = static_cast<std::size_t>(2 * block_slices());
+        heads_.assign(lists, none);
+        is_filled_.assign(lists / 64, 0);
         nodes_.clear();
         free_node_ = scout_ = none;
         scouted_ = 0;

@@ -60,6 +60,16 @@ Totals totals(const World& world) {
             angular.value() + 0.0};
 }
 
+double typical_way(const World& world) {
+    double ways = 0.0;
+    for (const Vec2 velocity : world.balls.velocity)
+        ways += length_squared(velocity);
+    double radii = 0.0;
+    for (const double radius : world.balls.radius)
+        radii += radius * radius;
+    return std::sqrt(ways / radii) * world.tick_length();
+}
+
 double deepest_overlap(const World& world) {
     const Balls& balls = world.balls;
     const double largest = largest_radius(balls);

@@ -16,6 +16,10 @@ struct Totals {
 };
 Totals totals(const World& world);
 
+/// How far balls go in a tick, in radii: the root of the mean of the squares of either. Not a
+/// number where none moves and none has a size; without bound where one of no size moves alone.
+double typical_way(const World& world);
+
 /// Depth of the deepest overlap between bodies that meet, a length; 0 when nothing overlaps. Counts
 /// ball on ball and ball on edge; a held ball counts as any other. On a torus, over the nearest
 /// images.
