@@ -22,6 +22,8 @@ struct Gap {
     Real lean{};
     Real speed{};
     Real distance{};
+    /// The second derivative is nowhere below -pull from now on, length/s^2; < 0: not known.
+    Real pull{-1.0};
 };
 
 /// A safe step for bodies that touch and do not approach noticeably. The normal turns by less than
@@ -91,7 +93,7 @@ std::optional<Real> quadratic_closing(const Gap<Real>& now,
 }
 
 /// First time in begin..end at which a gap of any shape closes. look(t) gives the gap at a time;
-/// its second derivative is nowhere below -pull while the gap is open.
+/// its second derivative is nowhere below -pull while the gap is open, nor below what look says.
 ///
 /// Method: gap + rate s - pull s^2 / 2 is a lower bound, so its first root is a safe step; near the
 /// end the steps shrink quadratically. The result is the first time at which the gap is at most
@@ -105,24 +107,25 @@ std::optional<Real> first_closing(Look&& look, Real begin, Real end, Real pull,
     Real time = begin;
     for (std::uint32_t round = 0; round < 1'000'000; ++round) {
         const Gap<Real> now = look(time);
+        const Real most = now.pull < zero || pull < now.pull ? pull : now.pull;
         Real step{};
         if (now.gap <= tolerance.touch) {
             const bool grazes =
                 now.bend > zero && now.rate * now.rate < Real(8.0) * now.bend * tolerance.touch;
             const Real slow = tolerance.slow_at(now);
             if (now.rate < -slow && !grazes) return time;
-            if (!(pull > zero)) return std::nullopt;
+            if (!(most > zero)) return std::nullopt;
             if (grazes && now.rate < zero)
                 step = Real(-2.0) * now.rate / now.bend;
             else
-                step = touching_step(now, pull, slow);
+                step = touching_step(now, most, slow);
         } else if (now.rate < zero) {
             step = Real(2.0) * now.gap /
-                   (square_root(now.rate * now.rate + Real(2.0) * pull * now.gap) - now.rate);
+                   (square_root(now.rate * now.rate + Real(2.0) * most * now.gap) - now.rate);
         } else {
-            if (!(pull > zero)) return std::nullopt;
+            if (!(most > zero)) return std::nullopt;
             step =
-                (now.rate + square_root(now.rate * now.rate + Real(2.0) * pull * now.gap)) / pull;
+                (now.rate + square_root(now.rate * now.rate + Real(2.0) * most * now.gap)) / most;
         }
         const Real least = Real(precision<Real>) * absolute(time);
         time += step > least ? step : least;

@@ -35,10 +35,12 @@ Gap<Real> gap_of(const Vector<Real>& offset, const Vector<Real>& velocity,
     return {away - reach, rate, across * across / away + lean, lean, length(velocity), away};
 }
 
-// Where the acceleration itself changes, what it is now says nothing of what it will be.
+// Drag makes all accelerations die away at the same rate: what presses now will press no more
+// strongly, and what does not press never will. Of what turns the acceleration now says nothing.
 template <typename Real>
-Gap<Real> without_lean(Gap<Real> gap, bool is_constant) {
-    if (!is_constant) gap.distance = Real{};
+Gap<Real> with_lasting_lean(Gap<Real> gap, bool turns, bool is_constant) {
+    if (turns) gap.distance = Real{};
+    if (!is_constant && Real{} < gap.lean) gap.lean = Real{};
     return gap;
 }
 
@@ -83,9 +85,9 @@ std::optional<Real> point_closing(const EventPath<Real>& path, const Vector<Real
     return first_closing<Real>(
         [&](const Real& time) {
             const BallState<Real> state = state_at(path, field, time);
-            return without_lean(gap_of(state.position - point, state.velocity,
-                                       acceleration_at(path, field, state.velocity), reach),
-                                is_parabola(path, field));
+            return with_lasting_lean(gap_of(state.position - point, state.velocity,
+                                            acceleration_at(path, field, state.velocity), reach),
+                                     path.motion == Motion::turning, !field.has_drag);
         },
         path.time, last, pull, limits);
 }
@@ -136,7 +138,12 @@ std::optional<Real> side_closing(const EventPath<Real>& path, const Edge<Real>& 
                 const BallState<Real> state = state_at(path, field, time);
                 const Real up = dot(normal, state.position - edge.start);
                 // What is under the line has no gap on this side.
-                return {up > zero ? up - reach : reach - up, dot(normal, state.velocity), zero};
+                Gap<Real> now{up > zero ? up - reach : reach - up, dot(normal, state.velocity),
+                              zero};
+                if (path.motion == Motion::turning) return now;
+                const Real lean = dot(normal, acceleration_at(path, field, state.velocity));
+                now.pull = lean < zero ? -lean : zero;
+                return now;
             },
             path.time, last, pull, limits);
     }
@@ -202,12 +209,12 @@ std::optional<Real> ball_closing(const EventPath<Real>& a, const EventPath<Real>
     const auto look = [&](const Real& time) {
         const BallState<Real> at_a = state_at(a, field, time);
         const BallState<Real> at_b = state_at(b, field, time);
-        return without_lean(
+        return with_lasting_lean(
             gap_of(
                 at_a.position - at_b.position - shift, at_a.velocity - at_b.velocity,
                 acceleration_at(a, field, at_a.velocity) - acceleration_at(b, field, at_b.velocity),
                 reach),
-            is_parabola(a, field) && is_parabola(b, field));
+            a.motion == Motion::turning || b.motion == Motion::turning, !field.has_drag);
     };
     const bool one_rests = a.motion == Motion::resting || b.motion == Motion::resting;
     const bool on_cloth = is_on_cloth(a) || is_on_cloth(b);
@@ -246,7 +253,11 @@ std::optional<Real> closing_from_inside(const EventPath<Real>& path, const Edge<
         [&](const Real& time) -> Gap<Real> {
             const BallState<Real> state = state_at(path, field, time);
             const auto contact = contact_with(edge, state.position, radius);
-            return {contact.gap, dot(contact.normal, state.velocity), Real{}};
+            Gap<Real> now{contact.gap, dot(contact.normal, state.velocity), Real{}};
+            now.lean = dot(contact.normal, acceleration_at(path, field, state.velocity));
+            now.speed = length(state.velocity);
+            now.distance = contact.gap + radius + edge.radius;
+            return with_lasting_lean(now, path.motion == Motion::turning, !field.has_drag);
         },
         path.time, last_moment(path, field, end), pull, limits);
 }

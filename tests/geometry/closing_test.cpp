@@ -214,3 +214,21 @@ TEST_CASE("closing: touching counts only while it closes") {
     // Pressed together without speed: once they approach noticeably.
     CHECK(quadratic_closing<double>({0.0, 0.0, -2.0}, {0.0, 1e-3}) == 5e-4);
 }
+
+// Of a ball that slides along an edge under drag and touches another that lies the same way.
+TEST_CASE("closing: what is known to press no more strongly is looked at a few times") {
+    for (const double pull : {0.0, 1e-17, 1e-6}) {
+        CAPTURE(pull);
+        int looks = 0;
+        const auto look = [&](double t) {
+            ++looks;
+            Gap<double> gap{-pull * t * t / 2.0, -pull * t, 0.0};
+            gap.pull = pull;
+            return gap;
+        };
+        const auto found = first_closing<double>(look, 0.0, 10.0, 3.0, tolerance);
+        CHECK(looks < 10);
+        CHECK(found.has_value() == (pull * 10.0 > tolerance.slow));
+        if (found) CHECK(*found == doctest::Approx(tolerance.slow / pull));
+    }
+}
