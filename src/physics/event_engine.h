@@ -44,20 +44,24 @@ enum class EventOutcome : std::uint8_t {
 ///
 /// Rest: where gravity presses a ball on something, a rebound that would rise less than
 /// `resting_rise` of its radius is none: the ball slides, turns or rests on what it touches from
-/// then on. What it can rest on: edges, and balls that rest themselves. A ball that rests on balls
-/// does not press on them: heaps stand as they came to rest, and this solver does not say how the
-/// weight of one is borne. A ball that bounces on balls that move loses no more once it rises less
-/// than `lively_rise` of a radius, so their impacts stay finite in number (after Luding and
-/// McNamara, How to handle the inelastic collapse of a dissipative hard-sphere gas, Granular Matter
-/// 1, 1998). Heaps in which balls press on moving balls from all sides are too dense for events:
-/// what has had more than `crowding` impacts in quick succession is in World::heaped when the tick
-/// ends, and goes over to `contact` (handover.h). Until then, and with other numbers than doubles,
-/// a ball that has had `most_tiring` of them, and is slow, lies still where it is for a quarter of
-/// the time in which it would fall through its radius, and longer if what it touches then carries
-/// it. That loses energy and momentum. Balls that are pressed together and overlap by more than
-/// half of `lively_rise` are taken apart where nothing bars the way, by half a radius at most,
-/// which lifts them by as much; where they are barred, they sink in further. Without gravity, two
-/// balls that have met `most_quick` times in a row within `touching` of a radius pass their impulse
+/// then on. What it can rest on: edges, and balls that rest themselves. Two hold a ball if between
+/// them they bear all of gravity, also where gravity presses it on one alone, along which it would
+/// slide against the other: a slope and an upright wall, a slope and what hangs over it. A ball
+/// that rests on balls does not press on them: heaps stand as they came to rest, and this solver
+/// does not say how the weight of one is borne. A ball that bounces on balls that move loses no
+/// more once it rises less than `lively_rise` of a radius, so their impacts stay finite in number
+/// (after Luding and McNamara, How to handle the inelastic collapse of a dissipative hard-sphere
+/// gas, Granular Matter 1, 1998). Heaps in which balls press on moving balls from all sides are too
+/// dense for events: what has had more than `crowding` impacts in quick succession is in
+/// World::heaped when the tick ends, and goes over to `contact` (handover.h). Until then, and with
+/// other numbers than doubles, a ball that has had `most_tiring` of them, and is slow, lies still
+/// where it is for a quarter of the time in which it would fall through its radius, and longer if
+/// what it touches then carries it. That loses energy and momentum. So does one that is shut in, so
+/// that its impacts at one instant come to no end and are stopped, after `most_quick` of them, also
+/// where nothing else loses energy. Balls that are pressed together and overlap by more than half
+/// of `lively_rise` are taken apart where nothing bars the way, by half a radius at most, which
+/// lifts them by as much; where they are barred, they sink in further. Without gravity, two balls
+/// that have met `most_quick` times in a row within `touching` of a radius pass their impulse
 /// without restitution, for the same reason.
 ///
 /// Friction, at an impact: once the impulses along the normals are known, each contact passes along
@@ -127,6 +131,7 @@ class EventEngine {
     struct Body {
         std::uint32_t ball = 0;
         Vector<Real> position;
+        Real fastest{};  ///< its speed in the impact so far
         bool is_scanned = false;
         bool is_changed = false;
         bool is_moved = false;  ///< taken apart from another
@@ -191,6 +196,7 @@ class EventEngine {
         Vector<Real> normal;
         Vector<Real> center;  ///< of a round end
         bool is_side = false;
+        bool carries = false;  ///< gravity presses the ball on it
         PathSupport by;
     };
 
@@ -292,6 +298,7 @@ class EventEngine {
     double restitution_of(const Touch& touch, bool is_alone);
     void pass_impulses(const std::vector<std::uint32_t>& which, bool is_alone,
                        std::vector<Contact>& contacts);
+    void note_speeds(bool is_shut_in);
     bool hold_back(std::uint32_t body);
     void stop_hands();
     void part_pressed();
@@ -318,6 +325,7 @@ class EventEngine {
     void settle(std::uint32_t ball);
     /// Valid until the next call.
     const std::vector<Support>& supports_of(std::uint32_t ball, bool also_moving);
+    bool is_barred(const Support& support, const Support& other) const;
     std::optional<std::pair<std::size_t, std::size_t>> bearing_two(
         const std::vector<Support>& supports) const;
     void rest(std::uint32_t ball, const Support& first, const Support* second);
@@ -327,7 +335,7 @@ class EventEngine {
     void end_own(std::uint32_t ball);
     Real fall_time(std::uint32_t ball) const;
     std::uint32_t tiredness(std::uint32_t ball, const EventPath<Real>& before) const;
-    void lie_down_if_tired(std::uint32_t ball);
+    void lie_down_if_tired(std::uint32_t ball, bool is_shut_in);
     void note_crowded(std::size_t body);
     void write_crowded(World& world);
 
@@ -434,6 +442,7 @@ class EventEngine {
     std::vector<std::uint32_t> gone_;     ///< what others rested on
     std::vector<Support> supports_;
     std::vector<Support> points_;
+    std::vector<Support> bars_;
     std::vector<Rubbing> rubbings_;
     std::vector<int> shares_;
     std::vector<std::uint8_t> is_kept_;

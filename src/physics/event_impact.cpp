@@ -169,11 +169,10 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
         approaching.clear();
         for (std::uint32_t i = 0; i < touches_.size(); ++i) {
             const Touch& touch = touches_[i];
-            const auto& a = impact_bodies_[touch.contact.a];
-            Real speeds = length(a.velocity) + absolute(touch.contact.surface);
-            Real inverse = a.inverse_mass;
+            Real speeds = bodies_[touch.contact.a].fastest + absolute(touch.contact.surface);
+            Real inverse = impact_bodies_[touch.contact.a].inverse_mass;
             if (touch.contact.b != ImpactContact<Real>::fixed) {
-                speeds += length(impact_bodies_[touch.contact.b].velocity);
+                speeds += bodies_[touch.contact.b].fastest;
                 inverse += impact_bodies_[touch.contact.b].inverse_mass;
             }
             if (!(inverse > Real{})) continue;
@@ -216,6 +215,7 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
         } else {
             pass_impulses(approaching, round == 0 && approaching.size() == 1, contacts);
         }
+        note_speeds(is_shut_in);
         const std::size_t count = bodies_.size();
         for (std::uint32_t i = 0; i < count; ++i)
             if (bodies_[i].is_changed) scan(i);
@@ -266,7 +266,7 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     for (const std::uint32_t each : changed)
         settle(each);
     for (const std::uint32_t each : changed)
-        lie_down_if_tired(each);
+        lie_down_if_tired(each, is_shut_in);
     if (squeezed) stop_hands();
     bool is_predicted = false;
     for (const std::uint32_t each : changed) {
@@ -283,6 +283,17 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     if (is_predicted) return;
     predict(ball);
     reorder(ball);
+}
+
+// After a round of an impact. What is left of a speed that was stopped is rounding, and none.
+template <typename Real>
+void EventEngine<Real>::note_speeds(bool is_shut_in) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        Vector<Real>& velocity = impact_bodies_[i].velocity;
+        const Real speed = length(velocity);
+        if (bodies_[i].fastest < speed) bodies_[i].fastest = speed;
+        if (is_shut_in && !(speed > Real(approach_noise<Real>) * bodies_[i].fastest)) velocity = {};
+    }
 }
 
 // A held ball goes no further against what cannot give way, but along it; and where that leads
@@ -366,14 +377,18 @@ void EventEngine<Real>::part_pressed() {
 // A hand that would squeeze a ball stops for the rest of the tick.
 template <typename Real>
 void EventEngine<Real>::stop_hands() {
-    for (Hand& hand : hands_)
-        if (now_ < hand.edge.stop) hand.edge.stop = now_;
+    for (Hand& hand : hands_) {
+        if (!(now_ < hand.edge.stop)) continue;
+        hand.edge.stop = now_;
+        hand_stopped_ = true;
+    }
     for (std::uint32_t i = 0; i < balls_.size(); ++i) {
-        if (balls_[i].line.motion != Motion::held) continue;
+        const EventLine<Real>& line = balls_[i].line;
+        if (line.motion != Motion::held || line.velocity == Vector<Real>{}) continue;
         start_path(i, now_, state_at(balls_.path(i), field_, now_).position, {});
         hold(i);
+        hand_stopped_ = true;
     }
-    hand_stopped_ = true;
 }
 
 template class EventEngine<double>;

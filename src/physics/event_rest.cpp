@@ -17,7 +17,8 @@ Real noise_of(const Vector<Real>& gravity) {
 
 }  // namespace
 
-// What the ball touches and is pressed on, without bouncing: sides first.
+// What the ball touches without bouncing: the sides that it is pressed on, then the round ends and
+// balls, then what gravity does not press it on, but may bar its way.
 template <typename Real>
 const std::vector<typename EventEngine<Real>::Support>& EventEngine<Real>::supports_of(
     std::uint32_t ball, bool also_moving) {
@@ -25,16 +26,20 @@ const std::vector<typename EventEngine<Real>::Support>& EventEngine<Real>::suppo
     const Real size = radius(ball);
     std::vector<Support>& sides = supports_;
     std::vector<Support>& points = points_;
+    std::vector<Support>& bars = bars_;
     sides.clear();
     points.clear();
+    bars.clear();
     // What still moves, moves within the height of a lively hop.
     const Real near = size * Real(also_moving ? 4.0 * lively_rise : touching);
-    const auto carries = [&](const Vector<Real>& normal) {
-        const Real press = -dot(field_.gravity, normal);
-        if (!(press > noise_of(field_.gravity))) return false;
-        const Real rate = dot(path.velocity, normal);
+    const auto add = [&](Support& support, std::vector<Support>& carriers) {
+        const Real press = -dot(field_.gravity, support.normal);
+        support.carries = press > noise_of(field_.gravity);
+        const Real pressing = support.carries ? press : length(field_.gravity);
+        const Real rate = dot(path.velocity, support.normal);
         const Real noise = Real(256.0 * precision<Real>) * length(path.velocity);
-        return absolute(rate) <= noise || rate * rate <= Real(2.0 * resting_rise) * press * size;
+        if (absolute(rate) <= noise || rate * rate <= Real(2.0 * resting_rise) * pressing * size)
+            (support.carries ? carriers : bars).push_back(support);
     };
     for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int across, int along) {
         const Edge<Real> edge(world_->capsules.shape[capsule], shift);
@@ -63,7 +68,7 @@ const std::vector<typename EventEngine<Real>::Support>& EventEngine<Real>::suppo
             if (is_side) {
                 support.normal = normal;
                 support.is_side = true;
-                if (carries(normal)) sides.push_back(support);
+                add(support, sides);
                 return;
             }
             support.center = place < whole * Real(0.5) ? edge.start : edge.end;
@@ -74,7 +79,7 @@ const std::vector<typename EventEngine<Real>::Support>& EventEngine<Real>::suppo
         const Real away = length(arm);
         if (!(away > Real{})) return;
         support.normal = arm / away;
-        if (carries(support.normal)) points.push_back(support);
+        add(support, points);
     });
     const auto with_ball = [&](std::uint32_t other, int across, int along) {
         if (!balls_meet(ball, other)) return;
@@ -91,18 +96,28 @@ const std::vector<typename EventEngine<Real>::Support>& EventEngine<Real>::suppo
         support.normal = arm / away;
         support.by = {PathSupport::By::ball, static_cast<std::int8_t>(across),
                       static_cast<std::int8_t>(along), number(world_->balls.id[other])};
-        if (carries(support.normal)) points.push_back(support);
+        add(support, points);
     };
     for_each_ball_near(ball, with_ball);
     // By number, wherever the cells are.
-    std::sort(points.begin(), points.end(), [](const Support& a, const Support& b) {
-        const auto key = [](const PathSupport& by) {
-            return std::tuple(by.by, by.number, by.across, by.along);
-        };
-        return key(a.by) < key(b.by);
-    });
-    sides.insert(sides.end(), points.begin(), points.end());
+    for (std::vector<Support>* const some : {&points, &bars}) {
+        std::sort(some->begin(), some->end(), [](const Support& a, const Support& b) {
+            const auto key = [](const PathSupport& by) {
+                return std::tuple(by.by, by.number, by.across, by.along);
+            };
+            return key(a.by) < key(b.by);
+        });
+        sides.insert(sides.end(), some->begin(), some->end());
+    }
     return sides;
+}
+
+// Whether what would slide on the support, from rest, is kept from it by the other.
+template <typename Real>
+bool EventEngine<Real>::is_barred(const Support& support, const Support& other) const {
+    const Vector<Real>& normal = support.normal;
+    const Vector<Real> along = field_.gravity - normal * dot(field_.gravity, normal);
+    return dot(along, other.normal) < -noise_of(field_.gravity);
 }
 
 // Two that between them bear all of gravity, the first such pair.
@@ -116,6 +131,7 @@ std::optional<std::pair<std::size_t, std::size_t>> EventEngine<Real>::bearing_tw
             const Vector<Real>& second = supports[j].normal;
             const Real turn = cross(first, second);
             if (absolute(turn) < Real(1e-9)) continue;
+            if (!supports[j].carries && !is_barred(supports[i], supports[j])) continue;
             if (!(cross(-field_.gravity, second) / turn < zero) &&
                 !(cross(first, -field_.gravity) / turn < zero))
                 return std::pair(i, j);
@@ -146,12 +162,10 @@ void EventEngine<Real>::settle(std::uint32_t ball) {
         }
     }
     for (std::size_t i = 0; i < supports.size(); ++i) {
-        const Vector<Real>& normal = supports[i].normal;
-        const Vector<Real> along = field_.gravity - normal * dot(field_.gravity, normal);
+        if (!supports[i].carries) break;
         bool is_free = true;
         for (std::size_t j = 0; j < supports.size(); ++j)
-            if (j != i && dot(along, supports[j].normal) < -noise_of(field_.gravity))
-                is_free = false;
+            if (j != i && is_barred(supports[i], supports[j])) is_free = false;
         if (is_free) return rest(ball, supports[i], nullptr);
     }
 }
@@ -295,10 +309,13 @@ std::uint32_t EventEngine<Real>::tiredness(std::uint32_t ball,
     return pauses < before.quick ? before.quick - static_cast<std::uint32_t>(pauses) : 0;
 }
 
+// What is shut in gives up sooner, and where nothing else loses energy, too: its impacts are stops.
 template <typename Real>
-void EventEngine<Real>::lie_down_if_tired(std::uint32_t ball) {
+void EventEngine<Real>::lie_down_if_tired(std::uint32_t ball, bool is_shut_in) {
     const EventLine<Real>& path = balls_[ball].line;
-    if (path.quick <= most_tiring || !world_->model.gravity || !world_->model.lossy) return;
+    const bool is_tired =
+        is_shut_in ? path.quick > most_quick : path.quick > most_tiring && world_->model.lossy;
+    if (!is_tired || !world_->model.gravity) return;
     if (path.motion == Motion::resting || path.motion == Motion::held) return;
     // Fast balls that rattle in a narrow place go on.
     if (Real(2.0) * length(field_.gravity) * radius(ball) < length_squared(path.velocity)) return;

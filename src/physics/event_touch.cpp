@@ -12,6 +12,7 @@ std::uint32_t EventEngine<Real>::body_of(std::uint32_t ball) {
     const BallState<Real> state = state_at(balls_.path(ball), field_, now_);
     bodies_.push_back({.ball = ball,
                        .position = state.position,
+                       .fastest = length(state.velocity),
                        .was_resting = balls_[ball].line.motion == Motion::resting});
     impact_bodies_.push_back({state.velocity, balls_.mass(ball).inverse});
     if (world_->model.spin) body_spins_.push_back(spin_at(ball, now_));
