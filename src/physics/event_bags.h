@@ -38,7 +38,7 @@ class EventBags {
 
     std::size_t size() const { return size_; }
 
-    void add(std::size_t bag, const QueuedEvent& event) {
+    void add(std::size_t bag, QueuedEvent event) {
         std::uint32_t end = ends_[bag];
         if ((end & room_mask) == 0) {
             const std::uint32_t chunk = free_;
@@ -71,9 +71,14 @@ class EventBags {
     }
 
     /// The bag is going to be emptied: each call of `fetch_more` brings a chunk of it into the
-    /// cache, until there are no more.
+    /// cache, until there are no more, and calls fetch(ball) for those in the one before,
+    /// and where that is not full for any number.
     void fetch_soon(std::size_t bag) { soon_ = ends_[bag] >> chunk_bits; }
-    void fetch_more() {
+    template <typename Fetch>
+    void fetch_more(Fetch&& fetch) {
+        if (soon_ == none) return;
+        for (const QueuedEvent& event : chunks_[soon_].events)
+            fetch(event.ball);
         soon_ = chunks_[soon_].next;
         const Chunk& chunk = chunks_[soon_];
         for (std::size_t i = 0; i < chunk_size; i += 4)

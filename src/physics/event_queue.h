@@ -175,7 +175,9 @@ class EventQueue {
         } else {
             const std::uint64_t border = lists_end_ - block_slices();
             present_ = filled_from(present_ + 1, border);
-            bags_.fetch_more();
+            bags_.fetch_more([this](std::uint32_t ball) {
+                if (ball < marks_.size()) fetch(ball);
+            });
             if (present_ == border) begin_block();
         }
         take_present(is_before);
@@ -297,8 +299,9 @@ class EventQueue {
         put_in({time, ball, stamp_});
     }
 
-    // Into a list, or a bag. What comes before the present slice is in its list.
-    void put_in(const QueuedEvent& event) {
+    // Into a list, or a bag. What comes before the present slice is in its list. By value, in
+    // registers: what has been written to memory in parts takes long to be read as a whole.
+    void put_in(QueuedEvent event) {
         const double slice = slice_of(event.time);
         if (!(slice < static_cast<double>(static_cast<std::int64_t>(bags_end_)))) {
             ++far_kept_;
@@ -313,7 +316,7 @@ class EventQueue {
             bags_.add(bag_of_block(place >> block_bits_), event);
     }
 
-    void enlist(const QueuedEvent& event, std::uint32_t list) {
+    void enlist(QueuedEvent event, std::uint32_t list) {
         if (free_node_ == none) add_node();
         const std::uint32_t at = free_node_;
         Node& node = nodes_[at];

@@ -12,7 +12,7 @@ namespace carom {
 /// is the same either way. Pre: `start` comes from operator new with this alignment.
 void ask_for_large_pages(void* start, std::size_t bytes);
 
-/// An allocator that does so for arrays of some megabytes; smaller ones are as ever.
+/// An allocator that does so for arrays of two megabytes or more; smaller ones are as ever.
 template <typename T>
 class LargePages {
   public:
@@ -36,7 +36,7 @@ class LargePages {
     friend bool operator==(const LargePages&, const LargePages&) { return true; }
 
   private:
-    static constexpr std::size_t least = std::size_t{4} << 20;
+    static constexpr std::size_t least = std::size_t{2} << 20;  ///< fills one
     static constexpr std::align_val_t page{std::size_t{2} << 20};
     static constexpr std::align_val_t small_alignment() { return std::align_val_t{alignof(T)}; }
 };
