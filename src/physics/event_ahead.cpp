@@ -4,7 +4,9 @@
 namespace carom {
 
 // What the events to come are going to need, as far as is known by now where that is: one ball a
-// call, which comes by four times. No step of it is a branch that nobody can foretell.
+// call, which comes by four times. Until the last time no step of it is a branch that nobody can
+// foretell; what is fetched then is most of it, and much less where a ball goes from cell to cell
+// or is going to look for another whom to meet.
 template <typename Real>
 void EventEngine<Real>::look_ahead() {
     const std::optional<std::uint32_t> found = queue_.scout();
@@ -18,14 +20,11 @@ void EventEngine<Real>::look_ahead() {
 
     Coming& second = earlier(2);
     const EventPlan<Real>& plan = balls_.plan(second.ball);
-    second.partner = select(plan.coming.kind == Kind::ball_ball, plan.coming.other, second.ball);
-    // Where it is going to look around itself.
-    constexpr std::uint32_t nowhere = 4;
-    const std::uint32_t way =
-        select(plan.coming.kind == Kind::crossing, plan.coming.other, nowhere);
-    const auto columns = static_cast<std::uint32_t>(cells_.frame().columns);
-    second.cell = plan.place.cell + select(way == 0, 1, 0) - select(way == 1, 1, 0) +
-                  select(way == 2, columns, 0) - select(way == 3, columns, 0);
+    const Event coming = plan.coming();
+    second.partner = select(coming.kind == Kind::ball_ball, coming.other, second.ball);
+    second.direction =
+        select(coming.kind == Kind::crossing, coming.other, EventCells<Real>::no_direction);
+    second.cell = cells_.next_cell(plan.place.cell, second.direction);
     cells_.fetch_heads(second.cell);
     balls_.fetch(second.partner);
     queue_.fetch(second.partner);
@@ -35,7 +34,12 @@ void EventEngine<Real>::look_ahead() {
     cells_.fetch_heads(third.partner_cell);
 
     const Coming& last = earlier(6);
+    if (last.direction != EventCells<Real>::no_direction) {
+        cells_.fetch_new(balls_, last.cell, last.direction);
+        return;
+    }
     cells_.fetch_near(balls_, last.cell);
+    if (balls_.plan(last.ball).coming().other_version != balls_[last.partner].version) return;
     cells_.fetch_near(balls_, last.partner_cell);
 }
 

@@ -74,8 +74,18 @@ class EventCells {
         line.along = static_cast<std::int8_t>(line.along + along);
     }
 
-    /// Into the cache: which balls are in the nine cells around this one; and what a walk over them
-    /// reads of the balls, those who stand second in a cell left out.
+    /// Of the four directions in which a ball can leave a cell, as in events: x, -x, y, -y.
+    static constexpr std::uint32_t no_direction = 4;
+    /// The cell on that side of this one, on a plane.
+    std::uint32_t next_cell(std::uint32_t cell, std::uint32_t direction) const {
+        const auto columns = static_cast<std::uint32_t>(frame_.columns);
+        return cell + select(direction == 0, 1, 0) - select(direction == 1, 1, 0) +
+               select(direction == 2, columns, 0) - select(direction == 3, columns, 0);
+    }
+
+    /// Into the cache: which balls are in the nine cells around this one; what a walk over them
+    /// reads of the balls, those who stand second in a cell left out; the same of the three cells
+    /// that a step in that direction, which led into this cell, has brought near.
     void fetch_heads(std::uint32_t cell) const {
         if (!is_inside(cell)) return;
         const std::uint32_t* const middle = head_.data() + cell;
@@ -87,9 +97,13 @@ class EventCells {
         if (!is_inside(cell)) return;
         const std::uint32_t* const middle = head_.data() + cell;
         for (const std::uint32_t* row : {middle - frame_.columns, middle, middle + frame_.columns})
-            for (int i = -1; i <= 1; ++i)
-                // Ball 0 stands for nobody.
-                balls.fetch_neighbour(select(row[i] != none, row[i], 0));
+            fetch_three(balls, row, 1);
+    }
+    void fetch_new(const Balls& balls, std::uint32_t cell, std::uint32_t direction) const {
+        if (!is_inside(cell)) return;
+        const bool is_across = direction < 2;
+        fetch_three(balls, head_.data() + next_cell(cell, direction),
+                    is_across ? frame_.columns : 1);
     }
 
     /// Calls visit(other, tori across, tori along) for every ball in the nine cells around the
@@ -150,7 +164,7 @@ class EventCells {
     };
     /// For `for_each_near` and `for_each_new` where nothing wraps.
     Firsts firsts_near(const Balls& balls, std::uint32_t ball) const {
-        const EventPlace own = balls.plan(ball).place;
+        const EventPlace& own = balls.plan(ball).place;
         Firsts firsts(balls[ball].next, ball);
         if (!is_amid(own)) {
             add_firsts(own, {-1, -1}, {1, 1}, firsts);
@@ -165,7 +179,8 @@ class EventCells {
         return firsts;
     }
     Firsts firsts_of_new(const Balls& balls, std::uint32_t ball, int columns, int rows) const {
-        const EventPlace own = balls.plan(ball).place;
+        // Not as a whole: what has just been written in parts takes long to be read so.
+        const EventPlace& own = balls.plan(ball).place;
         Firsts firsts(balls[ball].next, ball);
         if (!is_amid(own)) {
             const auto [low, high] = new_near(columns, rows);
@@ -245,6 +260,11 @@ class EventCells {
     bool is_inside(std::uint32_t cell) const {
         const auto columns = static_cast<std::uint32_t>(frame_.columns);
         return cell > columns && cell < head_.size() && cell + columns + 1 < head_.size();
+    }
+    // Ball 0 stands for nobody.
+    static void fetch_three(const Balls& balls, const std::uint32_t* middle, std::ptrdiff_t apart) {
+        for (const std::uint32_t first : {middle[-apart], *middle, middle[apart]})
+            balls.fetch_neighbour(select(first != none, first, 0));
     }
     CellFrame frame_for(const World& world) const;
     void link(Balls& balls, std::uint32_t ball) {

@@ -91,14 +91,14 @@ void EventEngine<Real>::look_for_the_moving(std::uint32_t ball) {
     Event best;
     if (world_->model.ball_ball)
         for_each_ball_near(ball, [&](std::uint32_t other, int across, int along) {
-            const Event& theirs = balls_.plan(other).coming;
+            const Event theirs = balls_.plan(other).coming();
             if (theirs.kind == Kind::none) return;
             Event meeting;
             meeting.time = theirs.time;
             predict_pair(ball, other, across, along, meeting);
             if (meeting.kind != Kind::none) consider(ball, meeting, best);
         });
-    balls_.plan(ball).coming = best;
+    balls_.plan(ball).set_coming(best);
 }
 
 // What the pair's restitution is worth where cloth presses the two together: see event_engine.h.

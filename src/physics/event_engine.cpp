@@ -36,7 +36,7 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
     std::uint64_t next_ask = ask_every;
     while (const std::optional<std::uint32_t> first = first_ball()) {
         const std::uint32_t ball = *first;
-        const Event event = balls_.plan(ball).coming;
+        const Event event = balls_.plan(ball).coming();
         if (!(event.time <= end_)) break;
         ++events_;
         if (events_ > most_events) {
@@ -209,8 +209,8 @@ void EventEngine<Real>::begin_anew(const World& world) {
     balls_.resize(count, has_bends(world.model));
     for (std::size_t i = 0; i < count; ++i) {
         balls_.set_path(i, {});
-        balls_.mass(i).body = EventBall<Real>::none;
-        balls_.plan(i).coming = {};
+        balls_.body(i) = EventBall<Real>::none;
+        balls_.plan(i).set_coming({});
     }
     std::vector<std::uint8_t>& is_kept = is_kept_;
     std::vector<std::int64_t>& spin_from = spin_from_;
@@ -245,15 +245,14 @@ void EventEngine<Real>::begin_anew(const World& world) {
         }
     }
     for (std::size_t i = 0; i < count; ++i) {
-        balls_.mass(i).inverse = Real(world.balls.inverse_mass[i]);
+        balls_.plan(i).inverse_mass = Real(world.balls.inverse_mass[i]);
         balls_[i].radius = Real(world.balls.radius[i]);
     }
-    begun_.reserve(count);
     take_hands(world);
     take_spins(world, spin_from);
     for (std::size_t i = 0; i < count; ++i)
-        is_kept[i] =
-            is_kept[i] && !(balls_.mass(i).inverse == Real{}) && leads_through(balls_.path(i), i);
+        is_kept[i] = is_kept[i] && !(balls_.plan(i).inverse_mass == Real{}) &&
+                     leads_through(balls_.path(i), i);
     // What rests on something that is gone begins anew, and so on up the heap.
     for (bool changed = true; changed;) {
         changed = false;
@@ -277,7 +276,7 @@ void EventEngine<Real>::begin_anew(const World& world) {
             }
             continue;
         }
-        const bool is_in_hand = balls_.mass(i).inverse == Real{};
+        const bool is_in_hand = balls_.plan(i).inverse_mass == Real{};
         Vector<Real> velocity(world.balls.velocity[i]);
         if (is_in_hand) velocity = balls_[i].line.velocity;
         if (world.model.spin) spins_[i] = {now_, Real(world.balls.spin[i]), Real{}, false};
@@ -289,6 +288,7 @@ void EventEngine<Real>::begin_anew(const World& world) {
         }
     }
     are_lines_ = are_lines();
+    begun_.reserve(leaves_lines() ? 0 : count);
     if (world.model.ball_edge) edges_.update(world, cells_.frame(), 1.01 * cells_.largest());
     for (std::uint32_t i = 0; i < count; ++i)
         if (!is_kept[i]) settle(i);
@@ -305,7 +305,7 @@ void EventEngine<Real>::take_hands(const World& world) {
         if (!index) continue;
         Vec2 way = held.target - world.balls.position[*index];
         if (world.model.wrap) way = nearest_image(way, torus_);
-        balls_.mass(*index).inverse = Real{};
+        balls_.plan(*index).inverse_mass = Real{};
         balls_[*index].line.velocity = Vector<Real>(way) / duration;
     }
     hands_.clear();
@@ -352,7 +352,7 @@ void EventEngine<Real>::start_path(std::uint32_t ball, const Real& time, Vector<
             .velocity = velocity};
     if (balls_.may_bend()) balls_.bend(ball) = {.acceleration = field_.gravity};
     ++balls_[ball].version;
-    if (!is_begun_anew_ && begun_.size() < balls_.size()) begun_.push_back(ball);
+    note_begun(ball);
 }
 
 // A hand holds the ball: its path is straight.

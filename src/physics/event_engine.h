@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory_resource>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "physics/capsule_cells.h"
@@ -122,6 +123,7 @@ class EventEngine {
         std::uint32_t partner = 0;  ///< whom it meets; or itself
         std::uint32_t cell = 0;     ///< around which it looks then
         std::uint32_t partner_cell = 0;
+        std::uint32_t direction = EventCells<Real>::no_direction;  ///< into another cell
     };
     struct Hand {
         std::uint32_t capsule = 0;
@@ -219,8 +221,18 @@ class EventEngine {
     bool is_position_left(std::uint32_t ball) const;
     bool is_velocity_left(std::uint32_t ball) const;
     void write(World& world);
-    void write_lines(Balls& balls);
+    /// Whether the world is left with every ball where its line says: see Left.
+    bool leaves_lines() const { return are_lines_ && !world_->model.speed_limit; }
+    /// The ball's path began now. Lines tell that themselves.
+    void note_begun(std::uint32_t ball) {
+        if (!is_begun_anew_ && !leaves_lines() && begun_.size() < balls_.size())
+            begun_.push_back(ball);
+    }
+    void write_lines(World& world);
+    /// Those on lines that began in this tick.
+    void write_begun(World& world, std::span<const std::uint32_t> begun);
     void write_paths(World& world);
+    void clear_paths(World& world);
     void store_paths(World& world);
 
     // event_predict.cpp: which event comes next.
@@ -250,7 +262,7 @@ class EventEngine {
     [[gnu::always_inline]] std::optional<std::uint32_t> first_ball() {
         if (balls_.size() >= many) look_ahead();
         return queue_.first([this](std::uint32_t a, std::uint32_t b) {
-            return comes_first(a, balls_.plan(a).coming, b, balls_.plan(b).coming);
+            return comes_first(a, balls_.plan(a).coming(), b, balls_.plan(b).coming());
         });
     }
     void reorder(std::uint32_t ball);
@@ -412,8 +424,9 @@ class EventEngine {
     std::uint64_t more_rounds_ = 0;  ///< of impacts, in events that take as long, roughly
 
     EventBalls<Real> balls_;
-    std::vector<std::uint32_t> begun_;  ///< whose paths began in this tick; as many as balls: all
-    std::vector<Spinning> spins_;       ///< empty unless Model::spin
+    /// Whose paths began in this tick; as many as balls: all. Empty where it leaves lines.
+    std::vector<std::uint32_t> begun_;
+    std::vector<Spinning> spins_;  ///< empty unless Model::spin
     std::vector<std::uint32_t> edge_contacts_;
     std::vector<Hand> hands_;
     EventCells<Real> cells_;

@@ -253,7 +253,7 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
         EventLine<Real>& line = balls_[each.ball].line;
         line.quick = world_->model.gravity
                          ? tiredness(each.ball, before)
-                         : (way < Real(touching) * radius(each.ball) ? before.quick + 1 : 0);
+                         : (way < Real(touching) * radius(each.ball) ? one_more(before.quick) : 0);
         if (before.motion == Motion::held) hold(each.ball);
         if (line.quick > crowding) note_crowded(i);
         changed.push_back(each.ball);
@@ -271,7 +271,7 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     bool is_predicted = false;
     for (const std::uint32_t each : changed) {
         is_predicted = static_cast<int>(is_predicted) | static_cast<int>(each == ball);
-        const std::uint32_t index = balls_.mass(each).body;
+        const std::uint32_t index = balls_.body(each);
         if (index != EventBall<Real>::none)
             predict_after(bodies_[index]);
         else
@@ -279,7 +279,7 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
         reorder(each);
     }
     for (const Body& each : bodies_)
-        balls_.mass(each.ball).body = EventBall<Real>::none;
+        balls_.body(each.ball) = EventBall<Real>::none;
     if (is_predicted) return;
     predict(ball);
     reorder(ball);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "physics/event_engine.h"
@@ -69,19 +70,49 @@ bool EventEngine<Real>::is_velocity_left(std::uint32_t ball) const {
     return left_.on_lines ? Vec2(balls_[ball].line.velocity) == now : left_.velocities[ball] == now;
 }
 
-// Velocities that were there when the tick began only where a path has begun: with the paths.
+// A velocity that was there when the tick began, and a path, only where a path has begun. Some
+// balls at a time, so that they are still in the cache then.
 template <typename Real>
-void EventEngine<Real>::write_lines(Balls& balls) {
+void EventEngine<Real>::write_lines(World& world) {
+    Balls& balls = world.balls;
     const std::size_t count = balls_.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t soon = std::min(i + 40, count - 1);
-        balls_.fetch_neighbour(soon);
-        fetch_early(&balls.position[soon]);
-        balls.position[i] = place_on(balls_[i].line, end_);
+    const Real began(world.time());
+    const bool are_all = is_begun_anew_ || !std::is_same_v<Real, double>;
+    if (are_all) clear_paths(world);
+    std::array<std::uint32_t, 4096> begun;
+    for (std::size_t first = 0; first < count; first += begun.size()) {
+        const std::size_t last = std::min(first + begun.size(), count);
+        std::size_t begun_count = 0;
+        for (std::size_t i = first; i < last; ++i) {
+            const std::size_t soon = std::min(i + 40, count - 1);
+            balls_.fetch_neighbour(soon);
+            fetch_early(&balls.position[soon]);
+            const EventLine<Real>& line = balls_[i].line;
+            balls.position[i] = place_on(line, end_);
+            // Which ones nobody can foretell.
+            begun[begun_count] = static_cast<std::uint32_t>(i);
+            begun_count += static_cast<std::size_t>(are_all || !(line.time < began));
+        }
+        if (!is_all_left_)
+            for (std::size_t i = first; i < last; ++i)
+                balls.velocity[i] = Vec2(balls_[i].line.velocity);
+        write_begun(world, {begun.data(), begun_count});
     }
-    if (std::is_same_v<Real, double> && is_all_left_) return;
-    for (std::size_t i = 0; i < count; ++i)
-        balls.velocity[i] = Vec2(balls_[i].line.velocity);
+}
+
+template <typename Real>
+void EventEngine<Real>::write_begun(World& world, std::span<const std::uint32_t> begun) {
+    for (std::size_t at = 0; at < begun.size(); ++at) {
+        const std::uint32_t i = begun[at];
+        world.balls.velocity[i] = Vec2(balls_[i].line.velocity);
+        if constexpr (std::is_same_v<Real, double>) {
+            fetch_early(&world.paths[begun[std::min(at + 32, begun.size() - 1)]]);
+            BallPath& stored = world.paths[i];
+            world.paths_sum -= sum_of(stored);
+            stored = stored_line(is_begun_anew_ ? world.balls.id[i] : stored.id, balls_[i].line);
+            world.paths_sum += sum_of(stored);
+        }
+    }
 }
 
 template <typename Real>
@@ -114,60 +145,61 @@ void EventEngine<Real>::write_paths(World& world) {
             velocity = limited(velocity, *world.model.speed_limit);
 }
 
+// To be stored all of them.
+template <typename Real>
+void EventEngine<Real>::clear_paths(World& world) {
+    if constexpr (std::is_same_v<Real, double>) {
+        world.paths.assign(balls_.size(), {});
+        world.path_bends.assign(balls_.may_bend() ? balls_.size() : 0, {});
+        world.paths_sum = balls_.size() * sum_of(BallPath{});
+    } else {
+        left_.carriers.assign(balls_.size(), 0);
+    }
+}
+
 // Those that began in this tick: the others are there already.
 template <typename Real>
 void EventEngine<Real>::store_paths(World& world) {
-    if constexpr (std::is_same_v<Real, double>) {
-        const bool are_all = is_begun_anew_ || begun_.size() >= balls_.size();
-        if (are_all) {
-            world.paths.assign(balls_.size(), {});
-            world.path_bends.assign(balls_.may_bend() ? balls_.size() : 0, {});
-            world.paths_sum = balls_.size() * sum_of(BallPath{});
-        }
-        const auto store = [&](std::uint32_t i) {
+    const auto store = [&](std::uint32_t i) {
+        const EventPath<Real> path = balls_.path(i);
+        if constexpr (!std::is_same_v<Real, double>) {
+            left_.carriers[i] = sum_of_carriers(world, path.support, path.second_support);
+        } else {
             BallPath& stored = world.paths[i];
             const BallPath before = stored;
-            stored = stored_line(world.balls.id[i], balls_[i].line);
-            if (left_.on_lines) world.balls.velocity[i] = stored.velocity;
+            stored = stored_line(world.balls.id[i], path);
             if (!balls_.may_bend()) {
                 world.paths_sum += sum_of(stored) - sum_of(before);
                 return;
             }
             PathBend& bend = world.path_bends[i];
             world.paths_sum -= sum_of(before, bend);
-            bend = stored_bend(world, balls_.path(i));
+            bend = stored_bend(world, path);
             world.paths_sum += sum_of(stored, bend);
-        };
-        if (are_all)
-            for (std::uint32_t i = 0; i < balls_.size(); ++i)
-                store(i);
-        else
-            for (std::size_t at = 0; at < begun_.size(); ++at) {
-                const std::uint32_t soon = begun_[std::min(at + 16, begun_.size() - 1)];
-                fetch_early(&world.paths[soon].id);
-                fetch_early(&world.paths[soon].motion);
-                fetch_early(&world.balls.velocity[soon]);
-                balls_.fetch_neighbour(soon);
-                store(begun_[at]);
-            }
-        left_.paths_sum = world.paths_sum;
-    } else {
-        left_.carriers.clear();
-        for (std::size_t i = 0; i < balls_.size(); ++i) {
-            const EventPath<Real> path = balls_.path(i);
-            left_.carriers.push_back(sum_of_carriers(world, path.support, path.second_support));
         }
+    };
+    const bool are_all =
+        is_begun_anew_ || begun_.size() >= balls_.size() || !std::is_same_v<Real, double>;
+    if (!are_all) {
+        for (const std::uint32_t i : begun_)
+            store(i);
+        return;
     }
+    clear_paths(world);
+    for (std::uint32_t i = 0; i < balls_.size(); ++i)
+        store(i);
 }
 
 template <typename Real>
 void EventEngine<Real>::write(World& world) {
     Balls& balls = world.balls;
-    left_.on_lines = are_lines_ && !world.model.speed_limit;
-    if (left_.on_lines)
-        write_lines(world.balls);
-    else
+    left_.on_lines = leaves_lines();
+    if (left_.on_lines) {
+        write_lines(world);
+    } else {
         write_paths(world);
+        store_paths(world);
+    }
     balls.edge_contacts = edge_contacts_;
     if (world.model.spin) write_spins(world);
     for (const Hand& hand : hands_) {
@@ -175,8 +207,8 @@ void EventEngine<Real>::write(World& world) {
         world.capsules.shape[hand.capsule].start = Vec2(shape.start);
         world.capsules.shape[hand.capsule].end = Vec2(shape.end);
     }
-    store_paths(world);
     if constexpr (std::is_same_v<Real, double>) {
+        left_.paths_sum = world.paths_sum;
         write_crowded(world);
         world.paths_gravity = world.model.gravity.value_or(Vec2{});
         world.paths_drag = world.model.drag.value_or(0.0);

@@ -105,7 +105,7 @@ void EventEngine<Real>::enter_next_cell_on_line(std::uint32_t ball, std::uint32_
     const int rows = way & -static_cast<int>(direction >> 1);
     const int columns = way - rows;
     cells_.step(balls_, ball, columns, rows);
-    const Event& known = balls_.plan(ball).meeting;
+    const Event known = balls_.plan(ball).meeting();
     FirstMet met;
     if (known.kind != Kind::none) met = {known.time, known.other, known.other_version};
     auto firsts = cells_.firsts_of_new(balls_, ball, columns, rows);
@@ -120,14 +120,12 @@ template <typename Real>
 inline void EventEngine<Real>::choose_next_on_line(std::uint32_t ball, FirstMet met) {
     EventPlan<Real>& plan = balls_.plan(ball);
     const bool is_one = met.other != EventBall<Real>::none;
-    plan.meeting.time = met.time;
-    plan.meeting.kind = is_one ? Kind::ball_ball : Kind::none;
-    plan.meeting.across = plan.meeting.along = 0;
-    plan.meeting.other = met.other;
-    plan.meeting.other_version = met.version;
+    const Event meeting{met.time,   is_one ? Kind::ball_ball : Kind::none, 0, 0, met.other,
+                        met.version};
+    plan.set_meeting(meeting);
+    Event coming = meeting;
     if constexpr (!std::is_same_v<Real, double>) {
-        plan.coming = plan.meeting;
-        predict_crossing_of_line(ball, plan.coming);
+        predict_crossing_of_line(ball, coming);
     } else {
         const EventLine<double>& path = balls_[ball].line;
         const EventPlace& own = plan.place;
@@ -153,16 +151,14 @@ inline void EventEngine<Real>::choose_next_on_line(std::uint32_t ball, FirstMet 
         const auto to_y = static_cast<std::uint32_t>(!(path.velocity.y > 0.0));
         // At the same time meetings come first.
         const bool leaves = left < met.time;
-        plan.coming.time = left < met.time ? left : met.time;
+        coming.time = left < met.time ? left : met.time;
         constexpr auto crossing = static_cast<std::uint32_t>(Kind::crossing);
-        const auto otherwise = static_cast<std::uint32_t>(plan.meeting.kind);
-        plan.coming.kind = static_cast<Kind>(select(leaves, crossing, otherwise));
-        plan.coming.across = plan.coming.along = 0;
-        plan.coming.other = select(leaves, select(is_y, 2 + to_y, to_x), met.other);
-        plan.coming.other_version = met.version;
+        const auto otherwise = static_cast<std::uint32_t>(meeting.kind);
+        coming.kind = static_cast<Kind>(select(leaves, crossing, otherwise));
+        coming.other = select(leaves, select(is_y, 2 + to_y, to_x), met.other);
     }
-    if (world_->model.ball_edge && !edges_.is_empty(plan.place.cell))
-        predict_edges(ball, plan.coming);
+    if (world_->model.ball_edge && !edges_.is_empty(plan.place.cell)) predict_edges(ball, coming);
+    plan.set_coming(coming);
     reorder(ball);
 }
 
@@ -229,7 +225,7 @@ inline void EventEngine<Real>::begin_line(std::uint32_t ball, const Vector<Real>
     each.line.position = place;
     each.line.velocity = velocity;
     ++each.version;
-    if (!is_begun_anew_ && begun_.size() < balls_.size()) begun_.push_back(ball);
+    note_begun(ball);
 }
 
 // Two balls meet that touch nothing else, which nearly all do. False, and nothing has changed:
@@ -250,7 +246,7 @@ bool EventEngine<Real>::impact_of_two(std::uint32_t ball, const Event& event,
         // As state_at, which makes 0 of -0.
         const Vector<Real> speed = each.line.velocity + Vector<Real>{};
         places[i] = each.line.position + speed * (now_ - each.line.time);
-        bodies[i] = {speed, balls_.mass(both[i]).inverse};
+        bodies[i] = {speed, balls_.plan(both[i]).inverse_mass};
         const Vector<Real> way = places[i] - each.line.position;
         const Real near = Real(touching) * each.radius;
         // Roughly first: nearly none are near.

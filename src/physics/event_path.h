@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <limits>
 
 #include "geometry/vector.h"
 #include "physics/fetch.h"
@@ -23,6 +25,11 @@ struct EventLine {
     Vector<Real> position;
     Vector<Real> velocity;
 };
+
+/// EventLine::quick after another, as far as BallPath counts.
+inline std::uint32_t one_more(std::uint32_t quick) {
+    return std::min<std::uint32_t>(quick + 1, std::numeric_limits<std::uint16_t>::max());
+}
 
 /// What bends one (PathBend says what each part means).
 template <typename Real>
@@ -80,20 +87,51 @@ struct alignas(64) EventBall {
 };
 static_assert(sizeof(EventBall<double>) == 64);
 
-/// What its impacts need besides.
+/// What the ball's own events need of it besides, in one line.
 template <typename Real>
-struct EventMass {
-    Real inverse{};                              ///< 0: in a hand
-    std::uint32_t body = EventBall<Real>::none;  ///< in the impact that is being worked out
-};
-
-/// What only the ball's own events need of it, in one line.
-template <typename Real>
-struct alignas(64) EventPlan {
-    BallEvent<Real> coming;  ///< the first of those found
-    /// Whom it meets first, wherever, where it flies among flying balls: see EventEngine::predict.
-    BallEvent<Real> meeting{.kind = EventKind::unknown};
+class alignas(64) EventPlan {
+  public:
+    Real inverse_mass{};  ///< 0: in a hand
     EventPlace place;
+
+    /// The first of its events that were found.
+    BallEvent<Real> coming() const { return event(coming_time_, coming_); }
+    void set_coming(const BallEvent<Real>& event) {
+        coming_time_ = event.time;
+        coming_ = What(event);
+    }
+    /// Whom it meets first, wherever, where it flies among flying balls: see EventEngine::predict.
+    BallEvent<Real> meeting() const { return event(meeting_time_, meeting_); }
+    void set_meeting(const BallEvent<Real>& event) {
+        meeting_time_ = event.time;
+        meeting_ = What(event);
+    }
+
+  private:
+    // An event but for its time, without a gap.
+    struct What {
+        std::uint32_t other = 0;
+        std::uint32_t other_version = 0;
+        EventKind kind = EventKind::none;
+        std::int8_t across = 0;
+        std::int8_t along = 0;
+
+        What() = default;
+        explicit What(const BallEvent<Real>& event)
+            : other(event.other),
+              other_version(event.other_version),
+              kind(event.kind),
+              across(event.across),
+              along(event.along) {}
+    };
+    static BallEvent<Real> event(const Real& time, const What& what) {
+        return {time, what.kind, what.across, what.along, what.other, what.other_version};
+    }
+
+    Real coming_time_{};
+    Real meeting_time_{};
+    What coming_;
+    What meeting_{BallEvent<Real>{.kind = EventKind::unknown}};
 };
 static_assert(sizeof(EventPlan<double>) == 64);
 
@@ -105,7 +143,7 @@ class EventBalls {
     /// `bend`: whether their paths may, as has_bends says.
     void resize(std::size_t count, bool bend) {
         balls_.resize(count);
-        masses_.resize(count);
+        bodies_.resize(count);
         plans_.resize(count);
         bends_.resize(bend ? count : 0);
     }
@@ -120,12 +158,12 @@ class EventBalls {
         balls_[ball].line = path;
         if (!bends_.empty()) bends_[ball] = path;
     }
+    /// In the impact that is being worked out; or EventBall::none.
+    std::uint32_t& body(std::size_t ball) { return bodies_[ball]; }
     bool may_bend() const { return !bends_.empty(); }
     /// Pre: paths may bend.
     EventBend<Real>& bend(std::size_t ball) { return bends_[ball]; }
     const EventBend<Real>& bend(std::size_t ball) const { return bends_[ball]; }
-    EventMass<Real>& mass(std::size_t ball) { return masses_[ball]; }
-    const EventMass<Real>& mass(std::size_t ball) const { return masses_[ball]; }
     EventPlan<Real>& plan(std::size_t ball) { return plans_[ball]; }
     const EventPlan<Real>& plan(std::size_t ball) const { return plans_[ball]; }
     const EventBall<Real>* data() const { return balls_.data(); }
@@ -134,29 +172,28 @@ class EventBalls {
     auto begin() const { return balls_.begin(); }
     auto end() const { return balls_.end(); }
 
-    /// Into the cache: what is read of a neighbour; all that a ball's own events need.
+    /// Into the cache: what is read of a neighbour; what a ball's own events need.
     void fetch_neighbour(std::size_t ball) const { fetch_early(&balls_[ball]); }
     void fetch(std::size_t ball) const {
         fetch_neighbour(ball);
-        fetch_early(&masses_[ball]);
         fetch_early(&plans_[ball]);
     }
 
   private:
     LargeVector<EventBall<Real>> balls_;
-    LargeVector<EventMass<Real>> masses_;
     LargeVector<EventPlan<Real>> plans_;
+    std::vector<std::uint32_t> bodies_;
     LargeVector<EventBend<Real>> bends_;  ///< empty where paths do not bend
 };
 
 EventPath<double> path_from(const BallPath& stored, const PathBend& bend);
 inline BallPath stored_line(BallId id, const EventLine<double>& line) {
     return {.id = id,
-            .quick = line.quick,
+            .quick = static_cast<std::uint16_t>(line.quick),
+            .motion = line.motion,
             .time = line.time,
             .position = Vec2(line.position),
-            .velocity = Vec2(line.velocity),
-            .motion = line.motion};
+            .velocity = Vec2(line.velocity)};
 }
 PathBend stored_bend(const World& world, const EventPath<double>& path);
 

@@ -55,7 +55,7 @@ bool EventEngine<Real>::comes_first(std::uint32_t ball_a, const Event& a, std::u
 
 template <typename Real>
 double EventEngine<Real>::queue_time(std::uint32_t ball) const {
-    const Event& next = balls_.plan(ball).coming;
+    const Event next = balls_.plan(ball).coming();
     return next.kind == Kind::none ? EventQueue::never : static_cast<double>(next.time);
 }
 
@@ -65,7 +65,7 @@ void EventEngine<Real>::build_queue() {
     queue_.build(
         balls_.size(), [this](std::uint32_t ball) { return queue_time(ball); },
         [this](std::uint32_t a, std::uint32_t b) {
-            return comes_first(a, balls_.plan(a).coming, b, balls_.plan(b).coming);
+            return comes_first(a, balls_.plan(a).coming(), b, balls_.plan(b).coming());
         });
 }
 
@@ -73,7 +73,7 @@ void EventEngine<Real>::build_queue() {
 template <typename Real>
 void EventEngine<Real>::reorder(std::uint32_t ball) {
     queue_.update(ball, queue_time(ball), [this](std::uint32_t a, std::uint32_t b) {
-        return comes_first(a, balls_.plan(a).coming, b, balls_.plan(b).coming);
+        return comes_first(a, balls_.plan(a).coming(), b, balls_.plan(b).coming());
     });
 }
 
@@ -98,7 +98,7 @@ void EventEngine<Real>::predict(std::uint32_t ball) {
             if (is_known) meet_flying(ball, other, across, along, meeting);
         });
     if (!is_known) meeting.kind = Kind::unknown;
-    balls_.plan(ball).meeting = meeting;
+    balls_.plan(ball).set_meeting(meeting);
     choose_next(ball);
 }
 
@@ -150,7 +150,7 @@ void EventEngine<Real>::predict_after(const Body& body) {
         }
     }
     if (!is_known) meeting.kind = Kind::unknown;
-    balls_.plan(ball).meeting = meeting;
+    balls_.plan(ball).set_meeting(meeting);
     choose_next(ball);
 }
 
@@ -165,14 +165,14 @@ template <typename Real>
 void EventEngine<Real>::choose_next(std::uint32_t ball) {
     if (balls_[ball].line.motion == Motion::still && hands_.empty())
         return look_for_the_moving(ball);
-    const bool is_known = balls_.plan(ball).meeting.kind != Kind::unknown;
+    const bool is_known = balls_.plan(ball).meeting().kind != Kind::unknown;
     const bool is_line = is_known && !world_->model.gravity;
     Event best;
     best.time = Real(std::numeric_limits<double>::infinity());
     // How far to look where it takes longer the further one looks.
     if (!is_line || !hands_.empty())
         best = {now_ + Real(16.0 / world_->rate), Kind::crossing, 0, 0, look_again, 0};
-    if (is_known) consider(ball, balls_.plan(ball).meeting, best);
+    if (is_known) consider(ball, balls_.plan(ball).meeting(), best);
     if (is_line)
         predict_crossing_of_line(ball, best);
     else
@@ -182,7 +182,7 @@ void EventEngine<Real>::choose_next(std::uint32_t ball) {
     if (!is_known && world_->model.ball_ball) predict_balls(ball, best);
     if (world_->model.ball_edge && balls_[ball].line.motion != Motion::resting)
         predict_edges(ball, best);
-    balls_.plan(ball).coming = best;
+    balls_.plan(ball).set_coming(best);
 }
 
 // On a torus a ball that meets nobody goes round and round: before its path leads too far from the
@@ -229,18 +229,18 @@ void EventEngine<Real>::enter_next_cell(std::uint32_t ball, std::uint32_t direct
         predict(ball);
         return;
     }
-    bool is_known = balls_.plan(ball).meeting.kind != Kind::unknown;
+    bool is_known = balls_.plan(ball).meeting().kind != Kind::unknown;
     if (direction < steps.size()) {
         const auto [columns, rows] = steps[direction];
         cells_.step(balls_, ball, columns, rows);
         if (is_known && world_->model.ball_ball) {
-            Event meeting = balls_.plan(ball).meeting;
+            Event meeting = balls_.plan(ball).meeting();
             cells_.for_each_new(balls_, ball, columns, rows,
                                 [&](std::uint32_t other, int across, int along) {
                                     is_known = is_known && is_flying(other);
                                     if (is_known) meet_flying(ball, other, across, along, meeting);
                                 });
-            balls_.plan(ball).meeting = meeting;
+            balls_.plan(ball).set_meeting(meeting);
         }
     }
     if (is_known)

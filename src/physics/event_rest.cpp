@@ -305,7 +305,7 @@ std::uint32_t EventEngine<Real>::tiredness(std::uint32_t ball,
                                            const EventPath<Real>& before) const {
     const Real quick = fall_time(ball) * Real(quick_succession);
     const double pauses = static_cast<double>((now_ - before.time) / quick);
-    if (pauses < 1.0) return before.quick + 1;
+    if (pauses < 1.0) return one_more(before.quick);
     return pauses < before.quick ? before.quick - static_cast<std::uint32_t>(pauses) : 0;
 }
 

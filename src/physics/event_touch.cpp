@@ -7,17 +7,17 @@ namespace carom {
 
 template <typename Real>
 std::uint32_t EventEngine<Real>::body_of(std::uint32_t ball) {
-    if (balls_.mass(ball).body != EventBall<Real>::none) return balls_.mass(ball).body;
+    if (balls_.body(ball) != EventBall<Real>::none) return balls_.body(ball);
     const auto body = static_cast<std::uint32_t>(bodies_.size());
     const BallState<Real> state = state_at(balls_.path(ball), field_, now_);
     bodies_.push_back({.ball = ball,
                        .position = state.position,
                        .fastest = length(state.velocity),
                        .was_resting = balls_[ball].line.motion == Motion::resting});
-    impact_bodies_.push_back({state.velocity, balls_.mass(ball).inverse});
+    impact_bodies_.push_back({state.velocity, balls_.plan(ball).inverse_mass});
     if (world_->model.spin) body_spins_.push_back(spin_at(ball, now_));
     if (world_->model.cloth) body_rolls_.push_back(roll_at(ball, now_));
-    balls_.mass(ball).body = body;
+    balls_.body(ball) = body;
     return body;
 }
 
@@ -25,7 +25,7 @@ template <typename Real>
 void EventEngine<Real>::add_ball_touch(std::uint32_t body, std::uint32_t other, int across,
                                        int along, bool is_certain) {
     const std::uint32_t ball = bodies_[body].ball;
-    const std::uint32_t known = balls_.mass(other).body;
+    const std::uint32_t known = balls_.body(other);
     if (known != EventBall<Real>::none && bodies_[known].is_scanned && !is_certain) return;
     const Vector<Real> shift = torus_shift(across, along);
     const Vector<Real> theirs =

@@ -154,11 +154,11 @@ struct PathSupport {
 /// next tick starts from the very path and not from its rounded end, the path belongs to the state.
 struct BallPath {
     BallId id{};
-    std::uint32_t quick = 0;  ///< collisions in a row without way between them
-    double time = 0.0;        ///< s since the start
+    std::uint16_t quick = 0;  ///< collisions in a row without way between them, as far as it counts
+    Motion motion = Motion::free;
+    double time = 0.0;  ///< s since the start
     Vec2 position;
     Vec2 velocity;
-    Motion motion = Motion::free;
 
     friend bool operator==(const BallPath&, const BallPath&) = default;
 };
