@@ -9,13 +9,14 @@
 namespace carom::bench {
 namespace {
 
-// What Box2D 3.2 (AVX2) got in the piles, measured once: see docs/performance.md.
+// What Box2D 3 got in a pile.
 struct Box2d3Pile {
     double overlap;
     double residual;
 };
 
-Box2d3Pile box2d3_pile(bool has_friction, bool is_large) {
+// Of version 3.2 (AVX2), measured once elsewhere, for runs without it: see docs/performance.md.
+Box2d3Pile box2d3_pile_elsewhere(bool has_friction, bool is_large) {
     if (has_friction) return is_large ? Box2d3Pile{0.132, 4e-5} : Box2d3Pile{0.058, 3e-5};
     return is_large ? Box2d3Pile{0.153, 2e-3} : Box2d3Pile{0.058, 6e-4};
 }
@@ -64,7 +65,7 @@ void gas_lines(Lines& lines, const SceneResults& scene) {
     }
     if (const Result* substep = find(scene, "carom substep")) {
         lines.at_least(at, "substep: speed / Box2D 3's", box2d3 * speed(*substep), 3, 5);
-        const Result* peer = find(scene, "Box2D 3 WASM");
+        const Result* peer = find(scene, box2d3_wasm);
         if (peer && peer->accuracy().error && substep->accuracy().error) {
             lines.at_most(at, "substep: error after 0.1 s / Box2D 3's",
                           *substep->accuracy().error / *peer->accuracy().error, 0.25, 0.25);
@@ -83,7 +84,10 @@ void pile_lines(Lines& lines, const SceneResults& scene) {
     if (!chipmunk_result || !contact) return;
     const std::string& at = scene.scene.name;
     const bool has_friction = scene.scene.level == "pile-friction.level";
-    const Box2d3Pile peer = box2d3_pile(has_friction, scene.balls > 2'000);
+    const Result* box2d3 = find(scene, box2d3_wasm);
+    const Box2d3Pile peer =
+        box2d3 ? Box2d3Pile{box2d3->accuracy().deepest_overlap, box2d3->accuracy().residual_speed}
+               : box2d3_pile_elsewhere(has_friction, scene.balls > 2'000);
     const double time = contact->milliseconds_a_tick() / chipmunk_result->milliseconds_a_tick() /
                         scene.scene.box2d3_by_chipmunk;
     lines.at_most(at, "contact: time / Box2D 3's", time, has_friction ? 1.0 : 0.7,

@@ -23,7 +23,9 @@ struct GoalLine {
 };
 
 /// A line for each goal that the results have figures for. Box2D 3's native times are not measured
-/// here: they are Chipmunk's in the same run times BenchScene::box2d3_by_chipmunk.
+/// here: they are Chipmunk's in the same run times BenchScene::box2d3_by_chipmunk. Its overlap and
+/// residual speed in piles are those of its build for node in the same run, or where that is not
+/// there what was measured of it once.
 std::vector<GoalLine> goal_lines(const std::vector<SceneResults>& scenes, const OwnFigures& own);
 
 }  // namespace carom::bench

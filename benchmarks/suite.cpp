@@ -27,7 +27,7 @@ std::vector<Contestant> carom_solvers(const std::vector<SolverKind>& kinds) {
 std::vector<Contestant> with_peers(std::vector<Contestant> contestants, bool with_matter) {
     contestants.push_back({.name = std::string(chipmunk), .program = "bench_chipmunk"});
     contestants.push_back({.name = "Box2D 2.4", .program = "bench_box2d"});
-    contestants.push_back({.name = "Box2D 3 WASM", .program = "engine_box2d3.mjs"});
+    contestants.push_back({.name = std::string(box2d3_wasm), .program = "engine_box2d3.mjs"});
     contestants.push_back({.name = "Rapier WASM", .program = "engine_rapier.mjs"});
     contestants.push_back({.name = "Rapier WASM SIMD", .program = "engine_rapier_simd.mjs"});
     if (with_matter) contestants.push_back({.name = "matter.js", .program = "engine_matter.mjs"});

@@ -37,5 +37,6 @@ std::vector<std::string> arrangement(const BenchScene& scene, int run);
 std::vector<BenchScene> bench_scenes(bool quick);
 
 inline constexpr std::string_view chipmunk = "Chipmunk";
+inline constexpr std::string_view box2d3_wasm = "Box2D 3 WASM";
 
 }  // namespace carom::bench
