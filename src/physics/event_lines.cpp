@@ -204,6 +204,8 @@ inline bool EventEngine<Real>::find_lines(std::uint32_t ball, std::uint32_t part
 // Whether the ball, at `place` now, touches no edge.
 template <typename Real>
 bool EventEngine<Real>::is_off_edges(std::uint32_t ball, const Vector<Real>& place) const {
+    // Nearly always, and much is to be passed about for the rest.
+    if (!world_->model.ball_edge || edges_.is_empty(balls_.plan(ball).place.cell)) return true;
     bool is_off = true;
     for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int, int) {
         const Edge<Real> edge(world_->capsules.shape[capsule], shift);
