@@ -93,7 +93,8 @@ std::optional<Real> quadratic_closing(const Gap<Real>& now,
 }
 
 /// First time in begin..end at which a gap of any shape closes. look(t) gives the gap at a time;
-/// its second derivative is nowhere below -pull while the gap is open, nor below what look says.
+/// its second derivative is nowhere below -pull while the gap is open, nor below what look says,
+/// which is asked where it is far sharper: of bodies that move side by side.
 ///
 /// Method: gap + rate s - pull s^2 / 2 is a lower bound, so its first root is a safe step; near the
 /// end the steps shrink quadratically. The result is the first time at which the gap is at most
@@ -107,7 +108,8 @@ std::optional<Real> first_closing(Look&& look, Real begin, Real end, Real pull,
     Real time = begin;
     for (std::uint32_t round = 0; round < 1'000'000; ++round) {
         const Gap<Real> now = look(time);
-        const Real most = now.pull < zero || pull < now.pull ? pull : now.pull;
+        const bool is_sharper = !(now.pull < zero) && Real(64.0) * now.pull < pull;
+        const Real& most = is_sharper ? now.pull : pull;
         Real step{};
         if (now.gap <= tolerance.touch) {
             const bool grazes =

@@ -38,9 +38,13 @@ Gap<Real> gap_of(const Vector<Real>& offset, const Vector<Real>& velocity,
 // Drag makes all accelerations die away at the same rate: what presses now will press no more
 // strongly, and what does not press never will. Of what turns the acceleration now says nothing.
 template <typename Real>
-Gap<Real> with_lasting_lean(Gap<Real> gap, bool turns, bool is_constant) {
-    if (turns) gap.distance = Real{};
-    if (!is_constant && Real{} < gap.lean) gap.lean = Real{};
+Gap<Real> lasting(Gap<Real> gap, const Vector<Real>& acceleration, bool turns, bool has_drag) {
+    if (turns) {
+        gap.distance = Real{};
+    } else if (has_drag) {
+        gap.pull = length(acceleration);
+        if (Real{} < gap.lean) gap.lean = Real{};
+    }
     return gap;
 }
 
@@ -85,9 +89,9 @@ std::optional<Real> point_closing(const EventPath<Real>& path, const Vector<Real
     return first_closing<Real>(
         [&](const Real& time) {
             const BallState<Real> state = state_at(path, field, time);
-            return with_lasting_lean(gap_of(state.position - point, state.velocity,
-                                            acceleration_at(path, field, state.velocity), reach),
-                                     path.motion == Motion::turning, !field.has_drag);
+            const Vector<Real> acceleration = acceleration_at(path, field, state.velocity);
+            return lasting(gap_of(state.position - point, state.velocity, acceleration, reach),
+                           acceleration, path.motion == Motion::turning, field.has_drag);
         },
         path.time, last, pull, limits);
 }
@@ -209,12 +213,12 @@ std::optional<Real> ball_closing(const EventPath<Real>& a, const EventPath<Real>
     const auto look = [&](const Real& time) {
         const BallState<Real> at_a = state_at(a, field, time);
         const BallState<Real> at_b = state_at(b, field, time);
-        return with_lasting_lean(
-            gap_of(
-                at_a.position - at_b.position - shift, at_a.velocity - at_b.velocity,
-                acceleration_at(a, field, at_a.velocity) - acceleration_at(b, field, at_b.velocity),
-                reach),
-            a.motion == Motion::turning || b.motion == Motion::turning, !field.has_drag);
+        const Vector<Real> acceleration =
+            acceleration_at(a, field, at_a.velocity) - acceleration_at(b, field, at_b.velocity);
+        return lasting(gap_of(at_a.position - at_b.position - shift, at_a.velocity - at_b.velocity,
+                              acceleration, reach),
+                       acceleration, a.motion == Motion::turning || b.motion == Motion::turning,
+                       field.has_drag);
     };
     const bool one_rests = a.motion == Motion::resting || b.motion == Motion::resting;
     const bool on_cloth = is_on_cloth(a) || is_on_cloth(b);
@@ -254,10 +258,11 @@ std::optional<Real> closing_from_inside(const EventPath<Real>& path, const Edge<
             const BallState<Real> state = state_at(path, field, time);
             const auto contact = contact_with(edge, state.position, radius);
             Gap<Real> now{contact.gap, dot(contact.normal, state.velocity), Real{}};
-            now.lean = dot(contact.normal, acceleration_at(path, field, state.velocity));
+            const Vector<Real> acceleration = acceleration_at(path, field, state.velocity);
+            now.lean = dot(contact.normal, acceleration);
             now.speed = length(state.velocity);
             now.distance = contact.gap + radius + edge.radius;
-            return with_lasting_lean(now, path.motion == Motion::turning, !field.has_drag);
+            return lasting(now, acceleration, path.motion == Motion::turning, field.has_drag);
         },
         path.time, last_moment(path, field, end), pull, limits);
 }
