@@ -338,6 +338,7 @@ class EventEngine {
     /// Valid until the next call.
     const std::vector<Support>& supports_of(std::uint32_t ball, bool also_moving);
     bool is_barred(const Support& support, const Support& other) const;
+    bool leads_against(std::uint32_t ball, const Support& support, const Support& other) const;
     std::optional<std::pair<std::size_t, std::size_t>> bearing_two(
         const std::vector<Support>& supports) const;
     void rest(std::uint32_t ball, const Support& first, const Support* second);

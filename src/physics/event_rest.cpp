@@ -120,6 +120,24 @@ bool EventEngine<Real>::is_barred(const Support& support, const Support& other) 
     return dot(along, other.normal) < -noise_of(field_.gravity);
 }
 
+// Whether the ball would go on against the other if it slid on the support from now on: as fast as
+// it is, or, where that leads neither way, as it is pulled.
+template <typename Real>
+bool EventEngine<Real>::leads_against(std::uint32_t ball, const Support& support,
+                                      const Support& other) const {
+    const Vector<Real>& normal = support.normal;
+    const Vector<Real> velocity = balls_[ball].line.velocity;
+    const Real size = radius(ball);
+    const Real rate = dot(velocity - normal * dot(velocity, normal), other.normal);
+    const Real noise = Real(impact_noise<Real>) * length(velocity) +
+                       Real(pressing_noise) * square_root(field_.pressing * size);
+    if (rate < -noise) return true;
+    if (!is_barred(support, other)) return false;
+    const Vector<Real> along = field_.gravity - normal * dot(field_.gravity, normal);
+    const Real slow = Real(2.0 * resting_rise) * -dot(along, other.normal) * size;
+    return !(rate > noise && rate * rate > slow);
+}
+
 // Two that between them bear all of gravity, the first such pair.
 template <typename Real>
 std::optional<std::pair<std::size_t, std::size_t>> EventEngine<Real>::bearing_two(
@@ -165,7 +183,7 @@ void EventEngine<Real>::settle(std::uint32_t ball) {
         if (!supports[i].carries) break;
         bool is_free = true;
         for (std::size_t j = 0; j < supports.size(); ++j)
-            if (j != i && is_barred(supports[i], supports[j])) is_free = false;
+            if (j != i && leads_against(ball, supports[i], supports[j])) is_free = false;
         if (is_free) return rest(ball, supports[i], nullptr);
     }
 }

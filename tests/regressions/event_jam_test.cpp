@@ -101,3 +101,26 @@ TEST_CASE("event: elastic balls that are put into edges and one another lie stil
     CHECK(done.asked < 5);
     CHECK(done.contacts < 20000);
 }
+
+// It was laid on the one that it would leave for the other at once, and bounced back, at one
+// instant, as often as its speed lasted.
+TEST_CASE("event: a ball that goes over from one floor to another slides on the higher one") {
+    for (const bool is_flat_first : {false, true}) {
+        CAPTURE(is_flat_first);
+        World world = under_gravity(1.0);
+        world.model.gravity = Vec2{-2.0, -10.0};
+        const Capsule flat{{-10.0, 0.0}, {10.0, 0.0}, 0.0};
+        const Capsule falling{{-10.0, 0.06}, {10.0, -0.06}, 0.0};
+        add_capsule(world, is_flat_first ? flat : falling, 0);
+        add_capsule(world, is_flat_first ? falling : flat, 0);
+        const double half = std::atan2(0.006, 1.0) / 2.0;
+        add_ball(world, {.position = Vec2{std::tan(half), 1.0} * 0.5,
+                         .velocity = {0.0035, 0.0},
+                         .radius = 0.5});
+        Solver solver({.kind = SolverKind::event});
+        int asked = 0;
+        REQUIRE(solver.tick(world, [&] { return ++asked < 5; }) == TickOutcome::done);
+        CHECK(solver.contacts().size() < 2000);
+        CHECK(world.balls.position[0].y > 0.5 - 1e-6);
+    }
+}
