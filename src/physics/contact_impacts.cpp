@@ -149,20 +149,32 @@ void ContactSolver::begin_paths_around(std::uint32_t body) {
     }
 }
 
-// Friction may take back what it has given to both, and no more: else it would speed up slip.
-void ContactSolver::forget_rubs_not_given() {
-    const auto given = [&](std::uint32_t body) {
-        return body < still_ && place_of_path_[body] != none ? path_of(body).given : 1.0;
+// Friction may take back what it has given to both, and no more: else it would speed up slip. And a
+// body that waits has not felt what pushed the other one away from it: in the next substep that
+// would push it again.
+void ContactSolver::forget_what_was_not_given() {
+    struct Share {
+        double rub = 1.0;
+        double impulse = 1.0;
+    };
+    const auto given = [&](std::uint32_t body) -> Share {
+        if (body >= still_ || place_of_path_[body] == none) return {};
+        const Path& path = path_of(body);
+        return {.rub = path.given, .impulse = path.stands ? path.given : 1.0};
     };
     for (std::size_t k = 0; k < presses_used_; ++k) {
         Presses& presses = presses_[k];
-        for (const int which : {0, 1})
-            presses.rub[which] *= std::min(given(presses.a[which]), given(presses.b[which]));
+        for (const int which : {0, 1}) {
+            const Share a = given(presses.a[which]);
+            const Share b = given(presses.b[which]);
+            presses.impulse[which] *= std::min(a.impulse, b.impulse);
+            presses.rub[which] *= std::min(a.rub, b.rub);
+        }
     }
 }
 
 void ContactSolver::finish_paths(const World& world) {
-    if (world.model.spin) forget_rubs_not_given();
+    forget_what_was_not_given();
     for (std::uint32_t i = 0; i < still_; ++i)
         if (place_of_path_[i] == none || path_of(i).version == 0) position_[i] += way_[i];
     for (const Path& path : paths_) {

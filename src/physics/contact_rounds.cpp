@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "physics/contact_exchange.h"
 #include "physics/contact_solver.h"
 
 // The rounds over the pressed pairs: from the bottom up, which presses them apart, and from the top
@@ -40,58 +41,6 @@ inline void ContactSolver::start_with(const Presses& presses) {
     if (presses.a[1] != still_) second_a.velocity += Vec2{ax[1], ay[1]};
     if (presses.b[0] != still_) first_b.velocity -= Vec2{bx[0], by[0]};
     if (presses.b[1] != still_) second_b.velocity -= Vec2{bx[1], by[1]};
-}
-
-template <bool spin>
-inline void ContactSolver::exchange(Presses& presses, Two impulse) {
-    Mover& first_a = mover_[presses.a[0]];
-    Mover& second_a = mover_[presses.a[1]];
-    Mover& first_b = mover_[presses.b[0]];
-    Mover& second_b = mover_[presses.b[1]];
-    Two ax{first_a.velocity.x, second_a.velocity.x};
-    Two ay{first_a.velocity.y, second_a.velocity.y};
-    Two bx{first_b.velocity.x, second_b.velocity.x};
-    Two by{first_b.velocity.y, second_b.velocity.y};
-    const Two inverse_a{first_a.inverse_mass, second_a.inverse_mass};
-    const Two inverse_b{first_b.inverse_mass, second_b.inverse_mass};
-    const Two change = impulse - presses.impulse;
-    const Two push_x = presses.normal_x * change;
-    const Two push_y = presses.normal_y * change;
-    presses.impulse = impulse;
-    ax += push_x * inverse_a;
-    ay += push_y * inverse_a;
-    bx -= push_x * inverse_b;
-    by -= push_y * inverse_b;
-    if constexpr (spin) {
-        Two rim_a{first_a.rim, second_a.rim};
-        Two rim_b{first_b.rim, second_b.rim};
-        // Along is the perpendicular of the normal.
-        const Two along_x = -presses.normal_y;
-        const Two along_y = presses.normal_x;
-        const Two slip = ((ax - bx) * along_x + (ay - by) * along_y) - (rim_a + rim_b);
-        const Two most = presses.friction * impulse;
-        const Two wanted = presses.rub - slip * presses.mass * spin_mass_;
-        const Two whole = at_least(-most, at_most(most, wanted));
-        const Two part = whole - presses.rub;
-        presses.rub = whole;
-        const Two of_a = part * inverse_a;
-        const Two of_b = part * inverse_b;
-        ax += along_x * of_a;
-        ay += along_y * of_a;
-        bx -= along_x * of_b;
-        by -= along_y * of_b;
-        rim_a -= of_a * spin_ease_;
-        rim_b -= of_b * spin_ease_;
-        first_a.rim = rim_a[0];
-        if (presses.a[1] != still_) second_a.rim = rim_a[1];
-        if (presses.b[0] != still_) first_b.rim = rim_b[0];
-        if (presses.b[1] != still_) second_b.rim = rim_b[1];
-    }
-    // What nothing moves would only make pairs wait for one another.
-    first_a.velocity = {ax[0], ay[0]};
-    if (presses.a[1] != still_) second_a.velocity = {ax[1], ay[1]};
-    if (presses.b[0] != still_) first_b.velocity = {bx[0], by[0]};
-    if (presses.b[1] != still_) second_b.velocity = {bx[1], by[1]};
 }
 
 // Two by two, as they come; who shares a body with the one before goes by itself.
@@ -137,13 +86,6 @@ void ContactSolver::begin_presses() {
         both.friction = Two{first.friction, second.friction};
         start_with<spin>(both);
     }
-}
-
-// The speed at which each two part.
-inline Two ContactSolver::apart(const Presses& presses) const {
-    const Vec2 first = mover_[presses.a[0]].velocity - mover_[presses.b[0]].velocity;
-    const Vec2 second = mover_[presses.a[1]].velocity - mover_[presses.b[1]].velocity;
-    return Two{first.x, second.x} * presses.normal_x + Two{first.y, second.y} * presses.normal_y;
 }
 
 template <bool spin>
@@ -234,6 +176,7 @@ void ContactSolver::press(bool spin, bool downwards) {
 void ContactSolver::press_with_loads(bool spin) {
     spin ? begin_presses<true>() : begin_presses<false>();
     find_loaded();
+    if (has_throws()) spin ? take_back_throws<true>() : take_back_throws<false>();
     press(spin, false);
     const auto one = [&](Presses& presses) { spin ? press<true>(presses) : press<false>(presses); };
     for (int round = 1; round < loaded_rounds; ++round)
@@ -242,6 +185,8 @@ void ContactSolver::press_with_loads(bool spin) {
 }
 
 void ContactSolver::relax_with_loads(bool spin) {
+    if (most_push_ > most_throw * resting_speed_ * duration_)
+        spin ? take_back_throws<true>() : take_back_throws<false>();
     spin ? relax_all<true>() : relax_all<false>();
     const auto one = [&](Presses& presses) { spin ? relax<true>(presses) : relax<false>(presses); };
     for (int round = 1; round < loaded_rounds; ++round) {

@@ -57,6 +57,7 @@ void ContactSolver::substep(World& world, double share_of_way, std::vector<Conta
     take_hands(world, share_of_way);
     kick(world);
     count_presses();
+    had_impacts_ = false;
     prepare(world, terms_of(world));
     press_with_loads(world.model.spin.has_value());
     note_new_contacts(contacts);

@@ -21,7 +21,8 @@ namespace carom {
 /// (soft constraints). What bounces is a *flying* pair: its impact is found in time, along the
 /// paths that the balls are on, and dealt with then and there, as in `swept`. A substep is
 ///   1. sort the pairs into pressed, flying and idle ones;
-///   2. gravity and drag; then the impulses of the last substep again, to start from;
+///   2. gravity and drag; then the impulses of the last substep again, to start from, without what
+///      throws;
 ///   3. one round over the pressed pairs, from the bottom up;
 ///   4. all balls go along their paths; impacts in the order of time;
 ///   5. one round over the pressed pairs from the top down, that takes back the speed with which
@@ -52,13 +53,16 @@ namespace carom {
 /// Where nothing in a scene can press, all is flight, and `swept` goes in its place
 /// (contact_flights.h).
 ///
+/// What stopped an impact is no load: what it would throw up in the next substep is taken back
+/// before anything moves, and again at the end of a substep (`most_throw`, contact_throws.cpp).
+///
 /// Fails by nature: pressed bodies overlap slightly, the more the heavier what lies on them; a pile
 /// of bounces goes pair by pair. A tower in which each ball is ten times as heavy as the one below
-/// goes in as deep as the cores; a heap with friction whose masses are 1e8 apart may gain a part of
-/// its energy for a time. A ball that does not bounce, but lands on one that rests, rises again by
-/// up to 7 % of its fall: the substep after begins with the impulse that stopped it. What slips out
-/// between hands that are far behind where they are wanted may go as fast as they would to be there
-/// at the end of the tick.
+/// goes in as deep as the cores; of 120 heaps with friction whose masses are 1e5 to 1e8 apart three
+/// gained up to a fifth of their energy for a time. What lands a hundred times as heavy, or goes in
+/// as deep as the cores, may rise again by a few hundredths of its fall. What slips out between
+/// hands that are far behind where they are wanted may go as fast as they would to be there at the
+/// end of the tick.
 ///
 /// There is no sleep: in a heap at rest the last bits of the speeds go on changing, so who slept
 /// would wake with others than a run without sleep. But the pairs of balls that stay about where
@@ -67,7 +71,9 @@ namespace carom {
 ///
 /// Source: soft constraints, substeps and relaxing are those of Box2D 3 (Catto, Solver2D, 2024);
 /// sequential impulses and warm starting: Catto, Iterative Dynamics with Temporal Coherence (2005);
-/// over-relaxation of impulses that can only push: Cryer, SIAM J. Control 9 (1971) 385.
+/// over-relaxation of impulses that can only push: Cryer, SIAM J. Control 9 (1971) 385; taking back
+/// from the top down, as if what lies below were held: the shock propagation of Guendelman, Bridson
+/// and Fedkiw, Nonconvex Rigid Bodies with Stacking (2003).
 class ContactSolver {
   public:
     static constexpr double resting_approach = 1.5;
@@ -95,6 +101,10 @@ class ContactSolver {
     /// come to rest after a minute, with four after some seconds.
     static constexpr double uneven = 4.0;
     static constexpr int loaded_rounds = 4;
+    /// An impulse that lets the upper of two bodies go up from the lower one at so many resting
+    /// speeds has stopped an impact, and is no load to start from in the next substep: it is taken
+    /// back as far as it does. With less, heaps that fall together overlap more.
+    static constexpr double most_throw = 4.0;
     /// Pairs that press on a ball in a bed of others.
     static constexpr int bedded = 3;
     /// Approaches slower than this share of the speeds are rounding.
@@ -118,6 +128,11 @@ class ContactSolver {
     };
 
     enum class State : std::uint8_t { idle, pressed, flying };
+
+    struct Throw {
+        double speed = 0.0;
+        double inverse_mass = 0.0;
+    };
 
     struct Pair {
         std::uint32_t a = 0;
@@ -279,6 +294,10 @@ class ContactSolver {
     void relax_with_loads(bool spin);
     bool is_uneven(const Pair& pair) const;
     void find_loaded();
+    bool has_throws() const;
+    Throw throw_of(const Presses& presses, int which, Vec2 up) const;
+    template <bool spin>
+    void take_back_throws();
     void note_new_contacts(std::vector<Contact>& contacts);
     void hold_hands_back(bool spin);
     bool shorten_hands();
@@ -304,7 +323,7 @@ class ContactSolver {
     void stop_hand(const World& world, std::uint32_t capsule, double now);
     void take_path(const World& world, std::uint32_t body, double now, Vec2 velocity, double rim);
     void leave(Path& path, double now) const;
-    void forget_rubs_not_given();
+    void forget_what_was_not_given();
     void count_push(std::uint32_t body, double now);
     void end_path_at_border(std::uint32_t body, double now);
     void stand(std::uint32_t body, double now);

@@ -361,6 +361,19 @@ TEST_CASE("torture: finite, nothing lost, no energy gained, by the solvers that 
     MESSAGE("\n", table);
 }
 
+// A ball that waits behind another does not feel what pushes the others off it: started from again,
+// that impulse would push them again in each substep.
+TEST_CASE("torture: contact: deep heaps with masses 1e8 apart gain no energy where balls wait") {
+    for (const std::uint64_t who : {21, 33, 36}) {
+        CAPTURE(who);
+        Outcome outcome;
+        run_ordeal(rubbing_heap(who), SolverKind::contact, outcome);
+        CHECK(outcome.not_finite == 0);
+        CHECK(outcome.lost == 0);
+        CHECK(outcome.gain < 1e-10);
+    }
+}
+
 TEST_CASE("torture: of 10,000 shots at thin walls none gets through") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
