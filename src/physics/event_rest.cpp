@@ -179,13 +179,17 @@ void EventEngine<Real>::settle(std::uint32_t ball) {
             return rest(ball, first, &second);
         }
     }
-    for (std::size_t i = 0; i < supports.size(); ++i) {
-        if (!supports[i].carries) break;
-        bool is_free = true;
-        for (std::size_t j = 0; j < supports.size(); ++j)
-            if (j != i && leads_against(ball, supports[i], supports[j])) is_free = false;
-        if (is_free) return rest(ball, supports[i], nullptr);
-    }
+    // Where its speed leads against something from each, one of those along which gravity does not:
+    // the ball meets that then. If it fell, slow approaches would be none (event_closing.h).
+    for (const bool is_free_to_go : {true, false})
+        for (std::size_t i = 0; i < supports.size() && supports[i].carries; ++i) {
+            bool is_free = true;
+            for (std::size_t j = 0; j < supports.size(); ++j)
+                if (j != i && (is_free_to_go ? leads_against(ball, supports[i], supports[j])
+                                             : is_barred(supports[i], supports[j])))
+                    is_free = false;
+            if (is_free) return rest(ball, supports[i], nullptr);
+        }
 }
 
 template <typename Real>

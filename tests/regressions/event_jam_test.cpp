@@ -124,3 +124,31 @@ TEST_CASE("event: a ball that goes over from one floor to another slides on the 
         CHECK(world.balls.position[0].y > 0.5 - 1e-6);
     }
 }
+
+// It was let fall for that, and too slow then to meet what it went against: it met the floor again
+// and again, a hair deeper each time, and gave up.
+TEST_CASE("event: a ball on a floor that goes slowly against a wall or a ball beside it meets it") {
+    for (const bool is_wall : {false, true})
+        for (const double drag : {0.0, 0.3})
+            for (const double restitution : {0.0, 0.3})
+                for (const double speed : {1e-8, 1e-6, 5e-5}) {
+                    CAPTURE(is_wall);
+                    CAPTURE(drag);
+                    CAPTURE(restitution);
+                    CAPTURE(speed);
+                    World world = under_gravity(restitution);
+                    if (drag > 0.0) world.model.drag = drag;
+                    add_capsule(world, {{-40.0, 0.0}, {40.0, 0.0}, 0.0}, 0);
+                    if (is_wall)
+                        add_capsule(world, {{-0.5, -3.0}, {-0.5, 10.0}, 0.0}, 0);
+                    else
+                        add_ball(world, {.position = {-1.0, 0.5}, .radius = 0.5});
+                    add_ball(world,
+                             {.position = {0.0, 0.5}, .velocity = {-speed, 0.0}, .radius = 0.5});
+                    CHECK(run(world, 50).contacts < 10);
+                    CHECK(std::abs(world.balls.position.back().y - 0.5) < 1e-9);
+                    if (!is_wall) continue;
+                    const double left = restitution * speed * std::exp(-drag * 0.5);
+                    CHECK(std::abs(world.balls.velocity[0].x - left) < 1e-3 * speed);
+                }
+}
