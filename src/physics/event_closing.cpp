@@ -66,6 +66,8 @@ template <typename Real>
 std::optional<Real> point_closing(const EventPath<Real>& path, const Vector<Real>& point,
                                   const Real& reach, const Real& small, const Field<Real>& field,
                                   const Real& end) {
+    // Round the very point, as from one edge to the next: it comes no nearer.
+    if (path.motion == Motion::turning && path.center == point) return std::nullopt;
     const Real last = last_moment(path, field, end);
     const Real pull = most_acceleration(path, field, path.time);
     const auto limits =

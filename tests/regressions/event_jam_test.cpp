@@ -1,4 +1,5 @@
 #include <cmath>
+#include <ctime>
 
 #include <doctest/doctest.h>
 
@@ -151,4 +152,16 @@ TEST_CASE("event: a ball on a floor that goes slowly against a wall or a ball be
                     const double left = restitution * speed * std::exp(-drag * 0.5);
                     CHECK(std::abs(world.balls.velocity[0].x - left) < 1e-3 * speed);
                 }
+}
+
+// Round the end that two edges share it was looked for the end of the other a million times.
+TEST_CASE("event: a ball that goes slowly over the ridge of two edges costs next to nothing") {
+    World world = under_gravity(0.5);
+    add_capsule(world, {{0.0, 0.0}, {40.0, 0.0}, 0.0}, 0);
+    add_capsule(world, {{0.0, 0.0}, {-40.0, -0.4}, 0.0}, 0);
+    add_ball(world, {.position = {0.0, 0.5}, .velocity = {-1e-4, 0.0}, .radius = 0.5});
+    const double before = static_cast<double>(std::clock());
+    CHECK(run(world, 300).contacts < 100);
+    CHECK((static_cast<double>(std::clock()) - before) / CLOCKS_PER_SEC < 0.5);
+    CHECK(world.balls.velocity[0].x < -0.01);
 }
