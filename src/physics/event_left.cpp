@@ -5,6 +5,7 @@
 #include "physics/event_engine.h"
 #include "physics/flight.h"
 #include "physics/same_bits.h"
+#include "physics/two.h"
 
 // What a tick leaves in the world, and whether the next one goes on from there.
 namespace carom {
@@ -13,6 +14,22 @@ namespace {
 template <typename Real>
 Vec2 place_on(const EventLine<Real>& line, const Real& time) {
     return Vec2(line.position + line.velocity * (time - line.time));
+}
+
+// visit(i) for all from `first` to before `last`, and before that, where there are so many,
+// fetch(i) some way ahead.
+template <typename Visit, typename Fetch>
+void go_through(std::size_t first, std::size_t last, std::size_t count, Visit&& visit,
+                Fetch&& fetch) {
+    constexpr std::size_t ahead = 40;
+    const std::size_t fetched =
+        count < too_many_to_cache ? first : std::clamp(count - ahead, first, last);
+    for (std::size_t i = first; i < fetched; ++i) {
+        fetch(i + ahead);
+        visit(i);
+    }
+    for (std::size_t i = fetched; i < last; ++i)
+        visit(i);
 }
 
 bool are_same(const Capsules& a, const Capsules& b) {
@@ -41,21 +58,19 @@ bool EventEngine<Real>::are_left(const World& world) const {
     if (!left_.on_lines)
         return have_same_bits(left_.velocities, world.balls.velocity) &&
                have_same_bits(left_.positions, world.balls.position);
-    std::uint64_t differ = 0;
-    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
-    const auto compare = [&](const Vec2& a, const Vec2& b) {
-        differ |= (bits(a.x) ^ bits(b.x)) | (bits(a.y) ^ bits(b.y));
+    TwoBits differ{};
+    const auto bits = [](const Vec2& v) { return std::bit_cast<TwoBits>(Two{v.x, v.y}); };
+    const auto compare = [&](std::size_t i) {
+        const EventLine<Real>& line = balls_[i].line;
+        differ |= bits(place_on(line, now_)) ^ bits(world.balls.position[i]);
+        differ |= bits(Vec2(line.velocity)) ^ bits(world.balls.velocity[i]);
     };
-    for (std::size_t i = 0; i < balls_.size(); ++i) {
-        const std::size_t soon = std::min(i + 40, balls_.size() - 1);
+    go_through(0, balls_.size(), balls_.size(), compare, [&](std::size_t soon) {
         balls_.fetch_neighbour(soon);
         fetch_early(&world.balls.position[soon]);
         fetch_early(&world.balls.velocity[soon]);
-        const EventLine<Real>& line = balls_[i].line;
-        compare(place_on(line, now_), world.balls.position[i]);
-        compare(Vec2(line.velocity), world.balls.velocity[i]);
-    }
-    return differ == 0;
+    });
+    return (differ[0] | differ[1]) == 0;
 }
 
 template <typename Real>
@@ -83,16 +98,17 @@ void EventEngine<Real>::write_lines(World& world) {
     for (std::size_t first = 0; first < count; first += begun.size()) {
         const std::size_t last = std::min(first + begun.size(), count);
         std::size_t begun_count = 0;
-        for (std::size_t i = first; i < last; ++i) {
-            const std::size_t soon = std::min(i + 40, count - 1);
-            balls_.fetch_neighbour(soon);
-            fetch_early(&balls.position[soon]);
+        const auto write = [&](std::size_t i) {
             const EventLine<Real>& line = balls_[i].line;
             balls.position[i] = place_on(line, end_);
             // Which ones nobody can foretell.
             begun[begun_count] = static_cast<std::uint32_t>(i);
             begun_count += static_cast<std::size_t>(are_all || !(line.time < began));
-        }
+        };
+        go_through(first, last, count, write, [&](std::size_t soon) {
+            balls_.fetch_neighbour(soon);
+            fetch_early(&balls.position[soon]);
+        });
         if (!is_all_left_)
             for (std::size_t i = first; i < last; ++i)
                 balls.velocity[i] = Vec2(balls_[i].line.velocity);
