@@ -150,9 +150,10 @@ void ContactSolver::begin_paths_around(std::uint32_t body) {
 }
 
 // Friction may take back what it has given to both, and no more: else it would speed up slip. And a
-// body that waits has not felt what pushed the other one away from it: in the next substep that
-// would push it again.
-void ContactSolver::forget_what_was_not_given() {
+// body that waits has not felt what pushed the other one away from it: where the two part faster
+// than what rests does, that would push it again in the next substep. Where they do not, it is a
+// load that one of them still carries.
+void ContactSolver::forget_what_was_not_given(const World& world) {
     struct Share {
         double rub = 1.0;
         double impulse = 1.0;
@@ -162,19 +163,28 @@ void ContactSolver::forget_what_was_not_given() {
         const Path& path = path_of(body);
         return {.rub = path.given, .impulse = path.stands ? path.given : 1.0};
     };
+    const auto velocity_then = [&](std::uint32_t body) {
+        const bool has_path = body < still_ && place_of_path_[body] != none;
+        return has_path ? velocity_at(world, body, duration_) : mover_[body].velocity;
+    };
     for (std::size_t k = 0; k < presses_used_; ++k) {
         Presses& presses = presses_[k];
         for (const int which : {0, 1}) {
             const Share a = given(presses.a[which]);
             const Share b = given(presses.b[which]);
-            presses.impulse[which] *= std::min(a.impulse, b.impulse);
+            const double impulse = std::min(a.impulse, b.impulse);
+            const Vec2 normal{presses.normal_x[which], presses.normal_y[which]};
+            if (impulse < 1.0 &&
+                dot(velocity_then(presses.a[which]) - velocity_then(presses.b[which]), normal) >
+                    most_throw * resting_speed_)
+                presses.impulse[which] *= impulse;
             presses.rub[which] *= std::min(a.rub, b.rub);
         }
     }
 }
 
 void ContactSolver::finish_paths(const World& world) {
-    forget_what_was_not_given();
+    forget_what_was_not_given(world);
     for (std::uint32_t i = 0; i < still_; ++i)
         if (place_of_path_[i] == none || path_of(i).version == 0) position_[i] += way_[i];
     for (const Path& path : paths_) {

@@ -194,6 +194,29 @@ TEST_CASE("contact: a ball that does not bounce lands from any height, and stays
 
 // What stopped an impact is no load, and the next substep does not start from it: that would throw
 // the ball up by 7 % of its fall, and a heavy one by 10 %.
+TEST_CASE("contact: high columns of lively balls that stand stay at rest") {
+    for (const int balls : {50, 80, 100})
+        for (const double restitution : {0.0, 0.7, 0.9}) {
+            CAPTURE(balls);
+            CAPTURE(restitution);
+            World world = floor_world();
+            world.balls = {};
+            world.kinds[0].restitution = restitution;
+            world.materials[0].restitution = restitution;
+            for (int i = 0; i < balls; ++i)
+                add_ball(world, {.position = {0.0, 0.5 + i}, .velocity = {}});
+            const double top = world.balls.position.back().y;
+            double highest = 0.0;
+            Solver solver({.kind = SolverKind::contact});
+            for (int i = 0; i < 900; ++i) {
+                solver.tick(world);
+                highest = std::max(highest, world.balls.position.back().y);
+            }
+            CHECK(highest <= top);
+            CHECK(rms_speed(world) < 1e-6);
+        }
+}
+
 TEST_CASE("contact: a ball that does not bounce lands on others, and stays") {
     for (const double friction : {0.0, 0.5})
         for (const double mass : {1.0, 10.0, 100.0})
