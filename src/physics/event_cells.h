@@ -74,9 +74,10 @@ class EventCells {
         line.along = static_cast<std::int8_t>(line.along + along);
     }
 
-    /// Of the four directions in which a ball can leave a cell, as in events: x, -x, y, -y.
+    /// A ball leaves a cell in one of the directions 0 to 3, as in events: x, -x, y, -y; or in
+    /// none.
     static constexpr std::uint32_t no_direction = 4;
-    /// The cell on that side of this one, on a plane.
+    /// The cell on that side of this one, on a plane; for any other number, the cell itself.
     std::uint32_t next_cell(std::uint32_t cell, std::uint32_t direction) const {
         const auto columns = static_cast<std::uint32_t>(frame_.columns);
         return cell + select(direction == 0, 1, 0) - select(direction == 1, 1, 0) +

@@ -16,8 +16,8 @@ Vec2 place_on(const EventLine<Real>& line, const Real& time) {
     return Vec2(line.position + line.velocity * (time - line.time));
 }
 
-// visit(i) for all from `first` to before `last`, and before that, where there are so many,
-// fetch(i) some way ahead.
+// visit(i) from `first` to before `last`, of `count` in all; where so many are not all in the
+// cache, fetch(i) some way ahead of it.
 template <typename Visit, typename Fetch>
 void go_through(std::size_t first, std::size_t last, std::size_t count, Visit&& visit,
                 Fetch&& fetch) {
