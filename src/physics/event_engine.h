@@ -223,6 +223,7 @@ class EventEngine {
     void write(World& world);
     /// Whether the world is left with every ball where its line says: see Left.
     bool leaves_lines() const { return are_lines_ && !world_->model.speed_limit; }
+    bool is_summed() const { return balls_.size() >= too_many_to_cache; }
     /// The ball's path began now. Lines tell that themselves.
     void note_begun(std::uint32_t ball) {
         if (!is_begun_anew_ && !leaves_lines() && begun_.size() < balls_.size())
@@ -477,6 +478,8 @@ class EventEngine {
         /// All balls flew in straight lines, and are where those say: there are no copies.
         bool on_lines = false;
         KeptIds<BallId> ids;
+        SumOfBits position_sum;  ///< of those on lines, where they are many
+        SumOfBits velocity_sum;
         /// Not so where they are on lines.
         std::vector<Vec2> positions;
         std::vector<Vec2> velocities;

@@ -32,6 +32,10 @@ void go_through(std::size_t first, std::size_t last, std::size_t count, Visit&& 
         visit(i);
 }
 
+TwoBits bits_of(const Vec2& v) {
+    return std::bit_cast<TwoBits>(Two{v.x, v.y});
+}
+
 bool are_same(const Capsules& a, const Capsules& b) {
     return a.id == b.id && a.shape == b.shape && a.material == b.material && a.side == b.side;
 }
@@ -52,24 +56,30 @@ bool EventEngine<Real>::is_continued(const World& world) const {
            are_same(left_.capsules, world.capsules);
 }
 
-// Bit by bit. Pre: is_continued.
+// Bit by bit; lines that are too many to be gone through for that, by their sums. Pre:
+// is_continued.
 template <typename Real>
 bool EventEngine<Real>::are_left(const World& world) const {
     if (!left_.on_lines)
         return have_same_bits(left_.velocities, world.balls.velocity) &&
                have_same_bits(left_.positions, world.balls.position);
+    const std::vector<Vec2>& positions = world.balls.position;
+    const std::vector<Vec2>& velocities = world.balls.velocity;
+    if (is_summed()) {
+        SumOfBits position_sum;
+        SumOfBits velocity_sum;
+        for (std::size_t i = 0; i < balls_.size(); ++i) {
+            position_sum.add(bits_of(positions[i]));
+            velocity_sum.add(bits_of(velocities[i]));
+        }
+        return position_sum == left_.position_sum && velocity_sum == left_.velocity_sum;
+    }
     TwoBits differ{};
-    const auto bits = [](const Vec2& v) { return std::bit_cast<TwoBits>(Two{v.x, v.y}); };
-    const auto compare = [&](std::size_t i) {
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
         const EventLine<Real>& line = balls_[i].line;
-        differ |= bits(place_on(line, now_)) ^ bits(world.balls.position[i]);
-        differ |= bits(Vec2(line.velocity)) ^ bits(world.balls.velocity[i]);
-    };
-    go_through(0, balls_.size(), balls_.size(), compare, [&](std::size_t soon) {
-        balls_.fetch_neighbour(soon);
-        fetch_early(&world.balls.position[soon]);
-        fetch_early(&world.balls.velocity[soon]);
-    });
+        differ |= bits_of(place_on(line, now_)) ^ bits_of(positions[i]);
+        differ |= bits_of(Vec2(line.velocity)) ^ bits_of(velocities[i]);
+    }
     return (differ[0] | differ[1]) == 0;
 }
 
@@ -95,12 +105,20 @@ void EventEngine<Real>::write_lines(World& world) {
     const bool are_all = is_begun_anew_ || !std::is_same_v<Real, double>;
     if (are_all) clear_paths(world);
     std::array<std::uint32_t, 4096> begun;
+    const bool is_summed = this->is_summed();
+    SumOfBits position_sum;
+    SumOfBits velocity_sum;
     for (std::size_t first = 0; first < count; first += begun.size()) {
         const std::size_t last = std::min(first + begun.size(), count);
         std::size_t begun_count = 0;
         const auto write = [&](std::size_t i) {
             const EventLine<Real>& line = balls_[i].line;
-            balls.position[i] = place_on(line, end_);
+            const Vec2 place = place_on(line, end_);
+            balls.position[i] = place;
+            if (is_summed) {
+                position_sum.add(bits_of(place));
+                velocity_sum.add(bits_of(Vec2(line.velocity)));
+            }
             // Which ones nobody can foretell.
             begun[begun_count] = static_cast<std::uint32_t>(i);
             begun_count += static_cast<std::size_t>(are_all || !(line.time < began));
@@ -114,6 +132,8 @@ void EventEngine<Real>::write_lines(World& world) {
                 balls.velocity[i] = Vec2(balls_[i].line.velocity);
         write_begun(world, {begun.data(), begun_count});
     }
+    left_.position_sum = position_sum;
+    left_.velocity_sum = velocity_sum;
 }
 
 template <typename Real>
