@@ -249,8 +249,6 @@ class ContactSolver {
     // The substep.
     void substep(World& world, double share_of_way, std::vector<Contact>& contacts);
     Softness softness_of(const World& world) const;
-    void take_hands(const World& world, double share_of_way);
-    void move_hands(World& world);
     void kick(const World& world);
     void find_ways();
     void go(const World& world);
@@ -300,52 +298,60 @@ class ContactSolver {
     template <bool spin>
     void take_back_throws();
     void note_new_contacts(std::vector<Contact>& contacts);
-    void hold_hands_back(bool spin);
-    bool shorten_hands();
-    void settle_jams();
 
-    // Impacts within a substep.
+    // Impacts within a substep: which come next.
     void find_hits();
     void look_ahead(std::size_t hit) const;
     void run_impacts(World& world, std::vector<Contact>& contacts);
+    void predict(const World& world, std::uint32_t body, double now);
+    std::optional<double> meeting(const World& world, const Pair& pair, double now) const;
+    Capsule edge_at(const World& world, const Pair& pair, double now) const;
+    double core(const Pair& pair) const;
+    bool is_void(const Event& event) const;
+    void push(const Event& event);
+    static bool is_earlier(const Event& a, const Event& b);
+
+    // And what they do.
+    void collide(World& world, const Event& event, std::vector<Contact>& contacts);
+    std::optional<Contact> collide_balls(World& world, Pair& pair, double now);
+    std::optional<Contact> collide_edge(World& world, Pair& pair, double now);
+    double restitution_of(const World& world, const Pair& pair, double approach) const;
+
+    // Paths within a substep.
     void begin_paths();
+    void list_pairs_of_bodies();
     void begin_path(std::uint32_t body);
     void begin_paths_around(std::uint32_t body);
     Path& path_of(std::uint32_t body) { return paths_[place_of_path_[body]]; }
     const Path& path_of(std::uint32_t body) const { return paths_[place_of_path_[body]]; }
-    void finish_paths(const World& world);
-    void list_pairs_of_bodies();
-    void predict(const World& world, std::uint32_t body, double now);
-    std::optional<double> meeting(const World& world, const Pair& pair, double now) const;
-    bool is_void(const Event& event) const;
-    void collide(World& world, const Event& event, std::vector<Contact>& contacts);
-    std::optional<Contact> collide_balls(World& world, Pair& pair, double now);
-    std::optional<Contact> collide_edge(World& world, Pair& pair, double now);
-    void stop_hand(const World& world, std::uint32_t capsule, double now);
-    void take_path(const World& world, std::uint32_t body, double now, Vec2 velocity, double rim);
-    void leave(Path& path, double now) const;
-    void forget_what_was_not_given(const World& world);
-    void count_push(std::uint32_t body, double now);
-    void end_path_at_border(std::uint32_t body, double now);
-    void stand(std::uint32_t body, double now);
-    void wait_at(std::uint32_t body, Vec2 normal, double now);
-    void wait_behind(std::uint32_t other, std::uint32_t body, Vec2 normal, double now);
     Vec2 position_at(const World& world, std::uint32_t body, double now) const;
     Vec2 velocity_at(const World& world, std::uint32_t body, double now) const;
     double rim_at(std::uint32_t body, double now) const;
     Vec2 chord_position(std::uint32_t body, double now) const;
-    double core(const Pair& pair) const;
-    double restitution_of(const World& world, const Pair& pair, double approach) const;
-    Capsule edge_at(const World& world, const Pair& pair, double now) const;
-    Capsule shape_of(const World& world, const Hand& hand, double now) const;
+    void leave(Path& path, double now) const;
+    void take_path(const World& world, std::uint32_t body, double now, Vec2 velocity, double rim);
+    void count_push(std::uint32_t body, double now);
+    void end_path_at_border(std::uint32_t body, double now);
+    void stand(std::uint32_t body, double now);
+    void wait_behind(std::uint32_t other, std::uint32_t body, Vec2 normal, double now);
+    void wait_at(std::uint32_t body, Vec2 normal, double now);
+    void forget_what_was_not_given(const World& world);
+    void finish_paths(const World& world);
+
+    // Hands.
+    void take_hands(const World& world, double share_of_way);
+    void move_hands(World& world);
     Hand* hand_of(std::uint32_t capsule);
     const Hand* hand_of(std::uint32_t capsule) const;
     Hand& hand_of(const Pair& pair);
     Hand* hand_of_body(std::uint32_t body);
     Vec2 surface_velocity(const Hand& hand, const Capsule& shape, Vec2 point) const;
+    Capsule shape_of(const World& world, const Hand& hand, double now) const;
+    void hold_hands_back(bool spin);
+    bool shorten_hands();
+    void settle_jams();
+    void stop_hand(const World& world, std::uint32_t capsule, double now);
     bool is_held_body(std::uint32_t body) const { return mover_[body].inverse_mass == 0.0; }
-    void push(const Event& event);
-    static bool is_earlier(const Event& a, const Event& b);
 
     NearPairs near_;
     ContactScenery scenery_;
