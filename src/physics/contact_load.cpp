@@ -1,101 +1,18 @@
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "physics/bounce.h"
 #include "physics/contact_solver.h"
 #include "physics/fetch.h"
-#include "physics/totals.h"
 
 // Between the world and the bodies of the solver `contact`.
 namespace carom {
 namespace {
 
-// What the sizes of regions depend on.
-struct Times {
-    double tick = 0.0;     // s
-    double substep = 0.0;  // s
-    double fall = 0.0;     // length/s^2
-    double radii = 0.0;    // that a region may be larger than the ball, for a way of a whole tick
-};
-
-// How far each ball may go in a tick before the pairs must be found again: what it needs at its
-// speed, but at least `hit`, for what pushes it; of a very fast one, what it needs in a substep.
-double margin_for(double speed, double radius, const Times& times, double hit) {
-    const double whole = speed * times.tick + times.fall * times.tick * times.tick;
-    const double most = std::max(
-        times.radii * radius, speed * times.substep + times.fall * times.substep * times.substep);
-    return std::max(1.25 * std::min(whole, most), hit) + 0.03 * radius;
-}
-
-// A few fast balls get large regions, so that not all pairs are found anew for their sake. Where
-// balls typically go further than their radius in a tick, such regions
-// would hold a crowd each, and all that meets looks at all of it: there they last for a substep.
-double most_radii(const World& world) {
-    return typical_way(world) > 1.0 ? 0.5 : 4.0;
-}
-
 // The balls lie anywhere in the world's arrays: asked for so many bodies ahead, they are there.
 constexpr std::uint32_t ahead = 16;
 
-// Whether it does not show in the result when the pairs are found: nothing is ever pressed, so they
-// are in no order, and neither the torus nor spin is rounded anew when bodies are loaded.
-bool is_order_free(const World& world) {
-    const Model& model = world.model;
-    return !model.gravity && !model.lossy && !model.wrap && !model.spin &&
-           world.held_balls.empty() && world.held_capsules.empty();
-}
-
 }  // namespace
-
-// Regions for all balls, around where they are now.
-void ContactSolver::find_homes(World& world) const {
-    const Balls& balls = world.balls;
-    const Times times{.tick = world.tick_length(),
-                      .substep = duration_,
-                      .fall = length(gravity_),
-                      .radii = most_radii(world)};
-    double fastest = 0.0;
-    double smallest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        fastest = std::max(fastest, length_squared(balls.velocity[i]));
-        smallest = std::min(smallest, balls.radius[i]);
-    }
-    fastest = std::sqrt(fastest);
-    // Where it does not show when the pairs are found, more for what is hit: so that they last for
-    // the tick, mostly.
-    const double roomy =
-        is_order_free(world) ? std::min(1.15 * fastest * times.tick, 0.4 * smallest) : 0.0;
-    Homes& homes = world.homes;
-    homes.ball = balls.id;
-    homes.place = balls.position;
-    homes.margin.resize(balls.size());
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        const double radius = balls.radius[i];
-        const double hit = std::max(std::min(1.1 * fastest * duration_, 0.25 * radius), roomy);
-        homes.margin[i] = margin_for(length(balls.velocity[i]), radius, times, hit);
-    }
-    for (const HeldBall& held : world.held_balls) {
-        const auto index = index_of(world, held.id);
-        if (!index) continue;
-        Vec2 way = held.target - balls.position[*index];
-        if (wraps_) way = nearest_image(way, torus_);
-        homes.margin[*index] += length(way);
-    }
-}
-
-// Whether the regions of an earlier tick will do, at least for the next substep. What a hand meets
-// is asked anew in each tick, and on a torus balls leave their homes behind at its seams.
-bool ContactSolver::has_homes(const World& world) const {
-    const Homes& homes = world.homes;
-    if (wraps_ || !world.held_balls.empty() || !world.held_capsules.empty()) return false;
-    if (homes.ball != world.balls.id) return false;
-    const Balls& balls = world.balls;
-    for (std::size_t i = 0; i < balls.size(); ++i)
-        if (!stays_home(balls.position[i] - homes.place[i], balls.velocity[i], homes.margin[i]))
-            return false;
-    return true;
-}
 
 void ContactSolver::begin(World& world) {
     if (!has_homes(world))
@@ -296,63 +213,6 @@ const PressedPair* ContactSolver::last_impulse(const World& world, const Pair& p
             return &then;
     }
     return nullptr;
-}
-
-// Against gravity, by the height of the contact in 4096 steps; what is as high stays in the order
-// of the cells. Then into shifts: in each no two pairs have a body in common, and each pair comes
-// after all that were before it and share a body with it, so that the result is that of the first
-// order, bit by bit, but the processor need not wait for one pair to begin the next.
-void ContactSolver::order_pairs() {
-    const std::vector<NearPair>& near = near_.pairs();
-    turn_.clear();
-    if (gravity_ == Vec2{} || near.size() < 2) return;
-    const Vec2 up = -gravity_ / length(gravity_);
-    height_.resize(still_);
-    for (std::uint32_t i = 0; i < still_; ++i)
-        height_[i] = dot(up, home_[i]);
-    const auto height_of = [&](const NearPair& pair) {
-        const double a = height_[pair.a];
-        return pair.b < still_ ? a + height_[pair.b] : 2.0 * a;
-    };
-    double low = height_of(near[0]);
-    double high = low;
-    for (const NearPair& pair : near) {
-        const double height = height_of(pair);
-        low = std::min(low, height);
-        high = std::max(high, height);
-    }
-    if (!(high > low)) return;
-    constexpr std::size_t steps = 4096;
-    const double scale = static_cast<double>(steps - 1) / (high - low);
-    begin_.assign(steps + 1, 0);
-    shift_.resize(near.size());
-    for (std::size_t p = 0; p < near.size(); ++p) {
-        const double step = (height_of(near[p]) - low) * scale;
-        shift_[p] = static_cast<std::uint32_t>(step > 0.0 ? std::min(step, steps - 1.0) : 0.0);
-        ++begin_[shift_[p] + 1];
-    }
-    for (std::size_t s = 1; s <= steps; ++s)
-        begin_[s] += begin_[s - 1];
-    upwards_.resize(near.size());
-    for (std::uint32_t p = 0; p < near.size(); ++p)
-        upwards_[begin_[shift_[p]]++] = p;
-
-    last_shift_.assign(still_ + 1, 0);
-    begin_.assign(2, 0);
-    for (const std::uint32_t p : upwards_) {
-        const NearPair& pair = near[p];
-        std::uint32_t& a = last_shift_[pair.a];
-        std::uint32_t& b = last_shift_[pair.b < still_ ? pair.b : pair.a];
-        a = b = std::max(a, b) + 1;
-        shift_[p] = a;
-        if (a + 1 >= begin_.size()) begin_.resize(a + 2, 0);
-        ++begin_[a + 1];
-    }
-    for (std::size_t s = 1; s < begin_.size(); ++s)
-        begin_[s] += begin_[s - 1];
-    turn_.resize(near.size());
-    for (const std::uint32_t p : upwards_)
-        turn_[begin_[shift_[p]]++] = p;
 }
 
 void ContactSolver::store(World& world, std::vector<std::uint8_t>& touched) {

@@ -123,11 +123,4 @@ void ContactSolver::go(const World& world) {
     }
 }
 
-// Whether nobody can leave the region in which it was compared in the next substep.
-bool ContactSolver::is_at_home() const {
-    for (std::uint32_t i = 0; i < still_; ++i)
-        if (!stays_home(position_[i] - home_[i], mover_[i].velocity, margin_[i])) return false;
-    return true;
-}
-
 }  // namespace carom

@@ -231,8 +231,6 @@ class ContactSolver {
 
     // Between the world and the bodies.
     void begin(World& world);
-    bool has_homes(const World& world) const;
-    void find_homes(World& world) const;
     void load(const World& world);
     bool take_up(const World& world);
     void load_bodies(const World& world);
@@ -246,14 +244,19 @@ class ContactSolver {
     void store(World& world, std::vector<std::uint8_t>& touched);
     void store_impulses(World& world, std::vector<std::uint8_t>& touched);
 
+    // Homes: for how long the pairs are all that could meet.
+    bool has_homes(const World& world) const;
+    void find_homes(World& world) const;
+    static bool is_order_free(const World& world);
+    bool is_at_home() const;
+    bool stays_home(Vec2 away, Vec2 velocity, double margin) const;
+
     // The substep.
     void substep(World& world, double share_of_way, std::vector<Contact>& contacts);
     Softness softness_of(const World& world) const;
     void kick(const World& world);
     void find_ways();
     void go(const World& world);
-    bool is_at_home() const;
-    bool stays_home(Vec2 away, Vec2 velocity, double margin) const;
 
     // Pressed pairs.
     void prepare(const World& world, Terms terms);
@@ -423,13 +426,6 @@ class ContactSolver {
 
 inline double ContactSolver::core(const Pair& pair) const {
     return 0.5 * (pair.b < still_ ? std::min(radius_[pair.a], radius_[pair.b]) : radius_[pair.a]);
-}
-
-// Whether a ball so far from home cannot leave its region in the next substep with this velocity:
-// (away + way)^2 <= 2 (away^2 + way^2).
-inline bool ContactSolver::stays_home(Vec2 away, Vec2 velocity, double margin) const {
-    const double way = length(velocity) * duration_ + fall_;
-    return 2.0 * (length_squared(away) + way * way) <= margin * margin;
 }
 
 }  // namespace carom
