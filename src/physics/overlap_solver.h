@@ -76,9 +76,9 @@ class OverlapSolver {
     double move_all(World& world);
     void look(const World& world, double way);
     bool still_cover(const World& world, double way);
-    Vec2 way_of(const World& world, std::uint32_t ball) const;
     template <Terms terms, bool forced>
     void move_active(World& world);
+    void part_bodies(World& world);
     template <Terms terms>
     void part_active(World& world);
     template <Terms terms>
@@ -92,10 +92,11 @@ class OverlapSolver {
     bool knows_edges(const World& world, const Pushed& pushed) const;
     template <Terms terms>
     void push_out_of_edge(World& world, const EdgePair& pair);
+    Vec2 way_of(const World& world, std::uint32_t ball) const;
+    void note_push(const World& world, std::uint32_t ball);
     void exchange_momentum(World& world, double time, std::vector<Contact>& contacts);
     template <Terms terms>
     void bounce_pairs(World& world, double time, std::vector<Contact>& contacts);
-    void note_push(const World& world, std::uint32_t ball);
     void keep_time(World& world);
     void end_step(const World& world);
     void move_hands(World& world, double share);
