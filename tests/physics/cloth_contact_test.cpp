@@ -1,6 +1,5 @@
 #include "physics/cloth_contact.h"
 
-#include <array>
 #include <cmath>
 #include <functional>
 
@@ -9,35 +8,19 @@
 #include "geometry/elementary.h"
 #include "physics/random.h"
 #include "physics/solver.h"
-#include "physics/support/scenes.h"
+#include "physics/support/cloth_table.h"
 #include "physics/totals.h"
 
 using namespace carom;
 
-// What a pool player knows, as laws over every solver: SI units, the balls and the cloth of
-// levels/eight-ball.level.
+// What a pool player knows, as laws over every solver.
 namespace {
 
-constexpr double radius = 0.028575;
-constexpr double inertia = 0.4;
-constexpr Cloth cloth{.slide = 0.2, .roll = 0.01, .spin = 10.0, .gravity = 9.81};
+using scenes::cloth_table;
+using scenes::put;
+using scenes::solid;
 
-World table(double restitution, double friction) {
-    World world = scenes::empty();
-    world.rate = 240.0;
-    world.model.spin = inertia;
-    world.model.cloth = cloth;
-    world.kinds[0] = {
-        .radius = radius, .mass = 0.17, .restitution = restitution, .friction = friction};
-    world.materials[0] = {.restitution = 0.85, .friction = 0.2};
-    world.model.lossy = true;
-    return world;
-}
-
-// Slides without turning, unless there is a roll.
-void put(World& world, Vec2 position, Vec2 velocity = {}, Vec2 roll = {}, double spin = 0.0) {
-    add_ball(world, {.position = position, .velocity = velocity, .spin = spin, .roll = roll});
-}
+constexpr double radius = scenes::pool_ball;
 
 void run(World& world, SolverKind kind, double seconds) {
     Solver solver({.kind = kind});
@@ -93,14 +76,14 @@ TEST_CASE("friction on cloth keeps momentum, makes no energy, and sticks where i
             const double rim = ball.spin * size;
             return 0.5 * mass *
                    (length_squared(ball.velocity) +
-                    inertia * (length_squared(ball.roll) + rim * rim));
+                    solid * (length_squared(ball.roll) + rim * rim));
         };
         const double before = energy(a, mass_a, radius_a) + energy(b, mass_b, radius_b);
         const Vec2 momentum = a.velocity * mass_a + b.velocity * mass_b;
         const bool is_rough = n % 2 == 0;
         const double passed = rub_on_cloth(a.velocity, {a.spin, a.roll, radius_a}, 1.0 / mass_a,
                                            b.velocity, {b.spin, b.roll, radius_b}, 1.0 / mass_b,
-                                           normal, 1.0, {is_rough ? 1e6 : 0.05, inertia});
+                                           normal, 1.0, {is_rough ? 1e6 : 0.05, solid});
         const double after = energy(a, mass_a, radius_a) + energy(b, mass_b, radius_b);
         CHECK(after <= before * (1.0 + 1e-12));
         CHECK(length(a.velocity * mass_a + b.velocity * mass_b - momentum) < 1e-12);
@@ -125,14 +108,14 @@ TEST_CASE("a ball that turns towards another is climbed by it: both turn the les
     // The one on the left, which rolls to the right: its front goes down, and pushes the other's
     // back down, so that the other rolls to the left.
     rub_on_cloth(still, {no_spin, no_roll, 1.0}, 1.0, also_still, {spin, roll, 1.0}, 1.0,
-                 {1.0, 0.0}, 10.0, {0.001, inertia});
+                 {1.0, 0.0}, 10.0, {0.001, solid});
     CHECK(no_roll.x == doctest::Approx(-0.025));
     CHECK(roll.x == doctest::Approx(0.975));
 }
 
 TEST_CASE("a stun ball slides 12 v^2 / (49 mu g), then rolls at 5/7 v, then stops") {
     for_each_solver([](SolverKind kind) {
-        World world = table(0.95, 0.05);
+        World world = cloth_table(0.95, 0.05);
         put(world, {}, {2.0, 0.0});
         const double slides = 2.0 * 2.0 / (7.0 * 0.2 * 9.81);
         CHECK(slides == doctest::Approx(0.29).epsilon(0.01));
@@ -153,7 +136,7 @@ TEST_CASE("a stun ball slides 12 v^2 / (49 mu g), then rolls at 5/7 v, then stop
 
 TEST_CASE("side spin dies away by itself, and bends nothing") {
     for_each_solver([](SolverKind kind) {
-        World world = table(0.95, 0.05);
+        World world = cloth_table(0.95, 0.05);
         put(world, {}, {1.0, 0.0}, {1.0, 0.0}, 30.0);
         run(world, kind, 1.0);
         CHECK(world.balls.spin[0] == doctest::Approx(20.0).epsilon(1e-6));
@@ -167,7 +150,7 @@ TEST_CASE("stun line: without spin, and elastic, the balls part at a right angle
     for_each_solver([](SolverKind kind) {
         for (const double cut : {15.0, 30.0, 45.0, 60.0}) {
             CAPTURE(cut);
-            World world = table(1.0, 0.0);
+            World world = cloth_table(1.0, 0.0);
             world.rate = 4800.0;
             put(world, {});
             put(world, before_cut(cut, 0.001), {3.0, 0.0});
@@ -185,7 +168,7 @@ TEST_CASE("stun line: without spin, and elastic, the balls part at a right angle
 
 TEST_CASE("30-degree rule: half a ball, rolling, leaves at about 34 degrees") {
     for_each_solver([](SolverKind kind) {
-        World world = table(1.0, 0.0);
+        World world = cloth_table(1.0, 0.0);
         world.rate = 960.0;
         put(world, {});
         put(world, before_cut(30.0), {1.5, 0.0}, {1.5, 0.0});
@@ -208,7 +191,7 @@ TEST_CASE("stop, follow and draw") {
             const double roll = shot.roll;
             const double after = shot.after;
             CAPTURE(roll);
-            World world = table(1.0, 0.0);
+            World world = cloth_table(1.0, 0.0);
             world.rate = 960.0;
             put(world, {});
             put(world, {-2.0 * radius - 1e-4, 0.0}, {2.0, 0.0}, {2.0 * roll, 0.0});
@@ -231,7 +214,7 @@ TEST_CASE(
         if (kind == SolverKind::discrete || kind == SolverKind::substep) return;
         for (const double speed : {0.5, 1.0, 3.0}) {
             CAPTURE(speed);
-            World world = table(0.95, 0.05);
+            World world = cloth_table(0.95, 0.05);
             put(world, {});
             put(world, before_cut(30.0, 1e-4), {speed, 0.0});
             Solver solver({.kind = kind});
@@ -241,7 +224,7 @@ TEST_CASE(
             CHECK(thrown == doctest::Approx(2.86).epsilon(0.03));
         }
         // Outside side spin that turns with the object ball's surface: no throw.
-        World world = table(0.95, 0.05);
+        World world = cloth_table(0.95, 0.05);
         put(world, {});
         put(world, before_cut(30.0, 1e-5), {1.0, 0.0}, {}, -0.5 / radius);
         Solver solver({.kind = kind});
@@ -255,7 +238,7 @@ TEST_CASE("a cushion: the rebound keeps 0.85 across, and side spin runs or check
     for_each_solver([](SolverKind kind) {
         if (kind == SolverKind::discrete || kind == SolverKind::substep) return;
         const auto rebound = [kind](Vec2 velocity, double spin) {
-            World world = table(0.95, 0.05);
+            World world = cloth_table(0.95, 0.05);
             world.rate = 2000.0;
             add_capsule(world, {{-10.0, 1.0}, {10.0, 1.0}, 0.0}, 0);
             put(world, {0.0, 1.0 - radius - 1e-5}, velocity, velocity, spin);
@@ -278,17 +261,7 @@ TEST_CASE("a cushion: the rebound keeps 0.85 across, and side spin runs or check
 
 TEST_CASE("a break: nothing is lost, energy falls, everything comes to rest") {
     for_each_solver([](SolverKind kind) {
-        World world = table(0.95, 0.05);
-        const double w = 1.27;
-        const double h = 0.635;
-        const std::array<Vec2, 4> corners{Vec2{-w, -h}, Vec2{w, -h}, Vec2{w, h}, Vec2{-w, h}};
-        for (std::size_t i = 0; i < 4; ++i)
-            add_capsule(world, {corners[i], corners[(i + 1) % 4], 0.0}, 0);
-        const double pitch = 2.0 * radius + 0.00005;
-        for (int row = 0; row < 5; ++row)
-            for (int place = 0; place <= row; ++place)
-                put(world, {0.6 + row * pitch * std::sqrt(0.75), (place - 0.5 * row) * pitch});
-        put(world, {-0.6, 0.01}, {10.0, 0.0}, {4.0, 0.0});
+        World world = scenes::break_shot(0.00005, {10.0, 0.0}, {4.0, 0.0}, 0.0, 0.01);
         Solver solver({.kind = kind});
         double energy = totals(world).kinetic_energy;
         const double slack =
@@ -302,8 +275,8 @@ TEST_CASE("a break: nothing is lost, energy falls, everything comes to rest") {
         REQUIRE(world.balls.size() == 16);
         CHECK(energy == 0.0);
         for (const Vec2 position : world.balls.position) {
-            CHECK(std::abs(position.x) < w);
-            CHECK(std::abs(position.y) < h);
+            CHECK(std::abs(position.x) < scenes::half_table.x);
+            CHECK(std::abs(position.y) < scenes::half_table.y);
         }
     });
 }

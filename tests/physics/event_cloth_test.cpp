@@ -11,7 +11,7 @@
 #include "physics/fingerprint.h"
 #include "physics/random.h"
 #include "physics/solver.h"
-#include "physics/support/scenes.h"
+#include "physics/support/cloth_table.h"
 #include "physics/totals.h"
 
 // The solver `event` on cloth: exact, so against closed forms with tolerances that are rounding.
@@ -20,50 +20,19 @@ using namespace carom;
 
 namespace {
 
-constexpr double size_of_ball = 0.028575;
-constexpr double solid = 0.4;
+using scenes::break_shot;
+using scenes::cloth_table;
+using scenes::put;
+using scenes::put_cushions;
+using scenes::solid;
+
+constexpr double size_of_ball = scenes::pool_ball;
 
 double draw(double low, double high, std::uint64_t who, std::uint64_t index) {
     return random_between(low, high, 271'828, RandomStream::level, who, index);
 }
 Vec2 draw_vector(double most, std::uint64_t who, std::uint64_t index) {
     return {draw(-most, most, who, index), draw(-most, most, who, index + 1)};
-}
-
-World cloth_world(double restitution, double friction, const Cloth& cloth = {}) {
-    World world = scenes::empty();
-    world.rate = 240.0;
-    world.model.spin = solid;
-    world.model.cloth = cloth;
-    world.kinds[0] = {
-        .radius = size_of_ball, .mass = 0.17, .restitution = restitution, .friction = friction};
-    world.materials[0] = {.restitution = 0.85, .friction = 0.2};
-    world.model.lossy = true;
-    return world;
-}
-
-void put(World& world, Vec2 position, Vec2 velocity = {}, Vec2 roll = {}, double spin = 0.0) {
-    add_ball(world, {.position = position, .velocity = velocity, .spin = spin, .roll = roll});
-}
-
-void put_cushions(World& world) {
-    const double w = 1.27;
-    const double h = 0.635;
-    const std::array<Vec2, 4> corners{Vec2{-w, -h}, Vec2{w, -h}, Vec2{w, h}, Vec2{-w, h}};
-    for (std::size_t i = 0; i < 4; ++i)
-        add_capsule(world, {corners[i], corners[(i + 1) % 4], 0.0}, 0);
-}
-
-// A rack with `gap` between its balls, and a cue ball on its way to it.
-World break_shot(double gap, Vec2 velocity, Vec2 roll, double spin, double off) {
-    World world = cloth_world(0.95, 0.05);
-    put_cushions(world);
-    const double pitch = 2.0 * size_of_ball + gap;
-    for (int row = 0; row < 5; ++row)
-        for (int place = 0; place <= row; ++place)
-            put(world, {0.6 + row * pitch * std::sqrt(0.75), (place - 0.5 * row) * pitch});
-    put(world, {-0.6, off}, velocity, roll, spin);
-    return world;
 }
 
 std::size_t run(World& world, double seconds,
@@ -116,7 +85,7 @@ TEST_CASE("event on cloth: slide and roll end when and where the closed forms sa
         const double force = cloth.slide * cloth.gravity;
         const double slides = 2.0 * speed / (7.0 * force);
         const double slid = 12.0 * speed * speed / (49.0 * force);
-        World world = cloth_world(0.95, 0.05, cloth);
+        World world = cloth_table(0.95, 0.05, cloth);
         put(world, {}, velocity, {}, 40.0);
         World later = world;
         World last = world;
@@ -153,7 +122,7 @@ TEST_CASE("event on cloth: a ball with any roll goes as the closed forms say, at
         const Vec2 velocity = draw_vector(3.0, who, 2);
         const Vec2 roll = draw_vector(6.0, who, 4);
         const double spin = draw(-50.0, 50.0, who, 6);
-        World world = cloth_world(1.0, 0.0, cloth);
+        World world = cloth_table(1.0, 0.0, cloth);
         put(world, {}, velocity, roll, spin);
         const ClothState<double> start{{}, Vector<double>(velocity), Vector<double>(roll), spin};
         Solver solver({.kind = SolverKind::event});
@@ -173,7 +142,7 @@ TEST_CASE("event on cloth: two balls meet when their closed forms first touch, o
     int met = 0;
     for (std::uint64_t who = 0; who < 300; ++who) {
         CAPTURE(who);
-        World world = cloth_world(0.95, 0.05);
+        World world = cloth_table(0.95, 0.05);
         std::array<ClothState<double>, 2> start;
         for (std::uint64_t i = 0; i < 2; ++i) {
             const Vec2 at = i == 0 ? draw_vector(0.1, who, 0) : Vec2{draw(0.2, 0.6, who, 2), 0.0};
@@ -221,7 +190,7 @@ TEST_CASE("event on cloth: stun line, stop shot and the 30-degree rule are exact
         CAPTURE(who);
         const double speed = draw(0.5, 8.0, who, 0);
         const double cut = draw(5.0, 75.0, who, 1);
-        World stun = cloth_world(1.0, 0.0);
+        World stun = cloth_table(1.0, 0.0);
         put(stun, {});
         put(stun, before_cut(cut, 1e-4), {speed, 0.0});
         Solver solver({.kind = SolverKind::event});
@@ -234,7 +203,7 @@ TEST_CASE("event on cloth: stun line, stop shot and the 30-degree rule are exact
         CHECK(degrees_between({1.0, 0.0}, solver.contacts()[0].normal) ==
               doctest::Approx(-cut).epsilon(1e-10));
 
-        World rolling = cloth_world(1.0, 0.0);
+        World rolling = cloth_table(1.0, 0.0);
         put(rolling, {});
         put(rolling, before_cut(cut, 0.01), {speed, 0.0}, {speed, 0.0});
         run_at_once(rolling, 0.01 / speed + 2.0 * speed / (7.0 * 0.2 * 9.81) + 0.001);
@@ -248,7 +217,7 @@ TEST_CASE("event on cloth: stun line, stop shot and the 30-degree rule are exact
             CHECK(half == doctest::Approx(33.67).epsilon(1e-4));
         }
 
-        World stop = cloth_world(1.0, 0.0);
+        World stop = cloth_table(1.0, 0.0);
         put(stop, {});
         // It slides without turning when they meet.
         put(stop, {-2.0 * size_of_ball - 1e-6, 0.0}, {speed, 0.0});
@@ -264,7 +233,7 @@ TEST_CASE("event on cloth: throw is what Coulomb's law gives, within the publish
             CAPTURE(who);
             const double speed = draw(0.3, 5.0, who, 0);
             const double cut = draw(2.0, 60.0, who, 1);
-            World world = cloth_world(0.95, mu);
+            World world = cloth_table(0.95, mu);
             world.rate = 1e6;
             put(world, {});
             put(world, before_cut(cut, 1e-7), {speed, 0.0});
@@ -350,7 +319,7 @@ TEST_CASE("event on cloth: a snapshot goes on with the same bits, wherever it is
 
 TEST_CASE("event on cloth: a break is the same in any order of the file") {
     World world = break_shot(5e-5, {10.0, 0.1}, {4.0, 0.0}, 30.0, 0.01);
-    World turned = cloth_world(0.95, 0.05);
+    World turned = cloth_table(0.95, 0.05);
     put_cushions(turned);
     const Balls& balls = world.balls;
     for (std::size_t i = balls.size(); i-- > 0;)
@@ -367,7 +336,7 @@ TEST_CASE("event on cloth: a break is the same in any order of the file") {
 TEST_CASE("event on cloth: swept comes to the same as its ticks grow short") {
     // Three balls and three cushions, where little is amplified.
     const auto scene = [](double rate) {
-        World world = cloth_world(0.95, 0.05);
+        World world = cloth_table(0.95, 0.05);
         put_cushions(world);
         world.rate = rate;
         put(world, {-0.5, 0.0}, {2.0, 0.25}, {0.5, 0.0}, 20.0);
@@ -394,7 +363,7 @@ TEST_CASE("event on cloth: swept comes to the same as its ticks grow short") {
 }
 
 TEST_CASE("event on cloth: with more digits it comes to the same") {
-    World world = cloth_world(0.95, 0.05);
+    World world = cloth_table(0.95, 0.05);
     put_cushions(world);
     put(world, {-0.5, 0.0}, {2.0, 0.25}, {0.5, 0.0}, 20.0);
     put(world, {0.2, 0.1});
@@ -408,7 +377,7 @@ TEST_CASE("event on cloth: with more digits it comes to the same") {
 }
 
 TEST_CASE("event on cloth: balls that touch and lie still stay, whoever is next to them") {
-    World world = cloth_world(0.95, 0.05);
+    World world = cloth_table(0.95, 0.05);
     put_cushions(world);
     put(world, {0.0, 0.635 - size_of_ball});                  // frozen to a cushion
     put(world, {2.0 * size_of_ball, 0.635 - size_of_ball});   // and to that
@@ -447,7 +416,7 @@ TEST_CASE("event on cloth: what turns towards what it touches pushes it in finit
     for (const Case& each : cases) {
         const std::string what = each.what;
         CAPTURE(what);
-        World world = cloth_world(0.95, 0.05);
+        World world = cloth_table(0.95, 0.05);
         put_cushions(world);
         for (std::size_t i = 0; i < each.places.size(); ++i)
             put(world, each.places[i], i == 0 ? each.velocity : Vec2{},
@@ -476,7 +445,7 @@ TEST_CASE("event on cloth: what turns towards what it touches pushes it in finit
 TEST_CASE("event on cloth: a hand that carries a ball, or an edge, pushes what lies still") {
     for (const bool is_ball : {true, false}) {
         CAPTURE(is_ball);
-        World world = cloth_world(0.95, 0.05);
+        World world = cloth_table(0.95, 0.05);
         put(world, {0.2, 0.0});
         put(world, {-0.2, 0.0});
         const CapsuleId edge = add_capsule(world, {{0.0, -0.3}, {0.0, 0.3}, 0.0}, 0);
@@ -527,5 +496,5 @@ TEST_CASE("event on cloth: what is struck from outside begins anew, the others g
 }
 
 TEST_CASE("event on cloth: it is what auto takes") {
-    CHECK(pick_solver(cloth_world(0.95, 0.05)).settings.kind == SolverKind::event);
+    CHECK(pick_solver(cloth_table(0.95, 0.05)).settings.kind == SolverKind::event);
 }
