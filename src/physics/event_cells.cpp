@@ -57,6 +57,8 @@ void EventCells<Real>::reset(const World& world, Balls& balls) {
     largest_ = giants < count ? radius[by_size_[giants]] : 1.0;
 
     frame_ = frame_for(world);
+    const auto columns = static_cast<std::uint32_t>(frame_.columns);
+    ways_ = {{{1u, columns}, {0u - 1u, columns}, {columns, 1u}, {0u - columns, 1u}}};
     head_.assign(frame_.count(), none);
     for (std::size_t i = count; i-- > 0;)
         enter(balls, static_cast<std::uint32_t>(i), world.balls.position[i]);

@@ -79,9 +79,7 @@ class EventCells {
     static constexpr std::uint32_t no_direction = 4;
     /// The cell on that side of this one, on a plane; for any other number, the cell itself.
     std::uint32_t next_cell(std::uint32_t cell, std::uint32_t direction) const {
-        const auto columns = static_cast<std::uint32_t>(frame_.columns);
-        return cell + select(direction == 0, 1, 0) - select(direction == 1, 1, 0) +
-               select(direction == 2, columns, 0) - select(direction == 3, columns, 0);
+        return cell + ways_[direction % ways_.size()].to_next;
     }
 
     /// Into the cache: which balls are in the nine cells around this one; what a walk over them
@@ -102,9 +100,8 @@ class EventCells {
     }
     void fetch_new(const Balls& balls, std::uint32_t cell, std::uint32_t direction) const {
         if (!is_inside(cell)) return;
-        const bool is_across = direction < 2;
         fetch_three(balls, head_.data() + next_cell(cell, direction),
-                    is_across ? frame_.columns : 1);
+                    static_cast<std::ptrdiff_t>(ways_[direction % ways_.size()].aside));
     }
 
     /// Calls visit(other, tori across, tori along) for every ball in the nine cells around the
@@ -262,10 +259,11 @@ class EventCells {
         const auto columns = static_cast<std::uint32_t>(frame_.columns);
         return cell > columns && cell < head_.size() && cell + columns + 1 < head_.size();
     }
-    // Ball 0 stands for nobody.
+    // The last ball stands for nobody.
     static void fetch_three(const Balls& balls, const std::uint32_t* middle, std::ptrdiff_t apart) {
+        const auto last = static_cast<std::uint32_t>(balls.size() - 1);
         for (const std::uint32_t first : {middle[-apart], *middle, middle[apart]})
-            balls.fetch_neighbour(select(first != none, first, 0));
+            balls.fetch_neighbour(std::min(first, last));
     }
     CellFrame frame_for(const World& world) const;
     void link(Balls& balls, std::uint32_t ball) {
@@ -288,7 +286,14 @@ class EventCells {
         head_[own.cell] = ball;
     }
 
+    /// In which direction a ball goes nobody can foretell: so no branch is taken on that.
+    struct Way {
+        std::uint32_t to_next = 0;  ///< to be added to a cell
+        std::uint32_t aside = 1;    ///< between cells beside one another as seen by who goes there
+    };
+
     CellFrame frame_;
+    std::array<Way, 8> ways_;  ///< by direction; further ones lead nowhere
     double largest_ = 0.0;
     std::vector<std::uint32_t> by_size_;
     std::vector<std::uint32_t> giants_;

@@ -142,7 +142,9 @@ void EventEngine<Real>::write_begun(World& world, std::span<const std::uint32_t>
         const std::uint32_t i = begun[at];
         world.balls.velocity[i] = Vec2(balls_[i].line.velocity);
         if constexpr (std::is_same_v<Real, double>) {
-            fetch_early(&world.paths[begun[std::min(at + 32, begun.size() - 1)]]);
+            const BallPath& soon = world.paths[begun[std::min(at + 32, begun.size() - 1)]];
+            fetch_early(&soon);
+            fetch_early(&soon.velocity);
             BallPath& stored = world.paths[i];
             world.paths_sum -= sum_of(stored);
             stored = stored_line(is_begun_anew_ ? world.balls.id[i] : stored.id, balls_[i].line);

@@ -54,13 +54,12 @@ class KeptIds {
     void keep(const std::vector<Id>& ids) {
         count_ = ids.size();
         first_ = ids.empty() ? Id{} : ids.front();
-        const bool has_gap = !ids.empty() && !is_without_gap(ids);
-        ids_.assign(ids.begin(), has_gap ? ids.end() : ids.begin());
+        ids_.assign(ids.begin(), are_consecutive(ids) ? ids.begin() : ids.end());
     }
     bool are(const std::vector<Id>& ids) const {
         if (ids.size() != count_) return false;
         if (!ids_.empty()) return have_same_bits(ids, ids_);
-        return ids.empty() || (ids.front() == first_ && is_without_gap(ids));
+        return ids.empty() || (ids.front() == first_ && are_consecutive(ids));
     }
     std::size_t size() const { return count_; }
     Id operator[](std::size_t i) const {
@@ -68,10 +67,6 @@ class KeptIds {
     }
 
   private:
-    static bool is_without_gap(const std::vector<Id>& ids) {
-        return number(ids.back()) - number(ids.front()) == ids.size() - 1;
-    }
-
     std::vector<Id> ids_;
     std::size_t count_ = 0;
     Id first_{};

@@ -23,6 +23,26 @@ bool may_give_up(SolverKind kind, const World& world) {
     return kind != SolverKind::discrete;
 }
 
+// Inside a solver bodies go by index; outside by id. Looked up one by one, the ids of many balls
+// would have to come from far away in memory.
+void name_bodies(World& world, std::span<Contact> contacts) {
+    const std::vector<BallId>& ids = world.balls.id;
+    const bool are_counted = !ids.empty() && are_consecutive(ids);
+    const auto id_of = [&](std::uint32_t ball) {
+        return are_counted ? number(ids.front()) + ball : number(ids[ball]);
+    };
+    for (Contact& contact : contacts) {
+        contact.a = id_of(contact.a);
+        if (contact.kind == ContactKind::ball_ball) {
+            contact.b = id_of(contact.b);
+            ++world.ball_ball_collisions;
+        } else {
+            contact.b = number(world.capsules.id[contact.b]);
+            ++world.ball_edge_collisions;
+        }
+    }
+}
+
 }  // namespace
 
 std::string_view name(SolverKind kind) {
@@ -167,17 +187,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     rest_flippers(world);
     stop_slow_balls(world, state.touched);
     ++world.tick;
-    // Inside a solver bodies go by index; outside by id.
-    for (Contact& contact : state.contacts) {
-        contact.a = number(world.balls.id[contact.a]);
-        if (contact.kind == ContactKind::ball_ball) {
-            contact.b = number(world.balls.id[contact.b]);
-            ++world.ball_ball_collisions;
-        } else {
-            contact.b = number(world.capsules.id[contact.b]);
-            ++world.ball_edge_collisions;
-        }
-    }
+    name_bodies(world, state.contacts);
     drain_sinks(world);
     return outcome;
 }

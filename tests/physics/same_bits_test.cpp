@@ -90,3 +90,30 @@ TEST_CASE("sum of bits: what is done to several at once does not cancel") {
         CHECK(!(sum_of(reversed) == sum));
     }
 }
+
+TEST_CASE("kept ids: with and without gaps, told from any others") {
+    const auto of = [](std::vector<std::uint32_t> numbers) {
+        std::vector<BallId> ids;
+        for (const std::uint32_t each : numbers)
+            ids.push_back(BallId{each});
+        return ids;
+    };
+    const std::vector<std::vector<BallId>> all{of({}),        of({1}),          of({2}),
+                                               of({1, 2, 3}), of({2, 3, 4}),    of({1, 2, 4}),
+                                               of({1, 3, 4}), of({1, 2, 3, 4}), of({1, 3, 4, 5})};
+    for (std::size_t kept = 0; kept < all.size(); ++kept) {
+        KeptIds<BallId> ids;
+        ids.keep(all[kept]);
+        for (std::size_t asked = 0; asked < all.size(); ++asked) {
+            CAPTURE(kept);
+            CAPTURE(asked);
+            CHECK(ids.are(all[asked]) == (asked == kept));
+        }
+        REQUIRE(ids.size() == all[kept].size());
+        for (std::size_t i = 0; i < ids.size(); ++i)
+            CHECK(ids[i] == all[kept][i]);
+    }
+    CHECK(are_consecutive(of({})));
+    CHECK(are_consecutive(of({7, 8})));
+    CHECK(!are_consecutive(of({7, 9})));
+}
