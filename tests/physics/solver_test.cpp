@@ -136,6 +136,38 @@ TEST_CASE("the same world gives the same bits, and a snapshot goes on as if it h
     }
 }
 
+TEST_CASE("contacts go by id, also where some are missing, in every solver") {
+    for (const SolverKind kind : solvers_available())
+        for (const bool has_gaps : {false, true}) {
+            CAPTURE(name(kind));
+            CAPTURE(has_gaps);
+            World world = scenes::gas(60, 3);
+            if (has_gaps)
+                for (int i = 0; i < 9; ++i)
+                    remove_ball(world, world.balls.id[static_cast<std::size_t>(3 * i)]);
+            Solver solver({.kind = kind});
+            int checked = 0;
+            for (int tick = 0; tick < 60; ++tick) {
+                solver.tick(world);
+                for (const Contact& contact : solver.contacts()) {
+                    if (contact.kind != ContactKind::ball_ball) continue;
+                    const auto a = index_of(world, BallId{contact.a});
+                    const auto b = index_of(world, BallId{contact.b});
+                    REQUIRE(a);
+                    REQUIRE(b);
+                    // No further than the fastest have flown since.
+                    const double way = length(world.balls.position[*a] - world.balls.position[*b]);
+                    const double speed =
+                        length(world.balls.velocity[*a]) + length(world.balls.velocity[*b]);
+                    CHECK(way < world.balls.radius[*a] + world.balls.radius[*b] +
+                                    (1.0 + 3.0 * speed) / world.rate);
+                    ++checked;
+                }
+            }
+            CHECK(checked > 20);
+        }
+}
+
 TEST_CASE("no ball falls faster than the limit, tick after tick, in every solver") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
