@@ -92,6 +92,27 @@ std::optional<Real> quadratic_closing(const Gap<Real>& now,
     return (now.rate + square_root(discriminant)) / -now.bend;
 }
 
+/// The work of many searches, and how far those came that were not finished. Whoever looks on must
+/// begin them anew once that time has come, as they began before: nothing is passed over then, and
+/// nothing that is found depends on how often a search was left off.
+template <typename Real>
+struct ClosingSearch {
+    /// Looks of one search after `now`, until it is left off.
+    static constexpr std::uint32_t most_looks = 65536;
+
+    Real now{};                   ///< searches go on until later than this
+    std::optional<Real> reached;  ///< until when nothing closes, of the search that came least far
+    std::uint64_t looks = 0;      ///< of all searches
+
+    void begin_at(const Real& time) {
+        now = time;
+        reached.reset();
+    }
+    void leave_off(const Real& time) {
+        if (!reached || time < *reached) reached = time;
+    }
+};
+
 /// First time in begin..end at which a gap of any shape closes. look(t) gives the gap at a time;
 /// its second derivative is nowhere below -pull while the gap is open, nor below what look says,
 /// which is asked where it is far sharper: of bodies that move side by side.
@@ -100,14 +121,18 @@ std::optional<Real> quadratic_closing(const Gap<Real>& now,
 /// end the steps shrink quadratically. The result is the first time at which the gap is at most
 /// `touch` and closes faster than `slow`: it is late by no more than rounding, and no impact is
 /// passed over whose depth would reach `touch`. A gap that bends away before its overlap would
-/// reach 4 touch only grazes.
+/// reach 4 touch only grazes. A search that takes too many looks says so to `search`, and
+/// finds nothing.
 template <typename Real, typename Look>
 std::optional<Real> first_closing(Look&& look, Real begin, Real end, Real pull,
-                                  const ClosingTolerance<Real>& tolerance) {
+                                  const ClosingTolerance<Real>& tolerance,
+                                  ClosingSearch<Real>& search) {
     const Real zero{};
     Real time = begin;
-    for (std::uint32_t round = 0; round < 1'000'000; ++round) {
+    std::uint32_t looks = 0;
+    while (looks < ClosingSearch<Real>::most_looks) {
         const Gap<Real> now = look(time);
+        ++search.looks;
         const bool is_sharper = !(now.pull < zero) && Real(64.0) * now.pull < pull;
         const Real& most = is_sharper ? now.pull : pull;
         Real step{};
@@ -132,7 +157,9 @@ std::optional<Real> first_closing(Look&& look, Real begin, Real end, Real pull,
         const Real least = Real(precision<Real>) * absolute(time);
         time += step > least ? step : least;
         if (!(time <= end)) return std::nullopt;
+        if (search.now < time) ++looks;
     }
+    search.leave_off(time);
     return std::nullopt;
 }
 

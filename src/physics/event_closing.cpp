@@ -65,7 +65,7 @@ Real last_moment(const EventPath<Real>& path, const Field<Real>& field, const Re
 template <typename Real>
 std::optional<Real> point_closing(const EventPath<Real>& path, const Vector<Real>& point,
                                   const Real& reach, const Real& small, const Field<Real>& field,
-                                  const Real& end) {
+                                  const Real& end, ClosingSearch<Real>& search) {
     // Round the very point, as from one edge to the next: it comes no nearer.
     if (path.motion == Motion::turning && path.center == point) return std::nullopt;
     const Real last = last_moment(path, field, end);
@@ -95,7 +95,7 @@ std::optional<Real> point_closing(const EventPath<Real>& path, const Vector<Real
             return lasting(gap_of(state.position - point, state.velocity, acceleration, reach),
                            acceleration, path.motion == Motion::turning, field.has_drag);
         },
-        path.time, last, pull, limits);
+        path.time, last, pull, limits, search);
 }
 
 // With the side of an edge on which `normal` stands: where the ball's foot is within the edge.
@@ -103,7 +103,8 @@ template <typename Real>
 std::optional<Real> side_closing(const EventPath<Real>& path, const Edge<Real>& edge,
                                  const Vector<Real>& along, const Real& whole,
                                  const Vector<Real>& normal, const Real& radius,
-                                 const Field<Real>& field, const Real& end) {
+                                 const Field<Real>& field, const Real& end,
+                                 ClosingSearch<Real>& search) {
     const Real reach = radius + edge.radius;
     const Vector<Real> offset = path.position - edge.start;
     const Real height = dot(normal, offset);
@@ -151,7 +152,7 @@ std::optional<Real> side_closing(const EventPath<Real>& path, const Edge<Real>& 
                 now.pull = lean < zero ? -lean : zero;
                 return now;
             },
-            path.time, last, pull, limits);
+            path.time, last, pull, limits, search);
     }
     if (!found || !(*found <= end) || !is_beside(*found)) return std::nullopt;
     return found;
@@ -201,7 +202,8 @@ EdgeContact<Real> contact_with(const Edge<Real>& edge, const Vector<Real>& posit
 template <typename Real>
 std::optional<Real> ball_closing(const EventPath<Real>& a, const EventPath<Real>& b,
                                  const Vector<Real>& shift, const Real& reach, const Real& small,
-                                 const Field<Real>& field, const Real& end) {
+                                 const Field<Real>& field, const Real& end,
+                                 ClosingSearch<Real>& search) {
     if (is_parabola(a, field) && is_parabola(b, field) && a.acceleration == b.acceleration) {
         const auto time = straight_closing(a, b, a.acceleration, shift, reach, small, field);
         return time && *time <= end ? time : std::nullopt;
@@ -229,7 +231,7 @@ std::optional<Real> ball_closing(const EventPath<Real>& a, const EventPath<Real>
                             field.pressing, rise);
     const bool is_held = a.motion == Motion::held || b.motion == Motion::held;
     if (on_cloth) limits.rise = Real(2.0 * (is_held ? lively_rise : pushing_rise)) * small;
-    return first_closing<Real>(look, begin, last, pull, limits);
+    return first_closing<Real>(look, begin, last, pull, limits, search);
 }
 
 namespace {
@@ -251,7 +253,7 @@ bool is_in(const Edge<Real>& edge, const EventPath<Real>& path, const Real& radi
 template <typename Real>
 std::optional<Real> closing_from_inside(const EventPath<Real>& path, const Edge<Real>& edge,
                                         const Real& radius, const Field<Real>& field,
-                                        const Real& end) {
+                                        const Real& end, ClosingSearch<Real>& search) {
     const Real pull = most_acceleration(path, field, path.time);
     const auto limits = tolerance(path.position, radius + edge.radius, length(path.velocity), pull,
                                   radius, field.pressing);
@@ -266,7 +268,7 @@ std::optional<Real> closing_from_inside(const EventPath<Real>& path, const Edge<
             now.distance = contact.gap + radius + edge.radius;
             return lasting(now, acceleration, path.motion == Motion::turning, field.has_drag);
         },
-        path.time, last_moment(path, field, end), pull, limits);
+        path.time, last_moment(path, field, end), pull, limits, search);
 }
 
 // Whether the ball only slides by at that time: beside the edge, without approaching its side.
@@ -285,31 +287,33 @@ bool slides_by(const EventPath<Real>& path, const Edge<Real>& edge, const Real& 
 
 template <typename Real>
 std::optional<Real> edge_closing(const EventPath<Real>& path, const Edge<Real>& edge,
-                                 const Real& radius, const Field<Real>& field, const Real& end) {
+                                 const Real& radius, const Field<Real>& field, const Real& end,
+                                 ClosingSearch<Real>& search) {
     if (path.motion == Motion::resting || path.motion == Motion::still) return std::nullopt;
     if (!edge.is_point() && is_in(edge, path, radius, field))
-        return closing_from_inside(path, edge, radius, field, end);
+        return closing_from_inside(path, edge, radius, field, end, search);
     const Real reach = radius + edge.radius;
-    std::optional<Real> best = point_closing(path, edge.start, reach, radius, field, end);
+    std::optional<Real> best = point_closing(path, edge.start, reach, radius, field, end, search);
     if (edge.is_point()) return best;
     const Vector<Real> span = edge.end - edge.start;
     const Real whole = length(span);
     const Vector<Real> along = span / whole;
     const Vector<Real> left = perpendicular(along);
-    take_earlier(best, point_closing(path, edge.end, reach, radius, field, best ? *best : end));
+    take_earlier(best,
+                 point_closing(path, edge.end, reach, radius, field, best ? *best : end, search));
     const std::optional<Real> at_end = best;
     for (const Vector<Real>& normal : {left, -left})
         take_earlier(best, side_closing(path, edge, along, whole, normal, radius, field,
-                                        best ? *best : end));
+                                        best ? *best : end, search));
     if (best && best == at_end && slides_by(path, edge, radius, field, *best))
-        return closing_from_inside(path, edge, radius, field, end);
+        return closing_from_inside(path, edge, radius, field, end, search);
     return best;
 }
 
 template <typename Real>
 std::optional<Real> hand_closing(const EventPath<Real>& path, const MovingEdge<Real>& edge,
                                  const Real& radius, const Field<Real>& field, const Real& begin,
-                                 const Real& end) {
+                                 const Real& end, ClosingSearch<Real>& search) {
     const Real last = last_moment(path, field, end);
     const bool moves = begin < edge.stop;
     const Vector<Real> from = moves ? edge.start_velocity : Vector<Real>{};
@@ -332,20 +336,21 @@ std::optional<Real> hand_closing(const EventPath<Real>& path, const MovingEdge<R
     };
     auto limits = tolerance(now.position, radius, speed, pull, radius, field.pressing,
                             is_on_cloth(path) ? lively_rise : resting_rise);
-    return first_closing<Real>(look, begin, last, pull, limits);
+    return first_closing<Real>(look, begin, last, pull, limits, search);
 }
 
 #define CAROM_FOR(Real)                                                                           \
     template Edge<Real> MovingEdge<Real>::at(const Real&) const;                                  \
     template EdgeContact<Real> contact_with(const Edge<Real>&, const Vector<Real>&, const Real&); \
-    template std::optional<Real> ball_closing(const EventPath<Real>&, const EventPath<Real>&,     \
-                                              const Vector<Real>&, const Real&, const Real&,      \
-                                              const Field<Real>&, const Real&);                   \
+    template std::optional<Real> ball_closing(                                                    \
+        const EventPath<Real>&, const EventPath<Real>&, const Vector<Real>&, const Real&,         \
+        const Real&, const Field<Real>&, const Real&, ClosingSearch<Real>&);                      \
     template std::optional<Real> edge_closing(const EventPath<Real>&, const Edge<Real>&,          \
-                                              const Real&, const Field<Real>&, const Real&);      \
+                                              const Real&, const Field<Real>&, const Real&,       \
+                                              ClosingSearch<Real>&);                              \
     template std::optional<Real> hand_closing(const EventPath<Real>&, const MovingEdge<Real>&,    \
                                               const Real&, const Field<Real>&, const Real&,       \
-                                              const Real&);
+                                              const Real&, ClosingSearch<Real>&);
 CAROM_FOR(double)
 CAROM_FOR(Wide)
 #undef CAROM_FOR

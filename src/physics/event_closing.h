@@ -166,19 +166,21 @@ inline std::optional<Real> straight_closing(const EventPath<Real>& a, const Even
 template <typename Real>
 std::optional<Real> ball_closing(const EventPath<Real>& a, const EventPath<Real>& b,
                                  const Vector<Real>& shift, const Real& reach, const Real& small,
-                                 const Field<Real>& field, const Real& end);
+                                 const Field<Real>& field, const Real& end,
+                                 ClosingSearch<Real>& search);
 
 /// The same of a ball and an edge that stands still.
 template <typename Real>
 std::optional<Real> edge_closing(const EventPath<Real>& path, const Edge<Real>& edge,
-                                 const Real& radius, const Field<Real>& field, const Real& end);
+                                 const Real& radius, const Field<Real>& field, const Real& end,
+                                 ClosingSearch<Real>& search);
 
 /// The same of a ball and an edge in a hand, between `begin` and `end`. The bound on its motion
 /// takes the edge to turn no faster than twice the difference of its ends' speeds over its length.
 template <typename Real>
 std::optional<Real> hand_closing(const EventPath<Real>& path, const MovingEdge<Real>& edge,
                                  const Real& radius, const Field<Real>& field, const Real& begin,
-                                 const Real& end);
+                                 const Real& end, ClosingSearch<Real>& search);
 
 // Here, since nearly all the time of a gas goes into it.
 template <typename Real>

@@ -89,6 +89,7 @@ void EventEngine<Real>::end_phase(std::uint32_t ball) {
 template <typename Real>
 void EventEngine<Real>::look_for_the_moving(std::uint32_t ball) {
     Event best;
+    search_.begin_at(now_);
     if (world_->model.ball_ball)
         for_each_ball_near(ball, [&](std::uint32_t other, int across, int along) {
             const Event theirs = balls_.plan(other).coming();
@@ -98,6 +99,7 @@ void EventEngine<Real>::look_for_the_moving(std::uint32_t ball) {
             predict_pair(ball, other, across, along, meeting);
             if (meeting.kind != Kind::none) consider(ball, meeting, best);
         });
+    go_on_searching(ball, best);
     balls_.plan(ball).set_coming(best);
 }
 

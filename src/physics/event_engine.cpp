@@ -8,6 +8,11 @@
 namespace carom {
 namespace {
 
+// Between two questions whether a tick may go on.
+constexpr std::uint64_t ask_every = 4096;
+// Looks that take as long as an event, roughly.
+constexpr std::uint64_t looks_of_event = 8;
+
 template <typename Real>
 Field<Real> field_of(const Model& model) {
     Field<Real> field;
@@ -27,13 +32,16 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
                                      const std::function<bool()>& keep_going) {
     world_ = &world;
     events_ = more_rounds_ = 0;
+    search_.looks = 0;
+    keep_going_ = &keep_going;
+    next_ask_ = ask_every;
+    is_given_up_ = false;
     now_ = Real(world.time());
     end_ = Real(static_cast<double>(world.tick + 1) / world.rate);
     begin(world);
     left_.is_valid = false;
+    if (is_given_up_) return EventOutcome::given_up;
     EventOutcome outcome = EventOutcome::done;
-    constexpr std::uint64_t ask_every = 4096;
-    std::uint64_t next_ask = ask_every;
     while (const std::optional<std::uint32_t> first = first_ball()) {
         const std::uint32_t ball = *first;
         const Event event = balls_.plan(ball).coming();
@@ -43,10 +51,7 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
             outcome = EventOutcome::too_dense;
             break;
         }
-        if (events_ + more_rounds_ >= next_ask) {
-            next_ask = events_ + more_rounds_ + ask_every;
-            if (keep_going && !keep_going()) return EventOutcome::given_up;
-        }
+        if (!may_go_on()) return EventOutcome::given_up;
         if (now_ < event.time) now_ = event.time;
         if (are_lines_) {
             happen_on_lines(ball, event, contacts, touched);
@@ -65,9 +70,8 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
         }
         if (hand_stopped_) {
             hand_stopped_ = false;
-            for (std::uint32_t i = 0; i < balls_.size(); ++i)
-                predict(i);
-            build_queue();
+            predict_all();
+            if (is_given_up_) return EventOutcome::given_up;
         }
     }
     if (outcome == EventOutcome::too_dense) {
@@ -93,6 +97,23 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
     write(world);
     if (outcome == EventOutcome::too_dense) left_.is_valid = false;
     return outcome;
+}
+
+// Asked now and then in a long tick. Once it may not, it is to be given up.
+template <typename Real>
+bool EventEngine<Real>::may_go_on() {
+    const std::uint64_t done = events_ + more_rounds_ + search_.looks / looks_of_event;
+    if (done < next_ask_) return !is_given_up_;
+    next_ask_ = done + ask_every;
+    if (*keep_going_ && !(*keep_going_)()) is_given_up_ = true;
+    return !is_given_up_;
+}
+
+template <typename Real>
+void EventEngine<Real>::predict_all() {
+    for (std::uint32_t i = 0; i < balls_.size() && may_go_on(); ++i)
+        predict(i);
+    build_queue();
 }
 
 template <typename Real>
@@ -292,9 +313,7 @@ void EventEngine<Real>::begin_anew(const World& world) {
     if (world.model.ball_edge) edges_.update(world, cells_.frame(), 1.01 * cells_.largest());
     for (std::uint32_t i = 0; i < count; ++i)
         if (!is_kept[i]) settle(i);
-    for (std::uint32_t i = 0; i < count; ++i)
-        predict(i);
-    build_queue();
+    predict_all();
 }
 
 template <typename Real>

@@ -108,11 +108,13 @@ class EventEngine {
 
     /// Moves everything by one tick and appends the exchanges to `contacts` (bodies by index).
     /// `touched`: see surroundings.h. `keep_going`, where there is one, is asked every few thousand
-    /// events, and sooner where impacts take many rounds.
+    /// events, and sooner where impacts take many rounds or searches many looks.
     EventOutcome tick(World& world, std::vector<Contact>& contacts,
                       std::vector<std::uint8_t>& touched, const std::function<bool()>& keep_going);
 
     const CellFrame& cells() const { return cells_.frame(); }
+    /// Of the searches for impacts (geometry/closing.h) in the last tick.
+    std::uint64_t looks() const { return search_.looks; }
 
   private:
     using Kind = EventKind;
@@ -203,7 +205,9 @@ class EventEngine {
     };
 
     // event_engine.cpp: a tick, and what lasts from one to the next.
+    bool may_go_on();
     void begin(World& world);
+    void predict_all();
     void begin_anew(const World& world);
     void take_what_changed(const World& world);
     void take_hands(const World& world);
@@ -251,12 +255,12 @@ class EventEngine {
                  Event& best);
     void predict_crossing(std::uint32_t ball, Event& best) const;
     void predict_crossing_of_line(std::uint32_t ball, Event& best) const;
-    void predict_own(std::uint32_t ball, Event& best) const;
+    void predict_own(std::uint32_t ball, Event& best);
     std::optional<Real> end_of_turn(std::uint32_t ball) const;
-    void predict_balls(std::uint32_t ball, Event& best) const;
-    void predict_pair(std::uint32_t ball, std::uint32_t other, int across, int along,
-                      Event& best) const;
-    void predict_edges(std::uint32_t ball, Event& best) const;
+    void predict_balls(std::uint32_t ball, Event& best);
+    void predict_pair(std::uint32_t ball, std::uint32_t other, int across, int along, Event& best);
+    void predict_edges(std::uint32_t ball, Event& best);
+    void go_on_searching(std::uint32_t ball, Event& best) const;
     double queue_time(std::uint32_t ball) const;
     void build_queue();
     /// Whose event comes first. Inlined, so that what it returns stays in registers.
@@ -368,7 +372,7 @@ class EventEngine {
     bool is_braced(std::uint32_t ball, const Support& carrier, const Vector<Real>& velocity,
                    const Rub& rub, const Vector<Real>& acceleration);
     bool rolls_off(std::uint32_t ball, const Support& side, const Support& other) const;
-    std::optional<Real> end_of_slip(std::uint32_t ball, const Real& horizon) const;
+    std::optional<Real> end_of_slip(std::uint32_t ball, const Real& horizon);
     Vector<Real> slip_direction(std::uint32_t ball) const;
     void end_spin(std::uint32_t ball);
     bool is_turn_left(std::uint32_t ball) const { return is_spin_left(ball) && is_roll_left(ball); }
@@ -424,6 +428,10 @@ class EventEngine {
     Real end_{};
     std::uint64_t events_ = 0;
     std::uint64_t more_rounds_ = 0;  ///< of impacts, in events that take as long, roughly
+    ClosingSearch<Real> search_;     ///< its looks: in this tick
+    const std::function<bool()>* keep_going_ = nullptr;  ///< during a tick
+    std::uint64_t next_ask_ = 0;                         ///< once so much has been done
+    bool is_given_up_ = false;
 
     EventBalls<Real> balls_;
     /// Whose paths began in this tick; as many as balls: all. Empty where it leaves lines.

@@ -222,7 +222,7 @@ bool EventEngine<Real>::rolls_off(std::uint32_t ball, const Support& side,
 
 // When the slip of a ball that slides comes to its end, or the spin of one that lies still.
 template <typename Real>
-std::optional<Real> EventEngine<Real>::end_of_slip(std::uint32_t ball, const Real& horizon) const {
+std::optional<Real> EventEngine<Real>::end_of_slip(std::uint32_t ball, const Real& horizon) {
     const EventPath<Real> path = balls_.path(ball);
     const Spinning& turn = spins_[ball];
     if (turn.rolls) {
@@ -250,7 +250,7 @@ std::optional<Real> EventEngine<Real>::end_of_slip(std::uint32_t ball, const Rea
             return {sign * (speed - size * spin_at(ball, when)),
                     sign * (bend - field_.drag * speed), Real{}};
         },
-        path.time, horizon, most, {slip_noise(ball, path.velocity), Real{}});
+        path.time, horizon, most, {slip_noise(ball, path.velocity), Real{}}, search_);
 }
 
 // To the left of the normal of the side along which the ball slides.

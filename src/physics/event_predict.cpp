@@ -165,6 +165,7 @@ template <typename Real>
 void EventEngine<Real>::choose_next(std::uint32_t ball) {
     if (balls_[ball].line.motion == Motion::still && hands_.empty())
         return look_for_the_moving(ball);
+    search_.begin_at(now_);
     const bool is_known = balls_.plan(ball).meeting().kind != Kind::unknown;
     const bool is_line = is_known && !world_->model.gravity;
     Event best;
@@ -182,7 +183,15 @@ void EventEngine<Real>::choose_next(std::uint32_t ball) {
     if (!is_known && world_->model.ball_ball) predict_balls(ball, best);
     if (world_->model.ball_edge && balls_[ball].line.motion != Motion::resting)
         predict_edges(ball, best);
+    go_on_searching(ball, best);
     balls_.plan(ball).set_coming(best);
+}
+
+// Searches that were left off: before anything that comes later, they begin again.
+template <typename Real>
+void EventEngine<Real>::go_on_searching(std::uint32_t ball, Event& best) const {
+    if (search_.reached)
+        consider(ball, {*search_.reached, Kind::crossing, 0, 0, look_again, 0}, best);
 }
 
 // On a torus a ball that meets nobody goes round and round: before its path leads too far from the
@@ -370,7 +379,7 @@ void EventEngine<Real>::predict_crossing(std::uint32_t ball, Event& best) const 
 
 // The end of the side along which the ball slides, of a piece of its turn, of a phase on cloth.
 template <typename Real>
-void EventEngine<Real>::predict_own(std::uint32_t ball, Event& best) const {
+void EventEngine<Real>::predict_own(std::uint32_t ball, Event& best) {
     const Motion motion = balls_[ball].line.motion;
     if (motion == Motion::free || motion == Motion::held) return;
     const EventPath<Real> path = balls_.path(ball);
@@ -420,7 +429,7 @@ void EventEngine<Real>::predict_own(std::uint32_t ball, Event& best) const {
                     return to_end ? Gap<Real>{whole - there, -speed, Real{}}
                                   : Gap<Real>{there, speed, Real{}};
                 },
-                path.time, horizon, pull, {rounding_at(path.position, whole), Real{}});
+                path.time, horizon, pull, {rounding_at(path.position, whole), Real{}}, search_);
         }
         if (time) consider(ball, {*time, Kind::own, 0, 0, 0, 0}, best);
     }
@@ -465,7 +474,7 @@ std::optional<Real> EventEngine<Real>::end_of_turn(std::uint32_t ball) const {
 }
 
 template <typename Real>
-void EventEngine<Real>::predict_balls(std::uint32_t ball, Event& best) const {
+void EventEngine<Real>::predict_balls(std::uint32_t ball, Event& best) {
     for_each_ball_near(ball, [&](std::uint32_t other, int across, int along) {
         predict_pair(ball, other, across, along, best);
     });
@@ -473,7 +482,7 @@ void EventEngine<Real>::predict_balls(std::uint32_t ball, Event& best) const {
 
 template <typename Real>
 void EventEngine<Real>::predict_pair(std::uint32_t ball, std::uint32_t other, int across, int along,
-                                     Event& best) const {
+                                     Event& best) {
     if (world_->model.filtered && !balls_meet(ball, other)) return;
     const Motion motion = balls_[ball].line.motion;
     const bool may_stay =
@@ -495,9 +504,9 @@ void EventEngine<Real>::predict_pair(std::uint32_t ball, std::uint32_t other, in
     const Real reach = our_radius + their_radius;
     const Real small = our_radius < their_radius ? our_radius : their_radius;
     auto time = ball < other ? ball_closing(ours, theirs, torus_shift(across, along), reach, small,
-                                            field_, best.time)
+                                            field_, best.time, search_)
                              : ball_closing(theirs, ours, torus_shift(-across, -along), reach,
-                                            small, field_, best.time);
+                                            small, field_, best.time, search_);
     if (!time) return;
     if (*time < now_) time = now_;
     consider(ball,
@@ -515,7 +524,7 @@ bool EventEngine<Real>::is_solid_for(std::uint32_t capsule, const Vector<Real>& 
 }
 
 template <typename Real>
-void EventEngine<Real>::predict_edges(std::uint32_t ball, Event& best) const {
+void EventEngine<Real>::predict_edges(std::uint32_t ball, Event& best) {
     const EventPath<Real> path = balls_.path(ball);
     const auto rests_on = [&](std::uint32_t capsule, int across, int along) {
         const auto is = [&](const PathSupport& support) {
@@ -527,7 +536,7 @@ void EventEngine<Real>::predict_edges(std::uint32_t ball, Event& best) const {
     for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int across, int along) {
         if (rests_on(capsule, across, along)) return;
         const Edge<Real> edge(world_->capsules.shape[capsule], shift);
-        auto time = edge_closing(path, edge, radius(ball), field_, best.time);
+        auto time = edge_closing(path, edge, radius(ball), field_, best.time, search_);
         if (!time) return;
         if (*time < now_) time = now_;
         if (!is_solid_for(capsule, state_at(path, field_, *time).position, shift)) return;
@@ -540,7 +549,8 @@ void EventEngine<Real>::predict_edges(std::uint32_t ball, Event& best) const {
         if (!ball_meets(ball, hands_[i].capsule)) continue;
         const Real horizon = end_ < best.time ? end_ : best.time;
         const Real begin = path.time < now_ ? now_ : path.time;
-        const auto time = hand_closing(path, hands_[i].edge, radius(ball), field_, begin, horizon);
+        const auto time =
+            hand_closing(path, hands_[i].edge, radius(ball), field_, begin, horizon, search_);
         if (!time) continue;
         if (!is_solid_for(hands_[i].capsule, state_at(path, field_, *time).position, {})) continue;
         consider(ball, {*time, Kind::hand, 0, 0, i, 0}, best);

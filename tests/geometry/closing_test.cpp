@@ -82,8 +82,9 @@ std::optional<double> sampled_closing(const Quartic& quartic, double end, int sa
 }
 
 std::optional<double> found_closing(const Quartic& quartic, double begin, double end) {
+    ClosingSearch<double> search;
     return first_closing<double>([&](double t) { return quartic.at(t); }, begin, end,
-                                 quartic.pull(end), tolerance);
+                                 quartic.pull(end), tolerance, search);
 }
 
 }  // namespace
@@ -159,7 +160,8 @@ TEST_CASE("closing: two roots however near each other are found, and a near miss
                 return Gap<double>{bend / 2.0 * (t - middle) * (t - middle) + sign * depth,
                                    bend * (t - middle), bend};
             };
-            const auto found = first_closing<double>(look, 0.0, 4.0, 0.5, tolerance);
+            ClosingSearch<double> search;
+            const auto found = first_closing<double>(look, 0.0, 4.0, 0.5, tolerance, search);
             CHECK(found.has_value() == (sign < 0.0));
             const double half = std::sqrt(2.0 * depth / bend);
             if (found)
@@ -226,9 +228,36 @@ TEST_CASE("closing: what is known to press no more strongly is looked at a few t
             gap.pull = pull;
             return gap;
         };
-        const auto found = first_closing<double>(look, 0.0, 10.0, 3.0, tolerance);
+        ClosingSearch<double> search;
+        const auto found = first_closing<double>(look, 0.0, 10.0, 3.0, tolerance, search);
         CHECK(looks < 10);
         CHECK(found.has_value() == (pull * 10.0 > tolerance.slow));
         if (found) CHECK(*found == doctest::Approx(tolerance.slow / pull));
     }
+}
+
+// A hair apart until they meet: far more looks than a search may take.
+TEST_CASE("closing: a search that is left off says how far it came, and finds the same later") {
+    const auto look = [](double t) {
+        const double after = t < 0.5 ? 0.0 : t - 0.5;
+        return Gap<double>{1e-8 - after * after, -2.0 * after, 0.0};
+    };
+    ClosingSearch<double> search;
+    search.begin_at(0.0);
+    std::optional<double> found;
+    int times = 0;
+    for (; times < 100; ++times) {
+        search.begin_at(search.reached.value_or(0.0));
+        const double before = search.now;
+        const std::uint64_t looks = search.looks;
+        found = first_closing<double>(look, 0.0, 1.0, 1e5, tolerance, search);
+        CHECK(search.looks > looks);
+        if (found) break;
+        REQUIRE(search.reached);
+        CHECK(*search.reached > before);
+        CHECK(*search.reached <= 0.5 + 1e-4);
+    }
+    CHECK(times > 2);
+    REQUIRE(found);
+    CHECK(*found == doctest::Approx(0.5 + 1e-4).epsilon(1e-6));
 }

@@ -102,10 +102,11 @@ TEST_CASE("event: what approaches as slowly as numbers can say has no impact") {
         EventPath<double> path;
         path.position = {0.5, 0.0};
         path.velocity = {-speed, 0.0};
-        CHECK(!edge_closing(path, wall, 0.5, Field<double>{}, 1.0));
-        CHECK(!edge_closing(path, peg, 0.5, Field<double>{}, 1.0));
+        ClosingSearch<double> search;
+        CHECK(!edge_closing(path, wall, 0.5, Field<double>{}, 1.0, search));
+        CHECK(!edge_closing(path, peg, 0.5, Field<double>{}, 1.0, search));
         EventPath<double> other;
-        CHECK(!ball_closing(path, other, {}, 0.5, 0.25, Field<double>{}, 1.0));
+        CHECK(!ball_closing(path, other, {}, 0.5, 0.25, Field<double>{}, 1.0, search));
     }
 }
 
