@@ -328,6 +328,7 @@ void EventEngine<Real>::take_hands(const World& world) {
         balls_[*index].line.velocity = Vector<Real>(way) / duration;
     }
     hands_.clear();
+    has_coils_ = false;
     for (const HeldCapsule& held : world.held_capsules) {
         const auto index = index_of(world, held.id);
         if (!index) continue;
@@ -341,6 +342,7 @@ void EventEngine<Real>::take_hands(const World& world) {
         hand.edge.time = now_;
         hand.edge.stop = end_;
         hands_.push_back(hand);
+        has_coils_ = has_coils_ || hand.is_driven;
     }
 }
 
