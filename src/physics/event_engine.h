@@ -59,7 +59,8 @@ enum class EventOutcome : std::uint8_t {
 /// where it is for a quarter of the time in which it would fall through its radius, and longer if
 /// what it touches then carries it. That loses energy and momentum. So does one that is shut in, so
 /// that its impacts at one instant come to no end and are stopped, after `most_quick` of them, also
-/// where nothing else loses energy. Balls that are pressed together and overlap by more than half
+/// where nothing else loses energy; what is stopped with one that lies so already is stopped by it.
+/// Balls that are pressed together and overlap by more than half
 /// of `lively_rise` are taken apart where nothing bars the way, by half a radius at most, which
 /// lifts them by as much; where they are barred, they sink in further. Without gravity, two balls
 /// that have met `most_quick` times in a row within `touching` of a radius pass their impulse
@@ -325,6 +326,7 @@ class EventEngine {
     bool has_gone_less(const Body& body, double share) const;
     bool has_met_often(const Body& body) const;
     bool is_squeezed(const Touch& touch) const;
+    void hold_the_tired();
     void note_speeds(bool is_shut_in);
     bool hold_back(std::uint32_t body);
     void stop_hands();

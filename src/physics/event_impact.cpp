@@ -194,6 +194,7 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
         // Many rounds: losing contacts that are shut in. From here on they stop, all at once.
         if (round > most_rounds + 8 * touches_.size()) break;
         if (round > most_rounds / 2 + 4 * touches_.size()) {
+            if (!is_shut_in) hold_the_tired();
             is_shut_in = true;
             approaching.clear();
             for (std::uint32_t i = 0; i < touches_.size(); ++i)
@@ -307,6 +308,17 @@ bool EventEngine<Real>::is_squeezed(const Touch& touch) const {
     const Real fast = touch.contact.surface * Real(squeezed_speed);
     return fast > Real{} && has_gone_less(body, squeezing) &&
            length(impact_bodies_[touch.contact.a].velocity) > fast;
+}
+
+// Balls that lie still since they are tired would lie down again at once, and what has been stopped
+// with them would meet them anew: it is stopped by them.
+template <typename Real>
+void EventEngine<Real>::hold_the_tired() {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const EventPath<Real> path = balls_.path(bodies_[i].ball);
+        if (path.motion == Motion::resting && path.support.by == PathSupport::By::nothing)
+            impact_bodies_[i] = {{}, Real{}};
+    }
 }
 
 // After a round of an impact. What is left of a speed that was stopped is rounding, and none.

@@ -202,3 +202,69 @@ TEST_CASE("event: a coil does not squeeze a ball against a wall or into a wedge"
                 CHECK(world.capsules.shape[2].start.y > low + 0.5 - 1e-6);
             }
 }
+
+namespace {
+
+// Whether a tick ends in which a hand takes the ball at `from` to `to`.
+bool ends_with_hand(World world, double spin, Vec2 from, Vec2 to, Vec2 velocity = {}) {
+    const BallId held = add_ball(world, {.position = from, .velocity = velocity, .radius = 0.5});
+    world.balls.spin.back() = spin;
+    world.held_balls = {{held, to}};
+    int asked = 0;
+    Solver solver({.kind = SolverKind::event});
+    return solver.tick(world, [&] { return ++asked < 20; }) == TickOutcome::done;
+}
+
+}  // namespace
+
+// What was shut in with a ball was stopped together with it; the ball was tired and lay down at the
+// same instant, and was met again, without end.
+TEST_CASE("event: what meets a ball that lies still since it is tired is stopped by it") {
+    SUBCASE("in a heap that a hand that turns drives on") {
+        World world = under_gravity(0.916212115243346);
+        world.rate = 112.45867869668238;
+        world.model.gravity = Vec2{-1.7595310857244439, -10};
+        world.model.spin = 0.5;
+        world.model.wrap = Box{{0, 0}, {12, 12}};
+        world.kinds[0].friction = world.materials[0].friction = 0.46443842557153525;
+        add_capsule(world, {{0, 0}, {12, 0}, 0.1}, 0);
+        const Vec2 peg{2.1293809267449784, 1.5668510420726591};
+        add_capsule(world, {peg, peg, 0.1}, 0);
+        const Vec2 point{8.7651744180296625, 1.1597840377354309};
+        add_capsule(world, {point, point, 0.0}, 0);
+        add_ball(world, {.position = {8.8, 0.4}, .radius = 0.3, .mass = 2.0});
+        add_ball(world, {.position = {9.49, 0.86}, .radius = 0.5});
+        add_ball(world, {.position = {10.6, 0.7}, .radius = 0.5});
+        add_ball(world, {.position = {0.27, 1.34}, .radius = 0.5});
+        world.balls.spin = {20, -48, 35, 15};
+        CHECK(
+            ends_with_hand(world, 52.0, {1.934, 2.203}, {9.0693224385413487, 9.2722200228548353}));
+    }
+    SUBCASE("in a row that a hand pushes into a corner") {
+        World world = under_gravity(1.0);
+        world.rate = 206.57188127763254;
+        world.model.gravity = Vec2{-2.2018241751008993, -10};
+        world.model.spin = 0.5;
+        world.kinds[0].friction = world.materials[0].friction = 0.94052894293176059;
+        add_capsule(world,
+                    {{4.1309338014005164, 4.9396118786715899},
+                     {7.1309338014005164, 4.9396118786715899},
+                     0.2},
+                    0);
+        add_capsule(world,
+                    {{5.6028427066959541, 2.9844335574553087},
+                     {8.407645284116569, 2.9844335574553087},
+                     0.1},
+                    0);
+        add_capsule(
+            world,
+            {{6.0201944916274037, 4.0271110974376478}, {6.0201944916274037, 2.0491410384525128}, 0},
+            0);
+        add_ball(world, {.position = {3, 2.2}, .velocity = {0, -4}, .radius = 0.5});
+        add_ball(world, {.position = {4.56, 2.89}, .velocity = {-1, 2}, .radius = 0.5});
+        add_ball(world, {.position = {5.4, 4.1}, .velocity = {5, 2}, .radius = 0.5});
+        world.balls.spin = {17, -3, 3};
+        CHECK(ends_with_hand(world, -51.0, {1.1, 1.7}, {4.9943903145599524, 2.1040505287905988},
+                             {34, -25}));
+    }
+}
