@@ -123,39 +123,6 @@ Vec2 EventEngine<Real>::shown_position(const EventPath<Real>& path, const Real& 
 }
 
 template <typename Real>
-bool EventEngine<Real>::leads_through(const EventPath<Real>& path, std::size_t ball) const {
-    if (path.motion == Motion::held || path.time > now_) return false;
-    if (path.motion == Motion::turning && piece_end(path, field_) < now_) return false;
-    if (!is_path_on_cloth(path)) return false;
-    const BallState<Real> state = state_at(path, field_, now_);
-    return shown_position(path, now_) == world_->balls.position[ball] &&
-           Vec2(state.velocity) == world_->balls.velocity[ball] &&
-           is_turn_left(static_cast<std::uint32_t>(ball));
-}
-
-// Whether the edges that carry the ball are still there, as they were.
-template <typename Real>
-bool EventEngine<Real>::are_carriers_left(const EventPath<Real>& path, std::uint32_t sum) const {
-    return path.motion == Motion::free ||
-           sum_of_carriers(*world_, path.support, path.second_support) == sum;
-}
-
-// Whether the balls that carry the ball are still there.
-template <typename Real>
-bool EventEngine<Real>::has_support(const std::vector<std::uint8_t>& is_kept,
-                                    std::size_t ball) const {
-    const EventPath<Real> path = balls_.path(ball);
-    for (const PathSupport& support : {path.support, path.second_support}) {
-        if (support.by != PathSupport::By::ball) continue;
-        const auto index = index_of(*world_, BallId{support.number});
-        // It rests, so it is where it was.
-        if (!index || !is_kept[*index] || balls_[*index].line.motion != Motion::resting)
-            return false;
-    }
-    return true;
-}
-
-template <typename Real>
 void EventEngine<Real>::begin(World& world) {
     is_begun_anew_ = false;
     begun_.clear();
@@ -274,6 +241,9 @@ void EventEngine<Real>::begin_anew(const World& world) {
     for (std::size_t i = 0; i < count; ++i)
         is_kept[i] = is_kept[i] && !(balls_.plan(i).inverse_mass == Real{}) &&
                      leads_through(balls_.path(i), i);
+    if (world.paths_obstacles == 0 || world.paths_obstacles != sum_of_obstacles(world))
+        for (std::uint32_t i = 0; i < count; ++i)
+            is_kept[i] = is_kept[i] && !has_passed_an_edge(i);
     // What rests on something that is gone begins anew, and so on up the heap.
     for (bool changed = true; changed;) {
         changed = false;

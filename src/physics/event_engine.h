@@ -219,13 +219,16 @@ class EventEngine {
     void begin_anew(const World& world);
     void take_what_changed(const World& world);
     void take_hands(const World& world);
-    bool leads_through(const EventPath<Real>& path, std::size_t ball) const;
-    bool are_carriers_left(const EventPath<Real>& path, std::uint32_t sum) const;
-    bool has_support(const std::vector<std::uint8_t>& is_kept, std::size_t ball) const;
     Vec2 shown_position(const EventPath<Real>& path, const Real& time) const;
     void start_path(std::uint32_t ball, const Real& time, Vector<Real> position,
                     const Vector<Real>& velocity);
     void hold(std::uint32_t ball);
+
+    // event_kept.cpp: which paths still hold when a tick begins anew.
+    bool leads_through(const EventPath<Real>& path, std::size_t ball) const;
+    bool are_carriers_left(const EventPath<Real>& path, std::uint32_t sum) const;
+    bool has_support(const std::vector<std::uint8_t>& is_kept, std::size_t ball) const;
+    bool has_passed_an_edge(std::uint32_t ball);
 
     // event_left.cpp: what a tick leaves in the world.
     bool is_continued(const World& world) const;
@@ -301,6 +304,9 @@ class EventEngine {
     template <typename Visit>
     void for_each_edge_around(std::uint32_t ball, EventSpot spot, Visit&& visit) const;
     bool is_solid_for(std::uint32_t capsule, const Vector<Real>& position, Vec2 shift) const;
+    /// Whether that image of the edge carries what is on the path.
+    bool rests_on_edge(const EventPath<Real>& path, std::uint32_t capsule, int across,
+                       int along) const;
 
     // event_ahead.cpp: fetching from memory before it is needed.
     static constexpr std::size_t many = 4096;  ///< balls, from which on it is worth its cost

@@ -255,6 +255,7 @@ void EventEngine<Real>::write(World& world) {
     left_.rate = world.rate;
     left_.had_hands = !world.held_balls.empty() || !hands_.empty();
     if (is_begun_anew_) {
+        world.paths_obstacles = hands_.empty() ? sum_of_obstacles(world) : 0;
         left_.model = world.model;
         left_.ids.keep(balls.id);
         left_.radii.keep(balls.radius);

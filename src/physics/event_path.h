@@ -203,6 +203,10 @@ PathBend stored_bend(const World& world, const EventPath<double>& path);
 std::uint32_t sum_of_carriers(const World& world, const PathSupport& support,
                               const PathSupport& second);
 
+/// What World::paths_obstacles is: edges that no hand holds, how large the balls are, and who meets
+/// whom, stirred; never 0.
+std::uint64_t sum_of_obstacles(const World& world);
+
 inline std::uint64_t stirred(std::uint64_t sum, std::uint64_t word) {
     return std::rotl(sum ^ word, 29) * 0x9fb21c651e98df25u;
 }

@@ -524,17 +524,20 @@ bool EventEngine<Real>::is_solid_for(std::uint32_t capsule, const Vector<Real>& 
 }
 
 template <typename Real>
+bool EventEngine<Real>::rests_on_edge(const EventPath<Real>& path, std::uint32_t capsule,
+                                      int across, int along) const {
+    const auto is = [&](const PathSupport& support) {
+        return support.by == PathSupport::By::edge && support.across == across &&
+               support.along == along && support.number == number(world_->capsules.id[capsule]);
+    };
+    return path.motion != Motion::free && (is(path.support) || is(path.second_support));
+}
+
+template <typename Real>
 void EventEngine<Real>::predict_edges(std::uint32_t ball, Event& best) {
     const EventPath<Real> path = balls_.path(ball);
-    const auto rests_on = [&](std::uint32_t capsule, int across, int along) {
-        const auto is = [&](const PathSupport& support) {
-            return support.by == PathSupport::By::edge && support.across == across &&
-                   support.along == along && support.number == number(world_->capsules.id[capsule]);
-        };
-        return path.motion != Motion::free && (is(path.support) || is(path.second_support));
-    };
     for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int across, int along) {
-        if (rests_on(capsule, across, along)) return;
+        if (rests_on_edge(path, capsule, across, along)) return;
         const Edge<Real> edge(world_->capsules.shape[capsule], shift);
         auto time = edge_closing(path, edge, radius(ball), field_, best.time, search_);
         if (!time) return;

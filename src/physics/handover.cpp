@@ -83,6 +83,7 @@ EventOutcome Handover::tick(World& world, EventEngine<double>& event, ContactSol
         world.path_bends.swap(free_.world.path_bends);
         world.spin_paths.swap(free_.world.spin_paths);
         world.paths_sum = free_.world.paths_sum;
+        world.paths_obstacles = world.held_capsules.empty() ? free_.world.paths_obstacles : 0;
         world.paths_gravity = free_.world.paths_gravity;
         world.paths_drag = free_.world.paths_drag;
         world.pressed.swap(heap_.world.pressed);
@@ -207,6 +208,7 @@ void Handover::take_part(const World& world, bool of_heap, Part& part) const {
     some.path_bends = world.path_bends;
     some.spin_paths = world.spin_paths;
     some.paths_sum = world.paths_sum;
+    some.paths_obstacles = world.paths_obstacles;
     some.paths_gravity = world.paths_gravity;
     some.paths_drag = world.paths_drag;
 }

@@ -262,6 +262,9 @@ struct World {
     double paths_drag = 0.0;  ///< 1/s
     /// By which a solver knows the paths that it left: the sum of sum_of (event_path.h) over them.
     std::uint64_t paths_sum = 0;
+    /// What they could meet, when they were left: sum_of_obstacles (event_path.h); or 0, where a
+    /// hand moved edges. With another, one that would have met an edge before counts no more.
+    std::uint64_t paths_obstacles = 0;
 
     /// Ascending by ball; empty unless the last tick was one of the solver `contact`, or `event`
     /// had a heap in it.

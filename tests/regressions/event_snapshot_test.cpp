@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -9,8 +10,8 @@
 
 // The solver `event` went on with other bits than one that began from a copy of the world: where a
 // ball lay deeper in what carried it than a fall would press it, where one went round a torus more
-// than fifty times, where one was moved on which another lay, and where balls had been put into one
-// another beside an edge.
+// than fifty times, where one was moved on which another lay, where balls had been put into one
+// another beside an edge, and where an edge had come to where a ball had been before.
 
 using namespace carom;
 
@@ -202,4 +203,34 @@ TEST_CASE("event: a heap is not handed over any more once the model has cloth") 
     world.balls.roll.assign(world.balls.size(), Vec2{});
     CHECK(solver.tick(world) != TickOutcome::given_up);
     CHECK(world.heaped.empty());
+}
+
+// A path that had met such an edge in the past began anew whenever its ball came into a cell that
+// this edge is near, and which cells there are depends on when a solver began.
+TEST_CASE("event: a snapshot goes on with the same bits where an edge comes to where a ball was") {
+    for (const double speed : {20.0, 22.0, 24.0})
+        for (std::size_t ago = 3; ago <= 23; ++ago) {
+            CAPTURE(speed);
+            CAPTURE(ago);
+            World world = lossy();
+            world.rate = 60.0;
+            add_ball(world, {.position = {0.0, 0.0}, .velocity = {6.0, 3.0}, .radius = 0.5});
+            // Two flocks make the cells small. They part, until a new solver has other cells.
+            for (int i = 0; i < 100; ++i) {
+                const double side = i % 2 == 0 ? -1.0 : 1.0;
+                add_ball(world,
+                         {.position = {side * (6.0 + 1.3 * (i / 2 % 10)), -4.0 + 1.3 * (i / 20)},
+                          .velocity = {side * speed, 4.0},
+                          .radius = 0.5});
+            }
+            std::vector<Vec2> was;
+            Solver solver({.kind = SolverKind::event});
+            for (int tick = 0; tick < 24; ++tick) {
+                was.push_back(world.balls.position[0]);
+                solver.tick(world);
+            }
+            const Vec2 there = was[was.size() - ago];
+            add_capsule(world, {there + Vec2{-0.3, 0.1}, there + Vec2{0.4, 0.2}, 0.0}, 0);
+            CHECK(first_difference(world, 60) == -1);
+        }
 }
