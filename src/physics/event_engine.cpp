@@ -298,7 +298,6 @@ void EventEngine<Real>::take_hands(const World& world) {
         balls_[*index].line.velocity = Vector<Real>(way) / duration;
     }
     hands_.clear();
-    has_coils_ = false;
     for (const HeldCapsule& held : world.held_capsules) {
         const auto index = index_of(world, held.id);
         if (!index) continue;
@@ -312,7 +311,6 @@ void EventEngine<Real>::take_hands(const World& world) {
         hand.edge.time = now_;
         hand.edge.stop = end_;
         hands_.push_back(hand);
-        has_coils_ = has_coils_ || hand.is_driven;
     }
 }
 

@@ -95,19 +95,12 @@ enum class EventOutcome : std::uint8_t {
 ///
 /// What is in a hand moves in a straight line during a tick; the numeric bound that finds its
 /// impacts is in event_closing.h. A hand that would squeeze a ball against something stops for the
-/// tick. What a coil drives would throw such a ball to and fro, ever faster: once the ball has had
-/// `most_thrown` impacts in a row within `squeezing` of its radius, and is faster than
-/// `squeezed_speed` times the surface, it leaves that as it would leave a hand, which stops.
+/// tick.
 template <typename Real>
 class EventEngine {
   public:
     static constexpr std::uint64_t most_events = 100'000'000;
     static constexpr double touching = 1e-10;
-    /// What a coil drives throws a ball that goes faster than so many times its surface no more
-    /// than so often in a row within this share of the radius.
-    static constexpr double squeezing = 1.0 / 64.0;
-    static constexpr double squeezed_speed = 8.0;
-    static constexpr std::uint32_t most_thrown = 8;
     static constexpr std::uint32_t most_quick = 64;
     static constexpr std::uint32_t most_tiring = 256;
     /// A ball with more impacts in quick succession than this is in a heap: see handover.h.
@@ -329,9 +322,6 @@ class EventEngine {
     double restitution_of(const Touch& touch, bool is_alone);
     void pass_impulses(const std::vector<std::uint32_t>& which, bool is_alone,
                        std::vector<Contact>& contacts);
-    bool has_gone_less(const Body& body, double share) const;
-    bool has_met_often(const Body& body) const;
-    bool is_squeezed(const Touch& touch) const;
     void hold_the_tired();
     void note_speeds(bool is_shut_in);
     bool hold_back(std::uint32_t body);
@@ -463,7 +453,6 @@ class EventEngine {
     std::array<Coming, 8> coming_{};  ///< whom look_ahead has seen, in a ring
     std::uint32_t came_ = 0;
     bool are_lines_ = false;  ///< see event_lines.cpp
-    bool has_coils_ = false;  ///< among the hands
     bool hand_stopped_ = false;
     bool is_begun_anew_ = false;
     bool is_all_left_ = false;  ///< positions and velocities, bit by bit as the last tick left them

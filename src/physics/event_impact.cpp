@@ -25,8 +25,7 @@ double EventEngine<Real>::restitution_of(const Touch& touch, bool is_alone) {
                                impact_bodies_[touch.contact.b].inverse_mass == Real{};
         if (is_pushed && (path.motion == Motion::held || theirs.motion == Motion::held))
             return hand_restitution;
-        if (restitution < 1.0 && has_met_often(body) && has_met_often(bodies_[touch.contact.b]))
-            return 0.0;
+        if (restitution < 1.0 && path.quick > most_quick && theirs.quick > most_quick) return 0.0;
         if (!is_alone || !world_->model.gravity) return restitution;
         const Real press = -dot(path.acceleration - theirs.acceleration, touch.contact.normal);
         if (!(press > Real{})) return restitution;
@@ -39,7 +38,7 @@ double EventEngine<Real>::restitution_of(const Touch& touch, bool is_alone) {
     }
     const Material& material = world_->materials[world_->capsules.material[touch.other]];
     if (world_->model.lossy) restitution = restitution_at(material, std::max(0.0, speed));
-    if (touch.is_driven && approach > Real{} && !is_squeezed(touch))
+    if (touch.is_driven && approach > Real{})
         return driven_restitution(restitution, static_cast<double>(touch.contact.surface), speed);
     if (touch.kind == Kind::hand && touch.contact.surface > Real{}) {
         // As bounce_off, as a share of the approach.
@@ -51,7 +50,7 @@ double EventEngine<Real>::restitution_of(const Touch& touch, bool is_alone) {
                    ? std::max(0.0, (dot(velocity, normal) - surface) / done.approach)
                    : 0.0;
     }
-    if (restitution < 1.0 && has_met_often(body) && !world_->model.gravity) return 0.0;
+    if (restitution < 1.0 && path.quick > most_quick && !world_->model.gravity) return 0.0;
     if (!is_alone || !world_->model.gravity) return restitution;
     const Real press = -dot(path.acceleration, touch.contact.normal);
     if (!(press > Real{})) return restitution;
@@ -226,13 +225,14 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     for (std::uint32_t i = 0; i < bodies_.size(); ++i)
         if (balls_[bodies_[i].ball].line.motion == Motion::held && !hold_back(i)) squeezed = true;
     for (const Touch& touch : touches_) {
-        if (touch.kind == Kind::hand &&
-            (is_shut_in || is_squeezed(touch) || has_met_often(bodies_[touch.contact.a])))
+        const std::uint32_t held = bodies_[touch.contact.a].ball;
+        if (touch.kind == Kind::ball_ball) continue;
+        if (touch.kind == Kind::hand && (is_shut_in || balls_[held].line.quick > most_quick))
             squeezed = true;
     }
     for (const Touch& touch : touches_)
         if (touch.kind == Kind::ball_ball &&
-            (is_shut_in || has_met_often(bodies_[touch.contact.a])) &&
+            (is_shut_in || balls_[bodies_[touch.contact.a].ball].line.quick > most_quick) &&
             (balls_[bodies_[touch.contact.a].ball].line.motion == Motion::held ||
              balls_[touch.other].line.motion == Motion::held))
             squeezed = true;
@@ -245,15 +245,16 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
         touched[each.ball] |= each.is_changed;
         if (!each.is_changed) continue;
         const EventPath<Real> before = balls_.path(each.ball);
-        const bool is_close = has_gone_less(each, has_coils_ ? squeezing : touching);
+        const Real way = length(each.position - before.position);
         if (each.is_moved) cells_.leave(balls_, each.ball);
         start_path(each.ball, now_, each.position, impact_bodies_[i].velocity);
         if (each.is_moved) cells_.enter(balls_, each.ball, Vec2(balls_[each.ball].line.position));
         if (world_->model.spin) spins_[each.ball].spin = body_spins_[i];
         if (world_->model.cloth) balls_.bend(each.ball).center = body_rolls_[i];
         EventLine<Real>& line = balls_[each.ball].line;
-        line.quick = world_->model.gravity ? tiredness(each.ball, before)
-                                           : (is_close ? one_more(before.quick) : 0);
+        line.quick = world_->model.gravity
+                         ? tiredness(each.ball, before)
+                         : (way < Real(touching) * radius(each.ball) ? one_more(before.quick) : 0);
         if (before.motion == Motion::held) hold(each.ball);
         if (line.quick > crowding) note_crowded(i);
         changed.push_back(each.ball);
@@ -283,31 +284,6 @@ void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
     if (is_predicted) return;
     predict(ball);
     reorder(ball);
-}
-
-// Since it met something last: less than this share of its radius. Pre: its path is still that.
-template <typename Real>
-bool EventEngine<Real>::has_gone_less(const Body& body, double share) const {
-    const Real way = length(body.position - balls_[body.ball].line.position);
-    return way < Real(share) * radius(body.ball);
-}
-
-// In quick succession, or without gravity: in a row, with no way between.
-template <typename Real>
-bool EventEngine<Real>::has_met_often(const Body& body) const {
-    if (!(balls_[body.ball].line.quick > most_quick)) return false;
-    return world_->model.gravity || !has_coils_ || has_gone_less(body, touching);
-}
-
-// By what a coil drives: it would throw the ball again and again, ever faster, and the more often
-// the closer it comes to what bars the ball's way.
-template <typename Real>
-bool EventEngine<Real>::is_squeezed(const Touch& touch) const {
-    const Body& body = bodies_[touch.contact.a];
-    if (!touch.is_driven || !(balls_[body.ball].line.quick > most_thrown)) return false;
-    const Real fast = touch.contact.surface * Real(squeezed_speed);
-    return fast > Real{} && has_gone_less(body, squeezing) &&
-           length(impact_bodies_[touch.contact.a].velocity) > fast;
 }
 
 // Balls that lie still since they are tired would lie down again at once, and what has been stopped

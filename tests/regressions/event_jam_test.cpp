@@ -166,43 +166,6 @@ TEST_CASE("event: a ball that goes slowly over the ridge of two edges costs next
     CHECK(world.balls.velocity[0].x < -0.01);
 }
 
-// It was thrown to and fro until a ten thousand millionth of its radius was left to it: ever
-// faster, millions of times.
-TEST_CASE("event: a coil does not squeeze a ball against a wall or into a wedge") {
-    for (const bool on_cloth : {false, true})
-        for (const bool is_wedge : {false, true})
-            for (const double speed : {0.0, 20.0}) {
-                CAPTURE(on_cloth);
-                CAPTURE(is_wedge);
-                CAPTURE(speed);
-                World world = scenes::empty();
-                world.rate = 100.0;
-                if (on_cloth) {
-                    world.model.spin = 0.4;
-                    world.model.cloth = Cloth{};
-                }
-                const double lean = is_wedge ? 1.0 : 0.0;
-                add_capsule(world, {{0.0, 0.0}, {3.0, lean}, 0.0}, 0);
-                add_capsule(world, {{0.0, 0.0}, {-3.0, lean}, 0.0}, 0);
-                const double low = 0.5 * std::sqrt(1.0 + lean * lean / 9.0);
-                add_ball(world,
-                         {.position = {0.0, low + 0.01}, .velocity = {0.0, -speed}, .radius = 0.5});
-                const CapsuleId coil = add_capsule(world, {{-5, low + 0.6}, {5, low + 0.6}, 0}, 0);
-                // At ten a second, until it would have to be a tenth within the ball.
-                Solver solver({.kind = SolverKind::event});
-                int asked = 0;
-                for (int tick = 0; tick < 20; ++tick) {
-                    const Vec2 to{5.0, low + 0.4};
-                    world.held_capsules = {{coil, {-to.x, to.y}, to, true}};
-                    REQUIRE(solver.tick(world, [&] { return ++asked < 100; }) == TickOutcome::done);
-                    CHECK(solver.contacts().size() < 20000);
-                    CHECK(length(world.balls.velocity[0]) < 500.0);
-                    CHECK(world.balls.position[0].y > low - 1e-6);
-                }
-                CHECK(world.capsules.shape[2].start.y > low + 0.5 - 1e-6);
-            }
-}
-
 namespace {
 
 // Whether a tick ends in which a hand takes the ball at `from` to `to`.
