@@ -280,7 +280,7 @@ void EventEngine<Real>::begin_anew(const World& world) {
     }
     are_lines_ = are_lines();
     begun_.reserve(leaves_lines() ? 0 : count);
-    if (world.model.ball_edge) edges_.update(world, cells_.frame(), 1.01 * cells_.largest());
+    if (world.model.ball_edge) edges_.update(world, cells_.frame(), near_edges * cells_.largest());
     for (std::uint32_t i = 0; i < count; ++i)
         if (!is_kept[i]) settle(i);
     predict_all();

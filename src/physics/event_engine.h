@@ -120,6 +120,8 @@ class EventEngine {
   private:
     using Kind = EventKind;
     using Event = BallEvent<Real>;
+    /// An edge is near a cell if it is no further from it than so many times the largest radius.
+    static constexpr double near_edges = 1.01;
     /// A ball whose event comes soon, and what of it is known.
     struct Coming {
         std::uint32_t ball = 0;

@@ -357,9 +357,9 @@ void EventEngine<Real>::predict_crossing(std::uint32_t ball, Event& best) const 
             if (since) time = now_ + *since;
         } else {
             // Not exact: when it may have come a hair past the border, which is not too late, since
-            // a cell is a little wider than it need be. So who has crossed is past the border he
-            // would have to cross to come back, by all of that hair.
-            const Real hair(1e-3 * width);
+            // a cell is a little wider than it need be, and so is what is near it. So who has
+            // crossed is past the border he would have to cross to come back, by all of that hair.
+            const Real hair(std::min(1e-3 * width, 0.5 * (near_edges - 1.0) * cells_.largest()));
             const Real most = most_acceleration(path, field_, now_);
             const auto since = quadratic_closing<Real>(
                 {(border - along(now.position)) * sign + hair, -along(now.velocity) * sign, -most},
