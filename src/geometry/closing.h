@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -97,7 +98,8 @@ std::optional<Real> quadratic_closing(const Gap<Real>& now,
 /// nothing that is found depends on how often a search was left off.
 template <typename Real>
 struct ClosingSearch {
-    /// Looks of one search after `now`, until it is left off.
+    /// Looks of one search after `now`, until it is left off; or as many as it took until `now`,
+    /// so that all of them together are no more than a few times those of one search.
     static constexpr std::uint32_t most_looks = 65536;
 
     Real now{};                   ///< searches go on until later than this
@@ -129,8 +131,9 @@ std::optional<Real> first_closing(Look&& look, Real begin, Real end, Real pull,
                                   ClosingSearch<Real>& search) {
     const Real zero{};
     Real time = begin;
+    std::uint32_t past = 0;
     std::uint32_t looks = 0;
-    while (looks < ClosingSearch<Real>::most_looks) {
+    while (looks < std::max(past, ClosingSearch<Real>::most_looks)) {
         const Gap<Real> now = look(time);
         ++search.looks;
         const bool is_sharper = !(now.pull < zero) && Real(64.0) * now.pull < pull;
@@ -157,7 +160,7 @@ std::optional<Real> first_closing(Look&& look, Real begin, Real end, Real pull,
         const Real least = Real(precision<Real>) * absolute(time);
         time += step > least ? step : least;
         if (!(time <= end)) return std::nullopt;
-        if (search.now < time) ++looks;
+        ++(search.now < time ? looks : past);
     }
     search.leave_off(time);
     return std::nullopt;
