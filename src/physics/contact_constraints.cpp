@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/closest.h"
 #include "physics/bounce.h"

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/bounce.h"
 #include "physics/contact_path.h"
 #include "physics/contact_solver.h"
 

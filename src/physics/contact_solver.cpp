@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/closest.h"
 #include "physics/surroundings.h"
 
 namespace carom {

@@ -73,9 +73,8 @@ class KeptIds {
 };
 
 /// Stands for an array of pairs of numbers too long to be kept: who adds the same bits in the same
-/// order has the same sum, and hardly anybody else. A pair with one number changed has another sum,
-/// two changed pairs together with a chance of about 2^-32 the same. Not for those who mean harm.
-/// (After NH, of Black, Halevi, Krawczyk, Krovetz and Rogaway, UMAC: fast and secure message
+/// order has the same sum, and others have it with a chance of about 2^-32. Not for those who mean
+/// harm. (After NH, of Black, Halevi, Krawczyk, Krovetz and Rogaway, UMAC: fast and secure message
 /// authentication, CRYPTO 1999; its keys are counted here, and stirred together with the bits.)
 class SumOfBits {
   public:
