@@ -177,6 +177,8 @@ std::optional<Real> edge_closing(const EventPath<Real>& path, const Edge<Real>& 
 
 /// The same of a ball and an edge in a hand, between `begin` and `end`. The bound on its motion
 /// takes the edge to turn no faster than twice the difference of its ends' speeds over its length.
+/// A search that was left off goes on from `begin`, which is later then: a tick with hands is never
+/// gone on with, so nobody could begin it otherwise.
 template <typename Real>
 std::optional<Real> hand_closing(const EventPath<Real>& path, const MovingEdge<Real>& edge,
                                  const Real& radius, const Field<Real>& field, const Real& begin,
