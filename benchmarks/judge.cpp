@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/totals.h"
+#include "physics/tick/totals.h"
 
 namespace carom::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "frames.h"
-#include "physics/world.h"
+#include "physics/world/world.h"
 #include "scene_list.h"
 
 /// What an engine got wrong, by what it wrote down. carom's own formulas judge all engines alike.

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "level/load.h"
-#include "physics/surroundings.h"
+#include "physics/tick/emitters_and_sinks.h"
 
 namespace carom::bench {
 namespace {

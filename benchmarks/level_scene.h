@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "level/scene.h"
+#include "level/scene/scene.h"
 #include "scene_list.h"
 
 /// From a level file, by carom's own loader, to what every engine can read.

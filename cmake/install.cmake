@@ -4,9 +4,9 @@ include(GNUInstallDirs)
 file(RELATIVE_PATH carom_levels_from_binary
   ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/carom/levels)
 
-set_source_files_properties(src/carom/level_files.cpp PROPERTIES COMPILE_DEFINITIONS
+set_source_files_properties(src/carom/files/level_files.cpp PROPERTIES COMPILE_DEFINITIONS
   "CAROM_LEVELS_FROM_BINARY=\"${carom_levels_from_binary}\";CAROM_SOURCE_LEVELS=\"${PROJECT_SOURCE_DIR}/levels\"")
-set_source_files_properties(src/carom/version.cpp PROPERTIES COMPILE_DEFINITIONS
+set_source_files_properties(src/carom/text/version.cpp PROPERTIES COMPILE_DEFINITIONS
   CAROM_VERSION=\"${PROJECT_VERSION}\")
 
 install(TARGETS carom RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

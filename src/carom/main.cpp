@@ -3,14 +3,14 @@
 #include <new>
 #include <variant>
 
-#include "carom/check.h"
-#include "carom/compare.h"
-#include "carom/measure.h"
-#include "carom/options.h"
-#include "carom/play.h"
-#include "carom/print.h"
-#include "carom/run.h"
-#include "carom/verify.h"
+#include "carom/cli/check.h"
+#include "carom/cli/compare.h"
+#include "carom/cli/measure.h"
+#include "carom/cli/run.h"
+#include "carom/cli/verify.h"
+#include "carom/files/print.h"
+#include "carom/options/options.h"
+#include "carom/play/play.h"
 
 namespace carom {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "geometry/vec2.h"
-#include "physics/random.h"
+#include "physics/world/random.h"
 
 namespace carom {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "level/assemble.h"
-#include "level/unroll.h"
+#include "level/assemble/assemble.h"
+#include "level/build/unroll.h"
 
 namespace carom {
 namespace {

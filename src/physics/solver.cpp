@@ -1,13 +1,13 @@
 #include "physics/solver.h"
 
-#include "physics/contact_flights.h"
-#include "physics/contact_solver.h"
-#include "physics/event_engine.h"
-#include "physics/handover.h"
-#include "physics/overlap_solver.h"
-#include "physics/surroundings.h"
-#include "physics/swept_solver.h"
-#include "physics/tick_undo.h"
+#include "physics/contact/solver.h"
+#include "physics/contact/swept_fallback.h"
+#include "physics/discrete/solver.h"
+#include "physics/event/engine.h"
+#include "physics/event/hybrid_step.h"
+#include "physics/swept/solver.h"
+#include "physics/tick/emitters_and_sinks.h"
+#include "physics/tick/undo.h"
 
 namespace carom {
 namespace {

@@ -8,10 +8,10 @@
 #include <optional>
 #include <sstream>
 
-#include "game/replayer.h"
+#include "game/replay/replayer.h"
 #include "level/load.h"
-#include "physics/fingerprint.h"
 #include "physics/solver.h"
+#include "physics/world/fingerprint.h"
 
 namespace carom::test {
 namespace {

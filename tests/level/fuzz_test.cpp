@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "level/statements.h"
+#include "level/language/statements.h"
 #include "level/support/files.h"
-#include "physics/random.h"
+#include "physics/world/random.h"
 
 using namespace carom;
 using namespace carom::test;

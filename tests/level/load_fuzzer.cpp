@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "level/load.h"
-#include "physics/fingerprint.h"
 #include "physics/solver.h"
+#include "physics/world/fingerprint.h"
 
 /// Bytes that libFuzzer invents, as a level; and what loads and is small enough, for a few ticks.
 /// It starts from the levels that ship and the broken ones. With clang++:

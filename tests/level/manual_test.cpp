@@ -2,9 +2,9 @@
 
 #include <set>
 
-#include "level/statements.h"
+#include "level/language/statements.h"
 #include "level/support/files.h"
-#include "level/text.h"
+#include "level/text/text.h"
 
 using namespace carom;
 using namespace carom::test;

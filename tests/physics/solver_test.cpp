@@ -5,9 +5,9 @@
 #include <doctest/doctest.h>
 
 #include "geometry/closest.h"
-#include "physics/fingerprint.h"
 #include "physics/support/scenes.h"
-#include "physics/totals.h"
+#include "physics/tick/totals.h"
+#include "physics/world/fingerprint.h"
 
 using namespace carom;
 

@@ -6,10 +6,10 @@
 
 #include <doctest/doctest.h>
 
-#include "physics/random.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
-#include "physics/totals.h"
+#include "physics/tick/totals.h"
+#include "physics/world/random.h"
 
 // Every solver at the extremes. `swept`, `contact` and `event` promise: all numbers finite, no ball
 // lost, no energy gained beyond rounding. What the others do is printed as a table;

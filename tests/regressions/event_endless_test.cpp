@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "physics/event_closing.h"
+#include "physics/event/toi_search.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 

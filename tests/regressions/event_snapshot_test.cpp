@@ -4,9 +4,9 @@
 
 #include <doctest/doctest.h>
 
-#include "physics/fingerprint.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
+#include "physics/world/fingerprint.h"
 
 // The solver `event` went on with other bits than one that began from a copy of the world: where a
 // ball lay deeper in what carried it than a fall would press it, where one went round a torus more

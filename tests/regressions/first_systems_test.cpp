@@ -5,10 +5,10 @@
 #include <doctest/doctest.h>
 
 #include "geometry/closest.h"
-#include "physics/cell_frame.h"
+#include "physics/broad_phase/cell_frame.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
-#include "physics/totals.h"
+#include "physics/tick/totals.h"
 
 // What users of the systems that carom starts from ran into, one test each: carom does not have it,
 // or, where the baseline solver has it by nature, the test measures it.

@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 
-#include "physics/fingerprint.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
+#include "physics/world/fingerprint.h"
 
 // Under event, a ball that passes a one-way edge from behind met it again in the run that went on,
 // and did not in one that began from a snapshot: other bits from the same state.

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "carom/program.h"
+#include "carom/play/program.h"
 
 namespace carom::test {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "carom/player.h"
+#include "carom/play/player.h"
 
 namespace carom::test {
 

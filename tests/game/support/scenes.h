@@ -1,6 +1,6 @@
 #pragma once
 
-#include "level/scene.h"
+#include "level/scene/scene.h"
 
 /// Small scenes for the tests of the game, made by hand.
 namespace carom::test {

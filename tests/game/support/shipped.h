@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "level/scene.h"
+#include "level/scene/scene.h"
 
 namespace carom::test {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "physics/world.h"
+#include "physics/world/world.h"
 
 /// A pool table for tests, in SI units: the balls and the cloth of levels/eight-ball.level.
 namespace carom::scenes {

@@ -5,7 +5,7 @@
 
 #include <gmpxx.h>
 
-#include "physics/world.h"
+#include "physics/world/world.h"
 
 /// A slow reference for the solver `event`, which shares nothing with it: numbers of 60 digits and
 /// more, every pair looked at, no cells, no queue; impacts found by bracketing the roots of

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "geometry/elementary.h"
-#include "physics/random.h"
-#include "physics/totals.h"
+#include "physics/tick/totals.h"
+#include "physics/world/random.h"
 
 namespace carom::scenes {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "physics/world.h"
+#include "physics/world/world.h"
 
 /// Worlds for tests, made without the level language.
 namespace carom::scenes {

@@ -26,9 +26,9 @@
 #include <vector>
 
 #include "level/load.h"
-#include "terminal/draw.h"
-#include "terminal/guardian.h"
-#include "terminal/screen.h"
+#include "terminal/draw/draw.h"
+#include "terminal/process/guardian.h"
+#include "terminal/screen/screen.h"
 
 namespace {
 unsigned long terminal_writes = 0;

@@ -7,7 +7,7 @@ namespace carom::test {
 
 namespace {
 
-// Measured as src/terminal/glyph.cpp says, then reduced to 8 x 16 pixels of 16 levels.
+// Measured as src/terminal/canvas/glyph.cpp says, then reduced to 8 x 16 pixels of 16 levels.
 constexpr std::array<std::string_view, 95> glyphs = {
     "0000000000000000000000000000000000000000000000000000000000000000"
     "0000000000000000000000000000000000000000000000000000000000000000",

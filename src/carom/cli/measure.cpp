@@ -1,0 +1,133 @@
+#include "carom/cli/measure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "carom/cli/interrupt.h"
+#include "carom/cli/progress.h"
+#include "carom/files/files.h"
+#include "carom/files/level_files.h"
+#include "carom/files/print.h"
+#include "lab/measure/measure.h"
+#include "lab/measure/measure_data.h"
+#include "lab/measure/measure_text.h"
+
+namespace carom {
+namespace {
+
+double clock_seconds() {
+    using Clock = std::chrono::steady_clock;
+    return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+}
+
+MeasureSettings settings_of(const MeasureOptions& options) {
+    MeasureSettings settings{
+        .rates = options.rates, .solvers = options.solvers, .horizon = options.horizon};
+    if (options.time) settings.time = *options.time;
+    if (options.repeats) settings.repeats = *options.repeats;
+    if (options.tolerance) settings.tolerance = *options.tolerance;
+    return settings;
+}
+
+std::optional<Measurement> measure_with_bar(const Scene& scene, const MeasureSettings& settings) {
+    std::optional<Progress> progress;
+    const LabHooks hooks{.clock = clock_seconds,
+                         .go_on = [&](std::uint64_t done, std::uint64_t total) {
+                             if (!progress) progress.emplace(total);
+                             progress->update(done);
+                             return InterruptGuard::signal() == 0;
+                         }};
+    return measure(scene, settings, hooks);
+}
+
+std::string text_of(const MeasureOptions& options, const Scene& scene,
+                    const Measurement& measurement) {
+    std::string text = measure_text(scene.title.empty() ? options.level : scene.title, measurement);
+    if (options.budget || options.tolerance) text += '\n';
+    if (options.budget) text += budget_answer(measurement, *options.budget);
+    if (options.tolerance) text += tolerance_answer(measurement, *options.tolerance);
+    return text;
+}
+
+// The files that were asked for, opened before the work begins: one that cannot be written should
+// not be found out an hour later.
+class Outputs {
+  public:
+    explicit Outputs(const MeasureOptions& options) {
+        if (!options.csv.empty()) csv_.emplace(options.csv);
+        if (!options.json.empty()) json_.emplace(options.json);
+    }
+
+    std::string error() const {
+        for (const std::optional<OutputFile>* file : {&csv_, &json_}) {
+            if (*file && !(*file)->error().empty()) return (*file)->error();
+        }
+        return {};
+    }
+
+    void write(const MeasureOptions& options, const Measurement& measurement) {
+        if (csv_) {
+            csv_->write(measure_csv(measurement));
+            csv_->commit();
+        }
+        if (json_) {
+            json_->write(
+                measure_json(options.level, measurement, options.budget, options.tolerance));
+            json_->commit();
+        }
+    }
+
+  private:
+    std::optional<OutputFile> csv_;
+    std::optional<OutputFile> json_;
+};
+
+int measure_scene(const MeasureOptions& options, const Scene& scene) {
+    for (const SolverKind kind : options.solvers) {
+        if (suits(kind, scene.world.model)) continue;
+        print_error(fmt::format("solver {} does not know cloth", name(kind)));
+        return 2;
+    }
+    Outputs outputs(options);
+    if (!outputs.error().empty()) {
+        print_error(outputs.error());
+        return 2;
+    }
+    const InterruptGuard guard;
+    const std::optional<Measurement> measurement = measure_with_bar(scene, settings_of(options));
+    if (!measurement) return 0;
+    outputs.write(options, *measurement);
+    if (!outputs.error().empty()) {
+        print_error(outputs.error());
+        return 2;
+    }
+    const bool has_standard_output = options.csv == "-" || options.json == "-";
+    if (!has_standard_output && !print_out(text_of(options, scene, *measurement))) return 2;
+    if (InterruptGuard::signal() != 0)
+        print_note("carom: interrupted: choices that were not complete are left out\n");
+    return 0;
+}
+
+}  // namespace
+
+int measure(const MeasureOptions& options) {
+    if (!options.csv.empty() && options.csv == options.json) {
+        print_error("two outputs cannot both go to " +
+                    (options.csv == "-" ? "standard output" : "'" + options.csv + "'"));
+        return 2;
+    }
+    const LoadedLevel level = load_level_file(
+        options.level,
+        {.overrides = options.overrides, .seed = options.seed, .rate = options.rate});
+    if (!level.error.empty()) print_error(level.error);
+    print_diagnostics(level.result.diagnostics);
+    if (!level.result.scene) return 2;
+    const int code = measure_scene(options, *level.result.scene);
+    if (const int signal = InterruptGuard::signal()) die_of(signal);
+    return code;
+}
+
+}  // namespace carom

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "carom/options/options.h"
+
+namespace carom {
+
+/// `carom measure`: prints the trade between cost and error, or writes it where it was asked to.
+/// Returns the exit code: 0, or 2 for a bad level or an output that cannot be written. INT, TERM
+/// and HUP end it after the tick that it is in: what was complete by then is written, and then the
+/// process dies of the signal.
+int measure(const MeasureOptions& options);
+
+}  // namespace carom

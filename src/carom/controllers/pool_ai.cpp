@@ -1,0 +1,48 @@
+#include "carom/controllers/pool_ai.h"
+
+namespace carom {
+namespace {
+
+/// Shots tried in one frame: some milliseconds.
+constexpr int tries_a_frame = 6;
+
+const PoolPlay& play_of(const Session& session) {
+    return std::get<PoolPlay>(session.game());
+}
+
+}  // namespace
+
+bool PoolBrain::is_about(const Session& session) const {
+    return thinker_ && scene_ == &session.scene() && lay_ == session.world().balls.position &&
+           rules_ == play_of(session).rules;
+}
+
+bool PoolBrain::think(const Session& session) {
+    const PoolPlay& play = play_of(session);
+    if (!is_about(session)) {
+        scene_ = &session.scene();
+        lay_ = session.world().balls.position;
+        rules_ = play.rules;
+        thinker_ = std::make_unique<PoolThinker>(session.scene(), session.world(), play,
+                                                 session.solver(), error_of(steadiness_),
+                                                 decision_seed(session.world(), play));
+    }
+    thinker_->work(tries_a_frame);
+    return thinker_->is_done();
+}
+
+const std::vector<PoolThought>& PoolBrain::thoughts() const {
+    static const std::vector<PoolThought> none;
+    return thinker_ ? thinker_->best() : none;
+}
+
+std::vector<Command> PoolBrain::decision(const Session& session) const {
+    const PoolPlay& play = play_of(session);
+    const HandError error = error_of(steadiness_);
+    if (play.rules.phase == PoolPhase::choosing)
+        return {command::Decide{choice_of(session.scene(), session.world(), play, error)}};
+    return commands_of(session.scene(), play, thoughts().front(), error,
+                       decision_seed(session.world(), play));
+}
+
+}  // namespace carom

@@ -1,0 +1,149 @@
+#include "carom/files/high_scores.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+#include "carom/files/files.h"
+#include "carom/files/user_folders.h"
+
+namespace carom {
+namespace {
+
+constexpr std::string_view first_line = "carom high scores 1";
+
+struct Line {
+    std::string_view table;
+    Honour honour;
+};
+
+std::string_view next_word(std::string_view& text) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string_view word = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return word;
+}
+
+std::string_view next_line(std::string_view& text) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return line;
+}
+
+bool are_initials(std::string_view text) {
+    return text.size() == 3 && std::ranges::all_of(text, [](char c) {
+               return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+           });
+}
+
+std::optional<Line> line_of(std::string_view text) {
+    Line line;
+    line.table = next_word(text);
+    const std::string_view score = next_word(text);
+    const std::string_view initials = next_word(text);
+    const char* const end = score.data() + score.size();
+    const auto [stop, fault] = std::from_chars(score.data(), end, line.honour.score);
+    const bool is_sound = fault == std::errc{} && stop == end && line.honour.score >= 0;
+    if (line.table.empty() || !is_sound || !are_initials(initials) || !text.empty())
+        return std::nullopt;
+    line.honour.initials = std::string(initials);
+    return line;
+}
+
+std::optional<std::string> honours_path() {
+    const auto folder = data_folder();
+    if (!folder) return std::nullopt;
+    return *folder + "/high-scores";
+}
+
+}  // namespace
+
+bool Honours::takes(std::int64_t score) const {
+    return score > 0 && most > 0 && (lines.size() < most || score > lines.back().score);
+}
+
+void Honours::add(const Honour& honour) {
+    const auto after = std::ranges::find_if(
+        lines, [&](const Honour& other) { return other.score < honour.score; });
+    lines.insert(after, honour);
+    if (lines.size() > most) lines.resize(most);
+}
+
+HonoursText read_honours(std::string_view text, std::string_view table, std::size_t most,
+                         std::string_view file) {
+    HonoursText result;
+    result.honours.most = most;
+    if (text.empty()) return result;
+    if (next_line(text) != first_line) {
+        result.problem = fmt::format(
+            "{} is no file of high scores: it is left as it is, and no score is kept", file);
+        return result;
+    }
+    for (int number = 2; !text.empty(); ++number) {
+        const auto line = line_of(next_line(text));
+        if (!line) {
+            result.problem = fmt::format(
+                "{}:{}: this is no score: mend the line, or no score is kept", file, number);
+            return result;
+        }
+        if (line->table == table) result.honours.add(line->honour);
+    }
+    return result;
+}
+
+std::string with_honours(std::string_view text, std::string_view table, const Honours& honours) {
+    std::string result(first_line);
+    result += '\n';
+    next_line(text);
+    while (!text.empty()) {
+        const std::string_view line = next_line(text);
+        std::string_view rest = line;
+        if (next_word(rest) != table) result += fmt::format("{}\n", line);
+    }
+    for (const Honour& honour : honours.lines)
+        result += fmt::format("{} {} {}\n", table, honour.score, honour.initials);
+    return result;
+}
+
+HonoursText load_honours(std::string_view table, std::size_t most) {
+    HonoursText none;
+    none.honours.most = most;
+    const auto path = honours_path();
+    std::error_code ignored;
+    if (!path || !std::filesystem::exists(*path, ignored)) return none;
+    const FileText file = read_file(*path);
+    if (!file.text) {
+        none.problem = file.error;
+        return none;
+    }
+    return read_honours(*file.text, table, most, *path);
+}
+
+HonoursText keep_honour(std::string_view table, std::size_t most, const Honour& honour) {
+    HonoursText kept = load_honours(table, most);
+    kept.honours.add(honour);
+    if (kept.problem) return kept;
+    const auto path = honours_path();
+    if (!path) {
+        kept.problem = "there is no place for high scores: HOME is not set";
+        return kept;
+    }
+    kept.problem = make_folder(*data_folder());
+    if (kept.problem) return kept;
+    const FileText file = read_file(*path);
+    kept.problem =
+        write_file_atomically(*path, with_honours(file.text.value_or(""), table, kept.honours));
+    return kept;
+}
+
+std::string honours_name(std::string_view level_path) {
+    std::string name = std::filesystem::path(level_path).stem().string();
+    std::ranges::replace_if(
+        name, [](char c) { return static_cast<unsigned char>(c) <= ' '; }, '_');
+    return name.empty() ? "table" : name;
+}
+
+}  // namespace carom

@@ -1,0 +1,79 @@
+#include "carom/files/level_source.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace carom {
+namespace {
+
+void add_lines(std::vector<std::string>& lines, std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines.emplace_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+}
+
+Problems problems_of(const LoadedLevel& loaded) {
+    Problems problems;
+    if (!loaded.error.empty()) problems.push_back(loaded.error);
+    for (const Diagnostic& diagnostic : loaded.result.diagnostics)
+        add_lines(problems, render(diagnostic));
+    return problems;
+}
+
+}  // namespace
+
+Problems lines_of(std::string_view text) {
+    Problems lines;
+    add_lines(lines, text);
+    return lines;
+}
+
+LevelSource source_of(const PlayOptions& options, const std::string& argument) {
+    return {argument,     options.solver,    options.rate,
+            options.seed, options.overrides, options.rewind_bytes};
+}
+
+LoadedLevel load(const LevelSource& source) {
+    LoadOptions options;
+    options.overrides = source.overrides;
+    options.seed = source.seed;
+    options.rate = source.rate;
+    options.solver = source.solver;
+    return load_level_file(source.path, std::move(options));
+}
+
+std::variant<OpenedGame, Problems> open_game(const LevelSource& source) {
+    LoadedLevel loaded = load(source);
+    if (!loaded.result.scene) return problems_of(loaded);
+    std::vector<std::string> warnings;
+    for (const Diagnostic& diagnostic : loaded.result.diagnostics) {
+        std::vector<std::string> lines;
+        add_lines(lines, render(diagnostic));
+        if (!lines.empty()) warnings.push_back(lines.front());
+    }
+    Scene& scene = *loaded.result.scene;
+    const bool is_picked = !scene.solver;
+    const SolverSettings solver = is_picked ? pick_solver(scene.world).settings : *scene.solver;
+    return OpenedGame{Session(std::move(scene), solver, source.rewind_bytes), is_picked,
+                      std::move(warnings)};
+}
+
+std::variant<Replayer, Problems> reopen_game(const Replay& replay, std::size_t rewind_bytes) {
+    const LevelSource source{replay.level, std::nullopt,     replay.rate,
+                             replay.seed,  replay.overrides, rewind_bytes};
+    LoadedLevel loaded = load(source);
+    if (!loaded.result.scene) return problems_of(loaded);
+    if (loaded.result.scene->text_hash != replay.level_hash)
+        return Problems{"The level has changed since the game was cut off:", replay.level,
+                        "A game can only be taken up on the very level that it was played on."};
+    const auto is_available = [](SolverKind kind) {
+        return std::ranges::count(solvers_available(), kind) > 0;
+    };
+    if (!is_available(replay.solver.kind))
+        return Problems{"The game was played with a solver that this carom does not have."};
+    return Replayer(replay, std::move(*loaded.result.scene), rewind_bytes);
+}
+
+}  // namespace carom

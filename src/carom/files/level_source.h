@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "carom/files/level_files.h"
+#include "carom/options/play_options.h"
+#include "game/replay/replayer.h"
+#include "game/session/session.h"
+
+/// A level with all that changes it, which can be opened again and again.
+namespace carom {
+
+struct LevelSource {
+    std::string path;
+    std::optional<SolverSettings> solver;
+    std::optional<double> rate;
+    std::optional<std::uint64_t> seed;
+    std::vector<std::string> overrides;
+    std::size_t rewind_bytes = Session::default_rewind_bytes;
+};
+
+/// What the command line says of a level; `argument` as a person names it.
+LevelSource source_of(const PlayOptions& options, const std::string& argument);
+
+LoadedLevel load(const LevelSource& source);
+
+/// Why a level cannot be played, line by line.
+using Problems = std::vector<std::string>;
+
+/// A text, line by line.
+Problems lines_of(std::string_view text);
+
+struct OpenedGame {
+    Session session;
+    bool solver_is_picked = false;      ///< by carom
+    std::vector<std::string> warnings;  ///< first lines only: "file:line:col: warning: ..."
+};
+std::variant<OpenedGame, Problems> open_game(const LevelSource& source);
+
+/// The level of a game that was cut off, ready to be played again up to where it stood.
+std::variant<Replayer, Problems> reopen_game(const Replay& replay, std::size_t rewind_bytes);
+
+}  // namespace carom

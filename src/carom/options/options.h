@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "carom/options/play_options.h"
+#include "physics/solver.h"
+
+/// The command line, understood.
+namespace carom {
+
+/// `carom run LEVEL`. Paths: "-" is standard output, empty is none.
+struct RunOptions {
+    std::string level;
+    std::optional<SolverSettings> solver;  ///< none: the level's, else carom picks
+    std::optional<double> rate;            ///< ticks a second
+    std::optional<std::uint64_t> seed;
+    std::vector<std::string> overrides;  ///< level statements, from --set
+
+    std::optional<double> time;  ///< s; none, and no `ticks` either: 10
+    std::optional<std::uint64_t> ticks;
+    std::string report;
+    std::string events;
+    std::string trace;
+    std::string record;
+    bool explain = false;
+};
+
+/// `carom measure LEVEL`. Paths as above.
+struct MeasureOptions {
+    std::string level;
+    std::optional<double> rate;  ///< the level's, ticks a second
+    std::optional<std::uint64_t> seed;
+    std::vector<std::string> overrides;
+
+    std::optional<double> time;  ///< s
+    std::optional<int> repeats;
+    std::vector<double> rates;        ///< to try, ticks a second; empty: the usual ones
+    std::vector<SolverKind> solvers;  ///< to try; empty: all
+    std::optional<double> horizon;    ///< s
+    std::optional<double> tolerance;  ///< ball radii
+    std::optional<double> budget;     ///< s a tick of the level
+    std::string csv;
+    std::string json;
+};
+
+/// `carom compare LEVEL`
+struct CompareOptions {
+    std::string level;
+    std::optional<double> rate;  ///< the level's, ticks a second
+    std::optional<std::uint64_t> seed;
+    std::vector<std::string> overrides;
+
+    /// The two; a rate of its own where one was given, as in swept@480.
+    struct Side {
+        SolverKind kind = SolverKind::swept;
+        std::optional<double> rate;
+    };
+    std::vector<Side> solvers;        ///< two
+    std::optional<double> time;       ///< s
+    std::optional<double> tolerance;  ///< ball radii
+    std::optional<double> nudge;      ///< ball radii that the second starts away from the first
+    std::string json;
+};
+
+/// `carom verify FILE`
+struct VerifyOptions {
+    std::string file;
+};
+
+/// `carom check LEVEL...`
+struct CheckOptions {
+    std::vector<std::string> levels;
+    std::vector<std::string> overrides;
+};
+
+/// `carom list`
+struct ListOptions {};
+
+/// The command line itself is answered: by help, the version, or what is wrong with it.
+struct UsageAnswer {
+    std::string text;
+    int exit_code = 0;  ///< 0: the text is for standard output; 2: for standard error
+};
+
+using Request = std::variant<PlayOptions, RunOptions, MeasureOptions, CompareOptions, VerifyOptions,
+                             CheckOptions, ListOptions, UsageAnswer>;
+
+/// Never throws or exits: a mistake is an UsageAnswer with exit code 2.
+Request parse_options(int count, const char* const* arguments);
+
+}  // namespace carom

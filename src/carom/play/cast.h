@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "carom/files/files.h"
+
+/// `--cast`: a film of the screen that asciinema and its like play, in the format asciicast v2
+/// (https://docs.asciinema.org/manual/asciicast/v2/). A line of JSON about the whole, then one for
+/// each event: [seconds, "o", bytes for the terminal] or [seconds, "r", "COLUMNSxROWS"].
+namespace carom {
+
+struct CastHeader {
+    int columns = 0;
+    int rows = 0;
+    std::string title;
+    std::string terminal;  ///< TERM; empty: not said
+};
+
+/// The first line, with its line end. No date: the same game gives the same film but for its times.
+std::string cast_header(const CastHeader& header);
+
+/// One event, with its line end. `data` in UTF-8, never a part of a character.
+std::string cast_event(double seconds, char code, std::string_view data);
+
+/// A film that is being made. It is written as it goes, into a temporary file beside `path`, so
+/// that an hour of it takes no memory; the file appears under its name when it is finished, and
+/// what stood there before stays until then.
+///
+/// The film shows the pictures alone, in a terminal that is in no special mode: neither its other
+/// screen nor the mouse, and no question to it, so that the last picture stays when it has ended.
+class Cast {
+  public:
+    Cast(const std::string& path, std::string title, std::string terminal);
+
+    /// Why nothing can be written there, so that a player learns of it before the game.
+    std::optional<std::string> obstacle() const;
+
+    /// A picture, as bytes that make it of the one before (Screen::last_frame), in a window of this
+    /// size. The first one, and each one of a new size, starts from nothing. `now`: s on a clock
+    /// that does not go back.
+    void add(double now, int columns, int rows, std::string_view bytes);
+
+    /// The film ends `now`, or never began. What went wrong, if anything.
+    std::optional<std::string> finish(double now);
+
+  private:
+    std::string path_;
+    OutputFile file_;
+    CastHeader header_;  // with the present size
+    std::optional<double> start_;
+};
+
+}  // namespace carom

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "carom/play/playback_clock.h"
+#include "game/session/history.h"
+#include "game/session/session.h"
+
+/// The same game under another solver: the other half of a split window.
+namespace carom {
+
+/// Begins where a session is, and follows it: the same ticks, the same commands but for changes of
+/// the solver. Commands that make no sense here any more, such as one about a ball that is gone,
+/// are left out. When the session goes back, so does this; before the beginning there is nothing to
+/// follow, and it begins anew.
+class Rival {
+  public:
+    /// When a ball was first further than 1 % of its radius from its twin.
+    struct Parting {
+        std::uint64_t tick = 0;
+        double time = 0.0;  ///< s
+        BallId ball{};
+        Vec2 place;  ///< of the ball in the session's world
+    };
+
+    /// Pre: solver.kind is one of solvers_available().
+    Rival(const Session& session, const SolverSettings& solver);
+
+    /// To the session's tick: true. `may_go_on` is asked between ticks and `keep_going` within long
+    /// ones; where one of them says no, the rest is left to the next call. Called after every tick
+    /// of the session, it misses no parting.
+    bool follow(const Session& session, const MayGoOn& may_go_on, const KeepGoing& keep_going);
+
+    const SolverSettings& solver() const { return solver_.settings(); }
+    const World& world() const { return world_; }
+    std::span<const Contact> contacts() const { return contacts_; }
+    /// When both began, s.
+    double start_time() const { return start_.time(); }
+    const std::optional<Parting>& parting() const { return parting_; }
+
+  private:
+    void begin(const Session& session);
+    void go_back(std::uint64_t tick);
+    bool tick(const Session& session, const KeepGoing& keep_going);
+
+    Solver solver_;
+    World start_;
+    World world_;
+    GameState start_game_;
+    GameState game_;
+    std::vector<Contact> contacts_;
+    History history_;
+    std::optional<std::uint64_t> obeyed_;  ///< the tick whose commands world_ has obeyed
+    std::optional<Parting> parting_;
+};
+
+/// The commands of a session that were given at this tick.
+std::span<const TimedCommand> commands_at(const Session& session, std::uint64_t tick);
+
+/// Whether both are in the same state under the same laws.
+bool is_same_state(const World& a, const World& b);
+
+}  // namespace carom

@@ -1,0 +1,184 @@
+#include "carom/play/hand.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "game/session/predict.h"
+
+namespace carom {
+namespace {
+
+/// On a torus, the image of the point that lies in it.
+Vec2 inside(const World& world, Vec2 point) {
+    if (!world.model.wrap) return point;
+    const Vec2 middle = center(*world.model.wrap);
+    return middle + offset(world, middle, point);
+}
+
+std::optional<Vec2> place_of(const World& world, BallId ball) {
+    const auto index = index_of(world, ball);
+    if (!index) return std::nullopt;
+    return world.balls.position[*index];
+}
+
+/// Whether the world already holds what the command asks for, and where it asks for it.
+bool is_held_so(const World& world, const Command& command) {
+    if (const auto* hold = std::get_if<command::HoldBall>(&command))
+        return std::ranges::any_of(world.held_balls, [&](const HeldBall& held) {
+            return held.id == hold->ball && held.target == hold->target;
+        });
+    const auto& hold = std::get<command::HoldCapsule>(command);
+    return std::ranges::any_of(world.held_capsules, [&](const HeldCapsule& held) {
+        return held.id == hold.capsule && held.start_target == hold.start_target &&
+               held.end_target == hold.end_target;
+    });
+}
+
+/// How many ticks the aiming line looks ahead: a second and a half, or what a picture has time for.
+std::uint64_t foresight(const World& world) {
+    constexpr double seconds = 1.5;
+    constexpr double most_ball_ticks = 20000.0;
+    const double balls = static_cast<double>(world.balls.size()) + 1.0;
+    return static_cast<std::uint64_t>(std::min(seconds * world.rate, most_ball_ticks / balls));
+}
+
+}  // namespace
+
+Vec2 cue_velocity(const World& world, Vec2 ball, Vec2 hand) {
+    return offset(world, hand, ball) * Hand::cue_gain;
+}
+
+bool Hand::take(const World& world, Vec2 at, double slack) {
+    if (const auto ball = ball_at(world, at, slack)) {
+        state_ = BallInHand{*ball, offset(world, at, *place_of(world, *ball)), at};
+        return true;
+    }
+    if (const auto end = edge_end_at(world, at, slack)) {
+        state_ = EdgesInHand{grip_joint(world, *end, at), at, end->capsule};
+        return true;
+    }
+    if (const auto edge = edge_at(world, at, slack)) {
+        state_ = EdgesInHand{grip_edge(world, *edge, at), at, *edge};
+        return true;
+    }
+    return false;
+}
+
+void Hand::take_to_place(const World& world, BallId ball, Vec2 at) {
+    state_ = BallInHand{ball, offset(world, at, *place_of(world, ball)), at, true};
+}
+
+void Hand::take_cue(BallId ball, Vec2 at) {
+    state_ = CueInHand{ball, at};
+}
+
+void Hand::start_edge(Vec2 at, double radius, ClassIndex material) {
+    state_ = NewEdge{{at, at, radius}, material};
+}
+
+bool Hand::holds_ball(BallId ball) const {
+    const auto* held = std::get_if<BallInHand>(&state_);
+    return held && held->ball == ball;
+}
+
+bool Hand::holds_edge(CapsuleId edge) const {
+    const auto* held = std::get_if<EdgesInHand>(&state_);
+    return held && std::ranges::count(held->grip.parts, edge, &EdgeGrip::Part::capsule) > 0;
+}
+
+std::vector<Command> Hand::holds(const World& world) const {
+    if (const auto* held = std::get_if<BallInHand>(&state_)) {
+        if (held->is_placed || !index_of(world, held->ball)) return {};
+        return {command::HoldBall{held->ball, inside(world, held->at + held->grip)}};
+    }
+    if (const auto* held = std::get_if<EdgesInHand>(&state_))
+        return carry(world, held->grip, held->at);
+    return {};
+}
+
+Complaint Hand::move(Session& session, Vec2 to, bool stands_still) {
+    const World& world = session.world();
+    std::vector<Command> commands;
+    if (auto* held = std::get_if<BallInHand>(&state_)) {
+        held->at = to;
+        const Vec2 place = inside(world, to + held->grip);
+        if (!index_of(world, held->ball))
+            forget();
+        else if (stands_still || held->is_placed)
+            commands = {command::PlaceBall{held->ball, place}};
+    } else if (auto* edges = std::get_if<EdgesInHand>(&state_)) {
+        edges->at = to;
+        if (stands_still) commands = place(world, edges->grip, to);
+    } else if (auto* cue = std::get_if<CueInHand>(&state_)) {
+        cue->at = to;
+    } else if (auto* edge = std::get_if<NewEdge>(&state_)) {
+        edge->shape.end = to;
+    }
+    // All or nothing, so that a joint stays one.
+    for (const Command& command : commands)
+        if (auto why_not = refusal(session.scene(), world, session.game(), command)) return why_not;
+    for (const Command& command : commands)
+        session.apply(command);
+    return std::nullopt;
+}
+
+Complaint Hand::open(Session& session) {
+    const World& world = session.world();
+    Complaint complaint;
+    if (const auto* cue = std::get_if<CueInHand>(&state_)) {
+        if (const auto ball = place_of(world, cue->ball))
+            complaint =
+                session.apply(command::Strike{cue->ball, cue_velocity(world, *ball, cue->at)});
+    } else if (const auto* edge = std::get_if<NewEdge>(&state_)) {
+        complaint = session.apply(command::AddCapsule{edge->shape, edge->material});
+        if (complaint) return complaint;  // still in the hand: it can be moved out of the way
+    }
+    cancel(session);
+    return complaint;
+}
+
+void Hand::cancel(Session& session) {
+    if (const auto* held = std::get_if<BallInHand>(&state_)) {
+        if (std::ranges::count(session.world().held_balls, held->ball, &HeldBall::id))
+            session.apply(command::DropBall{held->ball});
+    } else if (const auto* edges = std::get_if<EdgesInHand>(&state_)) {
+        for (const Command& command : drop(session.world(), edges->grip))
+            session.apply(command);
+    }
+    forget();
+}
+
+void Hand::prepare(Session& session) {
+    for (const Command& command : holds(session.world()))
+        if (!is_held_so(session.world(), command)) session.apply(command);
+    if (session.world().tick < session.latest()) return;
+    const std::vector<HeldBall> balls = session.world().held_balls;
+    const std::vector<HeldCapsule> edges = session.world().held_capsules;
+    for (const HeldBall& held : balls)
+        if (!holds_ball(held.id)) session.apply(command::DropBall{held.id});
+    for (const HeldCapsule& held : edges)
+        if (!holds_edge(held.id)) session.apply(command::DropCapsule{held.id});
+}
+
+void Hand::mark(const World& world, const SolverSettings& solver, std::string_view unit,
+                Marks& marks) const {
+    if (const auto* held = std::get_if<BallInHand>(&state_)) {
+        marks.selected_ball = held->ball;
+    } else if (const auto* edges = std::get_if<EdgesInHand>(&state_)) {
+        marks.selected_capsule = edges->edge;
+    } else if (const auto* cue = std::get_if<CueInHand>(&state_)) {
+        marks.selected_ball = cue->ball;
+        const auto ball = place_of(world, cue->ball);
+        if (!ball) return;
+        const Vec2 velocity = cue_velocity(world, *ball, cue->at);
+        const double speed = length(velocity);
+        marks.cue = CueLine{*ball, cue->at, fmt::format("{:.3g}{}", speed, unit)};
+        if (speed > 0.0)
+            marks.path = predicted_path(world, solver, cue->ball, velocity, foresight(world));
+    } else if (const auto* edge = std::get_if<NewEdge>(&state_)) {
+        marks.new_capsule = edge->shape;
+    }
+}
+
+}  // namespace carom

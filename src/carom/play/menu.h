@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "carom/files/level_files.h"
+#include "carom/play/playback_clock.h"
+#include "carom/play/resume.h"
+#include "game/session/session.h"
+#include "terminal/draw/draw.h"
+#include "terminal/input/input.h"
+#include "terminal/panels/pages.h"
+
+/// The menu: the levels that ship and those in the current folder, games that were cut off, and a
+/// small picture of the level that is chosen, alive.
+namespace carom {
+
+/// Something to choose.
+struct MenuItem {
+    std::string name;
+    std::string title;
+    std::string group;
+    std::string path;                     ///< of the level
+    std::optional<CutOffGame> cut_off{};  ///< to take up where it stood
+};
+
+/// Items for cut-off games, the levels of the current folder, and the levels that ship.
+std::vector<MenuItem> menu_items(std::span<const CutOffGame> cut_off);
+
+class Menu {
+  public:
+    using Load = std::function<LoadedLevel(const std::string& path)>;
+
+    /// `load` reads a level for its picture. `choose`: the name of the item to begin with, or its
+    /// level's path; a game that was left comes before its level.
+    Menu(std::vector<MenuItem> items, Load load, std::string_view choose = {});
+
+    struct Quit {};
+    /// monostate: nothing is chosen yet.
+    using Choice = std::variant<std::monostate, Quit, MenuItem>;
+    Choice handle(const InputEvent& event);
+
+    void advance(double seconds, const MayGoOn& may_go_on);
+    bool needs_draw() const { return needs_draw_; }
+    void touch() { needs_draw_ = true; }
+    void draw(Canvas& canvas, double aspect, const ViewOptions& view);
+
+    /// The items that the search leaves, and the one that is chosen. Null: none is left.
+    std::vector<const MenuItem*> shown() const;
+    const MenuItem* selected() const;
+
+  private:
+    /// What is known of a level once it has been read.
+    struct Known {
+        std::vector<std::string> preview;
+        bool is_broken = false;
+    };
+    void select(std::size_t index);
+    void search(std::string text);
+    void look_at_selected();
+    Choice handle_key(const InputEvent& event);
+    Choice handle_mouse(const InputEvent& event);
+    std::vector<MenuEntry> entries() const;
+
+    std::vector<MenuItem> items_;
+    Load load_;
+    std::string search_;
+    std::size_t selected_ = 0;  ///< of shown()
+    std::map<std::string, Known> known_;
+
+    double seconds_on_selected_ = 0.0;
+    std::string pictured_;  ///< path of the level in the picture; empty: none yet
+    std::optional<Session> picture_;
+    Clockwork clockwork_;
+    ViewMemory memory_;
+
+    int columns_ = 0;
+    int rows_ = 0;
+    bool needs_draw_ = true;
+};
+
+}  // namespace carom

@@ -1,0 +1,103 @@
+#include "carom/play/play.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <utility>
+
+#include "carom/files/files.h"
+#include "carom/files/print.h"
+#include "carom/play/cast.h"
+#include "carom/play/play_loop.h"
+#include "carom/play/program.h"
+#include "terminal/process/guardian.h"
+#include "terminal/screen/pacing.h"
+#include "terminal/screen/screen.h"
+
+namespace carom {
+namespace {
+
+std::optional<int> colors_of(std::optional<ColorChoice> choice) {
+    switch (choice.value_or(ColorChoice::automatic)) {
+        case ColorChoice::mono:
+            return 0;
+        case ColorChoice::c8:
+            return 8;
+        case ColorChoice::c16:
+            return 16;
+        case ColorChoice::c256:
+            return 256;
+        default:
+            return std::nullopt;
+    }
+}
+
+PreferencesText preferences_of_user() {
+    const auto path = preferences_path();
+    if (!path) return {};
+    return read_preferences(read_file(*path).text.value_or(""), *path);
+}
+
+/// Of a film: what is played, without the folders, which are the player's own.
+std::string title_of(const PlayOptions& options) {
+    const auto name = [](const std::string& path) {
+        return std::filesystem::path(path).filename().string();
+    };
+    if (!options.replay.empty()) return "carom replay " + name(options.replay);
+    return options.level.empty() ? "carom" : "carom play " + name(options.level);
+}
+
+int play_here(const PlayOptions& options) {
+    PreferencesText preferences = preferences_of_user();
+    ScreenOptions screen_options;
+    screen_options.colors =
+        colors_of(options.colors ? options.colors : preferences.preferences.colors);
+    screen_options.light_background = preferences.preferences.light_background;
+    PacingOptions pacing;
+    if (options.low_bandwidth) pacing = low_bandwidth_pacing;
+    if (const auto fps = options.fps ? options.fps : preferences.preferences.fps)
+        pacing.frames_per_second = *fps;
+
+    Program program(options, std::move(preferences));
+    if (const auto problems = program.start()) {
+        std::string text;
+        for (const std::string& line : *problems)
+            text += line + "\n";
+        print_note(text);
+        return 2;
+    }
+    std::optional<Cast> cast;
+    if (!options.cast.empty()) {
+        const char* const terminal = std::getenv("TERM");
+        cast.emplace(options.cast, title_of(options), terminal ? terminal : "");
+        if (const auto obstacle = cast->obstacle()) {
+            print_error(*obstacle);
+            return 2;
+        }
+    }
+    screen_options.mouse = mouse_mode(program.screen_wishes());
+    auto opened = Screen::open(screen_options);
+    if (const auto* error = std::get_if<ScreenError>(&opened)) {
+        print_error(error->message);
+        return 2;
+    }
+    {
+        Screen screen = std::move(std::get<Screen>(opened));
+        PlayLoop(program, screen, pacing, cast ? &*cast : nullptr).run();
+    }
+    const auto lost_cast = cast ? cast->finish(seconds_now()) : std::nullopt;
+    if (program.is_kept()) print_note("the match was kept: carom play --resume goes on with it\n");
+    for (const auto& lost : {program.lost_recording(), lost_cast})
+        if (lost) print_error(*lost);
+    return program.lost_recording() || lost_cast ? 2 : 0;
+}
+
+}  // namespace
+
+int play(const PlayOptions& options) {
+    return run_guarded([&] { return play_here(options); },
+                       "the game was kept: carom play --resume takes it up where it stood");
+}
+
+}  // namespace carom

@@ -1,0 +1,200 @@
+#include "carom/play/play_loop.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace carom {
+namespace {
+
+/// Share of the time between two frames that ticks may take in the thread that draws; the rest is
+/// for drawing and input.
+constexpr double share_of_ticks = 0.75;
+/// Ticks that take this long, s, are computed beside: a key should not have to wait for them.
+constexpr double heavy = 0.002;
+/// Share of the time between two frames that ticks may take when something has come that does not
+/// end them, such as the motion of a mouse.
+constexpr double awaited_share = 0.25;
+/// Time that passed while nobody could see it (a stopped process, a busy machine) does not count
+/// beyond this, s.
+constexpr double longest_gap = 0.25;
+/// With nothing to do, so long, s.
+constexpr double longest_wait = 60.0;
+/// How often a long tick is interrupted to look for input, s.
+constexpr double look_interval = 0.002;
+
+}  // namespace
+
+double seconds_now() {
+    using namespace std::chrono;
+    return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
+MouseMode mouse_mode(const ScreenWishes& wishes) {
+    if (!wishes.mouse) return MouseMode::off;
+    return wishes.motion ? MouseMode::motion : MouseMode::drag;
+}
+
+PlayLoop::PlayLoop(Program& program, Screen& screen, const PacingOptions& pacing, Cast* cast)
+    : program_(program),
+      screen_(screen),
+      pacing_(pacing),
+      cast_(cast),
+      frame_(1.0 / pacing.frames_per_second) {}
+
+void PlayLoop::run() {
+    program_.set_keep_going([this] { return may_tick_go_on(); });
+    program_.set_capabilities(screen_.capabilities());
+    last_ = seconds_now();
+    while (!program_.is_over())
+        turn();
+    program_.set_keep_going({});
+}
+
+void PlayLoop::turn() {
+    const double now = seconds_now();
+    // A player who sees nothing does not lose the game for it.
+    const bool is_stalled = pacing_.is_stalled(now);
+    const double passed = is_stalled ? 0.0 : std::min(now - last_, longest_gap);
+    last_ = now;
+    const bool is_running = program_.seconds_to_change(now) <= 0.0;
+    const bool is_beside = is_running && is_heavy();
+    // Where ticks take longer than a frame, what a key has done is shown before them.
+    const bool is_answer = is_running && !is_beside && input_came_ && ticks_took_ > frame_;
+    if (is_answer) ticks_took_ = 0.0;
+    if (!is_beside && !is_answer) {
+        const double took = advance(passed, now);
+        if (is_running) ticks_took_ = took;
+    }
+    std::vector<InputEvent> events = take_seen();
+
+    const double drawing = seconds_now();
+    const bool is_due = program_.needs_draw() || is_stalled;
+    const bool is_late = is_due && !pacing_.may_draw(drawing, input_came_);
+    std::optional<Canvas> canvas;
+    if (is_due && !is_late) canvas = draw(is_stalled);
+    const ScreenWishes wishes = program_.screen_wishes();
+    if (program_.take_bell()) screen_.bell();
+    if (is_beside) advance_beside(passed, now);
+    if (canvas) show(*canvas, drawing);
+    screen_.set_mouse(mouse_mode(wishes));
+    if (is_beside) listen(is_late && input_came_, events);
+
+    wait(is_late, events);
+    handle(std::move(events));
+}
+
+bool PlayLoop::is_heavy() const {
+    static const bool has_second_core = std::thread::hardware_concurrency() > 1;
+    return has_second_core && worker_.is_there() && program_.is_playing() && ticks_took_ > heavy;
+}
+
+double PlayLoop::advance(double passed, double now) {
+    const double start = seconds_now();
+    const double due = now + share_of_ticks * frame_;
+    program_.advance(passed, now, [due] { return seconds_now() < due; });
+    return seconds_now() - start;
+}
+
+void PlayLoop::advance_beside(double passed, double now) {
+    is_beside_ = true;
+    is_awaited_ = false;
+    gives_up_ = false;
+    worker_.start([this, passed, now] {
+        const double start = seconds_now();
+        program_.advance(passed, now, [this, now] {
+            return seconds_now() < now + frame_ * (is_awaited_ ? awaited_share : 1.0);
+        });
+        const double took = seconds_now() - start;
+        // What was given up says nothing of how long the next ones will take.
+        ticks_took_ = gives_up_ ? std::max(ticks_took_, took) : took;
+    });
+}
+
+// Until the ticks that are computed beside have come to their end. `owes_picture`: one that shows
+// what a key did had to wait for the terminal; ticks are given up for it too, once it need not.
+void PlayLoop::listen(bool owes_picture, std::vector<InputEvent>& events) {
+    while (!worker_.is_done() && !gives_up_) {
+        double seconds = longest_wait;
+        if (owes_picture) seconds = pacing_.seconds_to_frame(seconds_now(), true);
+        for (const InputEvent& event : screen_.wait(seconds, worker_.handle())) {
+            is_awaited_ = true;
+            if (program_.ends_tick(event)) gives_up_ = true;
+            events.push_back(event);
+        }
+        const double now = seconds_now();
+        pacing_.answered(screen_.frames_answered(), now);
+        if (owes_picture && pacing_.may_draw(now, true)) gives_up_ = true;
+    }
+    worker_.finish();
+    is_beside_ = false;
+}
+
+bool PlayLoop::may_tick_go_on() {
+    if (is_beside_) return !gives_up_;
+    look_for_input();
+    return !ends_tick_;
+}
+
+void PlayLoop::look_for_input() {
+    const double now = seconds_now();
+    if (now < next_look_) return;
+    next_look_ = now + look_interval;
+    for (const InputEvent& event : screen_.wait(0.0)) {
+        ends_tick_ = ends_tick_ || program_.ends_tick(event);
+        seen_.push_back(event);
+    }
+}
+
+std::vector<InputEvent> PlayLoop::take_seen() {
+    ends_tick_ = false;
+    return std::exchange(seen_, {});
+}
+
+Canvas PlayLoop::draw(bool is_stalled) {
+    if (is_stalled) screen_.redraw();  // so that there is something to answer
+    Canvas canvas(screen_.capabilities().columns, screen_.capabilities().rows);
+    program_.draw(canvas);
+    input_came_ = false;
+    return canvas;
+}
+
+void PlayLoop::show(const Canvas& canvas, double now) {
+    const std::size_t bytes = screen_.show(canvas, FrameEnd::asks);
+    if (bytes == 0) return;
+    pacing_.drawn(now, bytes);
+    if (cast_) cast_->add(now, canvas.columns(), canvas.rows(), screen_.last_frame());
+}
+
+// For input, or the time of the next frame.
+void PlayLoop::wait(bool is_late, std::vector<InputEvent>& events) {
+    const double now = seconds_now();
+    double seconds = program_.seconds_to_change(now);
+    if (seconds < frame_ || is_late) {
+        // Ticks that take all the time there is leave none to wait in.
+        const double least = ticks_took_ > heavy && !is_late ? 0.0 : 0.001;
+        seconds = std::max(pacing_.seconds_to_frame(now, input_came_), least);
+    }
+    if (!events.empty()) seconds = 0.0;
+    std::ranges::copy(screen_.wait(std::min(seconds, longest_wait)), std::back_inserter(events));
+    pacing_.answered(screen_.frames_answered(), seconds_now());
+}
+
+// What is done for one may take long, and more may come meanwhile.
+void PlayLoop::handle(std::vector<InputEvent> events) {
+    for (; !events.empty() && !program_.is_over(); events = take_seen()) {
+        for (const InputEvent& event : events) {
+            input_came_ = true;
+            if (event.kind == InputEvent::Kind::resize)
+                program_.set_capabilities(screen_.capabilities());
+            else
+                program_.handle(event, seconds_now());
+            if (program_.is_over()) break;
+        }
+    }
+}
+
+}  // namespace carom

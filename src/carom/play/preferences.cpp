@@ -1,0 +1,224 @@
+#include "carom/play/preferences.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <functional>
+
+#include "carom/files/user_folders.h"
+#include "carom/text/suggest.h"
+#include "terminal/canvas/utf8.h"
+
+namespace carom {
+namespace {
+
+template <typename T>
+struct Named {
+    std::string_view name;
+    T value;
+};
+
+constexpr Named<RendererChoice> renderers[] = {{"auto", RendererChoice::automatic},
+                                               {"ascii", RendererChoice::ascii},
+                                               {"half", RendererChoice::half_blocks},
+                                               {"braille", RendererChoice::braille}};
+constexpr Named<ColorChoice> color_choices[] = {{"auto", ColorChoice::automatic},
+                                                {"mono", ColorChoice::mono},
+                                                {"8", ColorChoice::c8},
+                                                {"16", ColorChoice::c16},
+                                                {"256", ColorChoice::c256}};
+constexpr Named<std::optional<bool>> backgrounds[] = {
+    {"auto", std::nullopt}, {"dark", false}, {"light", true}};
+constexpr Named<bool> switches[] = {{"on", true}, {"off", false}};
+constexpr Named<ColorBy> color_bys[] = {{"kind", ColorBy::kind},
+                                        {"speed", ColorBy::speed},
+                                        {"mass", ColorBy::mass},
+                                        {"ball", ColorBy::ball}};
+constexpr Named<BallStyle> ball_styles[] = {{"filled", BallStyle::filled},
+                                            {"outline", BallStyle::outline}};
+
+template <typename T, std::size_t n>
+std::string_view name_in(const Named<T> (&table)[n], T value) {
+    for (const Named<T>& row : table)
+        if (row.value == value) return row.name;
+    return {};
+}
+
+/// What is wrong with a value; none when it was taken.
+using Wrong = std::optional<std::string>;
+
+template <typename T, std::size_t n, typename Target>
+Wrong choose(const Named<T> (&table)[n], std::string_view text, Target& target) {
+    std::string all;
+    for (const Named<T>& row : table) {
+        if (row.name == text) {
+            target = row.value;
+            return std::nullopt;
+        }
+        all += (all.empty() ? "" : ", ") + std::string(row.name);
+    }
+    return fmt::format("'{}' is none of {}", text, all);
+}
+
+Wrong set_fps(std::string_view text, std::optional<double>& fps) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !(value >= 1.0) ||
+        value > 1000.0)
+        return fmt::format("'{}' is not a number in 1..1000", text);
+    fps = value;
+    return std::nullopt;
+}
+
+struct Setting {
+    std::string_view name;
+    Wrong (*set)(Preferences&, std::string_view);
+};
+
+constexpr Setting settings[] = {
+    {"renderer",
+     [](Preferences& p, std::string_view v) { return choose(renderers, v, p.renderer); }},
+    {"colors",
+     [](Preferences& p, std::string_view v) { return choose(color_choices, v, p.colors); }},
+    {"background",
+     [](Preferences& p, std::string_view v) { return choose(backgrounds, v, p.light_background); }},
+    {"fps", [](Preferences& p, std::string_view v) { return set_fps(v, p.fps); }},
+    {"mouse", [](Preferences& p, std::string_view v) { return choose(switches, v, p.mouse); }},
+    {"color-by",
+     [](Preferences& p, std::string_view v) { return choose(color_bys, v, p.color_by); }},
+    {"balls",
+     [](Preferences& p, std::string_view v) { return choose(ball_styles, v, p.ball_style); }},
+    {"trails", [](Preferences& p, std::string_view v) { return choose(switches, v, p.trails); }},
+    {"bell", [](Preferences& p, std::string_view v) { return choose(switches, v, p.bell); }},
+};
+
+constexpr std::string_view blanks = " \t\r";
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// One line taken apart; `name` is empty where nothing is stated.
+struct Statement {
+    std::string_view name;
+    std::string_view value;
+    bool has_equals = false;
+};
+
+Statement statement_of(std::string_view line) {
+    line = line.substr(0, line.find('#'));
+    const std::size_t equals = line.find('=');
+    Statement statement;
+    statement.has_equals = equals != std::string_view::npos;
+    statement.name = trimmed(line.substr(0, equals));
+    if (statement.has_equals) statement.value = trimmed(line.substr(equals + 1));
+    return statement;
+}
+
+/// Calls `visit(line)` for each line, without its end.
+void for_each_line(std::string_view text, const std::function<void(std::string_view)>& visit) {
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        visit(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+}
+
+/// A mistake, and the part of the line that it is about.
+struct Mistake {
+    std::string_view where;
+    std::string message;
+};
+
+std::optional<Mistake> obey(Preferences& preferences, std::string_view line) {
+    const Statement statement = statement_of(line);
+    if (!statement.has_equals) {
+        if (statement.name.empty()) return std::nullopt;
+        return Mistake{statement.name, "expected 'key = action' or 'setting = value'"};
+    }
+    if (statement.name.empty()) return Mistake{line, "a name is missing before '='"};
+    const std::string_view after = statement.value.empty() ? statement.name : statement.value;
+    for (const Setting& setting : settings) {
+        if (setting.name != statement.name) continue;
+        if (auto wrong = setting.set(preferences, statement.value)) return Mistake{after, *wrong};
+        return std::nullopt;
+    }
+    const auto key = key_named(statement.name);
+    if (!key) {
+        std::vector<std::string_view> names;
+        for (const Setting& setting : settings)
+            names.push_back(setting.name);
+        return Mistake{statement.name,
+                       fmt::format("there is no key or setting '{}'{}", statement.name,
+                                   suggestion(statement.name, names))};
+    }
+    const auto action = action_named(statement.value);
+    if (!action && statement.value != "none")
+        return Mistake{after, fmt::format("there is no action '{}'{}", statement.value,
+                                          suggestion(statement.value, action_names()))};
+    preferences.keys.bind(*key, action);
+    return std::nullopt;
+}
+
+}  // namespace
+
+PreferencesText read_preferences(std::string_view text, std::string_view file) {
+    PreferencesText result;
+    int line_number = 0;
+    for_each_line(text, [&](std::string_view line) {
+        ++line_number;
+        const auto mistake = obey(result.preferences, line);
+        if (!mistake) return;
+        const auto offset = static_cast<std::size_t>(mistake->where.data() - line.data());
+        result.problems.push_back(fmt::format("{}:{}:{}: error: {}", file, line_number,
+                                              columns_of(line.substr(0, offset)) + 1,
+                                              mistake->message));
+    });
+    return result;
+}
+
+std::string with_setting(std::string_view text, std::string_view name, std::string_view value) {
+    std::string result;
+    bool is_set = false;
+    for_each_line(text, [&](std::string_view line) {
+        const Statement statement = statement_of(line);
+        if (statement.has_equals && statement.name == name) {
+            // Of several lines the last has counted so far: the first is mended, the others go.
+            if (!is_set) {
+                const auto comment = line.find('#');
+                result += fmt::format("{} = {}", name, value);
+                if (comment != std::string_view::npos)
+                    result += "  " + std::string(line.substr(comment));
+                result += '\n';
+            }
+            is_set = true;
+        } else {
+            result += line;
+            result += '\n';
+        }
+    });
+    if (!is_set) result += fmt::format("{} = {}\n", name, value);
+    return result;
+}
+
+std::string_view text_of(RendererChoice choice) {
+    return name_in(renderers, choice);
+}
+
+std::string_view text_of(ColorBy by) {
+    return name_in(color_bys, by);
+}
+
+std::string_view text_of(BallStyle style) {
+    return name_in(ball_styles, style);
+}
+
+std::optional<std::string> preferences_path() {
+    const auto folder = configuration_folder();
+    if (!folder) return std::nullopt;
+    return *folder + "/preferences";
+}
+
+}  // namespace carom

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "carom/options/play_options.h"
+#include "carom/play/keys.h"
+#include "terminal/draw/draw.h"
+
+/// What a player likes, kept in a small text file that people may edit. Its grammar, one statement
+/// a line, `#` starts a comment:
+///
+///     p = pause               a key and the action that it does; `none` for nothing
+///     ctrl-up = zoom-in
+///     renderer = braille      auto, ascii, half, braille
+///     colors = 16             auto, mono, 8, 16, 256
+///     background = light      auto, dark, light
+///     fps = 30                frames a second, 1..1000
+///     mouse = off             on, off
+///     color-by = speed        kind, speed, mass, ball
+///     balls = outline         filled, outline
+///     trails = on             on, off
+///     bell = on               on, off
+namespace carom {
+
+struct Preferences {
+    KeyMap keys;
+    std::optional<RendererChoice> renderer;
+    std::optional<ColorChoice> colors;
+    std::optional<bool> light_background;
+    std::optional<double> fps;
+    std::optional<bool> mouse;
+    ColorBy color_by = ColorBy::kind;
+    BallStyle ball_style = BallStyle::filled;
+    bool trails = false;
+    bool bell = false;
+};
+
+/// A line with a mistake has no effect, all others do.
+struct PreferencesText {
+    Preferences preferences;
+    std::vector<std::string> problems;  ///< "file:line:col: error: ..."
+};
+PreferencesText read_preferences(std::string_view text, std::string_view file);
+
+/// The text with `name = value` instead of what it said of `name`, or at its end; everything else,
+/// comments too, stays.
+std::string with_setting(std::string_view text, std::string_view name, std::string_view value);
+
+std::string_view text_of(RendererChoice choice);
+std::string_view text_of(ColorBy by);
+std::string_view text_of(BallStyle style);
+
+/// carom/preferences in the user's configuration folder ($XDG_CONFIG_HOME, else ~/.config). None:
+/// the user has no such place.
+std::optional<std::string> preferences_path();
+
+}  // namespace carom

@@ -1,0 +1,365 @@
+#include "carom/play/program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "carom/files/files.h"
+#include "carom/files/high_scores.h"
+#include "carom/files/user_folders.h"
+
+namespace carom {
+namespace {
+
+Renderer renderer_of(RendererChoice choice) {
+    switch (choice) {
+        case RendererChoice::ascii:
+            return Renderer::ascii;
+        case RendererChoice::half_blocks:
+            return Renderer::half_blocks;
+        case RendererChoice::braille:
+            return Renderer::braille;
+        default:
+            return Renderer::automatic;
+    }
+}
+
+RendererChoice choice_of(Renderer renderer) {
+    switch (renderer) {
+        case Renderer::ascii:
+            return RendererChoice::ascii;
+        case Renderer::half_blocks:
+            return RendererChoice::half_blocks;
+        case Renderer::braille:
+            return RendererChoice::braille;
+        default:
+            return RendererChoice::automatic;
+    }
+}
+
+std::string absolute(const std::string& path) {
+    std::error_code error;
+    const auto result = std::filesystem::weakly_canonical(path, error);
+    return error ? path : result.string();
+}
+
+/// All that a level was read from.
+std::vector<std::string> files_of(const Scene& scene, const std::string& path) {
+    std::vector<std::string> files{path};
+    std::error_code error;
+    for (const std::string& file : scene.files)
+        if (std::filesystem::exists(file, error)) files.push_back(file);
+    return files;
+}
+
+// Writes one setting into the preferences. What went wrong, if anything; what cannot be read is
+// left as it is. Who has no such place wants none.
+std::optional<std::string> change_preferences(std::string_view name, std::string_view value) {
+    const auto path = preferences_path();
+    const auto folder = configuration_folder();
+    if (!path || !folder) return std::nullopt;
+    if (auto fault = make_folder(*folder)) return fault;
+    FileText text = read_file(*path);
+    std::error_code ignored;
+    if (!text.text && std::filesystem::exists(*path, ignored)) return text.error;
+    return write_file_atomically(*path, with_setting(text.text.value_or(""), name, value));
+}
+
+// The table's high scores, where it keeps any.
+void show_honours(Player& player, const std::string& path) {
+    const PinballTable& table = player.session().scene().table;
+    if (!table.is_game || table.highscores == 0) return;
+    HonoursText kept = load_honours(honours_name(path), table.highscores);
+    if (kept.problem) player.complain(*kept.problem);
+    player.set_honours(std::move(kept.honours));
+}
+
+}  // namespace
+
+Program::Program(PlayOptions options, PreferencesText preferences)
+    : options_(std::move(options)),
+      preferences_(std::move(preferences.preferences)),
+      preference_problems_(std::move(preferences.problems)) {
+    view_.renderer = renderer_of(
+        options_.renderer.value_or(preferences_.renderer.value_or(RendererChoice::automatic)));
+    view_.color_by = preferences_.color_by;
+    view_.ball_style = preferences_.ball_style;
+    view_.trails = preferences_.trails && !options_.low_bandwidth;
+    if (options_.low_bandwidth && !options_.renderer) view_.renderer = Renderer::ascii;
+    mouse_ = options_.mouse.value_or(preferences_.mouse.value_or(true));
+}
+
+ViewOptions Program::view() const {
+    ViewOptions view = view_;
+    view.look = {capabilities_.colors, capabilities_.utf8, capabilities_.light_background};
+    return view;
+}
+
+void Program::set_capabilities(const Capabilities& capabilities) {
+    capabilities_ = capabilities;
+    if (auto* game = std::get_if<Game>(&page_)) {
+        ViewOptions changed = game->player.view();
+        changed.look = view().look;
+        game->player.set_view(changed);
+        game->player.set_key_release(capabilities.key_release);
+    }
+    if (auto* menu = std::get_if<Menu>(&page_)) menu->touch();
+    if (auto* notice = std::get_if<Notice>(&page_)) notice->needs_draw = true;
+    if (auto* taking_up = std::get_if<TakingUp>(&page_)) taking_up->needs_draw = true;
+}
+
+std::optional<Problems> Program::start() {
+    if (!options_.replay.empty()) return open_recording();
+    if (!options_.record.empty()) {
+        recording_.emplace(options_.record);
+        if (const auto obstacle = recording_->obstacle())
+            return Problems{fmt::format("carom: error: {}", *obstacle)};
+    }
+    const auto folder = resume_folder();
+    if (options_.resume) {
+        std::string path;
+        if (!options_.level.empty()) {
+            const FoundLevel found = find_level(options_.level);
+            if (!found.path) return Problems{found.error};
+            path = absolute(*found.path);
+        }
+        const auto games = folder ? cut_off_games(*folder, path) : std::vector<CutOffGame>{};
+        if (!games.empty()) {
+            take_up(games.front());
+            return std::nullopt;
+        }
+        if (options_.level.empty()) return Problems{"there is no game that was cut off"};
+    }
+    if (options_.level.empty()) {
+        show_menu({});
+        return std::nullopt;
+    }
+    const LevelSource source = source_of(options_, options_.level);
+    auto problems = open(source);
+    if (problems && options_.watch && find_level(source.path).path) {
+        open_or_tell(source);
+        return std::nullopt;
+    }
+    return problems;
+}
+
+void Program::show_menu(std::string_view choose) {
+    const auto folder = resume_folder();
+    const auto cut_off = folder ? cut_off_games(*folder) : std::vector<CutOffGame>{};
+    const auto load_for_picture = [this](const std::string& path) {
+        return load(source_of(options_, path));
+    };
+    page_.emplace<Menu>(menu_items(cut_off), load_for_picture, choose);
+}
+
+std::optional<Problems> Program::open(const LevelSource& source) {
+    auto opened = open_game(source);
+    if (auto* problems = std::get_if<Problems>(&opened)) return std::move(*problems);
+    OpenedGame& game = std::get<OpenedGame>(opened);
+    if (recording_) game.session.keep_all_commands();
+    Player player(std::move(game.session), view(), preferences_.keys, game.solver_is_picked);
+    if (!game.warnings.empty()) player.say(game.warnings.front());
+    if (!preference_problems_.empty()) player.complain(preference_problems_.front());
+    preference_problems_.clear();
+
+    LevelSource found = source;
+    found.path = absolute(find_level(source.path).path.value_or(source.path));
+    std::optional<CutOffGame> offer;
+    if (const auto folder = resume_folder()) {
+        auto games = cut_off_games(*folder, found.path);
+        const auto same = std::ranges::find_if(games, [&](const CutOffGame& cut_off) {
+            return cut_off.replay.level_hash == player.session().scene().text_hash;
+        });
+        if (same != games.end()) offer = std::move(*same);
+    }
+    if (offer) {
+        const double seconds = static_cast<double>(offer->replay.stands) / offer->replay.rate;
+        player.say(fmt::format("a game was {} here at {:.1f} s: {} takes it up",
+                               offer->was_left ? "left" : "cut off", seconds,
+                               preferences_.keys.hint(Action::take_up)));
+    }
+    enter(std::move(found), std::move(player), std::move(offer));
+    return std::nullopt;
+}
+
+std::optional<Problems> Program::open_recording() {
+    auto opened = open_replay(options_.replay);
+    if (const auto* error = std::get_if<std::string>(&opened)) return lines_of(*error);
+    auto& [replay, scene] = std::get<OpenedReplay>(opened);
+    Session session(std::move(scene), replay.solver, options_.rewind_bytes);
+    session.follow(std::move(replay.commands), replay.end);
+    Player player(std::move(session), view(), preferences_.keys);
+    LevelSource source = source_of(options_, replay.level);
+    enter(std::move(source), std::move(player), std::nullopt);
+    std::get<Game>(page_).expected = std::move(replay.marks);
+    return std::nullopt;
+}
+
+void Program::compare_marks(Game& game) {
+    const Session& session = game.player.session();
+    if (session.fault())
+        game.player.set_problem("the recording cannot be followed " + *session.fault());
+    if (session.marks().size() == game.marks_compared) return;
+    game.marks_compared = session.marks().size();
+    if (const auto tick = first_difference(game.expected, session.marks()))
+        game.player.set_problem(fmt::format(
+            "this is not what was recorded: at tick {} the fingerprint differs", *tick));
+}
+
+void Program::enter(LevelSource source, Player player, std::optional<CutOffGame> offer) {
+    player.set_mouse_is_off(!mouse_);
+    player.set_key_release(capabilities_.key_release);
+    player.set_bell(preferences_.bell);
+    player.set_keep_going(keep_going_);
+    if (options_.paused) player.pause(true);
+    show_honours(player, source.path);
+    if (options_.demo) player.demonstrate(true);
+    if (options_.opponent > 0 && !player.is_watching() && !player.set_opponent(options_.opponent))
+        player.complain("no game of pool is played here, so there is no opponent");
+    FileWatch watch;
+    if (options_.watch) watch = FileWatch(files_of(player.session().scene(), source.path));
+    ResumeFile resume_file;
+    const auto folder = resume_folder();
+    if (folder && !player.is_watching()) resume_file = ResumeFile(*folder, source.path);
+    page_.emplace<Game>(Game{std::move(source), std::move(player), std::move(watch),
+                             std::move(resume_file), 0, 0, std::nullopt, std::move(offer)});
+}
+
+void Program::open_or_tell(const LevelSource& source) {
+    auto problems = open(source);
+    if (!problems) return;
+    tell("This level cannot be played", std::move(*problems));
+    auto& notice = std::get<Notice>(page_);
+    notice.source = source;
+    if (options_.watch)
+        notice.watch = FileWatch({find_level(source.path).path.value_or(source.path)});
+}
+
+void Program::tell(std::string title, Problems problems) {
+    page_.emplace<Notice>(Notice{std::move(title), std::move(problems)});
+}
+
+void Program::take_up(const CutOffGame& game) {
+    const CutOffGame taken = game;  // `game` may live in the page that goes
+    leave_game();
+    auto opened = reopen_game(taken.replay, options_.rewind_bytes);
+    if (auto* problems = std::get_if<Problems>(&opened))
+        return tell("This game cannot be taken up", std::move(*problems));
+    page_.emplace<TakingUp>(TakingUp{taken, std::move(std::get<Replayer>(opened))});
+}
+
+void Program::finish_taking_up() {
+    TakingUp done = std::move(std::get<TakingUp>(page_));
+    if (const auto& failure = done.replayer.failure())
+        return tell("This game cannot be taken up",
+                    {"It comes out differently now, so it is left as it is.", *failure});
+    LevelSource source = source_of(options_, done.game.replay.level);
+    source.rate = done.game.replay.rate;
+    source.seed = done.game.replay.seed;
+    source.overrides = done.game.replay.overrides;
+    Player player(std::move(done.replayer).take(), view(), preferences_.keys);
+    player.set_opponent(done.game.replay.opponent);
+    if (done.game.replay.stance) player.stand(*done.game.replay.stance);
+    player.pause(true);
+    player.say("taken up where it stood; " + preferences_.keys.hint(Action::pause) + " goes on");
+    enter(std::move(source), std::move(player), std::nullopt);
+    Game& game = std::get<Game>(page_);
+    autosave(game);  // under our own name, before the other goes
+    forget(done.game);
+}
+
+/// Writes the recording; false when it cannot be written. Then the game stays, as one that was cut
+/// off.
+bool Program::end_game() {
+    auto* game = std::get_if<Game>(&page_);
+    if (game && recording_) {
+        const Recording recording = *std::exchange(recording_, std::nullopt);
+        lost_recording_ =
+            recording.write(game->player.session(), game->source.path, game->source.overrides);
+        if (lost_recording_) {
+            autosave(*game);
+            *lost_recording_ +=
+                "; carom play --resume --record FILE takes the game up and records all of it";
+            return false;
+        }
+    }
+    leave_game();
+    return true;
+}
+
+// A match of pool is kept until it is won: it may be gone on with another day.
+void Program::leave_game() {
+    auto* game = std::get_if<Game>(&page_);
+    if (!game) return;
+    is_kept_ = false;
+    if (game->player.is_in_match() && game->player.session().is_complete()) {
+        autosave(*game);
+        is_kept_ = game->resume_file.put_aside();
+    }
+    if (!is_kept_) game->resume_file.remove();
+}
+
+void Program::autosave(Game& game) {
+    const Session& session = game.player.session();
+    const std::uint64_t tick = session.world().tick;
+    const std::size_t commands = session.commands().size();
+    const auto stance = game.player.stance();
+    if (tick == game.saved_tick && commands == game.saved_commands && stance == game.saved_stance)
+        return;
+    if (!session.is_complete() || game.player.is_watching()) return;
+    game.saved_tick = tick;
+    game.saved_commands = commands;
+    game.saved_stance = stance;
+    Replay replay = record(session, game.source.path, game.source.overrides);
+    replay.opponent = game.player.opponent();
+    replay.stance = stance;
+    if (const auto problem = game.resume_file.save(replay)) game.player.complain(*problem);
+}
+
+void Program::cut_off() {
+    auto* game = std::get_if<Game>(&page_);
+    if (!game) return;
+    autosave(*game);
+    if (recording_)
+        lost_recording_ =
+            recording_->write(game->player.session(), game->source.path, game->source.overrides);
+}
+
+void Program::reload(Game& game) {
+    auto opened = open_game(game.source);
+    if (const auto* problems = std::get_if<Problems>(&opened)) {
+        game.player.set_problem(problems->empty() ? "the level cannot be read" : problems->front());
+        return;
+    }
+    OpenedGame& fresh = std::get<OpenedGame>(opened);
+    if (recording_) fresh.session.keep_all_commands();
+    game.player = game.player.continued_with(std::move(fresh.session), fresh.solver_is_picked);
+    game.player.say(fresh.warnings.empty() ? "the level has changed: from the start"
+                                           : fresh.warnings.front());
+    game.watch = FileWatch(files_of(game.player.session().scene(), game.source.path));
+}
+
+void Program::keep_setting(std::string_view name, std::string_view value) {
+    const std::optional<std::string> fault = change_preferences(name, value);
+    auto* game = std::get_if<Game>(&page_);
+    if (!fault || !game || has_told_lost_settings_) return;
+    has_told_lost_settings_ = true;
+    game->player.say(fmt::format("such choices are not kept: {}", *fault));
+}
+
+void Program::keep_preferences(const ViewOptions& before, const ViewOptions& after) {
+    if (before.renderer != after.renderer) {
+        keep_setting("renderer", text_of(choice_of(after.renderer)));
+        view_.renderer = after.renderer;
+    }
+    if (before.color_by != after.color_by) keep_setting("color-by", text_of(after.color_by));
+    if (before.ball_style != after.ball_style) keep_setting("balls", text_of(after.ball_style));
+    if (before.trails != after.trails) keep_setting("trails", after.trails ? "on" : "off");
+    view_.color_by = after.color_by;
+    view_.ball_style = after.ball_style;
+    view_.trails = after.trails;
+}
+
+}  // namespace carom

@@ -1,0 +1,270 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <utility>
+
+#include "carom/files/files.h"
+#include "carom/files/high_scores.h"
+#include "carom/play/program.h"
+#include "game/session/save_level.h"
+#include "terminal/panels/pages.h"
+
+namespace carom {
+namespace {
+
+constexpr double autosave_interval = 5.0;  // s
+constexpr double watch_interval = 0.2;     // s
+constexpr double never = std::numeric_limits<double>::infinity();
+/// Ticks that a game is taken up by between two looks at the clock.
+constexpr std::uint64_t ticks_at_once = 16;
+
+bool is_key_press(const InputEvent& event) {
+    return event.kind == InputEvent::Kind::key && event.action != InputEvent::Action::release;
+}
+
+void keep_in_honour(Player& player, const std::string& path, const Honour& honour) {
+    const std::size_t most = player.session().scene().table.highscores;
+    HonoursText kept = keep_honour(honours_name(path), most, honour);
+    if (kept.problem) player.complain(*kept.problem);
+    player.set_honours(std::move(kept.honours));
+}
+
+}  // namespace
+
+void Program::handle(const InputEvent& event, double now) {
+    if (event.kind == InputEvent::Kind::hangup || event.kind == InputEvent::Kind::end) {
+        cut_off();
+        is_over_ = true;
+    } else if (auto* game = std::get_if<Game>(&page_)) {
+        handle_game(*game, event, now);
+    } else if (auto* menu = std::get_if<Menu>(&page_)) {
+        handle_menu(*menu, event);
+    } else if (auto* notice = std::get_if<Notice>(&page_)) {
+        handle_notice(*notice, event);
+    } else {
+        handle_taking_up(event);
+    }
+}
+
+void Program::handle_game(Game& game, const InputEvent& event, double now) {
+    const ViewOptions before = game.player.view();
+    const Wish wish = game.player.handle(event);
+    if (const auto honour = game.player.take_honour())
+        keep_in_honour(game.player, game.source.path, *honour);
+    keep_preferences(before, game.player.view());
+    if (game.player.has_bell() != preferences_.bell) {
+        preferences_.bell = game.player.has_bell();
+        keep_setting("bell", preferences_.bell ? "on" : "off");
+    }
+    if (next_autosave_ < now) next_autosave_ = now + autosave_interval;
+    switch (wish) {
+        case Wish::quit:
+            end_game();
+            is_over_ = true;
+            break;
+        case Wish::menu: {
+            const std::string path = game.source.path;
+            if (end_game())
+                show_menu(path);
+            else
+                tell("The recording is lost", {*lost_recording_});
+            break;
+        }
+        case Wish::save:
+            save_level(game);
+            break;
+        case Wish::toggle_mouse:
+            mouse_ = !mouse_;
+            game.player.set_mouse_is_off(!mouse_);
+            game.player.say(mouse_ ? "the mouse plays" : "the mouse is the terminal's");
+            keep_setting("mouse", mouse_ ? "on" : "off");
+            break;
+        case Wish::take_up:
+            if (game.offer)
+                take_up(*game.offer);
+            else
+                game.player.say("no game of this level was cut off");
+            break;
+        case Wish::none:
+            break;
+    }
+}
+
+void Program::handle_menu(Menu& menu, const InputEvent& event) {
+    const Menu::Choice choice = menu.handle(event);
+    if (std::holds_alternative<Menu::Quit>(choice)) is_over_ = true;
+    if (const auto* item = std::get_if<MenuItem>(&choice)) {
+        if (item->cut_off)
+            take_up(*item->cut_off);
+        else
+            open_or_tell(source_of(options_, item->path));
+    }
+}
+
+void Program::handle_notice(Notice& notice, const InputEvent& event) {
+    if (!is_key_press(event)) return;
+    notice.needs_draw = true;
+    switch (event.key) {
+        case key::up:
+            notice.scroll -= 1;
+            return;
+        case key::down:
+            notice.scroll += 1;
+            return;
+        case key::page_up:
+            notice.scroll -= 10;
+            return;
+        case key::page_down:
+        case key::space:
+            notice.scroll += 10;
+            return;
+        case U'q':
+            is_over_ = true;
+            return;
+        default: {
+            const std::string path = notice.source ? notice.source->path : std::string{};
+            show_menu(path);
+        }
+    }
+}
+
+void Program::handle_taking_up(const InputEvent& event) {
+    if (!is_key_press(event)) return;
+    if (event.key == U'q') is_over_ = true;
+    if (event.key == key::escape) show_menu({});
+}
+
+void Program::set_keep_going(const KeepGoing& keep_going) {
+    keep_going_ = keep_going;
+    if (auto* game = std::get_if<Game>(&page_)) game->player.set_keep_going(keep_going_);
+}
+
+bool Program::ends_tick(const InputEvent& event) const {
+    return !is_playing() || carom::ends_tick(event, preferences_.keys);
+}
+
+void Program::advance(double seconds, double now, const MayGoOn& may_go_on) {
+    if (auto* game = std::get_if<Game>(&page_))
+        advance_game(*game, seconds, now, may_go_on);
+    else if (auto* menu = std::get_if<Menu>(&page_))
+        menu->advance(seconds, may_go_on);
+    else if (auto* notice = std::get_if<Notice>(&page_))
+        advance_notice(*notice, now);
+    else if (auto* taking_up = std::get_if<TakingUp>(&page_))
+        advance_taking_up(*taking_up, may_go_on);
+}
+
+void Program::advance_game(Game& game, double seconds, double now, const MayGoOn& may_go_on) {
+    if (options_.watch && now >= next_look_) {
+        next_look_ = now + watch_interval;
+        if (game.watch.has_changed()) reload(game);
+    }
+    game.player.advance(seconds, may_go_on);
+    if (game.player.is_watching()) compare_marks(game);
+    if (now >= next_autosave_) {
+        next_autosave_ = now + autosave_interval;
+        autosave(game);
+    }
+}
+
+void Program::advance_notice(Notice& notice, double now) {
+    if (!options_.watch || !notice.source || now < next_look_) return;
+    next_look_ = now + watch_interval;
+    if (!notice.watch.has_changed()) return;
+    const LevelSource source = *notice.source;
+    open_or_tell(source);
+}
+
+void Program::advance_taking_up(TakingUp& taking_up, const MayGoOn& may_go_on) {
+    taking_up.needs_draw = true;
+    do {
+        if (!taking_up.replayer.advance(ticks_at_once)) return finish_taking_up();
+    } while (may_go_on());
+}
+
+double Program::seconds_to_change(double now) const {
+    if (std::holds_alternative<TakingUp>(page_)) return 0.0;
+    if (std::holds_alternative<Menu>(page_)) return 0.0;
+    double seconds = never;
+    if (options_.watch) seconds = std::max(0.0, next_look_ - now);
+    if (const auto* game = std::get_if<Game>(&page_)) {
+        seconds = std::min(seconds, game->player.seconds_to_change());
+        const Session& session = game->player.session();
+        const bool is_saved = session.world().tick == game->saved_tick &&
+                              session.commands().size() == game->saved_commands;
+        if (!is_saved) seconds = std::min(seconds, std::max(0.0, next_autosave_ - now));
+    }
+    return seconds;
+}
+
+bool Program::take_bell() {
+    auto* const game = std::get_if<Game>(&page_);
+    return game && game->player.take_bell();
+}
+
+bool Program::needs_draw() const {
+    if (const auto* game = std::get_if<Game>(&page_)) return game->player.needs_draw();
+    if (const auto* menu = std::get_if<Menu>(&page_)) return menu->needs_draw();
+    if (const auto* notice = std::get_if<Notice>(&page_)) return notice->needs_draw;
+    if (const auto* taking_up = std::get_if<TakingUp>(&page_)) return taking_up->needs_draw;
+    return false;
+}
+
+void Program::draw(Canvas& canvas) {
+    canvas.fill({});
+    if (auto* game = std::get_if<Game>(&page_))
+        game->player.draw(canvas, capabilities_.cell_aspect);
+    else if (auto* menu = std::get_if<Menu>(&page_))
+        menu->draw(canvas, capabilities_.cell_aspect, view());
+    else if (auto* notice = std::get_if<Notice>(&page_))
+        draw_notice(canvas, *notice);
+    else if (auto* taking_up = std::get_if<TakingUp>(&page_))
+        draw_taking_up(canvas, *taking_up);
+}
+
+void Program::draw_notice(Canvas& canvas, Notice& notice) const {
+    notice.needs_draw = false;
+    if (is_too_small(canvas.columns(), canvas.rows())) return draw_too_small(canvas);
+    const std::string_view footer = notice.source && options_.watch
+                                        ? "save the file to try again   q quits   menu: any key"
+                                        : "q quits   any other key: the menu";
+    notice.scroll =
+        draw_text_page(canvas, notice.title, notice.lines, notice.scroll, footer, view().look)
+            .scroll;
+}
+
+void Program::draw_taking_up(Canvas& canvas, TakingUp& taking_up) const {
+    taking_up.needs_draw = false;
+    if (is_too_small(canvas.columns(), canvas.rows())) return draw_too_small(canvas);
+    const std::string lines[] = {taking_up.game.replay.level,
+                                 fmt::format("{:.0f} % of the way to where it stood",
+                                             100.0 * taking_up.replayer.progress())};
+    draw_text_page(canvas, "Taking up the game that was cut off", lines, 0,
+                   "esc: the menu   q quits", view().look);
+}
+
+ScreenWishes Program::screen_wishes() const {
+    const auto* game = std::get_if<Game>(&page_);
+    return {mouse_, game && game->player.wants_motion()};
+}
+
+void Program::save_level(Game& game) {
+    namespace fs = std::filesystem;
+    const Session& session = game.player.session();
+    if (!session.scene().table.is_empty())
+        return game.player.complain("a table cannot be saved in play: record it, with --record");
+    const std::string stem = fs::path(game.source.path).stem().string();
+    std::string path;
+    std::error_code error;
+    for (int n = 1; path.empty() || fs::exists(path, error); ++n)
+        path = fmt::format("{}-{}.level", stem, n);
+    if (const auto problem =
+            write_file_atomically(path, level_text(session.scene(), session.world())))
+        game.player.complain(*problem);
+    else
+        game.player.say("saved as " + path);
+}
+
+}  // namespace carom

@@ -1,0 +1,137 @@
+#include "carom/play/resume.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
+#include "carom/files/files.h"
+#include "carom/files/user_folders.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view ending = ".resume";
+constexpr std::string_view left_ending = ".left";
+constexpr std::size_t most_files = 20;
+/// A day of dragging; what is longer is not ours.
+constexpr std::size_t most_bytes = std::size_t{256} << 20;
+
+std::uint64_t hash_of(std::string_view text) {
+    std::uint64_t hash = 0xcbf29ce484222325ull;  // FNV-1a
+    for (const char c : text)
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
+    return hash;
+}
+
+std::string stem_of(std::string_view level) {
+    return fmt::format("{}-{:016x}", fs::path(level).stem().string(), hash_of(level));
+}
+
+/// The process that the name of a file ends in; 0 when it is none of ours.
+pid_t process_of(const std::string& name) {
+    if (!name.ends_with(ending)) return 0;
+    const std::size_t end = name.size() - ending.size();
+    const std::size_t dash = name.rfind('-', end);
+    if (dash == std::string::npos) return 0;
+    pid_t process = 0;
+    const auto [stop, error] = std::from_chars(name.data() + dash + 1, name.data() + end, process);
+    return error == std::errc{} && stop == name.data() + end ? process : 0;
+}
+
+bool is_running(pid_t process) {
+    return ::kill(process, 0) == 0 || errno != ESRCH;
+}
+
+std::int64_t saved_at(const std::string& path) {
+    struct stat status {};
+    return ::stat(path.c_str(), &status) == 0 ? status.st_mtim.tv_sec : 0;
+}
+
+/// Files of games that were left or whose processes run no more, newest first, then by name.
+std::vector<std::string> left_behind(const std::string& folder) {
+    std::vector<std::pair<std::int64_t, std::string>> found;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+        const std::string path = entry.path().string();
+        const pid_t process = process_of(entry.path().filename().string());
+        if (path.ends_with(left_ending) || (process > 0 && !is_running(process)))
+            found.emplace_back(-saved_at(path), path);
+    }
+    std::ranges::sort(found);
+    std::vector<std::string> paths;
+    for (auto& [age, path] : found)
+        paths.push_back(std::move(path));
+    return paths;
+}
+
+}  // namespace
+
+std::vector<CutOffGame> cut_off_games(const std::string& folder, std::string_view level) {
+    std::vector<CutOffGame> games;
+    for (const std::string& path : left_behind(folder)) {
+        const std::string name = fs::path(path).filename().string();
+        if (!level.empty() && !name.starts_with(stem_of(level))) continue;
+        const FileText read = read_file(path, most_bytes);
+        if (!read.text) continue;
+        auto replay = read_replay(*read.text);
+        auto* good = std::get_if<Replay>(&replay);
+        if (good && (level.empty() || good->level == level))
+            games.push_back({path, std::move(*good), saved_at(path), path.ends_with(left_ending)});
+    }
+    return games;
+}
+
+ResumeFile::ResumeFile(std::string folder, std::string_view level)
+    : folder_(std::move(folder)),
+      path_(fmt::format("{}/{}-{}{}", folder_, stem_of(level), ::getpid(), ending)) {}
+
+std::optional<std::string> ResumeFile::save(const Replay& replay) {
+    if (path_.empty()) return std::nullopt;
+    if (!is_written_) {
+        if (auto problem = make_folder(folder_)) return problem;
+        std::vector<std::string> old = left_behind(folder_);
+        for (std::size_t i = most_files - 1; i < old.size(); ++i)
+            ::unlink(old[i].c_str());
+    }
+    auto problem = write_file_atomically(path_, replay_text(replay));
+    is_written_ = is_written_ || !problem;
+    return problem;
+}
+
+void ResumeFile::remove() {
+    if (is_written_) ::unlink(path_.c_str());
+    is_written_ = false;
+}
+
+bool ResumeFile::put_aside() {
+    if (!is_written_) return false;
+    is_written_ = false;
+    const std::string stem = path_.substr(0, path_.size() - ending.size());
+    std::error_code error;
+    for (int number = 0;; ++number) {
+        const std::string name = fmt::format("{}-{}{}", stem, number, left_ending);
+        if (!fs::exists(name, error)) return ::rename(path_.c_str(), name.c_str()) == 0;
+    }
+}
+
+void forget(const CutOffGame& game) {
+    ::unlink(game.file.c_str());
+}
+
+std::optional<std::string> resume_folder() {
+    const auto folder = state_folder();
+    if (!folder) return std::nullopt;
+    return *folder + "/cut-off";
+}
+
+}  // namespace carom

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "game/replay/replay_text.h"
+
+/// Games that were cut off, or left in the middle, so that they can be taken up where they stood.
+/// Each running game writes a file of its own (its name holds the level's, a hash of its path, and
+/// the number of the process), again every few seconds and when it is cut off; a game that ends in
+/// good order takes its file away, and one that is left to be gone on with puts it aside under a
+/// name without a process. What is there of no running process can be taken up.
+namespace carom {
+
+struct CutOffGame {
+    std::string file;
+    Replay replay;
+    std::int64_t saved = 0;  ///< s since 1970
+    bool was_left = false;   ///< by the player, who means to go on
+};
+
+/// Those left, and those of processes that run no more, the newest first; files that cannot be read
+/// are left out. `level`: the path of one level only, as it is in Replay::level; empty: of all.
+std::vector<CutOffGame> cut_off_games(const std::string& folder, std::string_view level = {});
+
+/// The file of one running game. It stays when this goes: only remove() takes it away.
+class ResumeFile {
+  public:
+    ResumeFile() = default;
+    /// In this folder, which is made when it is first needed.
+    ResumeFile(std::string folder, std::string_view level);
+
+    /// What went wrong, if anything. At most 20 files stay in the folder: the oldest go.
+    std::optional<std::string> save(const Replay& replay);
+    /// The game has ended in good order.
+    void remove();
+    /// The game is left as it was saved last, to be gone on with. False: nothing was saved.
+    bool put_aside();
+
+  private:
+    std::string folder_;
+    std::string path_;  ///< empty: there is no place to write to
+    bool is_written_ = false;
+};
+
+/// Takes a cut-off game's file away: it has been taken up, or is not wanted.
+void forget(const CutOffGame& game);
+
+/// Where they are, by the user's folders; none: the user has no such place.
+std::optional<std::string> resume_folder();
+
+}  // namespace carom

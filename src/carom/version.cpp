@@ -1,9 +1,0 @@
-#include "carom/version.h"
-
-namespace carom {
-
-std::string_view version() {
-    return CAROM_VERSION;
-}
-
-}  // namespace carom

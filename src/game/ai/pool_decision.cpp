@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "game/ai/planner.h"
+#include "game/ai/pool_value.h"
+#include "game/pool/pool_words.h"
+#include "physics/world/random.h"
+
+/// What a thought says, and what it does.
+namespace carom {
+namespace {
+
+constexpr std::array<double, 4> factors = {7.0, 3.5, 1.7, 0.5};
+constexpr std::array<std::string_view, 4> texts = {"a beginner's hand", "a fair hand",
+                                                   "a good hand", "a master's hand"};
+
+std::size_t row_of(int steadiness) {
+    return static_cast<std::size_t>(steadiness - least_steadiness);
+}
+
+// The hand errs with draws of its own, which no try has seen.
+constexpr std::uint64_t of_the_hand = 1u << 20;
+
+}  // namespace
+
+HandError error_of(int steadiness) {
+    return HandError{} * factors[row_of(steadiness)];
+}
+
+std::string_view steadiness_text(int steadiness) {
+    return texts[row_of(steadiness)];
+}
+
+std::string thought_text(const Scene& scene, const PoolThought& thought) {
+    const double speed = length(thought.strike.velocity);
+    std::string text;
+    const std::string ball = thought.ball ? fmt::format("the {}", *thought.ball) : "the rack";
+    const auto into = [&] { return pocket_name(scene, thought.pocket); };
+    using enum PoolThought::Kind;
+    switch (thought.kind) {
+        case break_off:
+            text = "break";
+            break;
+        case straight:
+            text = fmt::format("{} straight into the {}", ball, into());
+            break;
+        case cut:
+            text = fmt::format("cut {} into the {}", ball, into());
+            break;
+        case bank:
+            text = fmt::format("bank {} into the {}", ball, into());
+            break;
+        case kick:
+            text =
+                thought.ball ? fmt::format("kick {} into the {}", ball, into()) : "round the table";
+            break;
+        case safety:
+            text = fmt::format("safety on {}", ball);
+            break;
+        case push_out:
+            text = fmt::format("push out by {}", ball);
+            break;
+    }
+    text += fmt::format(", {:.1f} m/s", speed);
+    const double follow = thought.strike.follow;
+    const double side = thought.strike.side;
+    if (follow != 0.0) text += fmt::format(", {}", follow > 0.0 ? "follow" : "draw");
+    if (side != 0.0) text += fmt::format(", {} side", side > 0.0 ? "right" : "left");
+    text += fmt::format(": goes on {:.0f} %", 100.0 * thought.success);
+    if (thought.leaves) text += fmt::format(", then the {}", *thought.leaves);
+    return text;
+}
+
+PoolChoice choice_of(const Scene& scene, const World& world, const PoolPlay& play,
+                     const HandError& error) {
+    const std::vector<PoolChoice>& choices = play.rules.choices;
+    if (choices.front() != PoolChoice::take_table) return choices.front();
+    PoolPlay taken = play;
+    taken.rules = choose(play.rules, PoolChoice::take_table).next;
+    const auto cloth = cloth_box(scene);
+    const double value = cloth ? outlook(scene, world, taken, *cloth, error.bearing).value : 0.0;
+    return value >= 0.0 ? PoolChoice::take_table : choices[1];
+}
+
+std::vector<Command> commands_of(const Scene& scene, const PoolPlay& play,
+                                 const PoolThought& thought, const HandError& error,
+                                 std::uint64_t seed) {
+    std::vector<Command> commands;
+    if (thought.place) commands.push_back(command::PlaceBall{thought.strike.ball, *thought.place});
+    if (!(thought.call == play.call)) commands.push_back(command::CallShot{thought.call});
+    commands.push_back(
+        with_error(thought.strike, error, scene.pool.cue->most_power, seed, of_the_hand));
+    return commands;
+}
+
+std::uint64_t decision_seed(const World& world, const PoolPlay& play) {
+    return random_bits(world.seed, RandomStream::player,
+                       std::uint64_t{play.frames[0]} << 32 | play.frames[1], play.shots);
+}
+
+}  // namespace carom

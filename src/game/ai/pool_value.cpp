@@ -1,0 +1,85 @@
+#include "game/ai/pool_value.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/elementary.h"
+
+namespace carom {
+namespace {
+
+constexpr double value_of_hand = 0.75;  ///< with the ball in hand
+constexpr double value_of_choosing = 0.5;
+constexpr double value_of_ball = 0.06;
+
+int left_of(const PoolState& rules, PoolGroup group) {
+    int left = 0;
+    for (int ball = 1; ball < 16; ++ball)
+        if (group_of(ball) == group && !is_down(rules, ball)) ++left;
+    return left;
+}
+
+// 8-ball: how far ahead the player is.
+double lead(const PoolState& rules) {
+    const auto group = group_of_player(rules, rules.player);
+    if (rules.game != PoolGame::eight_ball || !group) return 0.0;
+    const auto other = *group == PoolGroup::solids ? PoolGroup::stripes : PoolGroup::solids;
+    return value_of_ball * (left_of(rules, other) - left_of(rules, *group));
+}
+
+}  // namespace
+
+double pot_chance(const PotLine& line, double bearing_error) {
+    const double spread = bearing_error * pi / 180.0;
+    const double x = line.tolerance / (1.2 * spread);
+    return x / std::sqrt(1.0 + x * x);
+}
+
+std::vector<BallId> legal_balls(const PoolPlay& play) {
+    std::vector<BallId> balls;
+    for (int ball = 1; ball < 16; ++ball) {
+        const auto id = play.balls[static_cast<std::size_t>(ball)];
+        if (id && may_hit_first(play.rules, ball)) balls.push_back(*id);
+    }
+    return balls;
+}
+
+Outlook outlook(const Scene& scene, const World& world, const PoolPlay& play, const Box& cloth,
+                double bearing_error) {
+    const PoolState& rules = play.rules;
+    if (rules.winner) return {*rules.winner == rules.player ? 1.0 : -1.0, std::nullopt, 0.0};
+    if (rules.phase == PoolPhase::breaking) return {0.1, std::nullopt, 0.0};
+    const double ahead = lead(rules);
+    const auto cue = play.balls[cue_ball];
+    if (!cue || rules.in_hand != CueInHand::no)
+        return {std::min(0.95, value_of_hand + ahead), std::nullopt, 0.0};
+    const std::vector<BallId> balls = legal_balls(play);
+    const Vec2 from = world.balls.position[*index_of(world, *cue)];
+    const auto lines = pot_lines(scene, world, cloth, *cue, from, balls);
+    Outlook result;
+    if (!lines.empty()) {
+        result.chance = pot_chance(lines.front(), bearing_error);
+        result.easiest = number_of(play, lines.front().object);
+        // A second ball to go to makes the first worth more.
+        double second = 0.0;
+        for (const PotLine& line : lines)
+            if (line.object != lines.front().object)
+                second = std::max(second, pot_chance(line, bearing_error));
+        result.value = result.chance * (0.6 + 0.3 * second);
+    }
+    // Who chooses may also leave the shot to the other.
+    if (rules.phase == PoolPhase::choosing)
+        result.value = rules.choices.front() == PoolChoice::take_table && rules.choices.size() == 2
+                           ? std::abs(result.value)
+                           : value_of_choosing;
+    result.value = std::clamp(result.value + ahead, -0.95, 0.95);
+    return result;
+}
+
+double value_to(int player, const Scene& scene, const World& world, const PoolPlay& play,
+                const Box& cloth, double bearing_error) {
+    const double value = outlook(scene, world, play, cloth, bearing_error).value;
+    return play.rules.player == player ? value : -value;
+}
+
+}  // namespace carom

@@ -1,0 +1,313 @@
+#include "game/pinball/pinball.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "game/pinball/pinball_search.h"
+#include "game/pinball/pinball_table.h"
+#include "geometry/closest.h"
+#include "physics/world/random.h"
+
+namespace carom {
+namespace {
+
+using Phase = PinballState::Phase;
+
+constexpr double full_pull = 1.0;     // s until the plunger is pulled all the way
+constexpr double launch_pause = 0.6;  // s from the serve of a ball to its launch by itself
+// The table's own launches, as shares of the plunger's way.
+constexpr double least_own_pull = 0.5;
+constexpr double most_own_pull = 0.9;
+
+constexpr double launch_patience = 4.0;
+constexpr double counting_time = 2.5;  // s that the bonus is shown
+
+constexpr double nudge_time = 0.1;    // s
+constexpr double nudge_speed = 20.0;  // radii a second that a nudge gives to a ball
+// The tilt's meter, as in Space Cadet: it rises while the table is pushed, and sinks otherwise.
+constexpr double meter_rise = 4.0;  // 1/s
+constexpr double meter_fall = 1.0;
+constexpr double meter_warns = 0.5;
+constexpr double meter_tilts = 1.0;
+
+bool are_flippers_alive(const PinballState& state) {
+    return !state.is_tilted && state.phase != Phase::over;
+}
+
+void move_flippers(Pinball game) {
+    const bool alive = are_flippers_alive(game.state);
+    const std::vector<Button>& buttons = game.table().flipper_buttons;
+    for (std::size_t i = 0; i < game.world.flippers.size() && i < buttons.size(); ++i)
+        game.world.flippers[i].is_pressed =
+            alive && game.state.is_down[static_cast<std::size_t>(buttons[i])];
+}
+
+// The lights of rollovers go one on: so a player can steer them to where the ball will pass.
+void change_lanes(Pinball game, bool to_the_right) {
+    for (const DeviceGroup& group : game.table().groups) {
+        if (group.kind != DeviceKind::rollover || group.devices.size() < 2) continue;
+        std::vector<std::uint32_t> across = group.devices;
+        std::ranges::stable_sort(across, {},
+                                 [&](std::uint32_t d) { return game.table().devices[d].place.x; });
+        std::vector<std::uint8_t> lit;
+        for (const std::uint32_t device : across)
+            lit.push_back(game.state.is_lit[device]);
+        std::rotate(lit.begin(), to_the_right ? lit.end() - 1 : lit.begin() + 1, lit.end());
+        for (std::size_t i = 0; i < across.size(); ++i)
+            game.state.is_lit[across[i]] = lit[i];
+    }
+}
+
+void tilt(Pinball game) {
+    game.state.is_tilted = true;
+    game.state.bonus = 0;
+    game.state.save_until = 0;
+    game.say("TILT", 4.0);
+}
+
+void begin_nudge(Pinball game, Vec2 way) {
+    game.state.nudge_until = game.now() + game.ticks(nudge_time);
+    game.state.nudge = way * (nudge_speed * game.radius() / nudge_time);
+}
+
+void push_table(Pinball game) {
+    PinballState& state = game.state;
+    const double step = game.world.tick_length();
+    const double before = state.tilt_meter;
+    if (game.now() <= state.nudge_until) {
+        for (std::size_t i = 0; i < game.world.balls.size(); ++i)
+            if (!state.is_tilted) game.world.balls.velocity[i] += state.nudge * step;
+        state.tilt_meter += meter_rise * step;
+    } else {
+        state.tilt_meter = std::max(0.0, state.tilt_meter - meter_fall * step);
+    }
+    if (!game.is_scoring()) return;
+    if (before < meter_warns && state.tilt_meter >= meter_warns) {
+        ++state.warnings;
+        game.say("DANGER", 1.5);
+    }
+    if (state.tilt_meter >= meter_tilts || state.warnings > game.table().warnings) tilt(game);
+}
+
+void note_launch(Pinball game) {
+    if (std::exchange(game.state.is_launched, true)) return;
+    save_for(game, game.table().save);
+}
+
+void work_plunger(Pinball game) {
+    PinballState& state = game.state;
+    if (state.is_down[static_cast<std::size_t>(Button::plunger)])
+        state.pull = std::min(1.0, state.pull + game.world.tick_length() / full_pull);
+    if (state.launch_at == 0 || game.now() < state.launch_at) return;
+    // Never the same launch twice: a table that always gives the same one is soon played out.
+    const double pull = random_between(least_own_pull, most_own_pull, game.world.seed,
+                                       RandomStream::player, state.games, game.world.next_ball);
+    const bool is_launched = launch(game, pull);
+    // It may not have come to lie there yet; one that went elsewhere is not waited for.
+    if (!is_launched && game.now() < state.launch_at + game.ticks(launch_patience)) return;
+    state.launch_at = 0;
+    if (!is_launched) return;
+    if (state.to_serve == 0) state.serves_itself = false;
+    note_launch(game);
+}
+
+// A ball begins where the level's first ball does, as soon as there is room.
+void serve(Pinball game) {
+    PinballState& state = game.state;
+    const Balls& balls = game.scene.world.balls;
+    if (state.to_serve == 0 || state.launch_at != 0 || balls.size() == 0) return;
+    for (std::size_t i = 0; i < game.world.balls.size(); ++i) {
+        const double reach = game.world.balls.radius[i] + balls.radius[0];
+        if (distance(game.world.balls.position[i], balls.position[0]) < 1.5 * reach) return;
+    }
+    BallSpec spec{.kind = balls.kind[0],
+                  .position = balls.position[0],
+                  .velocity = balls.velocity[0],
+                  .radius = balls.radius[0],
+                  .mass = 1.0 / balls.inverse_mass[0]};
+    if (!balls.restitution.empty()) spec.restitution = balls.restitution[0];
+    add_ball(game.world, spec);
+    --state.to_serve;
+    if (state.serves_itself) state.launch_at = game.now() + game.ticks(launch_pause);
+}
+
+void begin_ball(Pinball game) {
+    PinballState& state = game.state;
+    state.phase = Phase::playing;
+    state.bonus = 0;
+    state.multiplier = 1;
+    state.is_launched = false;
+    state.launch_at = 0;
+    state.save_until = 0;
+    state.is_tilted = false;
+    state.warnings = 0;
+    state.tilt_meter = 0.0;
+    for (std::uint32_t i = 0; i < game.table().devices.size(); ++i)
+        if (game.table().devices[i].kind == DeviceKind::kickback) set_lit(game, i, true);
+}
+
+void serve_next(Pinball game) {
+    begin_ball(game);
+    game.state.to_serve = 1;
+    game.state.serves_itself = false;
+}
+
+void begin_game_again(Pinball game) {
+    PinballState& state = game.state;
+    ++state.games;
+    state.score = 0;
+    state.ball = 1;
+    state.extra_balls = 0;
+    for (std::uint32_t i = 0; i < game.table().devices.size(); ++i)
+        set_lit(game, i, false);
+    for (std::uint32_t i = 0; i < game.table().devices.size(); ++i)
+        if (game.table().devices[i].kind == DeviceKind::droptarget) state.is_rising[i] = 1;
+    state.message.clear();
+    serve_next(game);
+}
+
+void end_game(Pinball game) {
+    PinballState& state = game.state;
+    state.phase = Phase::over;
+    const auto drawn = random_bits(game.world.seed, RandomStream::player, state.games, 0) % 10;
+    const bool matches = static_cast<std::uint64_t>(state.score / 10 % 10) == drawn;
+    game.say(fmt::format("GAME OVER  MATCH {}0{}", drawn, matches ? "  A FREE GAME" : ""), 3600.0);
+}
+
+void end_ball(Pinball game) {
+    PinballState& state = game.state;
+    const std::int64_t counted = state.bonus * state.multiplier * game.table().bonus;
+    if (counted > 0 && !state.is_tilted) {
+        state.score += counted;
+        game.say(
+            fmt::format("BONUS {} x {} x {}", state.bonus, game.table().bonus, state.multiplier),
+            counting_time);
+    }
+    state.phase = Phase::counting;
+    state.phase_until = game.now() + game.ticks(counting_time);
+}
+
+void go_on_after_count(Pinball game) {
+    PinballState& state = game.state;
+    if (state.phase != Phase::counting || game.now() < state.phase_until) return;
+    if (state.extra_balls > 0) {
+        --state.extra_balls;
+        game.say("SHOOT AGAIN", 2.0);
+        serve_next(game);
+    } else if (state.ball < game.table().balls) {
+        ++state.ball;
+        serve_next(game);
+    } else {
+        end_game(game);
+    }
+}
+
+void count_drained(Pinball game) {
+    PinballState& state = game.state;
+    const std::uint64_t gone = game.world.removed.size() - state.removals_seen;
+    for (std::uint64_t i = state.removals_seen; i < game.world.removed.size(); ++i) {
+        const std::int32_t zone = game.world.removed[static_cast<std::size_t>(i)].zone;
+        for (std::uint32_t d = 0; d < game.table().devices.size() && zone >= 0; ++d)
+            if (game.table().devices[d].zone == static_cast<std::uint32_t>(zone))
+                tell_rules(game, d, Rule::When::enter);
+    }
+    state.removals_seen = game.world.removed.size();
+    state.drained += gone;
+    if (!game.table().is_game || state.phase != Phase::playing) return;
+    if (gone > 0 && game.now() <= state.save_until) {
+        state.to_serve += static_cast<std::uint32_t>(gone);
+        state.serves_itself = true;
+        game.say("BALL SAVED", 2.0);
+    }
+    if (game.world.balls.size() == 0 && state.to_serve == 0) end_ball(game);
+}
+
+}  // namespace
+
+PinballState begin_pinball(const Scene& scene) {
+    PinballState state;
+    const std::size_t devices = scene.table.devices.size();
+    state.is_lit.assign(devices, 0);
+    state.lit_until.assign(devices, 0);
+    state.flash_until.assign(devices, 0);
+    state.is_rising.assign(devices, 0);
+    state.turning.assign(devices, 0.0);
+    state.turned.assign(devices, 0.0);
+    for (std::size_t i = 0; i < devices; ++i)
+        if (scene.table.devices[i].kind == DeviceKind::kickback) state.is_lit[i] = 1;
+    return state;
+}
+
+void follow_pinball(const Scene& scene, World& world, PinballState& state,
+                    std::span<const Contact> contacts) {
+    const Pinball game{scene, world, state};
+    hit_devices(game, contacts);
+    watch_lights(game);
+    visit_zones(game);
+    cross_ramps(game);
+    work_holes(game);
+    turn_spinners(game);
+    count_drained(game);
+    go_on_after_count(game);
+    raise_targets(game);
+    push_table(game);
+    work_plunger(game);
+    if (scene.table.is_game) {
+        search_balls(game);
+        serve(game);
+    }
+    move_flippers(game);
+    if (!state.message.empty() && world.tick >= state.message_until) state.message.clear();
+}
+
+bool has_button(const Scene& scene, Button button) {
+    if (button == Button::plunger)
+        return scene.table.is_game ||
+               std::ranges::count(scene.table.devices, DeviceKind::plunger, &Device::kind) > 0;
+    if (button == Button::left_flipper || button == Button::right_flipper)
+        return std::ranges::count(scene.table.flipper_buttons, button) > 0;
+    return !scene.table.is_empty();
+}
+
+void pull_plunger(const Scene& scene, World& world, PinballState& state, double share,
+                  bool lets_go) {
+    const Pinball game{scene, world, state};
+    state.is_down[static_cast<std::size_t>(Button::plunger)] = false;
+    state.pull = lets_go ? 0.0 : share;
+    if (lets_go && launch(game, share)) note_launch(game);
+}
+
+void press(const Scene& scene, World& world, PinballState& state, Button button, bool is_down) {
+    const Pinball game{scene, world, state};
+    const bool was_down = std::exchange(state.is_down[static_cast<std::size_t>(button)], is_down);
+    if (was_down == is_down) return;
+    switch (button) {
+        case Button::left_flipper:
+        case Button::right_flipper:
+            if (is_down && are_flippers_alive(state))
+                change_lanes(game, button == Button::right_flipper);
+            move_flippers(game);
+            break;
+        case Button::plunger:
+            if (is_down && scene.table.is_game && state.phase == Phase::over) {
+                begin_game_again(game);
+            } else if (!is_down) {
+                if (launch(game, state.pull)) note_launch(game);
+                state.pull = 0.0;
+            }
+            break;
+        case Button::nudge_left:
+            if (is_down) begin_nudge(game, {-1.0, 0.0});
+            break;
+        case Button::nudge_right:
+            if (is_down) begin_nudge(game, {1.0, 0.0});
+            break;
+        case Button::nudge_up:
+            if (is_down) begin_nudge(game, {0.0, 1.0});
+            break;
+    }
+}
+
+}  // namespace carom

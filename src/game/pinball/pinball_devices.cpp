@@ -1,0 +1,167 @@
+#include <algorithm>
+#include <utility>
+
+#include "game/pinball/pinball.h"
+#include "game/pinball/pinball_table.h"
+#include "geometry/closest.h"
+
+// What the mechanisms of a table do between two ticks.
+namespace carom {
+namespace {
+
+// A ball that rolls along an edge touches it in every tick; a hit is faster than this, in radii of
+// the ball a second.
+constexpr double softest_hit = 4.0;
+// What kicks shines for so long, s.
+constexpr double flash = 0.15;
+
+bool is_in_the_way(const World& world, const Capsule& shape) {
+    for (std::size_t i = 0; i < world.balls.size(); ++i)
+        if (separation(Disc{world.balls.position[i], world.balls.radius[i]}, shape) <= 0.0)
+            return true;
+    return false;
+}
+
+/// Balls that lie on this plunger, by index.
+std::vector<std::size_t> lying_on(const World& world, const Device& plunger) {
+    std::vector<std::size_t> lying;
+    for (const CapsuleId id : plunger.capsules) {
+        const auto index = index_of(world, id);
+        if (!index) continue;
+        const Capsule& shape = world.capsules.shape[*index];
+        for (std::size_t i = 0; i < world.balls.size(); ++i) {
+            const Disc ball{world.balls.position[i], world.balls.radius[i]};
+            const bool is_before = dot(ball.center - plunger.place, plunger.direction) > 0.0;
+            if (is_before && separation(ball, shape) < 0.3 * ball.radius) lying.push_back(i);
+        }
+    }
+    return lying;
+}
+
+void fall(Pinball game, const Device& target) {
+    for (const CapsuleId id : target.capsules)
+        set_side(game.world, id, Side::none);
+}
+
+void kick_back(Pinball game, std::uint32_t device, std::size_t ball) {
+    if (game.state.is_lit[device] == 0) return;
+    const Device& kickback = game.table().devices[device];
+    game.world.balls.velocity[ball] = kickback.direction * kickback.most_speed;
+    set_lit(game, device, false);
+}
+
+bool is_on_the_table(const World& world, std::size_t ball) {
+    return world.kinds[world.balls.kind[ball]].layer == 0;
+}
+
+}  // namespace
+
+void hit_devices(Pinball game, std::span<const Contact> contacts) {
+    const PinballTable& table = game.table();
+    const double softest = softest_hit * game.radius();
+    for (const Contact& contact : contacts) {
+        if (contact.kind != ContactKind::ball_edge || contact.b >= table.device_of_capsule.size())
+            continue;
+        const std::int32_t number = table.device_of_capsule[contact.b];
+        if (number < 0) continue;
+        const auto device = static_cast<std::uint32_t>(number);
+        const Device& hit = table.devices[device];
+        const auto index = index_of(game.world, CapsuleId{contact.b});
+        if (!index) continue;
+        const Material& material = game.world.materials[game.world.capsules.material[*index]];
+        if (contact.approach < std::max(softest, material.kick_from)) continue;
+        const bool is_down =
+            game.world.model.one_way && game.world.capsules.side[*index] == Side::none;
+        if (is_down) continue;  // a second ball in the same tick
+        if (hit.kind == DeviceKind::droptarget) fall(game, hit);
+        if (hit.kind == DeviceKind::bumper || hit.kind == DeviceKind::slingshot) {
+            game.state.flash_until[device] = game.now() + game.ticks(flash);
+        }
+        tell_rules(game, device, Rule::When::hit);
+    }
+}
+
+void visit_zones(Pinball game) {
+    const PinballTable& table = game.table();
+    std::vector<PinballState::Visit> visits;
+    for (std::uint32_t device = 0; device < table.devices.size(); ++device) {
+        const Device& place = table.devices[device];
+        if (!place.zone || place.kind == DeviceKind::drain || place.kind == DeviceKind::ramp)
+            continue;
+        const Capsule& shape = game.world.zones[*place.zone].shape;
+        for (std::size_t i = 0; i < game.world.balls.size(); ++i)
+            if (is_on_the_table(game.world, i) && is_inside(shape, game.world.balls.position[i]))
+                visits.push_back({device, game.world.balls.id[i]});
+    }
+    const std::vector<PinballState::Visit> before = std::exchange(game.state.visits, visits);
+    for (const PinballState::Visit& visit : visits) {
+        if (std::ranges::binary_search(before, visit)) continue;
+        const Device& place = table.devices[visit.device];
+        const std::size_t ball = *index_of(game.world, visit.ball);
+        if (place.kind == DeviceKind::spinner) {
+            // The vane turns as fast as the ball pushes its rim past.
+            constexpr double half_turns_per_length = 1.0 / 3.14159265358979323846;
+            const double rim = game.world.zones[*place.zone].shape.radius;
+            game.state.turning[visit.device] =
+                std::max(game.state.turning[visit.device],
+                         length(game.world.balls.velocity[ball]) / rim * half_turns_per_length);
+        }
+        tell_rules(game, visit.device, Rule::When::enter);
+        if (place.kind == DeviceKind::kickback) kick_back(game, visit.device, ball);
+        if (place.kind == DeviceKind::hole) take_into_hole(game, visit.device, visit.ball);
+    }
+}
+
+void turn_spinners(Pinball game) {
+    constexpr double slowing = 1.2;  // 1/s
+    constexpr double slowest = 1.0;  // half turns a second
+    const double step = game.world.tick_length();
+    for (std::uint32_t device = 0; device < game.table().devices.size(); ++device) {
+        double& turning = game.state.turning[device];
+        if (!(turning > 0.0)) continue;
+        double& turned = game.state.turned[device];
+        turned += turning * step;
+        turning -= turning * std::min(1.0, slowing * step);
+        for (; turned >= 1.0; turned -= 1.0)
+            tell_rules(game, device, Rule::When::hit);
+        if (turning < slowest) turning = turned = 0.0;
+    }
+}
+
+void raise_targets(Pinball game) {
+    const PinballTable& table = game.table();
+    for (std::uint32_t device = 0; device < table.devices.size(); ++device) {
+        if (game.state.is_rising[device] == 0) continue;
+        for (const CapsuleId id : table.devices[device].capsules) {
+            const auto index = index_of(game.world, id);
+            if (!index) {
+                game.state.is_rising[device] = 0;
+            } else if (!is_in_the_way(game.world, game.world.capsules.shape[*index])) {
+                set_side(game.world, id, Side::both);
+                game.state.is_rising[device] = 0;
+            }
+        }
+    }
+}
+
+bool launch(Pinball game, double pull) {
+    bool is_launched = false;
+    for (const Device& device : game.table().devices) {
+        if (device.kind != DeviceKind::plunger) continue;
+        const double speed = device.least_speed + (device.most_speed - device.least_speed) * pull;
+        for (const std::size_t ball : lying_on(game.world, device)) {
+            Vec2& velocity = game.world.balls.velocity[ball];
+            velocity += device.direction * (speed - dot(velocity, device.direction));
+            is_launched = true;
+        }
+    }
+    return is_launched;
+}
+
+bool is_on_plunger(const Scene& scene, const World& world) {
+    return std::ranges::any_of(scene.table.devices, [&](const Device& device) {
+        return device.kind == DeviceKind::plunger && !lying_on(world, device).empty();
+    });
+}
+
+}  // namespace carom

@@ -1,0 +1,104 @@
+#include "game/pinball/pinball_search.h"
+
+#include <algorithm>
+
+#include "game/pinball/pinball.h"
+#include "geometry/closest.h"
+#include "geometry/elementary.h"
+#include "physics/world/random.h"
+
+namespace carom {
+namespace {
+
+constexpr double patience = 5.0;  // s without getting on by a radius
+constexpr std::uint32_t most_kicks = 4;
+constexpr double kick = 60.0;          // radii a second
+constexpr double off_the_table = 8.0;  // radii outside of what the camera shows
+
+bool is_off(const Pinball& game, std::size_t ball) {
+    const Box table = grow(game.scene.view, off_the_table * game.radius());
+    const Vec2 at = game.world.balls.position[ball];
+    return at.x < table.low.x || at.x > table.high.x || at.y < table.low.y || at.y > table.high.y;
+}
+
+bool is_cradled(const Pinball& game, std::size_t ball) {
+    const World& world = game.world;
+    return std::ranges::any_of(world.flippers, [&](const Flipper& flipper) {
+        const auto index = index_of(world, flipper.capsule);
+        if (!index || !flipper.is_pressed) return false;
+        const Disc disc{world.balls.position[ball], world.balls.radius[ball]};
+        return separation(disc, world.capsules.shape[*index]) < 0.3 * disc.radius;
+    });
+}
+
+// Away from the nearest edge, and a little to one side or the other.
+Vec2 way_out(const Pinball& game, std::size_t ball) {
+    const World& world = game.world;
+    const Vec2 at = world.balls.position[ball];
+    std::optional<double> nearest;
+    Vec2 away{0.0, 1.0};
+    for (std::size_t i = 0; i < world.capsules.size(); ++i) {
+        if (world.model.one_way && world.capsules.side[i] == Side::none) continue;
+        const Capsule& shape = world.capsules.shape[i];
+        const Vec2 offset = at - closest_point(shape.start, shape.end, at);
+        const double gap = length(offset) - shape.radius;
+        if ((nearest && gap >= *nearest) || !(length(offset) > 0.0)) continue;
+        nearest = gap;
+        away = offset / length(offset);
+    }
+    const double angle = random_between(-0.8, 0.8, world.seed, RandomStream::player,
+                                        number(world.balls.id[ball]), game.state.searches);
+    const auto [sine, cosine] = sin_cos(angle);
+    return away * cosine + perpendicular(away) * sine;
+}
+
+void take_back(Pinball game, BallId ball) {
+    remove_ball(game.world, ball);
+    ++game.state.removals_seen;  // it is not drained
+    ++game.state.lost;
+    ++game.state.to_serve;
+    game.state.serves_itself = true;
+}
+
+}  // namespace
+
+void search_balls(Pinball game) {
+    World& world = game.world;
+    std::vector<PinballState::Watch> watches;
+    std::vector<BallId> given_up;
+    for (std::size_t i = 0; i < world.balls.size(); ++i) {
+        const BallId id = world.balls.id[i];
+        const Vec2 at = world.balls.position[i];
+        const auto known =
+            std::ranges::lower_bound(game.state.watches, id, {}, &PinballState::Watch::ball);
+        PinballState::Watch watch{id, at, game.now(), 0};
+        if (known != game.state.watches.end() && known->ball == id) watch = *known;
+        const bool gets_on = distance(at, watch.place) > world.balls.radius[i];
+        if (gets_on) watch = {id, at, game.now(), 0};
+        if (is_off(game, i)) {
+            given_up.push_back(id);
+            continue;
+        }
+        const bool is_due = game.now() >= watch.since + game.ticks(patience);
+        if (is_due) {
+            const bool may_stay =
+                is_cradled(game, i) || is_held(game.state, id) || is_on_plunger(game.scene, world);
+            watch.since = game.now();
+            if (!may_stay && watch.searches >= most_kicks) {
+                given_up.push_back(id);
+                continue;
+            }
+            if (!may_stay) {
+                ++watch.searches;
+                ++game.state.searches;
+                world.balls.velocity[i] += way_out(game, i) * (kick * world.balls.radius[i]);
+            }
+        }
+        watches.push_back(watch);
+    }
+    game.state.watches = std::move(watches);
+    for (const BallId id : given_up)
+        take_back(game, id);
+}
+
+}  // namespace carom

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "level/scene/table.h"
+#include "physics/world/ids.h"
+
+namespace carom {
+
+/// A game of pinball, beside the world: everything that its rules remember. Times are ticks.
+struct PinballState {
+    enum class Phase : std::uint8_t {
+        playing,
+        counting,  ///< the ball is lost, and its bonus has been counted
+        over       ///< the plunger begins another game
+    };
+    Phase phase = Phase::playing;
+    std::uint64_t phase_until = 0;  ///< counting
+
+    std::int64_t score = 0;
+    std::uint32_t ball = 1;  ///< which of the game's
+    std::uint32_t extra_balls = 0;
+    std::int64_t bonus = 0;
+    std::int64_t multiplier = 1;  ///< of the bonus
+    std::uint64_t games = 1;
+
+    /// The ball of this turn has been launched, so that the clock of its save runs.
+    bool is_launched = false;
+    std::uint64_t save_until = 0;
+    std::uint32_t to_serve = 0;   ///< balls that wait to come to the plunger
+    bool serves_itself = false;   ///< the table launches them
+    std::uint64_t launch_at = 0;  ///< by itself; 0: not
+    double pull = 0.0;            ///< of the plunger, 0..1
+
+    std::array<bool, button_count> is_down{};
+    std::uint64_t nudge_until = 0;
+    Vec2 nudge;  ///< acceleration, length/s^2
+    double tilt_meter = 0.0;
+    std::uint32_t warnings = 0;
+    bool is_tilted = false;
+
+    /// By PinballTable::devices.
+    std::vector<std::uint8_t> is_lit;
+    /// What kicks shines for a moment: for the eye alone, and in no fingerprint.
+    std::vector<std::uint64_t> flash_until;
+    std::vector<std::uint64_t> lit_until;  ///< 0: for good
+    std::vector<std::uint8_t> is_rising;   ///< drop targets that wait for a ball to go
+    std::vector<double> turning;           ///< spinners: half turns a second
+    std::vector<double> turned;            ///< spinners: of a half turn
+
+    struct Visit {
+        std::uint32_t device = 0;
+        BallId ball{};
+        friend auto operator<=>(const Visit&, const Visit&) = default;
+    };
+    std::vector<Visit> visits;  ///< who is in which zone, ascending
+
+    /// A ball in a hole.
+    struct Held {
+        std::uint32_t device = 0;
+        BallId ball{};
+        std::uint64_t until = 0;
+    };
+    std::vector<Held> held;
+
+    /// A ball and where it was when it last got on.
+    struct Watch {
+        BallId ball{};
+        Vec2 place;
+        std::uint64_t since = 0;
+        std::uint32_t searches = 0;
+    };
+    std::vector<Watch> watches;  ///< ascending by ball
+
+    std::uint64_t removals_seen = 0;
+    std::uint64_t drained = 0;   ///< balls, saved ones included
+    std::uint64_t searches = 0;  ///< kicks that a ball search gave
+    std::uint64_t lost = 0;      ///< balls that were taken back since no search freed them, or that
+                                 ///< were off the table
+
+    std::string message;
+    std::uint64_t message_until = 0;
+};
+
+}  // namespace carom

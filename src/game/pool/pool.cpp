@@ -1,0 +1,303 @@
+#include "game/pool/pool.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "game/fold.h"
+#include "geometry/impact.h"
+
+namespace carom {
+
+const Rack& rack_of(const Scene& scene) {
+    const auto wanted = scene.game == "eightball" ? Rack::Shape::eight : Rack::Shape::nine;
+    return *std::ranges::find(scene.pool.racks, wanted, &Rack::shape);
+}
+
+namespace {
+
+// As the scene's ball of that id, but there, and at rest.
+BallId put_ball(const Scene& scene, World& world, BallId like, Vec2 place) {
+    const Balls& balls = scene.world.balls;
+    const std::size_t i = *index_of(scene.world, like);
+    BallSpec spec;
+    spec.kind = balls.kind[i];
+    spec.position = place;
+    spec.radius = balls.radius[i];
+    spec.mass = 1.0 / balls.inverse_mass[i];
+    if (!balls.restitution.empty()) spec.restitution = balls.restitution[i];
+    return add_ball(world, spec);
+}
+
+BallId first_id(const Scene& scene, int ball) {
+    return ball == cue_ball ? scene.pool.cue->ball
+                            : rack_of(scene).balls[static_cast<std::size_t>(ball - 1)];
+}
+
+bool is_free(const World& world, Vec2 place, double radius) {
+    for (std::size_t i = 0; i < world.balls.size(); ++i)
+        if (length(world.balls.position[i] - place) < radius + world.balls.radius[i]) return false;
+    return true;
+}
+
+// The nearest free place from `spot` on, along `way`; where there is none, before it.
+Vec2 free_place(const World& world, Vec2 spot, Vec2 way, double radius) {
+    constexpr int most_steps = 400;
+    const double step = 0.05 * radius;
+    for (const double sign : {1.0, -1.0})
+        for (int i = 0; i < most_steps; ++i) {
+            const Vec2 place = spot + way * (sign * step * i);
+            if (is_free(world, place, radius)) return place;
+        }
+    return spot;
+}
+
+void put_back(const Scene& scene, World& world, PoolPlay& play, int ball) {
+    const BallId like = first_id(scene, ball);
+    const double radius = scene.world.balls.radius[*index_of(scene.world, like)];
+    const Rack& rack = rack_of(scene);
+    const Vec2 spot = ball == cue_ball ? free_place(world, head_spot(scene), -rack.toward, radius)
+                                       : free_place(world, rack.foot, rack.toward, radius);
+    play.balls[static_cast<std::size_t>(ball)] = put_ball(scene, world, like, spot);
+}
+
+void rack_anew(const Scene& scene, World& world, PoolPlay& play) {
+    for (std::optional<BallId>& ball : play.balls) {
+        if (ball) remove_ball(world, *ball);
+        ball.reset();
+    }
+    const int count = static_cast<int>(rack_of(scene).balls.size());
+    for (int ball = 0; ball <= count; ++ball) {
+        const BallId like = first_id(scene, ball);
+        const Vec2 place = scene.world.balls.position[*index_of(scene.world, like)];
+        play.balls[static_cast<std::size_t>(ball)] = put_ball(scene, world, like, place);
+    }
+}
+
+void carry_out(const Scene& scene, World& world, PoolPlay& play, const PoolRuling& ruling) {
+    play.clock_from = world.tick;
+    play.rules = ruling.next;
+    play.last_foul = ruling.foul;
+    play.call = {};
+    if (play.rules.winner) ++play.frames[static_cast<std::size_t>(*play.rules.winner)];
+    if (ruling.rerack) return rack_anew(scene, world, play);
+    for (const int ball : ruling.respot)
+        put_back(scene, world, play, ball);
+    if (!play.balls[cue_ball] && play.rules.phase != PoolPhase::over)
+        put_back(scene, world, play, cue_ball);
+}
+
+// Of a time in s, whole, and at least one where it is any time at all.
+std::uint64_t ticks_of(double seconds, double rate) {
+    constexpr double most = 1e15;
+    const double ticks = std::min(seconds * rate, most);
+    const auto whole = static_cast<std::uint64_t>(ticks);
+    return static_cast<double>(whole) < ticks ? whole + 1 : whole;
+}
+
+void run_out_of_time(const Scene& scene, World& world, PoolPlay& play) {
+    if (play.rules.phase != PoolPhase::choosing) {
+        play.shooter = play.rules.player;
+        play.shot = {};
+    }
+    carry_out(scene, world, play, judge_time(play.rules));
+}
+
+void note_contacts(PoolPlay& play, std::span<const Contact> contacts) {
+    for (const Contact& contact : contacts) {
+        const auto a = number_of(play, BallId{contact.a});
+        if (contact.kind == ContactKind::ball_ball) {
+            const auto b = number_of(play, BallId{contact.b});
+            if (!a || !b || play.shot.first_hit) continue;
+            if (*a == cue_ball || *b == cue_ball) play.shot.first_hit = *a == cue_ball ? *b : *a;
+            continue;
+        }
+        if (!a) continue;
+        if (play.shot.first_hit) play.shot.rail_after_hit = true;
+        play.shot.railed |= std::uint32_t{1} << *a;
+    }
+}
+
+void note_pocketed(const Scene& scene, const World& world, PoolPlay& play) {
+    auto removal = world.removed.end();
+    while (removal != world.removed.begin() && std::prev(removal)->tick == world.tick)
+        --removal;
+    for (; removal != world.removed.end(); ++removal) {
+        const auto ball = number_of(play, removal->id);
+        if (!ball || removal->zone < 0) continue;
+        const auto pocket =
+            std::ranges::find(scene.pool.pockets, static_cast<std::uint32_t>(removal->zone));
+        play.shot.pocketed.push_back(
+            {*ball, static_cast<int>(pocket - scene.pool.pockets.begin())});
+        play.balls[static_cast<std::size_t>(*ball)].reset();
+    }
+}
+
+}  // namespace
+
+void obey(const Scene& scene, World& world, PoolPlay& play, const Command& command) {
+    if (const auto* call = std::get_if<command::CallShot>(&command)) {
+        play.call = call->call;
+    } else if (const auto* decide = std::get_if<command::Decide>(&command)) {
+        make_choice(scene, world, play, decide->choice);
+    } else if (std::holds_alternative<command::RackAgain>(command)) {
+        rack_again(scene, world, play);
+    } else {
+        obey(world, command);
+        if (std::holds_alternative<command::Strike>(command)) begin_shot(play);
+    }
+}
+
+bool is_on_table(const Scene& scene, const World& world, Vec2 place, double radius) {
+    const Vec2 from = head_spot(scene);
+    const Disc ball{from, radius};
+    for (const Capsule& edge : world.capsules.shape)
+        if (first_impact(ball, place - from, edge, 1.0)) return false;
+    return std::ranges::none_of(scene.pool.pockets, [&](std::uint32_t pocket) {
+        const Capsule& shape = scene.world.zones[pocket].shape;
+        return length(place - shape.start) < shape.radius;
+    });
+}
+
+bool lies_still(const World& world) {
+    const auto moves = [](Vec2 v) { return !(v == Vec2{}); };
+    return std::ranges::none_of(world.balls.velocity, moves) &&
+           std::ranges::none_of(world.balls.roll, moves);
+}
+
+std::uint64_t folded(std::uint64_t start, const PoolPlay& play) {
+    Fold fold(start);
+    const auto add = [&fold](auto value) {
+        fold.add(static_cast<std::uint64_t>(static_cast<std::int64_t>(value)));
+    };
+    const auto add_shot = [&](const PoolShot& shot) {
+        add(shot.first_hit.value_or(-1));
+        add(shot.rail_after_hit);
+        add(shot.railed);
+        add(shot.pocketed.size());
+        for (const PoolShot::Pocketed& pocketed : shot.pocketed) {
+            add(pocketed.ball);
+            add(pocketed.pocket);
+        }
+    };
+    const PoolState& rules = play.rules;
+    add(rules.game);
+    add(rules.options.nine_on_break_wins);
+    add(rules.options.fouls_that_lose);
+    add(rules.phase);
+    add(rules.player);
+    add(rules.down);
+    add(rules.group ? static_cast<int>(*rules.group) : -1);
+    add(rules.in_hand);
+    add(rules.may_push_out);
+    add(rules.fouls[0]);
+    add(rules.fouls[1]);
+    add(rules.choices.size());
+    for (const PoolChoice choice : rules.choices)
+        add(choice);
+    add(rules.winner.value_or(-1));
+    for (const std::optional<BallId>& ball : play.balls)
+        add(ball ? static_cast<std::int64_t>(number(*ball)) : -1);
+    add(play.call.kind);
+    add(play.call.ball);
+    add(play.call.pocket);
+    add(play.is_shooting);
+    add_shot(play.shot);
+    add(play.shooter.value_or(-1));
+    add(play.last_foul);
+    add(play.shots);
+    add(play.breaker);
+    add(play.frames[0]);
+    add(play.frames[1]);
+    if (play.race > 0) add(play.race);
+    if (play.clock > 0) {
+        fold.add(play.clock);
+        fold.add(play.clock_from);
+    }
+    return fold.state();
+}
+
+std::size_t bytes_of(const PoolPlay& play) {
+    return play.shot.pocketed.capacity() * sizeof(PoolShot::Pocketed) +
+           play.rules.choices.capacity() * sizeof(PoolChoice);
+}
+
+std::optional<int> match_winner(const PoolPlay& play) {
+    for (const int player : {0, 1})
+        if (play.race > 0 && play.frames[static_cast<std::size_t>(player)] >= play.race)
+            return player;
+    return std::nullopt;
+}
+
+std::optional<std::uint64_t> time_left(const World& world, const PoolPlay& play) {
+    if (play.clock == 0 || play.is_shooting || play.rules.phase == PoolPhase::over)
+        return std::nullopt;
+    const std::uint64_t gone = world.tick - play.clock_from;
+    return gone < play.clock ? play.clock - gone : 0;
+}
+
+std::optional<int> number_of(const PoolPlay& play, BallId ball) {
+    const auto found = std::ranges::find(play.balls, std::optional(ball));
+    if (found == play.balls.end()) return std::nullopt;
+    return static_cast<int>(found - play.balls.begin());
+}
+
+Vec2 head_spot(const Scene& scene) {
+    // The head spot lies as far from the middle of the table as the foot spot.
+    Vec2 middle;
+    for (const std::uint32_t pocket : scene.pool.pockets)
+        middle += scene.world.zones[pocket].shape.start;
+    middle = middle / static_cast<double>(scene.pool.pockets.size());
+    return middle * 2.0 - rack_of(scene).foot;
+}
+
+std::optional<PoolPlay> begin_pool(const Scene& scene, int breaker) {
+    if (scene.game != "eightball" && scene.game != "nineball") return std::nullopt;
+    PoolPlay play;
+    play.breaker = breaker;
+    play.rules =
+        begin_rack(scene.game == "eightball" ? PoolGame::eight_ball : PoolGame::nine_ball, breaker);
+    const int count = static_cast<int>(rack_of(scene).balls.size());
+    for (int ball = 0; ball <= count; ++ball)
+        play.balls[static_cast<std::size_t>(ball)] = first_id(scene, ball);
+    play.race = scene.pool.race;
+    play.clock = ticks_of(scene.pool.clock, scene.world.rate);
+    return play;
+}
+
+void begin_shot(PoolPlay& play) {
+    play.is_shooting = true;
+    play.shooter = play.rules.player;
+    play.shot = {};
+    ++play.shots;
+}
+
+void follow_pool(const Scene& scene, World& world, PoolPlay& play,
+                 std::span<const Contact> contacts) {
+    if (!play.is_shooting) {
+        if (time_left(world, play) == std::uint64_t{0}) run_out_of_time(scene, world, play);
+        return;
+    }
+    note_contacts(play, contacts);
+    note_pocketed(scene, world, play);
+    if (!lies_still(world)) return;
+    play.is_shooting = false;
+    carry_out(scene, world, play, judge(play.rules, play.call, play.shot));
+}
+
+void make_choice(const Scene& scene, World& world, PoolPlay& play, PoolChoice choice) {
+    carry_out(scene, world, play, choose(play.rules, choice));
+}
+
+void rack_again(const Scene& scene, World& world, PoolPlay& play) {
+    if (match_winner(play)) play.frames = {};
+    play.clock_from = world.tick;
+    if (play.rules.phase == PoolPhase::over) play.breaker = 1 - play.breaker;
+    play.rules = begin_rack(play.rules.game, play.breaker, play.rules.options);
+    play.call = {};
+    play.shot = {};
+    play.shooter.reset();
+    play.last_foul = PoolFoul::none;
+    rack_anew(scene, world, play);
+}
+
+}  // namespace carom

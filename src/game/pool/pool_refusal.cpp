@@ -1,0 +1,100 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "game/pool/pool.h"
+
+/// What the rules of pool do not let a player do.
+namespace carom {
+namespace {
+
+using Refusal = std::optional<std::string>;
+
+Refusal refused(const Scene& scene, const World& world, const PoolPlay& play,
+                const command::Strike& strike) {
+    if (auto why = refusal_to_shoot(play, strike.ball)) return why;
+    if (auto why = refusal(world, Command(strike))) return why;
+    const double speed = length(strike.velocity);
+    const double most = scene.pool.cue->most_power;
+    constexpr double rounding = 1e-9;
+    if (!(speed > 0.0)) return "the cue does not move";
+    if (speed > most * (1.0 + rounding)) return fmt::format("the cue gives at most {:g} m/s", most);
+    return std::nullopt;
+}
+
+Refusal refused(const Scene& scene, const World& world, const PoolPlay& play,
+                const command::PlaceBall& place) {
+    if (auto why = refusal_to_place(scene, play, place.ball, place.position)) return why;
+    if (auto why = refusal(world, Command(place))) return why;
+    const double radius = world.balls.radius[*index_of(world, place.ball)];
+    if (!is_on_table(scene, world, place.position, radius)) return "it must lie on the table";
+    return std::nullopt;
+}
+
+Refusal refused(const Scene& scene, const World&, const PoolPlay& play,
+                const command::CallShot& call) {
+    using enum PoolCall::Kind;
+    if (auto why = refusal_to_shoot(play, play.balls[cue_ball].value_or(BallId{}))) return why;
+    if (call.call.kind == push_out)
+        return play.rules.may_push_out ? Refusal{} : "a push-out is for the shot after the break";
+    if (call.call.kind == none) return std::nullopt;
+    if (play.rules.game == PoolGame::nine_ball) return "in 9-ball nothing is called";
+    if (play.rules.phase == PoolPhase::breaking) return "nothing is called on the break";
+    if (call.call.kind == safety) return std::nullopt;
+    const int last = static_cast<int>(rack_of(scene).balls.size());
+    if (call.call.ball < 1 || call.call.ball > last ||
+        !play.balls[static_cast<std::size_t>(call.call.ball)])
+        return fmt::format("the {} is not on the table", call.call.ball);
+    const int pockets = static_cast<int>(scene.pool.pockets.size());
+    if (call.call.pocket < 0 || call.call.pocket >= pockets) return "there is no such pocket";
+    return std::nullopt;
+}
+
+Refusal refused(const Scene&, const World&, const PoolPlay& play, const command::Decide& decide) {
+    if (play.rules.phase == PoolPhase::choosing &&
+        std::ranges::count(play.rules.choices, decide.choice))
+        return std::nullopt;
+    return "that is not to be chosen now";
+}
+
+Refusal refused(const Scene&, const World&, const PoolPlay& play, const command::RackAgain&) {
+    return play.is_shooting ? Refusal{"the balls still roll"} : Refusal{};
+}
+
+Refusal refused(const Scene&, const World& world, const PoolPlay&, const command::SetSolver& set) {
+    return refusal(world, Command(set));
+}
+
+template <typename Other>
+Refusal refused(const Scene&, const World&, const PoolPlay&, const Other&) {
+    return "in this game only the cue moves anything; pool-table has no rules";
+}
+
+}  // namespace
+
+std::optional<std::string> refusal(const Scene& scene, const World& world, const PoolPlay& play,
+                                   const Command& command) {
+    return std::visit([&](const auto& c) { return refused(scene, world, play, c); }, command);
+}
+
+std::optional<std::string> refusal_to_shoot(const PoolPlay& play, BallId ball) {
+    if (play.is_shooting) return "the balls still roll";
+    if (play.rules.phase == PoolPhase::over) return "the rack is over";
+    if (play.rules.phase == PoolPhase::choosing) return "there is something to decide first";
+    if (play.balls[cue_ball] != std::optional(ball)) return "only the cue ball is struck";
+    return std::nullopt;
+}
+
+std::optional<std::string> refusal_to_place(const Scene& scene, const PoolPlay& play, BallId ball,
+                                            Vec2 place) {
+    if (play.is_shooting) return "the balls still roll";
+    if (play.balls[cue_ball] != std::optional(ball) || play.rules.in_hand == CueInHand::no)
+        return "the ball stays where it lies";
+    const Vec2 toward = rack_of(scene).toward;
+    if (play.rules.in_hand == CueInHand::behind_head_string &&
+        dot(place - head_spot(scene), toward) > 0.0)
+        return "it must lie behind the head string";
+    return std::nullopt;
+}
+
+}  // namespace carom

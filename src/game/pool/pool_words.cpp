@@ -1,0 +1,158 @@
+#include "game/pool/pool_words.h"
+
+#include <fmt/format.h>
+
+namespace carom {
+namespace {
+
+const std::string& name_of(const PlayerNames& names, int player) {
+    return names[static_cast<std::size_t>(player)];
+}
+
+int balls_left(const PoolPlay& play, PoolGroup group) {
+    int left = 0;
+    for (int ball = 1; ball < 16; ++ball)
+        if (group_of(ball) == group && !is_down(play.rules, ball)) ++left;
+    return left;
+}
+
+// "you: wins the frame", and the match where that was its last.
+std::string win_text(const PoolPlay& play, const PlayerNames& names) {
+    if (const auto winner = match_winner(play))
+        return fmt::format("{}: wins the match {}:{}", name_of(names, *winner),
+                           play.frames[static_cast<std::size_t>(*winner)],
+                           play.frames[static_cast<std::size_t>(1 - *winner)]);
+    return name_of(names, *play.rules.winner) + ": wins the frame";
+}
+
+// What the player plays for: "solids, 5 left", "on the 8", "on the 3".
+std::string target_text(const PoolPlay& play) {
+    const PoolState& rules = play.rules;
+    if (rules.phase == PoolPhase::breaking) return "";
+    if (rules.game == PoolGame::nine_ball) return fmt::format(", on the {}", lowest_ball(rules));
+    const auto group = group_of_player(rules, rules.player);
+    if (!group) return ", open table";
+    const int left = balls_left(play, *group);
+    if (left == 0) return ", on the 8";
+    return fmt::format(", {}, {} left", *group == PoolGroup::solids ? "solids" : "stripes", left);
+}
+
+std::string task_text(const PoolPlay& play) {
+    const PoolState& rules = play.rules;
+    if (play.is_shooting) return "the balls roll";
+    if (rules.phase == PoolPhase::choosing) return "to choose";
+    if (rules.phase == PoolPhase::breaking) return "to break, ball in hand behind the line";
+    if (rules.in_hand == CueInHand::anywhere) return "ball in hand";
+    if (rules.in_hand == CueInHand::behind_head_string) return "ball in hand behind the line";
+    if (rules.may_push_out) return "to shoot, or push out";
+    return "to shoot";
+}
+
+std::string fallen_text(const PoolShot& shot) {
+    std::string balls;
+    int count = 0;
+    for (const PoolShot::Pocketed& pocketed : shot.pocketed) {
+        if (pocketed.ball == cue_ball) continue;
+        balls += fmt::format("{}{}", count > 0 ? ", " : "", pocketed.ball);
+        ++count;
+    }
+    return count == 0 ? "" : fmt::format("down: {}. ", balls);
+}
+
+}  // namespace
+
+std::string pocket_name(const Scene& scene, int pocket) {
+    const auto place_of = [&](std::size_t i) {
+        return scene.world.zones[scene.pool.pockets[i]].shape.start;
+    };
+    const Vec2 middle = center(scene.view);
+    const Vec2 place = place_of(static_cast<std::size_t>(pocket)) - middle;
+    const Vec2 half = size(scene.view) * 0.5;
+    const auto side = [](double share, const char* less, const char* more) {
+        return share < -0.3 ? less : share > 0.3 ? more : "middle";
+    };
+    return fmt::format("{} {}", side(place.y / half.y, "bottom", "top"),
+                       side(place.x / half.x, "left", "right"));
+}
+
+std::string_view foul_text(PoolFoul foul) {
+    switch (foul) {
+        case PoolFoul::none:
+            return "";
+        case PoolFoul::scratch:
+            return "the cue ball fell";
+        case PoolFoul::no_hit:
+            return "no ball was met";
+        case PoolFoul::wrong_ball:
+            return "the wrong ball was met first";
+        case PoolFoul::no_rail:
+            return "nothing fell or met a cushion";
+        case PoolFoul::weak_break:
+            return "fewer than four balls met a cushion";
+        case PoolFoul::time:
+            return "the time is up";
+    }
+    return "";
+}
+
+std::string_view choice_text(PoolChoice choice) {
+    switch (choice) {
+        case PoolChoice::take_table:
+            return "shoot from here";
+        case PoolChoice::break_again:
+            return "rack again and break";
+        case PoolChoice::let_break:
+            return "rack again, the other breaks";
+        case PoolChoice::spot_eight:
+            return "put the 8 back and go on";
+        case PoolChoice::return_push:
+            return "the other must shoot";
+    }
+    return "";
+}
+
+std::string call_text(const Scene& scene, const PoolCall& call) {
+    switch (call.kind) {
+        case PoolCall::Kind::pot:
+            return fmt::format("the {} into the {}", call.ball, pocket_name(scene, call.pocket));
+        case PoolCall::Kind::safety:
+            return "safety";
+        case PoolCall::Kind::push_out:
+            return "push-out";
+        default:
+            return "";
+    }
+}
+
+std::string turn_text(const PoolPlay& play, const PlayerNames& names) {
+    const PoolState& rules = play.rules;
+    const std::string race = play.race > 0 ? fmt::format(" to {},", play.race) : "";
+    const std::string frames = fmt::format("{}:{}{} ", play.frames[0], play.frames[1], race);
+    if (rules.winner) return frames + win_text(play, names);
+    return frames + name_of(names, rules.player) + target_text(play) + ": " + task_text(play);
+}
+
+std::string clock_text(const World& world, const PoolPlay& play) {
+    const auto left = time_left(world, play);
+    if (!left) return "";
+    const double seconds = static_cast<double>(*left) / world.rate;
+    const auto whole = static_cast<std::uint64_t>(seconds);
+    return fmt::format("{} s", static_cast<double>(whole) < seconds ? whole + 1 : whole);
+}
+
+std::string outcome_text(const PoolPlay& play, const PlayerNames& names) {
+    if (!play.shooter || play.is_shooting) return "";
+    const PoolState& rules = play.rules;
+    const std::string fallen = fallen_text(play.shot);
+    const std::string foul = play.last_foul == PoolFoul::none
+                                 ? ""
+                                 : fmt::format("foul: {}. ", foul_text(play.last_foul));
+    if (rules.winner) return fallen + foul + win_text(play, names);
+    const std::string& next = name_of(names, rules.player);
+    if (rules.phase == PoolPhase::choosing) return fallen + foul + next + ": to choose";
+    if (rules.in_hand != CueInHand::no) return fallen + foul + next + ": ball in hand";
+    if (rules.player == *play.shooter) return fallen + next + ": goes on";
+    return fallen + foul + next + ": to shoot";
+}
+
+}  // namespace carom

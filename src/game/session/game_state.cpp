@@ -1,0 +1,160 @@
+#include "game/session/game_state.h"
+
+#include "game/fold.h"
+#include "game/pinball/pinball.h"
+#include "physics/world/fingerprint.h"
+
+namespace carom {
+namespace {
+
+std::uint64_t folded(const World& world, const PinballState& s) {
+    Fold fold(fingerprint(world));
+    // Ramps change the kinds of balls.
+    if (kinds_of_a_layer(world) < world.kinds.size())
+        for (const ClassIndex kind : world.balls.kind)
+            fold.add(std::uint64_t{kind});
+    for (const std::uint64_t value : {static_cast<std::uint64_t>(s.phase),
+                                      s.phase_until,
+                                      static_cast<std::uint64_t>(s.score),
+                                      std::uint64_t{s.ball},
+                                      std::uint64_t{s.extra_balls},
+                                      static_cast<std::uint64_t>(s.bonus),
+                                      static_cast<std::uint64_t>(s.multiplier),
+                                      s.games,
+                                      std::uint64_t{s.is_launched},
+                                      s.save_until,
+                                      std::uint64_t{s.to_serve},
+                                      std::uint64_t{s.serves_itself},
+                                      s.launch_at,
+                                      s.nudge_until,
+                                      std::uint64_t{s.warnings},
+                                      std::uint64_t{s.is_tilted},
+                                      s.removals_seen,
+                                      s.drained,
+                                      s.searches,
+                                      s.lost,
+                                      s.message_until,
+                                      std::uint64_t{s.message.size()}})
+        fold.add(value);
+    fold.add(s.pull);
+    fold.add(s.nudge);
+    fold.add(s.tilt_meter);
+    for (const bool is_down : s.is_down)
+        fold.add(std::uint64_t{is_down});
+    for (std::size_t i = 0; i < s.is_lit.size(); ++i) {
+        fold.add(std::uint64_t{s.is_lit[i]} * 2 + s.is_rising[i]);
+        fold.add(s.turning[i]);
+        fold.add(s.turned[i]);
+    }
+    for (std::size_t i = 0; i < s.lit_until.size(); ++i)
+        if (s.lit_until[i] > 0) {
+            fold.add(std::uint64_t{i});
+            fold.add(s.lit_until[i]);
+        }
+    for (const PinballState::Held& held : s.held) {
+        fold.add(std::uint64_t{held.device} << 32 | number(held.ball));
+        fold.add(held.until);
+    }
+    for (const PinballState::Visit& visit : s.visits)
+        fold.add(std::uint64_t{visit.device} << 32 | number(visit.ball));
+    for (const PinballState::Watch& watch : s.watches) {
+        fold.add(std::uint64_t{number(watch.ball)});
+        fold.add(watch.place);
+        fold.add(watch.since);
+        fold.add(std::uint64_t{watch.searches});
+    }
+    return fold.state();
+}
+
+}  // namespace
+
+GameState begin_game(const Scene& scene) {
+    if (const auto pool = begin_pool(scene)) return *pool;
+    if (scene.table.is_empty()) return {};
+    return begin_pinball(scene);
+}
+
+void follow_rules(const Scene& scene, World& world, GameState& game,
+                  std::span<const Contact> contacts) {
+    if (auto* pinball = std::get_if<PinballState>(&game))
+        follow_pinball(scene, world, *pinball, contacts);
+    if (auto* pool = std::get_if<PoolPlay>(&game)) follow_pool(scene, world, *pool, contacts);
+}
+
+std::optional<std::string> refusal(const Scene& scene, const World& world, const GameState& game,
+                                   const Command& command) {
+    if (const auto* pool = std::get_if<PoolPlay>(&game))
+        return refusal(scene, world, *pool, command);
+    const auto* press = std::get_if<command::Press>(&command);
+    const auto* pull = std::get_if<command::Pull>(&command);
+    if ((!press && !pull) || !std::holds_alternative<PinballState>(game))
+        return refusal(world, command);
+    if (pull && !(pull->share >= 0.0 && pull->share <= 1.0))
+        return "a plunger is pulled by 0 to 1 of its way";
+    if (has_button(scene, press ? press->button : Button::plunger)) return std::nullopt;
+    return "this table has nothing that the button moves";
+}
+
+void obey(const Scene& scene, World& world, GameState& game, const Command& command) {
+    const auto* pressed = std::get_if<command::Press>(&command);
+    const auto* pulled = std::get_if<command::Pull>(&command);
+    auto* pinball = std::get_if<PinballState>(&game);
+    if (pressed && pinball)
+        press(scene, world, *pinball, pressed->button, pressed->is_down);
+    else if (pulled && pinball)
+        pull_plunger(scene, world, *pinball, pulled->share, pulled->lets_go);
+    else if (auto* pool = std::get_if<PoolPlay>(&game))
+        obey(scene, world, *pool, command);
+    else
+        obey(world, command);
+}
+
+std::vector<Button> pressed_buttons(const GameState& game) {
+    std::vector<Button> down;
+    const auto* pinball = std::get_if<PinballState>(&game);
+    for (int button = 0; pinball && button < button_count; ++button)
+        if (pinball->is_down[static_cast<std::size_t>(button)])
+            down.push_back(static_cast<Button>(button));
+    return down;
+}
+
+bool is_plunger_pulled(const GameState& game) {
+    const auto* pinball = std::get_if<PinballState>(&game);
+    return pinball && pinball->pull > 0.0;
+}
+
+std::uint64_t fingerprint(const World& world, const GameState& game) {
+    if (const auto* pool = std::get_if<PoolPlay>(&game)) return folded(fingerprint(world), *pool);
+    if (const auto* pinball = std::get_if<PinballState>(&game)) return folded(world, *pinball);
+    return fingerprint(world);
+}
+
+std::size_t bytes_of(const GameState& game) {
+    if (const auto* pool = std::get_if<PoolPlay>(&game)) return bytes_of(*pool);
+    const auto* pinball = std::get_if<PinballState>(&game);
+    if (!pinball) return 0;
+    const auto bytes_in = [](const auto& values) {
+        return values.capacity() * sizeof(values.front());
+    };
+    return bytes_in(pinball->is_lit) + bytes_in(pinball->is_rising) + bytes_in(pinball->turning) +
+           bytes_in(pinball->turned) + bytes_in(pinball->visits) + bytes_in(pinball->watches) +
+           bytes_in(pinball->lit_until) + bytes_in(pinball->flash_until) + bytes_in(pinball->held) +
+           pinball->message.capacity();
+}
+
+std::vector<std::pair<std::string, std::uint64_t>> tallies(const GameState& game) {
+    if (const auto* pool = std::get_if<PoolPlay>(&game))
+        return {{"player", static_cast<std::uint64_t>(pool->rules.player) + 1},
+                {"shots", std::uint64_t{pool->shots}},
+                {"frames1", std::uint64_t{pool->frames[0]}},
+                {"frames2", std::uint64_t{pool->frames[1]}}};
+    const auto* pinball = std::get_if<PinballState>(&game);
+    if (!pinball) return {};
+    return {{"score", static_cast<std::uint64_t>(pinball->score)},
+            {"ball", std::uint64_t{pinball->ball}},
+            {"drained", pinball->drained},
+            {"searches", pinball->searches},
+            {"lost", pinball->lost}};
+}
+
+}  // namespace carom

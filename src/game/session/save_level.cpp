@@ -1,0 +1,318 @@
+#include "game/session/save_level.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "geometry/elementary.h"
+#include "physics/tick/totals.h"
+
+namespace carom {
+namespace {
+
+/// A line is broken after this many points.
+constexpr std::size_t points_a_line = 6;
+
+/// The mass whose inverse this is. Exact, since it is the inverse of some mass: 1/(1/(1/m)) has the
+/// bits of 1/m.
+double mass_of(double inverse_mass) {
+    return 1.0 / inverse_mass;
+}
+
+/// What the loader, which does `read`, turns into exactly `wanted`: within a few units in the last
+/// place of the guess.
+template <typename Read>
+double unread(double guess, double wanted, Read read) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double below = guess;
+    double above = guess;
+    for (int i = 0; i < 8; ++i) {
+        if (read(below) == wanted) return below;
+        if (read(above) == wanted) return above;
+        below = std::nextafter(below, -infinity);
+        above = std::nextafter(above, infinity);
+    }
+    return guess;
+}
+
+double degrees_of(double radians) {
+    return unread(radians * 180.0 / pi, radians, [](double x) { return x * pi / 180.0; });
+}
+
+/// In rad/s, which the loader holds in degrees for a while.
+double spin_of(double spin) {
+    constexpr double degrees = 180.0 / pi;
+    return unread(spin, spin, [](double x) { return x * degrees / degrees; });
+}
+
+class LevelWriter {
+  public:
+    LevelWriter(const Scene& scene, const World& world)
+        : scene_(scene), world_(world), has_units_(scene.unit != LengthUnit::natural) {}
+
+    std::string write() {
+        name_classes();
+        head();
+        model();
+        classes();
+        edges();
+        zones();
+        balls();
+        cue();
+        emitters();
+        shows();
+        return std::move(text_);
+    }
+
+  private:
+    template <typename... Arguments>
+    void line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
+        text_ += '\n';
+    }
+
+    std::string with_unit(double value, std::string_view unit) const {
+        return fmt::format("{}{}", value, has_units_ ? unit : "");
+    }
+    std::string with_unit(Vec2 value, std::string_view unit) const {
+        return with_unit(value.x, unit) + "," + with_unit(value.y, unit);
+    }
+    static std::string place(Vec2 value) { return fmt::format("{},{}", value.x, value.y); }
+
+    void head() {
+        line("carom 1 \"{}\"", scene_.title);
+        for (const std::string& comment : scene_.comment)
+            line("#{}{}", comment.empty() ? "" : " ", comment);
+        line("");
+        if (has_units_) line("units m");
+        line("rate {}", world_.rate);
+        line("seed {}", world_.seed);
+        if (scene_.solver) solver(*scene_.solver);
+        // A game of pool begins with a rack, which is written here as balls that lie somewhere.
+        const bool is_pool = scene_.game == "eightball" || scene_.game == "nineball";
+        if (scene_.game != "sandbox" && !is_pool) line("game {}", scene_.game);
+        line("world {} {}", place(scene_.view.low), place(scene_.view.high));
+    }
+
+    void solver(const SolverSettings& settings) {
+        switch (settings.kind) {
+            case SolverKind::substep:
+                return line("solver substep updates={} steps={}", settings.updates, settings.steps);
+            case SolverKind::swept:
+            case SolverKind::contact:
+                return line("solver {} substeps={}", name(settings.kind), substeps_of(settings));
+            default:
+                return line("solver {}", name(settings.kind));
+        }
+    }
+
+    void model() {
+        const Model& model = world_.model;
+        if (model.gravity) line("use gravity {}", with_unit(*model.gravity, "m/s2"));
+        if (model.drag) line("use drag {}", with_unit(*model.drag, "/s"));
+        if (model.stop_speed) line("use stop {}", with_unit(*model.stop_speed, "m/s"));
+        if (model.speed_limit) line("use limit {}", with_unit(*model.speed_limit, "m/s"));
+        if (model.scatter) line("use scatter {}", with_unit(degrees_of(*model.scatter), "deg"));
+        if (model.spin) line("use spin inertia={}", *model.spin);
+        if (model.cloth)
+            line("use cloth slide={} roll={} spin={} g={}", model.cloth->slide, model.cloth->roll,
+                 with_unit(has_units_ ? spin_of(model.cloth->spin) : model.cloth->spin, "rad/s2"),
+                 with_unit(model.cloth->gravity, "m/s2"));
+        if (model.wrap) line("use wrap");
+        if (deepest_overlap(world_) > 0.0) line("use overlap");
+    }
+
+    // The kind "ball" and the material "edge" may be those that stand for the unnamed. Written out
+    // they are the same; but in `collide` these words mean all balls and all edges.
+    void name_classes() {
+        kinds_ = scene_.kind_names;
+        materials_ = scene_.material_names;
+        if (!world_.model.filtered) return;
+        for (std::vector<std::string>* names : {&kinds_, &materials_})
+            for (std::string& name_text : *names)
+                while (name_text == "ball" || name_text == "edge" ||
+                       std::ranges::count(kinds_, name_text) +
+                               std::ranges::count(materials_, name_text) >
+                           1)
+                    name_text += '_';
+    }
+
+    void classes() {
+        for (std::size_t i = 0; i < world_.kinds.size(); ++i) {
+            const Kind& kind = world_.kinds[i];
+            line("kind {} r={} m={} e={}{}", kinds_[i], kind.radius, with_unit(kind.mass, "kg"),
+                 kind.restitution, friction(kind.friction));
+        }
+        for (std::size_t i = 0; i < world_.materials.size(); ++i) {
+            const Material& material = world_.materials[i];
+            line("material {} e={} soften={}{}", materials_[i], material.restitution,
+                 with_unit(material.soften, "s/m"), friction(material.friction));
+        }
+        if (!world_.model.filtered) return;
+        std::vector<std::string> names = kinds_;
+        names.insert(names.end(), materials_.begin(), materials_.end());
+        for (std::size_t a = 0; a < world_.kinds.size(); ++a)
+            for (std::size_t b = a; b < names.size(); ++b)
+                if (world_.meets[a * names.size() + b]) line("collide {} {}", names[a], names[b]);
+    }
+
+    static std::string friction(double coefficient) {
+        return coefficient > 0.0 ? fmt::format(" mu={}", coefficient) : "";
+    }
+
+    Side side_of(std::size_t i) const {
+        return world_.capsules.side.empty() ? Side::both : world_.capsules.side[i];
+    }
+
+    std::string_view group_of(CapsuleId id) const {
+        for (const Group& group : scene_.groups)
+            if (std::ranges::binary_search(group.capsules, id)) return group.name;
+        return {};
+    }
+
+    /// Whether capsule i + 1 goes on where capsule i ends, as one line.
+    bool goes_on(std::size_t i) const {
+        const Capsules& capsules = world_.capsules;
+        if (i + 1 >= capsules.size()) return false;
+        const Capsule& a = capsules.shape[i];
+        const Capsule& b = capsules.shape[i + 1];
+        return a.end == b.start && !(a.start == a.end) && !(b.start == b.end) &&
+               a.radius == b.radius && capsules.material[i] == capsules.material[i + 1] &&
+               side_of(i) == side_of(i + 1) &&
+               group_of(capsules.id[i]) == group_of(capsules.id[i + 1]);
+    }
+
+    bool is_outline(std::size_t first, std::size_t last) const {
+        const Capsules& capsules = world_.capsules;
+        if (last - first < 2 || !(capsules.shape[first].start == capsules.shape[last].end))
+            return false;
+        return std::ranges::any_of(scene_.outlines, [&](const std::vector<CapsuleId>& outline) {
+            return std::ranges::equal(outline,
+                                      std::span(capsules.id).subspan(first, last - first + 1));
+        });
+    }
+
+    void edges() {
+        for (std::size_t first = 0; first < world_.capsules.size();) {
+            std::size_t last = first;
+            while (goes_on(last) && !ends_outline(first, last))
+                ++last;
+            edge(first, last);
+            first = last + 1;
+        }
+    }
+
+    bool ends_outline(std::size_t first, std::size_t last) const {
+        return world_.capsules.shape[first].start == world_.capsules.shape[last].end;
+    }
+
+    void edge(std::size_t first, std::size_t last) {
+        const Capsules& capsules = world_.capsules;
+        const Capsule& shape = capsules.shape[first];
+        const std::string_view group = group_of(capsules.id[first]);
+        const std::string names =
+            materials_[capsules.material[first]] + (group.empty() ? "" : " ") + std::string(group);
+        if (shape.start == shape.end)
+            return line("peg {} at={} r={}", names, place(shape.start), shape.radius);
+        // A target that is down stands again.
+        constexpr std::string_view sides[] = {"", " side=left", " side=right", ""};
+        text_ += fmt::format("edge {} r={}{} {}", names, shape.radius,
+                             sides[static_cast<std::size_t>(side_of(first))], place(shape.start));
+        const bool closes = is_outline(first, last);
+        for (std::size_t i = first; i <= last - (closes ? 1 : 0); ++i) {
+            if ((i - first) % points_a_line == points_a_line - 1) text_ += " \\\n   ";
+            text_ += " " + place(capsules.shape[i].end);
+        }
+        text_ += closes ? " close\n" : "\n";
+    }
+
+    // In the order of their counters, so that they are counted in the same order again.
+    void zones() {
+        for (std::size_t i = 0; i < world_.zones.size(); ++i) {
+            const Zone& zone = world_.zones[i];
+            const std::string& full = scene_.zone_names[i];
+            if (std::ranges::count(scene_.pool.pockets, i)) {
+                line("pocket {} at={} r={}", full.substr(0, full.rfind('.')),
+                     place(zone.shape.start), zone.shape.radius);
+                continue;
+            }
+            line("zone {} {} {} r={}{}", full.substr(0, full.rfind('.')), place(zone.shape.start),
+                 place(zone.shape.end), zone.shape.radius,
+                 zone.effect == Zone::Effect::sink ? " sink" : "");
+        }
+    }
+
+    void balls() {
+        const Balls& balls = world_.balls;
+        for (std::size_t i = 0; i < balls.size(); ++i) {
+            const std::uint32_t id = number(balls.id[i]);
+            std::string name_text;
+            if (id < scene_.ball_names.size()) name_text = scene_.ball_names[id];
+            text_ += "ball ";
+            // Names with a suffix belong to copies; here each ball stands for itself.
+            std::ranges::replace(name_text, '.', '_');
+            if (!name_text.empty()) text_ += name_text + " ";
+            const Kind& kind = world_.kinds[balls.kind[i]];
+            text_ += fmt::format("kind={} at={} v={}", kinds_[balls.kind[i]],
+                                 place(balls.position[i]), with_unit(balls.velocity[i], "m/s"));
+            if (balls.radius[i] != kind.radius) text_ += fmt::format(" r={}", balls.radius[i]);
+            if (balls.inverse_mass[i] != 1.0 / kind.mass)
+                text_ += " m=" + with_unit(mass_of(balls.inverse_mass[i]), "kg");
+            if (!balls.restitution.empty() && balls.restitution[i] != kind.restitution)
+                text_ += fmt::format(" e={}", balls.restitution[i]);
+            if (!balls.spin.empty() && balls.spin[i] != 0.0)
+                text_ += " w=" + (has_units_ ? fmt::format("{}rad/s", spin_of(balls.spin[i]))
+                                             : fmt::format("{}", balls.spin[i]));
+            if (!balls.roll.empty() && !(balls.roll[i] == balls.velocity[i]))
+                text_ += " roll=" + with_unit(balls.roll[i], "m/s");
+            text_ += '\n';
+        }
+    }
+
+    void cue() {
+        const auto& cue = scene_.pool.cue;
+        if (!cue || !index_of(world_, cue->ball)) return;
+        std::string name_text = scene_.ball_names[number(cue->ball)];
+        std::ranges::replace(name_text, '.', '_');
+        line("cue ball={} power={}..{}", name_text, with_unit(cue->least_power, "m/s"),
+             with_unit(cue->most_power, "m/s"));
+    }
+
+    void emitters() {
+        for (const Emitter& emitter : world_.emitters) {
+            if (emitter.emitted >= emitter.count) continue;
+            line("spawn {} at={} v={} jitter={} vjitter={} every={} count={}", kinds_[emitter.kind],
+                 place(emitter.at), with_unit(emitter.velocity, "m/s"), place(emitter.jitter),
+                 with_unit(emitter.velocity_jitter, "m/s"), with_unit(emitter.every, "s"),
+                 emitter.count - emitter.emitted);
+        }
+    }
+
+    void shows() {
+        for (const Show& show : scene_.shows) {
+            if (show.what == Show::What::energy)
+                line("show energy");
+            else
+                line("show histogram of={}{}{}", show.of,
+                     show.against.empty() ? "" : " against=", show.against);
+        }
+    }
+
+    const Scene& scene_;
+    const World& world_;
+    bool has_units_;
+    std::vector<std::string> kinds_;
+    std::vector<std::string> materials_;
+    std::string text_;
+};
+
+}  // namespace
+
+std::string level_text(const Scene& scene, const World& world) {
+    return LevelWriter(scene, world).write();
+}
+
+}  // namespace carom

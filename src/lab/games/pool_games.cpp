@@ -1,0 +1,108 @@
+#include "lab/games/pool_games.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "game/ai/planner.h"
+#include "game/session/game_state.h"
+
+namespace carom {
+namespace {
+
+std::vector<Command> decision(const Scene& scene, const World& world, const PoolPlay& play,
+                              const SolverSettings& solver, const HandError& error) {
+    if (play.rules.phase == PoolPhase::choosing)
+        return {command::Decide{choice_of(scene, world, play, error)}};
+    const std::uint64_t seed = decision_seed(world, play);
+    PoolThinker thinker(scene, world, play, solver, error, seed);
+    while (!thinker.is_done())
+        thinker.work(PoolThinker::most_tries);
+    return commands_of(scene, play, thinker.best().front(), error, seed);
+}
+
+}  // namespace
+
+PoolFrame play_pool_frame(const Scene& scene, const SolverSettings& settings,
+                          const std::array<int, 2>& steadiness, std::uint32_t number) {
+    PoolFrame frame;
+    World world = scene.world;
+    world.seed = scene.world.seed + number;
+    GameState game = *begin_pool(scene, static_cast<int>(number % 2));
+    const auto& play = std::get<PoolPlay>(game);
+    Solver solver(settings);
+    for (std::uint32_t made = 0; made < most_decisions; ++made) {
+        if (play.rules.phase == PoolPhase::over) break;
+        const auto player = static_cast<std::size_t>(play.rules.player);
+        const std::uint32_t shots = play.shots;
+        for (const Command& command :
+             decision(scene, world, play, settings, error_of(steadiness[player]))) {
+            frame.refused = refusal(scene, world, game, command);
+            if (frame.refused) return frame;
+            obey(scene, world, game, command);
+        }
+        while (play.is_shooting) {
+            solver.tick(world);
+            follow_rules(scene, world, game, solver.contacts());
+        }
+        if (play.shots != shots && play.last_foul != PoolFoul::none) ++frame.fouls[player];
+    }
+    frame.winner = play.rules.winner;
+    frame.shots = play.shots;
+    frame.seconds = world.time();
+    return frame;
+}
+
+std::uint32_t frames_won(const PoolMatch& match, int player) {
+    return static_cast<std::uint32_t>(
+        std::ranges::count(match.frames, std::optional(player), &PoolFrame::winner));
+}
+
+std::uint32_t frames_unfinished(const PoolMatch& match) {
+    return static_cast<std::uint32_t>(
+        std::ranges::count_if(match.frames, [](const PoolFrame& frame) { return !frame.winner; }));
+}
+
+ShareRange likely_share(std::uint32_t won, std::uint32_t frames) {
+    if (frames == 0) return {};
+    constexpr double z = 1.96;  // of a normal distribution, on both sides
+    const double n = frames;
+    const double share = won / n;
+    const double middle = share + z * z / (2.0 * n);
+    const double reach = z * std::sqrt(share * (1.0 - share) / n + z * z / (4.0 * n * n));
+    const double scale = 1.0 + z * z / n;
+    return {std::max(0.0, (middle - reach) / scale), std::min(1.0, (middle + reach) / scale)};
+}
+
+std::string pool_match_head() {
+    return "| game | hands | frames | won | the steadier wins | shots a frame: mean, most | "
+           "fouls a frame | not ended |\n"
+           "|---|---|---|---|---|---|---|---|\n";
+}
+
+std::string pool_match_row(std::string_view game, const PoolMatch& match) {
+    const auto frames = static_cast<std::uint32_t>(match.frames.size());
+    const std::uint32_t won = frames_won(match, 0);
+    const std::uint32_t lost = frames_won(match, 1);
+    const ShareRange range = likely_share(won, won + lost);
+    double shots = 0.0;
+    std::uint32_t most = 0;
+    std::array<double, 2> fouls{};
+    for (const PoolFrame& frame : match.frames) {
+        shots += frame.shots;
+        most = std::max(most, frame.shots);
+        for (std::size_t i : {0u, 1u})
+            fouls[i] += frame.fouls[i];
+    }
+    const double count = std::max(1u, frames);
+    return fmt::format(
+        "| {} | {} against {} | {} | {}:{} | {:.0f} % ({:.0f} to {:.0f}) | {:.1f}, {} | "
+        "{:.1f} and {:.1f} | {} |\n",
+        game, match.steadiness[0], match.steadiness[1], frames, won, lost,
+        100.0 * won / std::max(1u, won + lost), 100.0 * range.low, 100.0 * range.high,
+        shots / count, most, fouls[0] / count, fouls[1] / count, frames_unfinished(match));
+}
+
+}  // namespace carom

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "level/scene/scene.h"
+#include "physics/solver.h"
+
+/// carom against carom at a pool table, without a screen: who wins, how long a frame lasts, and
+/// whether one ever does not come to its end.
+namespace carom {
+
+/// One frame.
+struct PoolFrame {
+    std::optional<int> winner;  ///< player 0 or 1; none: the frame did not come to its end
+    std::uint32_t shots = 0;
+    std::array<std::uint32_t, 2> fouls{};  ///< of each player
+    double seconds = 0.0;                  ///< of the table's time, while balls rolled
+    /// A command that the rules or the world refused, which must not be: a sentence.
+    std::optional<std::string> refused;
+};
+
+/// Shots and choices after which a frame is given up: far more than any that goes on takes.
+inline constexpr std::uint32_t most_decisions = 300;
+
+/// Frame `number` between two hands of these steadinesses (see pool_thinker.h), which break in
+/// turn. It depends on nothing but what is given here: each number has random draws of its own.
+/// Pre: the scene is a game of 8-ball or 9-ball.
+PoolFrame play_pool_frame(const Scene& scene, const SolverSettings& solver,
+                          const std::array<int, 2>& steadiness, std::uint32_t number);
+
+/// What came of some frames.
+struct PoolMatch {
+    std::array<int, 2> steadiness{};
+    std::vector<PoolFrame> frames;
+};
+
+std::uint32_t frames_won(const PoolMatch& match, int player);
+std::uint32_t frames_unfinished(const PoolMatch& match);
+
+/// A share within which the true one lies in 95 of 100 cases, by Wilson's formula. 0..1 where there
+/// are no frames.
+struct ShareRange {
+    double low = 0.0;
+    double high = 1.0;
+};
+ShareRange likely_share(std::uint32_t won, std::uint32_t frames);
+
+/// The head of a table in Markdown, and its row for one match.
+std::string pool_match_head();
+std::string pool_match_row(std::string_view game, const PoolMatch& match);
+
+}  // namespace carom

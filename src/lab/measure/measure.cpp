@@ -1,0 +1,282 @@
+#include "lab/measure/measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lab/measure/difference.h"
+#include "lab/measure/horizons.h"
+#include "lab/run/conservation.h"
+#include "lab/run/escape.h"
+#include "lab/run/run_record.h"
+#include "physics/tick/totals.h"
+
+namespace carom {
+namespace {
+
+// What the reference does, as long as it can be believed.
+struct Truth {
+    std::vector<Positions> positions;  // by horizon
+    std::vector<Meeting> meetings;
+    std::vector<std::size_t> met;  // by horizon: how many of the meetings there were by then
+    std::vector<double> doubts;
+    std::optional<double> chaos;
+};
+
+// All that the runs of one measurement share.
+struct Bench {
+    const Scene& scene;
+    const MeasureSettings& settings;
+    const LabHooks& hooks;
+    double common = 0.0;                // rate at which all choices can be compared
+    std::vector<std::uint64_t> points;  // horizons, in periods of `common`
+    std::uint64_t done = 0;             // ticks
+    std::uint64_t total = 0;
+};
+
+World started_at(const Scene& scene, double rate) {
+    World world = scene.world;
+    world.rate = rate;
+    return world;
+}
+
+std::uint64_t ticks_of(const Bench& bench, double rate) {
+    return bench.points.back() * ticks_each(rate, bench.common);
+}
+
+// How a tick ended, and what it cost in seconds; given_up where the caller has had enough, in the
+// tick or after it.
+struct Ticked {
+    TickOutcome outcome = TickOutcome::done;
+    double seconds = 0.0;
+};
+Ticked tick(Bench& bench, World& world, Solver& solver) {
+    const auto keep_going = [&] { return bench.hooks.go_on(bench.done, bench.total); };
+    const double before = bench.hooks.clock();
+    const TickOutcome outcome = solver.tick(world, keep_going);
+    const double seconds = bench.hooks.clock() - before;
+    ++bench.done;
+    return {keep_going() ? outcome : TickOutcome::given_up, seconds};
+}
+
+// Runs up to the instant of a horizon, or to the first tick that is not done.
+TickOutcome run_to(Bench& bench, World& world, Solver& solver, std::uint64_t point,
+                   std::vector<Meeting>* meetings) {
+    const std::uint64_t ticks = point * ticks_each(world.rate, bench.common);
+    while (world.tick < ticks) {
+        const TickOutcome outcome = tick(bench, world, solver).outcome;
+        if (meetings != nullptr) note_meetings(*meetings, solver.contacts());
+        if (outcome != TickOutcome::done) return outcome;
+    }
+    return TickOutcome::done;
+}
+
+std::optional<Truth> find_truth(Bench& bench, const Reference& reference, double radius) {
+    Truth truth;
+    World world = started_at(bench.scene, reference.truth.rate);
+    World twin = started_at(bench.scene, reference.check.rate);
+    Solver solver(reference.truth.solver);
+    Solver check(reference.check.solver);
+    const std::uint64_t before = bench.done;
+    for (const std::uint64_t point : bench.points) {
+        const TickOutcome of_truth = run_to(bench, world, solver, point, &truth.meetings);
+        if (of_truth == TickOutcome::given_up) return std::nullopt;
+        const TickOutcome of_check = run_to(bench, twin, check, point, nullptr);
+        if (of_check == TickOutcome::given_up) return std::nullopt;
+        const bool are_done = of_truth == TickOutcome::done && of_check == TickOutcome::done;
+        const double doubt = difference(world, twin).rms / radius;
+        if (!are_done || !(doubt <= bench.settings.tolerance)) {
+            truth.chaos = static_cast<double>(point) / bench.common;
+            break;
+        }
+        truth.doubts.push_back(doubt);
+        truth.positions.push_back(positions_of(world));
+        truth.met.push_back(truth.meetings.size());
+    }
+    bench.done = before + ticks_of(bench, world.rate) + ticks_of(bench, twin.rate);
+    return truth;
+}
+
+ErrorAt error_at(const Truth& truth, std::size_t horizon, const World& world,
+                 const std::vector<Meeting>& meetings, double radius) {
+    const Difference off =
+        difference(truth.positions[horizon], positions_of(world), torus_of(world));
+    const std::span<const Meeting> known(truth.meetings);
+    return {.rms = off.rms / radius,
+            .max = off.max / radius,
+            .unpaired = off.unpaired,
+            .contacts = order_faults(known.first(truth.met[horizon]), meetings)};
+}
+
+// The first run of a choice, in which everything is noted; its cost is that of the ticks alone.
+std::optional<Measured> observed(Bench& bench, const Choice& choice, const Truth& truth,
+                                 double radius) {
+    Measured row{.choice = choice};
+    World world = started_at(bench.scene, choice.rate);
+    Solver solver(choice.solver);
+    EscapeWatch escape(bench.scene);
+    ConservationWatch conservation(world);
+    std::vector<Meeting> meetings;
+    std::uint64_t ball_ticks = 0;
+    double seconds = 0.0;
+    const std::uint64_t ticks = ticks_of(bench, choice.rate);
+    const std::uint64_t period = ticks_each(choice.rate, bench.common);
+    while (world.tick < ticks) {
+        const Ticked ticked = tick(bench, world, solver);
+        if (ticked.outcome == TickOutcome::given_up) return std::nullopt;
+        if (ticked.outcome == TickOutcome::too_dense) ++row.too_dense;
+        seconds += ticked.seconds;
+        ball_ticks += world.balls.size();
+        row.max_overlap = std::max(row.max_overlap, deepest_overlap(world) / radius);
+        escape.note_births(world);
+        conservation.note(world);
+        const std::size_t next = row.errors.size();
+        if (next < truth.positions.size()) {
+            note_meetings(meetings, solver.contacts());
+            if (world.tick == bench.points[next] * period)
+                row.errors.push_back(error_at(truth, next, world, meetings, radius));
+        }
+    }
+    row.cost = {seconds, seconds};
+    row.ball_seconds = static_cast<double>(ball_ticks) / choice.rate;
+    row.energy_drift = conservation.energy_drift();
+    row.momentum_drift = conservation.momentum_drift();
+    row.escaped = escape.escaped(world);
+    return row;
+}
+
+// Another run for the cost alone; none: interrupted.
+std::optional<double> timed(Bench& bench, const Choice& choice) {
+    World world = started_at(bench.scene, choice.rate);
+    Solver solver(choice.solver);
+    const std::uint64_t ticks = ticks_of(bench, choice.rate);
+    double seconds = 0.0;
+    while (world.tick < ticks) {
+        const Ticked ticked = tick(bench, world, solver);
+        if (ticked.outcome == TickOutcome::given_up) return std::nullopt;
+        seconds += ticked.seconds;
+    }
+    return seconds;
+}
+
+std::optional<Measured> measured(Bench& bench, const Choice& choice, const Truth& truth,
+                                 double radius) {
+    std::optional<Measured> row = observed(bench, choice, truth, radius);
+    if (!row) return std::nullopt;
+    double sum = row->cost.whole;
+    for (int i = 1; i < bench.settings.repeats; ++i) {
+        const std::optional<double> seconds = timed(bench, choice);
+        if (!seconds) return std::nullopt;
+        sum += *seconds;
+        row->cost.best = std::min(row->cost.best, *seconds);
+    }
+    row->cost.whole = sum / bench.settings.repeats;
+    for (std::size_t i = 0; i < row->errors.size(); ++i) {
+        if (!(row->errors[i].rms <= bench.settings.tolerance)) break;
+        row->good_for = static_cast<double>(bench.points[i]) / bench.common;
+    }
+    return row;
+}
+
+std::optional<std::size_t> headline_of(const Measurement& measurement,
+                                       const std::optional<double>& asked) {
+    const std::vector<double>& horizons = measurement.horizons;
+    if (horizons.empty()) return std::nullopt;
+    if (asked) {
+        const auto later = std::ranges::upper_bound(horizons, *asked * (1.0 + 1e-9));
+        return later == horizons.begin() ? 0
+                                         : static_cast<std::size_t>(later - horizons.begin()) - 1;
+    }
+    for (std::size_t i = horizons.size(); i-- > 1;) {
+        const auto near = std::ranges::count_if(
+            measurement.rows, [&](const Measured& row) { return row.errors[i].rms < 1.0; });
+        if (4 * static_cast<std::size_t>(near) >= 3 * measurement.rows.size()) return i;
+    }
+    return 0;
+}
+
+Bench prepare(const Scene& scene, const MeasureSettings& settings, const LabHooks& hooks,
+              const std::vector<Choice>& choices, const Reference& reference) {
+    Bench bench{scene, settings, hooks};
+    std::vector<double> rates{scene.world.rate, reference.truth.rate, reference.check.rate};
+    for (const Choice& choice : choices)
+        rates.push_back(choice.rate);
+    bench.common = common_rate(rates);
+    const auto periods = [&](double time) {
+        return static_cast<std::uint64_t>(std::llround(std::max(1.0, time * bench.common)));
+    };
+    const std::optional<double> asked = settings.horizon;
+    bench.points =
+        spread(periods(settings.time), asked ? std::optional(periods(*asked)) : std::nullopt);
+    bench.total = ticks_of(bench, reference.truth.rate) + ticks_of(bench, reference.check.rate);
+    for (const Choice& choice : choices)
+        bench.total += ticks_of(bench, choice.rate) * static_cast<std::uint64_t>(settings.repeats);
+    return bench;
+}
+
+}  // namespace
+
+std::optional<Measurement> measure(const Scene& scene, const MeasureSettings& settings,
+                                   const LabHooks& hooks) {
+    const double rate = scene.world.rate;
+    const std::span<const SolverKind> all = solvers_available();
+    const std::vector<Choice> choices =
+        choices_for(scene, settings.solvers.empty() ? all : std::span(settings.solvers),
+                    settings.rates.empty() ? usual_rates(rate) : settings.rates);
+    const Reference reference = reference_settings(rate);
+    Bench bench = prepare(scene, settings, hooks, choices, reference);
+    const double radius = mean_radius(scene.world);
+    const std::optional<Truth> truth = find_truth(bench, reference, radius);
+    if (!truth) return std::nullopt;
+
+    Measurement measurement{.rate = rate,
+                            .seed = scene.world.seed,
+                            .balls = scene.world.balls.size(),
+                            .radius = radius,
+                            .time = static_cast<double>(bench.points.back()) / bench.common,
+                            .repeats = settings.repeats,
+                            .tolerance = settings.tolerance,
+                            .own = {solver_for(scene), rate},
+                            .reference = reference,
+                            .horizons = {},
+                            .doubts = truth->doubts,
+                            .chaos = truth->chaos,
+                            .headline = {},
+                            .rows = {}};
+    for (std::size_t i = 0; i < truth->positions.size(); ++i)
+        measurement.horizons.push_back(static_cast<double>(bench.points[i]) / bench.common);
+    for (const Choice& choice : choices) {
+        std::optional<Measured> row = measured(bench, choice, *truth, radius);
+        if (!row) break;
+        measurement.rows.push_back(std::move(*row));
+    }
+    measurement.headline = headline_of(measurement, settings.horizon);
+    return measurement;
+}
+
+std::optional<double> ns_per_ball_second(const Measured& row, double seconds) {
+    if (row.ball_seconds <= 0.0) return std::nullopt;
+    return seconds * 1e9 / row.ball_seconds;
+}
+
+double seconds_per_level_tick(const Measurement& measurement, const Measured& row) {
+    return row.cost.best / (measurement.time * measurement.rate);
+}
+
+double headline_error(const Measurement& measurement, const Measured& row) {
+    return row.errors[*measurement.headline].rms;
+}
+
+std::vector<Tradeoff> tradeoffs(const Measurement& measurement) {
+    std::vector<Tradeoff> pairs;
+    for (const Measured& row : measurement.rows) {
+        double error = std::numeric_limits<double>::infinity();
+        if (measurement.headline)
+            error = std::max(headline_error(measurement, row),
+                             measurement.doubts[*measurement.headline]);
+        pairs.push_back({seconds_per_level_tick(measurement, row), error});
+    }
+    return pairs;
+}
+
+}  // namespace carom

@@ -1,0 +1,195 @@
+#include "lab/measure/measure_data.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "lab/json.h"
+#include "lab/measure/pareto.h"
+
+namespace carom {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+void write_optional(JsonWriter& json, std::string_view key, const std::optional<double>& value) {
+    json.key(key);
+    if (value) {
+        json.value(*value);
+    } else {
+        json.null();
+    }
+}
+
+void write_choice(JsonWriter& json, const Choice& choice) {
+    json.field("solver", name(choice.solver.kind));
+    json.key("settings");
+    write_settings(json, choice.solver);
+    json.field("rate", choice.rate);
+}
+
+void write_reference(JsonWriter& json, std::string_view key, const Choice& choice) {
+    json.key(key);
+    json.begin_object(Layout::one_line);
+    write_choice(json, choice);
+    json.end_object();
+}
+
+void write_errors(JsonWriter& json, const Measurement& measurement, const Measured& row) {
+    json.key("errors");
+    json.begin_list(Layout::lines);
+    for (std::size_t i = 0; i < row.errors.size(); ++i) {
+        const ErrorAt& error = row.errors[i];
+        json.begin_object(Layout::one_line);
+        json.field("time", measurement.horizons[i]);
+        json.field("rms", error.rms);
+        json.field("max", error.max);
+        json.field("unpaired", std::uint64_t{error.unpaired});
+        json.field("missed", std::uint64_t{error.contacts.missed});
+        json.field("extra", std::uint64_t{error.contacts.extra});
+        json.field("out_of_order", std::uint64_t{error.contacts.out_of_order});
+        json.end_object();
+    }
+    json.end_list();
+}
+
+void write_cost(JsonWriter& json, const Measurement& measurement, const Measured& row,
+                bool on_front) {
+    json.key("cost");
+    json.begin_object(Layout::one_line);
+    write_optional(json, "ns_per_ball_second", ns_per_ball_second(row, row.cost.whole));
+    write_optional(json, "best_ns_per_ball_second", ns_per_ball_second(row, row.cost.best));
+    json.field("seconds_per_level_tick", seconds_per_level_tick(measurement, row));
+    json.field("pareto", on_front);
+    json.end_object();
+}
+
+void write_rows(JsonWriter& json, const Measurement& measurement) {
+    const std::vector<bool> front = pareto_front(tradeoffs(measurement));
+    json.key("choices");
+    json.begin_list(Layout::lines);
+    for (std::size_t i = 0; i < measurement.rows.size(); ++i) {
+        const Measured& row = measurement.rows[i];
+        json.begin_object(Layout::lines);
+        write_choice(json, row.choice);
+        json.field("own", row.choice == measurement.own);
+        json.field("good_for", row.good_for);
+        write_optional(json, "energy_drift", row.energy_drift);
+        write_optional(json, "momentum_drift", row.momentum_drift);
+        json.field("max_overlap", row.max_overlap);
+        json.field("escaped", std::uint64_t{row.escaped});
+        json.field("too_dense_ticks", row.too_dense);
+        write_errors(json, measurement, row);
+        write_cost(json, measurement, row, front[i]);
+        json.end_object();
+    }
+    json.end_list();
+}
+
+// `row` is the choice that was picked.
+void write_pick(JsonWriter& json, std::string_view key, double asked,
+                std::optional<std::size_t> row, const Measurement& measurement) {
+    json.key(key);
+    json.begin_object(Layout::one_line);
+    json.field("asked", asked);
+    json.key("choice");
+    if (row) {
+        json.begin_object(Layout::one_line);
+        write_choice(json, measurement.rows[*row].choice);
+        json.end_object();
+    } else {
+        json.null();
+    }
+    json.end_object();
+}
+
+void write_picks(JsonWriter& json, const Measurement& measurement,
+                 const std::optional<double>& budget, const std::optional<double>& tolerance) {
+    const std::vector<Tradeoff> pairs = tradeoffs(measurement);
+    json.key("picks");
+    json.begin_object(Layout::lines);
+    if (budget)
+        write_pick(json, "budget", *budget, most_accurate_within(pairs, *budget), measurement);
+    if (tolerance)
+        write_pick(json, "tolerance", *tolerance, cheapest_within(pairs, *tolerance), measurement);
+    json.end_object();
+}
+
+// Reads back to the same double; nothing where there is none.
+std::string csv_number(const std::optional<double>& value) {
+    if (!value || !std::isfinite(*value)) return {};
+    return fmt::format("{}", *value);
+}
+
+std::string csv_setting(bool has_it, int value) {
+    return has_it ? fmt::format("{}", value) : std::string();
+}
+
+}  // namespace
+
+std::string measure_json(std::string_view level, const Measurement& measurement,
+                         const std::optional<double>& budget,
+                         const std::optional<double>& tolerance) {
+    JsonWriter json;
+    json.begin_object(Layout::lines);
+    json.field("level", level);
+    json.field("rate", measurement.rate);
+    json.field("seed", measurement.seed);
+    json.field("balls", std::uint64_t{measurement.balls});
+    json.field("radius", measurement.radius);
+    json.field("time", measurement.time);
+    json.field("tolerance", measurement.tolerance);
+    write_reference(json, "reference", measurement.reference.truth);
+    write_reference(json, "check", measurement.reference.check);
+    json.key("doubts");
+    json.begin_list(Layout::lines);
+    for (std::size_t i = 0; i < measurement.horizons.size(); ++i) {
+        json.begin_object(Layout::one_line);
+        json.field("time", measurement.horizons[i]);
+        json.field("rms", measurement.doubts[i]);
+        json.end_object();
+    }
+    json.end_list();
+    write_optional(json, "chaos", measurement.chaos);
+    write_optional(json, "horizon",
+                   measurement.headline ? std::optional(measurement.horizons[*measurement.headline])
+                                        : std::nullopt);
+    write_rows(json, measurement);
+    write_picks(json, measurement, budget, tolerance);
+    json.end_object();
+    return std::move(json).text();
+}
+
+std::string measure_csv(const Measurement& measurement) {
+    const std::vector<bool> front = pareto_front(tradeoffs(measurement));
+    std::string text =
+        "solver,updates,steps,substeps,rate,time,rms,max,unpaired,missed,extra,out_of_order,"
+        "energy_drift,momentum_drift,max_overlap,escaped,ns_per_ball_second,"
+        "best_ns_per_ball_second,seconds_per_level_tick,pareto\n";
+    for (std::size_t i = 0; i < measurement.rows.size(); ++i) {
+        const Measured& row = measurement.rows[i];
+        const SolverSettings& solver = row.choice.solver;
+        const bool is_substep = solver.kind == SolverKind::substep;
+        const bool has_substeps =
+            solver.kind == SolverKind::swept || solver.kind == SolverKind::contact;
+        for (std::size_t k = 0; k < row.errors.size(); ++k) {
+            const ErrorAt& error = row.errors[k];
+            fmt::format_to(std::back_inserter(text),
+                           "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                           name(solver.kind), csv_setting(is_substep, solver.updates),
+                           csv_setting(is_substep, solver.steps),
+                           csv_setting(has_substeps, substeps_of(solver)), row.choice.rate,
+                           measurement.horizons[k], csv_number(error.rms), csv_number(error.max),
+                           error.unpaired, error.contacts.missed, error.contacts.extra,
+                           error.contacts.out_of_order, csv_number(row.energy_drift),
+                           csv_number(row.momentum_drift), csv_number(row.max_overlap), row.escaped,
+                           csv_number(ns_per_ball_second(row, row.cost.whole)),
+                           csv_number(ns_per_ball_second(row, row.cost.best)),
+                           seconds_per_level_tick(measurement, row), front[i] ? 1 : 0);
+        }
+    }
+    return text;
+}
+
+}  // namespace carom

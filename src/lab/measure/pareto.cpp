@@ -1,0 +1,56 @@
+#include "lab/measure/pareto.h"
+
+#include <cmath>
+#include <utility>
+
+namespace carom {
+namespace {
+
+bool is_usable(const Tradeoff& choice) {
+    return std::isfinite(choice.cost) && std::isfinite(choice.error);
+}
+
+bool dominates(const Tradeoff& a, const Tradeoff& b) {
+    return a.cost <= b.cost && a.error <= b.error && (a.cost < b.cost || a.error < b.error);
+}
+
+// The first of the least by `rank`, among those that are `allowed`.
+template <class Allowed, class Rank>
+std::optional<std::size_t> best(std::span<const Tradeoff> choices, Allowed allowed, Rank rank) {
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (!is_usable(choices[i]) || !allowed(choices[i])) continue;
+        if (!found || rank(choices[i]) < rank(choices[*found])) found = i;
+    }
+    return found;
+}
+
+}  // namespace
+
+std::vector<bool> pareto_front(std::span<const Tradeoff> choices) {
+    std::vector<bool> front(choices.size(), false);
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        front[i] = is_usable(choices[i]);
+        for (std::size_t j = 0; j < choices.size() && front[i]; ++j) {
+            const bool is_twin = j < i && front[j] && choices[j].cost == choices[i].cost &&
+                                 choices[j].error == choices[i].error;
+            if (is_twin || (is_usable(choices[j]) && dominates(choices[j], choices[i])))
+                front[i] = false;
+        }
+    }
+    return front;
+}
+
+std::optional<std::size_t> most_accurate_within(std::span<const Tradeoff> choices, double budget) {
+    return best(
+        choices, [&](const Tradeoff& choice) { return choice.cost <= budget; },
+        [](const Tradeoff& choice) { return std::pair(choice.error, choice.cost); });
+}
+
+std::optional<std::size_t> cheapest_within(std::span<const Tradeoff> choices, double tolerance) {
+    return best(
+        choices, [&](const Tradeoff& choice) { return choice.error <= tolerance; },
+        [](const Tradeoff& choice) { return std::pair(choice.cost, choice.error); });
+}
+
+}  // namespace carom

@@ -1,0 +1,62 @@
+#include "lab/run/escape.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace carom {
+
+EscapeWatch::EscapeWatch(const Scene& scene) {
+    const Capsules& capsules = scene.world.capsules;
+    for (const std::vector<CapsuleId>& ids : scene.outlines) {
+        Outline outline;
+        for (const CapsuleId id : ids) {
+            const std::optional<std::size_t> index = index_of(scene.world, id);
+            if (!index) continue;
+            const Capsule& shape = capsules.shape[*index];
+            const Box spine = carom::bounds(Capsule{shape.start, shape.end, 0.0});
+            outline.bounds = outline.spines.empty() ? spine : join(outline.bounds, spine);
+            outline.spines.push_back({shape.start, shape.end});
+        }
+        outlines_.push_back(std::move(outline));
+    }
+    note_births(scene.world);
+}
+
+bool EscapeWatch::is_inside(const Outline& outline, Vec2 point) {
+    if (outline.spines.empty() || !contains(outline.bounds, point)) return false;
+    bool inside = false;
+    for (const Spine& spine : outline.spines) {
+        const bool spans = (spine.start.y > point.y) != (spine.end.y > point.y);
+        if (!spans) continue;
+        const double share = (point.y - spine.start.y) / (spine.end.y - spine.start.y);
+        if (point.x < spine.start.x + share * (spine.end.x - spine.start.x)) inside = !inside;
+    }
+    return inside;
+}
+
+void EscapeWatch::note_births(const World& world) {
+    if (outlines_.empty() || homes_.size() == world.next_ball) return;
+    const std::size_t known = homes_.size();
+    homes_.resize(world.next_ball);
+    for (std::size_t i = world.balls.size(); i-- > 0 && number(world.balls.id[i]) >= known;) {
+        for (std::uint32_t outline = 0; outline < outlines_.size(); ++outline) {
+            if (!is_inside(outlines_[outline], world.balls.position[i])) continue;
+            homes_[number(world.balls.id[i])].push_back(outline);
+        }
+    }
+}
+
+std::size_t EscapeWatch::escaped(const World& world) const {
+    if (outlines_.empty()) return 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < world.balls.size(); ++i) {
+        const std::vector<std::uint32_t>& home = homes_[number(world.balls.id[i])];
+        const bool is_out = std::ranges::any_of(home, [&](std::uint32_t outline) {
+            return !is_inside(outlines_[outline], world.balls.position[i]);
+        });
+        if (is_out) ++count;
+    }
+    return count;
+}
+
+}  // namespace carom

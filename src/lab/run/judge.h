@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "level/scene/quantities.h"
+#include "level/scene/scene.h"
+#include "physics/world/world.h"
+
+/// The experiments of a level: what an `expect` measures, and whether it holds.
+namespace carom {
+
+/// What of a run the world does not remember.
+struct RunFacts {
+    double max_overlap = 0.0;   ///< deepest at the end of any tick, a length
+    std::uint64_t escaped = 0;  ///< balls outside the closed outline that they started in
+};
+
+/// The quantity's value now. None where there is none: of a ball that is no longer there, of the
+/// mean of empty bins, of a ratio to a variance of 0. Units: those of the world.
+std::optional<double> measure(const Quantity& quantity, const World& world, const RunFacts& facts);
+
+enum class Verdict : std::uint8_t { holds, fails, not_judged };
+/// "holds", "fails", "not judged".
+std::string_view name(Verdict verdict);
+
+struct Judgement {
+    Verdict verdict = Verdict::not_judged;
+    std::optional<double> measured;
+    std::string_view reason;  ///< why not judged; empty otherwise
+};
+
+/// Holds when the value is there and within the tolerance, its ends included.
+Judgement judge(const Expect& expect, const World& world, const RunFacts& facts);
+
+}  // namespace carom

@@ -1,0 +1,239 @@
+#include "lab/run/report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+#include "lab/json.h"
+#include "lab/run/choice.h"
+#include "physics/world/fingerprint.h"
+
+namespace carom {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+std::string_view name_at(const std::vector<std::string>& names, std::size_t index) {
+    return index < names.size() ? std::string_view(names[index]) : std::string_view();
+}
+
+// The mass as the level gave it: 1/(1/m) is m only up to rounding.
+double mass_of(const World& world, std::size_t ball) {
+    const double inverse = world.balls.inverse_mass[ball];
+    const double of_kind = world.kinds[world.balls.kind[ball]].mass;
+    return 1.0 / of_kind == inverse ? of_kind : 1.0 / inverse;
+}
+
+void write_balls(JsonWriter& json, const Scene& scene, const World& world) {
+    const Balls& balls = world.balls;
+    json.key("balls");
+    json.begin_list(Layout::lines);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        json.begin_object(Layout::one_line);
+        json.field("id", std::uint64_t{number(balls.id[i])});
+        json.field("name", name_at(scene.ball_names, number(balls.id[i])));
+        json.field("kind", name_at(scene.kind_names, balls.kind[i]));
+        json.field("x", balls.position[i].x);
+        json.field("y", balls.position[i].y);
+        json.field("vx", balls.velocity[i].x);
+        json.field("vy", balls.velocity[i].y);
+        json.field("w", world.model.spin ? balls.spin[i] : 0.0);
+        json.field("radius", balls.radius[i]);
+        json.field("mass", mass_of(world, i));
+        json.end_object();
+    }
+    json.end_list();
+}
+
+void write_removed(JsonWriter& json, const Scene& scene, const World& world) {
+    json.key("removed");
+    json.begin_list(Layout::lines);
+    for (const Removal& removal : world.removed) {
+        json.begin_object(Layout::one_line);
+        json.field("id", std::uint64_t{number(removal.id)});
+        json.field("name", name_at(scene.ball_names, number(removal.id)));
+        json.field("by", removal.zone < 0
+                             ? std::string_view("player")
+                             : name_at(scene.zone_names, static_cast<std::size_t>(removal.zone)));
+        json.field("tick", removal.tick);
+        json.end_object();
+    }
+    json.end_list();
+}
+
+void write_totals(JsonWriter& json, std::string_view key, const Totals& sums) {
+    json.key(key);
+    json.begin_object(Layout::one_line);
+    json.field("kinetic_energy", sums.kinetic_energy);
+    json.field("potential_energy", sums.potential_energy);
+    json.key("momentum");
+    json.begin_list(Layout::one_line);
+    json.value(sums.momentum.x);
+    json.value(sums.momentum.y);
+    json.end_list();
+    json.field("angular_momentum", sums.angular_momentum);
+    json.end_object();
+}
+
+// A list for each group, in order, a number for each counter that is in none, and what the game
+// counts.
+void write_counters(JsonWriter& json, const Scene& scene, const World& world,
+                    const RunRecord& record) {
+    const std::vector<std::uint64_t> counts = census(world);
+    std::vector<bool> is_grouped(counts.size(), false);
+    json.key("counters");
+    json.begin_object(Layout::lines);
+    for (const Group& group : scene.groups) {
+        if (group.counters.empty()) continue;
+        json.key(group.name);
+        json.begin_list(Layout::one_line);
+        for (const std::uint32_t counter : group.counters) {
+            json.value(counts[counter]);
+            is_grouped[counter] = true;
+        }
+        json.end_list();
+    }
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (!is_grouped[i]) json.field(name_at(scene.counter_names, i), counts[i]);
+    }
+    for (const auto& [name, tally] : record.tallies)
+        json.field(name, tally);
+    json.end_object();
+}
+
+void write_expects(JsonWriter& json, const Scene& scene, const RunRecord& record) {
+    json.key("expects");
+    json.begin_list(Layout::lines);
+    for (std::size_t i = 0; i < scene.expects.size(); ++i) {
+        const Expect& expect = scene.expects[i];
+        const Judgement& judgement = record.judgements[i];
+        json.begin_object(Layout::one_line);
+        json.field("quantity", std::string_view(expect.quantity));
+        json.field("value", expect.value);
+        json.field("tolerance", expect.tolerance);
+        json.key("measured");
+        judgement.measured ? json.value(*judgement.measured) : json.null();
+        json.field("verdict", name(judgement.verdict));
+        json.end_object();
+    }
+    json.end_list();
+}
+
+void write_cost(JsonWriter& json, const RunRecord& record, double seconds) {
+    const double ball_ticks = static_cast<double>(record.ball_ticks);
+    json.key("cost");
+    json.begin_object(Layout::one_line);
+    json.field("seconds", seconds);
+    json.field("ns_per_ball_tick", ball_ticks > 0.0 ? seconds * 1e9 / ball_ticks : 0.0);
+    json.end_object();
+}
+
+double energy(const Totals& sums) {
+    return sums.kinetic_energy + sums.potential_energy;
+}
+
+// ", or +1.2e-13 of it": what is left of the drift when both numbers look the same.
+std::string change_of(double start, double end) {
+    if (start == 0.0 || start == end) return {};
+    return fmt::format(", or {:+.1e} of it", (end - start) / std::abs(start));
+}
+
+}  // namespace
+
+std::string report_json(std::string_view level, const Scene& scene, const World& world,
+                        const RunRecord& record, double seconds) {
+    JsonWriter json;
+    json.begin_object(Layout::lines);
+    json.field("level", level);
+    json.field("solver", name(record.solver.kind));
+    json.key("settings");
+    write_settings(json, record.solver);
+    json.field("rate", world.rate);
+    json.field("seed", world.seed);
+    json.field("ticks", world.tick);
+    json.field("time", world.time());
+    json.key("model");
+    json.begin_list(Layout::one_line);
+    for (const std::string& term : terms_in_force(world.model)) {
+        json.value(std::string_view(term));
+    }
+    json.end_list();
+    write_balls(json, scene, world);
+    write_removed(json, scene, world);
+    write_totals(json, "totals_start", record.totals_start);
+    write_totals(json, "totals", totals(world));
+    json.key("collisions");
+    json.begin_object(Layout::one_line);
+    json.field("ball_ball", world.ball_ball_collisions);
+    json.field("ball_edge", world.ball_edge_collisions);
+    json.end_object();
+    json.field("max_overlap", record.max_overlap);
+    json.field("escaped", std::uint64_t{record.escape.escaped(world)});
+    write_counters(json, scene, world, record);
+    write_expects(json, scene, record);
+    write_cost(json, record, seconds);
+    json.field("fingerprint", std::string_view(hexadecimal(fingerprint(world))));
+    json.end_object();
+    return std::move(json).text();
+}
+
+std::string summary(const Scene& scene, const World& world, const RunRecord& record,
+                    double seconds) {
+    const double start = energy(record.totals_start);
+    const double end = energy(totals(world));
+    return fmt::format(
+        "{}\n"
+        "{} s simulated in {} ticks by {}, in {:.3g} s\n"
+        "balls       {} now, {} removed\n"
+        "collisions  {} of balls, {} with edges\n"
+        "energy      {:.6g} at the start, {:.6g} now{}\n"
+        "overlap     {:.3g} at most\n"
+        "fingerprint {}\n",
+        scene.title.empty() ? scene.file : scene.title, world.time(), world.tick,
+        written(record.solver), seconds, world.balls.size(), world.removed.size(),
+        world.ball_ball_collisions, world.ball_edge_collisions, start, end, change_of(start, end),
+        record.max_overlap, hexadecimal(fingerprint(world)));
+}
+
+std::string verdicts(const Scene& scene, const RunRecord& record, Verdict verdict) {
+    std::string text;
+    for (std::size_t i = 0; i < scene.expects.size(); ++i) {
+        const Expect& expect = scene.expects[i];
+        const Judgement& judgement = record.judgements[i];
+        if (judgement.verdict != verdict) continue;
+        const std::string found = verdict == Verdict::not_judged ? std::string(judgement.reason)
+                                  : judgement.measured
+                                      ? fmt::format("it is {}", *judgement.measured)
+                                      : "it has no value";
+        text += fmt::format("{}:{}: {}: expect {} {} within {}: {}\n", scene.file, expect.line,
+                            verdict == Verdict::fails ? "error" : name(verdict), expect.quantity,
+                            expect.value, expect.tolerance, found);
+    }
+    return text;
+}
+
+std::string explanation(const Scene& scene) {
+    return explanation(scene.world.model, scene.world.rate, pick_solver(scene.world), scene.solver);
+}
+
+std::string explanation(const Model& model, double rate, const SolverPick& pick,
+                        const std::optional<SolverSettings>& asked_for) {
+    const std::vector<std::string> terms = terms_in_force(model);
+    const std::string model_text = terms.empty()
+                                       ? "elastic, frictionless, weightless discs"
+                                       : fmt::format("{}", fmt::join(terms, "\n        "));
+    const std::string picked = written(pick.settings);
+    const std::string solver_text =
+        asked_for ? fmt::format("{}: asked for\nauto    would take {}", written(*asked_for), picked)
+                  : fmt::format("{}: taken by auto", picked);
+    const SolverSettings& solver = asked_for ? *asked_for : pick.settings;
+    const std::string_view heaps =
+        hands_heaps_over(model, solver)
+            ? "heaps   too dense for events, they go over to contact, and come back\n"
+            : "";
+    return fmt::format("model   {}\nsolver  {}\n{}reason  {}\nrate    {} ticks a second\n",
+                       model_text, solver_text, heaps, pick.reason, rate);
+}
+
+}  // namespace carom

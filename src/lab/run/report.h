@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lab/run/run_record.h"
+#include "level/scene/scene.h"
+
+/// What came of a run, for programs and for people.
+namespace carom {
+
+/// The report of `carom run`, one JSON object (docs/command-line.md lists its keys). All of it but
+/// `cost` depends on the level, the seed, the solver and the number of ticks alone. `level` is the
+/// level's name as it was asked for, `seconds` what the solver took by the clock.
+std::string report_json(std::string_view level, const Scene& scene, const World& world,
+                        const RunRecord& record, double seconds);
+
+/// The same in a few lines to read.
+std::string summary(const Scene& scene, const World& world, const RunRecord& record,
+                    double seconds);
+
+/// A line for each expectation of that verdict: "FILE:LINE: error: expect x 3 within 0: it is 2.5",
+/// or "holds", or "not judged" and why.
+std::string verdicts(const Scene& scene, const RunRecord& record, Verdict verdict);
+
+/// What `--explain` prints: the terms of the model in force, and the solver with the reason why.
+std::string explanation(const Scene& scene);
+/// The same of a game: `pick` is what `auto` takes for it, `asked_for` what the level or the player
+/// wants instead.
+std::string explanation(const Model& model, double rate, const SolverPick& pick,
+                        const std::optional<SolverSettings>& asked_for);
+
+}  // namespace carom

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lab/run/escape.h"
+#include "lab/run/judge.h"
+#include "level/scene/scene.h"
+#include "physics/solver.h"
+#include "physics/tick/totals.h"
+
+namespace carom {
+
+/// What is noticed on the way of a run, for its report.
+struct RunRecord {
+    SolverSettings solver;
+    Totals totals_start;
+    double max_overlap = 0.0;  ///< deepest at the end of any tick, a length
+    EscapeWatch escape;
+    std::uint64_t ball_ticks = 0;  ///< balls that there were, summed over the ticks
+    /// By Scene::expects. An expectation with a time is judged after the tick nearest to it; one
+    /// without, at the end.
+    std::vector<Judgement> judgements;
+    /// What a game counts, by name; noted at the end.
+    std::vector<std::pair<std::string, std::uint64_t>> tallies;
+};
+
+/// Notes the start, and judges what is due at time 0.
+RunRecord begin_record(const Scene& scene, const SolverSettings& solver);
+
+/// Pre: called after every tick of `world`, which began as scene.world.
+void note_tick(RunRecord& record, const Scene& scene, const World& world);
+
+/// Judges what is due at the end. Not called for a run that was cut off.
+void note_end(RunRecord& record, const Scene& scene, const World& world);
+
+/// Whether some expectation was judged and does not hold.
+bool has_failure(const RunRecord& record);
+
+/// The solver that a scene runs under when nobody says otherwise: its own, else what carom picks.
+SolverSettings solver_for(const Scene& scene);
+
+}  // namespace carom

@@ -1,0 +1,289 @@
+#include "level/assemble/assemble.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "geometry/elementary.h"
+#include "level/assemble/checks.h"
+#include "level/assemble/fill.h"
+#include "level/assemble/groups.h"
+#include "level/assemble/names.h"
+#include "level/assemble/pool_assembly.h"
+#include "level/assemble/table_assembly.h"
+#include "level/assemble/twins.h"
+
+namespace carom {
+namespace {
+
+class Assembly {
+  public:
+    Assembly(const LoadOptions& options, Scene& scene, Context& context)
+        : options_(options), scene_(scene), context_(context), draft_(context.draft) {}
+
+    void run() {
+        drop_mirror_twins(draft_);
+        names_ = resolve_names(context_);
+        check_terms(context_);
+        collect_balls();
+        check_start(balls_, names_, context_);
+        check_resolution(balls_, rate(), context_);
+        Groups groups(draft_, names_, context_);
+        groups.name_balls(balls_);
+        TableAssembly table(names_, context_);
+        table.check(!balls_.empty());
+        check_pool(balls_, options_, context_);
+        if (context_.reporter.has_errors()) {
+            groups.check_references();
+            return;
+        }
+        make_world();
+        groups.fill_in(scene_);
+        fill_in_pool(balls_, groups.world_zones(), scene_, context_);
+        table.fill_in(scene_, groups.world_zones());
+        if (!context_.reporter.has_errors()) check_gaps(balls_, names_, context_);
+    }
+
+  private:
+    double rate() const { return options_.rate.value_or(own_rate()); }
+
+    // Flippers ask for short ticks: pinball has them where the level says nothing else.
+    double own_rate() const {
+        constexpr double pinball_rate = 1000.0;
+        return draft_.settings.rate.value_or(draft_.settings.table.is_game ? pinball_rate
+                                                                           : World{}.rate);
+    }
+
+    StartingBall starting_ball(const BallDraft& draft) const {
+        const ResolvedBalls& of = names_.balls[static_cast<std::size_t>(draft.naming)];
+        const Kind& kind = names_.kinds[of.kind];
+        StartingBall ball;
+        ball.position = draft.position;
+        ball.velocity = draft.velocity;
+        ball.radius = draft.radius.value_or(kind.radius);
+        ball.position += draft.racked * (2.0 * ball.radius + draft.gap);
+        const FillDefaults kinds = defaults_of(of.kind);
+        ball.mass = draft.mass.value_or(
+            kinds.mass.value_or(kinds.density * pi * ball.radius * ball.radius));
+        ball.restitution = draft.restitution.value_or(kind.restitution);
+        ball.spin = draft.spin;
+        ball.roll = draft.roll;
+        ball.kind = of.kind;
+        ball.naming = draft.naming;
+        ball.origin = draft.origin;
+        return ball;
+    }
+
+    FillDefaults defaults_of(ClassIndex kind) const {
+        FillDefaults defaults;
+        defaults.radius = names_.kinds[kind].radius;
+        if (kind >= draft_.kinds.size()) return defaults;
+        defaults.mass = draft_.kinds[kind].mass;
+        defaults.density = draft_.kinds[kind].density.value_or(1.0);
+        return defaults;
+    }
+
+    // In the order of the file. Fills come to stand last, around all else.
+    void collect_balls() {
+        std::vector<StartingBall> placed;
+        for (const BallDraft& draft : draft_.balls) {
+            if (names_.balls[static_cast<std::size_t>(draft.naming)].is_sound) {
+                placed.push_back(starting_ball(draft));
+            }
+        }
+        if (draft_.fills.empty()) {
+            balls_ = std::move(placed);
+            return;
+        }
+        if (context_.reporter.has_errors()) {
+            balls_ = std::move(placed);  // where a fill would stand depends on what is in error
+            return;
+        }
+        Obstacles obstacles;
+        std::vector<ClassIndex> owners;
+        for (const CapsuleDraft& edge : draft_.capsules)
+            obstacles.capsules.push_back(edge.shape);
+        for (const StartingBall& ball : placed) {
+            obstacles.discs.push_back({ball.position, ball.radius});
+            owners.push_back(ball.kind);
+        }
+        std::size_t taken = 0;
+        for (std::size_t i = 0; i < draft_.fills.size(); ++i) {
+            const FillDraft& fill = draft_.fills[i];
+            while (taken < fill.balls_before)
+                balls_.push_back(placed[taken++]);
+            add_fill(fill, names_.fills[i].kind, obstacles, owners);
+        }
+        while (taken < placed.size())
+            balls_.push_back(placed[taken++]);
+    }
+
+    // Those of the obstacles that a ball of this kind may not start inside. Pre: all of them stand
+    // in the order of draft_.capsules, and of `owners`.
+    Obstacles solid_to(ClassIndex kind, const Obstacles& all,
+                       const std::vector<ClassIndex>& owners) const {
+        Obstacles solid;
+        if (draft_.settings.may_overlap) return {{}, {}, false};
+        solid.each_other = names_.kinds_meet(kind, kind);
+        for (std::size_t i = 0; i < all.discs.size(); ++i) {
+            if (names_.kinds_meet(kind, owners[i])) solid.discs.push_back(all.discs[i]);
+        }
+        for (std::size_t i = 0; i < all.capsules.size(); ++i) {
+            if (names_.kind_meets_material(kind, material_of(draft_.capsules[i]))) {
+                solid.capsules.push_back(all.capsules[i]);
+            }
+        }
+        return solid;
+    }
+
+    // `owners`: the kinds of the obstacles' discs.
+    void add_fill(const FillDraft& fill, ClassIndex kind, Obstacles& obstacles,
+                  std::vector<ClassIndex>& owners) {
+        FillObstacles around{obstacles, {}};
+        if (draft_.settings.may_overlap || !names_.all_meet()) {
+            around.solid = [&] { return solid_to(kind, obstacles, owners); };
+        }
+        const auto filled = place_fill(fill, defaults_of(kind), around, context_);
+        if (!filled) return;
+        for (const FilledBall& from : *filled) {
+            StartingBall ball;
+            ball.position = from.position;
+            ball.velocity = from.velocity;
+            ball.radius = from.radius;
+            ball.mass = from.mass;
+            ball.restitution = fill.restitution.value_or(names_.kinds[kind].restitution);
+            ball.kind = kind;
+            ball.origin = fill.origin;
+            balls_.push_back(ball);
+            obstacles.discs.push_back({ball.position, ball.radius});
+            owners.push_back(kind);
+        }
+    }
+
+    void make_world() {
+        World& world = scene_.world;
+        const SettingsDraft& s = draft_.settings;
+        world.seed = context_.seed;
+        world.rate = rate();
+        world.kinds = names_.kinds;
+        world.materials = names_.materials;
+        make_model(world.model);
+        if (world.model.filtered) world.meets = names_.meets;
+        for (const StartingBall& ball : balls_) {
+            add_ball(world, {.kind = ball.kind,
+                             .position = ball.position,
+                             .velocity = ball.velocity,
+                             .radius = ball.radius,
+                             .mass = ball.mass,
+                             .restitution = ball.restitution,
+                             .spin = ball.spin,
+                             .roll = ball.roll});
+        }
+        for (const CapsuleDraft& edge : draft_.capsules) {
+            add_capsule(world, edge.shape, material_of(edge), edge.side);
+        }
+        for (std::size_t i = 0; i < draft_.emitters.size(); ++i) {
+            Emitter emitter = draft_.emitters[i].emitter;
+            emitter.kind = names_.emitters[i].kind;
+            world.emitters.push_back(emitter);
+        }
+        scene_.kind_names = names_.kind_names;
+        scene_.material_names = names_.material_names;
+        scene_.solver = options_.solver ? options_.solver : s.solver;
+        scene_.game = s.game.value_or("sandbox");
+        scene_.overridden = !options_.overrides.empty() ||
+                            (options_.solver && options_.solver != s.solver) ||
+                            (options_.rate && options_.rate != own_rate()) ||
+                            (options_.seed && *options_.seed != s.seed.value_or(0));
+        make_outlines();
+        scene_.view = view();
+    }
+
+    ClassIndex material_of(const CapsuleDraft& edge) const {
+        return names_.edges[static_cast<std::size_t>(edge.naming)].material;
+    }
+
+    void make_model(Model& model) const {
+        const SettingsDraft& s = draft_.settings;
+        model.gravity = s.gravity;
+        model.drag = s.drag;
+        model.stop_speed = s.stop_speed;
+        model.speed_limit = s.speed_limit;
+        model.scatter = s.scatter;
+        model.spin = s.spin;
+        model.cloth = s.cloth;
+        constexpr double solid_ball = 0.4;
+        if (s.cloth) model.spin = s.inertia.value_or(solid_ball);
+        if (s.wrap) model.wrap = s.world;
+        model.lossy = is_lossy();
+        model.one_way = std::ranges::any_of(draft_.devices, [](const DeviceDraft& d) {
+            return d.device.kind == DeviceKind::droptarget;
+        });
+        model.filtered = !names_.all_meet();
+        model.ball_ball = names_.some_balls_meet();
+        model.ball_edge = names_.some_edges_meet();
+    }
+
+    bool is_lossy() const {
+        const auto loses = [](double restitution) { return restitution < 1.0; };
+        if (std::ranges::any_of(balls_, loses, &StartingBall::restitution)) return true;
+        for (const ResolvedBalls& of : names_.emitters) {
+            if (loses(names_.kinds[of.kind].restitution)) return true;
+        }
+        for (const CapsuleDraft& edge : draft_.capsules) {
+            const Material& material = names_.materials[material_of(edge)];
+            if (loses(material.restitution) || material.soften > 0.0) return true;
+        }
+        return false;
+    }
+
+    void make_outlines() {
+        std::map<int, std::vector<CapsuleId>> outlines;
+        for (std::size_t i = 0; i < draft_.capsules.size(); ++i) {
+            const int chain = draft_.capsules[i].chain;
+            if (!draft_.chains[static_cast<std::size_t>(chain)].is_closed) continue;
+            outlines[chain].push_back(scene_.world.capsules.id[i]);
+        }
+        for (auto& [chain, capsules] : outlines)
+            scene_.outlines.push_back(std::move(capsules));
+    }
+
+    // The world as declared, else the bounds of all that is drawn, never without extent.
+    Box view() const {
+        if (draft_.settings.world) return *draft_.settings.world;
+        std::optional<Box> all;
+        const auto add = [&](const Box& box) { all = all ? join(*all, box) : box; };
+        for (const CapsuleDraft& edge : draft_.capsules)
+            add(bounds(edge.shape));
+        for (const StartingBall& ball : balls_)
+            add(bounds(Disc{ball.position, ball.radius}));
+        for (const Emitter& emitter : scene_.world.emitters) {
+            add(bounds(Disc{emitter.at, names_.kinds[emitter.kind].radius}));
+        }
+        if (!all) return {{-10.0, -10.0}, {10.0, 10.0}};
+        const Vec2 extent = size(*all);
+        const double most = std::max(extent.x, extent.y);
+        const double margin = most > 0.0 ? 0.0 : 10.0;
+        Box box = grow(*all, margin);
+        if (extent.x < 1e-3 * most) box = join(box, grow({center(box), center(box)}, 0.5 * most));
+        if (extent.y < 1e-3 * most) box = join(box, grow({center(box), center(box)}, 0.5 * most));
+        return box;
+    }
+
+    const LoadOptions& options_;
+    Scene& scene_;
+    Context& context_;
+    Draft& draft_;
+    Resolved names_;
+    std::vector<StartingBall> balls_;
+};
+
+}  // namespace
+
+void assemble(const LoadOptions& options, Scene& scene, Context& context) {
+    context.seed = options.seed.value_or(context.draft.settings.seed.value_or(0));
+    Assembly(options, scene, context).run();
+}
+
+}  // namespace carom

@@ -1,0 +1,242 @@
+#include "level/assemble/checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "geometry/closest.h"
+#include "level/assemble/box_tree.h"
+
+namespace carom {
+namespace {
+
+// A depth that rounding explains: authors compute touching places, and 0.1*3 is not 0.3.
+double rounding(Vec2 at, double reach) {
+    return 1e-9 * reach + 1e-14 * (std::abs(at.x) + std::abs(at.y));
+}
+
+std::string length_text(double value, const Context& context) {
+    return fmt::format("{}{}", written(value, Measure::length, context.unit), symbol(context.unit));
+}
+
+class StartCheck {
+  public:
+    StartCheck(const std::vector<StartingBall>& balls, const Resolved& names, Context& context)
+        : balls_(balls), names_(names), context_(context), draft_(context.draft) {}
+
+    void run() {
+        check_torus();
+        check_emitters_in_world();
+        if (draft_.settings.may_overlap || balls_.size() + draft_.emitters.size() == 0) return;
+        const BoxTree edges = edge_tree();
+        check_edges(edges);
+        check_emitters(edges);
+        if (names_.some_balls_meet()) check_balls();
+    }
+
+  private:
+    void check_torus() {
+        const std::optional<Box>& world = draft_.settings.world;
+        if (!draft_.settings.wrap) return;
+        if (!world) {
+            context_.reporter.error(*draft_.settings.wrap, "use wrap needs a world",
+                                    "say how large the torus is: world x0,y0 x1,y1");
+            return;
+        }
+        const double side = std::min(size(*world).x, size(*world).y);
+        for (const StartingBall& ball : balls_) {
+            const Vec2 p = ball.position;
+            const bool is_in = p.x >= world->low.x && p.x < world->high.x && p.y >= world->low.y &&
+                               p.y < world->high.y;
+            if (!is_in) {
+                context_.reporter.error(ball.origin.span, "the ball starts outside the world",
+                                        "under use wrap the world is all there is: move it inside");
+            } else if (4.0 * ball.radius > side) {
+                context_.reporter.error(ball.origin.span,
+                                        "the ball is too large for the wrapped world",
+                                        "each side of the world must be 4 radii at least");
+            }
+        }
+    }
+
+    void check_emitters_in_world() {
+        const std::optional<Box>& world = draft_.settings.world;
+        if (!world) return;
+        for (const EmitterDraft& draft : draft_.emitters) {
+            if (contains(*world, draft.emitter.at)) continue;
+            context_.reporter.error(draft.origin.span, "the spawn lies outside the world",
+                                    "move it inside, or make the world larger");
+        }
+    }
+
+    BoxTree edge_tree() const {
+        std::vector<Box> boxes;
+        for (const CapsuleDraft& capsule : draft_.capsules)
+            boxes.push_back(bounds(capsule.shape));
+        return BoxTree(std::move(boxes));
+    }
+
+    // Whether the edge pushes a ball with this centre at all.
+    static bool pushes(const CapsuleDraft& edge, Vec2 center) {
+        if (edge.side == Side::both) return true;
+        const double side = cross(edge.shape.end - edge.shape.start, center - edge.shape.start);
+        return edge.side == Side::left ? side > 0.0 : side < 0.0;
+    }
+
+    // The edge that a ball of this kind would be in, and how deep. `span`: where the ball is said.
+    std::optional<std::pair<const CapsuleDraft*, double>> edge_around(const BoxTree& tree,
+                                                                      const Disc& disc,
+                                                                      ClassIndex kind,
+                                                                      const Span& span) {
+        std::optional<std::pair<const CapsuleDraft*, double>> found;
+        tree.query(bounds(disc), [&](std::uint32_t i) {
+            if (!has_time(span)) return false;
+            const CapsuleDraft& edge = draft_.capsules[i];
+            const ResolvedEdges& naming = names_.edges[static_cast<std::size_t>(edge.naming)];
+            const double gap = separation(disc, edge.shape);
+            if (gap >= -rounding(disc.center, disc.radius + edge.shape.radius)) return true;
+            if (!naming.is_sound || !names_.kind_meets_material(kind, naming.material)) return true;
+            if (!pushes(edge, disc.center)) return true;
+            found = {&edge, -gap};
+            return false;
+        });
+        return found;
+    }
+
+    // The work is bounded: a million balls in one place that never meet are n^2 pairs.
+    bool has_time(const Span& span) {
+        constexpr std::uint64_t most_pairs = 50'000'000;
+        if (++pairs_ <= most_pairs) return true;
+        if (pairs_ == most_pairs + 1) {
+            context_.reporter.warning(span, "the level is too crowded to check how its balls start",
+                                      "expect balls that start inside one another");
+        }
+        return false;
+    }
+
+    // A fill keeps clear of all that stands.
+    static bool is_filled(const StartingBall& ball) { return ball.naming < 0; }
+
+    void check_edges(const BoxTree& tree) {
+        for (const StartingBall& ball : balls_) {
+            if (is_filled(ball)) continue;
+            if (!has_time(ball.origin.span)) return;
+            const auto edge =
+                edge_around(tree, {ball.position, ball.radius}, ball.kind, ball.origin.span);
+            if (!edge) continue;
+            context_.reporter.error(
+                ball.origin.span,
+                fmt::format("the ball starts inside the edge of line {}, {} deep",
+                            edge->first->origin.span.line, length_text(edge->second, context_)),
+                "move the ball or the edge; a ball reaches r around its centre, an edge r around "
+                "its line");
+        }
+    }
+
+    void check_emitters(const BoxTree& tree) {
+        for (std::size_t i = 0; i < draft_.emitters.size(); ++i) {
+            const EmitterDraft& draft = draft_.emitters[i];
+            if (!names_.emitters[i].is_sound) continue;
+            if (!has_time(draft.origin.span)) return;
+            const ClassIndex kind = names_.emitters[i].kind;
+            const auto edge = edge_around(tree, {draft.emitter.at, names_.kinds[kind].radius}, kind,
+                                          draft.origin.span);
+            if (!edge) continue;
+            context_.reporter.error(
+                draft.origin.span,
+                fmt::format("the spawn lies inside the edge of line {}, {} deep",
+                            edge->first->origin.span.line, length_text(edge->second, context_)),
+                "move the spawn or the edge");
+        }
+    }
+
+    void check_balls() {
+        std::vector<Box> boxes;
+        for (std::uint32_t i = 0; i < balls_.size(); ++i) {
+            if (is_filled(balls_[i])) continue;
+            boxes.push_back(bounds(disc_of(balls_[i])));
+            checked_.push_back(i);
+        }
+        const BoxTree tree(std::move(boxes));
+        for (const std::uint32_t i : checked_) {
+            if (!has_time(balls_[i].origin.span)) return;
+            for (const Vec2 image : images_of(balls_[i]))
+                check_ball(tree, i, image);
+        }
+    }
+
+    static Disc disc_of(const StartingBall& ball) { return {ball.position, ball.radius}; }
+
+    // On a torus, where else the ball is: its place, and beyond each side that it hangs over.
+    std::vector<Vec2> images_of(const StartingBall& ball) const {
+        std::vector<Vec2> images{ball.position};
+        if (!draft_.settings.wrap || !draft_.settings.world) return images;
+        const Box& world = *draft_.settings.world;
+        const Box around = bounds(disc_of(ball));
+        const double dx = around.low.x < world.low.x     ? size(world).x
+                          : around.high.x > world.high.x ? -size(world).x
+                                                         : 0.0;
+        const double dy = around.low.y < world.low.y     ? size(world).y
+                          : around.high.y > world.high.y ? -size(world).y
+                                                         : 0.0;
+        if (dx != 0.0) images.push_back(ball.position + Vec2{dx, 0.0});
+        if (dy != 0.0) images.push_back(ball.position + Vec2{0.0, dy});
+        if (dx != 0.0 && dy != 0.0) images.push_back(ball.position + Vec2{dx, dy});
+        return images;
+    }
+
+    void check_ball(const BoxTree& tree, std::uint32_t i, Vec2 at) {
+        const StartingBall& ball = balls_[i];
+        const Disc disc{at, ball.radius};
+        tree.query(bounds(disc), [&](std::uint32_t entry) {
+            if (!has_time(ball.origin.span)) return false;
+            const std::uint32_t k = checked_[entry];
+            const StartingBall& other = balls_[k];
+            if (k == i || (k > i && at == ball.position)) return true;
+            if (told_.contains({i, k}) || told_.contains({k, i})) return true;
+            const double gap = separation(disc, disc_of(other));
+            if (gap >= -rounding(at, disc.radius + other.radius)) return true;
+            if (!names_.kinds_meet(ball.kind, other.kind)) return true;
+            told_.emplace(i, k);
+            const StartingBall& later = i > k ? ball : other;
+            const StartingBall& earlier = i > k ? other : ball;
+            context_.reporter.error(
+                later.origin.span,
+                fmt::format("the ball starts inside the ball of line {}, {} deep",
+                            earlier.origin.span.line, length_text(-gap, context_)),
+                "move one of them, or write 'use overlap'");
+            return false;
+        });
+    }
+
+    const std::vector<StartingBall>& balls_;
+    const Resolved& names_;
+    Context& context_;
+    const Draft& draft_;
+    std::uint64_t pairs_ = 0;
+    std::vector<std::uint32_t> checked_;  ///< balls, by their entry in the tree
+    std::set<std::pair<std::uint32_t, std::uint32_t>> told_;
+};
+
+}  // namespace
+
+void check_terms(Context& context) {
+    if (context.draft.needs_cloth && !context.draft.settings.cloth)
+        context.reporter.error(*context.draft.needs_cloth, "roll= needs 'use cloth'",
+                               "add a line 'use cloth', or leave roll= out");
+    if (context.draft.settings.spin || context.draft.settings.cloth) return;
+    for (const SpinNeed& need : context.draft.spin_needs) {
+        context.reporter.error(need.value.span(),
+                               fmt::format("{}={} needs 'use spin'", need.key, need.value.text),
+                               fmt::format("add a line 'use spin', or leave {}= out", need.key));
+    }
+}
+
+void check_start(const std::vector<StartingBall>& balls, const Resolved& names, Context& context) {
+    StartCheck(balls, names, context).run();
+}
+
+}  // namespace carom

@@ -1,0 +1,130 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <set>
+
+#include "geometry/closest.h"
+#include "level/assemble/box_tree.h"
+#include "level/assemble/checks.h"
+
+namespace carom {
+namespace {
+
+constexpr std::uint64_t most_pairs = 4'000'000;  // a warning is not worth more than that
+
+bool cross_each_other(const Capsule& a, const Capsule& b) {
+    const Vec2 along_a = a.end - a.start;
+    const Vec2 along_b = b.end - b.start;
+    const auto sides_differ = [](double p, double q) {
+        return (p > 0.0 && q < 0.0) || (p < 0.0 && q > 0.0);
+    };
+    return sides_differ(cross(along_a, b.start - a.start), cross(along_a, b.end - a.start)) &&
+           sides_differ(cross(along_b, a.start - b.start), cross(along_b, a.end - b.start));
+}
+
+// Between the rims; 0 or less where they touch.
+double gap_between(const Capsule& a, const Capsule& b) {
+    if (cross_each_other(a, b)) return 0.0;
+    const double nearest = std::min({distance(a.start, closest_point(b.start, b.end, a.start)),
+                                     distance(a.end, closest_point(b.start, b.end, a.end)),
+                                     distance(b.start, closest_point(a.start, a.end, b.start)),
+                                     distance(b.end, closest_point(a.start, a.end, b.end))});
+    return nearest - a.radius - b.radius;
+}
+
+// Edges that hang together, piece by piece: what is near on the same one is a corner, not a gap.
+class Clusters {
+  public:
+    explicit Clusters(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    }
+    std::size_t find(std::size_t i) {
+        while (parent_[i] != i) {
+            parent_[i] = parent_[parent_[i]];
+            i = parent_[i];
+        }
+        return i;
+    }
+    void join(std::size_t a, std::size_t b) { parent_[find(a)] = find(b); }
+
+  private:
+    std::vector<std::size_t> parent_;
+};
+
+double smallest_radius(const std::vector<StartingBall>& balls, const Resolved& names,
+                       const Draft& draft) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const StartingBall& ball : balls)
+        smallest = std::min(smallest, ball.radius);
+    for (std::size_t i = 0; i < draft.emitters.size(); ++i) {
+        smallest = std::min(smallest, names.kinds[names.emitters[i].kind].radius);
+    }
+    return smallest;
+}
+
+struct Gap {
+    std::size_t a = 0;
+    std::size_t b = 0;
+    double width = 0.0;
+};
+
+}  // namespace
+
+void check_gaps(const std::vector<StartingBall>& balls, const Resolved& names, Context& context) {
+    const std::vector<CapsuleDraft>& edges = context.draft.capsules;
+    const std::vector<ChainDraft>& chains = context.draft.chains;
+    if (balls.empty() && context.draft.emitters.empty()) return;
+    const double diameter = 2.0 * smallest_radius(balls, names, context.draft);
+    std::vector<Box> boxes;
+    for (const CapsuleDraft& edge : edges)
+        boxes.push_back(bounds(edge.shape));
+    const BoxTree tree(boxes);
+    Clusters clusters(context.draft.chains.size() + edges.size());
+    const auto layer_of = [&names](const CapsuleDraft& edge) {
+        const ResolvedEdges& drawn = names.edges[static_cast<std::size_t>(edge.naming)];
+        return names.material_layers[drawn.material];
+    };
+    std::vector<Gap> gaps;
+    std::uint64_t pairs = 0;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const auto chain = static_cast<std::size_t>(edges[i].chain);
+        clusters.join(edges.size() + chain, i);
+        tree.query(grow(boxes[i], diameter), [&](std::uint32_t k) {
+            if (k >= i || edges[k].chain == edges[i].chain) return ++pairs < most_pairs;
+            if (!chains[chain].has_gaps ||
+                !chains[static_cast<std::size_t>(edges[k].chain)].has_gaps) {
+                return ++pairs < most_pairs;
+            }
+            if (layer_of(edges[i]) != layer_of(edges[k])) return ++pairs < most_pairs;
+            const double gap = gap_between(edges[i].shape, edges[k].shape);
+            // What an author computed to touch, and rounding parted, is no gap.
+            if (gap <= 1e-9 * diameter) {
+                clusters.join(i, k);
+            } else if (gap < diameter * (1.0 - 1e-9)) {
+                gaps.push_back({i, k, gap});
+            }
+            return ++pairs < most_pairs;
+        });
+        if (pairs < most_pairs) continue;
+        context.reporter.warning(edges[i].origin.span,
+                                 "the level is too crowded to look for gaps that no ball can pass",
+                                 "expect such gaps among its edges");
+        return;
+    }
+    std::set<std::pair<int, int>> told;
+    for (const Gap& gap : gaps) {
+        if (clusters.find(gap.a) == clusters.find(gap.b)) continue;
+        if (!told.emplace(edges[gap.a].naming, edges[gap.b].naming).second) continue;
+        context.reporter.warning(
+            edges[gap.a].origin.span,
+            fmt::format("no ball can pass the gap of {}{} to the edge of line {}",
+                        written(gap.width, Measure::length, context.unit), symbol(context.unit),
+                        edges[gap.b].origin.span.line),
+            fmt::format("close it, or make it wider than the smallest ball, {}{}",
+                        written(diameter, Measure::length, context.unit), symbol(context.unit)));
+    }
+}
+
+}  // namespace carom

@@ -1,0 +1,306 @@
+#include "level/assemble/groups.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "level/draft/numbers.h"
+#include "level/text/spelling.h"
+
+namespace carom {
+namespace {
+
+// "name(inside)" taken apart; none when the word is not of that form.
+struct Call {
+    Word name;
+    Word inside;
+};
+std::optional<Call> call_of(const Word& word) {
+    const std::size_t open = word.text.find('(');
+    if (open == std::string_view::npos || word.text.back() != ')') return std::nullopt;
+    return Call{word.part(0, open), word.part(open + 1, word.text.size() - open - 2)};
+}
+
+std::string_view bins_name(const EdgeNaming& naming) {
+    return naming.plain.empty() ? naming.node->statement->name : naming.plain.front().text;
+}
+
+Group& group_named(std::vector<Group>& groups,
+                   std::map<std::string, std::size_t, std::less<>>& index, std::string_view name) {
+    const auto [found, is_new] = index.emplace(std::string(name), groups.size());
+    if (is_new) groups.push_back({std::string(name), {}, {}, {}});
+    return groups[found->second];
+}
+
+}  // namespace
+
+void Groups::name_balls(const std::vector<StartingBall>& balls) {
+    std::map<std::string_view, std::pair<const Node*, std::uint32_t>> statements;
+    ball_names_.assign(balls.size(), "");
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (balls[i].naming < 0) continue;
+        const BallNaming& naming = draft_.ball_namings[static_cast<std::size_t>(balls[i].naming)];
+        if (!naming.name && !naming.is_numbered) continue;
+        const std::string_view base = naming.name ? naming.name->text : naming.node->keyword().text;
+        auto& [node, count] = statements[base];
+        if (!node) node = naming.node;
+        if (node != naming.node) {
+            context_.reporter.error(
+                naming.name ? naming.name->span() : naming.node->keyword().span(),
+                fmt::format("the name '{}' is taken, in line {}", base, node->keyword().line),
+                "give each ball a name of its own");
+            continue;
+        }
+        ++count;
+        const bool is_plain = count == 1 && !naming.is_numbered;
+        ball_names_[i] = is_plain ? std::string(base) : fmt::format("{}.{}", base, count);
+        ball_numbers_[ball_names_[i]] = static_cast<std::uint32_t>(i);
+        if (naming.name && !is_identifier(base)) {
+            context_.reporter.error(naming.name->span(), fmt::format("'{}' is not a name", base),
+                                    "a name has letters, digits and '_', and begins with a letter");
+        }
+    }
+    for (const ResolvedEdges& edges : names_.edges) {
+        const auto taken = statements.find(edges.name);
+        if (edges.name.empty() || taken == statements.end()) continue;
+        context_.reporter.error(edges.name_at,
+                                fmt::format("the name '{}' is taken, in line {}", edges.name,
+                                            taken->second.first->keyword().line),
+                                "a ball has that name: choose another");
+    }
+}
+
+void Groups::collect_bins() {
+    for (std::uint32_t i = 0; i < draft_.zones.size(); ++i) {
+        const auto& naming = draft_.edge_namings[static_cast<std::size_t>(draft_.zones[i].naming)];
+        const std::string_view name = bins_name(naming);
+        const auto [found, is_new] = bins_index_.emplace(std::string(name), bins_.size());
+        if (is_new) bins_.push_back({std::string(name), {}, 0});
+        bins_[found->second].zones.push_back(i);
+    }
+    std::uint32_t counter = 0;
+    for (Bins& bins : bins_) {
+        std::ranges::stable_sort(bins.zones, [&](std::uint32_t a, std::uint32_t b) {
+            const Vec2 at_a = draft_.zones[a].zone.shape.start;
+            const Vec2 at_b = draft_.zones[b].zone.shape.start;
+            return std::pair(at_a.x, at_a.y) < std::pair(at_b.x, at_b.y);
+        });
+        bins.first_counter = counter;
+        counter += static_cast<std::uint32_t>(bins.zones.size());
+    }
+}
+
+bool Groups::is_poisoned(std::string_view name) const {
+    return std::ranges::count(draft_.poisoned_names, name) > 0;
+}
+
+const Groups::Bins* Groups::bins_named(const Word& name) {
+    const auto found = bins_index_.find(name.text);
+    if (found != bins_index_.end()) return &bins_[found->second];
+    if (is_poisoned(name.text) || (name.text == "bins" && context_.reporter.has_errors())) {
+        return nullptr;
+    }
+    std::vector<std::string_view> known;
+    for (const Bins& bins : bins_)
+        known.emplace_back(bins.name);
+    context_.reporter.error(
+        name.span(), fmt::format("there are no bins '{}'", name.text),
+        did_you_mean(name.text, known,
+                     known.empty() ? "the level has no bins: add a line such as bins at=0,0 ..."
+                                   : fmt::format("there are: {}", fmt::join(known, " "))));
+    return nullptr;
+}
+
+std::optional<std::vector<double>> Groups::expected_shares(const Word& against, std::size_t bins) {
+    Reporter& reporter = context_.reporter;
+    if (against.text == "uniform") {
+        return std::vector<double>(bins, 1.0 / static_cast<double>(bins));
+    }
+    const std::string usage =
+        fmt::format("write against=binomial({},0.5) or against=uniform", bins - 1);
+    const std::optional<Call> call = call_of(against);
+    if (!call || call->name.text != "binomial") {
+        reporter.error(against.span(), fmt::format("'{}' is no known curve", against.text), usage);
+        return std::nullopt;
+    }
+    const std::vector<Word> arguments = split_outside_brackets(call->inside, ",");
+    if (arguments.size() != 2) {
+        reporter.error(against.span(), "binomial takes two numbers", usage);
+        return std::nullopt;
+    }
+    const Scope nothing;
+    const auto n =
+        read_number(arguments[0], {}, Measure::whole, Bound::not_negative, nothing, context_);
+    const auto p = read_number(arguments[1], {}, Measure::number, Bound::share, nothing, context_);
+    if (!n || !p) return std::nullopt;
+    if (*n + 1.0 != static_cast<double>(bins)) {
+        reporter.error(arguments[0].span(),
+                       fmt::format("{:.6g} tosses have {:.6g} outcomes, but there are {} bins", *n,
+                                   *n + 1.0, bins),
+                       usage);
+        return std::nullopt;
+    }
+    return binomial_shares(static_cast<int>(*n), *p);
+}
+
+std::optional<Show> Groups::make_show(const ShowDraft& draft) {
+    Show show;
+    show.what = draft.what;
+    if (draft.what == Show::What::energy) return show;
+    const Bins* bins = bins_named(*draft.of);
+    if (!bins) return std::nullopt;
+    show.of = bins->name;
+    for (std::uint32_t i = 0; i < bins->zones.size(); ++i) {
+        show.counters.push_back(bins->first_counter + i);
+    }
+    if (!draft.against) return show;
+    const auto shares = expected_shares(*draft.against, bins->zones.size());
+    if (!shares) return std::nullopt;
+    show.expected = *shares;
+    show.against = std::string(draft.against->text);
+    return show;
+}
+
+std::optional<Quantity> Groups::quantity_of(const Word& word) {
+    const std::size_t open = word.text.find('(');
+    if (open != std::string_view::npos) return bins_quantity(word, open);
+    const std::size_t dot = word.text.rfind('.');
+    if (dot != std::string_view::npos) return ball_quantity(word, dot);
+    std::vector<std::string_view> known;
+    for (const QuantityKind kind : quantity_kinds()) {
+        if (is_of_ball(kind) || is_of_bins(kind)) {
+            if (name(kind) != word.text) continue;
+            context_.reporter.error(word.span(), fmt::format("{} of what?", word.text),
+                                    is_of_ball(kind) ? fmt::format("write BALL.{}", word.text)
+                                                     : fmt::format("write {}(BINS)", word.text));
+            return std::nullopt;
+        }
+        if (name(kind) == word.text) return Quantity{kind, {}, {}, {}};
+        known.push_back(name(kind));
+    }
+    context_.reporter.error(
+        word.span(), fmt::format("'{}' is no quantity", word.text),
+        did_you_mean(word.text, known,
+                     fmt::format("there are {}, BALL.x and mean(BINS)", fmt::join(known, " "))));
+    return std::nullopt;
+}
+
+std::optional<Quantity> Groups::ball_quantity(const Word& word, std::size_t dot) {
+    const Word ball = word.part(0, dot);
+    const Word what = word.part(dot + 1);
+    std::vector<std::string_view> kinds;
+    std::optional<QuantityKind> found;
+    for (const QuantityKind kind : quantity_kinds()) {
+        if (!is_of_ball(kind)) continue;
+        kinds.push_back(name(kind));
+        if (name(kind) == what.text) found = kind;
+    }
+    if (!found) {
+        context_.reporter.error(what.span(), fmt::format("a ball has no '{}'", what.text),
+                                fmt::format("it has {}", fmt::join(kinds, " ")));
+        return std::nullopt;
+    }
+    const auto number = ball_numbers_.find(ball.text);
+    if (number != ball_numbers_.end()) return Quantity{*found, BallId{number->second}, {}, {}};
+    if (is_poisoned(ball.text)) return std::nullopt;
+    std::vector<std::string_view> known;
+    for (const auto& [other, index] : ball_numbers_)
+        known.push_back(other);
+    context_.reporter.error(
+        ball.span(), fmt::format("there is no ball '{}'", ball.text),
+        did_you_mean(ball.text, known, "give the ball a name: ball NAME at=..."));
+    return std::nullopt;
+}
+
+std::optional<Quantity> Groups::bins_quantity(const Word& word, std::size_t open) {
+    const Word what = word.part(0, open);
+    std::vector<std::string_view> kinds;
+    std::optional<QuantityKind> found;
+    for (const QuantityKind kind : quantity_kinds()) {
+        if (!is_of_bins(kind)) continue;
+        kinds.push_back(name(kind));
+        if (name(kind) == what.text) found = kind;
+    }
+    const std::optional<Call> call = call_of(word);
+    if (!found || !call) {
+        context_.reporter.error(
+            what.span(), fmt::format("bins have no '{}'", what.text),
+            did_you_mean(what.text, kinds,
+                         fmt::format("they have {}, as in mean(bins)", fmt::join(kinds, " "))));
+        return std::nullopt;
+    }
+    const Bins* bins = bins_named(call->inside);
+    if (!bins) return std::nullopt;
+    Quantity quantity{*found, {}, {}, {}};
+    for (std::uint32_t i = 0; i < bins->zones.size(); ++i) {
+        quantity.counters.push_back(bins->first_counter + i);
+    }
+    for (const Show& show : shows_) {
+        if (show.of == bins->name && !show.expected.empty()) quantity.expected = show.expected;
+    }
+    if (quantity.expected.empty()) {
+        quantity.expected = binomial_shares(static_cast<int>(bins->zones.size()) - 1, 0.5);
+    }
+    return quantity;
+}
+
+std::optional<Expect> Groups::make_expect(const ExpectDraft& draft) {
+    const auto what = quantity_of(draft.quantity);
+    if (!what) return std::nullopt;
+    Expect expect;
+    expect.quantity = std::string(draft.quantity.text);
+    expect.what = *what;
+    expect.value = draft.value;
+    expect.tolerance = draft.tolerance;
+    expect.at = draft.at;
+    expect.line = draft.quantity.line;
+    return expect;
+}
+
+void Groups::check_references() {
+    collect_bins();
+    for (const ShowDraft& draft : draft_.shows) {
+        if (auto show = make_show(draft)) shows_.push_back(std::move(*show));
+    }
+    for (const ExpectDraft& draft : draft_.expects) {
+        if (auto expect = make_expect(draft)) expects_.push_back(std::move(*expect));
+    }
+}
+
+void Groups::fill_in(Scene& scene) {
+    check_references();
+    World& world = scene.world;
+    scene.ball_names = ball_names_;
+    std::map<std::string, std::size_t, std::less<>> index;
+    for (std::size_t i = 0; i < ball_names_.size(); ++i) {
+        if (ball_names_[i].empty()) continue;
+        const std::string_view base =
+            std::string_view(ball_names_[i]).substr(0, ball_names_[i].find('.'));
+        group_named(scene.groups, index, base).balls.push_back(world.balls.id[i]);
+    }
+    for (std::size_t i = 0; i < draft_.capsules.size(); ++i) {
+        const std::string& name =
+            names_.edges[static_cast<std::size_t>(draft_.capsules[i].naming)].name;
+        if (name.empty()) continue;
+        group_named(scene.groups, index, name).capsules.push_back(world.capsules.id[i]);
+    }
+    std::uint32_t counter = 0;
+    world_zones_.assign(draft_.zones.size(), 0);
+    for (const Bins& bins : bins_) {
+        for (std::uint32_t i = 0; i < bins.zones.size(); ++i) {
+            world_zones_[bins.zones[i]] = static_cast<std::uint32_t>(world.zones.size());
+            Zone zone = draft_.zones[bins.zones[i]].zone;
+            zone.counter = counter++;
+            world.zones.push_back(zone);
+            scene.zone_names.push_back(fmt::format("{}.{}", bins.name, i + 1));
+            scene.counter_names.push_back(scene.zone_names.back());
+            group_named(scene.groups, index, bins.name).counters.push_back(zone.counter);
+        }
+    }
+    world.counters.assign(counter, 0);
+    scene.shows = std::move(shows_);
+    scene.expects = std::move(expects_);
+}
+
+}  // namespace carom

@@ -1,0 +1,392 @@
+#include "level/assemble/names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "geometry/elementary.h"
+#include "level/text/spelling.h"
+
+namespace carom {
+namespace {
+
+template <typename Draft>
+std::vector<std::string_view> names_of(const std::vector<Draft>& drafts) {
+    std::vector<std::string_view> names;
+    for (const Draft& draft : drafts)
+        names.push_back(draft.name.text);
+    return names;
+}
+
+bool are_same(const Material& a, const Material& b) {
+    return a.restitution == b.restitution && a.soften == b.soften && a.friction == b.friction &&
+           a.kick == b.kick && a.kick_from == b.kick_from &&
+           a.kicks_in_the_middle == b.kicks_in_the_middle;
+}
+
+// The kinds or the materials of a level, found by name.
+class Classes {
+  public:
+    explicit Classes(const std::vector<std::string_view>& names) : used_(names.size(), false) {
+        for (std::size_t i = 0; i < names.size(); ++i)
+            index_.emplace(names[i], i);
+    }
+
+    std::optional<ClassIndex> find(std::string_view name) {
+        const auto found = index_.find(name);
+        if (found == index_.end()) return std::nullopt;
+        used_[found->second] = true;
+        return static_cast<ClassIndex>(found->second);
+    }
+    bool has(std::string_view name) const { return index_.contains(name); }
+    /// The one that stands for those without a name.
+    ClassIndex unnamed() {
+        is_unnamed_used_ = true;
+        return static_cast<ClassIndex>(used_.size());
+    }
+    bool is_unnamed_used() const { return is_unnamed_used_; }
+    bool is_used(std::size_t i) const { return used_[i]; }
+
+  private:
+    std::map<std::string_view, std::size_t> index_;
+    std::vector<bool> used_;
+    bool is_unnamed_used_ = false;
+};
+
+class Resolver {
+  public:
+    explicit Resolver(Context& context)
+        : context_(context),
+          draft_(context.draft),
+          kind_names_(names_of(draft_.kinds)),
+          material_names_(names_of(draft_.materials)),
+          kinds_(kind_names_),
+          materials_(material_names_) {}
+
+    Resolved resolve() {
+        for (const EdgeNaming& naming : draft_.edge_namings) {
+            result_.edges.push_back(resolve_edges(naming));
+        }
+        for (const BallNaming& naming : draft_.ball_namings) {
+            result_.balls.push_back(resolve_kind(naming.kind));
+        }
+        for (const FillDraft& fill : draft_.fills)
+            result_.fills.push_back(resolve_kind(fill.kind));
+        for (const EmitterDraft& emitter : draft_.emitters) {
+            result_.emitters.push_back(resolve_kind(emitter.kind));
+        }
+        make_classes();
+        make_parts();
+        make_meetings();
+        warn_unused();
+        return std::move(result_);
+    }
+
+  private:
+    // Nobody reads the hundredth remedy, and to look for it takes time.
+    std::string remedy(const Word& word, const std::vector<std::string_view>& known,
+                       std::string otherwise) const {
+        if (context_.reporter.errors() > 10 * max_diagnostics) return otherwise;
+        return did_you_mean(word.text, known, std::move(otherwise));
+    }
+
+    ResolvedBalls resolve_kind(const std::optional<Word>& name) {
+        if (!name) return {kinds_.unnamed(), true};
+        if (const auto kind = kinds_.find(name->text)) {
+            return {*kind, draft_.kinds[*kind].is_sound};
+        }
+        context_.reporter.error(
+            name->span(), fmt::format("there is no kind '{}'", name->text),
+            remedy(*name, kind_names_, fmt::format("define it: kind {} r=...", name->text)));
+        return {0, false};
+    }
+
+    std::optional<ClassIndex> known_material(const Word& name) {
+        if (const auto material = materials_.find(name.text)) return material;
+        context_.reporter.error(
+            name.span(), fmt::format("there is no material '{}'", name.text),
+            remedy(name, material_names_, fmt::format("define it: material {} e=...", name.text)));
+        return std::nullopt;
+    }
+
+    ResolvedEdges resolve_edges(const EdgeNaming& naming) {
+        ResolvedEdges edges;
+        std::vector<Word> words = naming.plain;
+        std::optional<Word> material = naming.material;
+        if (naming.may_begin_with_material && !words.empty() &&
+            (words.size() == 2 || materials_.has(words[0].text))) {
+            material = words[0];
+            words.erase(words.begin());
+        }
+        if (material) {
+            const auto found = known_material(*material);
+            edges.is_sound = found.has_value();
+            edges.material = found.value_or(ClassIndex{0});
+        } else if (naming.makes_edges && !naming.part) {
+            edges.material = materials_.unnamed();
+        }
+        if (naming.part) is_of_own_material_.push_back(!material);
+        if (!words.empty()) take_name(words[0], naming.may_begin_with_material, edges);
+        return edges;
+    }
+
+    // One word before the points may be a misspelt material: that is worth a warning.
+    void take_name(const Word& word, bool may_be_material, ResolvedEdges& edges) {
+        if (!is_identifier(word.text)) {
+            context_.reporter.error(word.span(), fmt::format("'{}' is not a name", word.text),
+                                    "points are written x,y without spaces");
+            edges.is_sound = false;
+            return;
+        }
+        edges.name = std::string(word.text);
+        edges.name_at = word.span();
+        const auto near = nearest_word(word.text, material_names_);
+        if (!may_be_material || !near || edges.material < material_names_.size()) return;
+        context_.reporter.warning(
+            word.span(), fmt::format("'{}' is no material, so it is taken for a name", word.text),
+            fmt::format("did you mean '{}'?", *near));
+    }
+
+    void make_classes() {
+        for (const KindDraft& draft : draft_.kinds) {
+            Kind kind;
+            kind.radius = draft.radius.value_or(1.0);
+            kind.mass =
+                draft.mass.value_or(draft.density.value_or(1.0) * pi * kind.radius * kind.radius);
+            kind.restitution = draft.restitution.value_or(1.0);
+            kind.friction = draft.friction;
+            result_.kinds.push_back(kind);
+            result_.kind_names.emplace_back(draft.name.text);
+        }
+        for (const MaterialDraft& draft : draft_.materials) {
+            result_.materials.push_back(draft.values);
+            result_.material_names.emplace_back(draft.name.text);
+            result_.material_layers.push_back(draft.layer);
+            result_.layers = std::max<std::size_t>(result_.layers, draft.layer + 1u);
+        }
+        if (kinds_.is_unnamed_used() || result_.kinds.empty()) {
+            result_.kinds.emplace_back();
+            result_.kind_names.emplace_back("ball");
+        }
+        if (materials_.is_unnamed_used() || result_.materials.empty()) {
+            result_.materials.emplace_back();
+            result_.material_names.emplace_back("edge");
+            result_.material_layers.push_back(0);
+        }
+        kinds_of_a_layer_ = result_.kinds.size();
+        for (std::size_t i = kinds_of_a_layer_; i < result_.layers * kinds_of_a_layer_; ++i) {
+            Kind kind = result_.kinds[i % kinds_of_a_layer_];
+            kind.layer = static_cast<std::uint8_t>(i / kinds_of_a_layer_);
+            result_.kinds.push_back(kind);
+            result_.kind_names.push_back(result_.kind_names[i % kinds_of_a_layer_]);
+        }
+    }
+
+    // Parts are made of materials of their own: what they are usually made of, or the named one
+    // with their kick.
+    void make_parts() {
+        const std::size_t first = result_.materials.size();
+        std::size_t part = 0;
+        for (std::size_t i = 0; i < draft_.edge_namings.size(); ++i) {
+            const EdgeNaming& naming = draft_.edge_namings[i];
+            if (!naming.part) continue;
+            const bool is_own = is_of_own_material_[part++];
+            ResolvedEdges& edges = result_.edges[i];
+            if (!edges.is_sound) continue;
+            Material made = *naming.part;
+            std::uint8_t layer = 0;
+            if (!is_own) {
+                layer = result_.material_layers[edges.material];
+                const Material& named = result_.materials[edges.material];
+                made.restitution = named.restitution;
+                made.soften = named.soften;
+                made.friction = named.friction;
+            }
+            const std::string name(is_own ? naming.node->statement->name
+                                          : result_.material_names[edges.material]);
+            edges.material = part_material(made, name, first, naming.node->keyword().span());
+            result_.material_layers.resize(result_.materials.size(), layer);
+        }
+    }
+
+    ClassIndex part_material(const Material& made, const std::string& name, std::size_t first,
+                             const Span& at) {
+        for (std::size_t i = first; i < result_.materials.size(); ++i) {
+            if (result_.material_names[i] == name && are_same(result_.materials[i], made))
+                return static_cast<ClassIndex>(i);
+        }
+        if (result_.kinds.size() + result_.materials.size() >= max_classes) {
+            context_.reporter.error(
+                at, fmt::format("the level has more than {} kinds and materials", max_classes),
+                "let more parts have the same kick");
+            return 0;
+        }
+        result_.materials.push_back(made);
+        result_.material_names.push_back(name);
+        return static_cast<ClassIndex>(result_.materials.size() - 1);
+    }
+
+    // A kind may be called ball, as long as nobody has to guess which balls are meant.
+    bool is_ambiguous(const Word& word, std::string_view all, std::string_view name,
+                      std::size_t of_its_sort) {
+        if (word.text != all || name != all || of_its_sort == 1) return false;
+        const bool is_declared = kinds_.has(all) || materials_.has(all);
+        if (!is_declared) return false;
+        context_.reporter.error(word.span(),
+                                fmt::format("'{}' is the name of one, and the word for all", all),
+                                fmt::format("call that one something else than {}", all));
+        return true;
+    }
+
+    // The classes that a word of `collide` stands for; empty: reported.
+    const std::vector<std::size_t>& classes_of(const Word& word) {
+        std::vector<std::size_t>& known = classes_[word.text];
+        if (known.empty()) known = find_classes(word);
+        return known;
+    }
+
+    std::vector<std::size_t> find_classes(const Word& word) {
+        std::vector<std::size_t> classes;
+        const std::size_t kinds = result_.kinds.size();
+        for (std::size_t i = 0; i < kinds + result_.materials.size(); ++i) {
+            const bool is_kind = i < kinds;
+            const std::string& name =
+                is_kind ? result_.kind_names[i] : result_.material_names[i - kinds];
+            const std::string_view all = is_kind ? "ball" : "edge";
+            if (is_ambiguous(word, all, name,
+                             is_kind ? kinds_of_a_layer_ : result_.materials.size()))
+                return {};
+            if (word.text == all || word.text == name) classes.push_back(i);
+        }
+        kinds_.find(word.text);
+        materials_.find(word.text);
+        if (!classes.empty()) return classes;
+        std::vector<std::string_view> known{"ball", "edge"};
+        known.insert(known.end(), kind_names_.begin(), kind_names_.end());
+        known.insert(known.end(), material_names_.begin(), material_names_.end());
+        context_.reporter.error(
+            word.span(), fmt::format("'{}' is neither a kind nor a material", word.text),
+            remedy(word, known, "name kinds, materials, or the words ball and edge"));
+        return {};
+    }
+
+    void make_meetings() {
+        if (draft_.collides.empty() && result_.layers == 1) return;
+        const std::size_t kinds = result_.kinds.size();
+        const std::size_t classes = kinds + result_.materials.size();
+        result_.meets.assign(classes * classes, draft_.collides.empty() ? 1 : 0);
+        make_declared_meetings();
+        const auto layer_of = [&](std::size_t i) {
+            return i < kinds ? result_.kinds[i].layer : result_.material_layers[i - kinds];
+        };
+        for (std::size_t i = 0; i < classes; ++i)
+            for (std::size_t k = 0; k < classes; ++k)
+                if (layer_of(i) != layer_of(k)) result_.meets[i * classes + k] = 0;
+    }
+
+    void make_declared_meetings() {
+        const std::size_t kinds = result_.kinds.size();
+        const std::size_t classes = kinds + result_.materials.size();
+        // Each pair of words once: `ball ball` alone can be a million pairs of kinds.
+        std::set<std::pair<std::string_view, std::string_view>> done;
+        for (const CollideDraft& collide : draft_.collides) {
+            if (!done.emplace(collide.a.text, collide.b.text).second) continue;
+            const std::vector<std::size_t>& a = classes_of(collide.a);
+            const std::vector<std::size_t>& b = classes_of(collide.b);
+            for (const std::size_t i : a) {
+                for (const std::size_t k : b) {
+                    result_.meets[i * classes + k] = result_.meets[k * classes + i] = 1;
+                }
+            }
+            const auto is_edge = [&](std::size_t i) { return i >= kinds; };
+            if (!a.empty() && !b.empty() && std::ranges::all_of(a, is_edge) &&
+                std::ranges::all_of(b, is_edge)) {
+                context_.reporter.error(collide.b.span(), "edges do not meet edges",
+                                        "name a kind of ball, or the word ball");
+            }
+        }
+    }
+
+    void warn_unused() {
+        // What is in error may be what would have used it.
+        if (context_.reporter.has_errors()) return;
+        const auto warn = [&](const Word& name, std::string_view what) {
+            if (!name.source->included_from.empty() || name.source->name == "--set") return;
+            context_.reporter.warning(name.span(),
+                                      fmt::format("the {} '{}' is never used", what, name.text),
+                                      "use it, or take it out");
+        };
+        for (std::size_t i = 0; i < draft_.kinds.size(); ++i) {
+            if (!kinds_.is_used(i) && draft_.kinds[i].is_sound) warn(draft_.kinds[i].name, "kind");
+        }
+        for (std::size_t i = 0; i < draft_.materials.size(); ++i) {
+            if (!materials_.is_used(i)) warn(draft_.materials[i].name, "material");
+        }
+        for (const auto& [where, let] : context_.lets) {
+            if (let.is_used || !let.span.source->included_from.empty()) continue;
+            context_.reporter.warning(let.span, fmt::format("'{}' is never used", let.name),
+                                      "use it, or take it out");
+        }
+    }
+
+    Context& context_;
+    Draft& draft_;
+    std::vector<std::string_view> kind_names_;
+    std::vector<std::string_view> material_names_;
+    Classes kinds_;
+    Classes materials_;
+    std::size_t kinds_of_a_layer_ = 0;
+    std::vector<bool> is_of_own_material_;                          ///< by naming of a part
+    std::map<std::string_view, std::vector<std::size_t>> classes_;  ///< by a word of `collide`
+    Resolved result_;
+};
+
+}  // namespace
+
+bool Resolved::kinds_meet(ClassIndex a, ClassIndex b) const {
+    return meets.empty() || meets[a * (kinds.size() + materials.size()) + b] != 0;
+}
+
+bool Resolved::kind_meets_material(ClassIndex kind, ClassIndex material) const {
+    return meets.empty() ||
+           meets[kind * (kinds.size() + materials.size()) + kinds.size() + material] != 0;
+}
+
+bool Resolved::some_balls_meet() const {
+    for (std::size_t a = 0; a < kinds.size(); ++a) {
+        for (std::size_t b = 0; b < kinds.size(); ++b) {
+            if (kinds_meet(static_cast<ClassIndex>(a), static_cast<ClassIndex>(b))) return true;
+        }
+    }
+    return false;
+}
+
+bool Resolved::some_edges_meet() const {
+    for (std::size_t a = 0; a < kinds.size(); ++a) {
+        for (std::size_t m = 0; m < materials.size(); ++m) {
+            if (kind_meets_material(static_cast<ClassIndex>(a), static_cast<ClassIndex>(m))) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+bool Resolved::all_meet() const {
+    // Edges do not meet edges, whatever the table says of them.
+    const std::size_t classes = kinds.size() + materials.size();
+    for (std::size_t i = 0; i < meets.size(); ++i) {
+        if (meets[i] == 0 && (i / classes < kinds.size() || i % classes < kinds.size())) {
+            return false;
+        }
+    }
+    return true;
+}
+
+Resolved resolve_names(Context& context) {
+    return Resolver(context).resolve();
+}
+
+}  // namespace carom

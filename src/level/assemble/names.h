@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "level/draft/context.h"
+
+/// Names looked up, once the whole file is known: kinds, materials, and who meets whom.
+namespace carom {
+
+struct ResolvedEdges {
+    ClassIndex material = 0;
+    std::string name;  ///< empty: none
+    Span name_at;
+    bool is_sound = true;  ///< false: its material is not known, told already
+};
+
+struct ResolvedBalls {
+    ClassIndex kind = 0;
+    bool is_sound = true;
+};
+
+struct Resolved {
+    std::vector<ResolvedEdges> edges;     ///< by Draft::edge_namings
+    std::vector<ResolvedBalls> balls;     ///< by Draft::ball_namings
+    std::vector<ResolvedBalls> fills;     ///< by Draft::fills
+    std::vector<ResolvedBalls> emitters;  ///< by Draft::emitters
+    std::vector<Kind> kinds;
+    std::vector<std::string> kind_names;
+    std::vector<Material> materials;
+    std::vector<std::string> material_names;
+    std::vector<std::uint8_t> material_layers;  ///< by `materials`
+    std::size_t layers = 1;                     ///< `kinds` has each kind once a layer
+    /// As World::meets; empty: all meet.
+    std::vector<std::uint8_t> meets;
+
+    bool kinds_meet(ClassIndex a, ClassIndex b) const;
+    bool kind_meets_material(ClassIndex kind, ClassIndex material) const;
+    bool some_balls_meet() const;
+    bool some_edges_meet() const;
+    bool all_meet() const;
+};
+
+/// Reports unknown names, and warns of unused ones. The kind "ball" and the material "edge" stand
+/// for those that the level does not name; they are there when they are used, or nothing else is.
+Resolved resolve_names(Context& context);
+
+}  // namespace carom

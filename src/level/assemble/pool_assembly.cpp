@@ -1,0 +1,109 @@
+#include "level/assemble/pool_assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "level/text/spelling.h"
+
+namespace carom {
+namespace {
+
+bool is_pool_game(const SettingsDraft& settings) {
+    return settings.game == "eightball" || settings.game == "nineball";
+}
+
+void check_cloth(const LoadOptions& options, Context& context) {
+    const SettingsDraft& settings = context.draft.settings;
+    if (!settings.cloth) return;
+    const auto refuse = [&](std::string_view term) {
+        context.reporter.error(*settings.cloth_at,
+                               fmt::format("use cloth does not go with 'use {}'", term),
+                               "a table is seen from above: nothing pulls or brakes the balls but "
+                               "its cloth");
+    };
+    if (settings.gravity) refuse("gravity");
+    if (settings.drag) refuse("drag");
+    const auto& solver = options.solver ? options.solver : settings.solver;
+    if (solver && !knows_cloth(solver->kind))
+        context.reporter.error(*settings.cloth_at,
+                               fmt::format("solver {} does not know cloth", name(solver->kind)),
+                               "take another solver, or leave the line solver out");
+}
+
+void check_pockets(const std::vector<StartingBall>& balls, Context& context) {
+    double largest = 0.0;
+    for (const StartingBall& ball : balls)
+        largest = std::max(largest, ball.radius);
+    for (const ZoneDraft& zone : context.draft.zones) {
+        if (!zone.is_pocket || zone.origin.image != 0 || zone.zone.shape.radius >= largest)
+            continue;
+        context.reporter.error(
+            zone.origin.span, "the pocket is smaller than a ball",
+            fmt::format("make it {} or larger", written(largest, Measure::length, context.unit)));
+    }
+}
+
+void check_game(Context& context) {
+    const Draft& draft = context.draft;
+    if (!is_pool_game(draft.settings) || context.reporter.has_errors()) return;
+    const bool is_eight = draft.settings.game == "eightball";
+    const auto wanted = is_eight ? Rack::Shape::eight : Rack::Shape::nine;
+    const auto needs = [&](std::string_view what, std::string_view line) {
+        context.reporter.error(*draft.settings.game_at,
+                               fmt::format("game {} needs {}", *draft.settings.game, what),
+                               fmt::format("add a line such as: {}", line));
+    };
+    const auto racks = std::ranges::count(draft.racks, wanted, &RackDraft::shape);
+    if (racks != 1)
+        needs(is_eight ? "one rack eight" : "one rack nine",
+              is_eight ? "rack eight kind=pool at=635,0" : "rack nine kind=pool at=635,0");
+    if (draft.cues.size() != 1) needs("one cue", "cue ball=cue power=0..10m/s");
+    if (std::ranges::none_of(draft.zones, &ZoneDraft::is_pocket))
+        needs("pockets", "pocket corner at=1299.5,664.5 r=62");
+}
+
+}  // namespace
+
+void check_pool(const std::vector<StartingBall>& balls, const LoadOptions& options,
+                Context& context) {
+    check_cloth(options, context);
+    check_pockets(balls, context);
+    check_game(context);
+}
+
+void fill_in_pool(const std::vector<StartingBall>& balls,
+                  const std::vector<std::uint32_t>& world_zones, Scene& scene, Context& context) {
+    const Draft& draft = context.draft;
+    for (const RackDraft& from : draft.racks) {
+        Rack rack;
+        rack.shape = from.shape;
+        rack.foot = from.foot;
+        rack.toward = from.toward;
+        for (std::size_t i = 0; i < balls.size(); ++i)
+            if (balls[i].naming == from.naming) rack.balls.push_back(scene.world.balls.id[i]);
+        scene.pool.racks.push_back(std::move(rack));
+    }
+    for (std::size_t i = 0; i < draft.zones.size(); ++i)
+        if (draft.zones[i].is_pocket) scene.pool.pockets.push_back(world_zones[i]);
+    std::ranges::sort(scene.pool.pockets);
+    scene.pool.race = draft.settings.race;
+    scene.pool.clock = draft.settings.clock;
+    for (const CueDraft& cue : draft.cues) {
+        const auto named = std::ranges::find(scene.ball_names, cue.ball.text);
+        if (named != scene.ball_names.end()) {
+            scene.pool.cue = {
+                scene.world.balls.id[static_cast<std::size_t>(named - scene.ball_names.begin())],
+                cue.least_power, cue.most_power};
+            continue;
+        }
+        std::vector<std::string_view> known;
+        for (const std::string& other : scene.ball_names)
+            if (!other.empty()) known.push_back(other);
+        context.reporter.error(
+            cue.ball.span(), fmt::format("there is no ball '{}'", cue.ball.text),
+            did_you_mean(cue.ball.text, known, "give the ball a name: ball NAME at=..."));
+    }
+}
+
+}  // namespace carom

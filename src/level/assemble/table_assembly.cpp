@@ -1,0 +1,234 @@
+#include "level/assemble/table_assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "level/text/spelling.h"
+
+namespace carom {
+namespace {
+
+bool is_zone(DeviceKind kind) {
+    return kind == DeviceKind::rollover || kind == DeviceKind::spinner ||
+           kind == DeviceKind::kickback || kind == DeviceKind::drain || kind == DeviceKind::hole ||
+           kind == DeviceKind::ramp;
+}
+
+std::string_view word_for(DeviceKind kind) {
+    constexpr std::string_view words[] = {
+        "edge",     "flipper", "bumper",   "slingshot", "plunger", "gate", "droptarget", "target",
+        "rollover", "spinner", "kickback", "drain",     "lamp",    "hole", "ramp"};
+    return words[static_cast<std::size_t>(kind)];
+}
+
+bool has_lights(DeviceKind kind) {
+    return kind == DeviceKind::rollover || kind == DeviceKind::droptarget ||
+           kind == DeviceKind::target || kind == DeviceKind::lamp || kind == DeviceKind::kickback;
+}
+
+/// Why this kind of device never gives this event; none: it does.
+std::optional<std::string> never_gives(DeviceKind kind, Rule::When when) {
+    if (when == Rule::When::all) {
+        if (kind == DeviceKind::rollover || kind == DeviceKind::target ||
+            kind == DeviceKind::droptarget || kind == DeviceKind::lamp)
+            return std::nullopt;
+        return "only rollovers, targets and lamps light up one by one";
+    }
+    if (kind == DeviceKind::lamp) return "a lamp only shines: wait for what lights it";
+    if (when == Rule::When::enter)
+        return is_zone(kind) ? std::nullopt : std::optional<std::string>("balls hit it: write hit");
+    if (!is_zone(kind) || kind == DeviceKind::spinner) return std::nullopt;
+    return "balls enter it: write enter";
+}
+
+}  // namespace
+
+std::string TableAssembly::name_of(const DeviceDraft& device) const {
+    const std::string& name = names_.edges[static_cast<std::size_t>(device.naming)].name;
+    return name.empty() ? std::string(word_for(device.device.kind)) : name;
+}
+
+// Those that something is drawn for, in the order of the file. A lamp is drawn for itself.
+void TableAssembly::collect_devices() {
+    std::vector<bool> is_drawn(draft_.devices.size(), false);
+    for (const CapsuleDraft& capsule : draft_.capsules)
+        if (capsule.device >= 0) is_drawn[static_cast<std::size_t>(capsule.device)] = true;
+    for (const ZoneDraft& zone : draft_.zones)
+        if (zone.device >= 0) is_drawn[static_cast<std::size_t>(zone.device)] = true;
+    device_of_draft_.assign(draft_.devices.size(), -1);
+    for (std::size_t i = 0; i < draft_.devices.size(); ++i) {
+        const DeviceDraft& draft = draft_.devices[i];
+        const bool is_lamp = draft.device.kind == DeviceKind::lamp;
+        const bool is_twin = is_lamp && std::ranges::any_of(table_.devices, [&](const Device& d) {
+                                 return d.kind == DeviceKind::lamp && d.place == draft.device.place;
+                             });
+        if (is_lamp ? is_twin : !is_drawn[i]) continue;
+        check_layers(draft);
+        const std::string name = name_of(draft);
+        const auto [found, is_new] =
+            groups_.emplace(name, static_cast<std::uint32_t>(table_.groups.size()));
+        if (is_new) table_.groups.push_back({name, draft.device.kind, {}});
+        DeviceGroup& group = table_.groups[found->second];
+        if (group.kind != draft.device.kind) {
+            context_.reporter.error(draft.origin.span,
+                                    fmt::format("'{}' is the name of a {} and of a {}", name,
+                                                word_for(group.kind), word_for(draft.device.kind)),
+                                    "give each of them a name of its own");
+            continue;
+        }
+        device_of_draft_[i] = static_cast<int>(table_.devices.size());
+        group.devices.push_back(static_cast<std::uint32_t>(table_.devices.size()));
+        table_.devices.push_back(draft.device);
+        table_.devices.back().group = found->second;
+    }
+}
+
+void TableAssembly::check_layers(const DeviceDraft& ramp) {
+    const std::size_t highest = std::max(ramp.device.from, ramp.device.to);
+    if (highest < names_.layers) return;
+    context_.reporter.error(
+        ramp.origin.span, fmt::format("nothing stands on layer {}", highest),
+        fmt::format("say which material does: material rail layer={}", highest));
+}
+
+// A group of devices, or, for what is hit, the edges of that name: together they are one device.
+std::optional<std::uint32_t> TableAssembly::group_named(const Word& name, bool may_be_edge) {
+    if (const auto found = groups_.find(name.text); found != groups_.end()) return found->second;
+    const auto is_edge = [&](const CapsuleDraft& capsule) {
+        return names_.edges[static_cast<std::size_t>(capsule.naming)].name == name.text;
+    };
+    if (may_be_edge && std::ranges::any_of(draft_.capsules, is_edge)) {
+        const auto group = static_cast<std::uint32_t>(table_.groups.size());
+        groups_.emplace(std::string(name.text), group);
+        table_.groups.push_back({std::string(name.text),
+                                 DeviceKind::edge,
+                                 {static_cast<std::uint32_t>(table_.devices.size())}});
+        table_.devices.push_back({.kind = DeviceKind::edge, .group = group});
+        return group;
+    }
+    if (std::ranges::count(draft_.poisoned_names, name.text) > 0) return std::nullopt;
+    std::vector<std::string_view> known;
+    for (const DeviceGroup& group : table_.groups)
+        known.emplace_back(group.name);
+    for (const ResolvedEdges& edges : names_.edges)
+        if (may_be_edge && !edges.name.empty()) known.emplace_back(edges.name);
+    context_.reporter.error(
+        name.span(), fmt::format("nothing on the table is called '{}'", name.text),
+        did_you_mean(name.text, known, "name a part of the table, such as: bumper NAME at=..."));
+    return std::nullopt;
+}
+
+bool TableAssembly::resolve_rule(const RuleDraft& draft) {
+    Rule rule;
+    const auto group = group_named(draft.name, true);
+    if (!group) return false;
+    rule.group = *group;
+    rule.when = draft.when;
+    const DeviceKind kind = table_.groups[*group].kind;
+    if (const auto why = never_gives(kind, draft.when)) {
+        context_.reporter.error(draft.when_word.span(),
+                                fmt::format("'{}' is a {}, which never gives '{}'", draft.name.text,
+                                            word_for(kind), draft.when_word.text),
+                                *why);
+        return false;
+    }
+    const auto with_lights = [&](const Word& name) -> std::optional<std::uint32_t> {
+        const auto lit = group_named(name, false);
+        if (!lit || has_lights(table_.groups[*lit].kind)) return lit;
+        context_.reporter.error(name.span(), fmt::format("'{}' has no lights", name.text),
+                                "only rollovers, targets, lamps and kickbacks are lit");
+        return std::nullopt;
+    };
+    for (const RuleDraft::Need& need : draft.needs) {
+        rule.needs.push_back({std::nullopt, need.is_not});
+        if (need.name.text == "multiball") continue;
+        rule.needs.back().group = with_lights(need.name);
+        if (!rule.needs.back().group) return false;
+    }
+    for (const RuleActionDraft& action : draft.actions) {
+        rule.actions.push_back(action.action);
+        if (!action.group) continue;
+        const auto lit = with_lights(*action.group);
+        if (!lit) return false;
+        rule.actions.back().group = *lit;
+    }
+    table_.rules.push_back(std::move(rule));
+    return true;
+}
+
+void TableAssembly::check_game(bool has_balls) {
+    if (!draft_.settings.table.is_game) {
+        if (!draft_.rules.empty())
+            context_.reporter.error(draft_.rules.front().name.span(),
+                                    "rules need a game that follows them",
+                                    "say which: game pinball");
+        return;
+    }
+    const Span& at = *draft_.settings.game_at;
+    const auto has = [&](DeviceKind kind) {
+        return std::ranges::count(table_.devices, kind, &Device::kind) > 0;
+    };
+    if (!has_balls)
+        context_.reporter.error(at, "pinball needs a ball",
+                                "put one where each ball begins: ball NAME at=...");
+    if (!has(DeviceKind::drain))
+        context_.reporter.error(at, "pinball needs a drain",
+                                "say where balls are lost: drain NAME x,y x,y");
+}
+
+void TableAssembly::check(bool has_balls) {
+    collect_devices();
+    for (const RuleDraft& rule : draft_.rules)
+        resolve_rule(rule);
+    // What is in error may be what is missing.
+    if (!context_.reporter.has_errors()) check_game(has_balls);
+}
+
+void TableAssembly::fill_in(Scene& scene, const std::vector<std::uint32_t>& world_zones) {
+    World& world = scene.world;
+    const PinballTable settings = draft_.settings.table;
+    table_.is_game = settings.is_game;
+    table_.balls = settings.balls;
+    table_.save = settings.save;
+    table_.warnings = settings.warnings;
+    table_.bonus = settings.bonus;
+    table_.highscores = settings.highscores;
+    table_.device_of_capsule.assign(draft_.capsules.size(), -1);
+    for (std::size_t i = 0; i < draft_.capsules.size(); ++i) {
+        const CapsuleDraft& draft = draft_.capsules[i];
+        const CapsuleId id = world.capsules.id[i];
+        int device = -1;
+        if (draft.device >= 0) {
+            const DeviceDraft& from = draft_.devices[static_cast<std::size_t>(draft.device)];
+            device = device_of_draft_[static_cast<std::size_t>(draft.device)];
+            if (from.flipper) {
+                world.flippers.push_back(*from.flipper);
+                world.flippers.back().capsule = id;
+                table_.flipper_buttons.push_back(from.button);
+            }
+        } else {
+            const auto found =
+                groups_.find(names_.edges[static_cast<std::size_t>(draft.naming)].name);
+            if (found != groups_.end() && table_.groups[found->second].kind == DeviceKind::edge)
+                device = static_cast<int>(table_.groups[found->second].devices.front());
+        }
+        table_.device_of_capsule[i] = device;
+        if (device < 0) continue;
+        Device& made = table_.devices[static_cast<std::size_t>(device)];
+        made.capsules.push_back(id);
+        made.place = (draft.shape.start + draft.shape.end) * 0.5;
+    }
+    for (std::size_t i = 0; i < draft_.zones.size(); ++i) {
+        if (draft_.zones[i].device < 0) continue;
+        const int device = device_of_draft_[static_cast<std::size_t>(draft_.zones[i].device)];
+        if (device < 0) continue;
+        Device& made = table_.devices[static_cast<std::size_t>(device)];
+        const Capsule& shape = draft_.zones[i].zone.shape;
+        made.zone = world_zones[i];
+        made.place = (shape.start + shape.end) * 0.5;
+    }
+    scene.table = std::move(table_);
+}
+
+}  // namespace carom

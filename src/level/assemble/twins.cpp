@@ -1,0 +1,99 @@
+#include "level/assemble/twins.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+
+namespace carom {
+namespace {
+
+// Where a thing is and how it moves; an edge's ends in a fixed order.
+using Spot = std::array<double, 6>;
+
+struct Item {
+    std::tuple<int, int, int> statement;  // source, line, column
+    Spot place{};
+    int image = 0;
+    std::size_t index = 0;
+};
+
+Spot place_of(const Capsule& shape) {
+    auto a = std::pair(shape.start.x, shape.start.y);
+    auto b = std::pair(shape.end.x, shape.end.y);
+    if (b < a) std::swap(a, b);
+    return {a.first, a.second, b.first, b.second, shape.radius};
+}
+
+// Which of the items to drop.
+std::vector<bool> twins_among(std::vector<Item> items) {
+    std::vector<bool> is_twin(items.size(), false);
+    const auto key = [](const Item& item) { return std::tuple(item.statement, item.place); };
+    std::ranges::sort(items, [&](const Item& a, const Item& b) {
+        return std::tuple(key(a), a.index) < std::tuple(key(b), b.index);
+    });
+    for (std::size_t i = 0; i < items.size();) {
+        std::size_t end = i + 1;
+        while (end < items.size() && key(items[end]) == key(items[i])) {
+            is_twin[items[end].index] = items[end].image != items[i].image;
+            ++end;
+        }
+        i = end;
+    }
+    return is_twin;
+}
+
+template <typename T>
+void drop(std::vector<T>& items, const std::vector<bool>& is_dropped) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (is_dropped[i]) continue;
+        if (kept != i) items[kept] = std::move(items[i]);
+        ++kept;
+    }
+    items.erase(items.begin() + static_cast<std::ptrdiff_t>(kept), items.end());
+}
+
+template <typename T, typename PlaceOf>
+void drop_twins(std::vector<T>& items, PlaceOf place, std::vector<FillDraft>* fills = nullptr) {
+    const auto is_copy = [](const T& item) { return item.origin.image != 0; };
+    if (std::ranges::none_of(items, is_copy)) return;
+    std::vector<Item> all;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const Span& span = items[i].origin.span;
+        all.push_back({{span.source->order, span.line, span.column},
+                       place(items[i]),
+                       items[i].origin.image,
+                       i});
+    }
+    const std::vector<bool> is_twin = twins_among(std::move(all));
+    if (fills) {
+        std::vector<std::size_t> kept_before(items.size() + 1, 0);
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            kept_before[i + 1] = kept_before[i] + (is_twin[i] ? 0 : 1);
+        }
+        for (FillDraft& fill : *fills)
+            fill.balls_before = kept_before[fill.balls_before];
+    }
+    drop(items, is_twin);
+}
+
+}  // namespace
+
+void drop_mirror_twins(Draft& draft) {
+    drop_twins(draft.capsules, [](const CapsuleDraft& c) { return place_of(c.shape); });
+    drop_twins(draft.zones, [](const ZoneDraft& z) { return place_of(z.zone.shape); });
+    drop_twins(
+        draft.balls,
+        [](const BallDraft& b) {
+            return Spot{b.position.x, b.position.y,           b.velocity.x,
+                        b.velocity.y, b.radius.value_or(0.0), b.spin};
+        },
+        &draft.fills);
+    drop_twins(draft.emitters, [](const EmitterDraft& e) {
+        return Spot{e.emitter.at.x, e.emitter.at.y, e.emitter.velocity.x, e.emitter.velocity.y,
+                    0.0};
+    });
+}
+
+}  // namespace carom

@@ -1,0 +1,243 @@
+#include <fmt/format.h>
+
+#include "level/statements/builders.h"
+
+namespace carom {
+namespace {
+
+constexpr double peg_share = 0.25;  // radius of a peg without r=, in cells
+
+// The characters of a drawing, one a cell.
+class Drawing {
+  public:
+    explicit Drawing(const std::vector<Word>& lines) : lines_(lines) {
+        for (const Word& line : lines) {
+            std::vector<std::string_view> row;
+            for (std::size_t i = 0; i < line.text.size();) {
+                std::size_t end = i + 1;
+                while (end < line.text.size() &&
+                       (static_cast<unsigned char>(line.text[end]) & 0xc0u) == 0x80u) {
+                    ++end;
+                }
+                row.push_back(line.text.substr(i, end - i));
+                i = end;
+            }
+            columns_ = std::max(columns_, static_cast<int>(row.size()));
+            cells_.push_back(std::move(row));
+        }
+    }
+
+    int rows() const { return static_cast<int>(cells_.size()); }
+    int columns() const { return columns_; }
+    /// Blank outside of the drawing. Rows from the top.
+    std::string_view at(int row, int column) const {
+        if (row < 0 || row >= rows() || column < 0) return " ";
+        const auto& line = cells_[static_cast<std::size_t>(row)];
+        if (column >= static_cast<int>(line.size())) return " ";
+        return line[static_cast<std::size_t>(column)];
+    }
+    Span span(int row, int column) const {
+        const Word& line = lines_[static_cast<std::size_t>(row)];
+        return {line.source, line.line, column + 1, 1};
+    }
+
+  private:
+    const std::vector<Word>& lines_;
+    std::vector<std::vector<std::string_view>> cells_;
+    int columns_ = 0;
+};
+
+class MapBuilder {
+  public:
+    MapBuilder(const Arguments& arguments, const Legends& legends, const Frame& frame,
+               Context& context)
+        : arguments_(arguments),
+          frame_(frame),
+          context_(context),
+          drawing_(arguments.node->drawing),
+          legends_(legends),
+          cell_(arguments.number_or("cell", 1.0)),
+          corner_(arguments.pair_or("at", {})) {
+        add_default("#", Legend::What::solid);
+        add_default("o", Legend::What::ball);
+        add_default("*", Legend::What::peg);
+    }
+
+    void build() {
+        if (!check_letters()) return;
+        for (int row = 0; row < drawing_.rows(); ++row) {
+            for (int column = 0; column < drawing_.columns(); ++column)
+                build_cell(row, column);
+        }
+        for (int row = 0; row <= drawing_.rows(); ++row)
+            outline_row(row);
+        for (int column = 0; column <= drawing_.columns(); ++column)
+            outline_column(column);
+    }
+
+  private:
+    // A letter that the author's legend does not explain keeps its meaning.
+    void add_default(std::string_view letter, Legend::What what) {
+        Legend legend;
+        legend.what = what;
+        legends_.emplace(std::string(letter), legend);
+    }
+
+    static bool is_line(std::string_view c) {
+        return c == "-" || c == "|" || c == "/" || c == "\\";
+    }
+
+    bool joins(int row, int column) const {
+        const std::string_view c = drawing_.at(row, column);
+        return is_line(c) || is_joint(c);
+    }
+
+    // Draws nothing by itself, but lines beside it meet in its middle.
+    bool is_joint(std::string_view c) const { return c == "+" && !legends_.contains(c); }
+
+    bool check_letters() {
+        bool is_sound = true;
+        for (int row = 0; row < drawing_.rows(); ++row) {
+            for (int column = 0; column < drawing_.columns(); ++column) {
+                const std::string_view c = drawing_.at(row, column);
+                if (c == " " || c == "." || is_line(c) || is_joint(c) || legends_.contains(c)) {
+                    continue;
+                }
+                is_sound = false;
+                const bool is_tab = c == "\t";
+                context_.reporter.error(
+                    drawing_.span(row, column),
+                    is_tab ? "a tab stands in the drawing"
+                           : fmt::format("'{}' means nothing in a drawing", c),
+                    is_tab ? "write blanks"
+                           : fmt::format("explain it above: legend ball {} kind=NAME", c));
+            }
+        }
+        return is_sound;
+    }
+
+    // The corner of a cell: (0, 0) is the lower left one of the drawing's lowest row.
+    Vec2 point(double row, double column) const {
+        return corner_ + Vec2{column * cell_, (drawing_.rows() - row) * cell_};
+    }
+
+    void build_cell(int row, int column) {
+        const std::string_view c = drawing_.at(row, column);
+        if (c == " " || c == "." || is_joint(c)) return;
+        if (c == "-") return build_run(row, column, 0, 1, {0.5, 0.0}, {0.5, 1.0});
+        if (c == "|") return build_run(row, column, 1, 0, {0.0, 0.5}, {1.0, 0.5});
+        if (c == "/") return build_run(row, column, 1, -1, {0.0, 1.0}, {1.0, 0.0});
+        if (c == "\\") return build_run(row, column, 1, 1, {0.0, 0.0}, {1.0, 1.0});
+        const Legend& legend = legends_.find(c)->second;
+        const Vec2 middle = point(row + 0.5, column + 0.5);
+        if (legend.what == Legend::What::ball) build_ball(legend, middle, row, column);
+        if (legend.what == Legend::What::peg) {
+            const double radius = legend.radius.value_or(peg_share * cell_);
+            add_piece({middle, middle, radius}, Side::both, naming(legend.material),
+                      begin_chain(false, context_), drawing_.span(row, column), frame_, context_);
+        }
+    }
+
+    // From the first cell of a run to its last, at these places (row, column) inside of them.
+    void build_run(int row, int column, int down, int right, Vec2 from, Vec2 to) {
+        const std::string_view c = drawing_.at(row, column);
+        if (drawing_.at(row - down, column - right) == c) return;  // the run began before
+        int length = 1;
+        while (drawing_.at(row + length * down, column + length * right) == c)
+            ++length;
+        const int last_row = row + (length - 1) * down;
+        const int last_column = column + (length - 1) * right;
+        // A line that runs into the cell of another one goes on to its middle: so they join.
+        const Vec2 half{0.5 * down, 0.5 * right};
+        if (joins(row - down, column - right)) from -= half;
+        if (joins(last_row + down, last_column + right)) to += half;
+        add_edge(point(row + from.x, column + from.y), point(last_row + to.x, last_column + to.y),
+                 std::nullopt, drawing_.span(row, column));
+    }
+
+    void build_ball(const Legend& legend, Vec2 middle, int row, int column) {
+        BallDraft ball;
+        ball.position = middle;
+        ball.velocity = legend.velocity;
+        BallNaming balls;
+        balls.node = arguments_.node;
+        balls.kind = legend.kind ? legend.kind : arguments_.word("kind");
+        if (!balls.kind) ball.radius = 0.5 * cell_;
+        ball.naming = name_balls(std::move(balls), context_);
+        ball.origin.span = drawing_.span(row, column);
+        add_ball_draft(ball, frame_, context_);
+    }
+
+    const Legend* solid_at(int row, int column) const {
+        const auto found = legends_.find(drawing_.at(row, column));
+        if (found == legends_.end() || found->second.what != Legend::What::solid) return nullptr;
+        return &found->second;
+    }
+
+    // The edge between the cells a and b of a solid's rim: the solid one's legend. None: no rim.
+    static const Legend* rim(const Legend* a, const Legend* b) {
+        if ((a == nullptr) == (b == nullptr)) return nullptr;
+        return a ? a : b;
+    }
+
+    // The rim above row `row`, joined to runs of the same legend.
+    void outline_row(int row) {
+        const auto rim_at = [&](int column) {
+            return rim(solid_at(row - 1, column), solid_at(row, column));
+        };
+        for (int column = 0; column < drawing_.columns();) {
+            const Legend* legend = rim_at(column);
+            const int first = column++;
+            if (!legend) continue;
+            while (column < drawing_.columns() && rim_at(column) == legend)
+                ++column;
+            const int solid_row = solid_at(row, first) ? row : row - 1;
+            add_edge(point(row, first), point(row, column), legend->material,
+                     drawing_.span(solid_row, first));
+        }
+    }
+
+    void outline_column(int column) {
+        const auto rim_at = [&](int row) {
+            return rim(solid_at(row, column - 1), solid_at(row, column));
+        };
+        for (int row = 0; row < drawing_.rows();) {
+            const Legend* legend = rim_at(row);
+            const int first = row++;
+            if (!legend) continue;
+            while (row < drawing_.rows() && rim_at(row) == legend)
+                ++row;
+            const int solid_column = solid_at(first, column) ? column : column - 1;
+            add_edge(point(first, column), point(row, column), legend->material,
+                     drawing_.span(first, solid_column));
+        }
+    }
+
+    void add_edge(Vec2 from, Vec2 to, const std::optional<Word>& material, const Span& span) {
+        add_piece({from, to, arguments_.number_or("r", 0.0)}, Side::both, naming(material),
+                  begin_chain(false, context_), span, frame_, context_);
+    }
+
+    int naming(const std::optional<Word>& material) {
+        EdgeNaming edges{arguments_.node, {}, false, material};
+        if (!edges.material) edges.material = arguments_.word("material");
+        return name_edges(std::move(edges), context_);
+    }
+
+    const Arguments& arguments_;
+    const Frame& frame_;
+    Context& context_;
+    Drawing drawing_;
+    Legends legends_;
+    double cell_;
+    Vec2 corner_;
+};
+
+}  // namespace
+
+void build_map(const Arguments& arguments, const Legends& legends, const Frame& frame,
+               Context& context) {
+    MapBuilder(arguments, legends, frame, context).build();
+}
+
+}  // namespace carom

@@ -1,0 +1,84 @@
+#include "level/build/overrides.h"
+
+#include <fmt/format.h>
+
+namespace carom {
+namespace {
+
+// What a statement sets: two statements with the same key say the same thing. Empty: it makes
+// something, and is no setting.
+std::string setting(const Node& node) {
+    const std::string_view name = node.statement->name;
+    if (name.substr(0, 4) == "use " || name == "seed" || name == "rate" || name == "solver" ||
+        name == "world" || name == "game") {
+        return std::string(name);
+    }
+    if (name != "kind" && name != "material") return "";
+    for (const Word& word : node.rest()) {
+        if (is_identifier(word.text)) return fmt::format("{} {}", name, word.text);
+    }
+    return "";
+}
+
+}  // namespace
+
+Overrides::Overrides(const std::vector<std::string>& statements, Texts& texts, Reporter& reporter) {
+    for (const std::string& text : statements) {
+        const SourceText& source = texts.add("--set", text);
+        if (const auto fault = find_fault(source.text)) {
+            reporter.error({&source, fault->line, fault->column, 1}, fault->message, fault->remedy);
+            continue;
+        }
+        const std::size_t errors = reporter.errors();
+        const std::vector<Node>& nodes = texts.trees.emplace_back(read_blocks(source, reporter));
+        if (reporter.errors() != errors) continue;
+        if (nodes.size() != 1) {
+            reporter.error({&source, 1, 1, 1}, "--set takes one statement",
+                           "write it as in: --set 'use gravity 0,-1.6'");
+            continue;
+        }
+        const Node& node = nodes.front();
+        if (node.statement->name == "let") {
+            let_nodes_.push_back(&node);
+            for (const Word& word : node.rest()) {
+                const std::size_t equals = word.text.find('=');
+                if (equals == std::string_view::npos) continue;
+                lets_[std::string(word.text.substr(0, equals))] = word.part(equals + 1);
+            }
+            continue;
+        }
+        const std::string key = setting(node);
+        if (key.empty()) {
+            reporter.error(node.keyword().span(),
+                           fmt::format("--set cannot change '{}'", node.statement->name),
+                           "it changes: let use world solver rate seed game kind material");
+            continue;
+        }
+        statements_[key] = &node;
+    }
+}
+
+const Node* Overrides::replacement(const Node& node) {
+    if (statements_.empty()) return nullptr;
+    const auto found = statements_.find(setting(node));
+    if (found == statements_.end()) return nullptr;
+    used_.insert(found->first);
+    return found->second;
+}
+
+std::optional<Word> Overrides::let_value(std::string_view name) const {
+    const auto found = lets_.find(name);
+    if (found == lets_.end()) return std::nullopt;
+    return found->second;
+}
+
+std::vector<const Node*> Overrides::unused() const {
+    std::vector<const Node*> result;
+    for (const auto& [key, node] : statements_) {
+        if (!used_.contains(key)) result.push_back(node);
+    }
+    result.insert(result.end(), let_nodes_.begin(), let_nodes_.end());
+    return result;
+}
+
+}  // namespace carom

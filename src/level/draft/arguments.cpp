@@ -1,0 +1,297 @@
+#include "level/draft/arguments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "level/draft/numbers.h"
+#include "level/text/spelling.h"
+
+namespace carom {
+namespace {
+
+// Sorts the words of one statement into what they are.
+class Reading {
+  public:
+    Reading(const Node& node, const Scope& scope, Context& context)
+        : scope_(scope), context_(context) {
+        result_.node = &node;
+        result_.statement = node.statement;
+    }
+
+    Arguments read() {
+        const std::size_t errors = context_.reporter.errors();
+        const std::vector<Word> words = result_.node->rest();
+        if (check_spaces(words)) {
+            for (const Word& word : words)
+                read_word(word);
+        }
+        if (context_.reporter.errors() == errors && result_.is_sound) check_counts();
+        if (context_.reporter.errors() != errors) result_.is_sound = false;
+        return std::move(result_);
+    }
+
+  private:
+    const Statement& statement() const { return *result_.statement; }
+
+    void mistake(const Span& at, std::string message, std::string remedy) {
+        context_.reporter.error(at, std::move(message), std::move(remedy));
+        result_.is_sound = false;
+    }
+
+    // "a = 1" and "W / 2": one mistake, though it makes several odd words.
+    bool check_spaces(const std::vector<Word>& words) {
+        if (statement().name.starts_with("legend ") || statement().name == "on")
+            return true;  // any character is a letter there; a comma parts actions
+        for (const Word& word : words) {
+            if (word.text.find_first_not_of("=+-*/^,") != std::string_view::npos) continue;
+            const bool is_key = word.text == "=";
+            mistake(word.span(), fmt::format("'{}' stands alone", word.text),
+                    is_key ? "write key=value without spaces"
+                           : "arithmetic and points are written without spaces: W/2,0");
+            return false;
+        }
+        return true;
+    }
+
+    // Names come first: what stands behind a point or a key is a flag, misspelt, or a mistake.
+    void read_plain(const Word& word) {
+        if (result_.points.empty() && result_.values.empty() && result_.own_keys.empty()) {
+            result_.plain.push_back(word);
+        } else if (result_.is_sound) {
+            report_surplus(word);
+        }
+    }
+
+    void read_word(const Word& word) {
+        if (word.text[0] == '"') {
+            result_.plain.push_back(word);
+            return;
+        }
+        const std::size_t equals = word.text.find('=');
+        if (equals != std::string_view::npos) {
+            read_key(word, equals);
+            return;
+        }
+        if (std::ranges::count(statement().flags, word.text) > 0) {
+            result_.flags.insert(word.text);
+            return;
+        }
+        if (statement().points_most > 0 && split_outside_brackets(word, ",").size() > 1) {
+            read_point(word);
+            return;
+        }
+        read_plain(word);
+    }
+
+    void read_point(const Word& word) {
+        const std::optional<Vec2> point =
+            read_pair(word, "", statement().point_measure, Bound::any, scope_, context_);
+        if (!point) {
+            result_.is_sound = false;
+            return;
+        }
+        result_.points.push_back(*point);
+        result_.point_words.push_back(word);
+    }
+
+    void read_key(const Word& word, std::size_t equals) {
+        const Word name = word.part(0, equals);
+        const Word value = word.part(equals + 1);
+        const auto key = std::ranges::find(statement().keys, name.text, &KeyRule::name);
+        if (key != statement().keys.end()) {
+            if (result_.values.contains(key->name) && !key->repeats) {
+                mistake(name.span(), fmt::format("{}= stands here twice", name.text),
+                        "keep one of them");
+            } else if (value.text.empty()) {
+                mistake(word.span(), fmt::format("{}= has no value", name.text),
+                        "write key=value without spaces");
+            } else {
+                read_value(*key, value);
+            }
+            return;
+        }
+        if (statement().takes_any_key && is_identifier(name.text)) {
+            result_.own_keys.emplace_back(name, value);
+            return;
+        }
+        report_key(word, name);
+    }
+
+    void report_key(const Word& word, const Word& name) {
+        if (name.text.empty()) {
+            mistake(word.span(), "'=' has no key before it", "write key=value without spaces");
+            return;
+        }
+        if (!is_identifier(name.text)) {
+            mistake(name.span(), fmt::format("'{}' is not a name", name.text),
+                    "a name has letters, digits and '_', and begins with a letter");
+            return;
+        }
+        std::vector<std::string_view> known;
+        for (const KeyRule& key : statement().keys)
+            known.push_back(key.name);
+        mistake(
+            name.span(), fmt::format("{} has no key '{}'", statement().name, name.text),
+            did_you_mean(name.text, known,
+                         known.empty() ? fmt::format("write it as: {}", statement().usage)
+                                       : fmt::format("its keys are: {}", fmt::join(known, " "))));
+    }
+
+    void read_value(const KeyRule& key, const Word& value) {
+        Argument argument{value, {}};
+        if (!read_numbers(key, argument)) {
+            result_.is_sound = false;
+            return;
+        }
+        if (key.repeats) {
+            result_.places.push_back({argument.numbers[0], argument.numbers[1]});
+            result_.place_words.push_back(value);
+        }
+        result_.values.emplace(key.name, argument);
+    }
+
+    bool read_numbers(const KeyRule& key, Argument& argument) {
+        const Word& value = argument.value;
+        switch (key.form) {
+            case Form::scalar: {
+                const auto number =
+                    read_number(value, {key.name}, key.measure, key.bound, scope_, context_);
+                argument.numbers[0] = number.value_or(0.0);
+                if (number && *number != 0.0) note_need(key, value);
+                return number.has_value();
+            }
+            case Form::pair: {
+                const auto pair =
+                    read_pair(value, key.name, key.measure, key.bound, scope_, context_);
+                argument.numbers[0] = pair.value_or(Vec2{}).x;
+                argument.numbers[1] = pair.value_or(Vec2{}).y;
+                return pair.has_value();
+            }
+            case Form::range: {
+                const auto range =
+                    read_range(value, {key.name}, key.measure, key.bound, scope_, context_);
+                if (range) {
+                    argument.numbers[0] = range->first;
+                    argument.numbers[1] = range->second;
+                }
+                return range.has_value();
+            }
+            case Form::box: {
+                const auto box = read_box(value, key.name, key.measure, scope_, context_);
+                argument.numbers = box.value_or(argument.numbers);
+                return box.has_value();
+            }
+            case Form::word:
+                return read_name(key, value);
+            case Form::deferred:
+            case Form::call:
+                break;
+        }
+        return true;
+    }
+
+    // Whether the level says `use spin` is known when all of it is read.
+    void note_need(const KeyRule& key, const Word& value) {
+        if (key.name != "mu" && key.name != "w") return;
+        if (context_.needs_noted.insert(value.text.data()).second)
+            context_.draft.spin_needs.push_back({key.name, value});
+    }
+
+    bool read_name(const KeyRule& key, const Word& value) {
+        if (is_identifier(value.text)) return true;
+        mistake(value.span(), fmt::format("'{}' is not a name", value.text),
+                fmt::format("write {}=NAME", key.name));
+        return false;
+    }
+
+    void check_counts() {
+        const Statement& s = statement();
+        for (const KeyRule& key : s.keys) {
+            if (key.is_required && !result_.values.contains(key.name)) {
+                mistake(result_.node->keyword().span(),
+                        fmt::format("{} needs {}=", s.name, key.name),
+                        fmt::format("write it as: {}", s.usage));
+                return;
+            }
+        }
+        if (std::ssize(result_.plain) > s.plain_most) {
+            report_surplus(result_.plain[static_cast<std::size_t>(s.plain_most)]);
+            return;
+        }
+        if (std::ssize(result_.points) > s.points_most) {
+            const Word& word = result_.point_words[static_cast<std::size_t>(s.points_most)];
+            mistake(word.span(),
+                    fmt::format("{} takes no more than {} points", s.name, s.points_most),
+                    fmt::format("write it as: {}", s.usage));
+            return;
+        }
+        if (std::ssize(result_.plain) < s.plain_least ||
+            std::ssize(result_.points) < s.points_least) {
+            mistake(result_.node->keyword().span(), fmt::format("{} is not complete", s.name),
+                    fmt::format("write it as: {}", s.usage));
+        }
+    }
+
+    void report_surplus(const Word& word) {
+        const Statement& s = statement();
+        std::string otherwise = fmt::format("write it as: {}", s.usage);
+        std::vector<std::string_view> known = s.flags;
+        for (const KeyRule& key : s.keys) {
+            if (key.name == word.text)
+                otherwise = fmt::format("write {}=... without spaces", key.name);
+            known.push_back(key.name);
+        }
+        if (word.text.find_first_of("+*/,") != std::string_view::npos) {
+            otherwise = "points are written x,y and arithmetic a+b, without spaces";
+        }
+        mistake(word.span(), fmt::format("'{}' is not expected here", word.text),
+                std::ranges::count(known, word.text) > 0
+                    ? otherwise
+                    : did_you_mean(word.text, known, otherwise));
+    }
+
+    const Scope& scope_;
+    Context& context_;
+    Arguments result_;
+};
+
+}  // namespace
+
+std::optional<double> Arguments::number(std::string_view key) const {
+    const auto found = values.find(key);
+    if (found == values.end()) return std::nullopt;
+    return found->second.numbers[0];
+}
+
+double Arguments::number_or(std::string_view key, double otherwise) const {
+    return number(key).value_or(otherwise);
+}
+
+std::uint32_t Arguments::count(std::string_view key) const {
+    constexpr double most = 4e9;
+    return static_cast<std::uint32_t>(std::min(most, number_or(key, 0.0)));
+}
+
+Vec2 Arguments::pair_or(std::string_view key, Vec2 otherwise) const {
+    const auto found = values.find(key);
+    if (found == values.end()) return otherwise;
+    return {found->second.numbers[0], found->second.numbers[1]};
+}
+
+std::optional<Word> Arguments::word(std::string_view key) const {
+    const auto found = values.find(key);
+    if (found == values.end()) return std::nullopt;
+    return found->second.value;
+}
+
+Span Arguments::span_of(std::string_view key) const {
+    const auto found = values.find(key);
+    return found == values.end() ? node->keyword().span() : found->second.value.span();
+}
+
+Arguments read_arguments(const Node& node, const Scope& scope, Context& context) {
+    return Reading(node, scope, context).read();
+}
+
+}  // namespace carom

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+
+#include "level/draft/draft.h"
+#include "level/draft/transform.h"
+#include "level/scene/load_options.h"
+#include "level/scene/scene.h"
+#include "level/text/reporter.h"
+#include "level/values/expression.h"
+
+/// What the stages of loading share.
+namespace carom {
+
+/// A `let`, told by where it stands: unrolled a thousand times it is still one.
+struct LetUse {
+    Span span;
+    std::string name;
+    bool is_used = false;
+};
+
+/// A statement, and a word of it: the same each time that the statement is unrolled. Only looked
+/// up, never walked through, so that no order depends on addresses.
+using NamingKey = std::pair<const Node*, const char*>;
+
+struct Context {
+    Reporter reporter;
+    Draft draft;
+    LengthUnit unit = LengthUnit::natural;
+    /// The `units` line had a mistake: nothing is concluded from units.
+    bool is_unit_unknown = false;
+    /// Top-level lets and their lines, known before the unrolling.
+    std::map<std::string, int, std::less<>> lets_ahead;
+    std::map<const char*, LetUse> lets;
+    std::map<NamingKey, std::size_t> naming_index;
+    std::map<NamingKey, std::size_t> ball_naming_index;
+    /// Values of Draft::spin_needs: unrolled a thousand times, one is still one. Only looked up.
+    std::set<const char*> needs_noted;
+    std::uint64_t seed = 0;
+    /// How often fills have looked at an obstacle: bounds the work.
+    std::uint64_t fill_looks = 0;
+    /// Too many balls or edges: no more are unrolled.
+    bool is_full = false;
+
+    ExpressionRules rules() const {
+        return {is_unit_unknown ? LengthUnit::millimetre : unit, &lets_ahead};
+    }
+};
+
+/// Where a statement is carried out.
+struct Frame {
+    Scope* scope = nullptr;
+    Transform transform;
+    bool is_top = true;
+    int image = 0;
+    int depth = 0;
+};
+
+}  // namespace carom

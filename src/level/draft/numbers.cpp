@@ -1,0 +1,238 @@
+#include "level/draft/numbers.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "geometry/elementary.h"
+
+namespace carom {
+namespace {
+
+// Beyond these, squares and fourth powers in the physics would overflow or vanish.
+constexpr double largest_quantity = 1e18;
+constexpr double smallest_positive = 1e-18;
+
+// "r=", "rate ", or nothing.
+std::string lead_of(const Label& label) {
+    return label.name.empty() || label.joint.empty() ? ""
+                                                     : fmt::format("{}{}", label.name, label.joint);
+}
+
+std::string remedy_for(const Label& label, Measure measure, const Context& context) {
+    return fmt::format("write {}, such as {}{}", described(measure), lead_of(label),
+                       sample(measure, context.unit));
+}
+
+// The world's number, or a message that names both what is there and what is wanted.
+std::optional<double> converted(const Word& word, const Value& value, const Label& label,
+                                Measure measure, Context& context) {
+    if (context.is_unit_unknown) return value.number;
+    const Dimension wanted = dimension_of(measure);
+    if (measure == Measure::result) return value.number;
+    const bool is_angular =
+        measure == Measure::angular_speed || measure == Measure::angular_acceleration;
+    if (is_angular && value.dimension == wanted) return value.number / (180.0 / pi);
+    if (context.unit == LengthUnit::natural) {
+        if (value.is_bare()) return value.number;
+        const Dimension& d = value.dimension;
+        if (d.angle == wanted.angle && d.time == wanted.time) return value.number;
+        context.reporter.error(word.span(),
+                               fmt::format("{} is {}, {} is wanted", word.text,
+                                           described(value.dimension), described(measure)),
+                               remedy_for(label, measure, context));
+        return std::nullopt;
+    }
+    if (value.dimension == wanted || (value.is_bare() && value.number == 0.0)) {
+        return value.number;
+    }
+    if (value.is_bare()) {
+        if (measure == Measure::length) return value.number * scale(context.unit);
+        if (measure == Measure::angle || measure == Measure::soften ||
+            measure == Measure::frequency) {
+            return value.number;
+        }
+        context.reporter.error(
+            word.span(), fmt::format("{} has no unit, {} is wanted", word.text, described(measure)),
+            fmt::format("write it with its unit, such as {}{}", lead_of(label),
+                        sample(measure, context.unit)));
+        return std::nullopt;
+    }
+    context.reporter.error(word.span(),
+                           fmt::format("{} is {}, {} is wanted", word.text,
+                                       described(value.dimension), described(measure)),
+                           remedy_for(label, measure, context));
+    return std::nullopt;
+}
+
+bool holds(double number, Bound bound) {
+    switch (bound) {
+        case Bound::not_negative:
+            return number >= 0.0;
+        case Bound::positive:
+            return number > 0.0;
+        case Bound::share:
+            return number >= 0.0 && number <= 1.0;
+        case Bound::positive_share:
+            return number > 0.0 && number <= 1.0;
+        case Bound::up_to_thousand:
+            return number >= 1.0 && number <= 1000.0;
+        case Bound::layer:
+            return number >= 0.0 && number <= 3.0;
+        case Bound::any:
+            break;
+    }
+    return true;
+}
+
+std::string_view demand(Bound bound) {
+    switch (bound) {
+        case Bound::not_negative:
+            return "must not be negative";
+        case Bound::positive:
+            return "must be more than 0";
+        case Bound::share:
+            return "must be from 0 to 1";
+        case Bound::positive_share:
+            return "must be more than 0, and 1 at most";
+        case Bound::up_to_thousand:
+            return "must be from 1 to 1000";
+        case Bound::layer:
+            return "must be from 0 to 3";
+        case Bound::any:
+            break;
+    }
+    return "";
+}
+
+// Every number of a level passes here. The remedy shows the author's own number, mended.
+std::optional<double> bounded(const Word& word, double number, const Label& label, Measure measure,
+                              Bound bound, Context& context) {
+    const std::string subject(label.name.empty() ? described(measure) : std::string(label.name));
+    const std::string shown = written(number, measure, context.unit);
+    if (measure == Measure::whole && std::floor(number) != number) {
+        context.reporter.error(word.span(),
+                               fmt::format("{} must be a whole number, but is {}", subject, shown),
+                               remedy_for(label, measure, context));
+        return std::nullopt;
+    }
+    if (!holds(number, bound)) {
+        const std::string mended = bound == Bound::share || bound == Bound::positive_share
+                                       ? "0.8"
+                                       : written(-number, measure, context.unit);
+        std::string remedy = remedy_for(label, measure, context);
+        if (number < 0.0 && bound != Bound::up_to_thousand) {
+            remedy =
+                fmt::format("write {}, such as {}{}", described(measure), lead_of(label), mended);
+        }
+        if (bound == Bound::layer)
+            remedy =
+                fmt::format("write {}0 for the table, or 1 for what is above it", lead_of(label));
+        context.reporter.error(
+            word.span(), fmt::format("{} {}, but is {}", subject, demand(bound), shown), remedy);
+        return std::nullopt;
+    }
+    const bool is_positive = bound == Bound::positive || bound == Bound::positive_share;
+    const bool is_too_small = is_positive && number < smallest_positive;
+    if (std::abs(number) > largest_quantity || is_too_small) {
+        context.reporter.error(word.span(), fmt::format("{} is out of range: {}", subject, shown),
+                               "quantities go from 1e-18 to 1e18");
+        return std::nullopt;
+    }
+    return number;
+}
+
+std::string numbers_wanted(std::size_t there, int wanted) {
+    return fmt::format("{} {} here, {} are wanted", there,
+                       there == 1 ? "number stands" : "numbers stand", wanted);
+}
+
+// An open bracket hides the commas behind it: that is the mistake, not their number.
+bool are_brackets_closed(const Word& word, Reporter& reporter) {
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < word.text.size(); ++i) {
+        if (word.text[i] == '(') open.push_back(i);
+        if (word.text[i] == ')' && !open.empty()) open.pop_back();
+    }
+    if (open.empty()) return true;
+    reporter.error(word.part(open.back(), 1).span(), "the ')' is missing",
+                   "arithmetic is written without spaces: (W-2*R)/2");
+    return false;
+}
+
+}  // namespace
+
+std::optional<double> read_number(const Word& word, const Label& label, Measure measure,
+                                  Bound bound, const Scope& scope, Context& context) {
+    const std::optional<Value> value = evaluate(word, scope, context.rules(), context.reporter);
+    if (!value) return std::nullopt;
+    const std::optional<double> number = converted(word, *value, label, measure, context);
+    if (!number) return std::nullopt;
+    return bounded(word, *number, label, measure, bound, context);
+}
+
+std::optional<std::pair<double, double>> read_range(const Word& word, const Label& label,
+                                                    Measure measure, Bound bound,
+                                                    const Scope& scope, Context& context) {
+    const std::vector<Word> ends = split_outside_brackets(word, "..");
+    if (ends.size() > 2) {
+        context.reporter.error(word.span(), "a range has two ends",
+                               fmt::format("write {}a..b", lead_of(label)));
+        return std::nullopt;
+    }
+    const auto low = read_number(ends.front(), label, measure, bound, scope, context);
+    if (ends.size() == 1 || !low) return low ? std::optional(std::pair{*low, *low}) : std::nullopt;
+    const auto high = read_number(ends.back(), label, measure, bound, scope, context);
+    if (!high) return std::nullopt;
+    if (*low > *high) {
+        context.reporter.error(word.span(), fmt::format("the range {} runs backwards", word.text),
+                               "write the smaller end first");
+        return std::nullopt;
+    }
+    return std::pair{*low, *high};
+}
+
+std::optional<Vec2> read_pair(const Word& word, std::string_view name, Measure measure, Bound bound,
+                              const Scope& scope, Context& context) {
+    const std::vector<Word> pieces = split_outside_brackets(word, ",");
+    if (!are_brackets_closed(word, context.reporter)) return std::nullopt;
+    if (pieces.size() != 2) {
+        context.reporter.error(
+            word.span(), numbers_wanted(pieces.size(), 2),
+            fmt::format("write {}{}x,y without spaces", name, name.empty() ? "" : "="));
+        return std::nullopt;
+    }
+    const Label label{name, ""};
+    const auto x = read_number(pieces[0], label, measure, bound, scope, context);
+    const auto y = read_number(pieces[1], label, measure, bound, scope, context);
+    if (!x || !y) return std::nullopt;
+    return Vec2{*x, *y};
+}
+
+std::optional<std::array<double, 4>> read_box(const Word& word, std::string_view name,
+                                              Measure measure, const Scope& scope,
+                                              Context& context) {
+    const std::vector<Word> pieces = split_outside_brackets(word, ",");
+    if (!are_brackets_closed(word, context.reporter)) return std::nullopt;
+    if (pieces.size() != 4) {
+        context.reporter.error(word.span(), numbers_wanted(pieces.size(), 4),
+                               fmt::format("write {}=x0,y0,x1,y1 without spaces", name));
+        return std::nullopt;
+    }
+    std::array<double, 4> box{};
+    bool is_complete = true;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto number = read_number(pieces[i], {name, ""}, measure, Bound::any, scope, context);
+        box[i] = number.value_or(0.0);
+        is_complete = is_complete && number;
+    }
+    if (!is_complete) return std::nullopt;
+    if (box[0] < box[2] && box[1] < box[3]) return box;
+    context.reporter.error(word.span(), fmt::format("the {} is empty", name),
+                           "write the lower left corner first: x0,y0,x1,y1");
+    return std::nullopt;
+}
+
+}  // namespace carom

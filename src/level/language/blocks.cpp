@@ -1,0 +1,152 @@
+#include "level/language/blocks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "level/text/spelling.h"
+
+namespace carom {
+namespace {
+
+std::string listed(const std::vector<std::string_view>& words) {
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+// The statement that the author meant: only for the shape of the blocks.
+const Statement* meant(std::string_view keyword) {
+    const auto nearest = nearest_word(keyword, keywords());
+    return nearest ? statement_named(*nearest) : nullptr;
+}
+
+void report_unknown(const Word& keyword, Reporter& reporter) {
+    const std::string otherwise = "a line begins with a keyword, such as ball or edge";
+    reporter.error(keyword.span(), fmt::format("'{}' is not a statement", keyword.text),
+                   did_you_mean(keyword.text, keywords(), otherwise));
+}
+
+const Statement* find_statement(const std::vector<Word>& words, Reporter& reporter) {
+    const Word& keyword = words.front();
+    if (const Statement* statement = statement_named(keyword.text)) return statement;
+    const std::vector<std::string_view> seconds = second_words(keyword.text);
+    if (seconds.empty()) {
+        report_unknown(keyword, reporter);
+        return nullptr;
+    }
+    if (words.size() < 2) {
+        reporter.error(keyword.span(), fmt::format("'{}' wants one of its words", keyword.text),
+                       fmt::format("they are: {}", listed(seconds)));
+        return nullptr;
+    }
+    const Word& second = words[1];
+    const std::string name = fmt::format("{} {}", keyword.text, second.text);
+    if (const Statement* statement = statement_named(name)) return statement;
+    reporter.error(second.span(), fmt::format("{} has no '{}'", keyword.text, second.text),
+                   did_you_mean(second.text, seconds, fmt::format("it has: {}", listed(seconds))));
+    return nullptr;
+}
+
+bool is_end(const Word& line) {
+    const std::size_t first = line.text.find_first_not_of(" \t");
+    if (first == std::string_view::npos) return false;
+    const std::size_t last = line.text.find_last_not_of(" \t");
+    return line.text.substr(first, last + 1 - first) == "end";
+}
+
+void report_no_end(const Node& node, Reporter& reporter) {
+    reporter.error(node.keyword().span(), fmt::format("'{}' has no 'end'", node.keyword().text),
+                   "close it with a line that says end");
+}
+
+class BlockReader {
+  public:
+    BlockReader(const SourceText& source, Reporter& reporter)
+        : lines_(source, reporter), reporter_(reporter) {}
+
+    std::vector<Node> read() {
+        std::vector<Node> nodes;
+        read_into(nodes, 0);
+        return nodes;
+    }
+
+  private:
+    // Reads up to the `end` of this block; false at the end of the source.
+    bool read_into(std::vector<Node>& nodes, int depth) {
+        while (true) {
+            std::vector<Word> words = lines_.next();
+            if (words.empty() || stopped_) return false;
+            if (words.front().text == "end") {
+                if (words.size() > 1) {
+                    reporter_.error(words[1].span(), "nothing stands behind 'end'",
+                                    "put it on a line of its own");
+                }
+                if (depth > 0) return true;
+                reporter_.error(words.front().span(), "this 'end' closes nothing",
+                                "take it out, or open a block above it");
+                continue;
+            }
+            if (is_forgotten_continuation(words, nodes)) continue;
+            Node node;
+            node.statement = find_statement(words, reporter_);
+            node.words = std::move(words);
+            read_body(node, depth);
+            nodes.push_back(std::move(node));
+        }
+    }
+
+    // A line that begins with key=value: the line above lacks its backslash. Told, and then read as
+    // it was meant.
+    bool is_forgotten_continuation(const std::vector<Word>& words, std::vector<Node>& nodes) {
+        const Word& first = words.front();
+        const std::size_t equals = first.text.find('=');
+        if (equals == std::string_view::npos || !is_identifier(first.text.substr(0, equals))) {
+            return false;
+        }
+        reporter_.error(first.span(), fmt::format("'{}' is not a statement", first.text),
+                        "a '\\' at the end of the line above would continue it");
+        if (!nodes.empty() && nodes.back().body.empty()) {
+            nodes.back().words.insert(nodes.back().words.end(), words.begin(), words.end());
+        }
+        return true;
+    }
+
+    void read_body(Node& node, int depth) {
+        const Statement* shape = node.statement ? node.statement : meant(node.keyword().text);
+        if (!shape || !shape->opens_block) return;
+        if (depth >= max_block_depth) {
+            reporter_.error(node.keyword().span(),
+                            fmt::format("blocks are nested deeper than {}", max_block_depth),
+                            "take some of them out, or use part and place");
+            stopped_ = true;
+            return;
+        }
+        const bool is_closed =
+            shape->name == "map" ? read_drawing(node) : read_into(node.body, depth + 1);
+        if (!is_closed && !stopped_) report_no_end(node, reporter_);
+    }
+
+    bool read_drawing(Node& node) {
+        while (const std::optional<Word> line = lines_.next_verbatim()) {
+            if (is_end(*line)) return true;
+            node.drawing.push_back(*line);
+        }
+        return false;
+    }
+
+    LineReader lines_;
+    Reporter& reporter_;
+    bool stopped_ = false;
+};
+
+}  // namespace
+
+std::vector<Word> Node::rest() const {
+    const auto count = statement ? 1 + std::ranges::count(statement->name, ' ') : 1;
+    return {words.begin() + std::min<std::ptrdiff_t>(count, std::ssize(words)), words.end()};
+}
+
+std::vector<Node> read_blocks(const SourceText& source, Reporter& reporter) {
+    return BlockReader(source, reporter).read();
+}
+
+}  // namespace carom

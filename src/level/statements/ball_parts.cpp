@@ -1,0 +1,193 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "level/draft/numbers.h"
+#include "level/statements/builders.h"
+
+namespace carom {
+namespace {
+
+constexpr std::size_t max_fills = 1000;  // each looks at all that stands already
+
+BallNaming ball_naming(const Arguments& arguments, bool is_numbered) {
+    BallNaming naming;
+    naming.node = arguments.node;
+    if (!arguments.plain.empty()) naming.name = arguments.plain.front();
+    naming.kind = arguments.word("kind");
+    naming.is_numbered = is_numbered;
+    return naming;
+}
+
+bool keeps_axes(const Arguments& arguments, const Frame& frame, Context& context) {
+    if (frame.transform.keeps_axes()) return true;
+    context.reporter.error(
+        arguments.node->keyword().span(),
+        fmt::format("{} cannot be turned by this angle", arguments.statement->name),
+        "turn the part by a multiple of 90 degrees");
+    return false;
+}
+
+Vec2 absolute(Vec2 v) {
+    return {std::abs(v.x), std::abs(v.y)};
+}
+
+// What an expression that is evaluated later will ask for.
+Scope names_in(const Word& expression, const Scope& scope) {
+    Scope asked;
+    const std::string_view text = expression.text;
+    for (std::size_t i = 0; i < text.size();) {
+        std::size_t end = i;
+        while (end < text.size() && continues_identifier(text[end]))
+            ++end;
+        const std::string_view name = text.substr(i, end - i);
+        const Variable* variable = scope.find(name);
+        if (variable) asked.names.emplace(std::string(name), *variable);
+        i = end + 1;
+    }
+    return asked;
+}
+
+// r= may be a range, or, beside m=, an expression of the ball's mass, such as sqrt(m)*0.8.
+bool read_radius(const Arguments& arguments, const Frame& frame, FillDraft& fill,
+                 Context& context) {
+    const Word expression = *arguments.word("r");
+    bool uses_mass = false;
+    Scope scope = names_in(expression, *frame.scope);
+    if (arguments.has("m")) {
+        scope.names["m"] = {Value{fill.least_mass, {}}, arguments.span_of("m"), &uses_mass};
+    }
+    const auto range =
+        read_range(expression, {"r"}, Measure::length, Bound::positive, scope, context);
+    if (!range) return false;
+    fill.least_radius = range->first;
+    fill.most_radius = range->second;
+    if (uses_mass) {
+        scope.names["m"].used = nullptr;
+        fill.radius_of_mass = expression;
+        fill.scope = std::move(scope);
+    }
+    return true;
+}
+
+}  // namespace
+
+void build_ball(const Arguments& arguments, const Frame& frame, Context& context) {
+    BallDraft ball;
+    ball.position = arguments.pair_or("at", {});
+    ball.velocity = arguments.pair_or("v", {});
+    ball.radius = arguments.number("r");
+    ball.mass = arguments.number("m");
+    ball.restitution = arguments.number("e");
+    ball.spin = arguments.number_or("w", 0.0);
+    if (arguments.has("roll")) {
+        ball.roll = arguments.pair_or("roll", {});
+        if (!context.draft.needs_cloth) context.draft.needs_cloth = arguments.span_of("roll");
+    }
+    ball.naming = name_balls(ball_naming(arguments, false), context);
+    ball.origin.span = arguments.span_of("at");
+    add_ball_draft(ball, frame, context);
+}
+
+void build_spawn(const Arguments& arguments, const Frame& frame, Context& context) {
+    const Transform& t = frame.transform;
+    const Vec2 jitter = arguments.pair_or("jitter", {});
+    const Vec2 velocity_jitter = arguments.pair_or("vjitter", {});
+    const bool has_jitter = !(jitter == Vec2{}) || !(velocity_jitter == Vec2{});
+    if (has_jitter && !keeps_axes(arguments, frame, context)) return;
+    if (!plan_balls(arguments.count("count"), arguments.span_of("count"), context)) return;
+    EmitterDraft draft;
+    draft.kind = arguments.plain.front();
+    draft.emitter.at = t.point(arguments.pair_or("at", {}));
+    draft.emitter.velocity = t.direction(arguments.pair_or("v", {}));
+    draft.emitter.jitter = absolute(t.direction(jitter));
+    draft.emitter.velocity_jitter = absolute(t.direction(velocity_jitter));
+    draft.emitter.every = arguments.number_or("every", 1.0);
+    draft.emitter.count = arguments.count("count");
+    draft.origin = {arguments.span_of("at"), frame.image};
+    context.draft.emitters.push_back(std::move(draft));
+}
+
+void build_fill(const Arguments& arguments, const Frame& frame, Context& context) {
+    if (!keeps_axes(arguments, frame, context)) return;
+    const std::uint32_t count = arguments.count("count");
+    if (!plan_balls(count, arguments.span_of("count"), context)) return;
+    if (context.draft.fills.size() >= max_fills) {
+        context.reporter.error(arguments.node->keyword().span(),
+                               fmt::format("the level has more than {} fills", max_fills),
+                               "fill larger boxes, with more balls each");
+        return;
+    }
+    if (arguments.has("rms") && (arguments.has("speed") || arguments.has("v"))) {
+        context.reporter.error(arguments.span_of("rms"),
+                               "rms= stands beside speed= or v=", "keep one of them");
+        return;
+    }
+    FillDraft fill;
+    if (!arguments.plain.empty()) fill.kind = arguments.plain.front();
+    fill.count = count;
+    fill.number = static_cast<int>(context.draft.fills.size());
+    const std::array<double, 4>& corners = arguments.values.at("box").numbers;
+    const Vec2 a = frame.transform.point({corners[0], corners[1]});
+    const Vec2 b = frame.transform.point({corners[2], corners[3]});
+    fill.box = join({a, a}, {b, b});
+    fill.least_mass = arguments.number_or("m", 0.0);
+    if (arguments.has("m")) fill.most_mass = arguments.values.at("m").numbers[1];
+    fill.density = arguments.number("density");
+    fill.restitution = arguments.number("e");
+    fill.velocity = frame.transform.direction(arguments.pair_or("v", {}));
+    if (arguments.has("speed")) {
+        fill.least_speed = arguments.values.at("speed").numbers[0];
+        fill.most_speed = arguments.values.at("speed").numbers[1];
+    }
+    fill.rms_speed = arguments.number_or("rms", 0.0);
+    fill.balls_before = context.draft.balls.size();
+    fill.origin = {arguments.span_of("count"), frame.image};
+    if (arguments.has("r") && !read_radius(arguments, frame, fill, context)) return;
+    context.draft.fills.push_back(std::move(fill));
+}
+
+void build_cradle(const Arguments& arguments, const Frame& frame, Context& context) {
+    const std::uint32_t count = arguments.count("count");
+    const double radius = arguments.number_or("r", 1.0);
+    const double pitch = 2.0 * radius + arguments.number_or("gap", 0.0);
+    const double swing = arguments.number_or("swing", 4.0 * radius);
+    const double moving = arguments.number_or("in", 1.0);
+    const Vec2 at = arguments.pair_or("at", {});
+    if (moving > count) {
+        context.reporter.error(arguments.span_of("in"),
+                               fmt::format("in={:.6g} is more than count={}", moving, count),
+                               "move as many balls as there are, or fewer");
+        return;
+    }
+    if (count > max_items) {
+        plan_balls(count, arguments.span_of("count"), context);
+        return;
+    }
+    BallDraft ball;
+    ball.radius = radius;
+    ball.mass = arguments.number("m");
+    ball.restitution = arguments.number("e");
+    ball.naming = name_balls(ball_naming(arguments, true), context);
+    ball.origin.span = arguments.span_of("count");
+    const double half = 0.5 * (count - 1.0) * pitch;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const bool is_moving = i < moving;
+        ball.position = {at.x + (i - 0.5 * (count - 1.0)) * pitch - (is_moving ? swing : 0.0),
+                         at.y};
+        ball.velocity = {is_moving ? arguments.number_or("v", 0.0) : 0.0, 0.0};
+        add_ball_draft(ball, frame, context);
+    }
+    // The walls leave each end of the row twice the swing: what goes out comes back.
+    const double wall = half + radius + 2.0 * swing;
+    EdgeNaming naming{arguments.node, {}, false, arguments.word("material")};
+    const int edges = name_edges(std::move(naming), context);
+    for (const double x : {at.x - wall, at.x + wall}) {
+        const int chain = begin_chain(false, context);
+        context.draft.chains.back().has_gaps = false;
+        add_piece({{x, at.y - 2.0 * radius}, {x, at.y + 2.0 * radius}, 0.0}, Side::both, edges,
+                  chain, arguments.node->keyword().span(), frame, context);
+    }
+}
+
+}  // namespace carom

@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "level/statements/builders.h"
+
+namespace carom {
+namespace {
+
+EdgeNaming part_naming(const Arguments& arguments) {
+    return {arguments.node, arguments.plain, false, arguments.word("material")};
+}
+
+}  // namespace
+
+void build_pegs(const Arguments& arguments, const Frame& frame, Context& context) {
+    constexpr double equilateral = 0.86602540378443865;  // sqrt(3)/2: equal gaps all around
+    const bool is_triangle = arguments.statement->name == "pegs triangle";
+    const bool is_staggered = is_triangle || arguments.flag("stagger");
+    const Vec2 at = arguments.pair_or("at", {});
+    const double pitch = arguments.number_or("pitch", 0.0);
+    const double row = arguments.number_or("row", is_staggered ? equilateral * pitch : pitch);
+    const double radius = arguments.number_or("r", 0.0);
+    const int naming = name_edges(part_naming(arguments), context);
+    const std::uint32_t rows = arguments.count("rows");
+    for (std::uint32_t i = 0; i < rows; ++i) {
+        std::uint32_t columns = i + 1;
+        if (!is_triangle) {
+            columns = arguments.count("columns");
+            if (is_staggered && i % 2 == 1) --columns;
+        }
+        for (std::uint32_t k = 0; k < columns; ++k) {
+            const Vec2 place{at.x + (k - 0.5 * (columns - 1.0)) * pitch, at.y - i * row};
+            if (!add_piece({place, place, radius}, Side::both, naming, begin_chain(false, context),
+                           arguments.span_of("rows"), frame, context)) {
+                return;
+            }
+        }
+    }
+}
+
+void build_bins(const Arguments& arguments, const Frame& frame, Context& context) {
+    const std::uint32_t count = arguments.count("count");
+    const double width = arguments.number_or("width", 0.0);
+    const double depth = arguments.number_or("depth", 0.0);
+    const double wall = 0.5 * arguments.number_or("wall", 0.0);
+    const Vec2 at = arguments.pair_or("at", {});
+    const bool is_sink = arguments.flag("sink");
+    const bool is_open = arguments.flag("open");
+    const double floor = at.y - depth;
+    const Span span = arguments.span_of("count");
+    const int naming = name_edges(part_naming(arguments), context);
+    const auto x_of = [&](double i) { return at.x + (i - 0.5 * count) * width; };
+
+    if (context.draft.zones.size() + count > max_items) {
+        context.reporter.error(span, fmt::format("the level has more than {} bins", max_items),
+                               "make fewer of them");
+        context.is_full = true;
+        return;
+    }
+    for (std::uint32_t i = 0; i <= count && !is_open; ++i) {
+        const Vec2 foot{x_of(i), floor};
+        if (!add_piece({foot, {foot.x, at.y - wall}, wall}, Side::both, naming,
+                       begin_chain(false, context), span, frame, context)) {
+            return;
+        }
+    }
+    if (!is_sink && !is_open) {
+        add_piece({{x_of(0), floor}, {x_of(count), floor}, wall}, Side::both, naming,
+                  begin_chain(false, context), span, frame, context);
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+        // A census covers the bin, up to its corners where no walls keep balls out of them; a sink
+        // lies below it, deep enough that no ball jumps over it.
+        const double x = x_of(i + 0.5);
+        const double rim = is_open ? at.y : std::max(floor, at.y - 0.5 * width);
+        const double top = is_sink ? floor : rim;
+        const double bottom = is_sink ? floor - depth - 2.0 * width : floor;
+        const Transform& t = frame.transform;
+        Zone zone;
+        zone.shape = {t.point({x, bottom}), t.point({x, top}), 0.5 * width};
+        zone.effect = is_sink ? Zone::Effect::sink : Zone::Effect::census;
+        context.draft.zones.push_back({zone, naming, {span, frame.image}});
+    }
+}
+
+// One bin alone, as bins are made of: a capsule that counts the balls in it. Zones of one name
+// count as bins of that name.
+void build_zone(const Arguments& arguments, const Frame& frame, Context& context) {
+    if (context.draft.zones.size() >= max_items) {
+        context.reporter.error(arguments.node->keyword().span(),
+                               fmt::format("the level has more than {} zones", max_items),
+                               "make fewer of them");
+        context.is_full = true;
+        return;
+    }
+    const Transform& t = frame.transform;
+    Zone zone;
+    zone.shape = {t.point(arguments.points[0]), t.point(arguments.points[1]),
+                  arguments.number_or("r", 0.0)};
+    zone.effect = arguments.flag("sink") ? Zone::Effect::sink : Zone::Effect::census;
+    EdgeNaming names = part_naming(arguments);
+    names.makes_edges = false;
+    const int naming = name_edges(names, context);
+    context.draft.zones.push_back({zone, naming, {arguments.span_of("r"), frame.image}});
+}
+
+}  // namespace carom

@@ -1,0 +1,105 @@
+#include "level/statements/parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "level/text/spelling.h"
+
+namespace carom {
+
+Variable Parts::evaluated(const Word& key, const Word& expression, const Scope& scope) {
+    return {evaluate(expression, scope, context_.rules(), context_.reporter), key.span(), nullptr};
+}
+
+void Parts::define(const Arguments& arguments, const Scope& scope) {
+    if (arguments.plain.empty()) return;
+    const Word& name = arguments.plain.front();
+    Part part;
+    part.node = arguments.node;
+    part.span = name.span();
+    for (const auto& [key, expression] : arguments.own_keys) {
+        if (key.text == "at" || key.text == "turn" || key.text == "flip") {
+            context_.reporter.error(key.span(), fmt::format("'{}' belongs to place", key.text),
+                                    "choose another name");
+            continue;
+        }
+        std::optional<Variable> otherwise;
+        if (!expression.text.empty()) otherwise = evaluated(key, expression, scope);
+        part.keys.emplace_back(key, otherwise);
+    }
+    const auto [first, is_new] = parts_.emplace(std::string(name.text), std::move(part));
+    if (is_new) return;
+    context_.reporter.error(name.span(),
+                            fmt::format("the part '{}' is defined already, in line {}", name.text,
+                                        first->second.span.line),
+                            "choose another name");
+}
+
+Parts::Part* Parts::find(const Word& name) {
+    const auto found = parts_.find(name.text);
+    if (found != parts_.end()) return &found->second;
+    std::vector<std::string_view> known;
+    for (const auto& [other, part] : parts_)
+        known.push_back(other);
+    context_.reporter.error(name.span(), fmt::format("there is no part '{}'", name.text),
+                            did_you_mean(name.text, known, "define it above: part NAME ... end"));
+    return nullptr;
+}
+
+std::optional<Parts::Placed> Parts::bind(const Arguments& arguments, const Scope& scope) {
+    Part* part = find(arguments.plain.front());
+    if (!part) return std::nullopt;
+    part->is_placed = true;
+    Placed placed{part->node, {}};
+    if (!take_given(arguments, *part, scope, placed.names)) return std::nullopt;
+    if (!take_defaults(arguments, *part, placed.names)) return std::nullopt;
+    return placed;
+}
+
+bool Parts::take_given(const Arguments& arguments, const Part& part, const Scope& scope,
+                       Names& names) {
+    std::vector<std::string_view> known;
+    for (const auto& [key, otherwise] : part.keys)
+        known.push_back(key.text);
+    for (const auto& [key, expression] : arguments.own_keys) {
+        if (std::ranges::count(known, key.text) == 0) {
+            context_.reporter.error(
+                key.span(),
+                fmt::format("part {} has no key '{}'", arguments.plain[0].text, key.text),
+                did_you_mean(key.text, known,
+                             known.empty()
+                                 ? "it has none"
+                                 : fmt::format("its keys are: {}", fmt::join(known, " "))));
+            return false;
+        }
+        names.emplace(std::string(key.text), evaluated(key, expression, scope));
+    }
+    return true;
+}
+
+bool Parts::take_defaults(const Arguments& arguments, const Part& part, Names& names) {
+    for (const auto& [key, otherwise] : part.keys) {
+        if (names.contains(key.text)) continue;
+        if (!otherwise) {
+            context_.reporter.error(
+                arguments.node->keyword().span(),
+                fmt::format("part {} needs {}=", arguments.plain[0].text, key.text),
+                fmt::format("write {}=... here, or give it a value in the part's first line",
+                            key.text));
+            return false;
+        }
+        names.emplace(std::string(key.text), *otherwise);
+    }
+    return true;
+}
+
+void Parts::warn_unplaced() {
+    for (const auto& [name, part] : parts_) {
+        if (part.is_placed || !part.span.source->included_from.empty()) continue;
+        context_.reporter.warning(part.span, fmt::format("the part '{}' is never placed", name),
+                                  "place it, or take it out");
+    }
+}
+
+}  // namespace carom

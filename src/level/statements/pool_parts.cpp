@@ -1,0 +1,152 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "geometry/elementary.h"
+#include "level/statements/builders.h"
+#include "level/text/spelling.h"
+#include "physics/world/random.h"
+
+namespace carom {
+namespace {
+
+constexpr double row_height = 0.86602540378443865;  // sqrt(3)/2: equal gaps all around
+
+// Where the balls of a rack stand, row by row, apex first: along the rows' way and to its left, in
+// pitches.
+std::vector<Vec2> places_of(Rack::Shape shape) {
+    const std::vector<int> rows =
+        shape == Rack::Shape::nine ? std::vector{1, 2, 3, 2, 1} : std::vector{1, 2, 3, 4, 5};
+    std::vector<Vec2> places;
+    for (std::size_t row = 0; row < rows.size(); ++row)
+        for (int i = 0; i < rows[row]; ++i)
+            places.push_back({static_cast<double>(row) * row_height, 0.5 * (rows[row] - 1.0) - i});
+    return places;
+}
+
+// Numbers from 1, shuffled by the seed, but for those that the rules put somewhere.
+std::vector<int> numbers_of(Rack::Shape shape, std::uint64_t seed) {
+    std::vector<int> numbers(shape == Rack::Shape::nine ? 9 : 15);
+    std::iota(numbers.begin(), numbers.end(), 1);
+    if (shape == Rack::Shape::triangle) return numbers;
+    for (std::size_t i = numbers.size(); i-- > 1;) {
+        const std::uint64_t other = random_bits(seed, RandomStream::rack, 0, i) % (i + 1);
+        std::swap(numbers[i], numbers[static_cast<std::size_t>(other)]);
+    }
+    const auto put = [&](int number, std::size_t place) {
+        std::swap(*std::ranges::find(numbers, number), numbers[place]);
+    };
+    constexpr std::size_t apex = 0;
+    constexpr std::size_t middle = 4;
+    if (shape == Rack::Shape::nine) {
+        put(1, apex);
+        put(9, middle);
+        return numbers;
+    }
+    constexpr std::size_t left = 10;
+    constexpr std::size_t right = 14;
+    put(8, middle);
+    // One of each group in the rear corners.
+    if ((numbers[left] < 8) == (numbers[right] < 8)) {
+        const bool wants_solid = numbers[left] > 8;
+        for (std::size_t i = 0; i < right; ++i) {
+            if (i == left || i == middle || (numbers[i] < 8) != wants_solid) continue;
+            std::swap(numbers[i], numbers[right]);
+            break;
+        }
+    }
+    return numbers;
+}
+
+std::optional<Vec2> toward_of(const Arguments& arguments, Context& context) {
+    const auto word = arguments.word("toward");
+    if (!word || word->text == "east") return Vec2{1.0, 0.0};
+    if (word->text == "west") return Vec2{-1.0, 0.0};
+    if (word->text == "north") return Vec2{0.0, 1.0};
+    if (word->text == "south") return Vec2{0.0, -1.0};
+    context.reporter.error(word->span(), fmt::format("'{}' is no way to go", word->text),
+                           did_you_mean(word->text, {"east", "west", "north", "south"},
+                                        "write toward=east, west, north or south"));
+    return std::nullopt;
+}
+
+}  // namespace
+
+void build_rack(const Arguments& arguments, const Frame& frame, Context& context) {
+    const std::string_view name = arguments.statement->name;
+    RackDraft rack;
+    rack.shape = name == "rack eight"  ? Rack::Shape::eight
+                 : name == "rack nine" ? Rack::Shape::nine
+                                       : Rack::Shape::triangle;
+    const auto toward = toward_of(arguments, context);
+    if (!toward) return;
+    BallNaming naming;
+    naming.node = arguments.node;
+    if (!arguments.plain.empty()) naming.name = arguments.plain.front();
+    naming.kind = arguments.word("kind");
+    naming.is_numbered = true;
+    rack.naming = name_balls(naming, context);
+    rack.foot = arguments.pair_or("at", {});
+    rack.toward = *toward;
+    const std::vector<Vec2> places = places_of(rack.shape);
+    const auto seed = static_cast<std::uint64_t>(arguments.number_or("seed", 0.0));
+    const std::vector<int> numbers = numbers_of(rack.shape, seed);
+    const double gap = arguments.number_or("gap", 0.0);
+    const bool is_shaken = arguments.has("seed");
+    for (int number = 1; number <= static_cast<int>(numbers.size()); ++number) {
+        const auto place =
+            static_cast<std::size_t>(std::ranges::find(numbers, number) - numbers.begin());
+        BallDraft ball;
+        // No two come nearer than half of the gap.
+        const auto shake = [&](std::uint64_t draw) {
+            return is_shaken ? random_between(-0.25, 0.25, seed, RandomStream::rack,
+                                              static_cast<std::uint64_t>(number), draw) *
+                                   gap * 0.70710678118654752
+                             : 0.0;
+        };
+        ball.position = rack.foot + Vec2{shake(0), shake(1)};
+        ball.racked = rack.toward * places[place].x + perpendicular(rack.toward) * places[place].y;
+        ball.gap = gap;
+        ball.naming = rack.naming;
+        ball.origin.span = arguments.span_of("at");
+        add_ball_draft(ball, frame, context);
+    }
+    context.draft.racks.push_back(rack);
+}
+
+void build_pocket(const Arguments& arguments, const Frame& frame, Context& context) {
+    Zone zone;
+    const Vec2 at = frame.transform.point(arguments.pair_or("at", {}));
+    zone.shape = {at, at, arguments.number_or("r", 0.0)};
+    zone.effect = Zone::Effect::sink;
+    EdgeNaming names{arguments.node, arguments.plain, false, {}};
+    names.makes_edges = false;
+    const int naming = name_edges(names, context);
+    ZoneDraft draft{zone, naming, {arguments.span_of("r"), frame.image}};
+    draft.is_pocket = true;
+    context.draft.zones.push_back(draft);
+}
+
+void declare_cue(const Arguments& arguments, Context& context) {
+    const auto& power = arguments.values.at("power").numbers;
+    context.draft.cues.push_back({*arguments.word("ball"), power[0], power[1]});
+}
+
+void declare_cloth(const Arguments& arguments, Context& context) {
+    Cloth cloth;
+    cloth.slide = arguments.number_or("slide", cloth.slide);
+    cloth.roll = arguments.number_or("roll", cloth.roll);
+    cloth.spin = arguments.number_or("spin", cloth.spin);
+    if (!arguments.has("g") && context.unit == LengthUnit::natural) {
+        context.reporter.error(arguments.node->keyword().span(),
+                               "use cloth needs g= where the level has no units",
+                               "write how hard the table is pressed on, such as g=10");
+    }
+    cloth.gravity = arguments.number_or("g", cloth.gravity);
+    context.draft.settings.cloth = cloth;
+    context.draft.settings.cloth_at = arguments.node->keyword().span();
+}
+
+}  // namespace carom

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "level/draft/arguments.h"
+
+/// What a level says of its game: `on ...` and `game pinball ...`. Names are looked up later
+/// (table_assembly.h).
+namespace carom {
+
+/// Pre, for both: arguments.is_sound.
+void declare_rule(const Arguments& arguments, const Scope& scope, Context& context);
+void declare_pinball(const Arguments& arguments, Context& context);
+
+}  // namespace carom

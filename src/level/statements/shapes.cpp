@@ -1,0 +1,217 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "geometry/unit.h"
+#include "level/statements/builders.h"
+
+namespace carom {
+namespace {
+
+// Arcs become straight pieces that stay within this share of the radius.
+constexpr double arc_tolerance = 1e-3;
+
+Side side_of(const Arguments& arguments) {
+    const std::optional<Word> side = arguments.word("side");
+    if (!side) return Side::both;
+    return side->text == "left" ? Side::left : Side::right;
+}
+
+bool is_side_known(const Arguments& arguments, Context& context) {
+    const std::optional<Word> side = arguments.word("side");
+    if (!side || side->text == "left" || side->text == "right") return true;
+    context.reporter.error(side->span(), fmt::format("an edge has no side '{}'", side->text),
+                           "write side=left or side=right, seen along the edge");
+    return false;
+}
+
+EdgeNaming shape_naming(const Arguments& arguments) {
+    return {arguments.node, arguments.plain, true, std::nullopt};
+}
+
+// A polyline on its way to capsules: each piece ends at a point and knows where to complain.
+struct Corner {
+    Vec2 point;
+    Span span;
+};
+
+// Appends the arc from `from` to `to` (unit vectors, less than a half turn apart) about `center`,
+// without `from` itself: halved until each chord is within tolerance.
+void append_arc(Vec2 center, double radius, Vec2 from, Vec2 to, const Span& span,
+                std::vector<Corner>& out) {
+    // The sagitta of a chord is 1 - cos(half its angle), and cos = |from + to| / 2.
+    const Vec2 middle = (from + to) * 0.5;
+    const double cosine = length(middle);
+    if (1.0 - cosine > arc_tolerance) {
+        const Vec2 halfway = middle / cosine;
+        append_arc(center, radius, from, halfway, span, out);
+        append_arc(center, radius, halfway, to, span, out);
+        return;
+    }
+    out.push_back({center + to * radius, span});
+}
+
+// How far from the corner its fillet begins on both edges.
+double tangent_length(Vec2 before, Vec2 corner, Vec2 after, double radius) {
+    const double cosine = dot(unit(before - corner), unit(after - corner));
+    return radius * std::sqrt((1.0 + cosine) / (1.0 - cosine));
+}
+
+bool is_straight(Vec2 before, Vec2 corner, Vec2 after) {
+    const Vec2 in = unit(corner - before);
+    const Vec2 out = unit(after - corner);
+    return std::abs(cross(in, out)) < 1e-12;
+}
+
+// Replaces a corner by an arc that both edges touch.
+void append_fillet(Vec2 before, const Corner& corner, Vec2 after, double radius,
+                   std::vector<Corner>& out) {
+    const Vec2 back = unit(before - corner.point);
+    const Vec2 on = unit(after - corner.point);
+    const double reach = tangent_length(before, corner.point, after, radius);
+    const double sine_half = std::sqrt(0.5 * (1.0 - dot(back, on)));
+    const Vec2 center = corner.point + unit(back + on) * (radius / sine_half);
+    const Vec2 first = corner.point + back * reach;
+    const Vec2 last = corner.point + on * reach;
+    out.push_back({first, corner.span});
+    append_arc(center, radius, unit(first - center), unit(last - center), corner.span, out);
+    out.back().point = last;
+}
+
+bool fillets_fit(const std::vector<Corner>& corners, bool is_closed, double radius,
+                 Context& context) {
+    const std::size_t n = corners.size();
+    const auto reach_at = [&](std::size_t i) {
+        if (!is_closed && (i == 0 || i == n - 1)) return 0.0;
+        const Vec2 before = corners[(i + n - 1) % n].point;
+        const Vec2 after = corners[(i + 1) % n].point;
+        if (is_straight(before, corners[i].point, after)) return 0.0;
+        return tangent_length(before, corners[i].point, after, radius);
+    };
+    for (std::size_t i = 0; i + (is_closed ? 0 : 1) < n; ++i) {
+        const std::size_t next = (i + 1) % n;
+        const double room = distance(corners[i].point, corners[next].point);
+        // A rounding more than the room is still a fit: two arcs may share a whole side.
+        if (reach_at(i) + reach_at(next) <= room * (1.0 + 1e-9)) continue;
+        context.reporter.error(corners[next].span, "the fillet does not fit between these points",
+                               "make it smaller, or move the points apart");
+        return false;
+    }
+    return true;
+}
+
+std::vector<Corner> rounded(const std::vector<Corner>& corners, bool is_closed, double radius) {
+    std::vector<Corner> out;
+    const std::size_t n = corners.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 before = corners[(i + n - 1) % n].point;
+        const Vec2 after = corners[(i + 1) % n].point;
+        const bool is_end = !is_closed && (i == 0 || i == n - 1);
+        if (is_end || is_straight(before, corners[i].point, after)) {
+            out.push_back(corners[i]);
+        } else {
+            append_fillet(before, corners[i], after, radius, out);
+        }
+    }
+    return out;
+}
+
+void add_polyline(std::vector<Corner> corners, bool is_closed, const Arguments& arguments,
+                  const Frame& frame, Context& context) {
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        if (!(corners[i].point == corners[i - 1].point)) continue;
+        context.reporter.error(corners[i].span, "this piece of the edge has no length",
+                               "move or drop the point; a single point is a peg");
+        return;
+    }
+    const bool is_ring = corners.size() > 2 && corners.front().point == corners.back().point;
+    if (is_closed && is_ring) {
+        context.reporter.error(corners.back().span, "the edge is already back at its first point",
+                               "drop this point, or 'close'");
+        return;
+    }
+    if (is_ring) corners.pop_back();
+    const bool closes = is_closed || is_ring;
+    const double fillet = arguments.number_or("fillet", 0.0);
+    if (fillet > 0.0) {
+        if (!fillets_fit(corners, closes, fillet, context)) return;
+        corners = rounded(corners, closes, fillet);
+    }
+    const double radius = arguments.number_or("r", 0.0);
+    const int naming = name_edges(shape_naming(arguments), context);
+    const int chain = begin_chain(closes, context);
+    const std::size_t pieces = closes ? corners.size() : corners.size() - 1;
+    for (std::size_t i = 0; i < pieces; ++i) {
+        const Corner& end = corners[(i + 1) % corners.size()];
+        if (corners[i].point == end.point) continue;  // two fillets that meet
+        if (!add_piece({corners[i].point, end.point, radius}, side_of(arguments), naming, chain,
+                       end.span, frame, context)) {
+            return;
+        }
+    }
+}
+
+}  // namespace
+
+void build_edge(const Arguments& arguments, const Frame& frame, Context& context) {
+    if (!is_side_known(arguments, context)) return;
+    std::vector<Corner> corners;
+    for (std::size_t i = 0; i < arguments.points.size(); ++i) {
+        corners.push_back({arguments.points[i], arguments.point_words[i].span()});
+    }
+    if (arguments.flag("close") && corners.size() < 3) {
+        context.reporter.error(arguments.node->keyword().span(),
+                               "an edge of two points cannot be closed", "add a third point");
+        return;
+    }
+    add_polyline(std::move(corners), arguments.flag("close"), arguments, frame, context);
+}
+
+void build_box(const Arguments& arguments, const Frame& frame, Context& context) {
+    if (!is_side_known(arguments, context)) return;
+    const Vec2 a = arguments.points[0];
+    const Vec2 b = arguments.points[1];
+    const Span span = arguments.point_words[1].span();
+    if (!(a.x < b.x && a.y < b.y)) {
+        context.reporter.error(span, "the box is empty",
+                               "write its lower left corner, then its upper right one");
+        return;
+    }
+    add_polyline({{a, span}, {{b.x, a.y}, span}, {b, span}, {{a.x, b.y}, span}}, true, arguments,
+                 frame, context);
+}
+
+void build_arc(const Arguments& arguments, const Frame& frame, Context& context) {
+    if (!is_side_known(arguments, context)) return;
+    const double from = arguments.number_or("from", 0.0);
+    const double to = arguments.number_or("to", 360.0);
+    const double sweep = to - from;
+    if (std::abs(sweep) > 360.0 || sweep == 0.0) {
+        context.reporter.error(arguments.span_of("to"),
+                               fmt::format("the arc sweeps {:.6g} degrees", sweep),
+                               "from= and to= differ by 360 degrees at most, and not by 0");
+        return;
+    }
+    const Vec2 center = arguments.pair_or("at", {});
+    const double radius = arguments.number_or("radius", 0.0);
+    // A chord of angle a leaves its circle by less than a^2/8 of the radius.
+    const double widest = 2.0 * std::sqrt(2.0 * arc_tolerance) * 180.0 / pi;
+    const int pieces = static_cast<int>(std::ceil(std::abs(sweep) / widest));
+    const Span span = arguments.node->keyword().span();
+    std::vector<Corner> corners;
+    for (int i = 0; i <= pieces; ++i) {
+        const double share = static_cast<double>(i) / pieces;
+        const SinCos at = sin_cos_degrees(i == pieces ? to : from + sweep * share);
+        corners.push_back({center + Vec2{at.cos, at.sin} * radius, span});
+    }
+    add_polyline(std::move(corners), false, arguments, frame, context);
+}
+
+void build_peg(const Arguments& arguments, const Frame& frame, Context& context) {
+    const Vec2 at = arguments.pair_or("at", {});
+    const int naming = name_edges(shape_naming(arguments), context);
+    add_piece({at, at, arguments.number_or("r", 0.0)}, Side::both, naming,
+              begin_chain(false, context), arguments.span_of("at"), frame, context);
+}
+
+}  // namespace carom

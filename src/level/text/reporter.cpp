@@ -1,0 +1,61 @@
+#include "level/text/reporter.h"
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+constexpr std::size_t most_kept = 1000;  // bounds the memory that a hopeless file can cost
+
+std::tuple<int, int, int, Severity> rank(int order, const Diagnostic& d) {
+    return {order, d.line, d.column, d.severity};
+}
+
+}  // namespace
+
+void Reporter::error(const Span& at, std::string message, std::string remedy) {
+    ++errors_;
+    add(Severity::error, at, std::move(message), std::move(remedy));
+}
+
+void Reporter::warning(const Span& at, std::string message, std::string remedy) {
+    add(Severity::warning, at, std::move(message), std::move(remedy));
+}
+
+void Reporter::add(Severity severity, const Span& at, std::string message, std::string remedy) {
+    const int order = at.source ? at.source->order : 0;
+    if (entries_.size() >= most_kept) return;
+    if (!places_.insert({severity, order, at.line, at.column}).second) return;
+    Diagnostic d;
+    d.severity = severity;
+    d.line = at.line;
+    d.column = at.column;
+    d.length = std::max(1, at.length);
+    d.message = std::move(message);
+    d.remedy = std::move(remedy);
+    if (at.source) {
+        d.file = at.source->name;
+        d.included_from = at.source->included_from;
+        const auto index = static_cast<std::size_t>(at.line - 1);
+        if (index < at.source->lines.size()) d.source = legible(at.source->lines[index]);
+    }
+    entries_.push_back({order, std::move(d)});
+}
+
+std::vector<Diagnostic> Reporter::diagnostics() const {
+    std::vector<Entry> sorted = entries_;
+    const auto by_severity = [](const Entry& e) { return e.diagnostic.severity; };
+    const auto by_place = [](const Entry& e) { return rank(e.order, e.diagnostic); };
+    std::ranges::sort(sorted, {}, by_place);
+    if (sorted.size() > max_diagnostics) {
+        std::ranges::stable_sort(sorted, {}, by_severity);
+        sorted.resize(max_diagnostics);
+        std::ranges::sort(sorted, {}, by_place);
+    }
+    std::vector<Diagnostic> result;
+    for (Entry& e : sorted)
+        result.push_back(std::move(e.diagnostic));
+    return result;
+}
+
+}  // namespace carom

@@ -1,0 +1,58 @@
+#include "level/text/spelling.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace carom {
+
+int edit_distance(std::string_view a, std::string_view b) {
+    // Three rows of the table of optimal string alignment.
+    std::vector<int> before(b.size() + 1);
+    std::vector<int> last(b.size() + 1);
+    std::vector<int> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j)
+        last[j] = static_cast<int>(j);
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = static_cast<int>(i);
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const int change = last[j - 1] + (a[i - 1] != b[j - 1]);
+            row[j] = std::min({change, last[j] + 1, row[j - 1] + 1});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+                row[j] = std::min(row[j], before[j - 2] + 1);
+            }
+        }
+        std::swap(before, last);
+        std::swap(last, row);
+    }
+    return last[b.size()];
+}
+
+std::optional<std::string_view> nearest_word(std::string_view word,
+                                             const std::vector<std::string_view>& candidates) {
+    constexpr std::size_t longest = 64;  // nobody misspells a word that long; bounds the work
+    std::size_t tried = 0;
+    if (word.empty() || word.size() > longest) return std::nullopt;
+    std::optional<std::string_view> best;
+    std::size_t best_distance = std::max(std::size_t{1}, word.size() / 3);
+    for (const std::string_view candidate : candidates) {
+        if (++tried > max_candidates) break;
+        if (candidate.size() < 2 || candidate.size() > word.size() + best_distance ||
+            candidate.size() + best_distance < word.size()) {
+            continue;
+        }
+        const auto distance = static_cast<std::size_t>(edit_distance(word, candidate));
+        if (distance > best_distance || (best && distance == best_distance)) continue;
+        best = candidate;
+        best_distance = distance;
+    }
+    return best;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates,
+                         std::string otherwise) {
+    const std::optional<std::string_view> best = nearest_word(word, candidates);
+    return best ? fmt::format("did you mean '{}'?", *best) : otherwise;
+}
+
+}  // namespace carom

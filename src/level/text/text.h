@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "level/text/diagnostic.h"
+
+/// A level's text, and places in it. Columns count characters (code points), not bytes.
+namespace carom {
+
+/// One file, an include, or a statement of --set. Words and spans point into it, so it must neither
+/// move nor change while they live.
+struct SourceText {
+    std::string name;
+    std::string text;
+    std::vector<std::string_view> lines;      ///< without their ends (LF or CR LF)
+    std::vector<IncludedFrom> included_from;  ///< innermost first
+    int order = 0;                            ///< messages of lower orders come first
+};
+
+/// A place in a source. Line and column from 1.
+struct Span {
+    const SourceText* source = nullptr;
+    int line = 1;
+    int column = 1;
+    int length = 1;
+};
+
+/// Characters in UTF-8 text; bytes that begin none count nothing.
+int characters(std::string_view text);
+
+/// Splits `text` into lines. A byte order mark at the start belongs to no line.
+std::vector<std::string_view> split_lines(std::string_view text);
+
+/// Why a text cannot be read at all.
+struct TextFault {
+    int line = 1;
+    int column = 1;
+    std::string message;
+    std::string remedy;
+};
+
+inline constexpr std::size_t max_file_bytes = 4u << 20;
+inline constexpr std::size_t max_line_bytes = 4096;
+
+/// Bytes of the valid UTF-8 character at `i`, or 0 (RFC 3629: no overlong forms, no surrogates).
+/// Pre: i < text.size().
+std::size_t character_length(std::string_view text, std::size_t i);
+
+/// The first fault: over 4 MiB, a NUL byte, not UTF-8, a line over 4,096 bytes.
+std::optional<TextFault> find_fault(std::string_view text);
+
+/// The text with each byte that is not part of a valid UTF-8 character replaced by '?'.
+std::string legible(std::string_view text);
+
+}  // namespace carom

@@ -1,0 +1,95 @@
+#include "level/text/words.h"
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+bool is_blank(char c) {
+    return c == ' ' || c == '\t';
+}
+
+bool is_blank_or_comment(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t");
+    return first == std::string_view::npos || text[first] == '#';
+}
+
+}  // namespace
+
+Word Word::part(std::size_t offset, std::size_t count) const {
+    return {text.substr(offset, count), source, line, column + characters(text.substr(0, offset))};
+}
+
+std::vector<Word> LineReader::next() {
+    std::vector<Word> words;
+    while (line_ < source_->lines.size()) {
+        const bool goes_on = split(source_->lines[line_], static_cast<int>(line_) + 1, words);
+        ++line_;
+        if (!goes_on && !words.empty()) return words;
+    }
+    return words;
+}
+
+std::optional<Word> LineReader::next_verbatim() {
+    if (line_ >= source_->lines.size()) return std::nullopt;
+    const Word word{source_->lines[line_], source_, static_cast<int>(line_) + 1, 1};
+    ++line_;
+    return word;
+}
+
+bool LineReader::split(std::string_view line, int number, std::vector<Word>& words) {
+    const auto word_at = [&](std::size_t from, std::size_t to) {
+        return Word{line.substr(from, to - from), source_, number,
+                    characters(line.substr(0, from)) + 1};
+    };
+    std::size_t i = 0;
+    while (i < line.size()) {
+        if (is_blank(line[i])) {
+            ++i;
+            continue;
+        }
+        if (line[i] == '#') return false;
+        if (line[i] == '\\') {
+            if (is_blank_or_comment(line.substr(i + 1))) return true;
+            reporter_->error(word_at(i, i + 1).span(), "a '\\' stands in the middle of the line",
+                             "a '\\' continues a line, and only at its end");
+            ++i;
+            continue;
+        }
+        std::size_t end = i;
+        if (line[i] == '"') {
+            end = line.find('"', i + 1);
+            if (end == std::string_view::npos) {
+                reporter_->error(word_at(i, line.size()).span(), "the closing '\"' is missing",
+                                 "end the text with '\"' on the same line");
+                words.push_back(word_at(i, line.size()));
+                return false;
+            }
+            ++end;
+        } else {
+            while (end < line.size() && !is_blank(line[end]) && line[end] != '#' &&
+                   line[end] != '"' && line[end] != '\\') {
+                ++end;
+            }
+        }
+        words.push_back(word_at(i, end));
+        i = end;
+    }
+    return false;
+}
+
+bool starts_identifier(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
+           static_cast<unsigned char>(c) >= 0x80;
+}
+
+bool continues_identifier(char c) {
+    return starts_identifier(c) || (c >= '0' && c <= '9');
+}
+
+bool is_identifier(std::string_view text) {
+    return !text.empty() && starts_identifier(text[0]) &&
+           std::ranges::all_of(text, continues_identifier);
+}
+
+}  // namespace carom

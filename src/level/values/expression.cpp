@@ -1,0 +1,307 @@
+#include "level/values/expression.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "geometry/elementary.h"
+#include "level/text/spelling.h"
+#include "level/values/literal.h"
+#include "level/values/value_math.h"
+
+namespace carom {
+namespace {
+
+// Recursive descent over one word. `nothing` is both a mistake and poison; the mistake has been
+// reported where it was found, so callers just pass it on.
+class Parser {
+  public:
+    Parser(const Word& word, const Scope& scope, const ExpressionRules& rules, Reporter& reporter)
+        : word_(word), text_(word.text), scope_(scope), rules_(rules), reporter_(reporter) {}
+
+    std::optional<Value> whole() {
+        const std::optional<Value> value = sum();
+        if (value && at_ < text_.size()) {
+            const std::string_view rest = text_.substr(at_);
+            const bool is_bracket = rest[0] == ')';
+            return mistake(at_, is_bracket ? 1 : rest.size(),
+                           is_bracket ? "this ')' closes nothing"
+                                      : fmt::format("'{}' is not expected here", rest),
+                           is_bracket ? "take it out, or add the '('"
+                                      : "arithmetic has + - * / ^ and brackets, without spaces");
+        }
+        return value;
+    }
+
+  private:
+    using Result = std::optional<Value>;
+
+    Result mistake(std::size_t offset, std::size_t count, std::string message,
+                   std::string remedy = {}) {
+        if (!failed_) {
+            reporter_.error(word_.part(offset, count).span(), std::move(message),
+                            std::move(remedy));
+        }
+        failed_ = true;
+        return std::nullopt;
+    }
+
+    char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+
+    std::string_view since(std::size_t start) const { return text_.substr(start, at_ - start); }
+
+    Result finite(std::size_t start, const Value& value) {
+        if (!is_sensible(value.dimension)) {
+            return mistake(start, at_ - start,
+                           fmt::format("{} is {}", since(start), described(value.dimension)),
+                           "no quantity has such a unit");
+        }
+        if (std::abs(value.number) <= largest_number) return value;
+        return mistake(start, at_ - start, fmt::format("{} is not a finite number", since(start)),
+                       "numbers go up to 1e300, and nothing is divided by 0");
+    }
+
+    Result sum() {
+        const std::size_t start = at_;
+        Result left = product();
+        while (left && (peek() == '+' || peek() == '-')) {
+            const double sign = text_[at_] == '-' ? -1.0 : 1.0;
+            ++at_;
+            const std::size_t right_start = at_;
+            const Result right = product();
+            if (!right) return right;
+            left = added(start, *left, right_start, *right, sign);
+        }
+        return left;
+    }
+
+    Result added(std::size_t start, Value left, std::size_t right_start, Value right, double sign) {
+        if (!match(left, right, rules_.unit)) {
+            return mistake(
+                start, at_ - start,
+                fmt::format("{} is {}, but {} is {}", text_.substr(start, right_start - 1 - start),
+                            described(left.dimension), since(right_start),
+                            described(right.dimension)),
+                "only like can be added to like");
+        }
+        return finite(start, {left.number + sign * right.number, left.dimension});
+    }
+
+    Result product() {
+        const std::size_t start = at_;
+        Result left = power();
+        while (left && (peek() == '*' || peek() == '/')) {
+            const bool divides = text_[at_] == '/';
+            ++at_;
+            const Result right = power();
+            if (!right) return right;
+            left = divides
+                       ? Value{left->number / right->number, left->dimension / right->dimension}
+                       : Value{left->number * right->number, left->dimension * right->dimension};
+            left = finite(start, *left);
+        }
+        return left;
+    }
+
+    // The sign binds looser than ^: -2^2 is -4, as on paper.
+    Result power() {
+        if (peek() == '-' || peek() == '+') {
+            const bool is_negative = peek() == '-';
+            if (++signs_ > max_nesting) return too_deep();
+            ++at_;
+            Result value = power();
+            --signs_;
+            if (value && is_negative) value->number = -value->number;
+            return value;
+        }
+        const std::size_t start = at_;
+        const Result base = atom();
+        if (!base || peek() != '^') return base;
+        ++at_;
+        const std::size_t exponent_start = at_;
+        if (++depth_ > max_nesting) return too_deep();
+        const Result exponent = power();
+        --depth_;
+        if (!exponent) return exponent;
+        if (!can_be_exponent(*exponent)) {
+            return mistake(exponent_start, at_ - exponent_start,
+                           fmt::format("{} cannot be an exponent", since(exponent_start)),
+                           "an exponent is a whole number from -1024 to 1024, or 0.5");
+        }
+        return settled(start, raised(*base, *exponent));
+    }
+
+    // What the arithmetic made of the text since `start`.
+    Result settled(std::size_t start, const Outcome& outcome) {
+        if (outcome.fault.empty()) return finite(start, outcome.value);
+        return mistake(start, at_ - start, outcome.fault, outcome.remedy);
+    }
+
+    Result too_deep() {
+        return mistake(at_, 1, fmt::format("nested deeper than {}", max_nesting),
+                       "split it with let");
+    }
+
+    Result atom() {
+        const char c = peek();
+        if (begins_literal(text_.substr(at_))) return number();
+        if (starts_identifier(c)) return name();
+        if (c == '(') {
+            const std::size_t open = at_++;
+            if (++depth_ > max_nesting) return too_deep();
+            const Result value = sum();
+            --depth_;
+            return value && closes(open) ? value : Result{};
+        }
+        if (at_ >= text_.size()) {
+            const std::size_t from = text_.empty() ? 0 : text_.size() - 1;
+            return mistake(from, 1, "a number is missing here",
+                           "arithmetic is written without spaces, points as x,y");
+        }
+        return mistake(at_, text_.size() - at_,
+                       fmt::format("'{}' is not a number", text_.substr(at_)),
+                       "write a number, a let name or arithmetic, such as W/2");
+    }
+
+    bool closes(std::size_t open) {
+        if (peek() == ')') {
+            ++at_;
+            return true;
+        }
+        if (at_ < text_.size()) {
+            mistake(at_, 1, fmt::format("'{}' is not expected here", text_.substr(at_, 1)),
+                    "arithmetic has + - * / ^ and brackets, without spaces");
+        } else {
+            mistake(open, 1, "the ')' is missing",
+                    "arithmetic is written without spaces: (W-2*R)/2");
+        }
+        return false;
+    }
+
+    Result number() {
+        const std::size_t start = at_;
+        const auto is_let = [&](std::string_view name) { return scope_.find(name) != nullptr; };
+        const Literal literal = read_literal(text_.substr(start), rules_.unit, is_let);
+        if (!literal.fault.empty()) {
+            return mistake(start + literal.fault_at, literal.fault_length, literal.fault,
+                           literal.remedy);
+        }
+        at_ += literal.length;
+        return finite(start, literal.value);
+    }
+
+    Result name() {
+        const std::size_t start = at_;
+        while (at_ < text_.size() && continues_identifier(text_[at_]))
+            ++at_;
+        const std::string_view name = since(start);
+        const FunctionFacts* function = function_named(name);
+        if (function && peek() == '(') return call(start, *function);
+        if (peek() == '(') {
+            return mistake(start, name.size(), fmt::format("'{}' is not a function", name),
+                           did_you_mean(name, function_names(),
+                                        "there are sqrt sin cos tan abs min max floor ceil round"));
+        }
+        // What the author names comes before what carom names.
+        const Variable* variable = scope_.find(name);
+        if (!variable && name == "pi") return Value{pi, {}};
+        if (!variable && function) {
+            return mistake(
+                start, name.size(), fmt::format("{} needs brackets", name),
+                fmt::format("write {}({})", name, function->arguments == 2 ? "a,b" : "x"));
+        }
+        if (!variable) return unknown(start, name);
+        if (variable->used) *variable->used = true;
+        return variable->value;
+    }
+
+    Result unknown(std::size_t start, std::string_view name) {
+        if (rules_.defined_later) {
+            const auto later = rules_.defined_later->find(name);
+            if (later != rules_.defined_later->end()) {
+                return mistake(
+                    start, name.size(), fmt::format("'{}' has no value yet", name),
+                    fmt::format("move its let, line {}, above this line", later->second));
+            }
+        }
+        std::vector<std::string_view> known{"pi"};
+        for (const Scope* scope = &scope_; scope; scope = scope->outer) {
+            for (const auto& [other, variable] : scope->names) {
+                if (known.size() == max_candidates) break;
+                known.push_back(other);
+            }
+        }
+        for (const std::string_view function : function_names())
+            known.push_back(function);
+        return mistake(
+            start, name.size(), fmt::format("'{}' is not known", name),
+            did_you_mean(name, known, fmt::format("give it a value above: let {}=...", name)));
+    }
+
+    Result call(std::size_t start, const FunctionFacts& f) {
+        const std::size_t open = at_++;
+        if (++depth_ > max_nesting) return too_deep();
+        std::array<Value, 2> arguments;
+        for (std::size_t i = 0; i < f.arguments; ++i) {
+            if (i > 0) {
+                if (peek() != ',') {
+                    return mistake(start, at_ - start,
+                                   fmt::format("{} wants {} numbers", f.name, f.arguments),
+                                   fmt::format("write {}(a,b)", f.name));
+                }
+                ++at_;
+            }
+            const Result argument = sum();
+            if (!argument) return argument;
+            arguments[i] = *argument;
+        }
+        --depth_;
+        if (!closes(open)) return std::nullopt;
+        return settled(start, applied(f.function, arguments[0], arguments[1], rules_.unit));
+    }
+
+    const Word& word_;
+    std::string_view text_;
+    const Scope& scope_;
+    const ExpressionRules& rules_;
+    Reporter& reporter_;
+    std::size_t at_ = 0;
+    int depth_ = 0;
+    int signs_ = 0;
+    bool failed_ = false;
+};
+
+}  // namespace
+
+const Variable* Scope::find(std::string_view name) const {
+    for (const Scope* scope = this; scope; scope = scope->outer) {
+        const auto found = scope->names.find(name);
+        if (found != scope->names.end()) return &found->second;
+    }
+    return nullptr;
+}
+
+std::optional<Value> evaluate(const Word& word, const Scope& scope, const ExpressionRules& rules,
+                              Reporter& reporter) {
+    return Parser(word, scope, rules, reporter).whole();
+}
+
+std::vector<Word> split_outside_brackets(const Word& word, std::string_view separator) {
+    std::vector<Word> pieces;
+    int depth = 0;
+    std::size_t start = 0;
+    for (std::size_t i = 0; i < word.text.size(); ++i) {
+        const char c = word.text[i];
+        if (c == '(') ++depth;
+        if (c == ')') --depth;
+        if (depth > 0 || word.text.substr(i, separator.size()) != separator) continue;
+        pieces.push_back(word.part(start, i - start));
+        i += separator.size() - 1;
+        start = i + 1;
+    }
+    pieces.push_back(word.part(start));
+    return pieces;
+}
+
+}  // namespace carom

@@ -1,0 +1,103 @@
+#include <algorithm>
+
+#include "geometry/closest.h"
+#include "physics/discrete/solver.h"
+#include "physics/laws/bounce.h"
+#include "physics/laws/cloth_contact.h"
+
+// What the solvers `discrete` and `substep` do to the velocities of bodies that overlapped.
+namespace carom {
+
+void OverlapSolver::exchange_momentum(World& world, double time, std::vector<Contact>& contacts) {
+    with_terms(terms_of(world), [&]<Terms terms>() { bounce_pairs<terms>(world, time, contacts); });
+}
+
+// How fast a hand or a coil moves the edge at this point. A hand's counts only along the edge
+// (friction), since what is in its way is pushed out; what is driven throws as well.
+Vec2 OverlapSolver::hand_velocity(const World& world, std::uint32_t capsule, Vec2 point) const {
+    const Capsule& shape = world.capsules.shape[capsule];
+    for (std::size_t i = 0; i < world.held_capsules.size(); ++i)
+        if (world.held_capsules[i].id == world.capsules.id[capsule])
+            return hands_[i].start + (hands_[i].end - hands_[i].start) *
+                                         closest_parameter(shape.start, shape.end, point);
+    return {};
+}
+
+bool OverlapSolver::is_driven(const World& world, std::uint32_t capsule) const {
+    return std::ranges::any_of(world.held_capsules, [&](const HeldCapsule& held) {
+        return held.is_driven && held.id == world.capsules.id[capsule];
+    });
+}
+
+template <Terms terms>
+void OverlapSolver::bounce_pairs(World& world, double time, std::vector<Contact>& contacts) {
+    Balls& balls = world.balls;
+    const Vec2 torus = terms.wrap() ? size(*world.model.wrap) : Vec2{};
+    for (const Pair& pair : pairs_) {
+        const std::uint32_t i = pair.ball;
+        if (pair.kind == ContactKind::ball_ball) {
+            const std::uint32_t j = pair.other;
+            Vec2 offset = balls.position[i] - balls.position[j];
+            if (terms.wrap()) offset = nearest_image(offset, torus);
+            Vec2 normal = direction(offset, when_coincident);
+            if (!(dot(balls.velocity[i] - balls.velocity[j], normal) < 0.0)) continue;
+            if (terms.special() && inverse_mass_[i] == 0.0 && inverse_mass_[j] == 0.0) continue;
+            const double restitution =
+                terms.lossy() ? std::min(balls.restitution[i], balls.restitution[j]) : 1.0;
+            const Exchange done = bounce(balls.velocity[i], inverse_mass_[i], balls.velocity[j],
+                                         inverse_mass_[j], normal, restitution);
+            if (terms.spin()) {
+                const Kind& kind_i = world.kinds[balls.kind[i]];
+                const Kind& kind_j = world.kinds[balls.kind[j]];
+                const Friction friction{friction_between(kind_i, kind_j), *world.model.spin};
+                if (world.model.cloth)
+                    rub_on_cloth(balls.velocity[i], roller(balls, i), inverse_mass_[i],
+                                 balls.velocity[j], roller(balls, j), inverse_mass_[j], normal,
+                                 done.impulse, friction);
+                else
+                    rub(balls.velocity[i], {balls.spin[i], balls.radius[i]}, inverse_mass_[i],
+                        balls.velocity[j], {balls.spin[j], balls.radius[j]}, inverse_mass_[j],
+                        normal, done.impulse, friction);
+            }
+            const Vec2 point = balls.position[j] + normal * balls.radius[j];
+            if (i > j) normal = -normal;
+            contacts.push_back({time, ContactKind::ball_ball, std::min(i, j), std::max(i, j), point,
+                                normal, done.approach, done.impulse});
+            continue;
+        }
+        if (terms.special() && inverse_mass_[i] == 0.0) continue;
+        Capsule shape = world.capsules.shape[pair.other];
+        shape.start += pair.shift;
+        shape.end += pair.shift;
+        const Vec2 nearest = closest_point(shape.start, shape.end, balls.position[i]);
+        Vec2 normal = direction(balls.position[i] - nearest, when_coincident);
+        const Vec2 surface = terms.special() ? hand_velocity(world, pair.other, nearest) : Vec2{};
+        const bool driven = terms.special() && is_driven(world, pair.other);
+        const double throwing = driven ? dot(surface, normal) : 0.0;
+        const double speed = throwing - dot(balls.velocity[i], normal);
+        if (!(speed > 0.0)) continue;
+        const Material& material = world.materials[world.capsules.material[pair.other]];
+        const double restitution = terms.lossy() ? restitution_at(material, speed) : 1.0;
+        const Vec2 flat = normal;
+        if (terms.special() && world.model.scatter)
+            normal = scattered_normal(world, balls.id[i], balls.edge_contacts[i]++, normal,
+                                      balls.velocity[i], restitution);
+        const Exchange done =
+            bounce_off(balls.velocity[i], inverse_mass_[i], normal, throwing, restitution, driven);
+        if (terms.special() && world.model.kicks)
+            balls.velocity[i] += normal * kick_at(material, shape, nearest, speed);
+        if (terms.spin()) {
+            const Friction friction{material.friction, *world.model.spin};
+            if (world.model.cloth)
+                rub_edge_on_cloth(balls.velocity[i], roller(balls, i), inverse_mass_[i], flat,
+                                  surface, done.impulse, friction);
+            else
+                rub_on(balls.velocity[i], {balls.spin[i], balls.radius[i]}, inverse_mass_[i], flat,
+                       surface, done.impulse, friction);
+        }
+        contacts.push_back({time, ContactKind::ball_edge, i, pair.other,
+                            nearest + normal * shape.radius, normal, done.approach, done.impulse});
+    }
+}
+
+}  // namespace carom

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/vec2.h"
+#include "physics/laws/bounce.h"
+
+/// Friction at a contact where balls lie on cloth: `rub` of bounce.h for balls that also turn about
+/// horizontal axes.
+namespace carom {
+
+/// A ball that turns about all three axes: its side spin, rad/s, counter-clockwise seen from above;
+/// its roll (cloth.h), length/s; its radius.
+struct Roller {
+    double& spin;
+    Vec2& roll;
+    double radius;
+};
+
+/// Friction of two balls on cloth, after `pressed` >= 0 has passed along `normal`, from b to a.
+///
+/// The points that touch slip past one another along t = perpendicular(normal) and upwards at
+///     u_t = (v_a - v_b) . t - (r_a w_a + r_b w_b)      u_z = (roll_a + roll_b) . normal.
+/// What would stop both are the impulses -u_t m_t and -u_z m_z with
+///     1/m_t = (1/m_a + 1/m_b) (1 + 1/inertia)          1/m_z = (1/m_a + 1/m_b) / inertia;
+/// the second turns the balls, and does not lift them: the table bears it. Friction passes both, or
+/// where the two together are more than coefficient * pressed, as much of both: the points stick,
+/// or slip on. It never makes energy. Returns the impulse on a along t.
+///
+/// An inverse mass of 0 is a body that nothing moves or turns. Both 0: nothing happens.
+/// Source: Coulomb's law in impulses, as `rub`; D. Alciatore, technical proofs A.14 (throw) and
+/// B.2.
+inline double rub_on_cloth(Vec2& velocity_a, Roller a, double inverse_mass_a, Vec2& velocity_b,
+                           Roller b, double inverse_mass_b, Vec2 normal, double pressed,
+                           Friction friction) {
+    const double inverse = inverse_mass_a + inverse_mass_b;
+    if (!(inverse > 0.0)) return 0.0;
+    const Vec2 along = perpendicular(normal);
+    const double slip =
+        dot(velocity_a - velocity_b, along) - (a.radius * a.spin + b.radius * b.spin);
+    const double rise = dot(a.roll + b.roll, normal);
+    double across = -slip / (inverse * (1.0 + 1.0 / friction.inertia));
+    double upwards = -rise * friction.inertia / inverse;
+    const double most = friction.coefficient * std::max(0.0, pressed);
+    const double stopping = std::sqrt(across * across + upwards * upwards);
+    if (stopping > most) {
+        across *= most / stopping;
+        upwards *= most / stopping;
+    }
+    velocity_a += along * (across * inverse_mass_a);
+    velocity_b -= along * (across * inverse_mass_b);
+    a.spin -= across * inverse_mass_a / (friction.inertia * a.radius);
+    b.spin -= across * inverse_mass_b / (friction.inertia * b.radius);
+    a.roll += normal * (upwards * inverse_mass_a / friction.inertia);
+    b.roll += normal * (upwards * inverse_mass_b / friction.inertia);
+    return across;
+}
+
+/// The same for a ball on an edge, whose surface goes along at `surface`.
+inline double rub_edge_on_cloth(Vec2& velocity, Roller ball, double inverse_mass, Vec2 normal,
+                                Vec2 surface, double pressed, Friction friction) {
+    Vec2 moved = surface;
+    Vec2 no_roll;
+    double no_spin = 0.0;
+    return rub_on_cloth(velocity, ball, inverse_mass, moved, {no_spin, no_roll, 1.0}, 0.0, normal,
+                        pressed, friction);
+}
+
+/// Ball `i` of a world with cloth.
+inline Roller roller(Balls& balls, std::size_t i) {
+    return {balls.spin[i], balls.roll[i], balls.radius[i]};
+}
+
+}  // namespace carom

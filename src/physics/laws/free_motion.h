@@ -1,0 +1,35 @@
+#pragma once
+
+#include "physics/world/model.h"
+
+/// Free motion: what gravity and drag do to a ball that meets nothing. Exact for any length of
+/// step.
+namespace carom {
+
+/// The motion over one step of `duration` seconds is linear in velocity and gravity:
+///     travel   = velocity * travel_per_velocity + gravity * travel_per_gravity
+///     velocity = velocity * decay + gravity * velocity_per_gravity
+/// Source: the solution of dv/dt = g - k v.
+struct Flight {
+    double duration = 0.0;
+    double decay = 1.0;
+    double travel_per_velocity = 0.0;   ///< s
+    double travel_per_gravity = 0.0;    ///< s^2
+    double velocity_per_gravity = 0.0;  ///< s
+};
+
+/// `drag` in 1/s, none: free flight. Pre: duration >= 0.
+Flight flight_over(std::optional<double> drag, double duration);
+
+inline Vec2 travel(const Flight& flight, Vec2 velocity, Vec2 gravity) {
+    return velocity * flight.travel_per_velocity + gravity * flight.travel_per_gravity;
+}
+
+inline Vec2 velocity_after(const Flight& flight, Vec2 velocity, Vec2 gravity) {
+    return velocity * flight.decay + gravity * flight.velocity_per_gravity;
+}
+
+/// `velocity`, no longer than `limit`.
+Vec2 limited(Vec2 velocity, double limit);
+
+}  // namespace carom

@@ -1,0 +1,17 @@
+#include "physics/memory/large_pages.h"
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace carom {
+
+// Where the system has no large pages, or none to spare, nothing changes: the answer does not
+// matter.
+void ask_for_large_pages([[maybe_unused]] void* start, [[maybe_unused]] std::size_t bytes) {
+#ifdef MADV_HUGEPAGE
+    madvise(start, bytes, MADV_HUGEPAGE);
+#endif
+}
+
+}  // namespace carom

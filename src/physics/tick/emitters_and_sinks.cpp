@@ -1,0 +1,134 @@
+#include "physics/tick/emitters_and_sinks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/closest.h"
+#include "physics/broad_phase/cell_frame.h"
+#include "physics/world/random.h"
+
+namespace carom {
+namespace {
+
+// Draw number 0 to 3 of ball `n` of an emitter, in -1..1.
+double jitter(const World& world, std::size_t emitter, std::uint32_t n, std::uint32_t draw) {
+    return random_between(-1.0, 1.0, world.seed, RandomStream::emitter, emitter,
+                          std::uint64_t{n} * 4 + draw);
+}
+
+bool is_free(const World& world, ClassIndex kind, Vec2 place) {
+    if (!world.model.ball_ball) return true;
+    const double radius = world.kinds[kind].radius;
+    const Vec2 torus = world.model.wrap ? size(*world.model.wrap) : Vec2{};
+    const Balls& balls = world.balls;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        Vec2 offset = balls.position[i] - place;
+        if (world.model.wrap) offset = nearest_image(offset, torus);
+        const double reach = balls.radius[i] + radius;
+        if (length_squared(offset) < reach * reach && kinds_meet(world, kind, balls.kind[i]))
+            return false;
+    }
+    return true;
+}
+
+template <typename T>
+void keep(std::vector<T>& values, const std::vector<std::uint8_t>& gone) {
+    if (values.empty()) return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (!gone[i]) values[kept++] = values[i];
+    values.resize(kept);
+}
+
+}  // namespace
+
+void emit(World& world) {
+    const double end = static_cast<double>(world.tick + 1) / world.rate;
+    for (std::size_t e = 0; e < world.emitters.size(); ++e) {
+        Emitter& emitter = world.emitters[e];
+        while (emitter.emitted < emitter.count && emitter.emitted * emitter.every < end) {
+            const std::uint32_t n = emitter.emitted;
+            const Vec2 place = emitter.at + Vec2{emitter.jitter.x * jitter(world, e, n, 0),
+                                                 emitter.jitter.y * jitter(world, e, n, 1)};
+            if (!is_free(world, emitter.kind, place)) break;
+            const Vec2 velocity =
+                emitter.velocity + Vec2{emitter.velocity_jitter.x * jitter(world, e, n, 2),
+                                        emitter.velocity_jitter.y * jitter(world, e, n, 3)};
+            add_ball(world, {.kind = emitter.kind,
+                             .position = place,
+                             .velocity = velocity,
+                             .radius = {},
+                             .mass = {},
+                             .restitution = {}});
+            ++emitter.emitted;
+        }
+    }
+}
+
+void stop_slow_balls(World& world, const std::vector<std::uint8_t>& touched) {
+    if (!world.model.stop_speed) return;
+    const double limit = *world.model.stop_speed * *world.model.stop_speed;
+    Balls& balls = world.balls;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (!(length_squared(balls.velocity[i]) < limit)) continue;
+        if (world.model.gravity && !touched[i]) continue;
+        if (world.model.spin) {
+            const double rim = balls.spin[i] * balls.radius[i];
+            if (!(rim * rim < limit)) continue;
+            if (world.model.cloth && !(length_squared(balls.roll[i]) < limit)) continue;
+            balls.spin[i] = 0.0;
+        }
+        if (world.model.cloth) balls.roll[i] = {};
+        balls.velocity[i] = {};
+    }
+}
+
+void drain_sinks(World& world) {
+    Balls& balls = world.balls;
+    std::vector<std::uint8_t> gone;
+    for (std::size_t z = 0; z < world.zones.size(); ++z) {
+        const Zone& zone = world.zones[z];
+        if (zone.effect != Zone::Effect::sink) continue;
+        const Box box = bounds(zone.shape);
+        for (std::size_t i = 0; i < balls.size(); ++i) {
+            if (!contains(box, balls.position[i]) || !is_inside(zone.shape, balls.position[i]))
+                continue;
+            if (gone.empty()) gone.assign(balls.size(), 0);
+            if (gone[i]) continue;
+            gone[i] = 1;
+            ++world.counters[zone.counter];
+            world.removed.push_back(
+                {.id = balls.id[i], .zone = static_cast<std::int32_t>(z), .tick = world.tick});
+        }
+    }
+    if (gone.empty()) return;
+    std::erase_if(world.held_balls, [&](const HeldBall& held) {
+        const auto index = index_of(world, held.id);
+        return index && gone[*index];
+    });
+    keep(balls.id, gone);
+    keep(balls.position, gone);
+    keep(balls.velocity, gone);
+    keep(balls.radius, gone);
+    keep(balls.inverse_mass, gone);
+    keep(balls.kind, gone);
+    keep(balls.restitution, gone);
+    keep(balls.edge_contacts, gone);
+    keep(balls.spin, gone);
+    keep(balls.roll, gone);
+}
+
+int substeps_needed(const World& world, int wanted) {
+    if (!world.model.wrap) return wanted;
+    const Vec2 torus = size(*world.model.wrap);
+    double fastest = 0.0;
+    for (const Vec2 velocity : world.balls.velocity)
+        fastest = std::max(fastest, length_squared(velocity));
+    double speed = std::sqrt(fastest);
+    if (world.model.gravity) speed += length(*world.model.gravity) * world.tick_length();
+    const double furthest = std::min(torus.x, torus.y) / 8.0;
+    const double needed = std::ceil(speed * world.tick_length() / furthest);
+    return std::max(wanted, static_cast<int>(std::min(needed, 10'000.0)));
+}
+
+}  // namespace carom

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "geometry/vec2.h"
+#include "physics/world/ids.h"
+
+/// Flippers: capsules that turn about one of their ends while a button is down, and back when it is
+/// not.
+namespace carom {
+
+struct World;
+
+/// A coil drives it: from `rest` to `up` and back at constant angular acceleration, so it is
+/// fastest where it stops. A ball that lies on it is pushed along and thrown off there, and is
+/// never launched by a jump.
+struct Flipper {
+    CapsuleId capsule{};  ///< its start is the pivot
+    double length = 0.0;  ///< from the pivot to the end
+    Vec2 rest;            ///< direction from the pivot to the end at rest, a unit vector
+    double sweep = 0.0;   ///< from there to where it is up, radians, counter-clockwise
+    double rise = 0.02;   ///< s from rest to up, from a standstill, > 0
+    double fall = 0.08;   ///< s back, > 0
+    bool is_pressed = false;
+
+    double progress = 0.0;  ///< 0 at rest, 1 up
+    double rate = 0.0;      ///< of progress, 1/s
+
+    friend bool operator==(const Flipper&, const Flipper&) = default;
+};
+
+/// Where the flipper's end is when it has come this far.
+Vec2 flipper_end(const Flipper& flipper, Vec2 pivot, double progress);
+
+/// Begins a tick: what turns in it moves like something in a hand (World::held_capsules), in a
+/// straight line from where its end is to where it will be.
+void drive_flippers(World& world);
+
+/// Ends a tick: where the flippers have got to. One that something stopped goes on from there, from
+/// a standstill.
+void rest_flippers(World& world);
+
+}  // namespace carom

@@ -1,0 +1,32 @@
+#include "physics/world/model.h"
+
+#include <fmt/format.h>
+
+#include "geometry/elementary.h"
+
+namespace carom {
+
+std::vector<std::string> terms_in_force(const Model& model) {
+    std::vector<std::string> terms;
+    if (model.gravity)
+        terms.push_back(fmt::format("gravity {},{}", model.gravity->x, model.gravity->y));
+    if (model.drag) terms.push_back(fmt::format("drag {}", *model.drag));
+    if (model.stop_speed) terms.push_back(fmt::format("stop {}", *model.stop_speed));
+    if (model.speed_limit) terms.push_back(fmt::format("limit {}", *model.speed_limit));
+    if (model.lossy) terms.push_back("restitution");
+    if (model.scatter)
+        terms.push_back(fmt::format("scatter {:.6g}deg", *model.scatter * (180.0 / pi)));
+    if (model.spin) terms.push_back(fmt::format("spin {}", *model.spin));
+    if (model.cloth)
+        terms.push_back(fmt::format("cloth {} {} {}", model.cloth->slide, model.cloth->roll,
+                                    model.cloth->spin));
+    if (model.wrap) terms.push_back("wrap");
+    if (model.one_way) terms.push_back("one-way");
+    if (model.kicks) terms.push_back("kicks");
+    if (model.filtered) terms.push_back("collide");
+    if (!model.ball_ball) terms.push_back("no ball-ball");
+    if (!model.ball_edge) terms.push_back("no ball-edge");
+    return terms;
+}
+
+}  // namespace carom

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/shapes.h"
+
+/// What a scene requires of the physics, and nothing more.
+///
+/// The level's loader fills this in from what the level declares and uses. A term that is absent
+/// costs nothing: the solvers are compiled without it, and no ball carries its bytes.
+namespace carom {
+
+/// What the cloth does to balls: see laws/cloth.h.
+struct Cloth {
+    double slide = 0.2;     ///< friction of a point that slips, > 0
+    double roll = 0.01;     ///< resistance to rolling, >= 0
+    double spin = 10.0;     ///< how fast side spin dies away, rad/s^2, >= 0
+    double gravity = 9.81;  ///< into the table, length/s^2, > 0
+
+    friend bool operator==(const Cloth&, const Cloth&) = default;
+};
+
+struct Model {
+    /// Acceleration of every ball, length/s^2.
+    std::optional<Vec2> gravity;
+    /// Linear drag k in a = -k v, 1/s, > 0.
+    std::optional<double> drag;
+    /// A ball slower than this stops, length/s, > 0. Under gravity only a ball that touched
+    /// something in the same tick does, so that a ball at the top of its flight does not hang
+    /// there.
+    std::optional<double> stop_speed;
+    /// No ball is faster than this after free motion, length/s, > 0.
+    std::optional<double> speed_limit;
+    /// The normal of a contact of ball and edge is turned by a seeded uniform angle within +- this,
+    /// radians.
+    std::optional<double> scatter;
+    /// Friction acts at contacts and balls turn: the moment of inertia / (m r^2), in (0, 1]; 1/2 is
+    /// a disc, 2/5 a solid ball.
+    std::optional<double> spin;
+    /// The balls lie on cloth, seen from above. Only with `spin`, and without gravity and drag.
+    std::optional<Cloth> cloth;
+    /// The torus: what leaves on one side comes back on the other. Low included, high excluded.
+    std::optional<Box> wrap;
+    /// Some restitution is below 1, or some edge is soft: balls carry a restitution.
+    bool lossy = false;
+    /// Some capsules push only balls on one of their sides, or none for the moment.
+    bool one_way = false;
+    /// Some edges kick what hits them: Material::kick.
+    bool kicks = false;
+    /// Not every pair meets: see World::meets.
+    bool filtered = false;
+    /// Some pair of balls may meet. False: no ball-ball work at all.
+    bool ball_ball = true;
+    /// Some ball may meet some edge.
+    bool ball_edge = true;
+
+    friend bool operator==(const Model&, const Model&) = default;
+};
+
+/// The terms in force, in a fixed order, for people: "gravity 0,-9.81", "restitution", "wrap" ...
+/// An elastic gas has none.
+std::vector<std::string> terms_in_force(const Model& model);
+
+}  // namespace carom

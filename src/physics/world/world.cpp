@@ -1,0 +1,162 @@
+#include "physics/world/world.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "geometry/closest.h"
+
+namespace carom {
+namespace {
+
+template <typename Id>
+std::optional<std::size_t> find(const std::vector<Id>& ids, Id id) {
+    const auto found = std::lower_bound(ids.begin(), ids.end(), id);
+    if (found == ids.end() || *found != id) return std::nullopt;
+    return static_cast<std::size_t>(found - ids.begin());
+}
+
+template <typename T>
+void erase_at(std::vector<T>& values, std::size_t index) {
+    if (!values.empty()) values.erase(values.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+void become_one_way(World& world) {
+    if (world.model.one_way) return;
+    world.model.one_way = true;
+    world.capsules.side.assign(world.capsules.size(), Side::both);
+}
+
+void become_lossy(World& world) {
+    if (world.model.lossy) return;
+    world.model.lossy = true;
+    // Until now every ball was elastic, whatever its kind says.
+    world.balls.restitution.assign(world.balls.size(), 1.0);
+}
+
+}  // namespace
+
+BallId add_ball(World& world, const BallSpec& spec) {
+    const Kind& kind = world.kinds[spec.kind];
+    const double restitution = spec.restitution.value_or(kind.restitution);
+    const double mass = spec.mass.value_or(kind.mass);
+    assert(mass > 0.0);
+    if (restitution < 1.0) become_lossy(world);
+    Balls& balls = world.balls;
+    const BallId id{world.next_ball++};
+    balls.id.push_back(id);
+    balls.position.push_back(spec.position);
+    balls.velocity.push_back(spec.velocity);
+    balls.radius.push_back(spec.radius.value_or(kind.radius));
+    balls.inverse_mass.push_back(1.0 / mass);
+    balls.kind.push_back(spec.kind);
+    if (world.model.lossy) balls.restitution.push_back(restitution);
+    if (world.model.scatter) balls.edge_contacts.push_back(0);
+    if (world.model.spin) balls.spin.push_back(spec.spin);
+    if (world.model.cloth) balls.roll.push_back(spec.roll.value_or(spec.velocity));
+    return id;
+}
+
+CapsuleId add_capsule(World& world, const Capsule& shape, ClassIndex material, Side side) {
+    const Material& made_of = world.materials[material];
+    if (made_of.restitution < 1.0 || made_of.soften > 0.0) become_lossy(world);
+    Capsules& capsules = world.capsules;
+    if (made_of.kick > 0.0) world.model.kicks = true;
+    if (side != Side::both) become_one_way(world);
+    const CapsuleId id{world.next_capsule++};
+    capsules.id.push_back(id);
+    capsules.shape.push_back(shape);
+    capsules.material.push_back(material);
+    if (world.model.one_way) capsules.side.push_back(side);
+    return id;
+}
+
+std::optional<std::size_t> index_of(const World& world, BallId id) {
+    return find(world.balls.id, id);
+}
+
+std::optional<std::size_t> index_of(const World& world, CapsuleId id) {
+    return find(world.capsules.id, id);
+}
+
+void set_side(World& world, CapsuleId id, Side side) {
+    const auto index = index_of(world, id);
+    if (!index) return;
+    if (side != Side::both) become_one_way(world);
+    if (world.model.one_way) world.capsules.side[*index] = side;
+}
+
+std::size_t kinds_of_a_layer(const World& world) {
+    return static_cast<std::size_t>(std::ranges::count(world.kinds, 0, &Kind::layer));
+}
+
+void set_layer(World& world, BallId id, std::uint8_t layer) {
+    const auto index = index_of(world, id);
+    if (!index) return;
+    const std::size_t kinds = kinds_of_a_layer(world);
+    ClassIndex& kind = world.balls.kind[*index];
+    const std::size_t there = kind % kinds + layer * kinds;
+    if (there == kind || there >= world.kinds.size()) return;
+    kind = static_cast<ClassIndex>(there);
+    // What a path was to meet, it no longer does.
+    forget_paths(world);
+}
+
+void forget_paths(World& world) {
+    world.paths.clear();
+    world.path_bends.clear();
+    world.spin_paths.clear();
+}
+
+void remove_ball(World& world, BallId id) {
+    const auto index = index_of(world, id);
+    if (!index) return;
+    Balls& balls = world.balls;
+    erase_at(balls.id, *index);
+    erase_at(balls.position, *index);
+    erase_at(balls.velocity, *index);
+    erase_at(balls.radius, *index);
+    erase_at(balls.inverse_mass, *index);
+    erase_at(balls.kind, *index);
+    erase_at(balls.restitution, *index);
+    erase_at(balls.edge_contacts, *index);
+    erase_at(balls.spin, *index);
+    erase_at(balls.roll, *index);
+    std::erase_if(world.held_balls, [id](const HeldBall& held) { return held.id == id; });
+    world.removed.push_back({.id = id, .zone = -1, .tick = world.tick});
+}
+
+void remove_capsule(World& world, CapsuleId id) {
+    const auto index = index_of(world, id);
+    if (!index) return;
+    Capsules& capsules = world.capsules;
+    erase_at(capsules.id, *index);
+    erase_at(capsules.shape, *index);
+    erase_at(capsules.material, *index);
+    erase_at(capsules.side, *index);
+    std::erase_if(world.held_capsules, [id](const HeldCapsule& held) { return held.id == id; });
+    std::erase_if(world.flippers, [id](const Flipper& flipper) { return flipper.capsule == id; });
+}
+
+std::vector<std::uint64_t> census(const World& world) {
+    std::vector<std::uint64_t> counts = world.counters;
+    for (const Zone& zone : world.zones) {
+        if (zone.effect != Zone::Effect::census) continue;
+        for (const Vec2 position : world.balls.position)
+            if (is_inside(zone.shape, position)) ++counts[zone.counter];
+    }
+    return counts;
+}
+
+bool kinds_meet(const World& world, ClassIndex a, ClassIndex b) {
+    if (!world.model.filtered) return true;
+    const std::size_t classes = world.kinds.size() + world.materials.size();
+    return world.meets[a * classes + b] != 0;
+}
+
+bool kind_meets_material(const World& world, ClassIndex kind, ClassIndex material) {
+    if (!world.model.filtered) return true;
+    const std::size_t classes = world.kinds.size() + world.materials.size();
+    return world.meets[kind * classes + world.kinds.size() + material] != 0;
+}
+
+}  // namespace carom

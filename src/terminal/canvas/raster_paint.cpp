@@ -1,0 +1,226 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "terminal/canvas/raster.h"
+
+/// Discs and capsules onto a raster: coverage from signed distance.
+namespace carom {
+
+namespace {
+
+// The level of a sample that holds a disc too small to fill it.
+constexpr double level_of_dot(Sampling sampling) {
+    return sampling == Sampling::shapes ? 0.7 : sampling == Sampling::halves ? 0.75 : 1.0;
+}
+
+// How much of a sample lies on the near side of a straight border, at `depth` widths within it.
+double covered(double depth) {
+    return std::clamp(depth + 0.5, 0.0, 1.0);
+}
+
+// How far the interval from a to b is from x.
+double distance_to(double x, double a, double b) {
+    return std::max({0.0, a - x, x - b});
+}
+
+double middle_of_sample(double x, double width) {
+    return (std::floor(x / width) + 0.5) * width;
+}
+
+bool is_finite(RasterPoint p) {
+    return std::isfinite(p.x) && std::isfinite(p.y);
+}
+
+// What a shape makes of a sample: how much of it is covered, and how much of that is inside the
+// rim.
+struct Cover {
+    double outer = 0.0;
+    double inner = 0.0;
+};
+
+}  // namespace
+
+// The width over which a border that runs across (dx, dy) passes a sample.
+double Raster::filter_width(double dx, double dy, double distance) const {
+    if (distance < 1e-9) return std::max(width_, height_);
+    return (width_ * std::abs(dx) + height_ * std::abs(dy)) / distance;
+}
+
+template <int across, int down, class Coverage>
+void Raster::paint_cell(RasterCell& cell, RasterPoint corner, const Brush& brush,
+                        Coverage coverage) {
+    constexpr int count = across * down;
+    constexpr auto slot_of = [](int sample) { return across == 1 ? sample : 0; };
+    std::array<double, 2> mine{};    // of each half, or of the cell
+    std::array<double, 2> theirs{};  // what is left of what was there
+    bool is_all_inside = true;
+    bool is_touched = false;
+    for (int i = 0; i < count; ++i) {
+        const Cover cover = coverage(corner.x + (i % across + 0.5) * width_,
+                                     corner.y + (i / across + 0.5) * height_);
+        const int slot = slot_of(i);
+        // Solid on solid of the same colour is one shape: the pieces of a polyline do not add up
+        // where they overlap.
+        const bool is_one = brush.tone == 255 && cell.colors[slot] == brush.ink.color;
+        if (cover.outer > 0.0) {
+            is_touched = true;
+            const int tone = tone_of_sample(brush.tone, i);
+            const double added = 255.0 * (cover.outer - cover.inner) + tone * cover.inner;
+            const double left = cell.levels[i] * (1.0 - cover.outer);
+            const double level = is_one ? std::max<double>(cell.levels[i], added) : added + left;
+            cell.levels[i] = static_cast<std::uint8_t>(std::min(255.0, level + 0.5));
+            mine[slot] += 255.0 * cover.outer;
+            theirs[slot] += left;
+        } else {
+            theirs[slot] += cell.levels[i];
+        }
+        is_all_inside = is_all_inside && (is_one ? cell.levels[i] == 255 : cover.inner >= 1.0);
+    }
+    if (!is_touched) return;
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (mine[i] <= 0.0 || mine[i] < theirs[i]) continue;
+        cell.colors[i] = brush.ink.color;
+        cell.attributes[i] = brush.ink.attributes;
+    }
+    cell.fill = is_all_inside ? brush.fill : '\0';
+}
+
+template <class Coverage>
+void Raster::paint(int column, int row, const Brush& brush, Coverage coverage) {
+    RasterCell& cell = cell_at(column, row);
+    const RasterPoint corner{static_cast<double>(column), row * aspect_};
+    switch (sampling_) {
+        case Sampling::shapes:
+            return paint_cell<2, 3>(cell, corner, brush, coverage);
+        case Sampling::halves:
+            return paint_cell<1, 2>(cell, corner, brush, coverage);
+        case Sampling::dots:
+            return paint_cell<2, 4>(cell, corner, brush, coverage);
+    }
+}
+
+template <class SpanAt, class Inside, class Coverage>
+void Raster::paint_rows(double top, double bottom, const Brush& brush, SpanAt span_at,
+                        Inside inside, Coverage coverage) {
+    const double most = rows_;
+    const int first = static_cast<int>(std::floor(std::clamp(top / aspect_, 0.0, most)));
+    const int last = static_cast<int>(std::ceil(std::clamp(bottom / aspect_, 0.0, most))) - 1;
+    for (int row = first; row <= last; ++row) {
+        const Span span = span_at(row * aspect_, (row + 1) * aspect_);
+        for (int column = span.first; column <= span.last; ++column) {
+            if (inside(column + 0.5, (row + 0.5) * aspect_)) {
+                fill_cell(cell_at(column, row), brush);
+            } else {
+                paint(column, row, brush, coverage);
+            }
+        }
+    }
+}
+
+void Raster::disc(RasterPoint center, double radius, double rim, const Brush& brush) {
+    if (!is_finite(center) || !std::isfinite(radius) || radius < 0.0) return;
+    if (radius < 0.7 * std::min(width_, height_)) {
+        if (center.x < 0.0 || center.y < 0.0 || center.x >= columns_ ||
+            center.y >= rows_ * aspect_) {
+            return;
+        }
+        const int across = std::min(static_cast<int>(center.x / width_), samples_across() - 1);
+        const int down = std::min(static_cast<int>(center.y / height_), samples_down() - 1);
+        const double area = 3.14159 * radius * radius / (width_ * height_);
+        const double opacity = std::clamp(area, level_of_dot(sampling_), 1.0);
+        const int level = level_at(across, down);
+        sample(across, down, static_cast<std::uint8_t>(level + (255 - level) * opacity), brush.ink);
+        return;
+    }
+    // Where no sample of a cell can see the border: the cell's corners are clear of it.
+    const double clearance = std::max(width_, height_);
+    const double reach = radius + clearance;
+    const double inner = radius - rim;
+    const double deep = std::max(0.0, inner - clearance);
+    const auto span_at = [&](double top, double bottom) {
+        const double dy = distance_to(center.y, top, bottom);
+        if (dy >= reach) return Span{};
+        const double half = std::sqrt(reach * reach - dy * dy);
+        return columns_within(center.x - half, center.x + half);
+    };
+    const auto inside = [&](double x, double y) {
+        const double dx = std::abs(x - center.x) + 0.5;
+        const double dy = std::abs(y - center.y) + 0.5 * aspect_;
+        return dx * dx + dy * dy < deep * deep;
+    };
+    const auto coverage = [&](double x, double y) -> Cover {
+        const double dx = x - center.x;
+        const double dy = y - center.y;
+        const double squared = dx * dx + dy * dy;
+        if (squared > reach * reach) return {};
+        const double d = std::sqrt(squared);
+        const double width = filter_width(dx, dy, d);
+        const double far = covered((d + radius) / width);
+        return {far - covered((d - radius) / width),
+                inner > 0.0 ? covered((d + inner) / width) - covered((d - inner) / width) : 0.0};
+    };
+    paint_rows(center.y - reach, center.y + reach, brush, span_at, inside, coverage);
+}
+
+void Raster::capsule(RasterPoint start, RasterPoint end, double radius, const Brush& brush) {
+    if (!is_finite(start) || !is_finite(end) || !std::isfinite(radius) || radius < 0.0) return;
+    // An upright or level line as thin as a pixel is one pixel thick wherever it stands, not two
+    // faint ones: of a row of bars, all look alike. (Characters have shapes for those between.)
+    if (radius <= hairline_ && sampling_ != Sampling::shapes) {
+        if (start.x == end.x) start.x = end.x = middle_of_sample(start.x, width_);
+        if (start.y == end.y) start.y = end.y = middle_of_sample(start.y, height_);
+    }
+    const double thickness = std::max(radius, hairline_);
+    const double clearance = std::max(width_, height_);
+    const double reach = thickness + clearance;
+    const double along_x = end.x - start.x;
+    const double along_y = end.y - start.y;
+    const double squared_length = along_x * along_x + along_y * along_y;
+    const double per_length = squared_length > 0.0 ? 1.0 / squared_length : 0.0;
+    if (!std::isfinite(squared_length) || !std::isfinite(per_length)) return;
+
+    const auto span_at = [&](double top, double bottom) {
+        // The part of the spine that is near enough to this row, as parameters from 0 to 1.
+        double first = 0.0;
+        double last = 1.0;
+        if (std::abs(along_y) > 1e-9) {
+            const double a = (top - reach - start.y) / along_y;
+            const double b = (bottom + reach - start.y) / along_y;
+            first = std::max(first, std::min(a, b));
+            last = std::min(last, std::max(a, b));
+            if (first > last) return Span{};
+        }
+        const double a = start.x + first * along_x;
+        const double b = start.x + last * along_x;
+        return columns_within(std::min(a, b) - reach, std::max(a, b) + reach);
+    };
+    const auto nearest = [&](double x, double y) {
+        const double t = ((x - start.x) * along_x + (y - start.y) * along_y) * per_length;
+        const double at = std::clamp(t, 0.0, 1.0);
+        return RasterPoint{x - start.x - at * along_x, y - start.y - at * along_y};
+    };
+    const double half_diagonal = 0.5 * std::sqrt(1.0 + aspect_ * aspect_);
+    const double deep = std::max(0.0, thickness - clearance - half_diagonal);
+    const auto inside = [&](double x, double y) {
+        const RasterPoint offset = nearest(x, y);
+        return offset.x * offset.x + offset.y * offset.y < deep * deep;
+    };
+    const auto coverage = [&](double x, double y) -> Cover {
+        const RasterPoint offset = nearest(x, y);
+        const double squared = offset.x * offset.x + offset.y * offset.y;
+        if (squared > reach * reach) return {};
+        const double d = std::sqrt(squared);
+        const double width = filter_width(offset.x, offset.y, d);
+        const double cover = covered((d + thickness) / width) - covered((d - thickness) / width);
+        return {cover, cover};
+    };
+    paint_rows(std::min(start.y, end.y) - reach, std::max(start.y, end.y) + reach, brush, span_at,
+               inside, coverage);
+}
+
+void Raster::line(RasterPoint start, RasterPoint end, const Ink& ink, std::uint8_t strength) {
+    capsule(start, end, 0.0, {ink, strength, '\0'});
+}
+
+}  // namespace carom

@@ -1,0 +1,96 @@
+#include "terminal/draw/draw.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "terminal/draw/draw_parts.h"
+
+namespace carom {
+
+namespace {
+
+Sampling sampling_of(Renderer renderer) {
+    switch (renderer) {
+        case Renderer::half_blocks:
+            return Sampling::halves;
+        case Renderer::braille:
+            return Sampling::dots;
+        case Renderer::automatic:
+        case Renderer::ascii:
+            return Sampling::shapes;
+    }
+    return Sampling::shapes;
+}
+
+// What is fast: the fastest ball of late. It falls slowly, so that colours do not flicker.
+void remember_fastest(ViewMemory& memory, const World& world) {
+    double fastest = 0.0;
+    for (const Vec2 velocity : world.balls.velocity) {
+        fastest = std::max(fastest, length_squared(velocity));
+    }
+    const bool has_moved = memory.tick != world.tick;
+    memory.tick = world.tick;
+    memory.fastest = std::max(std::sqrt(fastest), memory.fastest * (has_moved ? 0.995 : 1.0));
+}
+
+void blank(Canvas& canvas, const CellArea& area) {
+    for (int row = area.row; row < area.row + area.rows; ++row) {
+        for (int column = area.column; column < area.column + area.columns; ++column) {
+            canvas.put(column, row, {});
+        }
+    }
+}
+
+}  // namespace
+
+Renderer renderer_in_force(const ViewOptions& options) {
+    if (!options.look.utf8) return Renderer::ascii;
+    if (options.renderer != Renderer::automatic) return options.renderer;
+    return options.look.has_colors() ? Renderer::half_blocks : Renderer::braille;
+}
+
+void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const World& world,
+                std::span<const Contact> contacts, const Marks& marks, const ViewOptions& options,
+                ViewMemory& memory) {
+    const CellArea& area = camera.area;
+    blank(canvas, area);
+    if (area.columns <= 0 || area.rows <= 0) return;
+
+    remember_fastest(memory, world);
+    std::vector<Ink> inks = ball_inks(world, options, memory);
+    if (marks.pool && options.color_by == ColorBy::kind)
+        color_pool_balls(inks, world, *marks.pool, options.look);
+    Raster raster(sampling_of(renderer_in_force(options)), area.columns, area.rows, camera.aspect);
+    const View view{camera, scene, world, options, marks, memory, inks};
+    polish_balls(inks, view);
+
+    paint_grid(raster, view);
+    if (options.trails) {
+        add_to_trails(memory.trails, camera, raster, world, inks);
+        paint_trails(raster, memory.trails);
+    } else {
+        memory.trails = {};
+    }
+    paint_zones(raster, view);
+    paint_lamps(raster, view);
+    // A cloud is wider than its balls, and would hide the walls that it leans on.
+    if (!marks.copies.empty()) paint_cloud(raster, view);
+    paint_edges(raster, view);
+    paint_lit_edges(raster, view);
+    if (marks.copies.empty()) paint_balls(raster, view);
+    paint_velocities(raster, view);
+    paint_contacts(raster, view, contacts);
+    paint_pool(raster, view);
+    paint_marks(raster, view);
+    raster.show(canvas, area.column, area.row, options.look);
+
+    lay_cloth(canvas, view);
+    if (!marks.pool && !marks.table) write_counters(canvas, view);
+    if (marks.pool && options.labels == Labels::automatic)
+        write_numbers(canvas, view);
+    else
+        write_labels(canvas, view);
+    write_marks(canvas, view);
+}
+
+}  // namespace carom

@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <cmath>
+
+#include "terminal/draw/draw_parts.h"
+
+/// What is drawn over and under the bodies: coordinates, velocities, contacts, the cue.
+namespace carom {
+
+namespace {
+
+// Lines of a grid nearer to each other than this, in columns, would hide what they lie under.
+constexpr double closest_lines = 3.0;
+
+void paint_lattice(Raster& raster, const View& view, Vec2 origin, double spacing, const Ink& ink,
+                   std::uint8_t strength) {
+    if (!(spacing * view.camera.columns_per_length >= closest_lines)) return;
+    const Box visible = visible_box(view.camera);
+    const auto first = [&](double low, double from) {
+        return from + std::ceil((low - from) / spacing) * spacing;
+    };
+    for (double x = first(visible.low.x, origin.x); x <= visible.high.x; x += spacing) {
+        const double across = to_raster(view.camera, {x, 0.0}).x;
+        raster.line({across, 0.0}, {across, raster.rows() * raster.aspect()}, ink, strength);
+    }
+    for (double y = first(visible.low.y, origin.y); y <= visible.high.y; y += spacing) {
+        const double down = to_raster(view.camera, {0.0, y}).y;
+        raster.line({0.0, down}, {static_cast<double>(raster.columns()), down}, ink, strength);
+    }
+}
+
+// 1, 2 or 5 times a power of ten, so that lines are some 16 columns apart.
+double round_spacing(double columns_per_length) {
+    const double wanted = 16.0 / columns_per_length;
+    const double power = std::pow(10.0, std::floor(std::log10(wanted)));
+    const double leading = wanted / power;
+    return power * (leading < 2.0 ? 1.0 : leading < 5.0 ? 2.0 : 5.0);
+}
+
+// A line with a head at its end, where samples are fine enough for one.
+void paint_arrow(Raster& raster, RasterPoint from, RasterPoint to, const Ink& ink) {
+    raster.line(from, to, ink);
+    if (raster.sampling() == Sampling::halves) return;
+    const double dx = to.x - from.x;
+    const double dy = to.y - from.y;
+    const double length = std::sqrt(dx * dx + dy * dy);
+    constexpr double head = 1.2;
+    if (!(length > 2.0 * head)) return;
+    const double ux = dx / length * head;
+    const double uy = dy / length * head;
+    raster.line({to.x - ux - 0.6 * uy, to.y - uy + 0.6 * ux}, to, ink);
+    raster.line({to.x - ux + 0.6 * uy, to.y - uy - 0.6 * ux}, to, ink);
+}
+
+// Dots along a way, `spacing` columns apart.
+void paint_dots(Raster& raster, RasterPoint from, RasterPoint to, double spacing, const Ink& ink) {
+    const double dx = to.x - from.x;
+    const double dy = to.y - from.y;
+    const double length = std::sqrt(dx * dx + dy * dy);
+    constexpr double most = 2000.0;  // longer ways leave the window
+    if (!(length <= most)) return;
+    for (double along = spacing; along < length; along += spacing) {
+        const double share = along / length;
+        raster.disc({from.x + share * dx, from.y + share * dy}, 0.0, 0.0, {ink, 255, '\0'});
+    }
+}
+
+// Where a body that took part in a contact is now; none when it is gone.
+std::optional<Vec2> place_of_ball(const World& world, std::uint32_t ball) {
+    const auto index = index_of(world, BallId{ball});
+    if (!index) return std::nullopt;
+    return world.balls.position[*index];
+}
+
+}  // namespace
+
+void paint_grid(Raster& raster, const View& view) {
+    const Ink ink = ink_of(Role::grid, view.options.look);
+    // The ink is faint; dots have no faint ink where there is no colour, so there are fewer of
+    // them.
+    const std::uint8_t faint = raster.sampling() == Sampling::dots ? 110 : 255;
+    if (view.options.grid) {
+        paint_lattice(raster, view, {}, round_spacing(view.camera.columns_per_length), ink, faint);
+    }
+    const auto& cells = view.marks.broad_phase;
+    if (view.options.broad_phase && cells && cells->size > 0.0) {
+        paint_lattice(raster, view, cells->origin, cells->size, ink, faint);
+    }
+}
+
+void paint_velocities(Raster& raster, const View& view) {
+    if (!view.options.velocities || !(view.memory.fastest > 0.0)) return;
+    const Ink ink = ink_of(Role::velocity, view.options.look);
+    const double longest = std::clamp(raster.columns() / 8.0, 4.0, 12.0);
+    const Balls& balls = view.world.balls;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const double speed = length(balls.velocity[i]);
+        const double long_by = speed / view.memory.fastest * longest;
+        if (!(long_by > 0.2) || !std::isfinite(speed)) continue;
+        // From the rim on, so that the ball stays in sight.
+        const Vec2 way = balls.velocity[i] / speed;
+        const double radius = balls.radius[i] * view.camera.columns_per_length;
+        const RasterPoint center = to_raster(view.camera, balls.position[i]);
+        const double far = radius + long_by;
+        paint_arrow(raster, {center.x + radius * way.x, center.y - radius * way.y},
+                    {center.x + far * way.x, center.y - far * way.y}, ink);
+    }
+}
+
+void paint_contacts(Raster& raster, const View& view, std::span<const Contact> contacts) {
+    if (!view.options.contacts) return;
+    const Ink ink = ink_of(Role::contact, view.options.look);
+    for (const Contact& contact : contacts) {
+        const std::optional<Vec2> a = place_of_ball(view.world, contact.a);
+        if (!a) continue;
+        const bool is_pair = contact.kind == ContactKind::ball_ball;
+        const std::optional<Vec2> b =
+            is_pair ? place_of_ball(view.world, contact.b) : std::optional(contact.point);
+        if (!b) continue;
+        // Over the side of a torus the line would cross the whole picture.
+        const auto& torus = view.world.model.wrap;
+        const Vec2 apart = *b - *a;
+        if (torus && (std::abs(apart.x) > 0.5 * size(*torus).x ||
+                      std::abs(apart.y) > 0.5 * size(*torus).y)) {
+            continue;
+        }
+        raster.line(to_raster(view.camera, *a), to_raster(view.camera, *b), ink);
+    }
+}
+
+void paint_marks(Raster& raster, const View& view) {
+    const Marks& marks = view.marks;
+    const Look& look = view.options.look;
+    const Ink cue_ink = ink_of(Role::cue, look);
+    for (std::size_t i = 1; i < marks.path.size(); ++i) {
+        paint_dots(raster, to_raster(view.camera, marks.path[i - 1]),
+                   to_raster(view.camera, marks.path[i]), 1.5, cue_ink);
+    }
+    if (marks.cue) {
+        const RasterPoint ball = to_raster(view.camera, marks.cue->ball);
+        const RasterPoint hand = to_raster(view.camera, marks.cue->hand);
+        raster.line(ball, hand, cue_ink);
+        // The ball goes the other way.
+        paint_dots(raster, ball, {2.0 * ball.x - hand.x, 2.0 * ball.y - hand.y}, 1.5, cue_ink);
+    }
+    if (marks.new_capsule) {
+        const Capsule& shape = *marks.new_capsule;
+        raster.capsule(to_raster(view.camera, shape.start), to_raster(view.camera, shape.end),
+                       shape.radius * view.camera.columns_per_length,
+                       {ink_of(Role::selected, look), 255, '#'});
+    }
+}
+
+}  // namespace carom

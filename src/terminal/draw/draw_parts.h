@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "terminal/canvas/raster.h"
+#include "terminal/draw/draw.h"
+
+/// The layers of a picture of the world, in the order in which draw_world puts them together. For
+/// files of this room alone.
+namespace carom {
+
+/// What all layers draw from.
+struct View {
+    const Camera& camera;
+    const Scene& scene;
+    const World& world;
+    const ViewOptions& options;
+    const Marks& marks;
+    const ViewMemory& memory;
+    std::span<const Ink> inks;  ///< of each ball, by index
+};
+
+/// A world point, in the raster's columns.
+RasterPoint to_raster(const Camera& camera, Vec2 point);
+
+/// How far from where it is a body is shown: no offset, and on a torus those that bring an image of
+/// `bounds` into it over a side.
+struct Images {
+    std::array<Vec2, 9> offsets{};
+    std::size_t count = 0;
+
+    const Vec2* begin() const { return offsets.data(); }
+    const Vec2* end() const { return offsets.data() + count; }
+};
+Images images_of(const Model& model, const Box& bounds);
+
+std::vector<Ink> ball_inks(const World& world, const ViewOptions& options,
+                           const ViewMemory& memory);
+
+// Onto the raster, from back to front.
+void paint_grid(Raster& raster, const View& view);
+void paint_zones(Raster& raster, const View& view);
+void paint_edges(Raster& raster, const View& view);
+void paint_balls(Raster& raster, const View& view);
+void paint_cloud(Raster& raster, const View& view);
+void paint_velocities(Raster& raster, const View& view);
+void paint_contacts(Raster& raster, const View& view, std::span<const Contact> contacts);
+void paint_pool(Raster& raster, const View& view);
+void paint_lamps(Raster& raster, const View& view);
+void paint_lit_edges(Raster& raster, const View& view);
+void paint_marks(Raster& raster, const View& view);
+
+/// Gives the balls that have numbers the colours that go with them.
+void color_pool_balls(std::vector<Ink>& inks, const World& world, const PoolMarks& pool,
+                      const Look& look);
+
+/// Balls of a table of pinball are of steel.
+void polish_balls(std::vector<Ink>& inks, const View& view);
+
+// Onto the canvas, over all shapes.
+void lay_cloth(Canvas& canvas, const View& view);
+void write_counters(Canvas& canvas, const View& view);
+void write_labels(Canvas& canvas, const View& view);
+/// Its number stands in the place of the characters that ASCII has for a ball.
+bool hides_stamp(const View& view, BallId ball);
+void write_numbers(Canvas& canvas, const View& view);
+void write_marks(Canvas& canvas, const View& view);
+
+}  // namespace carom

@@ -1,0 +1,232 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "terminal/draw/draw_parts.h"
+
+/// A pool table: its cloth, the balls' own colours and numbers, and the lines that help to aim.
+namespace carom {
+
+namespace {
+
+constexpr Color cloth_on_dark = 22;
+constexpr Color cloth_on_light = 194;
+constexpr Color white_256 = 255;
+constexpr Color black_256 = 16;
+
+struct BallColor {
+    Color full;    ///< of 256
+    Color system;  ///< of 16
+    Color deep;    ///< of 256, to be read on white
+};
+// By number; a stripe has the colour of the solid 8 before it.
+constexpr std::array<BallColor, 9> ball_colors = {{{white_256, 15, 244},
+                                                   {220, 11, 136},
+                                                   {33, 12, 26},
+                                                   {196, 9, 160},
+                                                   {135, 13, 92},
+                                                   {208, 3, 166},
+                                                   {41, 10, 28},
+                                                   {131, 1, 88},
+                                                   {238, 8, 238}}};
+
+bool is_stripe(int number) {
+    return number > 8;
+}
+
+Color color_of(int number, const Look& look) {
+    const auto row = static_cast<std::size_t>(is_stripe(number) ? number - 8 : number);
+    const BallColor& color = ball_colors[std::min(row, ball_colors.size() - 1)];
+    if (number == 0 && look.light_background) return look.colors >= 256 ? Color{244} : Color{8};
+    if (look.colors >= 256) return color.full;
+    return look.colors >= 16 ? color.system : static_cast<Color>(color.system % 8);
+}
+
+Color deep_color_of(int stripe, const Look& look) {
+    if (look.colors < 256) return color_of(stripe, look);
+    return ball_colors[static_cast<std::size_t>(stripe - 8)].deep;
+}
+
+int number_of(const PoolMarks& pool, BallId ball) {
+    const auto found = std::ranges::find(pool.numbers, ball, &PoolMarks::Number::ball);
+    return found == pool.numbers.end() ? -1 : found->number;
+}
+
+void paint_dot(Raster& raster, RasterPoint at, const Ink& ink) {
+    if (raster.sampling() == Sampling::shapes)
+        raster.stamp(at, ".", ink);
+    else
+        raster.disc(at, 0.0, 0.0, {ink, 255, '\0'});
+}
+
+// In ASCII the number is all of the ball, two or three columns wide.
+std::string label_of(const View& view, int number, double radius) {
+    std::string text = std::to_string(number);
+    if (renderer_in_force(view.options) != Renderer::ascii) return text;
+    const double columns = 2.0 * radius * view.camera.columns_per_length;
+    if (text.size() == 1 && columns >= 1.5) text = " " + text;
+    if (columns >= 2.7) text += " ";
+    return text;
+}
+
+// Dots along a line that is bent, evenly spaced, in columns.
+void paint_dotted(Raster& raster, const View& view, const std::vector<Vec2>& way, double spacing,
+                  const Ink& ink) {
+    constexpr double most = 2000.0;  // longer pieces leave the window
+    double left = spacing;
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        const RasterPoint from = to_raster(view.camera, way[i - 1]);
+        const RasterPoint to = to_raster(view.camera, way[i]);
+        const double dx = to.x - from.x;
+        const double dy = to.y - from.y;
+        const double size = std::sqrt(dx * dx + dy * dy);
+        if (!(size <= most)) return;
+        for (; left <= size; left += spacing)
+            paint_dot(raster, {from.x + dx * left / size, from.y + dy * left / size}, ink);
+        left -= size;
+    }
+}
+
+void paint_line(Raster& raster, const View& view, const std::optional<PoolMarks::Line>& line,
+                const Ink& ink, double spacing) {
+    if (line) paint_dotted(raster, view, {line->from, line->to}, spacing, ink);
+}
+
+Ink ink_of_ball(const View& view, BallId ball) {
+    const auto index = index_of(view.world, ball);
+    return index ? view.inks[*index] : ink_of(Role::cue, view.options.look);
+}
+
+// A ring where a ball comes to lie, or a cross where it falls.
+void paint_end(Raster& raster, const View& view, Vec2 place, bool falls, double radius,
+               const Ink& ink) {
+    const RasterPoint at = to_raster(view.camera, place);
+    if (raster.sampling() == Sampling::shapes) {
+        raster.stamp(at, falls ? "*" : "o", ink);
+        return;
+    }
+    const double size = radius * view.camera.columns_per_length;
+    if (falls) {
+        raster.line({at.x - 0.7 * size, at.y - 0.7 * size}, {at.x + 0.7 * size, at.y + 0.7 * size},
+                    ink);
+        raster.line({at.x - 0.7 * size, at.y + 0.7 * size}, {at.x + 0.7 * size, at.y - 0.7 * size},
+                    ink);
+        return;
+    }
+    raster.disc(at, size, 2.0 * raster.hairline(), {ink, 0, '\0'});
+}
+
+}  // namespace
+
+void color_pool_balls(std::vector<Ink>& inks, const World& world, const PoolMarks& pool,
+                      const Look& look) {
+    if (!look.has_colors()) return;
+    for (std::size_t i = 0; i < inks.size(); ++i) {
+        const int number = number_of(pool, world.balls.id[i]);
+        if (number >= 0) inks[i] = {color_of(number, look), plain};
+    }
+}
+
+void paint_pool(Raster& raster, const View& view) {
+    if (!view.marks.pool) return;
+    const PoolMarks& pool = *view.marks.pool;
+    const Look& look = view.options.look;
+    const Ink strong = ink_of(Role::cue, look);
+    const Ink text = ink_of(Role::text, look);
+    const double radius = view.world.balls.size() > 0 ? view.world.balls.radius.front() : 0.0;
+    for (const PoolMarks::Spot& spot : pool.spots) {
+        const RasterPoint at = to_raster(view.camera, spot.place);
+        if (raster.sampling() == Sampling::shapes)
+            raster.stamp(at, spot.falls ? "*" : ":", ink_of_ball(view, spot.ball));
+        else
+            raster.disc(at, 0.0, 0.0, {ink_of_ball(view, spot.ball), 255, '\0'});
+    }
+    for (const PoolMarks::Track& track : pool.tracks) {
+        const Ink ink = ink_of_ball(view, track.ball);
+        paint_dotted(raster, view, track.way, 2.0, ink);
+        paint_end(raster, view, track.way.back(), track.falls, radius, ink);
+    }
+    paint_line(raster, view, pool.aim, text, 2.0);
+    paint_line(raster, view, pool.object, strong, 1.5);
+    paint_line(raster, view, pool.tangent, text, 2.0);
+    if (pool.ghost) {
+        const RasterPoint at = to_raster(view.camera, pool.ghost->center);
+        const double size = pool.ghost->radius * view.camera.columns_per_length;
+        if (raster.sampling() == Sampling::shapes)
+            raster.stamp(at, "()", text);
+        else
+            raster.disc(at, size, 2.0 * raster.hairline(), {text, 0, '\0'});
+    }
+    if (pool.stick)
+        raster.line(to_raster(view.camera, pool.stick->from),
+                    to_raster(view.camera, pool.stick->to), ink_of(Role::selected, look));
+    if (pool.called) {
+        const RasterPoint at = to_raster(view.camera, *pool.called);
+        raster.disc(at, 1.2, 0.0, {strong, 255, '*'});
+    }
+}
+
+void lay_cloth(Canvas& canvas, const View& view) {
+    const Look& look = view.options.look;
+    if (!view.marks.pool || !view.marks.pool->cloth || look.colors < 256) return;
+    const Color color = look.light_background ? cloth_on_light : cloth_on_dark;
+    const CellArea& area = view.camera.area;
+    const CellPoint low = to_cells(view.camera, view.marks.pool->cloth->low);
+    const CellPoint high = to_cells(view.camera, view.marks.pool->cloth->high);
+    // Whole cells: those whose middle lies on it.
+    const auto first = [](double from, int least) {
+        return std::max(least, static_cast<int>(std::ceil(std::max(from, -1.0) - 0.5)));
+    };
+    const int last_column = area.column + area.columns;
+    const int last_row = area.row + area.rows;
+    for (int row = first(high.row, area.row); row < last_row && row + 0.5 < low.row; ++row)
+        for (int column = first(low.column, area.column);
+             column < last_column && column + 0.5 < high.column; ++column) {
+            Cell& cell = canvas.at(column, row);
+            if (cell.background == default_color) cell.background = color;
+        }
+}
+
+bool hides_stamp(const View& view, BallId ball) {
+    return view.marks.pool && view.options.labels == Labels::automatic &&
+           number_of(*view.marks.pool, ball) > 0;
+}
+
+void write_numbers(Canvas& canvas, const View& view) {
+    if (!view.marks.pool || view.options.labels == Labels::none) return;
+    constexpr double least_radius = 0.4;  // columns
+    const Look& look = view.options.look;
+    const CellArea& area = view.camera.area;
+    for (const PoolMarks::Number& ball : view.marks.pool->numbers) {
+        const auto index = index_of(view.world, ball.ball);
+        if (!index || ball.number == 0) continue;
+        if (view.world.balls.radius[*index] * view.camera.columns_per_length < least_radius)
+            continue;
+        const std::string text = label_of(view, ball.number, view.world.balls.radius[*index]);
+        const CellPoint at = to_cells(view.camera, view.world.balls.position[*index]);
+        const int width = static_cast<int>(text.size());
+        const int row = static_cast<int>(std::floor(at.row));
+        const int first = static_cast<int>(std::floor(at.column - 0.5 * width + 0.5));
+        if (row < area.row || row >= area.row + area.rows || first < area.column ||
+            first + width > area.column + area.columns)
+            continue;
+        const Color color = view.inks[*index].color;
+        const bool inverse = is_stripe(ball.number);
+        const bool is_dark = ball.number == 8;
+        const Color white = look.colors >= 256 ? white_256 : Color{7};
+        const Color black = look.colors >= 256 ? black_256 : Color{0};
+        // Stripes are white with a number of their colour.
+        if (look.has_colors())
+            canvas.write(first, row, text,
+                         inverse   ? deep_color_of(ball.number, look)
+                         : is_dark ? white
+                                   : black,
+                         inverse ? white : color, bold);
+        else
+            canvas.write(first, row, text, default_color, default_color,
+                         static_cast<std::uint8_t>(inverse ? bold : bold | reverse));
+    }
+}
+
+}  // namespace carom

@@ -1,0 +1,236 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string_view>
+
+#include "terminal/draw/draw_parts.h"
+
+/// Balls, edges and zones.
+namespace carom {
+
+namespace {
+
+// How the inside of a filled ball is told from an edge, and from a ball of another kind, without
+// colour: by its character, or by how many of its dots are lit. Edges are solid.
+struct Texture {
+    std::array<std::string_view, 3> stamps;  ///< in ASCII, a ball of one to three columns
+    char fill;                               ///< the inside of a larger one
+    std::uint8_t tone;                       ///< of its dots
+};
+constexpr std::array<Texture, 6> textures = {{{{"o", "()", "(o)"}, ':', 130},
+                                              {{"@", "{}", "(@)"}, 'o', 0},
+                                              {{"x", "<>", "(x)"}, '+', 70},
+                                              {{"&", "[]", "(+)"}, ' ', 190},
+                                              {{"%", "(}", "(%)"}, 'x', 40},
+                                              {{"e", "{)", "(=)"}, '.', 160}}};
+constexpr std::string_view peg_stamp = "+";
+
+// Where colours tell kinds apart, one texture for all is calmer.
+const Texture& texture_of(const View& view, std::size_t ball) {
+    const std::size_t kind = view.options.look.has_colors() ? 0 : view.world.balls.kind[ball];
+    return textures[kind % textures.size()];
+}
+
+// In ASCII, the radii, in columns, from which a ball is one, two or three characters, and from
+// which it is a shape. Characters stay the same while the ball moves; shapes of so few cells would
+// flicker. Below the first a ball is a dot, which has a place within its cell.
+constexpr std::array<double, 4> stamp_radii = {0.35, 0.75, 1.25, 1.9};
+
+// How many columns a stamp for this radius has; 0: none.
+std::size_t stamp_width(const Raster& raster, double radius) {
+    if (raster.sampling() != Sampling::shapes || radius >= stamp_radii.back()) return 0;
+    const auto above = std::upper_bound(stamp_radii.begin(), stamp_radii.end(), radius);
+    return static_cast<std::size_t>(above - stamp_radii.begin());
+}
+
+// Below this radius, in columns, there is no room for a rim around an inside.
+constexpr double least_rimmed(Sampling sampling) {
+    switch (sampling) {
+        case Sampling::shapes:
+            return 1.9;
+        case Sampling::halves:
+            return 2.5;
+        case Sampling::dots:
+            return 1.2;
+    }
+    return 0.0;
+}
+
+// Balls are drawn smaller by this, in columns, so that those that touch stay apart to the eye.
+constexpr double gap_of(Sampling sampling) {
+    return sampling == Sampling::shapes ? 0.28 : 0.12;
+}
+
+bool is_rimmed(const Raster& raster, const ViewOptions& options, double radius) {
+    if (radius < least_rimmed(raster.sampling())) return false;
+    // Pixels of many colours show balls best as flat discs.
+    const bool is_flat = raster.sampling() == Sampling::halves && options.look.has_colors();
+    return !is_flat || options.ball_style == BallStyle::outline;
+}
+
+Brush rimmed_brush(const Raster& raster, const View& view, std::size_t ball) {
+    const Ink ink = view.inks[ball];
+    if (view.options.ball_style == BallStyle::outline) return {ink, 0, ' '};
+    // Pixels that are lit or dark have no pattern fine enough for an inside.
+    if (raster.sampling() == Sampling::halves) return {ink, 0, '\0'};
+    const Texture& texture = texture_of(view, ball);
+    if (raster.sampling() == Sampling::shapes) return {ink, 0, texture.fill};
+    return {ink, texture.tone, '\0'};
+}
+
+// A radius from the middle to where the ball heads, as far as its speed says anything.
+void paint_heading(Raster& raster, RasterPoint center, double radius, Vec2 velocity,
+                   const Ink& ink) {
+    const double speed = length(velocity);
+    if (!(speed > 0.0) || !std::isfinite(speed)) return;
+    const Vec2 way = velocity / speed * radius;
+    raster.line(center, {center.x + way.x, center.y - way.y}, ink);
+}
+
+void paint_ball(Raster& raster, const View& view, std::size_t ball, RasterPoint center) {
+    const double radius = view.world.balls.radius[ball] * view.camera.columns_per_length;
+    if (const std::size_t width = stamp_width(raster, radius)) {
+        if (hides_stamp(view, view.world.balls.id[ball])) return;
+        raster.stamp(center, texture_of(view, ball).stamps[width - 1], view.inks[ball]);
+        return;
+    }
+    const double gap = gap_of(raster.sampling());
+    const double shown = radius > 4.0 * gap ? radius - gap : radius;
+    if (!is_rimmed(raster, view.options, radius)) {
+        raster.disc(center, shown, 0.0, {view.inks[ball], 255, '@'});
+        return;
+    }
+    const Brush brush = rimmed_brush(raster, view, ball);
+    raster.disc(center, shown, 2.0 * raster.hairline(), brush);
+    if (view.options.ball_style == BallStyle::outline) {
+        paint_heading(raster, center, shown, view.world.balls.velocity[ball], brush.ink);
+    }
+}
+
+}  // namespace
+
+RasterPoint to_raster(const Camera& camera, Vec2 point) {
+    const CellPoint place = to_cells(camera, point);
+    return {place.column - camera.area.column, (place.row - camera.area.row) * camera.aspect};
+}
+
+Images images_of(const Model& model, const Box& bounds) {
+    Images images;
+    images.count = 1;  // where it is
+    if (!model.wrap) return images;
+    const Box& torus = *model.wrap;
+    const Vec2 period = size(torus);
+    for (const int across : {0, -1, 1}) {
+        for (const int up : {0, -1, 1}) {
+            const Vec2 offset{across * period.x, up * period.y};
+            const bool reaches_in =
+                bounds.low.x + offset.x < torus.high.x && bounds.high.x + offset.x > torus.low.x &&
+                bounds.low.y + offset.y < torus.high.y && bounds.high.y + offset.y > torus.low.y;
+            const bool is_itself = across == 0 && up == 0;
+            if (reaches_in && !is_itself) images.offsets[images.count++] = offset;
+        }
+    }
+    return images;
+}
+
+std::vector<Ink> ball_inks(const World& world, const ViewOptions& options,
+                           const ViewMemory& memory) {
+    const Balls& balls = world.balls;
+    std::vector<Ink> inks(balls.size());
+    const auto each = [&](auto ink_of_ball) {
+        for (std::size_t i = 0; i < balls.size(); ++i)
+            inks[i] = ink_of_ball(i);
+    };
+    const auto are_of_one_kind = [&] {
+        return std::ranges::adjacent_find(balls.kind, std::not_equal_to{}) == balls.kind.end();
+    };
+    const bool is_by_kind = options.color_by == ColorBy::kind;
+    switch (is_by_kind && are_of_one_kind() ? ColorBy::ball : options.color_by) {
+        case ColorBy::kind:
+            each([&](std::size_t i) { return ink_of_class(balls.kind[i], options.look); });
+            break;
+        case ColorBy::ball:
+            each([&](std::size_t i) { return ink_of_class(number(balls.id[i]), options.look); });
+            break;
+        case ColorBy::speed: {
+            const double scale = memory.fastest > 0.0 ? 1.0 / memory.fastest : 0.0;
+            each([&](std::size_t i) {
+                return ink_of_scale(length(balls.velocity[i]) * scale, options.look);
+            });
+            break;
+        }
+        case ColorBy::mass: {
+            if (balls.size() == 0) break;
+            // By ratio: masses may span many powers of ten.
+            const auto [least, most] =
+                std::minmax_element(balls.inverse_mass.begin(), balls.inverse_mass.end());
+            const double heaviest = *least;
+            const double range = std::log(*most / heaviest);
+            each([&](std::size_t i) {
+                const double lightness = std::log(balls.inverse_mass[i] / heaviest);
+                return ink_of_scale(range > 0.0 ? 1.0 - lightness / range : 0.5, options.look);
+            });
+            break;
+        }
+    }
+    return inks;
+}
+
+void paint_zones(Raster& raster, const View& view) {
+    const Ink ink = ink_of(Role::zone, view.options.look);
+    const double rim = 2.0 * raster.hairline();
+    for (const Zone& zone : view.world.zones) {
+        // A census lies between walls that show it; where balls vanish must be seen.
+        if (zone.effect != Zone::Effect::sink) continue;
+        const RasterPoint start = to_raster(view.camera, zone.shape.start);
+        const RasterPoint end = to_raster(view.camera, zone.shape.end);
+        const double radius = zone.shape.radius * view.camera.columns_per_length;
+        raster.capsule(start, end, radius, {ink, 120, '\0'});
+        if (radius > 2.0 * rim) raster.capsule(start, end, radius - rim, {ink, 0, '\0'});
+    }
+}
+
+void paint_edges(Raster& raster, const View& view) {
+    const Capsules& edges = view.world.capsules;
+    const Box visible = visible_box(view.camera);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const Capsule& shape = edges.shape[i];
+        if (!edges.side.empty() && edges.side[i] == Side::none) continue;
+        const bool is_selected = view.marks.selected_capsule == edges.id[i];
+        const Ink ink = is_selected ? ink_of(Role::selected, view.options.look)
+                                    : ink_of_material(edges.material[i], view.options.look);
+        const double radius = shape.radius * view.camera.columns_per_length;
+        const double hair = raster.hairline() / view.camera.columns_per_length;
+        for (const Vec2 offset : images_of(view.world.model, bounds(shape))) {
+            const Capsule image{shape.start + offset, shape.end + offset, shape.radius};
+            if (!overlaps(grow(bounds(image), hair), visible)) continue;
+            const RasterPoint start = to_raster(view.camera, image.start);
+            const bool is_peg = image.start == image.end;
+            if (is_peg && raster.sampling() == Sampling::shapes && radius < stamp_radii[1]) {
+                raster.stamp(start, peg_stamp, ink);
+                continue;
+            }
+            const Brush brush{ink, 255, '#'};
+            if (is_peg) {
+                raster.disc(start, std::max(radius, raster.hairline()), 0.0, brush);
+            } else {
+                raster.capsule(start, to_raster(view.camera, image.end), radius, brush);
+            }
+        }
+    }
+}
+
+void paint_balls(Raster& raster, const View& view) {
+    const Balls& balls = view.world.balls;
+    const Box visible = visible_box(view.camera);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const Box box = bounds(Disc{balls.position[i], balls.radius[i]});
+        for (const Vec2 offset : images_of(view.world.model, box)) {
+            if (!overlaps({box.low + offset, box.high + offset}, visible)) continue;
+            paint_ball(raster, view, i, to_raster(view.camera, balls.position[i] + offset));
+        }
+    }
+}
+
+}  // namespace carom

@@ -1,0 +1,212 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "terminal/canvas/utf8.h"
+#include "terminal/draw/draw_parts.h"
+
+/// What is written over the shapes: counters, labels, and the marks of the player.
+namespace carom {
+
+namespace {
+
+// Within this many rows numbers over neighbouring bins may be staggered.
+constexpr int most_stagger = 3;
+
+bool is_within(const CellArea& area, int column, int row) {
+    return column >= area.column && column < area.column + area.columns && row >= area.row &&
+           row < area.row + area.rows;
+}
+
+// A cell of the canvas; none where a place is out of the camera's area.
+struct CellPlace {
+    int column = 0;
+    int row = 0;
+};
+std::optional<CellPlace> cell_of(const Camera& camera, Vec2 point) {
+    const CellPoint place = to_cells(camera, point);
+    const CellArea& area = camera.area;
+    const bool is_seen = place.column >= area.column && place.column < area.column + area.columns &&
+                         place.row >= area.row && place.row < area.row + area.rows;
+    if (!is_seen) return std::nullopt;
+    return CellPlace{static_cast<int>(std::floor(place.column)),
+                     static_cast<int>(std::floor(place.row))};
+}
+
+void write_within(Canvas& canvas, const CellArea& area, CellPlace at, std::string_view text,
+                  const Ink& ink) {
+    for (int column = at.column; !text.empty(); ++column) {
+        const std::size_t bytes = decode_utf8(text).bytes;
+        if (is_within(area, column, at.row)) {
+            canvas.write(column, at.row, text.substr(0, bytes), ink.color, default_color,
+                         ink.attributes);
+        }
+        text.remove_prefix(bytes);
+    }
+}
+
+// Text on a ball: on blocks of colour it takes the ball's colour as its ground.
+void write_on_ball(Canvas& canvas, const CellArea& area, CellPlace at, std::string_view text,
+                   const Ink& ink, const Look& look) {
+    for (int column = at.column; !text.empty(); ++column) {
+        const std::size_t bytes = decode_utf8(text).bytes;
+        const bool is_seen = is_within(area, column, at.row) && canvas.holds(column, at.row);
+        const Cell below = is_seen ? canvas.at(column, at.row) : Cell{};
+        write_within(canvas, area, {column, at.row}, text.substr(0, bytes), ink);
+        text.remove_prefix(bytes);
+        const bool is_block = below.glyph == U'█' || below.glyph == U'▀' || below.glyph == U'▄';
+        if (!is_seen || !is_block) continue;
+        Cell& cell = canvas.at(column, at.row);
+        if (look.has_colors()) {
+            cell.background = below.foreground;
+            cell.foreground = look.light_background ? 15 : 0;
+        } else {
+            cell.attributes = reverse;
+        }
+    }
+}
+
+// As short as a count can be said: 999, 12k, 3M.
+std::string short_count(std::uint64_t count) {
+    if (count < 10000) return fmt::format("{}", count);
+    if (count < 10000000) return fmt::format("{}k", count / 1000);
+    return fmt::format("{}M", count / 1000000);
+}
+
+std::string label_of(const View& view, std::size_t ball) {
+    const std::uint32_t id = number(view.world.balls.id[ball]);
+    const auto& names = view.scene.ball_names;
+    if (view.options.labels == Labels::automatic && id < names.size() && !names[id].empty()) {
+        return names[id];
+    }
+    return fmt::format("{}", id);
+}
+
+// Brackets beside a ball, outside its rim.
+void bracket(Canvas& canvas, const View& view, std::size_t ball) {
+    const Ink ink = ink_of(Role::selected, view.options.look);
+    const auto write_at = [&](double x, std::string_view bracket) {
+        const Vec2 position = view.world.balls.position[ball];
+        if (const auto at = cell_of(view.camera, {position.x + x, position.y})) {
+            write_within(canvas, view.camera.area, *at, bracket, ink);
+        }
+    };
+    const double apart = view.world.balls.radius[ball] + 1.0 / view.camera.columns_per_length;
+    write_at(-apart, "[");
+    write_at(apart, "]");
+}
+
+void write_at_point(Canvas& canvas, const View& view, Vec2 point, std::string_view text,
+                    const Ink& ink) {
+    if (const auto at = cell_of(view.camera, point)) {
+        write_within(canvas, view.camera.area, *at, text, ink);
+    }
+}
+
+}  // namespace
+
+void write_counters(Canvas& canvas, const View& view) {
+    if (view.world.zones.empty()) return;
+    const std::vector<std::uint64_t> counts = census(view.world);
+    const Ink ink = ink_of(Role::counter, view.options.look);
+    const CellArea& area = view.camera.area;
+    // Where the last number in each row of the stagger ends.
+    std::array<int, most_stagger> taken{};
+    std::array<int, most_stagger> row_taken{};
+    taken.fill(area.column - 1);
+    row_taken.fill(-1);
+    for (const Zone& zone : view.world.zones) {
+        if (zone.counter >= counts.size()) continue;
+        const Box box = bounds(zone.shape);
+        const auto at = cell_of(view.camera, {center(box).x, box.high.y});
+        if (!at) continue;
+        const std::string text = short_count(counts[zone.counter]);
+        const int width = static_cast<int>(text.size());
+        const int column = at->column - (width - 1) / 2;
+        for (int up = 0; up < most_stagger; ++up) {
+            const auto slot = static_cast<std::size_t>(up);
+            const int row = std::max(area.row, at->row - 1) - up;
+            if (row < area.row) break;
+            if (row_taken[slot] == row && column <= taken[slot]) continue;
+            write_within(canvas, area, {column, row}, text, ink);
+            row_taken[slot] = row;
+            taken[slot] = column + width;
+            break;
+        }
+    }
+}
+
+void write_labels(Canvas& canvas, const View& view) {
+    const Labels labels = view.options.labels;
+    const bool is_wanted =
+        labels == Labels::all || (labels == Labels::automatic && !view.options.look.has_colors());
+    const bool is_cloud = !view.marks.copies.empty();
+    if (!is_wanted || (is_cloud && labels != Labels::all)) return;
+    const Balls& balls = view.world.balls;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const double radius = balls.radius[i] * view.camera.columns_per_length;
+        // Inside there is room for as many columns as the chord of a row is wide.
+        const double half_row = 0.5 * view.camera.aspect;
+        const double chord =
+            radius > half_row ? 2.0 * std::sqrt(radius * radius - half_row * half_row) : 0.0;
+        if (labels == Labels::automatic && chord < 2.0) continue;
+        const auto at = cell_of(view.camera, balls.position[i]);
+        if (!at) continue;
+        std::string text = label_of(view, i);
+        const int room = static_cast<int>(std::min(chord, 100.0)) - 1;
+        if (columns_of(text) > room) text = fmt::format("{}", number(balls.id[i]));
+        const int width = columns_of(text);
+        if (width > room && labels == Labels::automatic) continue;
+        Ink ink = view.inks[i];
+        ink.attributes |= bold;
+        const int column = width <= room ? at->column - (width - 1) / 2
+                                         : at->column + 1 + static_cast<int>(radius);
+        write_on_ball(canvas, view.camera.area, {column, at->row}, text, ink, view.options.look);
+    }
+}
+
+void write_marks(Canvas& canvas, const View& view) {
+    const Marks& marks = view.marks;
+    const Look& look = view.options.look;
+    if (marks.selected_ball) {
+        if (const auto ball = index_of(view.world, *marks.selected_ball)) {
+            bracket(canvas, view, *ball);
+        }
+    }
+    if (marks.selected_capsule) {
+        if (const auto edge = index_of(view.world, *marks.selected_capsule)) {
+            const Capsule& shape = view.world.capsules.shape[*edge];
+            const Ink ink = ink_of(Role::selected, look);
+            write_at_point(canvas, view, shape.start, "O", ink);
+            write_at_point(canvas, view, shape.end, "O", ink);
+        }
+    }
+    if (marks.parting) {
+        if (auto at = cell_of(view.camera, *marks.parting)) {
+            Ink ink = ink_of(Role::error, look);
+            ink.attributes |= bold | reverse;
+            --at->column;
+            write_within(canvas, view.camera.area, *at, look.utf8 ? "›×‹" : ">X<", ink);
+        }
+    }
+    if (marks.cue) {
+        // Beside the hand, on the side away from the ball.
+        const bool is_left = marks.cue->hand.x < marks.cue->ball.x;
+        const int width = columns_of(marks.cue->speed);
+        if (auto at = cell_of(view.camera, marks.cue->hand)) {
+            const int last = view.camera.area.column + view.camera.area.columns - width;
+            at->column = is_left ? at->column - width - 1 : at->column + 2;
+            at->column = std::max(view.camera.area.column, std::min(at->column, last));
+            write_within(canvas, view.camera.area, *at, marks.cue->speed, ink_of(Role::cue, look));
+        }
+    }
+    if (marks.cursor) {
+        Ink ink = ink_of(Role::cursor, look);
+        ink.attributes |= reverse;
+        write_at_point(canvas, view, *marks.cursor, "+", ink);
+    }
+}
+
+}  // namespace carom

@@ -1,0 +1,115 @@
+#include "terminal/draw/trails.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+
+namespace {
+
+// What is left of a trail after each picture: a third after about 25, nothing after 70.
+std::uint8_t faded(std::uint8_t level) {
+    return static_cast<std::uint8_t>(std::max(0, level - level / 24 - 1));
+}
+
+// Behind the balls: a fresh trail is two thirds as strong.
+std::uint8_t shown(std::uint8_t level) {
+    return static_cast<std::uint8_t>(level * 2 / 3);
+}
+
+void start_anew(Trails& trails, const Camera& camera, const Raster& raster) {
+    trails.camera = camera;
+    trails.across = raster.samples_across();
+    trails.down = raster.samples_down();
+    const auto count =
+        static_cast<std::size_t>(trails.across) * static_cast<std::size_t>(trails.down);
+    trails.levels.assign(count, 0);
+    trails.inks.assign(count, {});
+    trails.places.clear();
+}
+
+// A place on the samples' grid.
+struct SamplePoint {
+    double across = 0.0;
+    double down = 0.0;
+};
+
+SamplePoint to_samples(const Trails& trails, Vec2 position) {
+    const CellArea& area = trails.camera.area;
+    const CellPoint place = to_cells(trails.camera, position);
+    return {(place.column - area.column) / area.columns * trails.across,
+            (place.row - area.row) / area.rows * trails.down};
+}
+
+void mark(Trails& trails, SamplePoint at, const Ink& ink) {
+    if (!(at.across >= 0.0 && at.across < trails.across && at.down >= 0.0 &&
+          at.down < trails.down)) {
+        return;
+    }
+    const auto i = static_cast<std::size_t>(at.down) * static_cast<std::size_t>(trails.across) +
+                   static_cast<std::size_t>(at.across);
+    trails.levels[i] = 255;
+    trails.inks[i] = ink;
+}
+
+void mark_way(Trails& trails, SamplePoint from, SamplePoint to, const Ink& ink) {
+    const double across = to.across - from.across;
+    const double down = to.down - from.down;
+    const double length = std::max(std::abs(across), std::abs(down));
+    const double most = trails.across + trails.down;  // longer ways leave the window
+    if (!(length <= most)) return mark(trails, to, ink);
+    const int steps = std::max(1, static_cast<int>(std::ceil(length)));
+    for (int i = 1; i <= steps; ++i) {
+        const double share = static_cast<double>(i) / steps;
+        mark(trails, {from.across + share * across, from.down + share * down}, ink);
+    }
+}
+
+// Whether a ball that was at `a` and is at `b` has gone over a side of the torus.
+bool has_wrapped(const Model& model, Vec2 a, Vec2 b) {
+    if (!model.wrap) return false;
+    const Vec2 half = size(*model.wrap) * 0.5;
+    return std::abs(a.x - b.x) > half.x || std::abs(a.y - b.y) > half.y;
+}
+
+}  // namespace
+
+void add_to_trails(Trails& trails, const Camera& camera, const Raster& raster, const World& world,
+                   std::span<const Ink> inks) {
+    const bool is_same_view = trails.camera == camera && trails.across == raster.samples_across() &&
+                              trails.down == raster.samples_down();
+    if (!is_same_view) start_anew(trails, camera, raster);
+    if (is_same_view && trails.tick != world.tick) {
+        std::transform(trails.levels.begin(), trails.levels.end(), trails.levels.begin(), faded);
+    }
+    trails.tick = world.tick;
+
+    // Both lists ascend by id, so one pass finds where each ball was.
+    std::vector<Trails::Place> places;
+    places.reserve(world.balls.size());
+    auto before = trails.places.cbegin();
+    for (std::size_t i = 0; i < world.balls.size(); ++i) {
+        const BallId id = world.balls.id[i];
+        const Vec2 now = world.balls.position[i];
+        while (before != trails.places.cend() && before->id < id)
+            ++before;
+        const bool is_known = before != trails.places.cend() && before->id == id;
+        const Vec2 then =
+            is_known && !has_wrapped(world.model, before->position, now) ? before->position : now;
+        mark_way(trails, to_samples(trails, then), to_samples(trails, now), inks[i]);
+        places.push_back({id, now});
+    }
+    trails.places = std::move(places);
+}
+
+void paint_trails(Raster& raster, const Trails& trails) {
+    std::size_t i = 0;
+    for (int down = 0; down < trails.down; ++down) {
+        for (int across = 0; across < trails.across; ++across, ++i) {
+            if (trails.levels[i] == 0) continue;
+            raster.sample(across, down, shown(trails.levels[i]), trails.inks[i]);
+        }
+    }
+}
+
+}  // namespace carom

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "terminal/input/input.h"
+#include "terminal/input/input_sequence.h"
+
+/// Keys, decoded: the kitty keyboard protocol, xterm's ways, and what terminfo says of other
+/// terminals.
+///
+/// A key that makes a character is that character, and Shift, being part of it, is no modifier then
+/// (a terminal without the protocol could not tell either). Super, Hyper and Meta count as Alt, so
+/// that they never turn into the plain key; Caps Lock and Num Lock count as nothing.
+namespace carom {
+
+/// What the terminal's own description says that keys send, sorted by what they send.
+class KeyTable {
+  public:
+    /// Sequences that do not start with ESC, or are shorter than 2 bytes, are left out.
+    void add(std::string_view sequence, char32_t key, std::uint8_t modifiers = no_modifier);
+
+    struct Entry {
+        std::string sequence;
+        char32_t key = 0;
+        std::uint8_t modifiers = no_modifier;
+    };
+    /// The key that sends exactly this.
+    std::optional<InputEvent> find(std::string_view sequence) const;
+
+  private:
+    std::vector<Entry> entries_;  // sorted by sequence, each once
+};
+
+/// Turns sequences into keys. Remembers which character each key made, since its release does not
+/// say.
+class Keyboard {
+  public:
+    /// None: no key that carom knows, or the sequence is no key's.
+    std::optional<InputEvent> from_sequence(const ControlSequence& sequence);
+
+  private:
+    std::optional<InputEvent> from_code(const ControlSequence& sequence);
+
+    std::vector<std::pair<int, char32_t>> made_;  // key code, character; of keys held down
+};
+
+/// What follows ESC O.
+std::optional<InputEvent> key_from_ss3(char final);
+
+/// A single character or control byte (0..31 and 127 stand for Ctrl and a letter, Tab, Enter,
+/// Escape, Backspace).
+InputEvent key_from_character(char32_t character);
+
+}  // namespace carom

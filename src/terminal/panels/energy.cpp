@@ -1,0 +1,139 @@
+#include "terminal/panels/energy.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "terminal/canvas/raster.h"
+#include "terminal/canvas/utf8.h"
+#include "terminal/panels/panel.h"
+
+namespace carom {
+
+namespace {
+
+constexpr int least_panel_columns = 16;
+constexpr int least_panel_rows = 4;
+
+struct Curve {
+    std::string name;
+    double (*value)(const EnergyHistory::Sample&);
+    Ink ink;
+};
+
+std::array<Curve, 3> curves(const Look& look) {
+    using Sample = EnergyHistory::Sample;
+    return {{{"kinetic", [](const Sample& s) { return s.kinetic; }, ink_of_class(0, look)},
+             {"potential", [](const Sample& s) { return s.potential; }, ink_of_class(1, look)},
+             {"total", [](const Sample& s) { return s.kinetic + s.potential; },
+              ink_of(Role::strong, look)}}};
+}
+
+struct Range {
+    double low = 0.0;
+    double high = 0.0;
+};
+
+// Of everything that is drawn, 0 included.
+Range range_of(const std::vector<EnergyHistory::Sample>& samples,
+               const std::array<Curve, 3>& drawn) {
+    Range range;
+    for (const EnergyHistory::Sample& sample : samples) {
+        for (const Curve& curve : drawn) {
+            const double value = curve.value(sample);
+            if (!std::isfinite(value)) continue;
+            range.low = std::min(range.low, value);
+            range.high = std::max(range.high, value);
+        }
+    }
+    if (!(range.high > range.low)) range.high = range.low + 1.0;
+    return range;
+}
+
+bool has_potential(const std::vector<EnergyHistory::Sample>& samples) {
+    return std::any_of(samples.begin(), samples.end(),
+                       [](const EnergyHistory::Sample& s) { return s.potential != 0.0; });
+}
+
+void draw_curves(Canvas& canvas, const CellArea& area, const EnergyHistory& history,
+                 const std::array<Curve, 3>& drawn, const Range& range, const Look& look) {
+    constexpr double aspect = 2.0;
+    Raster raster(look.utf8 ? Sampling::dots : Sampling::shapes, area.columns, area.rows, aspect);
+    const auto& samples = history.samples();
+    const auto first = static_cast<double>(samples.front().tick);
+    const double ticks = std::max(1.0, static_cast<double>(samples.back().tick) - first);
+    const double height = raster.rows() * aspect;
+    const auto place = [&](const EnergyHistory::Sample& sample, const Curve& curve) {
+        // A little inside, so that neither end of the range is cut.
+        const double share = (curve.value(sample) - range.low) / (range.high - range.low);
+        return RasterPoint{
+            (static_cast<double>(sample.tick) - first) / ticks * (area.columns - 0.5),
+            height - 0.4 - share * (height - 0.8)};
+    };
+    const std::size_t skip = has_potential(samples) ? 0 : 2;  // one line says it all
+    for (std::size_t c = skip; c < drawn.size(); ++c) {
+        for (std::size_t i = 1; i < samples.size(); ++i) {
+            raster.line(place(samples[i - 1], drawn[c]), place(samples[i], drawn[c]), drawn[c].ink);
+        }
+    }
+    raster.show(canvas, area.column, area.row, look);
+}
+
+}  // namespace
+
+void EnergyHistory::add(const Sample& sample) {
+    while (!samples_.empty() && samples_.back().tick > sample.tick)
+        samples_.pop_back();
+    if (!samples_.empty() && sample.tick < samples_.back().tick + spacing_) return;
+    samples_.push_back(sample);
+    if (samples_.size() < capacity) return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < samples_.size(); i += 2)
+        samples_[kept++] = samples_[i];
+    samples_.resize(kept);
+    spacing_ *= 2;
+}
+
+void EnergyHistory::clear() {
+    *this = {};
+}
+
+void draw_energy(Canvas& canvas, const CellArea& area, const EnergyHistory& history,
+                 double tick_length, const Look& look) {
+    if (area.columns < least_panel_columns || area.rows < least_panel_rows) return;
+    clear_area(canvas, area);
+    const std::array<Curve, 3> drawn = curves(look);
+    std::vector<PanelText> legend = {{"energy", ink_of(Role::strong, look)}};
+    if (has_potential(history.samples())) {
+        for (const Curve& curve : drawn)
+            legend.push_back({curve.name, curve.ink});
+    }
+    write_flowing(canvas, {area.column, area.row, area.columns, 1}, legend);
+    if (history.samples().size() < 2) return;
+
+    const Range range = range_of(history.samples(), drawn);
+    const Ink faint = ink_of(Role::faint, look);
+    const std::string high = fmt::format("{:.4g}", range.high);
+    const std::string low = fmt::format("{:.4g}", range.low);
+    const int side = std::max(columns_of(high), columns_of(low)) + 1;
+    const CellArea picture{area.column + side, area.row + 1, area.columns - side, area.rows - 2};
+    write_cut(canvas, area, 1, high, faint);
+    write_cut(canvas, area, area.rows - 2, low, faint);
+    draw_curves(canvas, picture, history, drawn, range, look);
+
+    const auto seconds = [&](const EnergyHistory::Sample& sample) {
+        return static_cast<double>(sample.tick) * tick_length;
+    };
+    const std::string from = fmt::format("{:.4g} s", seconds(history.samples().front()));
+    const std::string to = fmt::format("{:.4g} s", seconds(history.samples().back()));
+    const CellArea axis{picture.column, area.row + area.rows - 1, picture.columns, 1};
+    write_cut(canvas, axis, 0, from, faint);
+    const int end = axis.column + axis.columns - columns_of(to);
+    if (end > axis.column + columns_of(from)) {
+        canvas.write(end, axis.row, to, faint.color, default_color, faint.attributes);
+    }
+}
+
+}  // namespace carom

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "terminal/canvas/camera.h"
+#include "terminal/canvas/canvas.h"
+#include "terminal/canvas/palette.h"
+
+/// Energy over time: how it was, and a plot of it.
+namespace carom {
+
+/// Some hundred samples over all of the time so far: when it is full, every second one goes.
+class EnergyHistory {
+  public:
+    struct Sample {
+        std::uint64_t tick = 0;
+        double kinetic = 0.0;
+        double potential = 0.0;
+    };
+    static constexpr std::size_t capacity = 512;
+
+    /// Takes it if it is due. A tick before the last: what is later is forgotten (a rewind).
+    void add(const Sample& sample);
+    void clear();
+    const std::vector<Sample>& samples() const { return samples_; }
+
+  private:
+    std::vector<Sample> samples_;  // ascending by tick, at least spacing_ apart
+    std::uint64_t spacing_ = 1;
+};
+
+/// Fills `area`: kinetic, potential and total energy as three lines, with the range at the side.
+/// An area below 16 x 4 stays as it is.
+void draw_energy(Canvas& canvas, const CellArea& area, const EnergyHistory& history,
+                 double tick_length, const Look& look);
+
+}  // namespace carom

@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "terminal/canvas/utf8.h"
+#include "terminal/panels/histogram.h"
+#include "terminal/panels/panel.h"
+
+/// Draws a histogram.
+namespace carom {
+
+namespace {
+
+constexpr int least_panel_columns = 12;
+constexpr int least_panel_rows = 4;
+
+// One bar of the picture: some bins together where there are more bins than columns.
+struct PictureBar {
+    double count = 0.0;
+    double expected = 0.0;
+};
+
+std::vector<PictureBar> bars_of(const Histogram& histogram, std::size_t together, double total) {
+    double shares = 0.0;
+    for (const double share : histogram.expected)
+        shares += share;
+    const double scale = shares > 0.0 ? total / shares : 0.0;
+    std::vector<PictureBar> bars((histogram.counts.size() + together - 1) / together);
+    for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+        bars[i / together].count += static_cast<double>(histogram.counts[i]);
+        if (i < histogram.expected.size()) {
+            bars[i / together].expected += histogram.expected[i] * scale;
+        }
+    }
+    return bars;
+}
+
+// The top of a bar: how much of its last cell is filled, 0 to 1.
+char32_t partial_block(double share, bool utf8) {
+    if (utf8) {
+        constexpr std::u32string_view blocks = U" ▁▂▃▄▅▆▇█";
+        return blocks[static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * 8.0 + 0.5)];
+    }
+    constexpr std::u32string_view blocks = U" .:#";
+    return blocks[static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * 3.0 + 0.5)];
+}
+
+// A level line at this height within its cell, 0 (bottom) to 1.
+char32_t level_line(double share, bool utf8) {
+    if (utf8) return share < 0.33 ? U'▁' : share < 0.67 ? U'─' : U'▔';
+    return share < 0.33 ? U'_' : share < 0.67 ? U'-' : U'"';
+}
+
+// Bars and curve, from the bottom row of `area` upwards.
+void draw_bars(Canvas& canvas, const CellArea& area, const std::vector<PictureBar>& bars,
+               const Look& look) {
+    double most = 1.0;
+    for (const PictureBar& bar : bars)
+        most = std::max({most, bar.count, bar.expected});
+    const double rows_per_count = area.rows / most;
+    const int width = std::max(1, area.columns / static_cast<int>(bars.size()));
+    const Ink bar_ink = ink_of_class(1, look);
+    const Ink curve_ink = ink_of(Role::expected, look);
+    for (std::size_t i = 0; i < bars.size(); ++i) {
+        const double height = bars[i].count * rows_per_count;
+        const double curve = bars[i].expected * rows_per_count;
+        const int curve_row = std::min(static_cast<int>(curve), area.rows - 1);
+        for (int x = 0; x < width; ++x) {
+            const int column = area.column + static_cast<int>(i) * width + x;
+            const bool is_gap = width > 2 && x == width - 1;
+            for (int up = 0; up < area.rows; ++up) {
+                const int row = area.row + area.rows - 1 - up;
+                const double filled = is_gap ? 0.0 : height - up;
+                // A full cell has the colour as its ground too: blocks leave seams in many fonts.
+                const bool is_full = filled >= 1.0 && look.has_colors() && look.utf8;
+                Cell cell{partial_block(filled, look.utf8), bar_ink.color,
+                          is_full ? bar_ink.color : default_color, bar_ink.attributes};
+                if (cell.glyph == U' ') cell = {};
+                if (bars[i].expected > 0.0 && up == curve_row) {
+                    cell.glyph = level_line(curve - up, look.utf8);
+                    cell.foreground = curve_ink.color;
+                    cell.attributes = curve_ink.attributes;
+                }
+                canvas.put(column, row, cell);
+            }
+        }
+    }
+}
+
+// What there is to say about it, in words; the most important first.
+std::vector<PanelText> words_of(const Histogram& histogram, const Look& look) {
+    const HistogramFit fit = fit_of(histogram);
+    const Ink text = ink_of(Role::text, look);
+    std::vector<PanelText> words = {{fmt::format("N {}", fit.total), text}};
+    if (fit.total == 0) return words;
+    std::string mean = fmt::format("mean {:.3f}", fit.mean);
+    if (fit.mean_expected) mean += fmt::format(" ({:.3f})", *fit.mean_expected);
+    words.push_back({mean, text});
+    if (fit.variance_ratio) {
+        words.push_back({fmt::format("variance x{:.3f}", *fit.variance_ratio), text});
+    } else {
+        words.push_back({fmt::format("variance {:.3f}", fit.variance), text});
+    }
+    if (fit.chi_square && fit.p_value) {
+        const std::string_view name = look.utf8 ? "χ²" : "chi2";
+        const Role role = *fit.p_value < 0.01 ? Role::warning : Role::good;
+        words.push_back({fmt::format("{} {:.1f}/{} p {:.3f}", name, *fit.chi_square,
+                                     fit.degrees_of_freedom, *fit.p_value),
+                         ink_of(role, look)});
+    }
+    return words;
+}
+
+}  // namespace
+
+void draw_histogram(Canvas& canvas, const CellArea& area, const Histogram& histogram,
+                    const Look& look) {
+    const bool is_too_small = area.columns < least_panel_columns || area.rows < least_panel_rows;
+    if (is_too_small || histogram.counts.empty()) return;
+    clear_area(canvas, area);
+    const std::string title =
+        histogram.against.empty() ? histogram.title : histogram.title + " / " + histogram.against;
+    write_cut(canvas, area, 0, title, ink_of(Role::strong, look));
+
+    double total = 0.0;
+    for (const std::uint64_t count : histogram.counts)
+        total += static_cast<double>(count);
+    const auto columns = static_cast<std::size_t>(area.columns);
+    const std::size_t together = (histogram.counts.size() + columns - 1) / columns;
+    const std::vector<PanelText> words = words_of(histogram, look);
+    const int most_text = std::max(1, area.rows / 4);
+    const int text_rows = std::min(most_text, rows_for(words, area.columns));
+    const CellArea picture{area.column, area.row + 1, area.columns, area.rows - 1 - text_rows};
+    draw_bars(canvas, picture, bars_of(histogram, together, total), look);
+    write_flowing(canvas, {area.column, area.row + area.rows - text_rows, area.columns, text_rows},
+                  words);
+}
+
+}  // namespace carom

@@ -1,0 +1,295 @@
+#include "terminal/panels/hud.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "terminal/canvas/utf8.h"
+#include "terminal/panels/panel.h"
+
+namespace carom {
+
+namespace {
+
+// One thing that a status line says. Numbers keep their width while they change, so that what
+// stands behind them stands still.
+struct Field {
+    std::string label;
+    std::string value;
+    Ink ink;
+    int rank = 0;  ///< 0 stays longest
+};
+
+constexpr int gap = 2;
+
+int width_of(const Field& field) {
+    const int label = columns_of(field.label);
+    return label + (label > 0 ? 1 : 0) + columns_of(field.value);
+}
+
+int width_of(const std::vector<Field>& fields) {
+    int width = -gap;
+    for (const Field& field : fields)
+        width += width_of(field) + gap;
+    return width;
+}
+
+// The fields that fit into `columns`, the least important dropped first, in their order.
+std::vector<Field> those_that_fit(std::vector<Field> fields, int columns) {
+    while (!fields.empty() && width_of(fields) > columns) {
+        fields.erase(
+            std::max_element(fields.begin(), fields.end(),
+                             [](const Field& a, const Field& b) { return a.rank < b.rank; }));
+    }
+    return fields;
+}
+
+std::string padded(std::string text, int width) {
+    const int missing = width - columns_of(text);
+    if (missing > 0) text.append(static_cast<std::size_t>(missing), ' ');
+    return text;
+}
+
+// Five digits, however large.
+std::string quantity(double value) {
+    return fmt::format("{:<10.5g}", value);
+}
+
+// A component that is only the other's rounding is 0.
+std::string momentum(Vec2 p) {
+    const double noise = 1e-9 * std::max(std::abs(p.x), std::abs(p.y));
+    const auto component = [&](double value) { return std::abs(value) < noise ? 0.0 : value; };
+    return fmt::format("{:<+9.3g} {:<+9.3g}", component(p.x), component(p.y));
+}
+
+std::string duration(double seconds) {
+    if (std::abs(seconds) < 1e5) return fmt::format("{:>9.3f} s", seconds);
+    return fmt::format("{:>9.5g} s", seconds);
+}
+
+std::string factor(double speed) {
+    return fmt::format("x{:<5.3g}", speed);
+}
+
+Field drift_field(std::string_view label, double drift, int rank, const Look& look) {
+    const double size = std::abs(drift);
+    const Role role = size < 1e-9 ? Role::good : size < 1e-3 ? Role::text : Role::warning;
+    std::string text = drift == 0.0 ? "0" : fmt::format("{:+.1e}", drift);
+    return {std::string(label), padded(std::move(text), 8), ink_of(role, look), rank};
+}
+
+// "2817 of 3141", "5.9871 of 6": green once it is as it should be.
+Field check_field(const HudCheck& check, int rank, const Look& look) {
+    const std::string value = fmt::format("{:.8g}", check.value);
+    const bool is_whole = check.tolerance == 0.0;
+    const std::string measured =
+        is_whole ? fmt::format("{:.8g}", check.measured) : fmt::format("{:.5g}", check.measured);
+    const bool holds = std::abs(check.measured - check.value) <= check.tolerance;
+    const int width = is_whole ? columns_of(value) : std::max(7, columns_of(value));
+    return {check.quantity, fmt::format("{:>{}} of {}", measured, width, value),
+            ink_of(holds ? Role::good : Role::text, look), rank};
+}
+
+// How the play goes: running or not, how fast, and how far back.
+Field state_field(const HudInfo& info, const Look& look) {
+    if (info.is_paused) {
+        const std::string_view sign = look.utf8 ? "‖ " : "|| ";
+        return {"", fmt::format("{}paused", sign), ink_of(Role::warning, look), 0};
+    }
+    const std::string_view sign = look.utf8 ? "▸ " : "> ";
+    return {"", fmt::format("{}{:<6}", sign, factor(info.speed)), ink_of(Role::good, look), 0};
+}
+
+std::vector<Field> play_fields(const HudInfo& info, const Look& look) {
+    const Ink text = ink_of(Role::text, look);
+    std::vector<Field> fields;
+    fields.push_back(state_field(info, look));
+    fields.push_back({"", duration(info.time), text, 1});
+    std::string tick = fmt::format("{}", info.tick);
+    if (info.latest_tick > info.tick) tick += fmt::format("/{}", info.latest_tick);
+    fields.push_back({"tick", padded(std::move(tick), 7), text, 5});
+    fields.push_back({"", info.solver + (info.solver_is_picked ? " (auto)" : ""),
+                      ink_of(Role::strong, look), 2});
+    if (info.solver_is_picked && !info.reason.empty())
+        fields.push_back({"", info.reason, ink_of(Role::faint, look), 9});
+    const bool is_late = !info.is_paused && info.ticks_per_second < 0.9 * info.rate * info.speed;
+    fields.push_back({"", fmt::format("{:>5.0f}/{:.0f} ticks/s", info.ticks_per_second, info.rate),
+                      is_late ? ink_of(Role::warning, look) : text, 3});
+    fields.push_back({"balls", fmt::format("{:<5}", info.balls), text, 4});
+    if (info.heaped > 0)
+        fields.push_back({"", fmt::format("{} of {} under contact", info.heaped, info.balls),
+                          ink_of(Role::warning, look), 3});
+    if (!info.mode.empty()) fields.push_back({"", info.mode, text, 6});
+    return fields;
+}
+
+std::vector<Field> physics_fields(const HudInfo& info, const Look& look) {
+    const Ink text = ink_of(Role::text, look);
+    std::vector<Field> fields;
+    if (!info.beside.empty()) fields.push_back({"", info.beside, ink_of(Role::warning, look), -1});
+    int rank = 1;
+    bool has_collisions = false;
+    for (const HudCheck& check : info.checks) {
+        fields.push_back(check_field(check, rank, look));
+        rank = 8;
+        has_collisions = has_collisions || check.quantity == "collisions";
+    }
+    if (!has_collisions) {
+        fields.push_back({"collisions", fmt::format("{:<8}", info.collisions), text, 5});
+    }
+    fields.push_back({"KE", quantity(info.kinetic_energy), text, 0});
+    if (info.potential_energy) {
+        fields.push_back({"PE", quantity(*info.potential_energy), text, 6});
+    }
+    if (info.energy_drift) fields.push_back(drift_field("drift", *info.energy_drift, 2, look));
+    fields.push_back({"p", momentum(info.momentum), text, 4});
+    if (info.momentum_drift) fields.push_back(drift_field("drift", *info.momentum_drift, 7, look));
+    return fields;
+}
+
+// The model in force: as much of it as there is room for.
+Field model_field(const HudInfo& info, int columns, const Look& look) {
+    Field field{"model",
+                info.terms.empty() ? "free discs" : fmt::format("{}", fmt::join(info.terms, ", ")),
+                ink_of(Role::text, look), 3};
+    const int excess = width_of(field) - columns;
+    if (excess > 0)
+        field.value =
+            std::string(cut_to(field.value, columns_of(field.value) - excess - 3)) + "...";
+    return field;
+}
+
+struct Bar {
+    Canvas& canvas;
+    const Look& look;
+    int row = 0;
+    Color ground = default_color;
+    std::uint8_t attributes = plain;
+
+    void clear() const {
+        for (int column = 0; column < canvas.columns(); ++column) {
+            canvas.put(column, row, {U' ', default_color, ground, attributes});
+        }
+    }
+    int write(int column, std::string_view text, const Ink& ink) const {
+        const auto all = static_cast<std::uint8_t>(ink.attributes | attributes);
+        return canvas.write(column, row, text, ink.color, ground, all);
+    }
+    int write(int column, const Field& field) const {
+        if (!field.label.empty()) {
+            column = write(column, field.label + " ", ink_of(Role::faint, look));
+        }
+        return write(column, field.value, field.ink);
+    }
+    int write(int column, const std::vector<Field>& fields) const {
+        for (const Field& field : fields)
+            column = write(column, field) + gap;
+        return column;
+    }
+};
+
+// The first line stands out from the world above it.
+Bar title_bar(Canvas& canvas, int row, const Look& look) {
+    if (look.colors >= 256) {
+        return {canvas, look, row, static_cast<Color>(look.light_background ? 254 : 236), plain};
+    }
+    return {canvas, look, row, default_color, look.has_colors() ? plain : reverse};
+}
+
+void draw_physics(const Bar& bar, const HudInfo& info) {
+    constexpr int least_model = 22;
+    bar.clear();
+    const int columns = bar.canvas.columns() - 2;
+    if (!info.game.empty() && info.beside.empty()) {
+        bar.write(1, cut_to(info.game, columns), ink_of(Role::text, bar.look));
+        return;
+    }
+    std::vector<Field> fields = physics_fields(info, bar.look);
+    fields.push_back(model_field(info, least_model, bar.look));
+    fields = those_that_fit(std::move(fields), columns);
+    if (!fields.empty() && fields.back().label == "model") {
+        const int others = width_of(fields) - width_of(fields.back());
+        fields.back() = model_field(info, columns - others, bar.look);
+    }
+    bar.write(1, fields);
+}
+
+// The title gets what the fields leave.
+void draw_first(const Bar& bar, const HudInfo& info, std::vector<Field> fields) {
+    bar.clear();
+    const int columns = bar.canvas.columns();
+    // Half of a line for a title, if it is that long; in a narrow window what it needs least.
+    const int others =
+        info.title_comes_first ? width_of(fields.front()) + gap + 2 : columns / 2 + 8;
+    const int least_title = info.title_comes_first || columns >= 60
+                                ? std::max(0, std::min(columns_of(info.title), columns - others))
+                                : 0;
+    fields =
+        those_that_fit(std::move(fields), columns - 2 - (least_title > 0 ? least_title + gap : 0));
+    const int room = columns - 2 - width_of(fields) - gap;
+    int column = 1;
+    if (room >= 4 && !info.title.empty()) {
+        const std::string_view title = cut_to(info.title, room);
+        column = bar.write(column, title, ink_of(Role::strong, bar.look)) + gap;
+    }
+    bar.write(column, fields);
+}
+
+void draw_hints(const Bar& bar, const HudInfo& info) {
+    bar.clear();
+    if (!info.message.empty()) {
+        const Role role = info.message_is_error ? Role::error : Role::warning;
+        const int columns = bar.canvas.columns() - 2;
+        bar.write(1, cut_to(info.message, columns), ink_of(role, bar.look));
+        return;
+    }
+    // There is no other line for it.
+    const std::string& other = info.beside.empty() ? info.game : info.beside;
+    if (hud_rows(bar.canvas.columns(), bar.canvas.rows()) == 2 && !other.empty()) {
+        bar.write(1, cut_to(other, bar.canvas.columns() - 2), ink_of(Role::warning, bar.look));
+        return;
+    }
+    int column = 1;
+    for (const KeyHelp& hint : info.hints) {
+        const int width = columns_of(hint.keys) + 1 + columns_of(hint.what);
+        if (column + width > bar.canvas.columns() - 1) break;
+        column = bar.write(column, hint.keys, ink_of(Role::strong, bar.look)) + 1;
+        column = bar.write(column, hint.what, ink_of(Role::faint, bar.look)) + gap;
+    }
+}
+
+}  // namespace
+
+int hud_rows(int columns, int rows) {
+    if (rows < 10 || columns < 24) return std::min(1, std::max(rows, 0));
+    return rows < 16 ? 2 : 3;
+}
+
+CellArea world_area(int columns, int rows) {
+    return {0, 0, std::max(0, columns), std::max(0, rows - hud_rows(columns, rows))};
+}
+
+void draw_hud(Canvas& canvas, const HudInfo& info, const Look& look) {
+    const int count = hud_rows(canvas.columns(), canvas.rows());
+    const int first = canvas.rows() - count;
+    const Bar top = title_bar(canvas, first, look);
+    std::vector<Field> play = play_fields(info, look);
+    if (count == 0) return;
+    if (count == 1) {
+        // One line for all: a message while there is one.
+        if (!info.message.empty()) {
+            draw_hints(top, info);
+        } else {
+            draw_first(top, info, std::move(play));
+        }
+        return;
+    }
+    draw_first(top, info, std::move(play));
+    if (count == 3) draw_physics({canvas, look, first + 1}, info);
+    draw_hints({canvas, look, first + count - 1}, info);
+}
+
+}  // namespace carom

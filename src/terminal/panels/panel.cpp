@@ -1,0 +1,84 @@
+#include "terminal/panels/panel.h"
+
+#include <algorithm>
+
+#include "terminal/canvas/utf8.h"
+
+namespace carom {
+
+namespace {
+
+constexpr int text_gap = 2;
+
+// Where each text goes: calls put(row, column, text).
+template <class Put>
+int flow(std::span<const PanelText> texts, int columns, Put put) {
+    int row = 0;
+    int column = 0;
+    for (const PanelText& text : texts) {
+        const int width = columns_of(text.text);
+        if (column > 0 && column + width > columns) {
+            ++row;
+            column = 0;
+        }
+        put(row, column, text);
+        column += width + text_gap;
+    }
+    return row + 1;
+}
+
+}  // namespace
+
+void clear_area(Canvas& canvas, const CellArea& area) {
+    for (int row = area.row; row < area.row + area.rows; ++row) {
+        for (int column = area.column; column < area.column + area.columns; ++column) {
+            canvas.put(column, row, {});
+        }
+    }
+}
+
+std::string_view cut_to(std::string_view text, int columns) {
+    std::size_t end = 0;
+    for (; columns > 0 && end < text.size(); --columns)
+        end += decode_utf8(text.substr(end)).bytes;
+    return text.substr(0, end);
+}
+
+void write_cut(Canvas& canvas, const CellArea& area, int row, std::string_view text,
+               const Ink& ink) {
+    if (row < 0 || row >= area.rows) return;
+    canvas.write(area.column, area.row + row, cut_to(text, area.columns), ink.color, default_color,
+                 ink.attributes);
+}
+
+int rows_for(std::span<const PanelText> texts, int columns) {
+    return flow(texts, columns, [](int, int, const PanelText&) {});
+}
+
+void write_flowing(Canvas& canvas, const CellArea& area, std::span<const PanelText> texts) {
+    flow(texts, area.columns, [&](int row, int column, const PanelText& text) {
+        const CellArea rest{area.column + column, area.row, area.columns - column, area.rows};
+        write_cut(canvas, rest, row, text.text, text.ink);
+    });
+}
+
+std::vector<std::string> wrapped(std::string_view text, int columns) {
+    std::vector<std::string> lines;
+    const int width = std::max(1, columns);
+    do {
+        std::string_view line = cut_to(text, width);
+        if (line.size() < text.size() && text[line.size()] != ' ') {
+            const std::size_t blank = line.rfind(' ');
+            if (blank != std::string_view::npos && blank > 0) line = line.substr(0, blank);
+        }
+        text.remove_prefix(line.size());
+        while (line.ends_with(' '))
+            line.remove_suffix(1);
+        lines.emplace_back(line);
+        while (!text.empty() && text.front() == ' ')
+            text.remove_prefix(1);
+    } while (!text.empty());
+    return lines;
+}
+
+}  // namespace carom

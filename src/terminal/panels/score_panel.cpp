@@ -1,0 +1,152 @@
+#include "terminal/panels/score_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "terminal/canvas/utf8.h"
+#include "terminal/panels/panel.h"
+
+namespace carom {
+namespace {
+
+constexpr int glyph_rows = 5;
+
+// Five rows of three dots each, from the top, the leftmost dot in the highest bit.
+struct Glyph {
+    char character = ' ';
+    int columns = 3;
+    std::array<std::uint8_t, glyph_rows> rows{};
+};
+constexpr std::array<Glyph, 11> glyphs = {{{'0', 3, {7, 5, 5, 5, 7}},
+                                           {'1', 3, {2, 6, 2, 2, 7}},
+                                           {'2', 3, {7, 1, 7, 4, 7}},
+                                           {'3', 3, {7, 1, 3, 1, 7}},
+                                           {'4', 3, {5, 5, 7, 1, 1}},
+                                           {'5', 3, {7, 4, 7, 1, 7}},
+                                           {'6', 3, {7, 4, 7, 5, 7}},
+                                           {'7', 3, {7, 1, 1, 2, 2}},
+                                           {'8', 3, {7, 5, 7, 5, 7}},
+                                           {'9', 3, {7, 5, 7, 1, 7}},
+                                           {',', 1, {0, 0, 0, 4, 4}}}};
+
+const Glyph* glyph_of(char character) {
+    const auto* found = std::ranges::find(glyphs, character, &Glyph::character);
+    return found == glyphs.end() ? nullptr : found;
+}
+
+int width_of(std::string_view text) {
+    int width = -1;
+    for (const char character : text) {
+        const Glyph* glyph = glyph_of(character);
+        width += (glyph ? glyph->columns : 3) + 1;
+    }
+    return std::max(width, 0);
+}
+
+bool is_dot(const Glyph& glyph, int row, int column) {
+    return row < glyph_rows && (glyph.rows[static_cast<std::size_t>(row)] >> (2 - column) & 1) != 0;
+}
+
+// The dots of a cell: one in ASCII, an upper and a lower one with half blocks.
+char32_t cell_of(const Glyph& glyph, int row, int column, const Look& look) {
+    if (!look.utf8) return is_dot(glyph, row, column) ? U'#' : U' ';
+    const bool upper = is_dot(glyph, 2 * row, column);
+    const bool lower = is_dot(glyph, 2 * row + 1, column);
+    return upper && lower ? U'█' : upper ? U'▀' : lower ? U'▄' : U' ';
+}
+
+int rows_of_digits(const Look& look) {
+    return look.utf8 ? (glyph_rows + 1) / 2 : glyph_rows;
+}
+
+void write_large(Canvas& canvas, int column, int row, std::string_view text, const Ink& ink,
+                 const Look& look) {
+    for (const char character : text) {
+        const Glyph* glyph = glyph_of(character);
+        if (!glyph) continue;
+        for (int down = 0; down < rows_of_digits(look); ++down)
+            for (int across = 0; across < glyph->columns; ++across)
+                canvas.put(column + across, row + down,
+                           {cell_of(*glyph, down, across, look), ink.color, default_color,
+                            ink.attributes});
+        column += glyph->columns + 1;
+    }
+}
+
+class Writer {
+  public:
+    Writer(Canvas& canvas, const CellArea& area, const Look& look)
+        : canvas_(canvas), area_(area), look_(look) {}
+
+    int rows_left() const { return area_.rows - row_; }
+    void skip() { ++row_; }
+    void line(std::string_view text, const Ink& ink) {
+        write_cut(canvas_, area_, row_++, text, ink);
+    }
+    void score(std::string_view text) {
+        const Ink ink = ink_of(Role::counter, look_);
+        const int width = width_of(text);
+        if (width > area_.columns || rows_left() < rows_of_digits(look_)) return line(text, ink);
+        write_large(canvas_, area_.column, area_.row + row_, text, ink, look_);
+        row_ += rows_of_digits(look_);
+    }
+    // Light on a bar as wide as the panel, so that it is seen from the corner of an eye.
+    void call(std::string_view text, const Ink& ink) {
+        const int width = std::min(columns_of(text), area_.columns);
+        const int left = (area_.columns - width) / 2;
+        std::string bar(static_cast<std::size_t>(left), ' ');
+        bar += cut_to(text, area_.columns);
+        bar.append(static_cast<std::size_t>(area_.columns - left - width), ' ');
+        canvas_.write(area_.column, area_.row + row_++, bar, ink.color, default_color,
+                      static_cast<std::uint8_t>(ink.attributes | reverse));
+    }
+
+  private:
+    Canvas& canvas_;
+    CellArea area_;
+    const Look& look_;
+    int row_ = 0;
+};
+
+}  // namespace
+
+void draw_score_panel(Canvas& canvas, const CellArea& area, const ScorePanel& panel,
+                      const Look& look) {
+    clear_area(canvas, area);
+    if (area.columns < 4 || area.rows < 1) return;
+    const CellArea inside{area.column + 1, area.row, area.columns - 2, area.rows};
+    Writer writer(canvas, inside, look);
+    const Ink strong = ink_of(Role::strong, look);
+    const Ink faint = ink_of(Role::faint, look);
+    const bool is_roomy = area.rows >= 16;
+    if (is_roomy) writer.skip();
+    if (is_roomy) writer.line(panel.title, faint);
+    if (is_roomy) writer.skip();
+    writer.score(panel.score);
+    writer.skip();
+    for (const std::string& line : panel.lines)
+        if (writer.rows_left() > 2) writer.line(line, ink_of(Role::text, look));
+    if (is_roomy) writer.skip();
+    if (!panel.message.empty() && writer.rows_left() > 0)
+        writer.call(panel.message, ink_of(Role::warning, look));
+    else
+        writer.skip();
+    if (!panel.call.empty() && writer.rows_left() > 0)
+        writer.call(panel.call, ink_of(Role::good, look));
+    else
+        writer.skip();
+    if (panel.honours.empty() || writer.rows_left() < 3) return;
+    writer.skip();
+    writer.line("HIGH SCORES", faint);
+    for (const ScoreLine& honour : panel.honours) {
+        if (writer.rows_left() < 1) return;
+        writer.line(fmt::format("{:>2}  {:<3}  {:>13}", honour.rank, honour.name, honour.score),
+                    honour.is_new ? strong : ink_of(Role::text, look));
+    }
+}
+
+}  // namespace carom

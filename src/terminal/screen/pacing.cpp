@@ -1,0 +1,128 @@
+#include "terminal/screen/pacing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+constexpr double blind_interval = 1.0 / 20.0;     // s; what a line of 9600 baud nearly carries
+constexpr double blind_after = 0.5;               // s without a first answer
+constexpr double stalled_after = 2.0;             // s without any more answers
+constexpr double urgent_interval = 0.004;         // s; a drag may send a thousand reports a second
+constexpr double stalled_urgent_interval = 0.25;  // s
+constexpr double early = 0.001;                   // s by which a frame may come before its time
+
+constexpr std::size_t least_window = 2;
+constexpr std::size_t most_kept = 256;  // frames remembered while nothing answers
+constexpr double short_queue = 0.015;   // s that a frame may have waited behind others
+constexpr double long_queue = 0.035;    // s at which too many frames are on their way
+constexpr double contentment = 5.0;     // s without another try for more
+constexpr double path_memory = 10.0;    // s after which a way that was shorter is history
+
+}  // namespace
+
+Pacing::Pacing(const PacingOptions& options) : options_(options) {}
+
+bool Pacing::is_blind(double now) const {
+    return !has_answers_ && !sent_.empty() && now - sent_.front().at > blind_after;
+}
+
+bool Pacing::is_stalled(double now) const {
+    if (!has_answers_ || sent_.empty()) return false;
+    return has_asked_again_ || now - sent_.front().at > stalled_after;
+}
+
+double Pacing::interval(double now) const {
+    const double wanted = 1.0 / options_.frames_per_second;
+    return is_blind(now) ? std::max(wanted, blind_interval) : wanted;
+}
+
+bool Pacing::may_draw(double now, bool urgent) const {
+    const double since = now - last_drawn_;
+    if (is_stalled(now)) return since >= (urgent ? stalled_urgent_interval : stalled_after);
+    if (!is_blind(now) && sent_.size() >= window()) return false;
+    if (now < bytes_due_) return false;
+    return now >= next_due_ - early || (urgent && since >= urgent_interval);
+}
+
+double Pacing::seconds_to_frame(double now, bool urgent) const {
+    if (is_stalled(now)) {
+        const double pause = urgent ? stalled_urgent_interval : stalled_after;
+        return std::max(0.0, last_drawn_ + pause - now);
+    }
+    if (!is_blind(now) && sent_.size() >= window()) {
+        const double patience = has_answers_ ? stalled_after : blind_after;
+        return std::max(early, sent_.front().at + patience - now);
+    }
+    const double due = urgent ? std::min(next_due_, last_drawn_ + urgent_interval) : next_due_;
+    return std::max({0.0, due - now, bytes_due_ - now});
+}
+
+void Pacing::drawn(double now, std::size_t bytes) {
+    const double period = interval(now);
+    const double late = now - next_due_;
+    // A frame in time keeps the beat; an urgent one, and one after a break, start it anew.
+    next_due_ = late >= -early && late < period ? next_due_ + period : now + period;
+    last_drawn_ = now;
+    if (is_stalled(now)) {  // what has not been answered by now never will be
+        lost_ += sent_.size();
+        sent_.clear();
+        window_ = least_window;
+        has_asked_again_ = true;
+    }
+    sent_.push_back({.at = now, .was_alone = sent_.empty()});
+    ++drawn_;
+    if (sent_.size() > most_kept) sent_.pop_front();
+    if (options_.bytes_per_second > 0.0) {
+        bytes_due_ =
+            std::max(bytes_due_, now) + static_cast<double>(bytes) / options_.bytes_per_second;
+    }
+}
+
+void Pacing::answered(std::size_t total, double now) {
+    lost_ = std::min(lost_, drawn_ - std::min(drawn_, total));  // it came after all
+    while (!sent_.empty() && drawn_ - sent_.size() < total + lost_) {
+        const Sent frame = sent_.front();
+        sent_.pop_front();
+        has_answers_ = true;
+        has_asked_again_ = false;
+        learn(frame, now);
+    }
+}
+
+// A trip about as short as the shortest had no queue before it, so there is room for more frames;
+// a long one waited behind our own frames, or somebody else's.
+void Pacing::learn(const Sent& frame, double now) {
+    round_trip_ = std::max(1.0e-6, now - frame.at);
+    const std::size_t number = drawn_ - sent_.size();  // of frames answered or lost
+    if (frame.was_alone && (is_probing_ || shortest_trip_ <= 0.0)) {
+        shortest_trip_ = round_trip_;
+        is_probing_ = false;
+    }
+    shortest_trip_ = std::min(shortest_trip_, round_trip_);
+    const double queue = round_trip_ - shortest_trip_;
+    if (queue <= short_queue) seen_short_ = now;
+    if (now - seen_short_ > path_memory) {  // the way may have become longer
+        is_probing_ = true;
+        seen_short_ = now;
+    }
+    const double useful = std::ceil(shortest_trip_ * options_.frames_per_second) + 1.0;
+    const auto most = std::max(least_window, static_cast<std::size_t>(std::min(useful, 64.0)));
+    const bool is_limit = sent_.size() + 1 >= window_;
+    // What a change does shows only once a frame that was sent after it has been answered.
+    if (number <= changed_at_ || frame.was_alone) return;
+    const std::size_t before = window_;
+    if (queue > long_queue) {
+        // As many as the way holds without a queue; and no trying out again for a while.
+        window_ =
+            static_cast<std::size_t>(static_cast<double>(window_) * shortest_trip_ / round_trip_);
+        may_grow_at_ = now + contentment;
+    } else if (queue <= short_queue && is_limit && now >= may_grow_at_) {
+        window_ += std::max<std::size_t>(1, window_ / 3);
+    }
+    window_ = std::clamp(window_, least_window, most);
+    if (window_ != before) changed_at_ = drawn_ + (window_ > before ? window_ - before : 0);
+}
+
+}  // namespace carom

@@ -1,0 +1,54 @@
+#include "terminal/screen/screen_environment.h"
+
+#include <langinfo.h>
+
+#include <algorithm>
+#include <array>
+#include <clocale>
+#include <cstdlib>
+#include <string_view>
+
+#include "terminal/input/capabilities.h"
+
+namespace carom {
+namespace {
+
+std::string variable(const char* name) {
+    const char* const value = std::getenv(name);
+    return value != nullptr ? value : "";
+}
+
+// Sets the locale's characters. A locale that is named and not installed, as often behind SSH,
+// still says what the terminal understands.
+bool is_utf8_locale() {
+    if (std::setlocale(LC_CTYPE, "") == nullptr) {
+        std::string named = variable("LC_ALL");
+        if (named.empty()) named = variable("LC_CTYPE");
+        if (named.empty()) named = variable("LANG");
+        const bool is_utf8 = named.ends_with("UTF-8") || named.ends_with("utf8");
+        if (is_utf8) std::setlocale(LC_CTYPE, "C.UTF-8");
+    }
+    return std::string_view(nl_langinfo(CODESET)) == "UTF-8";
+}
+
+}  // namespace
+
+std::string described_terminal(const Variables& variables) {
+    constexpr std::array signs = {"XTERM_VERSION", "VTE_VERSION", "COLORTERM"};
+    const std::string named = variables("TERM");
+    const bool has_256 =
+        std::ranges::any_of(signs, [&](const char* sign) { return !variables(sign).empty(); });
+    return named == "xterm" && has_256 ? "xterm-256color" : named;
+}
+
+ScreenEnvironment read_screen_environment() {
+    ScreenEnvironment environment;
+    environment.terminal = described_terminal(variable);
+    environment.is_utf8 = is_utf8_locale();
+    environment.is_ssh = !variable("SSH_CONNECTION").empty() || !variable("SSH_TTY").empty();
+    environment.is_light = light_background_from(variable("COLORFGBG")).value_or(false);
+    environment.wants_no_colors = !variable("NO_COLOR").empty();
+    return environment;
+}
+
+}  // namespace carom

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "terminal/input/capabilities.h"
+#include "terminal/input/input_answer.h"
+#include "terminal/input/mouse.h"
+#include "terminal/screen/screen.h"
+
+/// The modes that ncurses does not know: the mouse, the kitty keyboard protocol, bracketed paste,
+/// synchronized output. Which of them are on follows from what the player wants and from what the
+/// terminal has said of itself. Pure: it makes the bytes, others send them.
+namespace carom {
+
+class ScreenModes {
+  public:
+    explicit ScreenModes(const ScreenOptions& options = {}) : options_(options) {}
+
+    /// Everything on that is wanted and on offer, for a terminal where all is off; and off again.
+    std::string on() const;
+    std::string off() const;
+
+    /// The mouse alone, whatever it was before.
+    std::string mouse() const;
+    MouseMode mouse_mode() const { return options_.mouse; }
+    void set_mouse_mode(MouseMode mode) { options_.mouse = mode; }
+    void set_mouse_pixels(bool wanted) { options_.mouse_pixels = wanted; }
+    bool has_mouse_pixels() const;
+    MouseUnit mouse_unit() const;
+
+    /// What stands around a frame, so that the terminal shows it all at once.
+    std::string_view before_frame() const;
+    std::string_view after_frame() const;
+
+    /// The window's size in pixels and in cells; pixels 0 where it does not say. Returns whether
+    /// the terminal should be asked instead (cell_question).
+    bool measure(int pixels_wide, int pixels_high, int columns, int rows);
+    /// Learns from an answer; returns what to send because of it.
+    std::string learn(const Answer& answer);
+    /// Writes what is known into `capabilities`.
+    void tell(Capabilities& capabilities) const;
+
+  private:
+    bool learn_cell(int wide, int high);
+
+    ScreenOptions options_;
+    int cell_wide_ = 0;  // pixels; 0: not known
+    int cell_high_ = 0;
+    bool does_window_tell_pixels_ = false;
+    bool has_pixel_reports_ = false;
+    bool has_synchronized_output_ = false;
+    bool has_key_protocol_ = false;
+    std::optional<bool> light_background_;
+};
+
+inline constexpr std::string_view status_question = "\033[5n";
+inline constexpr std::string_view cell_question = "\033[16t";
+
+}  // namespace carom

@@ -1,0 +1,121 @@
+#include "terminal/screen/screen_state.h"
+
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "terminal/screen/restore.h"
+#include "terminal/screen/screen_terminfo.h"
+
+namespace carom {
+
+InputEvent event_of(InputEvent::Kind kind) {
+    InputEvent event;
+    event.kind = kind;
+    return event;
+}
+
+// Sends all, if it takes ever so long; gives up when the terminal is gone or carom is to end.
+bool Screen::State::send(std::string_view bytes) {
+    while (!bytes.empty() && !is_gone) {
+        const ssize_t written = write(STDOUT_FILENO, bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR) {
+            hang_up();
+            return false;
+        }
+        bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(0, written)));
+        if (bytes.empty()) break;
+        // A signal came. It is not dealt with here: that might write into the middle of these.
+        std::ranges::copy(signals.take(), std::back_inserter(deferred));
+        if (std::ranges::any_of(deferred, ends_the_game)) return false;
+    }
+    return !is_gone;
+}
+
+void Screen::State::hang_up() {
+    if (std::exchange(is_gone, true)) return;
+    signals.expect_hangup();
+    waiting.push_back(event_of(InputEvent::Kind::hangup));
+}
+
+// Keeps ready what restore.h may need, as things stand.
+void Screen::State::arm() const {
+    arm_restoration(modes_before, modes.off() + farewell_bytes(capabilities.rows),
+                    capabilities.answers);
+}
+
+void Screen::State::measure() {
+    winsize size{};
+    ioctl(STDOUT_FILENO, TIOCGWINSZ, &size);
+    const bool has_size = size.ws_col > 0 && size.ws_row > 0;
+    capabilities.columns = has_size ? size.ws_col : std::max(1, curses->columns());
+    capabilities.rows = has_size ? size.ws_row : std::max(1, curses->rows());
+    const bool is_to_ask = modes.measure(size.ws_xpixel, size.ws_ypixel, size.ws_col, size.ws_row);
+    if (is_to_ask && is_open && does_answer_questions) send(cell_question);
+    modes.tell(capabilities);
+    curses->set_size(capabilities.columns, capabilities.rows);
+}
+
+void Screen::State::set_mouse() {
+    decoder.set_mouse_unit(modes.mouse_unit());
+    modes.tell(capabilities);
+    if (is_open) send(modes.mouse());
+}
+
+void Screen::State::enter() {
+    is_open = true;
+    arm();
+    send(modes.on());
+    decoder.set_mouse_unit(modes.mouse_unit());
+}
+
+void Screen::State::leave() {
+    if (!std::exchange(is_open, false)) return;
+    pollfd output{.fd = STDOUT_FILENO, .events = POLLOUT, .revents = 0};
+    if (poll(&output, 1, 200) == 0) tcflush(STDOUT_FILENO, TCOFLUSH);  // stuck: drop what is old
+    std::string bytes = modes.off();
+    if (capabilities.answers) {
+        bytes += status_question;
+        ++asked;
+    }
+    send(bytes);
+    // Answers that are still on their way must not land in the shell.
+    while (capabilities.answers && asked != answered && !is_gone) {
+        if (!wait_once(1.0)) break;
+    }
+    if (capabilities.answers) --asked;
+    answered = asked;
+    curses->leave();
+    disarm_restoration();
+    tcflush(STDIN_FILENO, TCIFLUSH);
+}
+
+void Screen::State::suspend() {
+    leave();
+    signals.stop();
+    curses->enter();
+    measure();
+    enter();
+    for (const int signal : signals.take()) {
+        if (ends_the_game(signal)) take_signal(signal);
+    }
+    waiting.push_back(event_of(InputEvent::Kind::resize));
+}
+
+// Stopped by STOP and gone on: who knows what has been done to the terminal meanwhile.
+void Screen::State::repair() {
+    send(modes.off());
+    curses->leave();
+    curses->enter();
+    measure();
+    enter();
+    waiting.push_back(event_of(InputEvent::Kind::resize));
+}
+
+}  // namespace carom

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <termios.h>
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "terminal/input/input_decoder.h"
+#include "terminal/screen/screen.h"
+#include "terminal/screen/screen_curses.h"
+#include "terminal/screen/screen_modes.h"
+#include "terminal/screen/screen_signals.h"
+
+/// What is behind an open screen.
+namespace carom {
+
+struct Screen::State {
+    ScreenSignals signals;  // before ncurses: it leaves alone what is caught already
+    std::optional<Curses> curses;
+    ScreenModes modes;
+    InputDecoder decoder;
+    Capabilities capabilities;
+    termios modes_before{};
+    std::vector<InputEvent> waiting;  // for the next wait()
+    std::vector<int> deferred;        // signals that came while something was being sent
+    std::string_view frame;           // that was sent last
+    double idle = 0.0;                // s waited in vain for the rest of what has begun
+    unsigned asked = 0;               // for the terminal's status
+    unsigned answered = 0;            // at most `asked`
+    bool does_answer_questions = false;
+    bool has_answered_all = false;  // the sentinel came back
+    bool is_open = false;
+    bool is_gone = false;
+
+    // screen_state.cpp: taking the terminal over, giving it back, sending
+    void enter();
+    void leave();
+    void suspend();
+    void repair();
+    void arm() const;
+    bool send(std::string_view bytes);
+    void measure();
+    void set_mouse();
+    void hang_up();
+
+    // screen_input.cpp: what comes from it, and from signals
+    void take(const DecodedInput& input);
+    void take(const Answer& answer);
+    void take(const InputEvent& event);
+    void take_signal(int signal);
+    void take_signals();
+    void take_input();
+    bool wait_once(double seconds, int also = -1);
+};
+
+/// An event of that kind, and nothing more.
+InputEvent event_of(InputEvent::Kind kind);
+
+}  // namespace carom

@@ -1,0 +1,73 @@
+#include "carom/play/file_watcher.h"
+
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+using namespace carom;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder that goes with the test.
+struct Folder {
+    fs::path path = fs::temp_directory_path() / ("carom-watch-" + std::to_string(::getpid()));
+    Folder() { fs::create_directories(path); }
+    ~Folder() { fs::remove_all(path); }
+    std::string file(const char* name) const { return (path / name).string(); }
+};
+
+void write(const std::string& path, const std::string& text) {
+    std::ofstream(path) << text;
+}
+
+}  // namespace
+
+TEST_CASE("a file that is saved with another content has changed, once") {
+    const Folder folder;
+    write(folder.file("a"), "one");
+    write(folder.file("b"), "two");
+    FileWatch watch({folder.file("a"), folder.file("b")});
+    CHECK_FALSE(watch.has_changed());
+    write(folder.file("b"), "three");
+    CHECK(watch.has_changed());
+    CHECK_FALSE(watch.has_changed());
+}
+
+TEST_CASE("saving the same content is no change") {
+    const Folder folder;
+    write(folder.file("a"), "one");
+    FileWatch watch({folder.file("a")});
+    fs::last_write_time(folder.file("a"), fs::file_time_type::clock::now() + std::chrono::hours(1));
+    CHECK_FALSE(watch.has_changed());
+}
+
+TEST_CASE("an editor that renames a new file over the old one is seen") {
+    const Folder folder;
+    write(folder.file("a"), "one");
+    FileWatch watch({folder.file("a")});
+    write(folder.file("new"), "ONE");  // of the same size
+    fs::rename(folder.file("new"), folder.file("a"));
+    CHECK(watch.has_changed());
+}
+
+TEST_CASE("a file that is away for a moment is waited for") {
+    const Folder folder;
+    write(folder.file("a"), "one");
+    FileWatch watch({folder.file("a")});
+    fs::remove(folder.file("a"));
+    CHECK_FALSE(watch.has_changed());
+    write(folder.file("a"), "one more");
+    CHECK(watch.has_changed());
+}
+
+TEST_CASE("a file that was not there yet is seen when it comes") {
+    const Folder folder;
+    FileWatch watch({folder.file("a")});
+    CHECK_FALSE(watch.has_changed());
+    write(folder.file("a"), "one");
+    CHECK(watch.has_changed());
+}

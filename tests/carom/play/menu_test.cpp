@@ -1,0 +1,118 @@
+#include "carom/play/menu.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "game/support/scenes.h"
+
+using namespace carom;
+
+namespace {
+
+const MayGoOn always = [] { return true; };
+
+struct Visitor {
+    int loads = 0;
+    Menu menu;
+    Canvas window{100, 30};
+
+    Visitor()
+        : menu({{"balls", "Balls", "levels", "/l/balls.level"},
+                {"broken", "", "levels", "/l/broken.level"},
+                {"gas", "Ideal gas", "levels", "/l/gas.level"}},
+               [this](const std::string& path) {
+                   ++loads;
+                   LoadedLevel level;
+                   level.path = path;
+                   if (path != "/l/broken.level") level.result.scene = test::busy_box();
+                   if (level.result.scene) level.result.scene->comment = {"Nine balls."};
+                   return level;
+               }) {}
+
+    Menu::Choice key(char32_t code) {
+        InputEvent event;
+        event.key = code;
+        return menu.handle(event);
+    }
+    std::string selected() const { return menu.selected() ? menu.selected()->name : ""; }
+    std::string look() {
+        ViewOptions view;
+        view.look = {0, false, false};
+        menu.draw(window, 2.0, view);
+        return window.text();
+    }
+};
+
+}  // namespace
+
+TEST_CASE("arrows choose, enter plays") {
+    Visitor visitor;
+    CHECK(visitor.selected() == "balls");
+    visitor.key(key::up);
+    CHECK(visitor.selected() == "balls");
+    visitor.key(key::end);
+    CHECK(visitor.selected() == "gas");
+    visitor.key(key::down);
+    CHECK(visitor.selected() == "gas");
+    const auto choice = visitor.key(key::enter);
+    REQUIRE(std::holds_alternative<MenuItem>(choice));
+    CHECK(std::get<MenuItem>(choice).path == "/l/gas.level");
+}
+
+TEST_CASE("typing searches names and titles") {
+    Visitor visitor;
+    visitor.key(U'I');
+    visitor.key(U'd');
+    CHECK(visitor.selected() == "gas");
+    CHECK(visitor.menu.shown().size() == 1);
+    CHECK(visitor.look().find("search: Id") != std::string::npos);
+    visitor.key(U'q');
+    CHECK(visitor.selected() == "");
+    CHECK(visitor.look().find("nothing matches") != std::string::npos);
+    CHECK(std::holds_alternative<std::monostate>(visitor.key(key::enter)));
+    visitor.look();
+    visitor.key(key::backspace);
+    CHECK(visitor.selected() == "gas");
+    CHECK(std::holds_alternative<std::monostate>(visitor.key(key::escape)));
+    CHECK(visitor.menu.shown().size() == 3);
+    CHECK(visitor.selected() == "gas");
+}
+
+TEST_CASE("q and escape leave") {
+    Visitor visitor;
+    CHECK(std::holds_alternative<Menu::Quit>(visitor.key(U'q')));
+    CHECK(std::holds_alternative<Menu::Quit>(visitor.key(key::escape)));
+}
+
+TEST_CASE("the chosen level is read after a moment, and lives") {
+    Visitor visitor;
+    visitor.menu.advance(0.01, always);
+    CHECK(visitor.loads == 0);
+    visitor.menu.advance(0.2, always);
+    CHECK(visitor.loads == 1);
+    const std::string before = visitor.look();
+    CHECK(before.find("Nine balls.") != std::string::npos);
+    visitor.menu.advance(0.5, always);
+    CHECK(visitor.menu.needs_draw());
+    CHECK(visitor.look() != before);
+    CHECK(visitor.loads == 1);
+}
+
+TEST_CASE("a broken level says so") {
+    Visitor visitor;
+    visitor.key(key::down);
+    visitor.menu.advance(0.2, always);
+    CHECK(visitor.look().find("mistakes") != std::string::npos);
+}
+
+TEST_CASE("an empty menu is no trap") {
+    Menu menu({}, [](const std::string&) { return LoadedLevel{}; });
+    menu.advance(1.0, always);
+    Canvas window(80, 24);
+    menu.draw(window, 2.0, {});
+    InputEvent enter;
+    enter.key = key::enter;
+    CHECK(std::holds_alternative<std::monostate>(menu.handle(enter)));
+    CHECK(menu.selected() == nullptr);
+}

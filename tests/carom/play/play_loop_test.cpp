@@ -1,0 +1,84 @@
+#include "carom/play/play_loop.h"
+
+#include <doctest/doctest.h>
+#include <signal.h>
+
+#include <string>
+
+#include "carom/support/at_home.h"
+#include "carom/support/process.h"
+#include "support/terminal_program.h"
+
+using namespace carom::test;
+
+namespace {
+
+// Ticks of a few milliseconds: where there are two cores, they are computed beside the drawing.
+const char* const heavy_level = R"(carom 1 "Heavy ticks"
+rate 60
+solver event
+kind light r=0.5
+box 0,0 440,240
+fill light count=5000 box=0,0,440,240 speed=400
+)";
+
+// The ticks that the status line says; -1 where it says none.
+int tick_of(const Emulator& screen) {
+    const std::string text = screen.text();
+    const std::size_t at = text.find("tick ");
+    return at == std::string::npos ? -1 : std::stoi(text.substr(at + 5));
+}
+
+}  // namespace
+
+TEST_CASE("a heavy game obeys keys, the mouse, new sizes and the end, whatever is being computed") {
+    const TemporaryFolder folder;
+    const std::string file = folder.path("game.replay");
+    TerminalProgram game({CAROM_BINARY_DIR "/carom", "play",
+                          folder.file("heavy.level", heavy_level), "--record", file},
+                         at_home(folder));
+    REQUIRE(game.wait_for_text("Heavy ticks"));
+    REQUIRE(game.wait_until([&] { return tick_of(game.screen()) > 20; }, 60.0));
+    game.send("?");
+    CHECK(game.wait_for_text("any key goes back"));
+    game.send("x");
+    for (int i = 0; i < 20; ++i) {
+        game.send(mouse_press(0, 40 + i, 10));
+        game.send(mouse_drag(0, 41 + i, 11));
+        game.send(mouse_release(0, 41 + i, 11));
+        game.send(i % 2 == 0 ? "c" : "t");
+        game.wait_until([] { return false; }, 0.02);  // it never stops drawing
+    }
+    // A key that does nothing, and a click on nothing, hold no tick up.
+    game.send("@" + mouse_press(1, 1, 1) + mouse_release(1, 1, 1));
+    game.resize(100, 30);
+    const int now = tick_of(game.screen());
+    CHECK(game.wait_until([&] { return tick_of(game.screen()) > now + 10; }, 60.0));
+    game.send("g");
+    CHECK(game.wait_for_text("gravity"));
+    SUBCASE("quit") {
+        game.send("q");
+    }
+    SUBCASE("terminated") {
+        game.signal(SIGTERM);
+    }
+    SUBCASE("hung up") {
+        game.signal(SIGHUP);
+    }
+    SUBCASE("suspended first") {
+        game.send("\x1a");
+        const auto has_left = [&] {
+            return game.output().find("\033[?1049l") != std::string::npos;
+        };
+        REQUIRE(game.wait_until([&] { return has_left() && game.screen().mode(1049); }));
+        const int then = tick_of(game.screen());
+        CHECK(game.wait_until([&] { return tick_of(game.screen()) > then + 5; }, 60.0));
+        game.send("q");
+    }
+    const auto end = game.wait_for_end(60.0);
+    REQUIRE(end);
+    CHECK(*end == 0);
+    CHECK(game.what_is_left_dirty().empty());
+    // Computed beside or not, commands came between the same ticks as when it is played again.
+    CHECK(run_carom({"verify", file}).exit_code == 0);
+}

@@ -1,0 +1,264 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <string>
+#include <variant>
+
+#include "carom/play/player.h"
+#include "carom/support/person.h"
+#include "game/support/shipped.h"
+#include "physics/world/fingerprint.h"
+
+using namespace carom;
+using carom::test::always;
+
+namespace {
+
+Session session_of(const std::string& level) {
+    Scene scene = test::shipped_level(level);
+    const SolverSettings solver = pick_solver(scene.world).settings;
+    return Session(std::move(scene), solver);
+}
+
+/// Somebody at a table, with keys and a mouse.
+struct Person : test::PersonAtWindow {
+    explicit Person(const std::string& level) : Person(session_of(level)) {}
+    explicit Person(Session session) : PersonAtWindow(std::move(session), 120, 36) {}
+
+    void key(char32_t code, std::uint8_t modifiers = no_modifier) {
+        PersonAtWindow::key(code, modifiers);
+        look();
+    }
+    void drag(Vec2 from, Vec2 to, std::uint8_t button = 1) {
+        PersonAtWindow::drag(from, to, button);
+        look();
+    }
+    void wait() {
+        for (int i = 0; i < 60 * 60 && play().is_shooting; ++i)
+            player.advance(1.0 / 60.0, always);
+        REQUIRE_FALSE(play().is_shooting);
+        look();
+    }
+    const PoolPlay& play() const { return std::get<PoolPlay>(player.session().game()); }
+    Vec2 cue() const {
+        const World& world = player.session().world();
+        return world.balls.position[*index_of(world, *play().balls[0])];
+    }
+    Vec2 last_strike() const {
+        return std::get<command::Strike>(player.session().commands().back().command).velocity;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a break by keys: enter shoots, and the referee tells what it came to") {
+    Person person("eight-ball");
+    CHECK(person.sees("player 1: to break"));
+    CHECK(person.sees("8.00 m/s"));
+    person.key(key::up);
+    CHECK(person.sees("8.10 m/s"));
+    person.key(key::enter);
+    CHECK(person.play().is_shooting);
+    person.wait();
+    person.player.advance(0.1, always);
+    CHECK(person.play().shots == 1);
+    CHECK((person.sees("to shoot") || person.sees("goes on") || person.sees("to choose") ||
+           person.sees("ball in hand")));
+}
+
+TEST_CASE("arrows turn the aim by a degree, with control by a twentieth; shift moves the tip") {
+    Person person("eight-ball");
+    person.key(key::left);
+    person.key(key::right, control);
+    person.key(key::up, shift);
+    person.key(key::left, shift);
+    CHECK(person.sees("follow 0.05 left 0.05"));
+    person.key(key::enter);
+    const Vec2 way = person.last_strike();
+    CHECK(std::atan2(way.y, way.x) * 180.0 / 3.14159265358979 ==
+          doctest::Approx(0.95).epsilon(0.001));
+    const auto& strike =
+        std::get<command::Strike>(person.player.session().commands().back().command);
+    CHECK(strike.follow == 0.05);
+    CHECK(strike.side == -0.05);
+}
+
+TEST_CASE("the ball in hand is dragged to its place, and put nowhere else") {
+    Person person("eight-ball");
+    person.drag(person.cue(), {-1.0, 0.3});
+    CHECK(distance(person.cue(), {-1.0, 0.3}) < 0.02);
+    const Vec2 before = person.cue();
+    person.mouse(InputEvent::Action::press, before);
+    person.mouse(InputEvent::Action::move, {0.2, 0.3});
+    CHECK(person.cue() == before);
+    CHECK(person.sees("it must lie behind the head string"));
+    person.mouse(InputEvent::Action::release, {0.2, 0.3});
+    person.key(U'p');
+    person.key(key::down);
+    person.key(U'p');
+    CHECK(person.cue().y < before.y - 0.01);
+    CHECK_FALSE(person.play().is_shooting);
+}
+
+TEST_CASE("a pull with the right button shoots the other way, as hard as it is long") {
+    Person person("nine-ball");
+    const Vec2 from = person.cue();
+    person.drag(from, from - Vec2{0.6, 0.0}, 3);
+    CHECK(person.play().is_shooting);
+    CHECK(person.last_strike().x == doctest::Approx(3.0).epsilon(0.05));
+    CHECK(std::abs(person.last_strike().y) < 0.2);
+}
+
+TEST_CASE("a press on the cloth points the cue there, and shoots nothing") {
+    Person person("eight-ball");
+    person.drag({0.0, -0.2}, {0.0, 0.4});
+    CHECK(person.player.session().commands().empty());
+    person.key(key::enter);
+    const Vec2 way = person.last_strike();
+    CHECK(way.y / way.x == doctest::Approx(0.4 / 0.635).epsilon(0.05));
+}
+
+TEST_CASE("after a weak break the choices stand in the last line, and a digit takes one") {
+    Person person("eight-ball");
+    for (int i = 0; i < 75; ++i)
+        person.key(key::down);
+    person.key(key::enter);
+    person.wait();
+    REQUIRE(person.play().rules.phase == PoolPhase::choosing);
+    for (int i = 0; i < 100; ++i)
+        person.player.advance(0.1, always);
+    CHECK(person.sees("1 shoot from here"));
+    CHECK(person.sees("2 rack again and break"));
+    person.key(U'2');
+    CHECK(person.play().rules.phase == PoolPhase::breaking);
+    CHECK(person.play().rules.player == 1);
+}
+
+TEST_CASE("undo takes the shot back") {
+    Person person("nine-ball");
+    const auto before =
+        fingerprint(person.player.session().world(), person.player.session().game());
+    person.key(key::enter);
+    person.wait();
+    person.key(U'u');
+    CHECK(fingerprint(person.player.session().world(), person.player.session().game()) == before);
+    CHECK(person.sees("player 1: to break"));
+}
+
+TEST_CASE("an aim is called by what it pockets, a safety by its key") {
+    Person person("eight-ball");
+    person.key(key::enter);
+    person.wait();
+    while (person.play().rules.phase == PoolPhase::choosing)
+        person.key(U'1');
+    person.key(U'}');
+    CHECK(person.sees("calls: the"));
+    person.key(U'd');
+    CHECK(person.sees("calls: safety"));
+    person.key(key::enter);
+    const auto commands = person.player.session().commands();
+    REQUIRE(commands.size() >= 2);
+    const auto* call = std::get_if<command::CallShot>(&commands[commands.size() - 2].command);
+    REQUIRE(call);
+    CHECK(call->call.kind == PoolCall::Kind::safety);
+}
+
+TEST_CASE("against carom: it takes its turn, and undo comes back to the person's") {
+    Person person("nine-ball");
+    REQUIRE(person.player.set_opponent(2));
+    CHECK(person.sees("you: to break"));
+    person.key(key::down);
+    person.key(key::enter);
+    person.wait();
+    if (person.play().rules.player == 1) {
+        CHECK(person.sees("carom"));
+        person.key(key::enter);
+        CHECK_FALSE(person.play().is_shooting);
+        const std::uint32_t shots = person.play().shots;
+        for (int i = 0; i < 400 && person.play().shots == shots; ++i)
+            person.player.advance(1.0 / 60.0, always);
+        CHECK(person.play().shots == shots + 1);
+        person.key(U'u');
+        CHECK(person.play().rules.player == 0);
+    }
+}
+
+TEST_CASE("the coach aims as it would shoot, and says why") {
+    Person person("nine-ball");
+    person.key(U'C');
+    for (int i = 0; i < 200 && !person.sees("of 3:") && !person.sees("1 of "); ++i)
+        person.player.advance(1.0 / 60.0, always);
+    CHECK(person.sees("break, "));
+    CHECK(person.sees("goes on"));
+    person.key(key::enter);
+    CHECK(person.play().is_shooting);
+}
+
+TEST_CASE("there is no opponent where there is no game of pool") {
+    Person person("drill-stop");
+    CHECK_FALSE(person.player.set_opponent(2));
+    person.key(U'O');
+    CHECK(person.sees("no game of pool"));
+}
+
+TEST_CASE("help for the aim: none, lines, the shot, a cloud that is computed bit by bit") {
+    Person person("drill-half-ball");
+    const auto dots = [&] {
+        const std::string text = person.look();
+        return std::count(text.begin(), text.end(), '.');
+    };
+    const auto full = dots();
+    person.key(U'A');
+    CHECK(person.sees("20 shots"));
+    for (int i = 0; i < 25; ++i)
+        person.player.advance(0.01, always);
+    CHECK(person.look().find(':') != std::string::npos);
+    person.key(U'A');
+    CHECK(person.sees("the cue alone"));
+    CHECK(dots() < full);
+    CHECK_FALSE(person.sees("cut"));
+}
+
+// The cue went on pointing past the rack once.
+TEST_CASE("the cue follows the ball in hand to its place, unless the person has aimed") {
+    for (const bool has_aimed : {false, true}) {
+        CAPTURE(has_aimed);
+        Person person("eight-ball");
+        if (has_aimed) person.key(key::left);
+        person.drag(person.cue(), {-0.9, 0.4});
+        REQUIRE(distance(person.cue(), Vec2{-0.9, 0.4}) < 0.1);
+        const Vec2 way = person.player.session().scene().pool.racks[0].foot - person.cue();
+        person.key(key::enter);
+        const double off = cross(person.last_strike(), way) / length(person.last_strike());
+        // The balls of a rack are off their places by a hair.
+        CHECK((std::abs(off) < 1e-3) != has_aimed);
+    }
+}
+
+TEST_CASE("the clock is seen, its last seconds are told, and its end passes the turn") {
+    Scene scene = test::shipped_level("eight-ball");
+    scene.pool.clock = 8.0;
+    const SolverSettings solver = pick_solver(scene.world).settings;
+    Person person(Session(std::move(scene), solver));
+    const auto pass = [&](double seconds) {
+        for (double passed = 0.0; passed < seconds - 0.05; passed += 0.1)
+            person.pass(0.1);
+    };
+    CHECK(person.sees("behind the line, 8 s"));
+    pass(2.0);
+    CHECK(person.sees("behind the line, 6 s"));
+    CHECK_FALSE(person.sees("6 s left"));
+    pass(2.0);
+    CHECK(person.sees("4 s left"));
+    // A pause stops it.
+    person.key(U' ');
+    pass(20.0);
+    CHECK(person.sees("4 s left"));
+    person.key(U' ');
+    pass(4.1);
+    CHECK(person.sees("player 2: to break"));
+    CHECK(person.sees("foul: the time is up"));
+    CHECK(person.play().shots == 0);
+}

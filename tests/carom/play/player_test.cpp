@@ -1,0 +1,545 @@
+#include "carom/play/player.h"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "carom/support/person.h"
+#include "game/support/scenes.h"
+#include "physics/world/fingerprint.h"
+
+using namespace carom;
+using carom::test::always;
+using carom::test::ascii_view;
+using carom::test::busy_box;
+
+namespace {
+
+struct Person : test::PersonAtWindow {
+    Person() : PersonAtWindow(Session(busy_box(), {.kind = SolverKind::swept}), 80, 24) {}
+
+    void keys(const std::u32string& all) {
+        for (const char32_t code : all)
+            key(code);
+    }
+    Vec2 ball(std::uint32_t number) const {
+        return world().balls.position[*index_of(world(), BallId{number})];
+    }
+    std::uint64_t tick() const { return world().tick; }
+};
+
+bool is_near(Vec2 a, Vec2 b, double tolerance) {
+    return distance(a, b) <= tolerance;
+}
+
+}  // namespace
+
+TEST_CASE("time passes, and stands still in a pause") {
+    Person person;
+    person.pass(0.25);
+    CHECK(person.tick() == 30);
+    person.key(U' ');
+    person.pass(0.25);
+    CHECK(person.tick() == 30);
+    person.key(U' ');
+    person.pass(0.25);
+    CHECK(person.tick() == 60);
+}
+
+TEST_CASE("stepping goes a tick forward and exactly back") {
+    Person person;
+    person.key(U' ');
+    std::vector<std::uint64_t> fingerprints{fingerprint(person.world())};
+    for (int i = 0; i < 50; ++i) {
+        person.key(U'.');
+        fingerprints.push_back(fingerprint(person.world()));
+    }
+    for (std::size_t i = 50; i-- > 0;) {
+        person.key(U',');
+        REQUIRE(fingerprint(person.world()) == fingerprints[i]);
+    }
+    person.key(U',');
+    CHECK(person.sees("this is the start"));
+}
+
+TEST_CASE("stepping pauses a game that runs") {
+    Person person;
+    person.pass(0.25);
+    person.key(U'.');
+    person.pass(0.25);
+    CHECK(person.tick() == 31);
+}
+
+TEST_CASE("quit, menu and save are wishes") {
+    Person person;
+    CHECK(person.key(U'q') == Wish::quit);
+    CHECK(person.key(key::escape) == Wish::menu);
+    CHECK(person.key(U'w') == Wish::save);
+    CHECK(person.key(U'm') == Wish::toggle_mouse);
+    CHECK(person.key(U'x') == Wish::none);
+    CHECK(person.key(U'`') == Wish::none);
+}
+
+TEST_CASE("the left button drags a ball, which pushes others out of its way") {
+    Person person;
+    person.key(U' ');
+    // All at rest, so that only the hand moves anything.
+    for (std::uint32_t i = 0; i < 9; ++i)
+        REQUIRE(person.player.session().world().balls.velocity[i] != Vec2{});
+    person.key(U' ');
+    person.mouse(InputEvent::Action::press, person.ball(4));
+    person.mouse(InputEvent::Action::move, {20.0, 12.0});
+    for (int i = 0; i < 60; ++i)
+        person.pass(1.0 / 60.0);
+    CHECK(is_near(person.ball(4), {20.0, 12.0}, 0.01));
+    person.mouse(InputEvent::Action::release, {20.0, 12.0});
+    CHECK(person.world().held_balls.empty());
+}
+
+TEST_CASE("in a pause a ball is dragged at once, and a joint too") {
+    Person person;
+    person.key(U' ');
+    person.drag(person.ball(0), {6.0, 4.0});
+    CHECK(is_near(person.ball(0), {6.0, 4.0}, 0.01));
+    person.drag({30.0, 20.0}, {29.0, 18.0});
+    CHECK(is_near(person.world().capsules.shape[5].end, {29.0, 18.0}, 0.01));
+    CHECK(person.world().capsules.shape[5].end == person.world().capsules.shape[6].start);
+    person.drag({6.0, 4.0}, {13.0, 8.4});
+    CHECK(person.sees("it would overlap ball 1"));
+}
+
+TEST_CASE("the cue: the right button, or a modifier with the left, or a key") {
+    struct Way {
+        std::uint8_t button;
+        std::uint8_t modifiers;
+        bool key;
+    };
+    for (const Way& way : {Way{3, no_modifier, false}, Way{1, control, false}, Way{1, shift, false},
+                           Way{1, no_modifier, true}}) {
+        Person person;
+        person.key(U' ');
+        const Vec2 from = person.ball(4);
+        if (way.key) {
+            person.mouse(InputEvent::Action::move, {20.0, 27.0}, 0);
+            person.key(U'k');
+        }
+        person.drag(from, from + Vec2{3.0, -1.0}, way.button, way.modifiers);
+        CHECK(is_near(person.world().balls.velocity[4], Vec2{-3.0, 1.0} * Hand::cue_gain, 0.01));
+        CHECK(person.ball(4) == from);
+    }
+}
+
+TEST_CASE("all that the mouse does can be done with keys") {
+    Person person;
+    person.key(U' ');
+    SUBCASE("tab goes from ball to ball, enter takes and drops") {
+        person.keys({key::tab, key::tab});
+        CHECK(person.player.pointer() == person.ball(1));
+        const Vec2 from = person.ball(1);
+        person.key(key::enter);
+        for (int i = 0; i < 4; ++i)
+            person.key(key::down);
+        person.key(key::enter);
+        CHECK(person.ball(1).x == doctest::Approx(from.x));
+        CHECK(person.ball(1).y < from.y - 1.0);
+        CHECK(person.player.hand().is_empty());
+    }
+    SUBCASE("k pulls the cue, enter shoots") {
+        person.keys({key::tab, U'k', key::left, key::left, key::up, key::enter});
+        const Vec2 velocity = person.world().balls.velocity[0];
+        CHECK(velocity.x > 0.0);
+        CHECK(velocity.y < 0.0);
+        CHECK(person.player.hand().is_empty());
+    }
+    SUBCASE("escape lets go without shooting, then leaves the cursor, then the game") {
+        const auto before = fingerprint(person.world());
+        person.keys({key::tab, U'k', key::left});
+        CHECK(person.key(key::escape) == Wish::none);
+        CHECK(fingerprint(person.world()) == before);
+        CHECK(person.key(key::escape) == Wish::none);
+        CHECK(person.key(key::escape) == Wish::menu);
+    }
+    SUBCASE("e draws an edge") {
+        const std::size_t edges = person.world().capsules.size();
+        person.mouse(InputEvent::Action::move, {5.0, 24.0}, 0);
+        person.keys({U'e', key::right, key::right, key::right, U'e'});
+        REQUIRE(person.world().capsules.size() == edges + 1);
+        const Capsule& edge = person.world().capsules.shape.back();
+        CHECK(edge.end.x > edge.start.x);
+    }
+}
+
+TEST_CASE("balls and edges are added, removed, and brought back") {
+    Person person;
+    person.key(U' ');
+    person.mouse(InputEvent::Action::move, {5.0, 25.0}, 0);
+    person.key(U'a');
+    CHECK(person.world().balls.size() == 10);
+    person.key(U'a');
+    CHECK(person.world().balls.size() == 10);
+    CHECK(person.sees("it would overlap ball 9"));
+    person.key(U'x');
+    CHECK(person.world().balls.size() == 9);
+    person.key(U'u');
+    CHECK(person.world().balls.size() == 10);
+    person.key(U'u');
+    CHECK(person.world().balls.size() == 9);
+    person.mouse(InputEvent::Action::move, {29.0, 5.5}, 0);
+    person.key(U'E');
+    CHECK(person.world().capsules.size() == 6);
+    person.key(U'u');
+    CHECK(person.world().capsules.size() == 7);
+    person.key(U'u');
+    CHECK(person.sees("nothing to undo"));
+}
+
+TEST_CASE("going back opens the hand, and the game goes on without it") {
+    Person person;
+    person.pass(0.5);
+    person.mouse(InputEvent::Action::press, person.ball(4));
+    person.pass(0.1);
+    REQUIRE(person.world().held_balls.size() == 1);
+    person.keys(U",,");
+    CHECK(person.player.hand().is_empty());
+    person.key(U' ');
+    for (int frame = 0; frame < 30; ++frame)
+        person.pass(1.0 / 60.0);
+    CHECK(person.world().held_balls.empty());
+}
+
+TEST_CASE("gravity goes on, off and round") {
+    Person person;
+    person.key(U'g');
+    REQUIRE(person.world().model.gravity);
+    CHECK(person.world().model.gravity->x == 0.0);
+    const double strength = -person.world().model.gravity->y;
+    CHECK(strength > 0.0);
+    person.key(U'G');
+    CHECK(*person.world().model.gravity == Vec2{strength, 0.0});
+    person.key(U'g');
+    CHECK_FALSE(person.world().model.gravity);
+    person.key(U'g');
+    CHECK(*person.world().model.gravity == Vec2{strength, 0.0});
+}
+
+TEST_CASE("the solver is switched round and round") {
+    Person person;
+    for (std::size_t i = 0; i < solvers_available().size(); ++i) {
+        CHECK(person.sees(solver_text(person.player.session().solver())));
+        person.key(U's');
+        person.pass(0.1);
+    }
+    CHECK(person.player.session().solver().kind == SolverKind::swept);
+}
+
+TEST_CASE("the wheel zooms at the pointer, the background and the middle button pan") {
+    Person person;
+    const Vec2 at{10.0, 20.0};
+    person.mouse(InputEvent::Action::wheel_up, at, 0);
+    const CellPoint place = to_cells(person.player.camera(), at);
+    person.look();
+    const double before = person.player.camera().columns_per_length;
+    person.mouse(InputEvent::Action::wheel_up, at, 0);
+    CHECK(person.player.camera().columns_per_length > before);
+    CHECK(to_cells(person.player.camera(), at).column == doctest::Approx(place.column));
+    CHECK(to_cells(person.player.camera(), at).row == doctest::Approx(place.row));
+    const Vec2 middle = person.player.camera().center;
+    person.drag({4.0, 26.0}, {6.0, 26.0});
+    CHECK(person.player.camera().center.x == doctest::Approx(middle.x - 2.0));
+    person.key(U'0');
+    person.look();
+    CHECK(person.player.camera().center == Vec2{20.0, 15.0});
+}
+
+TEST_CASE("a small window asks for more, and the game waits") {
+    Person person;
+    person.window = Canvas(19, 30);
+    person.look();
+    person.pass(1.0);
+    CHECK(person.tick() == 0);
+    person.window = Canvas(20, 8);
+    person.look();
+    person.pass(0.1);
+    CHECK(person.tick() == 12);
+}
+
+TEST_CASE("help lists the keys, scrolls, and any other key goes back") {
+    Person person;
+    person.key(U'?');
+    CHECK(person.sees("to the next collision"));
+    person.pass(1.0);
+    CHECK(person.tick() == 0);
+    for (int i = 0; i < 5; ++i)
+        person.key(key::page_down);
+    CHECK(person.sees("quit at once"));
+    person.key(U'x');
+    CHECK(person.sees("Busy box"));
+    CHECK(person.world().balls.size() == 9);
+    person.key(U'?');
+    CHECK(person.key(U'q') == Wish::quit);
+}
+
+TEST_CASE("messages fade, and the problem of a watched level stays") {
+    Person person;
+    person.player.say("hello there");
+    CHECK(person.sees("hello there"));
+    person.player.set_problem("busy.level:3:1: error: no");
+    person.pass(10.0);
+    CHECK(person.sees("busy.level:3:1: error: no"));
+    person.player.set_problem(std::nullopt);
+    CHECK_FALSE(person.sees("error: no"));
+}
+
+TEST_CASE("a pause needs no time and no pictures") {
+    Person person;
+    person.pass(0.1);
+    CHECK(person.player.needs_draw());
+    CHECK(person.player.seconds_to_change() == 0.0);
+    person.key(U' ');
+    person.pass(10.0);
+    person.look();
+    CHECK_FALSE(person.player.needs_draw());
+    CHECK(person.player.seconds_to_change() > 1e6);
+    person.pass(1.0);
+    CHECK_FALSE(person.player.needs_draw());
+}
+
+TEST_CASE("following keeps the ball in the middle") {
+    Person person;
+    person.keys({key::tab, U'f'});
+    for (int i = 0; i < 10; ++i) {
+        person.pass(0.1);
+        person.look();
+        CHECK(person.player.camera().center == person.ball(0));
+    }
+}
+
+TEST_CASE("no drift in a closed box, and none is claimed while a hand is in it") {
+    Person person;
+    person.pass(1.0);
+    CHECK(person.sees("drift"));
+    person.mouse(InputEvent::Action::press, person.ball(4));
+    person.pass(0.1);
+    CHECK_FALSE(person.sees("drift"));
+}
+
+TEST_CASE("the status line says what the level expects, and how it stands") {
+    Scene scene = busy_box();
+    Expect balls{"balls", {QuantityKind::balls, {}, {}, {}}, 99.0, 0.0, {}, 1};
+    Expect deepest{"overlap", {QuantityKind::overlap, {}, {}, {}}, 0.0, 0.0, {}, 2};
+    scene.expects = {balls, deepest};
+    const auto seen = [&] {
+        Player player(Session(scene, {.kind = SolverKind::swept}), ascii_view(), KeyMap());
+        Canvas window(120, 24);
+        player.draw(window, 2.0);
+        return window.text();
+    };
+    const std::string wanted = fmt::format("balls {:>2} of 99", scene.world.balls.size());
+    CHECK(seen().find(wanted) != std::string::npos);
+    CHECK(seen().find("overlap") == std::string::npos);  // only a run measures it
+    scene.overridden = true;
+    CHECK(seen().find("of 99") == std::string::npos);
+}
+
+TEST_CASE("any keys in any order do no harm") {
+    // A fixed sequence of 4,000 keys and mouse reports, by a small generator of its own.
+    Person person;
+    std::uint32_t state = 12345;
+    const auto next = [&state](std::uint32_t count) {
+        state = state * 1664525u + 1013904223u;
+        return (state >> 8) % count;
+    };
+    const char32_t specials[] = {key::up,  key::down,   key::left,    key::right,
+                                 key::tab, key::enter,  key::backtab, key::remove,
+                                 key::f1,  key::escape, U' ',         U','};
+    const InputEvent::Action actions[] = {InputEvent::Action::press, InputEvent::Action::move,
+                                          InputEvent::Action::release, InputEvent::Action::wheel_up,
+                                          InputEvent::Action::wheel_down};
+    for (int i = 0; i < 4000; ++i) {
+        switch (next(4)) {
+            case 0:
+                person.key(U'!' + next(94));
+                break;
+            case 1:
+                person.key(specials[next(12)], next(2) ? shift : no_modifier);
+                break;
+            case 2: {
+                const Vec2 at{static_cast<double>(next(50)) - 5.0,
+                              static_cast<double>(next(40)) - 5.0};
+                person.mouse(actions[next(5)], at, static_cast<std::uint8_t>(next(4)),
+                             static_cast<std::uint8_t>(next(8)));
+                break;
+            }
+            default:
+                person.player.advance(0.01, [] { return false; });
+        }
+        if (i % 16 == 0) person.look();
+        if (i % 500 == 499)
+            person.window =
+                Canvas(20 + static_cast<int>(next(100)), 8 + static_cast<int>(next(40)));
+    }
+    for (const Vec2 position : person.world().balls.position)
+        CHECK(std::isfinite(position.x + position.y));
+}
+
+TEST_CASE("a recording is watched: time and view obey the keys, the world does not") {
+    Person person;
+    Session session(busy_box(), {.kind = SolverKind::swept});
+    session.follow({{30, command::Strike{BallId{4}, {55.0, 13.0}}},
+                    {40, command::HoldBall{BallId{2}, {20.0, 12.0}}}},
+                   240);
+    person.player = Player(std::move(session), ascii_view(), KeyMap());
+    CHECK(person.sees("recording"));
+    const Session& watched = person.player.session();
+    for (const char32_t key : std::u32string(U"aexEugGsk"))
+        person.key(key);
+    CHECK(person.sees("a recording is only watched"));
+    person.mouse(InputEvent::Action::press, watched.world().balls.position[0]);
+    person.mouse(InputEvent::Action::move, {30.0, 20.0});
+    person.mouse(InputEvent::Action::release, {30.0, 20.0});
+    person.player.advance(0.5, always);
+    CHECK(watched.world().tick == 60);
+    CHECK(watched.commands().size() == 2);
+    CHECK(watched.world().held_balls.size() == 1);  // by the hand in the recording
+    CHECK_FALSE(watched.fault());
+    person.key(U',');
+    CHECK(watched.world().tick == 59);
+    person.key(U'>');
+    CHECK(watched.world().tick == 179);
+    person.key(U'>');
+    CHECK(watched.world().tick == 240);
+    CHECK(person.sees("the recording ends here"));
+    person.key(U'.');
+    CHECK(watched.world().tick == 240);
+    person.key(U'n');
+    person.player.advance(0.1, always);
+    CHECK_FALSE(person.player.clockwork().is_seeking());
+    person.key(U'r');
+    CHECK(watched.world().tick == 0);
+    CHECK(watched.commands().size() == 2);
+    person.key(U' ');
+    person.player.advance(10.0, always);
+    CHECK(watched.world().tick == 240);
+    CHECK(person.player.clockwork().is_paused());
+}
+
+TEST_CASE("a split window shows another solver, the next one, and at last the game alone") {
+    Person person;
+    person.key(U'S');
+    CHECK(person.sees("| event  tick 0"));
+    CHECK(person.sees("together since t=0.000"));
+    person.pass(0.25);
+    CHECK(person.sees(" swept  tick 30"));
+    CHECK(person.sees("| event  tick 30"));
+    person.key(U'S');
+    CHECK(person.sees("| contact  tick 30"));
+    person.key(U'S');
+    CHECK(person.sees("| substep 4x15  tick 30"));
+    person.key(U'S');
+    CHECK(person.sees("| discrete  tick 30"));
+    person.key(U'S');
+    CHECK_FALSE(person.sees("tick 30 "));
+    CHECK(person.sees("one solver alone"));
+}
+
+TEST_CASE("a parting is marked in both halves, told, and goes when time goes back") {
+    Person person;
+    for (int i = 0; i < 4; ++i)
+        person.key(U'S');
+    REQUIRE(person.sees("| discrete"));
+    person.pass(2.0);
+    const std::string text = person.look();
+    CHECK(text.find("parted at t=") != std::string::npos);
+    const std::size_t mark = text.find(">X<");
+    REQUIRE(mark != std::string::npos);
+    CHECK(text.find(">X<", mark + 1) != std::string::npos);
+    person.key(U'r');
+    CHECK(person.sees("together since t=0.000"));
+    CHECK_FALSE(person.sees(">X<"));
+}
+
+TEST_CASE("in a split window, one step at a time misses no parting") {
+    Person stepping;
+    Person running;
+    for (Person* person : {&stepping, &running})
+        for (int i = 0; i < 4; ++i)
+            person->key(U'S');
+    running.pass(1.0);
+    for (int i = 0; i < 120; ++i)
+        stepping.key(U'.');
+    const auto parting = [](Person& person) {
+        const std::string text = person.look();
+        const std::size_t at = text.find("parted at");
+        return at == std::string::npos ? std::string() : text.substr(at, 24);
+    };
+    CHECK_FALSE(parting(running).empty());
+    CHECK(parting(stepping) == parting(running));
+}
+
+TEST_CASE("in a split window, the mouse takes the same ball in either half") {
+    Person person;
+    person.key(U' ');
+    person.key(U'S');
+    person.look();
+    const CellPoint left = to_cells(person.player.camera(), person.ball(4));
+    CellPoint right = left;
+    right.column += 40;
+    person.mouse_in_cells(InputEvent::Action::press, right, 1, no_modifier);
+    CHECK(person.player.hand().has_ball());
+}
+
+TEST_CASE("the butterfly says how far its copies are apart") {
+    Person person;
+    person.key(U'b');
+    CHECK(person.sees("200 copies, radii apart: 8"));
+    person.pass(0.5);
+    CHECK(person.sees("200 copies, radii apart:"));
+    person.key(U'S');
+    CHECK(person.sees("together since"));
+    person.key(U'b');
+    CHECK(person.sees("200 copies"));
+    person.key(U'b');
+    CHECK_FALSE(person.sees("200 copies"));
+}
+
+TEST_CASE("there is no butterfly of more balls than fit into memory 200 times") {
+    Scene scene = busy_box();
+    for (Vec2 place{100.0, 0.0}; place.x < 60100.0; place.x += 1.0)
+        add_ball(scene.world, carom::test::ball_at_rest(place));
+    Player player(Session(scene, {.kind = SolverKind::swept}), ascii_view(), KeyMap());
+    Canvas window(80, 24);
+    player.perform(Action::butterfly);
+    player.draw(window, 2.0);
+    CHECK(window.text().find("too many balls for 200 copies") != std::string::npos);
+    CHECK(window.text().find("200 copies, radii") == std::string::npos);
+}
+
+TEST_CASE("a page says which solver is in force, and why") {
+    Person person;
+    person.key(U'i');
+    CHECK(person.sees("solver  swept substeps=1: asked for"));
+    CHECK(person.sees("auto    would take "));
+    person.key(U'i');
+    CHECK_FALSE(person.sees("asked for"));
+}
+
+TEST_CASE("a key ends a long tick, the motion of the mouse does not") {
+    const KeyMap keys;
+    InputEvent event;
+    event.key = U'q';
+    CHECK(ends_tick(event, keys));
+    event.key = U'@';  // does nothing
+    CHECK_FALSE(ends_tick(event, keys));
+    event.key = U'q';
+    event.action = InputEvent::Action::release;
+    CHECK_FALSE(ends_tick(event, keys));
+    event.kind = InputEvent::Kind::mouse;
+    event.action = InputEvent::Action::move;
+    CHECK_FALSE(ends_tick(event, keys));
+    event.action = InputEvent::Action::press;
+    CHECK(ends_tick(event, keys));
+    event.kind = InputEvent::Kind::hangup;
+    CHECK(ends_tick(event, keys));
+}

@@ -1,0 +1,103 @@
+#include "carom/play/preferences.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace carom;
+
+TEST_CASE("an empty text leaves everything as it comes") {
+    const PreferencesText read = read_preferences("", "preferences");
+    CHECK(read.problems.empty());
+    CHECK_FALSE(read.preferences.renderer);
+    CHECK(read.preferences.keys.action_of({U'.', no_modifier}) == Action::step_forward);
+}
+
+TEST_CASE("settings and keys are read") {
+    const PreferencesText read = read_preferences(
+        "# mine\n"
+        "renderer = braille   # dots\n"
+        "  colors=16\r\n"
+        "background = light\n"
+        "fps = 30\n"
+        "mouse = off\n"
+        "color-by = speed\n"
+        "balls = outline\n"
+        "trails = on\n"
+        "\n"
+        "p = pause\n"
+        "q = none\n"
+        "equals = slower\n"
+        "hash = help\n"
+        "ctrl-up = zoom-in",
+        "preferences");
+    CHECK(read.problems == std::vector<std::string>{});
+    const Preferences& p = read.preferences;
+    CHECK(p.renderer == RendererChoice::braille);
+    CHECK(p.colors == ColorChoice::c16);
+    CHECK(p.light_background == true);
+    CHECK(p.fps == 30.0);
+    CHECK(p.mouse == false);
+    CHECK(p.color_by == ColorBy::speed);
+    CHECK(p.ball_style == BallStyle::outline);
+    CHECK(p.trails);
+    CHECK(p.keys.action_of({U'p', no_modifier}) == Action::pause);
+    CHECK(p.keys.action_of({U'q', no_modifier}) == std::nullopt);
+    CHECK(p.keys.action_of({U'=', no_modifier}) == Action::slower);
+    CHECK(p.keys.action_of({U'#', no_modifier}) == Action::help);
+    CHECK(p.keys.action_of({key::up, control}) == Action::zoom_in);
+}
+
+TEST_CASE("a mistake is told with its place, and the rest counts") {
+    struct Row {
+        const char* text;
+        const char* problem;
+    };
+    const Row table[] = {
+        {"renderer = brail", "p:1:12: error: 'brail' is none of auto, ascii, half, braille"},
+        {"renderer =", "p:1:1: error: '' is none of auto, ascii, half, braille"},
+        {"fps = fast", "p:1:7: error: 'fast' is not a number in 1..1000"},
+        {"fps = 0", "p:1:7: error: '0' is not a number in 1..1000"},
+        {"  hello", "p:1:3: error: expected 'key = action' or 'setting = value'"},
+        {"= pause", "p:1:1: error: a name is missing before '='"},
+        {"xx = pause", "p:1:1: error: there is no key or setting 'xx'"},
+        {"color = 16", "p:1:1: error: there is no key or setting 'color'; did you mean 'colors'?"},
+        {"x = puase", "p:1:5: error: there is no action 'puase'; did you mean 'pause'?"},
+        {"\xc3\xa9 = xyzzy", "p:1:5: error: there is no action 'xyzzy'"},
+    };
+    for (const Row& row : table) {
+        CAPTURE(row.text);
+        const PreferencesText read =
+            read_preferences(std::string(row.text) + "\ntrails = on\n", "p");
+        REQUIRE(read.problems.size() == 1);
+        CHECK(read.problems[0] == row.problem);
+        CHECK(read.preferences.trails);
+    }
+}
+
+TEST_CASE("a setting is changed where it stands, and everything else stays") {
+    const std::string text =
+        "# my preferences\n"
+        "renderer = ascii  # best\n"
+        "p = pause\n"
+        "renderer = half\n";
+    CHECK(with_setting(text, "renderer", "braille") ==
+          "# my preferences\n"
+          "renderer = braille  # best\n"
+          "p = pause\n");
+    CHECK(with_setting(text, "trails", "on") == text + "trails = on\n");
+    CHECK(with_setting("", "trails", "on") == "trails = on\n");
+    CHECK(with_setting("no end", "trails", "on") == "no end\ntrails = on\n");
+}
+
+TEST_CASE("what is kept reads back") {
+    for (const RendererChoice choice : {RendererChoice::automatic, RendererChoice::ascii,
+                                        RendererChoice::half_blocks, RendererChoice::braille}) {
+        const std::string text = with_setting("", "renderer", text_of(choice));
+        CHECK(read_preferences(text, "p").preferences.renderer == choice);
+    }
+    for (const ColorBy by : {ColorBy::kind, ColorBy::speed, ColorBy::mass}) {
+        const std::string text = with_setting("", "color-by", text_of(by));
+        CHECK(read_preferences(text, "p").preferences.color_by == by);
+    }
+}

@@ -1,0 +1,248 @@
+#include "carom/play/program.h"
+
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "carom/support/home.h"
+
+using namespace carom;
+using carom::test::contents;
+using carom::test::Running;
+namespace fs = std::filesystem;
+
+namespace {
+
+const char* const level = R"(carom 1 "A test"
+edge r=1  0,0  40,0  40,30  0,30  close
+ball a at=10,10 v=7,3
+ball b at=20,15 v=-5,4
+)";
+
+struct Home : test::Home {
+    Home() { write("test.level", level); }
+};
+
+PlayOptions playing(const char* name) {
+    PlayOptions options;
+    options.level = name;
+    return options;
+}
+
+}  // namespace
+
+TEST_CASE("a level named on the command line is played") {
+    const Home home;
+    Running running(playing("test.level"));
+    REQUIRE_FALSE(running.program.start());
+    CHECK(running.sees("A test"));
+    running.pass(0.5);
+    CHECK(running.sees("tick 60"));
+    running.key(U'q');
+    CHECK(running.program.is_over());
+}
+
+TEST_CASE("a level that is not there or has mistakes is told") {
+    const Home home;
+    home.write("bad.level", "carom 1 \"Bad\"\nball at=0,0 r=-1\n");
+    auto problems = Running(playing("nowhere.level")).program.start();
+    REQUIRE(problems);
+    CHECK(problems->front().find("nowhere.level") != std::string::npos);
+    problems = Running(playing("bad.level")).program.start();
+    REQUIRE(problems);
+    CHECK(problems->front().find("bad.level:2:") != std::string::npos);
+}
+
+TEST_CASE("a watched level is loaded again when it is saved; mistakes leave the old one playing") {
+    const Home home;
+    PlayOptions options = playing("test.level");
+    options.watch = true;
+    Running running(options);
+    REQUIRE_FALSE(running.program.start());
+    running.pass(0.5);
+    home.write("test.level", "carom 1 \"Worse\"\nball at=0,0 r=-1\n");
+    running.pass(0.5);
+    CHECK(running.sees("A test"));
+    CHECK(running.sees("test.level:2:"));
+    running.pass(0.5);
+    CHECK(running.sees("A test"));
+    home.write("test.level", std::string("carom 1 \"Better\"\nball at=0,0 v=1,0\n"));
+    running.pass(0.5);
+    CHECK(running.sees("Better"));
+    running.pass(5.0);
+    CHECK_FALSE(running.sees("error"));
+}
+
+TEST_CASE("a watched level that begins with mistakes is waited for") {
+    const Home home;
+    home.write("bad.level", "carom 1 \"Bad\"\nball at=0,0 r=-1\n");
+    PlayOptions options = playing("bad.level");
+    options.watch = true;
+    Running running(options);
+    REQUIRE_FALSE(running.program.start());
+    CHECK(running.sees("bad.level:2:"));
+    home.write("bad.level", level);
+    running.pass(0.5);
+    CHECK(running.sees("A test"));
+}
+
+TEST_CASE("a game that is cut off is taken up where it stood") {
+    const Home home;
+    const pid_t child = ::fork();
+    if (child == 0) {
+        Running running(playing("test.level"));
+        running.program.start();
+        running.pass(0.5);
+        running.key(U'g');
+        running.pass(0.5);
+        InputEvent hangup;
+        hangup.kind = InputEvent::Kind::hangup;
+        running.program.handle(hangup, running.now);
+        ::_exit(running.program.is_over() ? 0 : 1);
+    }
+    int status = 1;
+    ::waitpid(child, &status, 0);
+    REQUIRE(status == 0);
+
+    SUBCASE("by the option") {
+        PlayOptions options;
+        options.resume = true;
+        Running running(options);
+        REQUIRE_FALSE(running.program.start());
+        running.pass(0.1);
+        CHECK(running.sees("tick 120"));
+        CHECK(running.sees("gravity"));
+        running.key(U' ');
+        running.pass(0.5);
+        CHECK(running.sees("tick 180"));
+    }
+    SUBCASE("by the key, when the level is played again") {
+        Running running(playing("test.level"));
+        REQUIRE_FALSE(running.program.start());
+        CHECK(running.sees("R takes it up"));
+        running.pass(0.25);
+        running.key(U'R');
+        running.pass(0.1);
+        CHECK(running.sees("tick 120"));
+    }
+    SUBCASE("from the menu") {
+        Running running({});
+        REQUIRE_FALSE(running.program.start());
+        CHECK(running.sees("cut off"));
+        running.key(key::enter);
+        running.pass(0.1);
+        CHECK(running.sees("tick 120"));
+        running.key(U'q');
+        Running after({});
+        REQUIRE_FALSE(after.program.start());
+        CHECK_FALSE(after.sees("cut off"));
+    }
+    SUBCASE("but not on a level that has changed") {
+        home.write("test.level", std::string(level) + "ball at=30,20\n");
+        PlayOptions options;
+        options.resume = true;
+        Running running(options);
+        REQUIRE_FALSE(running.program.start());
+        CHECK(running.sees("has changed"));
+    }
+}
+
+TEST_CASE("a game is kept every few seconds, so that even a kill loses little") {
+    const Home home;
+    Running running(playing("test.level"));
+    REQUIRE_FALSE(running.program.start());
+    for (int i = 0; i < 70; ++i)
+        running.pass(0.1);
+    const fs::path folder = home.path / "state/carom/cut-off";
+    REQUIRE(fs::exists(folder));
+    CHECK_FALSE(fs::is_empty(folder));
+    running.key(U'q');
+    CHECK(fs::is_empty(folder));
+}
+
+TEST_CASE("what is changed by keys is preferred from then on, and a person's comments stay") {
+    const Home home;
+    fs::create_directories(home.preferences().parent_path());
+    std::ofstream(home.preferences()) << "# mine\nrenderer = ascii\nz = quit\n";
+    Running running(playing("test.level"), contents(home.preferences()));
+    REQUIRE_FALSE(running.program.start());
+    running.key(U'v');
+    running.key(U't');
+    CHECK(contents(home.preferences()) == "# mine\nrenderer = half\nz = quit\ntrails = on\n");
+    running.key(U'z');
+    CHECK(running.program.is_over());
+}
+
+// It was ignored without a word once.
+TEST_CASE("preferences that cannot be written are told once, and the game goes on") {
+    const Home home;
+    const auto is_told = [&] {
+        Running running(playing("test.level"));
+        REQUIRE_FALSE(running.program.start());
+        running.key(U't');
+        const bool told = running.sees("such choices are not kept: cannot");
+        running.pass(60.0);
+        CHECK_FALSE(running.sees("not kept"));
+        running.key(U't');
+        CHECK_FALSE(running.sees("not kept"));
+        return told;
+    };
+    std::ofstream(home.path / "config") << "in the way";
+    CHECK(is_told());
+    // What cannot be read is not written over either.
+    fs::remove(home.path / "config");
+    fs::create_directories(home.preferences());
+    CHECK(is_told());
+    CHECK(fs::is_directory(home.preferences()));
+}
+
+TEST_CASE("a mistake in the preferences is shown, and the game is played") {
+    const Home home;
+    Running running(playing("test.level"), "renderer = fancy\n");
+    REQUIRE_FALSE(running.program.start());
+    CHECK(running.sees("preferences:1:12: error"));
+}
+
+TEST_CASE("what stands is saved beside the person, under a name that is free") {
+    const Home home;
+    Running running(playing("test.level"));
+    REQUIRE_FALSE(running.program.start());
+    running.pass(0.3);
+    running.key(U'w');
+    CHECK(running.sees("saved as test-1.level"));
+    running.key(U'w');
+    CHECK(fs::exists("test-2.level"));
+    CHECK(contents("test-1.level") == contents("test-2.level"));
+    CHECK_FALSE(Running(playing("test-1.level")).program.start());
+}
+
+TEST_CASE("the mouse is let go of and taken back") {
+    const Home home;
+    Running running(playing("test.level"));
+    REQUIRE_FALSE(running.program.start());
+    CHECK(running.program.screen_wishes().mouse);
+    running.key(U'm');
+    CHECK_FALSE(running.program.screen_wishes().mouse);
+    CHECK(running.sees("mouse"));
+    running.key(U'm');
+    CHECK(running.program.screen_wishes().mouse);
+}
+
+TEST_CASE("from the game to the menu and back") {
+    const Home home;
+    Running running({});
+    REQUIRE_FALSE(running.program.start());
+    CHECK(running.sees("pick a level"));
+    for (const char32_t c : std::u32string(U"a test"))
+        running.key(c);
+    running.key(key::enter);
+    CHECK(running.sees("tick 0"));
+    running.key(key::escape);
+    CHECK(running.sees("pick a level"));
+    running.key(U'q');
+    CHECK(running.program.is_over());
+}

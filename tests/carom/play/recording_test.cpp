@@ -1,0 +1,196 @@
+#include "carom/play/recording.h"
+
+#include <doctest/doctest.h>
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <string>
+
+#include "carom/support/at_home.h"
+#include "carom/support/process.h"
+#include "support/terminal_program.h"
+
+using namespace carom::test;
+
+namespace {
+
+const char* const level =
+    "carom 1 \"Two balls\"\n"
+    "include \"walls.txt\"\n"
+    "ball a at=10,10 v=7,3\n"
+    "ball b at=20,15 v=-5,4\n";
+
+/// A folder with a level and its include.
+struct Folder : TemporaryFolder {
+    std::string level_file = file("two.level", level);
+    std::string walls = file("walls.txt", "edge r=1  0,0  40,0  40,30  0,30  close\n");
+
+    std::string record(const std::vector<std::string>& options) const {
+        std::vector<std::string> arguments{"run",      level_file, "--record", path("a.replay"),
+                                           "--solver", "swept"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        REQUIRE(run_carom(arguments).exit_code == 0);
+        return content(path("a.replay"));
+    }
+};
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+    const std::size_t at = text.find(what);
+    REQUIRE(at != std::string::npos);
+    return text.replace(at, what.size(), by);
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a run that is recorded verifies, without the level's files") {
+    const Folder folder;
+    folder.record({"--ticks", "300", "--seed", "9", "--rate", "100", "--set", "use gravity 0,-5"});
+    ::unlink(folder.level_file.c_str());
+    ::unlink(folder.walls.c_str());
+    const Finished verified = run_carom({"verify", folder.path("a.replay")});
+    CHECK(verified.exit_code == 0);
+    CHECK(has(verified.out, "the same: 300 ticks (3 s), 0 commands, 4 fingerprints"));
+    CHECK(verified.err.empty());
+}
+
+TEST_CASE("verify names the ticks among which the first difference is") {
+    const Folder folder;
+    const std::string text = folder.record({"--ticks", "300"});
+    const auto verify = [&](const std::string& changed) {
+        return run_carom({"verify", folder.file("b.replay", changed)});
+    };
+    const std::size_t mark = text.find("\nmark 240 ") + 10;
+    Finished verified = verify(text.substr(0, mark) + "0123456789abcdef" + text.substr(mark + 16));
+    CHECK(verified.exit_code == 1);
+    CHECK(has(verified.out, "the first tick that differs is one of 121 to 240"));
+    CHECK(has(verified.out, "and was 0123456789abcdef"));
+
+    verified = verify(replaced(text, "\nmark 120", "\nat 30 strike 0 1,1\nmark 120"));
+    CHECK(verified.exit_code == 1);
+    CHECK(has(verified.out, "the first tick that differs is one of 1 to 120"));
+
+    verified = verify(replaced(text, "\nmark 120", "\nat 30 strike 7 1,1\nmark 120"));
+    CHECK(verified.exit_code == 1);
+    CHECK(has(verified.out, "it differs at tick 30: there is no ball 7"));
+
+    verified = verify(replaced(replaced(text, "program ", "program 9"), "\nmark 120",
+                               "\nat 30 strike 0 1,1\nmark 120"));
+    CHECK(verified.exit_code == 1);
+    CHECK(has(verified.out, "it was recorded by carom 9"));
+}
+
+TEST_CASE("what is no whole recording is told with its line and a remedy") {
+    const Folder folder;
+    const std::string text = folder.record({"--ticks", "10"});
+    struct Row {
+        std::string text;
+        std::string told;
+    };
+    const Row table[] = {
+        {text.substr(0, text.size() - 4), ": error: the recording is cut off here"},
+        {replaced(text, "replay 2", "replay 7"),
+         "b.replay:1:1: error: the recording is of version 7, and this carom reads version 2"},
+        {replaced(text, "v=7,3", "v=7,4"), "error: the level in it has been changed: its hash is"},
+        {replaced(text, "|ball a", "|bell a"),
+         "error: the level in it does not load: two.level:3:"},
+        {replaced(text, "solver swept", "solver magic"), "'solver' is not complete or not right"},
+        {level, "b.replay:1:1: error: this is not a recording of carom"},
+        {std::string("\0\xff\n", 3), "b.replay:1:1: error: this is not a recording of carom"},
+    };
+    for (const Row& row : table) {
+        CAPTURE(row.told);
+        const std::string file = folder.file("b.replay", row.text);
+        for (const char* command : {"verify", "replay"}) {
+            const Finished finished = run_carom({command, file});
+            CHECK(finished.exit_code == 2);
+            CHECK(has(finished.err, row.told));
+            CHECK(has(finished.err, "      = "));
+            CHECK(finished.out.empty());
+        }
+    }
+    const Finished missing = run_carom({"verify", folder.path("nowhere")});
+    CHECK(missing.exit_code == 2);
+    CHECK(has(missing.err, "cannot read"));
+}
+
+TEST_CASE("a game is recorded, also when it is terminated, and is watched again") {
+    const Folder folder;
+    const std::string file = folder.path("game.replay");
+    int ending = 0;
+    SUBCASE("quit") {
+        ending = 0;
+    }
+    SUBCASE("terminated") {
+        ending = SIGTERM;
+    }
+    SUBCASE("hung up") {
+        ending = SIGHUP;
+    }
+    {
+        TerminalProgram game(
+            {CAROM_BINARY_DIR "/carom", "play", folder.level_file, "--paused", "--record", file},
+            at_home(folder));
+        REQUIRE(game.wait_for_text("tick 0"));
+        game.send("g>");
+        REQUIRE(game.wait_for_text("tick 120"));
+        game.send("s.");
+        REQUIRE(game.wait_for_text("tick 121"));
+        CHECK(folder.names().size() < 6);  // no recording yet
+        if (ending == 0)
+            game.send("q");
+        else
+            game.signal(ending);
+        REQUIRE(game.wait_for_end());
+        CHECK(game.what_is_left_dirty().empty());
+    }
+    const Finished verified = run_carom({"verify", file});
+    CHECK(verified.exit_code == 0);
+    CHECK(has(verified.out, "121 ticks"));
+    CHECK(has(verified.out, "2 commands"));
+    const std::string text = content(file);
+    CHECK(has(text, "\nlevel two.level\n"));
+    CHECK_FALSE(has(text, folder.path()));  // nothing of the player's folders
+
+    TerminalProgram watcher({CAROM_BINARY_DIR "/carom", "replay", file, "--paused"},
+                            at_home(folder));
+    REQUIRE(watcher.wait_for_text("recording"));
+    watcher.send(">");
+    REQUIRE(watcher.wait_for_text("tick 120"));
+    CHECK(has(watcher.screen().text(), "gravity"));
+    watcher.send(">");
+    CHECK(watcher.wait_for_text("the recording ends here"));
+    watcher.send("q");
+    REQUIRE(watcher.wait_for_end());
+}
+
+TEST_CASE("a recording that disagrees with what is watched is told") {
+    const Folder folder;
+    const std::string text = folder.record({"--ticks", "300"});
+    const std::string file =
+        folder.file("b.replay", replaced(text, "\nmark 120", "\nat 30 strike 0 1,1\nmark 120"));
+    TerminalProgram watcher({CAROM_BINARY_DIR "/carom", "replay", file, "--paused"},
+                            at_home(folder));
+    REQUIRE(watcher.wait_for_text("recording"));
+    watcher.send(">> ");
+    CHECK(watcher.wait_for_text("at tick 120 the fingerprint differs"));
+    watcher.send("q");
+    REQUIRE(watcher.wait_for_end());
+}
+
+TEST_CASE(
+    "a place where no recording can be written is told before the game, and nothing is lost") {
+    const Folder folder;
+    for (const std::string& place :
+         {folder.path(), std::string("/proc/a.replay"), std::string("-")}) {
+        const Finished finished = run_carom({"play", folder.level_file, "--record", place});
+        CHECK(finished.exit_code == 2);
+        CHECK(has(finished.err, "carom: error: "));
+    }
+    const std::string precious = folder.file("old.replay", "precious");
+    CHECK(run_carom({"run", "nowhere", "--record", precious}).exit_code == 2);
+    CHECK(content(precious) == "precious");
+}

@@ -1,0 +1,119 @@
+#include "carom/play/resume.h"
+
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+using namespace carom;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Folder {
+    fs::path path = fs::temp_directory_path() / ("carom-resume-" + std::to_string(::getpid()));
+    ~Folder() { fs::remove_all(path); }
+    std::string text() const { return path.string(); }
+};
+
+Replay replay_of(const std::string& level, std::uint64_t end = 5) {
+    Replay replay;
+    replay.level = level;
+    replay.texts = {"carom 1 \"A\"\n"};
+    replay.end = end;
+    replay.stands = end;
+    return replay;
+}
+
+/// Runs it in a process of its own that is over when this returns, without tidying up.
+template <typename Work>
+void in_a_process_that_dies(Work work) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        work();
+        ::_exit(0);
+    }
+    REQUIRE(child > 0);
+    ::waitpid(child, nullptr, 0);
+}
+
+}  // namespace
+
+TEST_CASE("a game that was cut off is found by its level") {
+    const Folder folder;
+    CHECK(cut_off_games(folder.text()).empty());
+    in_a_process_that_dies([&] {
+        ResumeFile a(folder.text(), "/levels/gas.level");
+        a.save(replay_of("/levels/gas.level", 7));
+        a.save(replay_of("/levels/gas.level", 9));
+        ResumeFile(folder.text(), "/other/gas.level").save(replay_of("/other/gas.level"));
+    });
+    CHECK(cut_off_games(folder.text()).size() == 2);
+    const auto games = cut_off_games(folder.text(), "/levels/gas.level");
+    REQUIRE(games.size() == 1);
+    CHECK(games[0].replay.stands == 9);
+    forget(games[0]);
+    CHECK(cut_off_games(folder.text()).size() == 1);
+}
+
+TEST_CASE("a game that runs, or has ended in good order, was not cut off") {
+    const Folder folder;
+    ResumeFile running(folder.text(), "a.level");
+    CHECK(running.save(replay_of("a.level")) == std::nullopt);
+    in_a_process_that_dies([&] {
+        ResumeFile ended(folder.text(), "a.level");
+        ended.save(replay_of("a.level"));
+        ended.remove();
+    });
+    CHECK(cut_off_games(folder.text()).empty());
+}
+
+TEST_CASE("games that are left stay, also of a process that runs on, each for itself") {
+    const Folder folder;
+    ResumeFile file(folder.text(), "a.level");
+    CHECK_FALSE(file.put_aside());
+    file.save(replay_of("a.level", 3));
+    CHECK(file.put_aside());
+    file.save(replay_of("a.level", 4));
+    CHECK(cut_off_games(folder.text()).size() == 1);
+    CHECK(file.put_aside());
+    file.save(replay_of("a.level", 5));
+    file.remove();
+    const auto games = cut_off_games(folder.text(), "a.level");
+    REQUIRE(games.size() == 2);
+    CHECK(games[0].was_left);
+    CHECK(games[0].replay.end + games[1].replay.end == 7);
+    forget(games[0]);
+    forget(games[1]);
+    CHECK(cut_off_games(folder.text()).empty());
+}
+
+TEST_CASE("a file that is torn or strange is left out") {
+    const Folder folder;
+    in_a_process_that_dies([&] {
+        ResumeFile(folder.text(), "a.level").save(replay_of("a.level"));
+        const auto file = fs::directory_iterator(folder.path)->path();
+        fs::resize_file(file, fs::file_size(file) - 5);
+    });
+    std::ofstream(folder.path / "notes.txt") << "hello";
+    CHECK(cut_off_games(folder.text()).empty());
+}
+
+TEST_CASE("no more than twenty are kept") {
+    const Folder folder;
+    for (int i = 0; i < 23; ++i)
+        in_a_process_that_dies(
+            [&] { ResumeFile(folder.text(), "a.level").save(replay_of("a.level")); });
+    CHECK(cut_off_games(folder.text()).size() == 20);
+}
+
+TEST_CASE("without a place to write to nothing happens") {
+    ResumeFile nowhere;
+    CHECK(nowhere.save(replay_of("a.level")) == std::nullopt);
+    nowhere.remove();
+    ResumeFile forbidden("/proc/carom", "a.level");
+    CHECK(forbidden.save(replay_of("a.level")));
+}

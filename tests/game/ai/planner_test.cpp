@@ -1,0 +1,114 @@
+#include "game/ai/planner.h"
+
+#include <doctest/doctest.h>
+
+#include "game/pool/pool_words.h"
+#include "game/support/shipped.h"
+#include "physics/world/fingerprint.h"
+
+using namespace carom;
+using carom::test::shipped_level;
+
+namespace {
+
+// Two computers at one table.
+struct Duel {
+    explicit Duel(const std::string& level)
+        : scene(shipped_level(level)),
+          world(scene.world),
+          game(*begin_pool(scene)),
+          settings(pick_solver(world).settings),
+          solver(settings) {}
+
+    PoolPlay& play() { return std::get<PoolPlay>(game); }
+
+    // One decision of the player whose turn it is, and what comes of it.
+    void turn(const HandError& error) {
+        if (play().rules.phase == PoolPhase::choosing) {
+            obey(scene, world, game, command::Decide{choice_of(scene, world, play(), error)});
+            return;
+        }
+        const std::uint64_t seed = decision_seed(world, play());
+        PoolThinker thinker(scene, world, play(), settings, error, seed);
+        while (!thinker.is_done())
+            thinker.work(1000);
+        for (const Command& command :
+             commands_of(scene, play(), thinker.best().front(), error, seed)) {
+            const auto why_not = refusal(scene, world, game, command);
+            CAPTURE(thought_text(scene, thinker.best().front()));
+            REQUIRE_MESSAGE(!why_not, *why_not);
+            obey(scene, world, game, command);
+        }
+        while (play().is_shooting) {
+            solver.tick(world);
+            follow_rules(scene, world, game, solver.contacts());
+        }
+    }
+
+    Scene scene;
+    World world;
+    GameState game;
+    SolverSettings settings;
+    Solver solver;
+};
+
+}  // namespace
+
+TEST_CASE("the opponent pockets a straight ball, and says so") {
+    Duel duel("eight-ball");
+    PoolPlay& play = duel.play();
+    play.rules.phase = PoolPhase::playing;
+    play.rules.in_hand = CueInHand::no;
+    const auto put = [&](int ball, Vec2 place) {
+        duel.world.balls
+            .position[*index_of(duel.world, *play.balls[static_cast<std::size_t>(ball)])] = place;
+    };
+    put(3, {1.0, 0.4});
+    put(0, {0.85, 0.269});
+    const HandError error = error_of(3);
+    PoolThinker thinker(duel.scene, duel.world, play, duel.settings, error, 1);
+    while (!thinker.is_done())
+        thinker.work(1000);
+    REQUIRE_FALSE(thinker.best().empty());
+    const PoolThought& best = thinker.best().front();
+    CHECK(best.ball == 3);
+    CHECK(best.call == PoolCall{PoolCall::Kind::pot, 3, best.pocket});
+    CHECK(pocket_name(duel.scene, best.pocket) == "top right");
+    CHECK(best.success > 0.7);
+    CHECK(thought_text(duel.scene, best).find("the 3") != std::string::npos);
+    duel.turn(error);
+    CHECK(is_down(play.rules, 3));
+    CHECK(play.rules.player == 0);
+}
+
+TEST_CASE("how the opponent's work is cut into pieces does not change what comes of it") {
+    Duel duel("nine-ball");
+    const HandError error = error_of(2);
+    duel.turn(error);
+    if (duel.play().rules.phase == PoolPhase::choosing) duel.turn(error);
+    const auto think = [&](int piece) {
+        PoolThinker thinker(duel.scene, duel.world, duel.play(), duel.settings, error, 5);
+        int tries = 0;
+        while (!thinker.is_done()) {
+            thinker.work(piece);
+            tries += piece;
+        }
+        CHECK(tries <= PoolThinker::most_tries + piece);
+        return thinker.best();
+    };
+    const auto one = think(1);
+    const auto many = think(1000);
+    REQUIRE(one.size() == many.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        CHECK(one[i].strike.velocity == many[i].strike.velocity);
+        CHECK(one[i].value == many[i].value);
+    }
+}
+
+TEST_CASE("a choice is made where the rules ask for one") {
+    Duel duel("eight-ball");
+    PoolPlay& play = duel.play();
+    play.rules.phase = PoolPhase::choosing;
+    play.rules.choices = {PoolChoice::spot_eight, PoolChoice::break_again};
+    CHECK(choice_of(duel.scene, duel.world, play, {}) == PoolChoice::spot_eight);
+}

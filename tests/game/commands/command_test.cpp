@@ -1,0 +1,175 @@
+#include "game/commands/command.h"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+
+#include "game/support/scenes.h"
+
+using namespace carom;
+using carom::test::ball_at_rest;
+using carom::test::busy_box;
+using carom::test::rainy_torus;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+BallSpec of_kind(ClassIndex kind) {
+    BallSpec spec;
+    spec.kind = kind;
+    return spec;
+}
+
+BallSpec at(Vec2 place, double radius, double mass, double restitution) {
+    return {.kind = 0,
+            .position = place,
+            .velocity = {},
+            .radius = radius,
+            .mass = mass,
+            .restitution = restitution};
+}
+
+struct Refused {
+    Command command;
+    const char* why;
+};
+
+}  // namespace
+
+TEST_CASE("commands that cannot be obeyed are refused with a reason") {
+    const World world = busy_box().world;
+    const Refused table[] = {
+        {command::Strike{BallId{9}, {}}, "there is no ball 9"},
+        {command::Strike{BallId{0}, {not_a_number, 0.0}}, "the speed is not a number"},
+        {command::HoldBall{BallId{77}, {}}, "there is no ball 77"},
+        {command::HoldBall{BallId{0}, {0.0, infinity}}, "the place is not a number"},
+        {command::DropBall{BallId{0}}, "ball 0 is not held"},
+        {command::HoldCapsule{CapsuleId{7}, {}, {}}, "there is no edge 7"},
+        {command::HoldCapsule{CapsuleId{0}, {not_a_number, 0.0}, {}}, "the place is not a number"},
+        {command::DropCapsule{CapsuleId{0}}, "edge 0 is not held"},
+        {command::PlaceBall{BallId{9}, {}}, "there is no ball 9"},
+        {command::PlaceBall{BallId{0}, {13.5, 8.0}}, "it would overlap ball 1"},
+        {command::PlaceBall{BallId{0}, {29.0, 5.5}}, "it would overlap edge 4"},
+        {command::PlaceCapsule{CapsuleId{4}, {7.0, 8.0}, {20.0, 8.0}}, "it would lie on ball 0"},
+        {command::RemoveBall{BallId{9}}, "there is no ball 9"},
+        {command::RemoveCapsule{CapsuleId{7}}, "there is no edge 7"},
+        {command::AddBall{of_kind(1)}, "there is no kind 1"},
+        {command::AddBall{ball_at_rest({8.0, 9.0})}, "it would overlap ball 0"},
+        {command::AddBall{ball_at_rest({1.5, 26.0})}, "it would overlap edge 3"},
+        {command::AddBall{ball_at_rest({not_a_number, 26.0})}, "the place is not a number"},
+        {command::AddBall{at({3.0, 26.0}, 0.0, 1.0, 1.0)}, "its radius must be positive"},
+        {command::AddBall{at({3.0, 26.0}, 1.0, -1.0, 1.0)}, "its mass must be positive"},
+        {command::AddBall{at({3.0, 26.0}, 1.0, 1.0, 1.5)}, "its restitution must be in 0..1"},
+        {command::AddCapsule{{{7.0, 7.0}, {20.0, 7.0}, 0.1}, 0}, "it would lie on ball 0"},
+        {command::AddCapsule{{{22.0, 7.0}, {22.0, 9.0}, -1.0}, 0},
+         "its radius must not be negative"},
+        {command::AddCapsule{{{22.0, 7.0}, {22.0, 9.0}, 0.1}, 3}, "there is no material 3"},
+        {command::SetGravity{Vec2{0.0, not_a_number}}, "gravity is not a number"},
+        {command::SetSolver{{.kind = SolverKind::substep, .updates = 0}},
+         "updates, steps and substeps must be in 1..1000"},
+    };
+    for (const Refused& row : table) {
+        CAPTURE(row.why);
+        const auto why = refusal(world, row.command);
+        REQUIRE(why);
+        CHECK(*why == row.why);
+    }
+}
+
+TEST_CASE("a ball that only touches is not refused") {
+    const World world = busy_box().world;
+    CHECK_FALSE(refusal(world, command::AddBall{ball_at_rest({2.0, 20.0})}));
+    CHECK_FALSE(refusal(world, command::AddBall{ball_at_rest({8.0, 6.0})}));
+}
+
+TEST_CASE("overlaps count across the sides of a torus") {
+    World world = rainy_torus().world;
+    obey(world, command::AddBall{ball_at_rest({0.5, 27.0})});
+    CHECK(refusal(world, command::AddBall{ball_at_rest({39.5, 27.0})}));
+    CHECK(refusal(world, command::AddCapsule{{{39.0, 26.0}, {39.0, 28.0}, 1.0}, 0}));
+}
+
+TEST_CASE("pairs that do not meet may overlap") {
+    World world = busy_box().world;
+    world.model.filtered = true;
+    world.meets = {0, 1, 1, 0};  // balls meet edges, and not each other
+    CHECK_FALSE(refusal(world, command::AddBall{ball_at_rest({8.0, 9.0})}));
+    CHECK(refusal(world, command::AddBall{ball_at_rest({1.5, 26.0})}));
+}
+
+TEST_CASE("commands do what they say") {
+    World world = busy_box().world;
+    obey(world, command::Strike{BallId{2}, {1.0, 2.0}});
+    CHECK(world.balls.velocity[2] == Vec2{1.0, 2.0});
+    obey(world, command::HoldBall{BallId{5}, {1.0, 2.0}});
+    obey(world, command::HoldBall{BallId{2}, {3.0, 2.0}});
+    obey(world, command::HoldBall{BallId{5}, {4.0, 2.0}});
+    REQUIRE(world.held_balls.size() == 2);
+    CHECK(world.held_balls[0].id == BallId{2});
+    CHECK(world.held_balls[1].target == Vec2{4.0, 2.0});
+    obey(world, command::DropBall{BallId{2}});
+    CHECK(world.held_balls.size() == 1);
+    obey(world, command::RemoveBall{BallId{5}});
+    CHECK(world.held_balls.empty());
+    CHECK(world.balls.size() == 8);
+    obey(world, command::SetGravity{Vec2{0.0, -1.0}});
+    CHECK(world.model.gravity == Vec2{0.0, -1.0});
+    obey(world, command::SetGravity{});
+    CHECK_FALSE(world.model.gravity);
+}
+
+TEST_CASE("a ball or an edge can be put down where there is room, held or not") {
+    World world = busy_box().world;
+    const Command command =
+        command::PlaceBall{BallId{0}, {8.5, 8.0}};  // where it is in its own way
+    REQUIRE_FALSE(refusal(world, command));
+    obey(world, command::HoldBall{BallId{0}, {1.0, 2.0}});
+    obey(world, command);
+    CHECK(world.balls.position[0] == Vec2{8.5, 8.0});
+    CHECK(world.held_balls[0].target == Vec2{8.5, 8.0});
+    const Command edge = command::PlaceCapsule{CapsuleId{4}, {24.0, 3.0}, {34.0, 6.0}};
+    REQUIRE_FALSE(refusal(world, edge));
+    obey(world, edge);
+    CHECK(world.capsules.shape[4] == Capsule{{24.0, 3.0}, {34.0, 6.0}, 0.5});
+}
+
+TEST_CASE("what is added can meet what is there, whatever the level held") {
+    World world = busy_box().world;
+    world.model.ball_ball = false;
+    world.model.ball_edge = false;
+    world.balls = {};
+    obey(world, command::AddBall{ball_at_rest({20.0, 15.0})});
+    CHECK(world.model.ball_ball);
+    CHECK(world.model.ball_edge);
+}
+
+TEST_CASE("what never meets stays out of the model") {
+    World world = busy_box().world;
+    world.model.filtered = true;
+    world.model.ball_ball = false;
+    world.meets = {0, 1, 1, 0};
+    obey(world, command::AddBall{ball_at_rest({20.0, 15.0})});
+    CHECK_FALSE(world.model.ball_ball);
+}
+
+TEST_CASE("strike: a tip off its middle makes the ball turn, where balls turn") {
+    World world = busy_box().world;
+    CHECK(refusal(world, command::Strike{BallId{0}, {1.0, 0.0}, 0.1, 0.0}));
+    CHECK(refusal(world, command::Strike{BallId{0}, {1.0, 0.0}, 0.0, 0.1}));
+    world.model.spin = 0.4;
+    world.model.cloth = Cloth{};
+    world.balls.spin.assign(world.balls.size(), 0.0);
+    world.balls.roll.assign(world.balls.size(), {});
+    CHECK(refusal(world, command::Strike{BallId{0}, {1.0, 0.0}, 0.4, 0.4}));
+    const command::Strike strike{BallId{0}, {3.0, 4.0}, 0.2, 0.4};
+    CHECK_FALSE(refusal(world, strike));
+    obey(world, strike);
+    CHECK(world.balls.velocity[0] == Vec2{3.0, 4.0});
+    CHECK(world.balls.roll[0] == Vec2{3.0, 4.0});  // at 2/5 it rolls at once
+    CHECK(world.balls.spin[0] == doctest::Approx(2.5));
+    obey(world, command::Strike{BallId{0}, {1.0, 0.0}});
+    CHECK(world.balls.roll[0] == Vec2{});
+    CHECK(world.balls.spin[0] == 0.0);
+}

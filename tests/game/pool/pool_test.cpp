@@ -1,0 +1,261 @@
+#include "game/pool/pool.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <doctest/doctest.h>
+
+#include "game/support/shipped.h"
+#include "physics/solver.h"
+#include "physics/world/fingerprint.h"
+
+using namespace carom;
+
+namespace {
+
+// A rack in play: shoots, and waits until it is judged.
+struct Table {
+    explicit Table(const std::string& level) : Table(test::shipped_level(level)) {}
+    explicit Table(Scene of)
+        : scene(std::move(of)),
+          world(scene.world),
+          play(*begin_pool(scene)),
+          solver(pick_solver(world).settings) {}
+
+    void shoot(Vec2 velocity) {
+        REQUIRE_FALSE(refusal_to_shoot(play, *play.balls[0]));
+        world.balls.velocity[cue()] = velocity;
+        begin_shot(play);
+        wait();
+    }
+    void wait() {
+        for (int i = 0; play.is_shooting && i < 120 * 120; ++i)
+            step();
+        REQUIRE_FALSE(play.is_shooting);
+    }
+    void step() {
+        solver.tick(world);
+        follow_pool(scene, world, play, solver.contacts());
+    }
+    std::size_t cue() const { return *index_of(world, *play.balls[0]); }
+    void put(int ball, Vec2 place) {
+        world.balls.position[*index_of(world, *play.balls[static_cast<std::size_t>(ball)])] = place;
+    }
+    Vec2 place_of(int ball) const {
+        return world.balls.position[*index_of(world, *play.balls[static_cast<std::size_t>(ball)])];
+    }
+
+    Scene scene;
+    World world;
+    PoolPlay play;
+    Solver solver;
+};
+
+// With a clock of so many seconds, and so many frames that win.
+Scene timed(const std::string& level, double clock, std::uint32_t race = 0) {
+    Scene scene = test::shipped_level(level);
+    scene.pool.clock = clock;
+    scene.pool.race = race;
+    return scene;
+}
+
+constexpr Vec2 corner{1.27 - 0.02, 0.635 - 0.02};
+
+}  // namespace
+
+TEST_CASE("a break is judged when the balls lie still, and every ball is on the table or down") {
+    for (const char* level : {"eight-ball", "nine-ball"}) {
+        for (const double slant : {0.0, 0.15, 0.3}) {
+            CAPTURE(level);
+            CAPTURE(slant);
+            Table table(level);
+            const Vec2 at = table.scene.pool.racks[0].foot - table.place_of(0);
+            table.shoot(at * (9.0 / length(at)) + Vec2{0.0, slant});
+            CHECK(table.play.shots == 1);
+            CHECK(table.play.shot.first_hit);
+            CHECK(table.play.rules.phase != PoolPhase::breaking);
+            for (int ball = 0; ball < 16; ++ball) {
+                const auto id = table.play.balls[static_cast<std::size_t>(ball)];
+                const bool was_there = ball < static_cast<int>(table.scene.world.balls.size());
+                CAPTURE(ball);
+                if (!was_there) CHECK_FALSE(id);
+                if (id) CHECK(index_of(table.world, *id));
+                if (was_there && table.play.rules.phase == PoolPhase::playing)
+                    CHECK(id.has_value() != is_down(table.play.rules, ball));
+            }
+        }
+    }
+}
+
+TEST_CASE("a cue ball that falls is a scratch, and comes back on the head spot") {
+    Table table("eight-ball");
+    table.put(0, {1.0, 0.4});
+    table.shoot((corner - Vec2{1.0, 0.4}) * 8.0);
+    CHECK(table.play.last_foul == PoolFoul::scratch);
+    REQUIRE(table.play.balls[0]);
+    CHECK(length(table.place_of(0) - head_spot(table.scene)) < 1e-9);
+    CHECK(head_spot(table.scene).x == doctest::Approx(-0.635));
+    CHECK(table.play.rules.player == 1);
+    CHECK(table.play.rules.in_hand == CueInHand::behind_head_string);
+    const BallId cue = *table.play.balls[0];
+    CHECK(refusal_to_place(table.scene, table.play, cue, {0.0, 0.0}));
+    CHECK_FALSE(refusal_to_place(table.scene, table.play, cue, {-1.0, 0.2}));
+}
+
+TEST_CASE("a called ball in the called pocket gives the group, and the turn goes on") {
+    Table table("eight-ball");
+    table.play.rules.phase = PoolPhase::playing;
+    table.play.rules.in_hand = CueInHand::no;
+    const Vec2 object{1.0, 0.4};
+    const Vec2 way = (corner - object) / length(corner - object);
+    table.put(3, object);
+    table.put(0, object - way * 0.3);
+    int pocket = -1;
+    for (std::size_t i = 0; i < table.scene.pool.pockets.size(); ++i) {
+        const Vec2 place = table.scene.world.zones[table.scene.pool.pockets[i]].shape.start;
+        if (place.x > 1.0 && place.y > 0.5) pocket = static_cast<int>(i);
+    }
+    REQUIRE(pocket >= 0);
+    table.play.call = {PoolCall::Kind::pot, 3, pocket};
+    table.shoot(way * 2.0);
+    CHECK(table.play.last_foul == PoolFoul::none);
+    CHECK(is_down(table.play.rules, 3));
+    CHECK_FALSE(table.play.balls[3]);
+    CHECK(table.play.rules.player == 0);
+    CHECK(table.play.rules.group == PoolGroup::solids);
+}
+
+TEST_CASE("the 8 into the called pocket wins when it is its turn, and loses before") {
+    for (const bool is_early : {false, true}) {
+        CAPTURE(is_early);
+        Table table("eight-ball");
+        table.play.rules.phase = PoolPhase::playing;
+        table.play.rules.in_hand = CueInHand::no;
+        table.play.rules.group = PoolGroup::solids;
+        if (!is_early) table.play.rules.down = 0xfeu;
+        const Vec2 object{1.0, 0.4};
+        const Vec2 way = (corner - object) / length(corner - object);
+        table.put(8, object);
+        table.put(0, object - way * 0.2);
+        for (int pocket = 0; pocket < 6; ++pocket) {
+            const Vec2 place =
+                table.scene.world.zones[table.scene.pool.pockets[static_cast<std::size_t>(pocket)]]
+                    .shape.start;
+            if (place.x > 1.0 && place.y > 0.5) table.play.call = {PoolCall::Kind::pot, 8, pocket};
+        }
+        table.world.balls.roll[table.cue()] = {};
+        table.shoot(way * 1.2);
+        REQUIRE(table.play.rules.phase == PoolPhase::over);
+        CHECK(table.play.rules.winner == (is_early ? 1 : 0));
+    }
+}
+
+TEST_CASE("a weak break: who comes next may have the balls racked anew") {
+    Table table("eight-ball");
+    table.shoot({0.8, 0.0});
+    REQUIRE(table.play.rules.phase == PoolPhase::choosing);
+    CHECK(refusal_to_shoot(table.play, *table.play.balls[0]));
+    make_choice(table.scene, table.world, table.play, PoolChoice::break_again);
+    CHECK(table.play.rules.phase == PoolPhase::breaking);
+    CHECK(table.play.rules.player == 1);
+    CHECK(table.world.balls.size() == 16);
+    for (int ball = 0; ball < 16; ++ball) {
+        const BallId first =
+            ball == 0 ? table.scene.pool.cue->ball
+                      : table.scene.pool.racks[0].balls[static_cast<std::size_t>(ball - 1)];
+        CHECK(table.place_of(ball) ==
+              table.scene.world.balls.position[*index_of(table.scene.world, first)]);
+    }
+}
+
+TEST_CASE("the 9 that does not count comes back on the foot spot, or behind it") {
+    Table table("nine-ball");
+    table.play.rules.phase = PoolPhase::playing;
+    table.play.rules.may_push_out = true;
+    table.play.call = {PoolCall::Kind::push_out, 0, 0};
+    const Vec2 object{1.0, 0.4};
+    const Vec2 way = (corner - object) / length(corner - object);
+    table.put(9, object);
+    table.put(0, object - way * 0.3);
+    table.shoot(way * 2.0);
+    REQUIRE(table.play.balls[9]);
+    CHECK(table.place_of(9).y == doctest::Approx(0.0));
+    CHECK(table.place_of(9).x >= 0.635 - 1e-9);
+    CHECK(table.play.rules.choices.size() == 2);
+}
+
+TEST_CASE(
+    "a copy of the world and of the rack, taken in the middle of a shot, ends with the same bits") {
+    Table table("eight-ball");
+    table.world.balls.velocity[table.cue()] = {9.0, 0.2};
+    begin_shot(table.play);
+    for (int i = 0; i < 100; ++i)
+        table.step();
+    Table copy("eight-ball");
+    copy.world = table.world;
+    copy.play = table.play;
+    table.wait();
+    copy.wait();
+    CHECK(fingerprint(table.world) == fingerprint(copy.world));
+    CHECK(table.play == copy.play);
+}
+
+TEST_CASE("the clock counts ticks while the balls lie still, and its end is a foul") {
+    Table table(timed("eight-ball", 2.0));
+    CHECK(table.play.clock == 240);
+    CHECK(time_left(table.world, table.play) == 240);
+    for (int i = 0; i < 239; ++i)
+        table.step();
+    CHECK(table.play.rules.player == 0);
+    CHECK(time_left(table.world, table.play) == 1);
+    const Vec2 at = table.scene.pool.racks[0].foot - table.place_of(0);
+    table.step();
+    CHECK(table.play.last_foul == PoolFoul::time);
+    CHECK(table.play.shooter == 0);
+    CHECK(table.play.rules.player == 1);
+    CHECK(table.play.rules.phase == PoolPhase::breaking);
+    CHECK(time_left(table.world, table.play) == 240);
+
+    // A shot takes as long as it takes, and then the time begins anew.
+    table.shoot(at * (9.0 / length(at)));
+    CHECK(table.play.last_foul == PoolFoul::none);
+    CHECK(time_left(table.world, table.play) == 240);
+}
+
+TEST_CASE("a clock is part of what is known of a game, and none is there where none runs") {
+    Table timed_table(timed("nine-ball", 30.0));
+    Table table("nine-ball");
+    CHECK_FALSE(time_left(table.world, table.play));
+    for (int i = 0; i < 240; ++i)
+        table.step();
+    CHECK(table.play.last_foul == PoolFoul::none);
+    const auto bits = folded(1, timed_table.play);
+    timed_table.play.clock_from = 5;
+    CHECK(folded(1, timed_table.play) != bits);
+}
+
+TEST_CASE("a match ends with the last frame of the race, and the next begins at nothing") {
+    Table table(timed("nine-ball", 0.0, 3));
+    CHECK_FALSE(match_winner(table.play));
+    table.play.frames = {1, 2};
+    table.play.rules.phase = PoolPhase::playing;
+    table.play.rules.in_hand = CueInHand::no;
+    table.play.rules.player = 1;
+    table.play.rules.down = 0b111111110;  // all but the 9
+    for (int ball = 1; ball < 9; ++ball) {
+        remove_ball(table.world, *table.play.balls[static_cast<std::size_t>(ball)]);
+        table.play.balls[static_cast<std::size_t>(ball)].reset();
+    }
+    const Vec2 object{1.0, 0.4};
+    const Vec2 way = (corner - object) / length(corner - object);
+    table.put(9, object);
+    table.put(0, object - way * 0.3);
+    table.shoot(way * 2.0);
+    CHECK(table.play.rules.winner == 1);
+    CHECK(table.play.frames == std::array<std::uint32_t, 2>{1, 3});
+    CHECK(match_winner(table.play) == 1);
+    rack_again(table.scene, table.world, table.play);
+    CHECK(table.play.frames == std::array<std::uint32_t, 2>{0, 0});
+    CHECK_FALSE(match_winner(table.play));
+    CHECK(table.play.breaker == 1);
+}

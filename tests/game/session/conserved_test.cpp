@@ -1,0 +1,43 @@
+#include "game/session/conserved.h"
+
+#include <doctest/doctest.h>
+
+#include "game/support/scenes.h"
+
+using namespace carom;
+using carom::test::busy_box;
+using carom::test::rainy_torus;
+
+TEST_CASE("an elastic box keeps its energy, and its walls take momentum") {
+    World world = busy_box().world;
+    CHECK(keeps_energy(world));
+    CHECK_FALSE(keeps_momentum(world));
+    world.capsules = {};
+    CHECK(keeps_momentum(world));
+    world.model.gravity = Vec2{0.0, -1.0};
+    CHECK(keeps_energy(world));
+    CHECK_FALSE(keeps_momentum(world));
+}
+
+TEST_CASE("what loses, limits, feeds, drains or holds does not keep energy") {
+    const World closed = busy_box().world;
+    const auto with = [&](auto change) {
+        World world = closed;
+        change(world);
+        return keeps_energy(world);
+    };
+    CHECK_FALSE(with([](World& w) { w.model.lossy = true; }));
+    CHECK_FALSE(with([](World& w) { w.model.drag = 0.1; }));
+    CHECK_FALSE(with([](World& w) { w.model.stop_speed = 0.1; }));
+    CHECK_FALSE(with([](World& w) { w.model.speed_limit = 10.0; }));
+    CHECK_FALSE(with([](World& w) { w.held_balls.push_back({}); }));
+    CHECK_FALSE(with([](World& w) { w.held_capsules.push_back({}); }));
+    CHECK_FALSE(with([](World& w) { w.zones.push_back({{}, Zone::Effect::sink, 0}); }));
+    CHECK(with([](World& w) { w.zones.push_back({{}, Zone::Effect::census, 0}); }));
+    Emitter emitter;
+    emitter.count = 3;
+    CHECK_FALSE(with([&](World& w) { w.emitters = {emitter}; }));
+    emitter.emitted = 3;
+    CHECK(with([&](World& w) { w.emitters = {emitter}; }));
+    CHECK_FALSE(keeps_energy(rainy_torus().world));
+}

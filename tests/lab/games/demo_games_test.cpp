@@ -1,0 +1,97 @@
+#include "lab/games/demo_games.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string_view>
+
+#include "level/load.h"
+
+using namespace carom;
+
+namespace {
+
+constexpr std::string_view tables[] = {"three-bumpers", "cable-car", "night-vault"};
+
+Scene shipped(std::string_view table, std::string_view folder = "/levels/") {
+    std::stringstream text;
+    text << std::ifstream(std::string(CAROM_SOURCE_DIR).append(folder).append(table) + ".level")
+                .rdbuf();
+    LoadResult loaded = load_level(text.str(), table, {});
+    REQUIRE(loaded.diagnostics.empty());
+    return std::move(*loaded.scene);
+}
+
+DemoGames check_table(std::string_view table, std::uint64_t balls) {
+    CAPTURE(table);
+    const Scene scene = shipped(table);
+    CHECK(scene.world.rate >= 1000.0);
+    const DemoGames games = play_demo_games(scene, pick_solver(scene.world).settings, balls);
+    CHECK(games.ball_times.size() == balls);
+    CHECK(games.lost == 0);
+    CHECK(games.outside == 0);
+    CHECK(games.searches <= balls / 20);
+    CHECK(games.seconds > 0.0);
+    return games;
+}
+
+}  // namespace
+
+TEST_CASE("the tables that ship lose no ball: none stuck, none outside, all of them drained") {
+#ifdef NDEBUG
+    constexpr std::uint64_t balls = 100;
+#else
+    constexpr std::uint64_t balls = 10;  // with sanitizers, which take ten times as long
+#endif
+    for (const std::string_view table : tables)
+        check_table(table, balls);
+}
+
+TEST_CASE("the table of the manual loads without a word, and can be played") {
+    const Scene scene = shipped("first-table", "/docs/");
+    const DemoGames games = play_demo_games(scene, pick_solver(scene.world).settings, 5);
+    CHECK(games.ball_times.size() == 5);
+    CHECK(games.lost == 0);
+    CHECK(games.outside == 0);
+}
+
+TEST_CASE("carom's own games are the same each time") {
+    const Scene scene = shipped("three-bumpers");
+    const SolverSettings solver = pick_solver(scene.world).settings;
+    const DemoGames first = play_demo_games(scene, solver, 2);
+    const DemoGames second = play_demo_games(scene, solver, 2);
+    CHECK(first.ball_times == second.ball_times);
+    Scene other = scene;
+    other.world.seed = 5;
+    CHECK(play_demo_games(other, solver, 2).ball_times != first.ball_times);
+}
+
+TEST_CASE("games are told in sums and histograms") {
+    DemoGames games;
+    games.scores = {100, 200, 200, 1300};
+    games.ball_times = {1.0, 2.0, 30.0};
+    games.seconds = 3600.0;
+    const std::string text = demo_games_text(games);
+    CHECK(text.starts_with("balls 3, games 4, 1.0 hours of play\n"));
+    CHECK(text.find("a ball lasts 11.0 s (median 2.0)") != std::string::npos);
+    CHECK(text.find("      200       2 ####") != std::string::npos);
+    CHECK(demo_games_text({}).starts_with("balls 0"));
+}
+
+// With CAROM_PINBALL_FIGURES=FILE it writes what it saw there, and CAROM_BALLS says how many balls
+// it plays on each table: scripts/update-pinball.
+TEST_SUITE("long") {
+    TEST_CASE("10,000 balls on each table, none stuck, none lost") {
+        const char* const wanted = std::getenv("CAROM_BALLS");
+        const char* const file = std::getenv("CAROM_PINBALL_FIGURES");
+        const std::uint64_t balls = wanted ? std::strtoull(wanted, nullptr, 10) : 10'000;
+        for (const std::string_view table : tables) {
+            const DemoGames games = check_table(table, balls);
+            if (file)
+                std::ofstream(file, std::ios::app) << "\n## " << table << "\n\n```\n"
+                                                   << demo_games_text(games) << "```\n";
+        }
+    }
+}

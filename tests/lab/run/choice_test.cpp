@@ -1,0 +1,71 @@
+#include "lab/run/choice.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+using namespace carom;
+
+TEST_CASE("the common rate is the greatest of which all are multiples") {
+    struct Row {
+        std::vector<double> rates;
+        double common;
+    };
+    const Row rows[] = {
+        {{120}, 120},         {{30, 60, 120, 480}, 30}, {{100, 120}, 20},
+        {{33.3, 99.9}, 33.3}, {{0.5, 0.75}, 0.25},      {{1e6, 60}, 20},
+    };
+    for (const Row& row : rows) {
+        const double common = common_rate(row.rates);
+        CHECK(common == doctest::Approx(row.common).epsilon(1e-12));
+        for (const double rate : row.rates)
+            CHECK(static_cast<double>(ticks_each(rate, common)) * common ==
+                  doctest::Approx(rate).epsilon(1e-8));
+    }
+}
+
+TEST_CASE("what is measured: each solver at each rate, nothing twice, the level's own first") {
+    Scene scene;
+    scene.world.rate = 120;
+    scene.solver = SolverSettings{.kind = SolverKind::substep, .updates = 7};
+    const std::array kinds{SolverKind::discrete, SolverKind::substep, SolverKind::swept};
+    const std::vector<Choice> choices = choices_for(scene, kinds, usual_rates(120));
+    CHECK(choices.front() == Choice{*scene.solver, 120});
+    for (const SolverKind kind : kinds) {
+        for (const double rate : {30.0, 60.0, 120.0, 240.0, 480.0})
+            CHECK(std::ranges::count(choices, Choice{{.kind = kind}, rate}) == 1);
+    }
+    CHECK(std::ranges::count(choices, Choice{{.kind = SolverKind::swept, .substeps = 4}, 120}) ==
+          1);
+    for (const Choice& choice : choices)
+        CHECK(std::ranges::count(choices, choice) == 1);
+
+    // A solver that would leave the cloth out has nothing to be measured by.
+    scene.world.model.cloth = Cloth{};
+    for (const Choice& choice : choices_for(scene, solvers_available(), usual_rates(120)))
+        CHECK(choice.solver.kind != SolverKind::contact);
+    scene.world.model.cloth.reset();
+
+    const std::array one{SolverKind::discrete};
+    for (const Choice& choice : choices_for(scene, one, usual_rates(120)))
+        CHECK(choice.solver.kind == SolverKind::discrete);
+}
+
+TEST_CASE("the words for settings") {
+    CHECK(written({.kind = SolverKind::substep}) == "substep updates=4 steps=15");
+    CHECK(brief({.kind = SolverKind::substep}) == "substep");
+    CHECK(brief({.kind = SolverKind::substep, .updates = 8, .steps = 3}) ==
+          "substep updates=8 steps=3");
+    CHECK(brief({.kind = SolverKind::swept, .substeps = 4}) == "swept substeps=4");
+    CHECK(brief({.kind = SolverKind::discrete}) == "discrete");
+    CHECK(brief({.kind = SolverKind::event, .extended = true}) == "event extended");
+}
+
+TEST_CASE("the reference and its check are solvers that there are, and differ") {
+    const Reference reference = reference_settings(120);
+    for (const Choice& choice : {reference.truth, reference.check})
+        CHECK(std::ranges::count(solvers_available(), choice.solver.kind) == 1);
+    CHECK_FALSE(reference.truth == reference.check);
+}

@@ -1,0 +1,145 @@
+#include "lab/run/judge.h"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "lab/run/run_record.h"
+#include "level/load.h"
+
+using namespace carom;
+
+namespace {
+
+Scene load(const std::string& statements, const LoadOptions& options = {}) {
+    LoadResult result = load_level("carom 1 \"test\"\n" + statements, "test.level", options);
+    for (const Diagnostic& diagnostic : result.diagnostics)
+        MESSAGE(render(diagnostic));
+    REQUIRE(result.scene.has_value());
+    return *result.scene;
+}
+
+RunRecord run(const Scene& scene, std::uint64_t ticks) {
+    World world = scene.world;
+    Solver solver(solver_for(scene));
+    RunRecord record = begin_record(scene, solver.settings());
+    while (world.tick < ticks) {
+        solver.tick(world);
+        note_tick(record, scene, world);
+    }
+    note_end(record, scene, world);
+    return record;
+}
+
+Quantity of_bins(QuantityKind kind, std::vector<double> expected) {
+    Quantity quantity;
+    quantity.kind = kind;
+    quantity.counters = {0, 1, 2};
+    quantity.expected = std::move(expected);
+    return quantity;
+}
+
+}  // namespace
+
+TEST_CASE("quantities of the world") {
+    const Scene scene =
+        load("use gravity 0,-2\nball a at=3,4 v=3,4 m=2\nball b at=10,4 v=-1,0 m=1\n");
+    struct Row {
+        QuantityKind kind;
+        double value;
+    };
+    const Row rows[] = {
+        {QuantityKind::collisions, 0},
+        {QuantityKind::kinetic_energy, 25.5},
+        {QuantityKind::potential_energy, 24},
+        {QuantityKind::energy, 49.5},
+        {QuantityKind::momentum_x, 5},
+        {QuantityKind::momentum_y, 8},
+        {QuantityKind::time, 0},
+        {QuantityKind::escaped, 7},
+        {QuantityKind::overlap, 0.25},
+        {QuantityKind::balls, 2},
+        {QuantityKind::removed, 0},
+        {QuantityKind::x, 3},
+        {QuantityKind::y, 4},
+        {QuantityKind::vx, 3},
+        {QuantityKind::vy, 4},
+        {QuantityKind::speed, 5},
+    };
+    for (const Row& row : rows) {
+        CAPTURE(name(row.kind));
+        Quantity quantity;
+        quantity.kind = row.kind;
+        quantity.ball = scene.world.balls.id[0];
+        CHECK(measure(quantity, scene.world, {.max_overlap = 0.25, .escaped = 7}) == row.value);
+    }
+}
+
+TEST_CASE("a ball that is gone has no place") {
+    Scene scene = load("ball a at=3,4\nball b at=9,9\n");
+    Quantity quantity;
+    quantity.kind = QuantityKind::x;
+    quantity.ball = scene.world.balls.id[0];
+    remove_ball(scene.world, quantity.ball);
+    CHECK_FALSE(measure(quantity, scene.world, {}).has_value());
+    const Expect expect{.quantity = "a.x", .what = quantity, .value = 3.0, .tolerance = 1e9};
+    CHECK(judge(expect, scene.world, {}).verdict == Verdict::fails);
+}
+
+TEST_CASE("quantities of bins") {
+    World world;
+    world.counters = {1, 2, 1};
+    const std::vector<double> fair{0.25, 0.5, 0.25};
+    CHECK(measure(of_bins(QuantityKind::count, fair), world, {}) == 4.0);
+    CHECK(measure(of_bins(QuantityKind::mean, fair), world, {}) == 1.0);
+    CHECK(measure(of_bins(QuantityKind::variance, fair), world, {}) == 0.5);
+    CHECK(measure(of_bins(QuantityKind::variance_ratio, fair), world, {}) == 1.0);
+    CHECK(measure(of_bins(QuantityKind::chi_square, fair), world, {}) == 0.0);
+
+    world.counters = {4, 0, 0};
+    CHECK(measure(of_bins(QuantityKind::mean, fair), world, {}) == 0.0);
+    CHECK(measure(of_bins(QuantityKind::variance, fair), world, {}) == 0.0);
+    // (4-1)^2/1 + (0-2)^2/2 + (0-1)^2/1
+    CHECK(measure(of_bins(QuantityKind::chi_square, fair), world, {}) == 12.0);
+    CHECK(measure(of_bins(QuantityKind::chi_square, {1, 0, 0}), world, {}) == 0.0);
+    CHECK(measure(of_bins(QuantityKind::chi_square, {0, 0.5, 0.5}), world, {}) ==
+          std::numeric_limits<double>::infinity());
+    CHECK_FALSE(measure(of_bins(QuantityKind::variance_ratio, {1, 0, 0}), world, {}).has_value());
+
+    world.counters = {0, 0, 0};
+    CHECK(measure(of_bins(QuantityKind::count, fair), world, {}) == 0.0);
+    CHECK_FALSE(measure(of_bins(QuantityKind::mean, fair), world, {}).has_value());
+    CHECK_FALSE(measure(of_bins(QuantityKind::chi_square, fair), world, {}).has_value());
+}
+
+TEST_CASE("an expectation is judged at its time, or else at the end") {
+    const Scene scene = load(
+        "ball a at=0,0 v=12,0\n"
+        "expect a.x 6 within 1e-9 at=0.5\n"
+        "expect a.x 12 within 1e-9\n"
+        "expect a.x 7 within 0.5 at=0.5\n"
+        "expect a.x 0 within 0 at=0\n"
+        "expect a.x 24 within 1e-9 at=2\n");
+    const RunRecord record = run(scene, 120);
+    REQUIRE(record.judgements.size() == 5);
+    CHECK(record.judgements[0].verdict == Verdict::holds);
+    CHECK(record.judgements[1].verdict == Verdict::holds);
+    CHECK(record.judgements[2].verdict == Verdict::fails);
+    CHECK(*record.judgements[2].measured == doctest::Approx(6.0).epsilon(1e-9));
+    CHECK(record.judgements[3].verdict == Verdict::holds);
+    CHECK(record.judgements[4].verdict == Verdict::not_judged);
+    CHECK(has_failure(record));
+}
+
+TEST_CASE("nothing is judged where options changed the level") {
+    const Scene scene =
+        load("ball a at=0,0 v=12,0\nexpect a.x 99 within 1 at=0.5\nexpect a.x 99 within 1\n",
+             {.rate = 60.0});
+    const RunRecord record = run(scene, 60);
+    REQUIRE(record.judgements.size() == 2);
+    CHECK(record.judgements[0].verdict == Verdict::not_judged);
+    CHECK(record.judgements[1].verdict == Verdict::not_judged);
+    CHECK_FALSE(has_failure(record));
+}

@@ -1,0 +1,36 @@
+#include "level/scene/quantities.h"
+
+#include <doctest/doctest.h>
+
+#include <set>
+
+using namespace carom;
+
+TEST_CASE("every quantity has its own name") {
+    std::set<std::string_view> names;
+    for (const QuantityKind kind : quantity_kinds())
+        CHECK(names.insert(name(kind)).second);
+    CHECK(name(QuantityKind::chi_square) == "chi_square");
+    CHECK(name(QuantityKind::x) == "x");
+    CHECK(name(QuantityKind::removed) == "removed");
+    CHECK_FALSE(is_of_ball(QuantityKind::removed));
+    CHECK(is_of_ball(QuantityKind::speed));
+    CHECK_FALSE(is_of_bins(QuantityKind::speed));
+    CHECK(is_of_bins(QuantityKind::count));
+}
+
+TEST_CASE("binomial shares") {
+    CHECK(binomial_shares(2, 0.5) == std::vector<double>{0.25, 0.5, 0.25});
+    CHECK(binomial_shares(0, 0.5) == std::vector<double>{1.0});
+    CHECK(binomial_shares(3, 0.0) == std::vector<double>{1, 0, 0, 0});
+    CHECK(binomial_shares(3, 1.0) == std::vector<double>{0, 0, 0, 1});
+    const auto shares = binomial_shares(5000, 0.3);
+    double sum = 0.0;
+    double mean = 0.0;
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+        sum += shares[k];
+        mean += static_cast<double>(k) * shares[k];
+    }
+    CHECK(sum == doctest::Approx(1).epsilon(1e-12));
+    CHECK(mean == doctest::Approx(1500).epsilon(1e-12));
+}

@@ -1,0 +1,128 @@
+#include "physics/broad_phase/cell_frame.h"
+
+#include <algorithm>
+
+#include <doctest/doctest.h>
+
+#include "geometry/closest.h"
+#include "physics/broad_phase/capsule_cells.h"
+#include "physics/broad_phase/swept_cells.h"
+#include "physics/support/scenes.h"
+#include "physics/world/random.h"
+
+using namespace carom;
+
+namespace {
+
+double draw(double low, double high, std::uint64_t who, std::uint64_t index) {
+    return random_between(low, high, 99, RandomStream::level, who, index);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "every pair within a cell's width is found, inside the frame, outside it and around the "
+    "torus") {
+    for (const bool torus : {false, true}) {
+        World world = scenes::gas(400, 8, torus);
+        if (!torus) {  // some far outside of where most are
+            for (std::uint64_t i = 0; i < 30; ++i)
+                world.balls.position[i] = {draw(-900, 900, i, 0), draw(500, 900, i, 1)};
+        }
+        const CellFrame frame = frame_around(world, 2.5);
+        PointCells cells;
+        cells.rebuild(frame, world.balls.position);
+        const Vec2 around = torus ? size(*world.model.wrap) : Vec2{1e12, 1e12};
+        for (std::size_t i = 0; i < 400; ++i) {
+            std::vector<std::uint32_t> near;
+            cells.for_each_near(i, [&](std::uint32_t j) { near.push_back(j); });
+            std::ranges::sort(near);
+            CHECK(std::ranges::adjacent_find(near) == near.end());
+            for (std::uint32_t j = 0; j < 400; ++j) {
+                const Vec2 offset =
+                    nearest_image(world.balls.position[i] - world.balls.position[j], around);
+                if (length(offset) < 2.5) CHECK(std::ranges::binary_search(near, j));
+            }
+        }
+    }
+}
+
+TEST_CASE("moving balls from cell to cell is the same as building the cells again") {
+    World world = scenes::gas(200, 8);
+    const CellFrame frame = frame_around(world, 3.0);
+    PointCells moved;
+    moved.rebuild(frame, world.balls.position);
+    for (std::uint64_t i = 0; i < 200; ++i) {
+        world.balls.position[i] += {draw(-9, 9, i, 2), draw(-9, 9, i, 3)};
+        moved.move(i, world.balls.position[i]);
+    }
+    PointCells built;
+    built.rebuild(frame, world.balls.position);
+    const auto near = [](const PointCells& cells, std::size_t i) {
+        std::vector<std::uint32_t> found;
+        cells.for_each_near(i, [&](std::uint32_t j) { found.push_back(j); });
+        std::ranges::sort(found);
+        return found;
+    };
+    for (std::size_t i = 0; i < 200; ++i)
+        CHECK(near(moved, i) == near(built, i));
+}
+
+TEST_CASE("an edge is in every cell from which a ball can touch it") {
+    for (const bool torus : {false, true}) {
+        World world = scenes::gas(300, 12, torus);
+        for (std::uint64_t i = 0; i < 40; ++i)
+            add_capsule(world,
+                        {{draw(-5, 70, i, 4), draw(-5, 70, i, 5)},
+                         {draw(-5, 70, i, 6), draw(-5, 70, i, 7)},
+                         draw(0, 1, i, 8)},
+                        0);
+        const CellFrame frame = frame_around(world, 2.0);
+        CapsuleCells edges;
+        edges.update(world, frame, 1.0);
+        const Vec2 around = torus ? size(*world.model.wrap) : Vec2{};
+        for (std::uint64_t k = 0; k < 4000; ++k) {
+            Vec2 p{draw(-20, 90, k, 9), draw(-20, 90, k, 10)};
+            if (torus) p = wrapped(p, *world.model.wrap);
+            const auto in_cell = edges.in_cell(frame.index(frame.column(p.x), frame.row(p.y)));
+            for (std::uint32_t c = 0; c < world.capsules.size(); ++c) {
+                for (int across = torus ? -1 : 0; across <= (torus ? 1 : 0); ++across) {
+                    for (int along = torus ? -1 : 0; along <= (torus ? 1 : 0); ++along) {
+                        Capsule image = world.capsules.shape[c];
+                        const Vec2 shift{across * around.x, along * around.y};
+                        image.start += shift;
+                        image.end += shift;
+                        if (separation(Disc{p, 1.0}, image) >= 0.0) continue;
+                        CHECK(std::ranges::any_of(in_cell, [&](const CapsuleEntry& entry) {
+                            return entry.index == c && entry.across == across &&
+                                   entry.along == along;
+                        }));
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("paths that come near share a cell, each pair once") {
+    World world = scenes::gas(200, 15);
+    const CellFrame frame = frame_around(world, 3.0);
+    SweptCells cells;
+    cells.reset(frame, 200);
+    std::vector<Box> boxes;
+    for (std::uint32_t i = 0; i < 200; ++i) {
+        const Vec2 p = world.balls.position[i];
+        const Vec2 to = p + Vec2{draw(-30, 30, i, 11), draw(-30, 30, i, 12)};
+        boxes.push_back(grow(join({p, p}, {to, to}), 1.0));
+        cells.enter(i, grow({p, p}, 1.0), true);
+        cells.enter(i, boxes.back(), false);
+    }
+    for (std::uint32_t i = 0; i < 200; ++i) {
+        std::vector<std::uint32_t> sharing;
+        cells.for_each_in(cells.range_of(boxes[i]), [&](std::uint32_t j) { sharing.push_back(j); });
+        std::ranges::sort(sharing);
+        CHECK(std::ranges::adjacent_find(sharing) == sharing.end());
+        for (std::uint32_t j = 0; j < 200; ++j)
+            if (overlaps(boxes[i], boxes[j])) CHECK(std::ranges::binary_search(sharing, j));
+    }
+}

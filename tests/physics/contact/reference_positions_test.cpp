@@ -1,0 +1,168 @@
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "physics/solver.h"
+#include "physics/support/scenes.h"
+#include "physics/world/fingerprint.h"
+
+using namespace carom;
+
+namespace {
+
+// A heap at rest, and the solver that brought it there.
+struct Heap {
+    World world = scenes::bucket(120, 0.0);
+    Solver solver{{.kind = SolverKind::contact}};
+
+    Heap() {
+        world.model.lossy = true;
+        world.kinds.push_back(world.kinds[0]);
+        world.materials.push_back(world.materials[0]);
+        for (int i = 0; i < 900; ++i)
+            solver.tick(world);
+    }
+};
+
+// Fast enough to bounce, too slow to leave a region.
+void shake(World& world) {
+    for (std::size_t i = 0; i < world.balls.size(); ++i)
+        world.balls.velocity[i] = {0.0, i % 3 == 0 ? -0.5 : 0.1};
+}
+
+bool is_same(const Homes& a, const Homes& b) {
+    return a.ball == b.ball && a.place == b.place && a.margin == b.margin;
+}
+
+}  // namespace
+
+TEST_CASE("contact: a heap at rest goes on with the pairs that it has") {
+    Heap heap;
+    const Homes before = heap.world.homes;
+    REQUIRE(before.ball == heap.world.balls.id);
+    for (int i = 0; i < 50; ++i)
+        heap.solver.tick(heap.world);
+    CHECK(is_same(heap.world.homes, before));
+
+    SUBCASE("until a ball leaves its region") {
+        heap.world.balls.velocity[7] = {0.0, 200.0};
+        heap.solver.tick(heap.world);
+        CHECK_FALSE(is_same(heap.world.homes, before));
+    }
+    SUBCASE("until a ball goes") {
+        remove_ball(heap.world, heap.world.balls.id[3]);
+        heap.solver.tick(heap.world);
+        CHECK(heap.world.homes.ball == heap.world.balls.id);
+    }
+    SUBCASE("until another solver takes over") {
+        Solver swept({.kind = SolverKind::swept});
+        swept.tick(heap.world);
+        CHECK(heap.world.homes.ball.empty());
+    }
+}
+
+// What is kept from tick to tick must be what a solver finds that sees the world for the first
+// time, whatever was done to it in between.
+TEST_CASE("contact: a heap that somebody changes goes on as in a solver that never saw it") {
+    struct Row {
+        std::string what;
+        std::function<void(World&)> change;
+    };
+    const std::vector<Row> rows{
+        {"nothing", [](World&) {}},
+        {"an edge moves", [](World& w) { w.capsules.shape[0].start.y += 0.004; }},
+        {"an edge comes",
+         [](World& w) {
+             add_capsule(w, {{4.0, 3.0}, {16.0, 4.0}, 0.2}, 0);
+         }},
+        {"an edge goes", [](World& w) { remove_capsule(w, w.capsules.id[0]); }},
+        {"an edge of another material",
+         [](World& w) {
+             w.materials[1].restitution = 0.9;
+             w.capsules.material.assign(w.capsules.size(), 1);
+             shake(w);
+         }},
+        {"a material bounces",
+         [](World& w) {
+             w.materials[0].restitution = 0.9;
+             shake(w);
+         }},
+        {"balls bounce",
+         [](World& w) {
+             w.balls.restitution.assign(w.balls.size(), 0.8);
+             shake(w);
+         }},
+        {"balls rub",
+         [](World& w) {
+             w.model.spin = 0.5;
+             w.balls.spin.assign(w.balls.size(), 1.0);
+             w.kinds[0].friction = 0.4;
+         }},
+        {"a ball is heavier", [](World& w) { w.balls.inverse_mass[100] = 0.125; }},
+        {"a ball is smaller", [](World& w) { w.balls.radius[5] *= 0.99; }},
+        {"a ball is elsewhere by a hair", [](World& w) { w.balls.position[60].x += 1e-3; }},
+        {"two balls change places",
+         [](World& w) { std::swap(w.balls.position[60], w.balls.position[61]); }},
+        {"a ball goes", [](World& w) { remove_ball(w, w.balls.id[11]); }},
+        {"a ball goes and another comes",
+         [](World& w) {
+             const Vec2 place = w.balls.position[11];
+             remove_ball(w, w.balls.id[11]);
+             add_ball(w, {.position = place, .velocity = {}});
+         }},
+        {"a ball presses harder", [](World& w) { w.pressed[20].impulse *= 1.5; }},
+        {"nothing presses", [](World& w) { w.pressed.clear(); }},
+        {"other balls meet no more",
+         [](World& w) {
+             w.model.filtered = true;
+             w.meets.assign(16, 1);
+             w.meets[0 * 4 + 1] = w.meets[1 * 4 + 0] = 0;
+             w.balls.kind[80] = 1;
+         }},
+        {"gravity turns",
+         [](World& w) {
+             w.model.gravity = Vec2{1.0, -9.0};
+         }},
+        {"nobody has a home", [](World& w) { w.homes.clear(); }},
+    };
+    const Heap heap;
+    for (const Row& row : rows) {
+        CAPTURE(row.what);
+        World seen = heap.world;
+        Solver solver({.kind = SolverKind::contact});
+        solver.tick(seen);
+        solver.tick(seen);
+        row.change(seen);
+        World unseen = seen;
+        for (int i = 0; i < 20; ++i) {
+            solver.tick(seen);
+            Solver stranger({.kind = SolverKind::contact});
+            stranger.tick(unseen);
+            REQUIRE(fingerprint(seen) == fingerprint(unseen));
+        }
+    }
+}
+
+TEST_CASE(
+    "contact: a crowd of fast balls has regions for a substep, a fast one among slow a tick") {
+    for (const bool is_crowd : {true, false}) {
+        CAPTURE(is_crowd);
+        World world = scenes::empty();
+        world.rate = 60.0;
+        world.model.gravity = Vec2{0.0, -10.0};
+        for (int i = 0; i < 100; ++i)
+            add_ball(world, {.position = {10.0 * (i % 10), 10.0 * (i / 10)},
+                             .velocity = {is_crowd || i == 0 ? 90.0 : 0.0, 0.0},
+                             .radius = 0.5});
+        Solver solver({.kind = SolverKind::contact});
+        solver.tick(world);
+        // It goes 1.5 in a tick of four substeps.
+        REQUIRE(world.homes.margin.size() == 100);
+        if (is_crowd)
+            CHECK(world.homes.margin[0] < 0.6);
+        else
+            CHECK(world.homes.margin[0] > 1.5);
+    }
+}

@@ -1,0 +1,76 @@
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "physics/memory/prefetch.h"
+#include "physics/solver.h"
+#include "physics/world/fingerprint.h"
+
+#include "physics/support/scenes.h"
+
+using namespace carom;
+
+// From some thousand balls on the solver fetches from memory ahead of its events, by what it knows
+// then of who and where that will be.
+TEST_CASE("event: many balls go on with the same bits, and while they become few") {
+    for (const bool torus : {false, true}) {
+        CAPTURE(torus);
+        World world = scenes::gas(5'000, 1, torus);
+        World fresh = world;
+        Solver solver({.kind = SolverKind::event});
+        for (int tick = 0; tick < 8; ++tick) {
+            if (tick == 3 || tick == 6)
+                for (World* each : {&world, &fresh})
+                    for (int i = 0; i < 300; ++i)
+                        remove_ball(*each, each->balls.id[each->balls.size() - 1 - 7 * i]);
+            REQUIRE(solver.tick(world) == TickOutcome::done);
+            REQUIRE(Solver({.kind = SolverKind::event}).tick(fresh) == TickOutcome::done);
+            REQUIRE(fingerprint(world) == fingerprint(fresh));
+        }
+        CHECK(world.balls.size() == 4'400);
+        CHECK(world.ball_ball_collisions > 1'000);
+    }
+}
+
+// Of so many it keeps sums to tell whether anybody has moved or pushed one.
+TEST_CASE("event: whatever is done to one of very many balls, the solver sees it") {
+    struct Row {
+        std::string what;
+        std::function<void(World&)> change;
+    };
+    const std::vector<Row> rows{
+        {"nothing", [](World&) {}},
+        {"one turns", [](World& w) { w.balls.velocity[17].y = -w.balls.velocity[17].y; }},
+        {"two exchange velocities",
+         [](World& w) { std::swap(w.balls.velocity[100], w.balls.velocity[8'000]); }},
+        {"two exchange places",
+         [](World& w) { std::swap(w.balls.position[100], w.balls.position[101]); }},
+        {"one moves by a hair",
+         [](World& w) {
+             w.balls.position[8'500].x = std::nextafter(w.balls.position[8'500].x, 0);
+         }},
+        {"all turn back",
+         [](World& w) {
+             for (Vec2& velocity : w.balls.velocity)
+                 velocity = -velocity;
+         }},
+    };
+    World world = scenes::gas(9'000, 1, false);
+    REQUIRE(world.balls.size() >= too_many_to_cache);
+    Solver solver({.kind = SolverKind::event});
+    for (const Row& row : rows) {
+        CAPTURE(row.what);
+        REQUIRE(solver.tick(world) == TickOutcome::done);
+        row.change(world);
+        World fresh = world;
+        REQUIRE(solver.tick(world) == TickOutcome::done);
+        REQUIRE(Solver({.kind = SolverKind::event}).tick(fresh) == TickOutcome::done);
+        CHECK(fingerprint(world) == fingerprint(fresh));
+        CHECK(world.balls.position == fresh.balls.position);
+        CHECK(world.paths == fresh.paths);
+    }
+}

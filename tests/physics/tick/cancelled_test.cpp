@@ -1,0 +1,84 @@
+#include <doctest/doctest.h>
+
+#include "physics/solver.h"
+#include "physics/support/scenes.h"
+#include "physics/world/fingerprint.h"
+
+using namespace carom;
+
+namespace {
+
+// All that a tick may change: balls are born, an edge is dragged, a flipper turns, contacts
+// scatter.
+World busy(bool torus) {
+    World world = scenes::gas(1000, 6, torus);
+    world.rate = 0.5;
+    world.model.scatter = 0.1;
+    world.balls.edge_contacts.assign(world.balls.size(), 0);
+    world.kinds.push_back({.radius = 0.3, .mass = 0.1, .restitution = 0.5});
+    world.emitters.push_back(
+        {.kind = 1, .at = {-40, -40}, .velocity = {3, 1}, .every = 0.01, .count = 50});
+    const CapsuleId dragged = add_capsule(world, {{10, 10}, {20, 12}, 0.2}, 0);
+    world.held_capsules.push_back({dragged, {14, 12}, {25, 15}});
+    const CapsuleId turned = add_capsule(world, {{40, 30}, {46, 30}, 0.3}, 0);
+    world.flippers.push_back(
+        {.capsule = turned, .length = 6.0, .rest = {1, 0}, .sweep = 1.0, .is_pressed = true});
+    return world;
+}
+
+SolverSettings settings_for(SolverKind kind) {
+    return {.kind = kind, .updates = 20, .steps = 20, .substeps = 3};
+}
+
+}  // namespace
+
+TEST_CASE("a tick that is given up leaves the world as it was, wherever it stops") {
+    for (const SolverKind kind : {SolverKind::substep, SolverKind::swept, SolverKind::event}) {
+        CAPTURE(name(kind));
+        for (const bool torus : {false, true}) {
+            const World start = busy(torus);
+            World straight = start;
+            Solver(settings_for(kind)).tick(straight);
+            World world = start;
+            Solver solver(settings_for(kind));
+            int given_up = 0;
+            for (;; ++given_up) {
+                int asked = 0;
+                const auto outcome = solver.tick(world, [&] { return asked++ < given_up; });
+                if (outcome != TickOutcome::given_up) break;
+                REQUIRE(fingerprint(world) == fingerprint(start));
+                REQUIRE(world.next_ball == start.next_ball);
+                REQUIRE(world.model == start.model);
+                REQUIRE(world.balls.restitution.empty());
+                REQUIRE(world.balls.radius == start.balls.radius);
+                REQUIRE(world.held_capsules.size() == 1);
+                REQUIRE(solver.contacts().empty());
+            }
+            CHECK(given_up > 2);
+            CHECK(fingerprint(world) == fingerprint(straight));
+            if (!torus) CHECK(world.balls.size() > start.balls.size());
+            CHECK(world.ball_ball_collisions == straight.ball_ball_collisions);
+        }
+    }
+}
+
+// Under `contact` only where nothing can press, where it goes by `swept`.
+TEST_CASE("a tick of contact in a gas can be given up too, and leaves the world as it was") {
+    World world = scenes::gas(5000, 6);
+    Solver solver({.kind = SolverKind::contact});
+    solver.tick(world);
+    const World start = world;
+    CHECK(solver.tick(world, [] { return false; }) == TickOutcome::given_up);
+    CHECK(fingerprint(world) == fingerprint(start));
+    CHECK(solver.contacts().empty());
+}
+
+TEST_CASE("solvers whose ticks are bounded do not ask") {
+    for (const SolverKind kind : {SolverKind::discrete, SolverKind::contact}) {
+        CAPTURE(name(kind));
+        World world = scenes::gas(5000, 6);
+        world.model.gravity = Vec2{0.0, -1.0};
+        const auto never = [] { return false; };
+        CHECK(Solver({.kind = kind}).tick(world, never) == TickOutcome::done);
+    }
+}

@@ -1,0 +1,610 @@
+#include "terminal/draw/draw.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+using namespace carom;
+
+namespace {
+
+constexpr std::array renderers = {Renderer::ascii, Renderer::half_blocks, Renderer::braille};
+
+Scene table(const Box& view) {
+    Scene scene;
+    scene.view = view;
+    scene.world.kinds.resize(3);
+    scene.world.materials.resize(2);
+    return scene;
+}
+
+BallId put_ball(Scene& scene, Vec2 position, double radius, Vec2 velocity = {},
+                ClassIndex kind = 0) {
+    BallSpec spec;
+    spec.kind = kind;
+    spec.position = position;
+    spec.velocity = velocity;
+    spec.radius = radius;
+    return add_ball(scene.world, spec);
+}
+
+struct Drawing {
+    Canvas canvas;
+    ViewMemory memory;
+
+    Drawing(int columns, int rows) : canvas(columns, rows) {}
+    Drawing& draw(const Scene& scene, const ViewOptions& options = {}, const Marks& marks = {},
+                  std::span<const Contact> contacts = {}) {
+        const Camera camera = fit_camera(scene.view, {0, 0, canvas.columns(), canvas.rows()}, 2.0);
+        draw_world(canvas, camera, scene, scene.world, contacts, marks, options, memory);
+        return *this;
+    }
+    std::string text() const { return "\n" + canvas.text(); }
+};
+
+ViewOptions in(Renderer renderer) {
+    ViewOptions options;
+    options.renderer = renderer;
+    return options;
+}
+
+int cells_that_are(const Canvas& canvas, char32_t glyph) {
+    int count = 0;
+    for (int row = 0; row < canvas.rows(); ++row) {
+        for (int column = 0; column < canvas.columns(); ++column) {
+            count += canvas.at(column, row).glyph == glyph;
+        }
+    }
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("auto picks what the terminal can show") {
+    ViewOptions options;
+    CHECK(renderer_in_force(options) == Renderer::half_blocks);
+    options.look.colors = 0;
+    CHECK(renderer_in_force(options) == Renderer::braille);
+    options.look.utf8 = false;
+    CHECK(renderer_in_force(options) == Renderer::ascii);
+    options.renderer = Renderer::braille;
+    CHECK(renderer_in_force(options) == Renderer::ascii);
+    options.look.utf8 = true;
+    CHECK(renderer_in_force(options) == Renderer::braille);
+}
+
+TEST_CASE("a ball between two walls, in ASCII") {
+    Scene scene = table({{0, 0}, {20, 10}});
+    add_capsule(scene.world, {{0, 0.5}, {20, 0.5}, 0.5}, 0);
+    add_capsule(scene.world, {{2, 2}, {2, 10}, 0.0}, 1);
+    put_ball(scene, {12, 5}, 3.5);
+    CHECK(Drawing(41, 11).draw(scene, in(Renderer::ascii)).text() == R"(
+    |
+    |
+    |               _/*"""*\_
+    |             ./`:::::::'\,
+    |            .[:::::::::::],
+    |            ]`:::::::::::'[
+    |            '[:::::::::::]`
+    |             '\,:::::::./`
+    *               "*\___/*"
+ggggggggggggggggggggggggggggggggggggggggg
+TTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTTT
+)");
+}
+
+TEST_CASE("a ball between two walls, in braille") {
+    Scene scene = table({{0, 0}, {20, 10}});
+    add_capsule(scene.world, {{0, 0.5}, {20, 0.5}, 0.5}, 0);
+    add_capsule(scene.world, {{2, 2}, {2, 10}, 0.0}, 1);
+    put_ball(scene, {12, 5}, 3.5);
+    CHECK(Drawing(41, 11).draw(scene, in(Renderer::braille)).text() == R"(
+    ⢰
+    ⢸
+    ⢸               ⣠⢴⢖⢟⢝⢝⢖⢦⣄
+    ⢸             ⢠⢞⢕⢕⢕⢕⢕⢕⢕⢕⢝⢷⡄
+    ⢸            ⢀⣟⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⢽⡀
+    ⢸            ⢸⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⡇
+    ⢸            ⠈⣗⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⢕⣽⠁
+    ⢸             ⠘⢷⣕⢕⢕⢕⢕⢕⢕⢕⢕⡵⠃
+    ⠸               ⠙⠳⠵⣕⣕⣵⠵⠗⠋
+⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤
+⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛
+)");
+}
+
+TEST_CASE("a ball between two walls, in half blocks") {
+    Scene scene = table({{0, 0}, {20, 10}});
+    add_capsule(scene.world, {{0, 0.5}, {20, 0.5}, 0.5}, 0);
+    put_ball(scene, {12, 5}, 3.5);
+    CHECK(Drawing(21, 6).draw(scene, in(Renderer::half_blocks)).text() == R"(
+
+          ▄▀▀▀▄
+         ███████
+         ███████
+          ▀▀▀▀▀
+▀▀▀▀▀▀▀▀▀▀▀▀▀▀▀▀▀▀▀▀▀
+)");
+}
+
+TEST_CASE("an outlined ball has a radius that shows where it heads") {
+    Scene scene = table({{0, 0}, {10, 10}});
+    put_ball(scene, {5, 5}, 4.0, {3, 3});
+    ViewOptions options = in(Renderer::ascii);
+    options.ball_style = BallStyle::outline;
+    CHECK(Drawing(22, 11).draw(scene, options).text() == R"(
+
+       _;~~~~;_
+    ./^`      '^|,
+   :^         ;^ ^:
+   [        ;^    ]
+  ][      -^      ][
+   [              ]
+   ';            ;`
+    '*;,      .;*`
+       "^~~~~^"
+
+)");
+    // At rest it heads nowhere.
+    scene.world.balls.velocity[0] = {};
+    CHECK(Drawing(22, 11).draw(scene, options).text() == R"(
+
+       _;~~~~;_
+    ./^`      '^\,
+   :^            ^:
+   [              ]
+  ][              ][
+   [              ]
+   ';            ;`
+    '*;,      .;*`
+       "^~~~~^"
+
+)");
+}
+
+TEST_CASE("only the camera's area is touched") {
+    Scene scene = table({{0, 0}, {10, 10}});
+    put_ball(scene, {5, 5}, 40.0);
+    add_capsule(scene.world, {{-100, 5}, {100, 5}, 1.0}, 0);
+    for (const Renderer renderer : renderers) {
+        Canvas canvas(30, 12);
+        canvas.fill({U'x'});
+        ViewMemory memory;
+        ViewOptions options = in(renderer);
+        options.labels = Labels::all;
+        options.trails = options.grid = options.velocities = options.contacts = true;
+        Marks marks;
+        marks.cursor = Vec2{-1, 5};
+        marks.cue = CueLine{{5, 5}, {-20, 5}, "12 m/s"};
+        marks.selected_ball = BallId{0};
+        const Camera camera = zoomed(fit_camera(scene.view, {5, 2, 10, 6}, 2.0), {7, 4}, 1.7);
+        draw_world(canvas, camera, scene, scene.world, {}, marks, options, memory);
+        CHECK(cells_that_are(canvas, U'x') == 30 * 12 - 10 * 6);
+    }
+}
+
+TEST_CASE("the last picture leaves nothing behind") {
+    Scene scene = table({{0, 0}, {10, 10}});
+    put_ball(scene, {2, 5}, 1.0);
+    for (const Renderer renderer : renderers) {
+        Drawing moved(20, 10);
+        moved.draw(scene, in(renderer));
+        Scene later = scene;
+        later.world.balls.position[0] = {8, 5};
+        moved.draw(later, in(renderer));
+        CHECK(moved.text() == Drawing(20, 10).draw(later, in(renderer)).text());
+    }
+}
+
+TEST_CASE("on a torus, a ball across a side shows on both") {
+    Scene scene = table({{0, 0}, {20, 10}});
+    scene.world.model.wrap = Box{{0, 0}, {20, 10}};
+    put_ball(scene, {19.5, 9.5}, 2.0);
+    CHECK(Drawing(41, 11).draw(scene, in(Renderer::ascii)).text() == R"(
+::^:                               :^::::
+::;`                               ';::::
+;*`                                 '*;_;
+
+
+
+
+
+
+^\,                                 ./^"^
+::^:                               :^::::
+)");
+}
+
+TEST_CASE("a ball smaller than a cell is seen in every renderer, at any zoom") {
+    for (const Renderer renderer : renderers) {
+        for (const double radius : {1e-9, 0.01, 0.3, 0.7, 1.0, 1.6}) {
+            for (int place = 0; place < 30; ++place) {
+                Scene scene = table({{0, 0}, {20, 20}});
+                put_ball(scene, {10 + place * 0.071, 10 + place * 0.093}, radius);
+                Drawing drawing(20, 10);
+                drawing.draw(scene, in(renderer));
+                CAPTURE(radius);
+                CAPTURE(place);
+                REQUIRE(cells_that_are(drawing.canvas, U' ') < 200);
+            }
+        }
+    }
+}
+
+TEST_CASE("in ASCII, balls of few columns are characters that stay while they move") {
+    for (const auto& [radius, stamp] : {std::pair{0.5, "o"}, {1.0, "()"}, {1.6, "(o)"}}) {
+        for (int step = 0; step < 20; ++step) {
+            Scene scene = table({{0, 0}, {20, 20}});
+            put_ball(scene, {5 + step * 0.31, 8 + step * 0.17}, radius);
+            Drawing drawing(21, 11);
+            drawing.draw(scene, in(Renderer::ascii));
+            CHECK(drawing.text().find(stamp) != std::string::npos);
+            CHECK(cells_that_are(drawing.canvas, U' ') ==
+                  21 * 11 - static_cast<int>(std::string_view(stamp).size()));
+        }
+    }
+    // Without colour, another kind has other characters.
+    Scene scene = table({{0, 0}, {20, 20}});
+    put_ball(scene, {10, 10}, 0.5, {}, 1);
+    ViewOptions options = in(Renderer::ascii);
+    options.look.colors = 0;
+    CHECK(Drawing(21, 11).draw(scene, options).text().find('@') != std::string::npos);
+}
+
+TEST_CASE("in ASCII, a peg of about a column is one character") {
+    Scene scene = table({{0, 0}, {20, 20}});
+    add_capsule(scene.world, {{5, 5}, {5, 5}, 0.5}, 0);
+    add_capsule(scene.world, {{15, 5}, {15, 5}, 3.0}, 0);
+    const std::string text = Drawing(21, 11).draw(scene, in(Renderer::ascii)).text();
+    CHECK(std::count(text.begin(), text.end(), '+') == 1);
+    CHECK(std::count(text.begin(), text.end(), '#') > 1);
+}
+
+TEST_CASE("balls are told from edges, and kinds from each other, without colour") {
+    for (const Renderer renderer : renderers) {
+        std::vector<std::string> looks;
+        for (int what = 0; what < 3; ++what) {
+            Scene scene = table({{0, 0}, {12, 12}});
+            // Half blocks have no patterns: there, kinds are told apart by what is written on them.
+            if (what == 1 && renderer == Renderer::half_blocks) scene.ball_names = {"b"};
+            if (what < 2) put_ball(scene, {6, 6}, 5.0, {}, static_cast<ClassIndex>(what));
+            if (what == 2) add_capsule(scene.world, {{6, 6}, {6, 6}, 5.0}, 0);
+            ViewOptions options = in(renderer);
+            options.look.colors = 0;
+            if (renderer != Renderer::half_blocks) options.labels = Labels::none;
+            looks.push_back(Drawing(24, 12).draw(scene, options).text());
+        }
+        CHECK(looks[0] != looks[1]);
+        CHECK(looks[0] != looks[2]);
+        CHECK(looks[1] != looks[2]);
+    }
+}
+
+TEST_CASE("without colour, balls that are big enough say who they are") {
+    Scene scene = table({{0, 0}, {24, 12}});
+    put_ball(scene, {6, 6}, 4.0);
+    put_ball(scene, {16, 6}, 4.0);
+    put_ball(scene, {22, 6}, 0.4);
+    scene.ball_names = {"cue", "a name too long", ""};
+    ViewOptions options = in(Renderer::ascii);
+    options.look.colors = 0;
+    const std::string mono = Drawing(49, 13).draw(scene, options).text();
+    CHECK(mono.find("cue") != std::string::npos);
+    CHECK(mono.find("1") != std::string::npos);
+    CHECK(mono.find("2") == std::string::npos);  // too small
+    options.look.colors = 256;
+    CHECK(Drawing(49, 13).draw(scene, options).text().find("cue") == std::string::npos);
+    options.labels = Labels::all;
+    const std::string all = Drawing(49, 13).draw(scene, options).text();
+    for (const char* id : {"0", "1", "2"})
+        CHECK(all.find(id) != std::string::npos);
+}
+
+TEST_CASE("a label on half blocks stands on the ball's colour") {
+    Scene scene = table({{0, 0}, {12, 12}});
+    put_ball(scene, {6, 6}, 5.0);
+    ViewOptions options = in(Renderer::half_blocks);
+    options.labels = Labels::all;
+    Drawing drawing(24, 12);
+    drawing.draw(scene, options);
+    bool is_found = false;
+    for (int column = 0; column < 24; ++column) {
+        const Cell& cell = drawing.canvas.at(column, 6);
+        if (cell.glyph == U'0') {
+            is_found = true;
+            CHECK(cell.background == ink_of_class(0, options.look).color);
+        }
+    }
+    CHECK(is_found);
+}
+
+TEST_CASE("a counter stands over each bin, staggered where there is no room side by side") {
+    Scene scene = table({{0, 0}, {16, 10}});
+    for (int i = 0; i < 4; ++i) {
+        const double x = 2.0 + 4.0 * i;
+        Zone zone;
+        zone.shape = {{x, 0}, {x, 4}, 1.0};
+        zone.counter = static_cast<std::uint32_t>(i);
+        scene.world.zones.push_back(zone);
+        scene.world.counters.push_back(static_cast<std::uint64_t>(1234 + i));
+    }
+    const std::string wide = Drawing(40, 12).draw(scene, in(Renderer::ascii)).text();
+    for (const char* count : {"1234", "1235", "1236", "1237"}) {
+        CHECK(wide.find(count) != std::string::npos);
+    }
+    const std::string narrow = Drawing(16, 10).draw(scene, in(Renderer::ascii)).text();
+    for (const char* count : {"1234", "1235", "1236", "1237"}) {
+        CAPTURE(narrow);
+        CHECK(narrow.find(count) != std::string::npos);
+    }
+}
+
+TEST_CASE("a contact is a line between the two that met") {
+    Scene scene = table({{0, 0}, {20, 10}});
+    put_ball(scene, {2, 5}, 0.5);
+    put_ball(scene, {18, 5}, 0.5);
+    Contact contact;
+    contact.a = 0;
+    contact.b = 1;
+    ViewOptions options = in(Renderer::ascii);
+    options.contacts = true;
+    Drawing drawing(40, 11);
+    drawing.draw(scene, options, {}, {&contact, 1});
+    const Ink ink = ink_of(Role::contact, options.look);
+    int lit = 0;
+    for (int column = 0; column < 40; ++column) {
+        lit += drawing.canvas.at(column, 5).foreground == ink.color;
+    }
+    CHECK(lit > 25);
+    // One of them is gone: no line.
+    remove_ball(scene.world, BallId{1});
+    CHECK(drawing.draw(scene, options, {}, {&contact, 1}).text() ==
+          Drawing(40, 11).draw(scene, options).text());
+}
+
+TEST_CASE("a velocity is an arrow from the rim of its ball, as long as it is fast") {
+    Scene scene = table({{0, 0}, {40, 10}});
+    put_ball(scene, {4, 3}, 2.0, {6, 0});
+    put_ball(scene, {4, 8}, 1.0, {-3, 0});
+    put_ball(scene, {30, 5}, 1.0);
+    ViewOptions options = in(Renderer::ascii);
+    options.velocities = true;
+    CHECK(Drawing(41, 6).draw(scene, options).text() == R"(
+
+-{}~()
+
+  ./"\____;_                  ()
+  '\_/""""^"
+
+)");
+}
+
+TEST_CASE("a grid stands at round coordinates, and the broad phase where its cells are") {
+    Scene scene = table({{0, 0}, {30, 10}});
+    ViewOptions options = in(Renderer::ascii);
+    options.grid = true;
+    CHECK(Drawing(31, 6).draw(scene, options).text() == R"(
+|~~~~~~~~~|~~~~~~~~~|~~~~~~~~~|
+|         |         |         |
+|         |         |         |
+|         |         |         |
+|         |         |         |
+|~~~~~~~~~|~~~~~~~~~|~~~~~~~~~|
+)");
+    options.grid = false;
+    options.broad_phase = true;
+    Marks marks;
+    marks.broad_phase = CellGrid{{2, 1}, 6.0};
+    CHECK(Drawing(31, 6).draw(scene, options, marks).text() == R"(
+  |     |     |     |     |
+__|_____|_____|_____|_____|____
+""|"""""|"""""|"""""|"""""|""""
+  |     |     |     |     |
+__|_____|_____|_____|_____|____
+""|"""""|"""""|"""""|"""""|""""
+)");
+    // Cells too small to be told apart are not drawn.
+    marks.broad_phase = CellGrid{{2, 1}, 1.0};
+    CHECK(Drawing(31, 6).draw(scene, options, marks).text() == "\n\n\n\n\n\n\n");
+}
+
+TEST_CASE("trails lie behind balls and edges, and go when they are switched off") {
+    Scene scene = table({{0, 0}, {20, 10}});
+    put_ball(scene, {2, 5}, 1.0);
+    ViewOptions options = in(Renderer::ascii);
+    options.trails = true;
+    Drawing drawing(41, 6);
+    for (int step = 0; step < 8; ++step) {
+        scene.world.balls.position[0].x += 1.5;
+        ++scene.world.tick;
+        drawing.draw(scene, options);
+    }
+    CHECK(drawing.text() == R"(
+
+
+
+             ^^^^^^^^^^^()
+
+
+)");
+    options.trails = false;
+    drawing.draw(scene, options);
+    options.trails = true;
+    CHECK(drawing.draw(scene, options).text() == Drawing(41, 6).draw(scene, options).text());
+}
+
+TEST_CASE("marks show what the player does, by more than colour") {
+    Scene scene = table({{0, 0}, {20, 10}});
+    put_ball(scene, {10, 5}, 1.5);
+    const CapsuleId edge = add_capsule(scene.world, {{2, 2}, {8, 2}, 0.0}, 0);
+    const ViewOptions options = in(Renderer::ascii);
+    const std::string bare = Drawing(41, 11).draw(scene, options).text();
+
+    Marks selected;
+    selected.selected_ball = BallId{0};
+    const std::string ball = Drawing(41, 11).draw(scene, options, selected).text();
+    CHECK(ball.find('[') != std::string::npos);
+    CHECK(ball.find(']') != std::string::npos);
+
+    Marks ends;
+    ends.selected_capsule = edge;
+    const std::string handles = Drawing(41, 11).draw(scene, options, ends).text();
+    CHECK(std::count(handles.begin(), handles.end(), 'O') ==
+          std::count(bare.begin(), bare.end(), 'O') + 2);
+
+    Marks cue;
+    cue.cue = CueLine{{10, 5}, {4, 8}, "3.20 m/s"};
+    CHECK(Drawing(41, 11).draw(scene, options, cue).text().find("3.20 m/s") != std::string::npos);
+
+    Marks cursor;
+    cursor.cursor = Vec2{15, 3};
+    Drawing pointed(41, 11);
+    pointed.draw(scene, options, cursor);
+    CHECK((pointed.canvas.at(30, 7).attributes & reverse) != 0);
+}
+
+TEST_CASE("what is not there is not marked") {
+    Scene scene = table({{0, 0}, {20, 10}});
+    Marks marks;
+    marks.selected_ball = BallId{7};
+    marks.selected_capsule = CapsuleId{7};
+    CHECK(Drawing(41, 11).draw(scene, {}, marks).text() == Drawing(41, 11).draw(scene).text());
+}
+
+TEST_CASE("worlds that are not finite, windows without cells: nothing breaks") {
+    Scene scene = table({{0, 0}, {20, 10}});
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double x : {0.0, 1e300, -1e300, infinity, std::nan("")}) {
+        put_ball(scene, {5, 5}, 1.0, {1, 2});
+        scene.world.balls.position.back() = {x, x};
+        put_ball(scene, {5, 5}, 1.0);
+        scene.world.balls.velocity.back() = {x, -x};
+        add_capsule(scene.world, {{x, 0}, {3, x}, 0.0}, 0);
+    }
+    for (const Renderer renderer : renderers) {
+        for (const ColorBy color_by :
+             {ColorBy::kind, ColorBy::speed, ColorBy::mass, ColorBy::ball}) {
+            ViewOptions options = in(renderer);
+            options.color_by = color_by;
+            options.velocities = options.trails = options.grid = options.broad_phase = true;
+            options.labels = Labels::all;
+            Marks marks;
+            marks.cursor = Vec2{infinity, std::nan("")};
+            marks.cue = CueLine{{0, 0}, {infinity, 1e300}, "fast"};
+            marks.broad_phase = CellGrid{{0, 0}, 1e-300};
+            for (const auto& [columns, rows] : {std::pair{0, 0}, {1, 1}, {20, 8}, {300, 2}}) {
+                Drawing drawing(columns, rows);
+                for (int frame = 0; frame < 3; ++frame) {
+                    ++scene.world.tick;
+                    drawing.draw(scene, options, marks);
+                }
+                CHECK(drawing.canvas.columns() == columns);
+            }
+        }
+    }
+}
+
+TEST_CASE("speed colours go from slow to fast, and calm down slowly") {
+    Scene scene = table({{0, 0}, {20, 10}});
+    put_ball(scene, {5, 5}, 2.0, {0.1, 0});
+    put_ball(scene, {15, 5}, 2.0, {10, 0});
+    ViewOptions options = in(Renderer::half_blocks);
+    options.color_by = ColorBy::speed;
+    Drawing drawing(42, 11);
+    drawing.draw(scene, options);
+    CHECK(drawing.canvas.at(11, 5).foreground == ink_of_scale(0.0, options.look).color);
+    CHECK(drawing.canvas.at(31, 5).foreground == ink_of_scale(1.0, options.look).color);
+    // A moment later the fast one has slowed down; it is not at once the fastest there is.
+    scene.world.balls.velocity[1] = {5, 0};
+    ++scene.world.tick;
+    drawing.draw(scene, options);
+    CHECK(drawing.canvas.at(31, 5).foreground == ink_of_scale(0.5, options.look).color);
+}
+
+TEST_CASE("balls of a single kind have each their own colour, else each kind has its own") {
+    Scene scene = table({{0, 0}, {20, 10}});
+    put_ball(scene, {5, 5}, 2.0);
+    put_ball(scene, {15, 5}, 2.0);
+    const auto colors = [&] {
+        const Drawing drawing = Drawing(41, 11).draw(scene, in(Renderer::ascii));
+        return std::pair{drawing.canvas.at(10, 5).foreground, drawing.canvas.at(30, 5).foreground};
+    };
+    CHECK(colors().first != colors().second);
+    put_ball(scene, {10, 9}, 0.5, {}, 1);
+    CHECK(colors().first == colors().second);
+}
+
+TEST_CASE("a peg is a + in characters however small, and one pixel in half blocks") {
+    Scene scene = table({{0, 0}, {40, 20}});
+    add_capsule(scene.world, {{20.3, 10.2}, {20.3, 10.2}, 0.05}, 0);
+    CHECK(cells_that_are(Drawing(41, 11).draw(scene, in(Renderer::ascii)).canvas, U'+') == 1);
+    const Canvas canvas = Drawing(41, 11).draw(scene, in(Renderer::half_blocks)).canvas;
+    CHECK(cells_that_are(canvas, U'▀') + cells_that_are(canvas, U'▄') == 1);
+    CHECK(cells_that_are(canvas, U' ') == 41 * 11 - 1);
+}
+
+TEST_CASE("copies that are one are a solid ball, and scattered ones a cloud around them") {
+    Scene scene = table({{0.0, 0.0}, {40.0, 20.0}});
+    put_ball(scene, {20.0, 10.0}, 4.0);
+    std::vector<World> copies(100, scene.world);
+    Marks marks;
+    marks.copies = copies;
+    Drawing together(40, 10);
+    together.draw(scene, in(Renderer::ascii), marks);
+    CHECK(together.canvas.at(20, 5).glyph == U'@');
+    CHECK(together.canvas.at(5, 5).glyph == U' ');
+
+    for (std::size_t i = 0; i < copies.size(); ++i)
+        copies[i].balls.position[0].x = 8.0 + 24.0 * static_cast<double>(i) / 99.0;
+    marks.copies = copies;
+    Drawing apart(40, 10);
+    apart.draw(scene, in(Renderer::ascii), marks);
+    // A third of the copies cover the middle, few its ends.
+    CHECK(apart.canvas.at(20, 5).glyph == U'*');
+    CHECK(std::string_view(".:-").find(static_cast<char>(apart.canvas.at(6, 5).glyph)) !=
+          std::string_view::npos);
+    CHECK(apart.canvas.at(1, 5).glyph == U' ');
+
+    Drawing pixels(40, 10);
+    ViewOptions options = in(Renderer::half_blocks);
+    pixels.draw(scene, options, marks);
+    CHECK(pixels.canvas.at(20, 5).foreground != pixels.canvas.at(6, 5).foreground);
+    CHECK(pixels.canvas.at(6, 5).glyph != U' ');
+}
+
+TEST_CASE("a ball of one copy in two hundred is still seen, and one that is nowhere is not") {
+    Scene scene = table({{0.0, 0.0}, {40.0, 20.0}});
+    put_ball(scene, {20.0, 10.0}, 2.0);
+    std::vector<World> copies(200, scene.world);
+    copies[7].balls.position[0] = {5.0, 10.0};
+    copies[8].balls.position[0] = {std::numeric_limits<double>::quiet_NaN(), 10.0};
+    copies[9].balls.position[0] = {1e300, -1e300};
+    Marks marks;
+    marks.copies = copies;
+    for (const Renderer renderer : {Renderer::ascii, Renderer::half_blocks}) {
+        Drawing drawing(40, 10);
+        drawing.draw(scene, in(renderer), marks);
+        CHECK(drawing.canvas.at(5, 5).glyph != U' ');
+    }
+}
+
+TEST_CASE("the place of a parting is marked") {
+    Scene scene = table({{0.0, 0.0}, {40.0, 20.0}});
+    Marks marks;
+    marks.parting = Vec2{20.5, 9.0};
+    ViewOptions options = in(Renderer::ascii);
+    options.look = {0, false, false};
+    Drawing drawing(40, 10);
+    drawing.draw(scene, options, marks);
+    CHECK(drawing.text().find(">X<") != std::string::npos);
+    CHECK(drawing.canvas.at(20, 5).glyph == U'X');
+    CHECK((drawing.canvas.at(20, 5).attributes & reverse) != 0);
+}

@@ -1,0 +1,234 @@
+#include "terminal/panels/hud.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace carom;
+
+namespace {
+
+HudInfo galton() {
+    HudInfo info;
+    info.title = "Galton board, 12 rows";
+    info.solver = "swept";
+    info.solver_is_picked = true;
+    info.time = 12.345;
+    info.tick = info.latest_tick = 1481;
+    info.ticks_per_second = 119.7;
+    info.rate = 120;
+    info.terms = {"gravity 0,-9.81", "restitution", "scatter 20deg"};
+    info.balls = 137;
+    info.collisions = 4711;
+    info.kinetic_energy = 123.456789;
+    info.potential_energy = -17.25;
+    info.momentum = {0.123, -4.5};
+    info.energy_drift = 1.3e-13;
+    info.momentum_drift = 0.0;
+    info.hints = {{"space", "pause"}, {".", "step"}, {",", "back"}, {"?", "help"}, {"q", "quit"}};
+    return info;
+}
+
+constexpr Look plain_look{0, false, false};
+
+std::string drawn(const HudInfo& info, int columns, int rows, const Look& look = plain_look) {
+    Canvas canvas(columns, rows);
+    draw_hud(canvas, info, look);
+    const std::string text = canvas.text();
+    // Without the rows of the world.
+    return "\n" + text.substr(static_cast<std::size_t>(world_area(columns, rows).rows));
+}
+
+}  // namespace
+
+TEST_CASE("the world has all but the status lines") {
+    for (const auto& [columns, rows] : {std::pair{20, 8}, {40, 12}, {80, 24}, {300, 100}, {1, 1}}) {
+        const CellArea area = world_area(columns, rows);
+        CHECK(area.rows + hud_rows(columns, rows) == rows);
+        CHECK(area.columns == columns);
+    }
+    CHECK(hud_rows(80, 24) == 3);
+    CHECK(hud_rows(20, 8) == 1);
+    CHECK(hud_rows(80, 0) == 0);
+}
+
+TEST_CASE("the status line says how many balls are under contact") {
+    HudInfo info = galton();
+    info.solver = "event";
+    CHECK(drawn(info, 160, 24).find("under contact") == std::string::npos);
+    info.heaped = 37;
+    CHECK(drawn(info, 160, 24).find("37 of 137 under contact") != std::string::npos);
+}
+
+TEST_CASE("status lines in a usual window") {
+    CHECK(drawn(galton(), 80, 24) == R"(
+ Galton board, 12 rows  > x1         12.345 s  swept (auto)    120/120 ticks/s
+ KE 123.46      drift +1.3e-13  p +0.123    -4.5       model gravity 0,-9.81...
+ space pause  . step  , back  ? help  q quit
+)");
+}
+
+TEST_CASE("status lines in a wide window say it all") {
+    const std::string text = drawn(galton(), 200, 24);
+    for (const char* part :
+         {"Galton board, 12 rows", "> x1", "12.345 s", "tick 1481", "swept (auto)",
+          "120/120 ticks/s", "balls 137", "collisions 4711", "KE 123.46", "PE -17.25",
+          "drift +1.3e-13", "p +0.123", "-4.5", "drift 0",
+          "model gravity 0,-9.81, restitution, scatter 20deg", "space pause", "q quit"}) {
+        CAPTURE(std::string(part));
+        CAPTURE(text);
+        CHECK(text.find(part) != std::string::npos);
+    }
+}
+
+TEST_CASE("status lines in small windows keep what matters most") {
+    CHECK(drawn(galton(), 40, 20) == R"(
+ > x1         12.345 s  swept (auto)
+ KE 123.46      drift +1.3e-13
+ space pause  . step  , back  ? help
+)");
+    CHECK(drawn(galton(), 40, 12) == R"(
+ > x1         12.345 s  swept (auto)
+ space pause  . step  , back  ? help
+)");
+    CHECK(drawn(galton(), 20, 8) == R"(
+ Galton b  > x1
+)");
+}
+
+TEST_CASE("what the level expects stands first, and is green once it holds") {
+    HudInfo info = galton();
+    info.checks = {{"collisions", 2817, 3141, 0.0}, {"energy", 1.25, 1.0, 0.5}};
+    const std::string text = drawn(info, 160, 24);
+    CHECK(text.find(" collisions 2817 of 3141  energy    1.25 of 1  KE") != std::string::npos);
+    CHECK(text.find("4711") == std::string::npos);  // said once
+    CHECK(drawn(info, 80, 24).find(" collisions 2817 of 3141  KE") != std::string::npos);
+
+    const Look look{256, true, false};
+    const auto color = [&](double measured) {
+        info.checks = {{"collisions", measured, 3141, 0.0}};
+        Canvas canvas(80, 24);
+        draw_hud(canvas, info, look);
+        return canvas.at(12, 22).foreground;
+    };
+    CHECK(color(3141) == ink_of(Role::good, look).color);
+    CHECK(color(2817) == ink_of(Role::text, look).color);
+}
+
+TEST_CASE("a long title gets half of the line before the least important numbers do") {
+    HudInfo info = galton();
+    info.title = "A title that is quite a bit longer than others";
+    CHECK(drawn(info, 80, 24).find(" A title that is quite a bit long") != std::string::npos);
+}
+
+TEST_CASE("a title that says how a game stands comes before all but whether time runs") {
+    HudInfo info = galton();
+    info.title = "0:0 to 3, player 2, stripes, 6 left: ball in hand behind the line, 37 s";
+    const std::string half = "0:0 to 3, player 2, stripes, 6 ";
+    CHECK(drawn(info, 84, 24).find("37 s") == std::string::npos);
+    info.title_comes_first = true;
+    CHECK(drawn(info, 84, 24).find("the line, 37 s  > x1") != std::string::npos);
+    CHECK(drawn(info, 50, 24).find(half + "left: b  > x1") != std::string::npos);
+    CHECK(drawn(info, 120, 24).find("37 s  > x1         12.345 s  swept") != std::string::npos);
+}
+
+TEST_CASE("no line is ever longer than the window, whatever it has to say") {
+    HudInfo info = galton();
+    info.title = std::string(500, 'x');
+    info.solver = std::string(90, 'y');
+    info.terms.assign(40, "speed limit 1e+300");
+    info.kinetic_energy = -1.23456e-300;
+    info.momentum = {-1e300, 1e300};
+    info.time = 1e18;
+    info.tick = info.latest_tick = ~0ull;
+    for (int columns = 1; columns < 320; columns += 3) {
+        for (const int rows : {1, 8, 12, 24}) {
+            Canvas canvas(columns + 1, rows);
+            const Canvas before = canvas;
+            Canvas inside(columns, rows);
+            draw_hud(inside, info, {});
+            CHECK(inside.columns() == columns);
+        }
+    }
+}
+
+TEST_CASE("pausing, going back, and running late show") {
+    HudInfo info = galton();
+    info.is_paused = true;
+    CHECK(drawn(info, 120, 24).find("|| paused") != std::string::npos);
+    info.tick = 1000;
+    CHECK(drawn(info, 120, 24).find("tick 1000/1481") != std::string::npos);
+
+    info = galton();
+    info.ticks_per_second = 60.0;
+    const Look look{256, true, false};
+    Canvas canvas(120, 24);
+    draw_hud(canvas, info, look);
+    bool is_warned = false;
+    for (int column = 0; column < 120; ++column) {
+        is_warned =
+            is_warned || (canvas.at(column, 21).glyph == U'6' &&
+                          canvas.at(column, 21).foreground == ink_of(Role::warning, look).color);
+    }
+    CHECK(is_warned);
+}
+
+TEST_CASE("a message takes the place of the hints") {
+    HudInfo info = galton();
+    info.message = "saved galton-2.level";
+    const std::string text = drawn(info, 80, 24);
+    CHECK(text.find("saved galton-2.level") != std::string::npos);
+    CHECK(text.find("space pause") == std::string::npos);
+    CHECK(drawn(info, 20, 8).find("saved galton-2.lev") != std::string::npos);
+}
+
+TEST_CASE("a level that uses nothing says so, and what is not kept is not shown") {
+    HudInfo info = galton();
+    info.terms.clear();
+    info.energy_drift.reset();
+    info.momentum_drift.reset();
+    info.potential_energy.reset();
+    const std::string text = drawn(info, 120, 24);
+    CHECK(text.find("model free discs") != std::string::npos);
+    CHECK(text.find("drift") == std::string::npos);
+    CHECK(text.find("PE") == std::string::npos);
+}
+
+TEST_CASE("numbers that change do not move what stands behind them") {
+    HudInfo info = galton();
+    const std::string before = drawn(info, 200, 24);
+    info.time = 3.5;
+    info.kinetic_energy = 7.0;
+    info.momentum = {-1.25e-7, 3.0};
+    info.energy_drift = 0.0;
+    const std::string after = drawn(info, 200, 24);
+    for (const char* part : {"swept", "balls", "ticks/s", "drift", "p ", "model"}) {
+        CAPTURE(std::string(part));
+        CHECK(before.find(part) == after.find(part));
+    }
+}
+
+TEST_CASE("without UTF-8 there is nothing but ASCII") {
+    for (const int columns : {20, 80, 200}) {
+        for (const char byte : drawn(galton(), columns, 24)) {
+            REQUIRE(static_cast<unsigned char>(byte) < 0x80);
+        }
+    }
+}
+
+TEST_CASE("the reason for the solver stands where there is room") {
+    HudInfo info = galton();
+    info.reason = "nothing passes through anything";
+    CHECK(drawn(info, 140, 24).find("swept (auto)  nothing passes through anything") !=
+          std::string::npos);
+    CHECK(drawn(info, 80, 24) == drawn(galton(), 80, 24));
+    info.solver_is_picked = false;
+    CHECK(drawn(info, 140, 24).find("nothing") == std::string::npos);
+}
+
+TEST_CASE("what runs beside the game stands first, in a window of any height") {
+    HudInfo info = galton();
+    info.beside = "parted at t=1.250, ball 5";
+    CHECK(drawn(info, 80, 24).find("\n parted at t=1.250, ball 5  KE 123.46") != std::string::npos);
+    CHECK(drawn(info, 40, 12).find("\n parted at t=1.250, ball 5\n") != std::string::npos);
+}

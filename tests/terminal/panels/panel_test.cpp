@@ -1,0 +1,42 @@
+#include "terminal/panels/panel.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+using namespace carom;
+
+TEST_CASE("text is wrapped at blanks, and only longer words are cut") {
+    using Lines = std::vector<std::string>;
+    CHECK(wrapped("", 10) == Lines{""});
+    CHECK(wrapped("one two", 10) == Lines{"one two"});
+    CHECK(wrapped("one two", 7) == Lines{"one two"});
+    CHECK(wrapped("one two", 6) == Lines{"one", "two"});
+    CHECK(wrapped("one   two", 4) == Lines{"one", "two"});
+    CHECK(wrapped("onetwothree", 4) == Lines{"onet", "woth", "ree"});
+    CHECK(wrapped("  indented", 20) == Lines{"  indented"});
+    CHECK(wrapped("äöü äöü", 3) == Lines{"äöü", "äöü"});
+    CHECK(wrapped("abc", 0) == Lines{"a", "b", "c"});
+}
+
+TEST_CASE("text is cut by columns, not by bytes") {
+    CHECK(cut_to("äöü", 2) == "äö");
+    CHECK(cut_to("abc", 9) == "abc");
+    CHECK(cut_to("abc", 0).empty());
+    CHECK(cut_to("abc", -2).empty());
+}
+
+TEST_CASE("texts flow, and stay whole where they can") {
+    const std::vector<PanelText> texts = {{"one", {}}, {"two", {}}, {"three", {}}};
+    CHECK(rows_for(texts, 20) == 1);
+    CHECK(rows_for(texts, 8) == 2);
+    CHECK(rows_for(texts, 1) == 3);
+    CHECK(rows_for({}, 5) == 1);
+    Canvas canvas(12, 4);
+    write_flowing(canvas, {2, 1, 8, 2}, texts);
+    CHECK(canvas.text() == "\n  one  two\n  three\n\n");
+    Canvas narrow(12, 4);
+    write_flowing(narrow, {2, 1, 4, 2}, texts);
+    CHECK(narrow.text() == "\n  one\n  two\n\n");
+}

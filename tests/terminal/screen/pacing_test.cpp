@@ -1,0 +1,229 @@
+#include "terminal/screen/pacing.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <deque>
+#include <vector>
+
+using namespace carom;
+
+namespace {
+
+/// A terminal at the end of a line: frames queue up, take their time on the line, and are answered
+/// when they have arrived.
+struct Link {
+    double delay = 0.0;  // s, one way
+    double bytes_per_second = 1e9;
+    bool answers = true;
+
+    double free_at = 0.0;            // when the line is through with what it has
+    std::deque<double> answers_due;  // when answers reach the game
+    std::vector<double> ages;        // of each frame when it is shown, s
+    std::size_t answered = 0;
+
+    void send(double now, double bytes) {
+        free_at = std::max(free_at, now) + bytes / bytes_per_second;
+        ages.push_back(free_at + delay - now);
+        if (answers) answers_due.push_back(free_at + 2 * delay);
+    }
+    std::size_t take(double now) {
+        while (!answers_due.empty() && answers_due.front() <= now) {
+            answers_due.pop_front();
+            ++answered;
+        }
+        return answered;
+    }
+    double worst_age_after(std::size_t first) const {
+        double worst = 0.0;
+        for (std::size_t i = first; i < ages.size(); ++i) {
+            worst = std::max(worst, ages[i]);
+        }
+        return worst;
+    }
+};
+
+// Plays for so long and returns the frames drawn; time goes on in steps of a millisecond.
+int play(Pacing& pacing, Link& link, double& now, double seconds, double bytes,
+         bool is_urgent = false) {
+    int frames = 0;
+    for (const double end = now + seconds; now < end; now += 0.001) {
+        pacing.answered(link.take(now), now);
+        if (!pacing.may_draw(now, is_urgent)) continue;
+        link.send(now, bytes);
+        pacing.drawn(now, static_cast<std::size_t>(bytes));
+        ++frames;
+    }
+    return frames;
+}
+
+}  // namespace
+
+TEST_CASE("a terminal nearby gets every frame, in time") {
+    Pacing pacing;
+    Link link{.delay = 0.0005};
+    double now = 100.0;
+    CHECK(play(pacing, link, now, 10.0, 1000) == doctest::Approx(600).epsilon(0.01));
+    CHECK(link.worst_age_after(0) < 0.002);
+    CHECK_FALSE(pacing.is_stalled(now));
+    CHECK_FALSE(pacing.is_blind(now));
+}
+
+TEST_CASE("frames a second are as wanted") {
+    for (const double wanted : {1.0, 10.0, 30.0, 60.0, 120.0}) {
+        Pacing pacing({.frames_per_second = wanted});
+        Link link{.delay = 0.001};
+        double now = 0.0;
+        CHECK(play(pacing, link, now, 20.0, 100) == doctest::Approx(20.0 * wanted).epsilon(0.06));
+    }
+}
+
+TEST_CASE("a far terminal with room on the line gets nearly every frame too") {
+    for (const double delay : {0.05, 0.1, 0.2}) {
+        CAPTURE(delay);
+        Pacing pacing;
+        Link link{.delay = delay, .bytes_per_second = 1e6};
+        double now = 0.0;
+        play(pacing, link, now, 5.0, 1000);
+        CHECK(play(pacing, link, now, 10.0, 1000) >= 590);
+        CHECK(link.worst_age_after(0) < delay + 0.01);
+    }
+}
+
+TEST_CASE("on a crowded line no frame is old") {
+    for (const double delay : {0.001, 0.02, 0.1}) {
+        for (const double rate : {10e3, 30e3, 55e3}) {
+            CAPTURE(delay);
+            CAPTURE(rate);
+            Pacing pacing;
+            Link link{.delay = delay, .bytes_per_second = rate};
+            double now = 0.0;
+            const double bytes = 1000;
+            const int frames = play(pacing, link, now, 20.0, bytes);
+            const double on_the_line = bytes / rate;
+            // Its own time on the line, that of one before it, and a little.
+            CHECK(link.worst_age_after(0) < delay + 2.0 * on_the_line + 0.05);
+            // The line is in use.
+            const double trip = 2.0 * delay + on_the_line;
+            const double possible = std::min({rate / bytes, 2.0 / trip, 60.0});
+            CHECK(frames > 0.8 * 20.0 * possible);
+        }
+    }
+}
+
+TEST_CASE("a line that becomes slow, and fast again, is noticed") {
+    Pacing pacing;
+    Link link{.delay = 0.1, .bytes_per_second = 1e6};
+    double now = 0.0;
+    play(pacing, link, now, 10.0, 1000);
+    CHECK(pacing.window() > 6);
+    link.bytes_per_second = 20e3;
+    play(pacing, link, now, 3.0, 1000);
+    const std::size_t settled = link.ages.size();
+    play(pacing, link, now, 20.0, 1000);
+    CHECK(link.worst_age_after(settled) < 0.1 + 2 * 0.05 + 0.05);
+    link.bytes_per_second = 1e6;
+    play(pacing, link, now, 10.0, 1000);
+    CHECK(play(pacing, link, now, 10.0, 1000) > 590);
+}
+
+TEST_CASE("what a person does is shown at once") {
+    Pacing pacing;
+    pacing.drawn(10.0, 100);
+    pacing.answered(1, 10.001);
+    CHECK_FALSE(pacing.may_draw(10.005));
+    CHECK(pacing.may_draw(10.005, true));
+    CHECK_FALSE(pacing.may_draw(10.002, true));  // but not a thousand times a second
+}
+
+TEST_CASE("urgent frames respect the line") {
+    Pacing pacing;
+    Link link{.delay = 0.05, .bytes_per_second = 20e3};
+    double now = 0.0;
+    play(pacing, link, now, 10.0, 1000, true);
+    CHECK(link.worst_age_after(0) < 0.05 + 2 * 0.05 + 0.05);
+}
+
+TEST_CASE("a terminal that never answers gets frames at a modest rate") {
+    Pacing pacing;
+    Link link{.answers = false};
+    double now = 0.0;
+    CHECK_FALSE(pacing.is_blind(now));
+    play(pacing, link, now, 1.0, 100);
+    CHECK(pacing.is_blind(now));
+    CHECK_FALSE(pacing.is_stalled(now));
+    CHECK(play(pacing, link, now, 10.0, 100) == doctest::Approx(200).epsilon(0.05));
+    CHECK(pacing.unanswered() <= 256);
+}
+
+TEST_CASE("a first answer that comes late ends the modesty") {
+    Pacing pacing;
+    Link link{.delay = 0.4};
+    double now = 0.0;
+    play(pacing, link, now, 15.0, 100);
+    CHECK_FALSE(pacing.is_blind(now));
+    CHECK(play(pacing, link, now, 10.0, 100) > 590);
+}
+
+TEST_CASE("no answer for two seconds: everything stands still, and goes on with the answers") {
+    Pacing pacing;
+    Link link{.delay = 0.01};
+    double now = 0.0;
+    play(pacing, link, now, 2.0, 100);
+    link.answers = false;
+    play(pacing, link, now, 1.9, 100);
+    CHECK_FALSE(pacing.is_stalled(now));
+    play(pacing, link, now, 0.3, 100);
+    CHECK(pacing.is_stalled(now));
+    CHECK(play(pacing, link, now, 20.0, 100) <= 11);  // it asks now and then
+    CHECK(pacing.is_stalled(now) == (pacing.unanswered() > 0 && pacing.seconds_to_frame(now) < 2));
+    link.answers = true;
+    play(pacing, link, now, 3.0, 100);
+    CHECK_FALSE(pacing.is_stalled(now));
+    CHECK(play(pacing, link, now, 10.0, 100) > 580);
+}
+
+TEST_CASE("answers that got lost do not slow it down for ever") {
+    Pacing pacing;
+    Link link{.delay = 0.01};
+    double now = 0.0;
+    play(pacing, link, now, 2.0, 100);
+    link.answers = false;
+    play(pacing, link, now, 0.1, 100);  // the two on their way are lost
+    link.answers = true;
+    play(pacing, link, now, 5.0, 100);
+    CHECK(play(pacing, link, now, 10.0, 100) > 580);
+}
+
+TEST_CASE("a limit of bytes a second holds") {
+    Pacing pacing(low_bandwidth_pacing);
+    Link link{.delay = 0.001};
+    double now = 0.0;
+    CHECK(play(pacing, link, now, 10.0, 1000) == doctest::Approx(40).epsilon(0.05));
+    CHECK(play(pacing, link, now, 10.0, 100) == doctest::Approx(150).epsilon(0.05));
+}
+
+TEST_CASE("the wait for a frame ends when it is due") {
+    Pacing pacing;
+    pacing.drawn(1.0, 100);
+    pacing.answered(1, 1.001);
+    CHECK(pacing.seconds_to_frame(1.001) == doctest::Approx(1.0 / 60.0 - 0.001));
+    CHECK(pacing.seconds_to_frame(1.1) == 0.0);
+    pacing.drawn(1.1, 100);
+    pacing.drawn(1.12, 100);
+    CHECK_FALSE(pacing.may_draw(1.2));  // two are unanswered
+    CHECK(pacing.seconds_to_frame(1.2) > 0.5);
+}
+
+TEST_CASE("what answers a key waits for the last frame alone, not for the next instant") {
+    Pacing pacing;
+    pacing.answered(0, 1.0);
+    pacing.drawn(1.0, 100);
+    pacing.answered(1, 1.001);
+    CHECK(pacing.seconds_to_frame(1.001) == doctest::Approx(1.0 / 60 - 0.001));
+    const double urgent = pacing.seconds_to_frame(1.001, true);
+    CHECK(urgent < 0.004);
+    CHECK_FALSE(pacing.may_draw(1.001, true));
+    CHECK(pacing.may_draw(1.001 + urgent + 1e-6, true));
+    CHECK_FALSE(pacing.may_draw(1.001 + urgent + 1e-6));
+}

@@ -1,0 +1,193 @@
+#include "terminal/screen/restore.h"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "support/terminal_program.h"
+
+using carom::test::ProgramOptions;
+using carom::test::TerminalProgram;
+
+namespace {
+
+const std::string probe = CAROM_TERMINAL_PROBE;
+
+ProgramOptions modern() {
+    ProgramOptions options;
+    options.emulator = {.has_key_protocol = true,
+                        .has_pixel_mouse = true,
+                        .has_synchronized_output = true,
+                        .cell_wide = 10,
+                        .cell_high = 20};
+    return options;
+}
+
+// Of the process that has the screen open.
+pid_t player_of(const TerminalProgram& program) {
+    const std::size_t at = program.log().find("ready ");
+    return at == std::string::npos ? -1 : std::atoi(program.log().c_str() + at + 6);
+}
+
+}  // namespace
+
+TEST_CASE("signals that ask for an end are events, and the terminal is left clean") {
+    struct Row {
+        int signal;
+        std::string_view event;
+    };
+    for (const bool is_guarded : {false, true}) {
+        for (const Row& row : {Row{SIGINT, "end"}, Row{SIGQUIT, "end"}, Row{SIGTERM, "end"},
+                               Row{SIGHUP, "hangup"}}) {
+            CAPTURE(row.signal);
+            CAPTURE(is_guarded);
+            TerminalProgram program({probe, is_guarded ? "guarded" : "events", "events"}, modern());
+            REQUIRE(program.wait_for_log("ready"));
+            program.signal(row.signal);
+            CHECK(program.exit_status() == 7);
+            CHECK(program.log().find(row.event) != std::string::npos);
+            CHECK(program.what_is_left_dirty() == "");
+        }
+    }
+}
+
+TEST_CASE("Ctrl-C is an event too") {
+    TerminalProgram program({probe, "guarded", "events"});
+    REQUIRE(program.wait_for_log("ready"));
+    program.send("\x03");
+    CHECK(program.exit_status() == 7);
+    CHECK(program.what_is_left_dirty() == "");
+}
+
+TEST_CASE("a crash leaves the terminal clean, guarded or not, and is told") {
+    for (const bool is_guarded : {false, true}) {
+        for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL}) {
+            CAPTURE(signal);
+            CAPTURE(is_guarded);
+            ProgramOptions options = modern();
+            options.environment["ASAN_OPTIONS"] =
+                "handle_segv=0:handle_abort=0:handle_sigbus=0:handle_sigfpe=0:handle_sigill=0";
+            TerminalProgram program(
+                {probe, is_guarded ? "guarded" : "ascii", "crash", std::to_string(signal)},
+                options);
+            const auto status = program.wait_for_end();
+            REQUIRE(status);
+            CHECK(program.output().find("about to crash") != std::string::npos);
+            CHECK(program.what_is_left_dirty() == "");
+            const bool is_told = program.screen().text().find(fmt::format("signal {} ", signal)) !=
+                                 std::string::npos;
+            CHECK(is_told == is_guarded);
+            CHECK(WIFSIGNALED(*status));
+            CHECK(WTERMSIG(*status) == signal);
+        }
+    }
+}
+
+TEST_CASE("even after KILL the terminal is clean, and the player hears how to go on") {
+    for (const bool has_answers : {true, false}) {
+        ProgramOptions options = modern();
+        options.emulator.answers = has_answers;
+        TerminalProgram program({probe, "guarded", "events"}, options);
+        REQUIRE(program.wait_for_log("ready"));
+        CHECK(program.screen().mode(1049));
+        kill(player_of(program), SIGKILL);
+        const auto status = program.wait_for_end();
+        REQUIRE(status);
+        CHECK(WIFSIGNALED(*status));
+        CHECK(WTERMSIG(*status) == SIGKILL);
+        CHECK(program.what_is_left_dirty() == "");
+        CHECK(program.screen().text().find("signal 9 (Killed)") != std::string::npos);
+        CHECK(program.screen().text().find("Go on with: probe") != std::string::npos);
+    }
+}
+
+TEST_CASE("a KILL of the guardian ends the game in good order") {
+    TerminalProgram program({probe, "guarded", "events"}, modern());
+    REQUIRE(program.wait_for_log("ready"));
+    program.signal(SIGKILL);
+    CHECK(program.wait_for_log("hangup"));
+    program.settle(0.3);
+    CHECK(program.what_is_left_dirty() == "");
+}
+
+TEST_CASE("a guarded program returns what it returns") {
+    TerminalProgram program({probe, "guarded", "capabilities"});
+    CHECK(program.exit_status() == 0);
+    CHECK(program.what_is_left_dirty() == "");
+}
+
+TEST_CASE("a terminal that goes away is a hangup, and the program ends") {
+    for (const bool is_guarded : {false, true}) {
+        TerminalProgram program({probe, is_guarded ? "guarded" : "ascii", "events"});
+        REQUIRE(program.wait_for_log("ready"));
+        program.hang_up();
+        CHECK(program.exit_status() == 7);
+        CHECK(program.log().find("hangup") != std::string::npos);
+    }
+}
+
+TEST_CASE("a terminal that is stuck does not keep the program") {
+    TerminalProgram program({probe, "guarded", "random", "100000000"});
+    REQUIRE(program.wait_until([&] { return program.output().size() > 10'000; }));
+    CHECK_FALSE(program.wait_for_end_unread(0.5));
+    program.signal(SIGTERM);
+    CHECK(program.wait_for_end_unread(8.0));
+    program.settle();
+    CHECK(program.exit_status() == 7);
+    CHECK(program.what_is_left_dirty() == "");
+}
+
+TEST_CASE("Ctrl-Z gives the terminal to the shell, and fg takes it back") {
+    for (const std::string_view guard : {"", "guarded"}) {
+        for (const bool by_key : {true, false}) {
+            CAPTURE(guard);
+            CAPTURE(by_key);
+            const std::string script = fmt::format(
+                "set -m; {} {} events; echo STOPPED $?; read line; fg >/dev/null; "
+                "echo RETURNED $?",
+                probe, guard);
+            TerminalProgram program({"bash", "-c", script});
+            REQUIRE(program.wait_for_log("ready"));
+            by_key ? program.send("\x1a") : (void)kill(player_of(program), SIGTSTP);
+            REQUIRE(program.wait_for_text("STOPPED"));
+            CHECK(program.what_is_left_dirty() == "");
+            CHECK_FALSE(program.screen().mode(1049));
+            program.send("\n");
+            REQUIRE(program.wait_for_text("probe 80x24"));
+            CHECK(program.screen().mode(1049));
+            CHECK(program.wait_until([&] { return program.screen().mode(1002); }));
+            CHECK(program.wait_for_log("resize"));
+            program.send("q");
+            CHECK(program.wait_for_text("RETURNED 7"));
+            CHECK(program.what_is_left_dirty() == "");
+        }
+    }
+}
+
+TEST_CASE("where nobody could take it up again, Ctrl-Z changes nothing") {
+    TerminalProgram program({probe, "guarded", "events"});
+    REQUIRE(program.wait_for_log("ready"));
+    program.send("\x1a");
+    CHECK(program.wait_for_log("resize"));
+    program.send("q");
+    CHECK(program.exit_status() == 7);
+}
+
+TEST_CASE("stopped by STOP, and gone on: everything is drawn again") {
+    TerminalProgram program({probe, "events"}, modern());
+    REQUIRE(program.wait_for_log("ready"));
+    program.signal(SIGSTOP);
+    program.settle();
+    program.signal(SIGCONT);
+    CHECK(program.wait_for_log("resize"));
+    program.settle();
+    CHECK(program.screen().key_stack() == 1);
+    CHECK(program.screen().text().find("probe 80x24") != std::string::npos);
+    program.send("\033[113;1;113u");
+    CHECK(program.exit_status() == 7);
+    CHECK(program.what_is_left_dirty() == "");
+}

@@ -1,0 +1,32 @@
+#include "terminal/screen/screen_environment.h"
+
+#include <doctest/doctest.h>
+
+#include <map>
+
+using namespace carom;
+
+namespace {
+
+std::string described(const std::map<std::string, std::string>& variables) {
+    return described_terminal([&](const char* name) {
+        const auto found = variables.find(name);
+        return found == variables.end() ? std::string{} : found->second;
+    });
+}
+
+}  // namespace
+
+TEST_CASE("a terminal that calls itself xterm and has 256 colours gets them") {
+    CHECK(described({{"TERM", "xterm"}}) == "xterm");
+    CHECK(described({{"TERM", "xterm"}, {"XTERM_VERSION", "XTerm(379)"}}) == "xterm-256color");
+    CHECK(described({{"TERM", "xterm"}, {"VTE_VERSION", "7006"}}) == "xterm-256color");
+    CHECK(described({{"TERM", "xterm"}, {"COLORTERM", "truecolor"}}) == "xterm-256color");
+}
+
+TEST_CASE("all other terminals are what they say") {
+    CHECK(described({}) == "");
+    CHECK(described({{"TERM", "vt100"}, {"COLORTERM", "truecolor"}}) == "vt100");
+    CHECK(described({{"TERM", "screen"}, {"XTERM_VERSION", "XTerm(379)"}}) == "screen");
+    CHECK(described({{"TERM", "xterm-direct"}, {"COLORTERM", "24bit"}}) == "xterm-direct");
+}
