@@ -143,6 +143,7 @@ const std::vector<std::string> rooms{
     "carom/text",
     "carom/options",
     "carom/files",
+    "carom/context",
     "carom/controllers",
     "carom/play",
     "carom/cli",

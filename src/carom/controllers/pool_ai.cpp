@@ -12,12 +12,12 @@ const PoolPlay& play_of(const Session& session) {
 
 }  // namespace
 
-bool PoolBrain::is_about(const Session& session) const {
+bool PoolAi::is_about(const Session& session) const {
     return thinker_ && scene_ == &session.scene() && lay_ == session.world().balls.position &&
            rules_ == play_of(session).rules;
 }
 
-bool PoolBrain::think(const Session& session) {
+bool PoolAi::think(const Session& session) {
     const PoolPlay& play = play_of(session);
     if (!is_about(session)) {
         scene_ = &session.scene();
@@ -31,12 +31,12 @@ bool PoolBrain::think(const Session& session) {
     return thinker_->is_done();
 }
 
-const std::vector<PoolThought>& PoolBrain::thoughts() const {
+const std::vector<PoolThought>& PoolAi::thoughts() const {
     static const std::vector<PoolThought> none;
     return thinker_ ? thinker_->best() : none;
 }
 
-std::vector<Command> PoolBrain::decision(const Session& session) const {
+std::vector<Command> PoolAi::decision(const Session& session) const {
     const PoolPlay& play = play_of(session);
     const HandError error = error_of(steadiness_);
     if (play.rules.phase == PoolPhase::choosing)

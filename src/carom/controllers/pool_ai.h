@@ -10,10 +10,10 @@
 /// picture goes on. What it comes to does not depend on how the work is cut.
 namespace carom {
 
-class PoolBrain {
+class PoolAi {
   public:
     /// As an opponent of that steadiness, least_steadiness..most_steadiness.
-    explicit PoolBrain(int steadiness) : steadiness_(steadiness) {}
+    explicit PoolAi(int steadiness) : steadiness_(steadiness) {}
 
     int steadiness() const { return steadiness_; }
 

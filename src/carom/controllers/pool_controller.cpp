@@ -34,38 +34,38 @@ double bearing_of(Vec2 way) {
 
 }  // namespace
 
-PoolSeat::PoolSeat(const Session& session) {
+PoolAim::PoolAim(const Session& session) {
     begin_turn(session);
 }
 
-const PoolPlay* PoolSeat::play(const Session& session) const {
+const PoolPlay* PoolAim::play(const Session& session) const {
     return std::get_if<PoolPlay>(&session.game());
 }
 
-std::optional<BallId> PoolSeat::cue_ball(const Session& session) const {
+std::optional<BallId> PoolAim::cue_ball(const Session& session) const {
     const auto ball =
         play(session) ? play(session)->balls[0] : std::optional(session.scene().pool.cue->ball);
     if (!ball || !index_of(session.world(), *ball)) return std::nullopt;
     return ball;
 }
 
-bool PoolSeat::may_aim(const Session& session) const {
+bool PoolAim::may_aim(const Session& session) const {
     const auto ball = cue_ball(session);
     if (!ball) return false;
     if (const PoolPlay* game = play(session)) return !refusal_to_shoot(*game, *ball);
     return lies_still(session.world());
 }
 
-bool PoolSeat::may_place(const Session& session) const {
+bool PoolAim::may_place(const Session& session) const {
     const PoolPlay* game = play(session);
     return game && may_aim(session) && game->rules.in_hand != CueInHand::no;
 }
 
-double PoolSeat::most_speed(const Session& session) const {
+double PoolAim::most_speed(const Session& session) const {
     return session.scene().pool.cue->most_power;
 }
 
-std::vector<BallId> PoolSeat::targets(const Session& session) const {
+std::vector<BallId> PoolAim::targets(const Session& session) const {
     std::vector<BallId> balls;
     const PoolPlay* game = play(session);
     const auto cue = cue_ball(session);
@@ -78,7 +78,7 @@ std::vector<BallId> PoolSeat::targets(const Session& session) const {
     return balls;
 }
 
-void PoolSeat::begin_turn(const Session& session) {
+void PoolAim::begin_turn(const Session& session) {
     const PoolPlay* game = play(session);
     const bool is_break = game && game->rules.phase == PoolPhase::breaking;
     stance_ = {.bearing = stance_.bearing,
@@ -91,7 +91,7 @@ void PoolSeat::begin_turn(const Session& session) {
 }
 
 // Of the balls that may be met.
-void PoolSeat::aim_at_nearest(const Session& session) {
+void PoolAim::aim_at_nearest(const Session& session) {
     const auto cue = cue_ball(session);
     if (!cue) return;
     const Vec2 from = place_of(session.world(), *cue);
@@ -103,7 +103,7 @@ void PoolSeat::aim_at_nearest(const Session& session) {
     if (nearest) stance_.bearing = bearing_of(*nearest);
 }
 
-void PoolSeat::stand(const Session& session, const PoolStance& stance) {
+void PoolAim::stand(const Session& session, const PoolStance& stance) {
     look(session);  // so that a turn that begins does not take it away again
     stance_ = stance;
     has_aimed_ = true;
@@ -119,18 +119,18 @@ void PoolSeat::stand(const Session& session, const PoolStance& stance) {
     is_seen_ = false;
 }
 
-void PoolSeat::turn(double degrees) {
+void PoolAim::turn(double degrees) {
     // In whole steps of the finest, so that straight lines can be met.
     const double bearing = std::round((stance_.bearing + degrees) / finest_turn) * finest_turn;
     stance_.bearing = std::remainder(bearing, 360.0);
     has_aimed_ = true;
 }
 
-void PoolSeat::change_speed(double by) {
+void PoolAim::change_speed(double by) {
     stance_.speed = std::max(least_speed, std::round((stance_.speed + by) * 1000.0) / 1000.0);
 }
 
-void PoolSeat::move_tip(double side, double follow) {
+void PoolAim::move_tip(double side, double follow) {
     constexpr double most = command::Strike::most_offset;
     const double to_side = stance_.side + side;
     const double to_follow = stance_.follow + follow;
@@ -140,7 +140,7 @@ void PoolSeat::move_tip(double side, double follow) {
     stance_.follow = tidy(to_follow);
 }
 
-void PoolSeat::aim_at(const Session& session, Vec2 place) {
+void PoolAim::aim_at(const Session& session, Vec2 place) {
     const auto cue = cue_ball(session);
     if (!cue) return;
     const Vec2 way = place - place_of(session.world(), *cue);
@@ -149,7 +149,7 @@ void PoolSeat::aim_at(const Session& session, Vec2 place) {
     has_aimed_ = true;
 }
 
-void PoolSeat::pull(const Session& session, Vec2 hand) {
+void PoolAim::pull(const Session& session, Vec2 hand) {
     const auto cue = cue_ball(session);
     if (!cue) return;
     const Vec2 way = place_of(session.world(), *cue) - hand;
@@ -159,7 +159,7 @@ void PoolSeat::pull(const Session& session, Vec2 hand) {
     stance_.speed = std::clamp(length(way) * pull_gain, least_speed, most_speed(session));
 }
 
-std::string PoolSeat::next_pot(const Session& session, bool backwards) {
+std::string PoolAim::next_pot(const Session& session, bool backwards) {
     const auto cloth = cloth_box(session.scene());
     const auto cue = cue_ball(session);
     if (!cloth || !cue) return "there are no pockets here";
@@ -190,7 +190,7 @@ std::string PoolSeat::next_pot(const Session& session, bool backwards) {
     return pot_text_;
 }
 
-void PoolSeat::take(const Session& session, const PoolThought& thought) {
+void PoolAim::take(const Session& session, const PoolThought& thought) {
     look(session);  // so that a turn that begins does not take the aim away again
     const Vec2 velocity = thought.strike.velocity;
     stance_ = {.bearing = bearing_of(velocity),
@@ -207,7 +207,7 @@ void PoolSeat::take(const Session& session, const PoolThought& thought) {
                                                      : Intent::automatic;
 }
 
-bool PoolSeat::call_pocket(const Session& session, Vec2 place) {
+bool PoolAim::call_pocket(const Session& session, Vec2 place) {
     const PoolPlay* game = play(session);
     if (!game || game->rules.game != PoolGame::eight_ball ||
         game->rules.phase != PoolPhase::playing)
@@ -223,7 +223,7 @@ bool PoolSeat::call_pocket(const Session& session, Vec2 place) {
     return false;
 }
 
-std::string PoolSeat::next_call(const Session& session) {
+std::string PoolAim::next_call(const Session& session) {
     const PoolPlay* game = play(session);
     if (!game || game->rules.phase != PoolPhase::playing) return "nothing is called now";
     if (game->rules.game == PoolGame::nine_ball) {
@@ -237,7 +237,7 @@ std::string PoolSeat::next_call(const Session& session) {
                : "calls what the aim pockets; click a pocket for another";
 }
 
-std::string PoolSeat::next_aids() {
+std::string PoolAim::next_aids() {
     constexpr std::string_view texts[] = {"no help: the cue alone", "help: ghost ball and lines",
                                           "help: the whole shot",
                                           "help: 20 shots of a hand that errs"};
@@ -247,7 +247,7 @@ std::string PoolSeat::next_aids() {
 }
 
 // What the aim pockets, of the balls that count; or the pocket that was chosen.
-PoolCall PoolSeat::call(const Session& session) const {
+PoolCall PoolAim::call(const Session& session) const {
     const PoolPlay* game = play(session);
     if (!game || game->rules.phase != PoolPhase::playing) return {};
     const PoolState& rules = game->rules;
@@ -269,7 +269,7 @@ PoolCall PoolSeat::call(const Session& session) const {
     return {PoolCall::Kind::pot, *met, stance_.pocket};
 }
 
-command::Strike PoolSeat::strike(const Session& session) const {
+command::Strike PoolAim::strike(const Session& session) const {
     const double angle = stance_.bearing * pi / 180.0;
     const double speed = std::min(stance_.speed, most_speed(session));
     command::Strike strike;
@@ -280,7 +280,7 @@ command::Strike PoolSeat::strike(const Session& session) const {
     return strike;
 }
 
-std::vector<Command> PoolSeat::shot(const Session& session) {
+std::vector<Command> PoolAim::shot(const Session& session) {
     look(session);
     std::vector<Command> commands;
     const PoolCall what = call(session);
@@ -291,7 +291,7 @@ std::vector<Command> PoolSeat::shot(const Session& session) {
     return commands;
 }
 
-void PoolSeat::look(const Session& session) {
+void PoolAim::look(const Session& session) {
     const PoolPlay* game = play(session);
     if (!may_aim(session)) {
         is_seen_ = false;
@@ -320,11 +320,11 @@ void PoolSeat::look(const Session& session) {
                          foresight, Tracks::all);
 }
 
-bool PoolSeat::has_work() const {
+bool PoolAim::has_work() const {
     return stance_.aids == Aids::cloud && forecast_ && cloud_shots_ < cloud_size;
 }
 
-bool PoolSeat::work(const Session& session) {
+bool PoolAim::work(const Session& session) {
     if (!has_work() || !may_aim(session)) return false;
     const HandError usual;
     const command::Strike off = with_error(strike(session), usual, most_speed(session),

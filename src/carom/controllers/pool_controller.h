@@ -17,12 +17,12 @@
 /// A person at a pool table, with the cue: aims, sees what the aim comes to, calls, shoots.
 namespace carom {
 
-class PoolSeat {
+class PoolAim {
   public:
     /// Whether the level has a cue, so that there is something to aim.
     static bool is_at(const Scene& scene) { return scene.pool.cue.has_value(); }
     /// Pre: is_at().
-    explicit PoolSeat(const Session& session);
+    explicit PoolAim(const Session& session);
 
     /// The ball that the cue strikes; none while it is off the table.
     std::optional<BallId> cue_ball(const Session& session) const;

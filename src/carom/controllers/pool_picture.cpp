@@ -57,7 +57,7 @@ std::vector<PoolMarks::Number> numbers_of(const Session& session) {
     return numbers;
 }
 
-PoolMarks PoolSeat::marks(const Session& session, bool aims) const {
+PoolMarks PoolAim::marks(const Session& session, bool aims) const {
     PoolMarks marks;
     marks.numbers = numbers_of(session);
     marks.cloth = cloth_box(session.scene());
@@ -101,7 +101,7 @@ PoolMarks PoolSeat::marks(const Session& session, bool aims) const {
     return marks;
 }
 
-std::string PoolSeat::line(const Session& session, const Look& look) const {
+std::string PoolAim::line(const Session& session, const Look& look) const {
     if (!may_aim(session)) return "";
     const command::Strike strike = this->strike(session);
     const double speed = length(strike.velocity);

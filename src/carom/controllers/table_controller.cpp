@@ -93,14 +93,14 @@ bool TableSeat::rings(const Session& session, double seconds) {
     return true;
 }
 
-void TableSeat::continue_from(const TableSeat& before, std::size_t most_honours) {
+void TableSeat::continue_from(const TableSeat& before, std::size_t most_scores) {
     keys_ = before.keys_;
     keys_.let_go();
     shows_whole_ = before.shows_whole_;
     newest_ = before.newest_;
-    honours_ = before.honours_;
-    honours_.most = most_honours;
-    honours_.lines.resize(std::min(honours_.lines.size(), most_honours));
+    high_scores_ = before.high_scores_;
+    high_scores_.most = most_scores;
+    high_scores_.lines.resize(std::min(high_scores_.lines.size(), most_scores));
 }
 
 std::string TableSeat::next_hold() {
@@ -136,7 +136,7 @@ void TableSeat::watch_end(const Session& session) {
     }
     if (state.games == last_game_ || session.is_following()) return;
     last_game_ = state.games;
-    if (was_demonstrated_ || !honours_.takes(state.score)) return;
+    if (was_demonstrated_ || !high_scores_.takes(state.score)) return;
     initials_ = "";
     asked_for_ = state.score;
 }
@@ -161,11 +161,11 @@ void TableSeat::type_initials(const InputEvent& event) {
     }
     if (event.key != key::enter || initials_->empty()) return;
     initials_->resize(3, '-');
-    written_ = newest_ = Honour{*initials_, asked_for_};
+    written_ = newest_ = HighScore{*initials_, asked_for_};
     initials_.reset();
 }
 
-std::optional<Honour> TableSeat::take_honour() {
+std::optional<HighScore> TableSeat::take_high_score() {
     return std::exchange(written_, std::nullopt);
 }
 

@@ -67,17 +67,17 @@ class TableSeat {
     bool has_panel() const { return panel_.columns > 0; }
 
     // The table of honour.
-    void set_honours(Honours honours) { honours_ = std::move(honours); }
-    /// The same table, changed on disk: how it is held and seen stays, and so do its honours, of
+    void set_high_scores(HighScores scores) { high_scores_ = std::move(scores); }
+    /// The same table, changed on disk: how it is held and seen stays, and so do its scores, of
     /// which it shows this many now.
-    void continue_from(const TableSeat& before, std::size_t most_honours);
+    void continue_from(const TableSeat& before, std::size_t most_scores);
     /// The game is over, and the score is among the best: letters are awaited.
     void watch_end(const Session& session);
     bool asks_initials() const { return initials_.has_value(); }
     /// A letter, a correction, or the end of it.
     void type_initials(const InputEvent& event);
     /// The line that has been written, once.
-    std::optional<Honour> take_honour();
+    std::optional<HighScore> take_high_score();
 
   private:
     TableKeys keys_;
@@ -98,11 +98,11 @@ class TableSeat {
     CellArea panel_;
     std::string heard_;
 
-    Honours honours_;
+    HighScores high_scores_;
     std::optional<std::string> initials_;
     std::int64_t asked_for_ = 0;  ///< score
-    std::optional<Honour> written_;
-    std::optional<Honour> newest_;
+    std::optional<HighScore> written_;
+    std::optional<HighScore> newest_;
     std::uint64_t last_game_ = 0;  ///< whose end has been seen
 };
 

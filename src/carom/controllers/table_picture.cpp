@@ -150,10 +150,10 @@ void TableSeat::draw_panel(Canvas& canvas, const Session& session, const Look& l
         panel.call = "ENTER BEGINS A GAME";
     else if (is_demonstrating())
         panel.call = "DEMONSTRATION";
-    for (std::size_t i = 0; i < honours_.lines.size(); ++i) {
-        const Honour& honour = honours_.lines[i];
+    for (std::size_t i = 0; i < high_scores_.lines.size(); ++i) {
+        const HighScore& score = high_scores_.lines[i];
         panel.honours.push_back(
-            {fmt::format("{}", i + 1), honour.initials, grouped(honour.score), newest_ == honour});
+            {fmt::format("{}", i + 1), score.initials, grouped(score.score), newest_ == score});
     }
     draw_score_panel(canvas, panel_, panel, look);
 }

@@ -16,7 +16,7 @@ constexpr std::string_view first_line = "carom high scores 1";
 
 struct Line {
     std::string_view table;
-    Honour honour;
+    HighScore score;
 };
 
 std::string_view next_word(std::string_view& text) {
@@ -45,11 +45,11 @@ std::optional<Line> line_of(std::string_view text) {
     const std::string_view score = next_word(text);
     const std::string_view initials = next_word(text);
     const char* const end = score.data() + score.size();
-    const auto [stop, fault] = std::from_chars(score.data(), end, line.honour.score);
-    const bool is_sound = fault == std::errc{} && stop == end && line.honour.score >= 0;
+    const auto [stop, fault] = std::from_chars(score.data(), end, line.score.score);
+    const bool is_sound = fault == std::errc{} && stop == end && line.score.score >= 0;
     if (line.table.empty() || !is_sound || !are_initials(initials) || !text.empty())
         return std::nullopt;
-    line.honour.initials = std::string(initials);
+    line.score.initials = std::string(initials);
     return line;
 }
 
@@ -61,21 +61,21 @@ std::optional<std::string> honours_path() {
 
 }  // namespace
 
-bool Honours::takes(std::int64_t score) const {
+bool HighScores::takes(std::int64_t score) const {
     return score > 0 && most > 0 && (lines.size() < most || score > lines.back().score);
 }
 
-void Honours::add(const Honour& honour) {
+void HighScores::add(const HighScore& score) {
     const auto after = std::ranges::find_if(
-        lines, [&](const Honour& other) { return other.score < honour.score; });
-    lines.insert(after, honour);
+        lines, [&](const HighScore& other) { return other.score < score.score; });
+    lines.insert(after, score);
     if (lines.size() > most) lines.resize(most);
 }
 
-HonoursText read_honours(std::string_view text, std::string_view table, std::size_t most,
-                         std::string_view file) {
-    HonoursText result;
-    result.honours.most = most;
+HighScoresText read_high_scores(std::string_view text, std::string_view table, std::size_t most,
+                                std::string_view file) {
+    HighScoresText result;
+    result.scores.most = most;
     if (text.empty()) return result;
     if (next_line(text) != first_line) {
         result.problem = fmt::format(
@@ -89,12 +89,13 @@ HonoursText read_honours(std::string_view text, std::string_view table, std::siz
                 "{}:{}: this is no score: mend the line, or no score is kept", file, number);
             return result;
         }
-        if (line->table == table) result.honours.add(line->honour);
+        if (line->table == table) result.scores.add(line->score);
     }
     return result;
 }
 
-std::string with_honours(std::string_view text, std::string_view table, const Honours& honours) {
+std::string with_high_scores(std::string_view text, std::string_view table,
+                             const HighScores& scores) {
     std::string result(first_line);
     result += '\n';
     next_line(text);
@@ -103,14 +104,14 @@ std::string with_honours(std::string_view text, std::string_view table, const Ho
         std::string_view rest = line;
         if (next_word(rest) != table) result += fmt::format("{}\n", line);
     }
-    for (const Honour& honour : honours.lines)
-        result += fmt::format("{} {} {}\n", table, honour.score, honour.initials);
+    for (const HighScore& score : scores.lines)
+        result += fmt::format("{} {} {}\n", table, score.score, score.initials);
     return result;
 }
 
-HonoursText load_honours(std::string_view table, std::size_t most) {
-    HonoursText none;
-    none.honours.most = most;
+HighScoresText load_high_scores(std::string_view table, std::size_t most) {
+    HighScoresText none;
+    none.scores.most = most;
     const auto path = honours_path();
     std::error_code ignored;
     if (!path || !std::filesystem::exists(*path, ignored)) return none;
@@ -119,12 +120,12 @@ HonoursText load_honours(std::string_view table, std::size_t most) {
         none.problem = file.error;
         return none;
     }
-    return read_honours(*file.text, table, most, *path);
+    return read_high_scores(*file.text, table, most, *path);
 }
 
-HonoursText keep_honour(std::string_view table, std::size_t most, const Honour& honour) {
-    HonoursText kept = load_honours(table, most);
-    kept.honours.add(honour);
+HighScoresText keep_high_score(std::string_view table, std::size_t most, const HighScore& score) {
+    HighScoresText kept = load_high_scores(table, most);
+    kept.scores.add(score);
     if (kept.problem) return kept;
     const auto path = honours_path();
     if (!path) {
@@ -135,11 +136,11 @@ HonoursText keep_honour(std::string_view table, std::size_t most, const Honour& 
     if (kept.problem) return kept;
     const FileText file = read_file(*path);
     kept.problem =
-        write_file_atomically(*path, with_honours(file.text.value_or(""), table, kept.honours));
+        write_file_atomically(*path, with_high_scores(file.text.value_or(""), table, kept.scores));
     return kept;
 }
 
-std::string honours_name(std::string_view level_path) {
+std::string high_scores_name(std::string_view level_path) {
     std::string name = std::filesystem::path(level_path).stem().string();
     std::ranges::replace_if(
         name, [](char c) { return static_cast<unsigned char>(c) <= ' '; }, '_');

@@ -19,7 +19,7 @@ std::uint64_t hash_of(const std::string& text) {
 
 }  // namespace
 
-FileWatch::FileWatch(std::vector<std::string> paths) {
+FileWatcher::FileWatcher(std::vector<std::string> paths) {
     std::ranges::sort(paths);
     paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
     for (std::string& path : paths) {
@@ -28,14 +28,14 @@ FileWatch::FileWatch(std::vector<std::string> paths) {
     }
 }
 
-FileWatch::Stamp FileWatch::stamp_of(const std::string& path) {
+FileWatcher::Stamp FileWatcher::stamp_of(const std::string& path) {
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) return {};
     return {status.st_dev, status.st_ino, status.st_size, status.st_mtim.tv_sec,
             status.st_mtim.tv_nsec};
 }
 
-bool FileWatch::renew(Watched& file) {
+bool FileWatcher::renew(Watched& file) {
     const Stamp stamp = stamp_of(file.path);
     if (stamp.size < 0 || stamp == file.stamp) return false;
     const FileText read = read_file(file.path);
@@ -44,7 +44,7 @@ bool FileWatch::renew(Watched& file) {
     return std::exchange(file.hash, hash_of(*read.text)) != file.hash;
 }
 
-bool FileWatch::has_changed() {
+bool FileWatcher::has_changed() {
     bool changed = false;
     for (Watched& file : files_)
         changed = renew(file) || changed;

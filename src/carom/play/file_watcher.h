@@ -10,11 +10,11 @@ namespace carom {
 /// Looks when asked: asks the system for size, time and identity first, and reads only what these
 /// say may have changed. Editors that write in place, that rename a new file over the old, or that
 /// take the file away for a moment are all the same to it; saving without a change is no change.
-class FileWatch {
+class FileWatcher {
   public:
-    FileWatch() = default;
+    FileWatcher() = default;
     /// What the files say now is what they are compared with.
-    explicit FileWatch(std::vector<std::string> paths);
+    explicit FileWatcher(std::vector<std::string> paths);
 
     /// Whether the contents of any file have changed since the last time that this said so. A file
     /// that is not there has not changed: it is expected back.

@@ -39,22 +39,22 @@ std::string time_text(double seconds) {
 }
 
 // The high scores of a table stand below what it is about.
-void add_honours(const std::string& path, std::size_t most, std::vector<std::string>& preview) {
-    const HonoursText kept = load_honours(honours_name(path), most);
+void add_high_scores(const std::string& path, std::size_t most, std::vector<std::string>& preview) {
+    const HighScoresText kept = load_high_scores(high_scores_name(path), most);
     if (kept.problem) preview.push_back(*kept.problem);
-    if (kept.honours.lines.empty()) return;
+    if (kept.scores.lines.empty()) return;
     preview.push_back("");
     preview.push_back("High scores:");
-    for (const Honour& honour : kept.honours.lines)
-        preview.push_back(fmt::format("{} {}", honour.initials, grouped(honour.score)));
+    for (const HighScore& score : kept.scores.lines)
+        preview.push_back(fmt::format("{} {}", score.initials, grouped(score.score)));
 }
 
 }  // namespace
 
-std::vector<MenuItem> menu_items(std::span<const CutOffGame> cut_off) {
+std::vector<MenuItem> menu_items(std::span<const InterruptedGame> interrupted) {
     namespace fs = std::filesystem;
     std::vector<MenuItem> items;
-    for (const CutOffGame& game : cut_off) {
+    for (const InterruptedGame& game : interrupted) {
         const std::string name = fs::path(game.replay.level).stem().string();
         const double seconds = static_cast<double>(game.replay.stands) / game.replay.rate;
         items.push_back({name, "go on at " + time_text(seconds),
@@ -70,7 +70,7 @@ std::vector<MenuItem> menu_items(std::span<const CutOffGame> cut_off) {
 Menu::Menu(std::vector<MenuItem> items, Load load, std::string_view choose)
     : items_(std::move(items)), load_(std::move(load)) {
     const auto chosen = std::ranges::find_if(items_, [&](const MenuItem& item) {
-        const bool was_cut_off = item.cut_off && !item.cut_off->was_left;
+        const bool was_cut_off = item.interrupted && !item.interrupted->was_left;
         return !choose.empty() && (item.path == choose || item.name == choose) && !was_cut_off;
     });
     if (chosen != items_.end()) selected_ = static_cast<std::size_t>(chosen - items_.begin());
@@ -192,7 +192,7 @@ void Menu::look_at_selected() {
     }
     Scene& scene = *loaded.result.scene;
     known.preview = scene.comment;
-    if (scene.table.is_game) add_honours(item.path, scene.table.highscores, known.preview);
+    if (scene.table.is_game) add_high_scores(item.path, scene.table.highscores, known.preview);
     const SolverSettings solver = scene.solver.value_or(pick_solver(scene.world).settings);
     picture_.emplace(std::move(scene), solver, 0);
 }
@@ -209,7 +209,7 @@ void Menu::advance(double seconds, const MayGoOn& may_go_on) {
         if (seconds_on_selected_ >= patience) look_at_selected();
         return;
     }
-    if (picture_ && clockwork_.advance(*picture_, seconds, may_go_on) > 0) needs_draw_ = true;
+    if (picture_ && clock_.advance(*picture_, seconds, may_go_on) > 0) needs_draw_ = true;
 }
 
 std::vector<MenuEntry> Menu::entries() const {

@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "carom/context/playback_clock.h"
 #include "carom/files/level_files.h"
-#include "carom/play/playback_clock.h"
 #include "carom/play/resume.h"
 #include "game/session/session.h"
 #include "terminal/draw/draw.h"
@@ -27,12 +27,12 @@ struct MenuItem {
     std::string name;
     std::string title;
     std::string group;
-    std::string path;                     ///< of the level
-    std::optional<CutOffGame> cut_off{};  ///< to take up where it stood
+    std::string path;                              ///< of the level
+    std::optional<InterruptedGame> interrupted{};  ///< to take up where it stood
 };
 
 /// Items for cut-off games, the levels of the current folder, and the levels that ship.
-std::vector<MenuItem> menu_items(std::span<const CutOffGame> cut_off);
+std::vector<MenuItem> menu_items(std::span<const InterruptedGame> interrupted);
 
 class Menu {
   public:
@@ -78,7 +78,7 @@ class Menu {
     double seconds_on_selected_ = 0.0;
     std::string pictured_;  ///< path of the level in the picture; empty: none yet
     std::optional<Session> picture_;
-    Clockwork clockwork_;
+    PlaybackClock clock_;
     ViewMemory memory_;
 
     int columns_ = 0;

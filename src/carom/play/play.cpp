@@ -8,7 +8,7 @@
 
 #include "carom/files/files.h"
 #include "carom/files/print.h"
-#include "carom/play/cast.h"
+#include "carom/play/asciinema.h"
 #include "carom/play/play_loop.h"
 #include "carom/play/program.h"
 #include "terminal/process/guardian.h"
@@ -67,16 +67,16 @@ int play_here(const PlayOptions& options) {
         print_note(text);
         return 2;
     }
-    std::optional<Cast> cast;
+    std::optional<AsciinemaRecording> asciinema;
     if (!options.cast.empty()) {
         const char* const terminal = std::getenv("TERM");
-        cast.emplace(options.cast, title_of(options), terminal ? terminal : "");
-        if (const auto obstacle = cast->obstacle()) {
+        asciinema.emplace(options.cast, title_of(options), terminal ? terminal : "");
+        if (const auto obstacle = asciinema->obstacle()) {
             print_error(*obstacle);
             return 2;
         }
     }
-    screen_options.mouse = mouse_mode(program.screen_wishes());
+    screen_options.mouse = mouse_mode(program.screen_requests());
     auto opened = Screen::open(screen_options);
     if (const auto* error = std::get_if<ScreenError>(&opened)) {
         print_error(error->message);
@@ -84,13 +84,13 @@ int play_here(const PlayOptions& options) {
     }
     {
         Screen screen = std::move(std::get<Screen>(opened));
-        PlayLoop(program, screen, pacing, cast ? &*cast : nullptr).run();
+        PlayLoop(program, screen, pacing, asciinema ? &*asciinema : nullptr).run();
     }
-    const auto lost_cast = cast ? cast->finish(seconds_now()) : std::nullopt;
+    const auto lost_asciinema = asciinema ? asciinema->finish(seconds_now()) : std::nullopt;
     if (program.is_kept()) print_note("the match was kept: carom play --resume goes on with it\n");
-    for (const auto& lost : {program.lost_recording(), lost_cast})
+    for (const auto& lost : {program.lost_recording(), lost_asciinema})
         if (lost) print_error(*lost);
-    return program.lost_recording() || lost_cast ? 2 : 0;
+    return program.lost_recording() || lost_asciinema ? 2 : 0;
 }
 
 }  // namespace

@@ -33,16 +33,17 @@ double seconds_now() {
     return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
-MouseMode mouse_mode(const ScreenWishes& wishes) {
-    if (!wishes.mouse) return MouseMode::off;
-    return wishes.motion ? MouseMode::motion : MouseMode::drag;
+MouseMode mouse_mode(const ScreenRequests& requests) {
+    if (!requests.mouse) return MouseMode::off;
+    return requests.motion ? MouseMode::motion : MouseMode::drag;
 }
 
-PlayLoop::PlayLoop(Program& program, Screen& screen, const PacingOptions& pacing, Cast* cast)
+PlayLoop::PlayLoop(Program& program, Screen& screen, const PacingOptions& pacing,
+                   AsciinemaRecording* asciinema)
     : program_(program),
       screen_(screen),
       pacing_(pacing),
-      cast_(cast),
+      asciinema_(asciinema),
       frame_(1.0 / pacing.frames_per_second) {}
 
 void PlayLoop::run() {
@@ -76,11 +77,11 @@ void PlayLoop::turn() {
     const bool is_late = is_due && !pacing_.may_draw(drawing, input_came_);
     std::optional<Canvas> canvas;
     if (is_due && !is_late) canvas = draw(is_stalled);
-    const ScreenWishes wishes = program_.screen_wishes();
+    const ScreenRequests requests = program_.screen_requests();
     if (program_.take_bell()) screen_.bell();
     if (is_beside) advance_beside(passed, now);
     if (canvas) show(*canvas, drawing);
-    screen_.set_mouse(mouse_mode(wishes));
+    screen_.set_mouse(mouse_mode(requests));
     if (is_beside) listen(is_late && input_came_, events);
 
     wait(is_late, events);
@@ -166,7 +167,7 @@ void PlayLoop::show(const Canvas& canvas, double now) {
     const std::size_t bytes = screen_.show(canvas, FrameEnd::asks);
     if (bytes == 0) return;
     pacing_.drawn(now, bytes);
-    if (cast_) cast_->add(now, canvas.columns(), canvas.rows(), screen_.last_frame());
+    if (asciinema_) asciinema_->add(now, canvas.columns(), canvas.rows(), screen_.last_frame());
 }
 
 // For input, or the time of the next frame.

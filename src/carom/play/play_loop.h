@@ -3,7 +3,7 @@
 #include <atomic>
 #include <vector>
 
-#include "carom/play/cast.h"
+#include "carom/play/asciinema.h"
 #include "carom/play/program.h"
 #include "carom/play/worker.h"
 #include "terminal/screen/pacing.h"
@@ -15,7 +15,7 @@ namespace carom {
 /// s on a clock that does not go back.
 double seconds_now();
 
-MouseMode mouse_mode(const ScreenWishes& wishes);
+MouseMode mouse_mode(const ScreenRequests& requests);
 
 /// Where ticks take no time worth speaking of, all is done in one thread. Where they do, and there
 /// is a second core, a second thread computes them while the first draws, waits for the terminal
@@ -26,8 +26,9 @@ MouseMode mouse_mode(const ScreenWishes& wishes);
 /// two ticks, and the picture that shows it is drawn before the next tick is begun.
 class PlayLoop {
   public:
-    /// `cast`: the film that is made, or none. All must outlive the loop.
-    PlayLoop(Program& program, Screen& screen, const PacingOptions& pacing, Cast* cast);
+    /// `asciinema`: the recording that is made, or none. All must outlive the loop.
+    PlayLoop(Program& program, Screen& screen, const PacingOptions& pacing,
+             AsciinemaRecording* asciinema);
 
     /// Returns when the program is over.
     void run();
@@ -49,7 +50,7 @@ class PlayLoop {
     Program& program_;
     Screen& screen_;
     Pacing pacing_;
-    Cast* cast_;
+    AsciinemaRecording* asciinema_;
     double frame_;  ///< s from one to the next
     double last_ = 0.0;
     bool input_came_ = true;   ///< and has not been shown

@@ -28,14 +28,14 @@ Player::Player(Session session, const ViewOptions& view, KeyMap keys, bool solve
         shows_histogram_ = shows_histogram_ || show.what == Show::What::histogram;
         shows_energy_ = shows_energy_ || show.what == Show::What::energy;
     }
-    if (PoolSeat::is_at(session_.scene()) && !session_.is_following()) seat_.emplace(session_);
+    if (PoolAim::is_at(session_.scene()) && !session_.is_following()) seat_.emplace(session_);
     if (TableSeat::is_at(session_)) table_.emplace();
     set_reference();
 }
 
 Player Player::continued_with(Session session, bool solver_is_picked) const {
     Player next(std::move(session), view_, keys_, solver_is_picked);
-    next.clockwork_ = clockwork_;
+    next.clock_ = clock_;
     next.set_keep_going(keep_going_);
     next.mouse_is_off_ = mouse_is_off_;
     next.has_bell_ = has_bell_;
@@ -75,7 +75,7 @@ void Player::set_view(const ViewOptions& view) {
 }
 
 void Player::pause(bool paused) {
-    clockwork_.pause(paused);
+    clock_.pause(paused);
     needs_draw_ = true;
 }
 
@@ -106,7 +106,7 @@ void Player::advance(double seconds, const MayGoOn& may_go_on) {
     hear_coach();
     // What runs beside the game keeps up with it, or the game waits.
     if (!keep_up(may_go_on) || stands_still()) return;
-    const bool was_seeking = clockwork_.is_seeking();
+    const bool was_seeking = clock_.is_seeking();
     prepare();
     keep_up(may_go_on);
     const bool was_at_end = session_.is_at_end();
@@ -115,15 +115,15 @@ void Player::advance(double seconds, const MayGoOn& may_go_on) {
         play_demonstration();
         return keep_up(may_go_on) && may_go_on();
     };
-    if (clockwork_.advance(session_, seconds, both_may_go_on) > 0) needs_draw_ = true;
+    if (clock_.advance(session_, seconds, both_may_go_on) > 0) needs_draw_ = true;
     keep_up(may_go_on);
     tell_outcome();
     hear_table(seconds);
     hear_referee();
-    if (was_seeking && !clockwork_.is_seeking()) {
+    if (was_seeking && !clock_.is_seeking()) {
         if (session_.is_at_end())
             say("nothing meets any more: the recording ends here");
-        else if (clockwork_.search_failed())
+        else if (clock_.search_failed())
             complain("nothing met for ten minutes of the level's time");
         needs_draw_ = true;
     }
@@ -131,7 +131,7 @@ void Player::advance(double seconds, const MayGoOn& may_go_on) {
 }
 
 void Player::prepare() {
-    if (!is_watching()) hand_.prepare(session_);
+    if (!is_watching()) tool_.prepare(session_);
 }
 
 // What others do to the world is no drift of its energy.
@@ -152,23 +152,23 @@ void Player::set_reference() {
         reference_.momentum_scale += length(world.balls.velocity[i]) / world.balls.inverse_mass[i];
 }
 
-Wish Player::perform(Action action) {
+PlayRequest Player::perform(Action action) {
     needs_draw_ = true;
     switch (action) {
         case Action::quit:
-            return Wish::quit;
+            return PlayRequest::quit;
         case Action::menu:
             return escape();
         case Action::save:
-            return Wish::save;
+            return PlayRequest::save;
         case Action::mouse:
-            return Wish::toggle_mouse;
-        case Action::take_up:
-            return Wish::take_up;
+            return PlayRequest::toggle_mouse;
+        case Action::resume:
+            return PlayRequest::resume;
         case Action::help:
             page_ = Page::help;
             page_scroll_ = 0;
-            return Wish::none;
+            return PlayRequest::none;
         default:
             break;
     }
@@ -183,38 +183,38 @@ Wish Player::perform(Action action) {
     else
         perform_on_view(action);
     keep_up([] { return false; });
-    return Wish::none;
+    return PlayRequest::none;
 }
 
 /// Lets go of what is in the hand; then of the cursor; then of the game.
-Wish Player::escape() {
-    if (!hand_.is_empty() || cue_is_armed_) {
-        hand_.cancel(session_);
+PlayRequest Player::escape() {
+    if (!tool_.is_empty() || cue_is_armed_) {
+        tool_.cancel(session_);
         cue_is_armed_ = false;
         pressed_.reset();
-        return Wish::none;
+        return PlayRequest::none;
     }
     if (shows_cursor_ || selected_) {
         shows_cursor_ = false;
         selected_.reset();
         follows_ = false;
-        return Wish::none;
+        return PlayRequest::none;
     }
-    return Wish::menu;
+    return PlayRequest::menu;
 }
 
 void Player::perform_in_time(Action action) {
     switch (action) {
         case Action::pause:
-            clockwork_.pause(!clockwork_.is_paused() || clockwork_.is_seeking());
+            clock_.pause(!clock_.is_paused() || clock_.is_seeking());
             break;
         case Action::step_forward:
-            clockwork_.pause(true);
+            clock_.pause(true);
             prepare();
             step();
             break;
         case Action::step_back:
-            clockwork_.pause(true);
+            clock_.pause(true);
             if (session_.world().tick == session_.earliest())
                 say(session_.earliest() == 0 ? "this is the start"
                                              : "the memory for the way back ends here");
@@ -223,7 +223,7 @@ void Player::perform_in_time(Action action) {
             break;
         case Action::next_collision:
             prepare();
-            clockwork_.seek_collision();
+            clock_.seek_collision();
             break;
         case Action::second_forward:
             second(1);
@@ -232,22 +232,22 @@ void Player::perform_in_time(Action action) {
             second(-1);
             break;
         case Action::slower:
-            clockwork_.slower();
-            say(fmt::format("speed x{:g}", clockwork_.speed()));
+            clock_.slower();
+            say(fmt::format("speed x{:g}", clock_.speed()));
             break;
         case Action::faster:
-            clockwork_.faster();
-            say(fmt::format("speed x{:g}", clockwork_.speed()));
+            clock_.faster();
+            say(fmt::format("speed x{:g}", clock_.speed()));
             break;
         case Action::normal_speed:
-            clockwork_.normal();
+            clock_.normal();
             say("normal speed");
             break;
         default:
             if (is_watching()) {
                 go_to(0);
             } else {
-                hand_.forget();
+                tool_.forget();
                 session_.restart();
             }
             set_reference();
@@ -258,9 +258,9 @@ void Player::perform_in_time(Action action) {
 }
 
 void Player::go_to(std::uint64_t tick) {
-    hand_.forget();
+    tool_.forget();
     session_.go_to(tick);
-    if (rival_) rival_->follow(session_, keep_going_, keep_going_);
+    if (comparison_) comparison_->follow(session_, keep_going_, keep_going_);
     if (session_.world().tick < reference_.tick) set_reference();
 }
 
@@ -279,9 +279,9 @@ void Player::second(int direction) {
 /// False at the end of a recording.
 bool Player::step() {
     // A parting is not to be missed; the butterfly catches up later.
-    if (rival_) rival_->follow(session_, keep_going_, keep_going_);
+    if (comparison_) comparison_->follow(session_, keep_going_, keep_going_);
     const bool is_done = session_.step_forward();
-    if (rival_) rival_->follow(session_, keep_going_, keep_going_);
+    if (comparison_) comparison_->follow(session_, keep_going_, keep_going_);
     if (session_.is_at_end() && !is_done) say("the recording ends here");
     if (session_.outcome() == TickOutcome::given_up) say("the tick took long and was given up");
     tell_outcome();

@@ -7,14 +7,14 @@
 #include <string_view>
 #include <vector>
 
+#include "carom/context/comparison_run.h"
+#include "carom/context/ensemble.h"
+#include "carom/context/keys.h"
+#include "carom/context/playback_clock.h"
+#include "carom/context/pointer_tool.h"
 #include "carom/controllers/pool_ai.h"
 #include "carom/controllers/pool_controller.h"
 #include "carom/controllers/table_controller.h"
-#include "carom/play/comparison_run.h"
-#include "carom/play/ensemble.h"
-#include "carom/play/hand.h"
-#include "carom/play/keys.h"
-#include "carom/play/playback_clock.h"
 #include "game/session/session.h"
 #include "terminal/canvas/camera.h"
 #include "terminal/canvas/canvas.h"
@@ -29,7 +29,7 @@
 namespace carom {
 
 /// What the player asks of the program around the game.
-enum class Wish : std::uint8_t { none, quit, menu, save, toggle_mouse, take_up };
+enum class PlayRequest : std::uint8_t { none, quit, menu, save, toggle_mouse, resume };
 
 class Player {
   public:
@@ -37,8 +37,8 @@ class Player {
     Player(Session session, const ViewOptions& view, KeyMap keys, bool solver_is_picked = false);
 
     /// One key, or one report of the mouse. Other events do nothing.
-    Wish handle(const InputEvent& event);
-    Wish perform(Action action);
+    PlayRequest handle(const InputEvent& event);
+    PlayRequest perform(Action action);
 
     /// Lets `seconds` of the person's time pass: ticks, and messages that fade. Nothing happens
     /// while the window is too small or help is shown.
@@ -77,7 +77,7 @@ class Player {
 
     /// At a table of pinball: carom plays by itself.
     void demonstrate(bool does);
-    void set_honours(Honours honours);
+    void set_high_scores(HighScores scores);
     /// The terminal tells when a key is let go.
     void set_key_release(bool tells);
     /// At a table of pinball: the terminal's bell rings for what kicks.
@@ -86,13 +86,13 @@ class Player {
     /// Whether it shall ring now, once.
     bool take_bell();
     /// A line for the table of honour, once.
-    std::optional<Honour> take_honour();
+    std::optional<HighScore> take_high_score();
     const Session& session() const { return session_; }
     /// A recording is watched: only time and view obey the keys.
     bool is_watching() const { return session_.is_following(); }
-    const Clockwork& clockwork() const { return clockwork_; }
+    const PlaybackClock& clock() const { return clock_; }
     const ViewOptions& view() const { return view_; }
-    const Hand& hand() const { return hand_; }
+    const PointerTool& tool() const { return tool_; }
     /// Where the person points, in the world: the mouse or the cursor, whichever moved last.
     Vec2 pointer() const { return pointer_; }
     const Camera& camera() const { return camera_; }
@@ -106,7 +106,7 @@ class Player {
   private:
     // player.cpp: time
     void perform_in_time(Action action);
-    Wish escape();
+    PlayRequest escape();
     void go_to(std::uint64_t tick);
     void second(int direction);
     bool step();
@@ -143,15 +143,15 @@ class Player {
     void scroll_page(const InputEvent& event);
     double slack() const;
     std::optional<BallId> ball_at_pointer() const;
-    bool stands_still() const { return clockwork_.is_paused() && !clockwork_.is_seeking(); }
+    bool stands_still() const { return clock_.is_paused() && !clock_.is_seeking(); }
 
     // player_beside.cpp: another solver, or the butterfly, beside the game
-    void next_rival();
+    void next_comparison();
     void toggle_butterfly();
     bool keep_up(const MayGoOn& may_go_on);
     bool is_ahead() const;
     std::string beside() const;
-    void draw_rival(Canvas& canvas);
+    void draw_comparison(Canvas& canvas);
     CellPoint in_first_half(CellPoint place) const;
 
     // player_table.cpp: a pinball table
@@ -214,16 +214,16 @@ class Player {
     void watch_commands();
 
     Session session_;
-    Clockwork clockwork_;
-    Hand hand_;
+    PlaybackClock clock_;
+    PointerTool tool_;
     KeyMap keys_;
     std::optional<TableSeat> table_;
     std::string heard_;  ///< what the referee said last
-    std::optional<PoolSeat> seat_;
-    std::optional<PoolBrain> opponent_;
+    std::optional<PoolAim> seat_;
+    std::optional<PoolAi> opponent_;
     double opponent_waits_ = 0.0;  ///< s until it shoots, once it has decided
     std::string opponent_says_;    ///< what it shoots; empty: it thinks
-    std::optional<PoolBrain> coach_;
+    std::optional<PoolAi> coach_;
     bool coach_is_asked_ = false;
     std::size_t coach_told_ = 0;  ///< thoughts
     bool aims_by_mouse_ = false;  ///< the left button is down, and the cue points at the mouse
@@ -232,9 +232,9 @@ class Player {
     ViewMemory memory_;
     Camera camera_;
     bool is_fitted_ = true;
-    std::optional<Rival> rival_;
-    std::optional<Swarm> swarm_;
-    ViewMemory rival_memory_;
+    std::optional<ComparisonRun> comparison_;
+    std::optional<Ensemble> ensemble_;
+    ViewMemory comparison_memory_;
     Split split_;  ///< with a rival
     CellArea histogram_area_;
     CellArea energy_area_;

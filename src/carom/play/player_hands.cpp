@@ -38,7 +38,7 @@ void Player::perform_by_hand(Action action) {
 }
 
 void Player::jump_to_ball(bool backwards) {
-    if (!hand_.is_empty()) return;
+    if (!tool_.is_empty()) return;
     selected_ = next_ball(session_.world(), selected_, backwards);
     if (!selected_) return say("there are no balls");
     shows_cursor_ = true;
@@ -46,26 +46,26 @@ void Player::jump_to_ball(bool backwards) {
 }
 
 void Player::grab() {
-    if (!hand_.is_empty()) {
-        if (const auto complaint = hand_.open(session_)) complain(*complaint);
+    if (!tool_.is_empty()) {
+        if (const auto complaint = tool_.open(session_)) complain(*complaint);
         set_reference();
         return;
     }
     shows_cursor_ = true;
-    if (!hand_.take(session_.world(), pointer_, slack()))
+    if (!tool_.take(session_.world(), pointer_, slack()))
         say("nothing to take here: move the cursor with the arrows, or press tab");
 }
 
 void Player::use_cue() {
-    if (hand_.has_cue() || cue_is_armed_) {
-        hand_.cancel(session_);
+    if (tool_.has_cue() || cue_is_armed_) {
+        tool_.cancel(session_);
         cue_is_armed_ = false;
         return;
     }
-    if (!hand_.is_empty()) return;
+    if (!tool_.is_empty()) return;
     if (const auto ball = ball_at_pointer()) {
         selected_ = ball;
-        hand_.take_cue(*ball, pointer_);
+        tool_.take_cue(*ball, pointer_);
         say("move away from the ball; enter shoots");
     } else {
         cue_is_armed_ = true;
@@ -102,13 +102,13 @@ void Player::remove_at_pointer(bool only_edges) {
 }
 
 void Player::draw_edge() {
-    if (hand_.has_new_edge()) return grab();
-    if (!hand_.is_empty()) return;
+    if (tool_.has_new_edge()) return grab();
+    if (!tool_.is_empty()) return;
     const Capsules& capsules = session_.world().capsules;
     const double radius =
         capsules.size() > 0 ? capsules.shape.back().radius : size(session_.scene().view).y / 200.0;
     const ClassIndex material = capsules.size() > 0 ? capsules.material.back() : ClassIndex{0};
-    hand_.start_edge(pointer_, radius, material);
+    tool_.start_edge(pointer_, radius, material);
     say("move to the other end; e or enter makes the edge");
 }
 

@@ -17,20 +17,20 @@ constexpr std::uint8_t right_button = 3;
 
 }  // namespace
 
-Wish Player::handle(const InputEvent& event) {
+PlayRequest Player::handle(const InputEvent& event) {
     if (event.kind == InputEvent::Kind::mouse) {
         handle_mouse(event);
-        return Wish::none;
+        return PlayRequest::none;
     }
-    if (handle_at_table(event) || choose(event)) return Wish::none;
+    if (handle_at_table(event) || choose(event)) return PlayRequest::none;
     if (event.kind != InputEvent::Kind::key || event.action == InputEvent::Action::release)
-        return Wish::none;
+        return PlayRequest::none;
     const auto action = keys_.action_of(key_of(event));
     if (page_ != Page::none && action != Action::quit) {
         scroll_page(event);
-        return Wish::none;
+        return PlayRequest::none;
     }
-    return action ? perform(*action) : Wish::none;
+    return action ? perform(*action) : PlayRequest::none;
 }
 
 void Player::scroll_page(const InputEvent& event) {
@@ -92,12 +92,12 @@ void Player::handle_mouse(const InputEvent& event) {
 void Player::press(const InputEvent& event) {
     needs_draw_ = true;
     const CellPoint place = in_first_half({event.column, event.row});
-    if (hand_.has_new_edge() || hand_.has_cue()) {
+    if (tool_.has_new_edge() || tool_.has_cue()) {
         // A key began it, and the mouse goes on: from here, if it has not gone anywhere yet.
         pressed_ = event.button;
         return;
     }
-    if (!hand_.is_empty()) return;
+    if (!tool_.is_empty()) return;
     if (is_watching()) {
         panning_from_ = place;
         return;
@@ -112,12 +112,12 @@ void Player::press(const InputEvent& event) {
         if (!ball) return;
         cue_is_armed_ = false;
         selected_ = ball;
-        hand_.take_cue(*ball, pointer_);
+        tool_.take_cue(*ball, pointer_);
         pressed_ = event.button;
     } else if (event.button == left_button) {
-        if (hand_.take(session_.world(), pointer_, slack())) {
+        if (tool_.take(session_.world(), pointer_, slack())) {
             pressed_ = event.button;
-            selected_ = hand_.has_ball() ? ball_at_pointer() : std::nullopt;
+            selected_ = tool_.has_ball() ? ball_at_pointer() : std::nullopt;
         } else {
             selected_.reset();
             follows_ = false;
@@ -134,25 +134,25 @@ void Player::release(const InputEvent& event) {
     pressed_.reset();
     if (release_at_pool()) return;
     if (!follows_) selected_.reset();
-    if (const auto complaint = hand_.open(session_)) complain(*complaint);
+    if (const auto complaint = tool_.open(session_)) complain(*complaint);
     set_reference();
 }
 
 void Player::move_pointer(Vec2 to) {
     if (to == pointer_) return;
     pointer_ = to;
-    if (seat_ && (aims_by_mouse_ || hand_.has_cue())) {
+    if (seat_ && (aims_by_mouse_ || tool_.has_cue())) {
         needs_draw_ = true;
         if (aims_by_mouse_) seat_->aim_at(session_, to);
-        if (hand_.has_cue()) seat_->pull(session_, to);
+        if (tool_.has_cue()) seat_->pull(session_, to);
     }
-    if (hand_.is_empty()) return;
+    if (tool_.is_empty()) return;
     needs_draw_ = true;
-    if (const auto complaint = hand_.move(session_, to, stands_still())) complain(*complaint);
+    if (const auto complaint = tool_.move(session_, to, stands_still())) complain(*complaint);
 }
 
 void Player::move_cursor(double columns, double rows) {
-    if (!shows_cursor_ && hand_.is_empty() && !contains(visible_box(camera_), pointer_))
+    if (!shows_cursor_ && tool_.is_empty() && !contains(visible_box(camera_), pointer_))
         pointer_ = camera_.center;
     shows_cursor_ = true;
     CellPoint place = to_cells(camera_, pointer_);

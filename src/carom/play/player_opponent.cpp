@@ -41,7 +41,7 @@ void Player::play_opponent(double seconds) {
         opponent_waits_ = 0.0;
         opponent_says_.clear();
     }
-    if (!is_opponents_turn() || pool()->is_shooting || clockwork_.is_paused() || is_watching() ||
+    if (!is_opponents_turn() || pool()->is_shooting || clock_.is_paused() || is_watching() ||
         session_.world().tick < session_.latest())
         return;
     needs_draw_ = true;
@@ -67,7 +67,7 @@ void Player::play_opponent(double seconds) {
 
 // Back to where a person is to play.
 void Player::undo() {
-    hand_.forget();
+    tool_.forget();
     opponent_waits_ = 0.0;
     if (!session_.undo()) return say("nothing to undo");
     while (is_opponents_turn() && session_.undo()) {

@@ -51,7 +51,7 @@ void Player::lay_out(const Canvas& canvas, double aspect) {
     histogram_area_ = {};
     energy_area_ = {};
     const bool histogram = shows_histogram_ && has_histogram();
-    const int panels = rival_ ? 0 : (histogram ? 1 : 0) + (shows_energy_ ? 1 : 0);
+    const int panels = comparison_ ? 0 : (histogram ? 1 : 0) + (shows_energy_ ? 1 : 0);
     if (panels > 0 && area.columns >= wide) {
         CellArea side = cut_right(area, std::max(least_panel_columns, area.columns * 2 / 5));
         if (histogram && shows_energy_) energy_area_ = cut_bottom(side, side.rows / 2);
@@ -60,15 +60,15 @@ void Player::lay_out(const Canvas& canvas, double aspect) {
         CellArea bottom = cut_bottom(area, std::max(least_panel_rows, area.rows / 3));
         (histogram ? histogram_area_ : energy_area_) = bottom;
     }
-    if (table_ && !rival_) table_->cut_panel(area);
-    if (rival_) {
+    if (table_ && !comparison_) table_->cut_panel(area);
+    if (comparison_) {
         split_ = split(area, session_.scene().view, aspect);
         area = split_.first;
     }
     const bool is_fine = renderer_in_force(view_) == Renderer::braille;
     if (is_fitted_)
-        camera_ = table_ && !rival_ ? table_->look(session_, area, aspect, is_fine)
-                                    : fit_camera(session_.scene().view, area, aspect);
+        camera_ = table_ && !comparison_ ? table_->look(session_, area, aspect, is_fine)
+                                         : fit_camera(session_.scene().view, area, aspect);
     else if (!(camera_.area == area) || camera_.aspect != aspect)
         camera_ = resized(camera_, area, aspect);
     if (follows_ && selected_) {
@@ -89,13 +89,13 @@ Marks Player::marks() const {
     if (shows_cursor_) marks.cursor = pointer_;
     if (seat_) marks.pool = seat_->marks(session_, is_aiming());
     if (table_) marks.table = table_->marks(session_);
-    if (!seat_ || !hand_.has_cue()) hand_.mark(world, session_.solver(), speed_unit(), marks);
+    if (!seat_ || !tool_.has_cue()) tool_.mark(world, session_.solver(), speed_unit(), marks);
     if (view_.broad_phase && world.balls.size() > 0) {
         const CellFrame frame = frame_around(world, 2.0 * largest_radius(world.balls));
         marks.broad_phase = CellGrid{frame.origin, frame.cell.x};
     }
-    if (swarm_) marks.copies = swarm_->copies();
-    if (rival_ && rival_->parting()) marks.parting = rival_->parting()->place;
+    if (ensemble_) marks.copies = ensemble_->copies();
+    if (comparison_ && comparison_->divergence()) marks.parting = comparison_->divergence()->place;
     return marks;
 }
 
@@ -105,8 +105,8 @@ std::string Player::mode() const {
     const auto add = [&mode](std::string_view text) {
         mode += (mode.empty() ? "" : ", ") + std::string(text);
     };
-    if (clockwork_.is_seeking()) add("seeking a collision");
-    if (clockwork_.is_behind() && !clockwork_.is_paused()) add("slower than real");
+    if (clock_.is_seeking()) add("seeking a collision");
+    if (clock_.is_behind() && !clock_.is_paused()) add("slower than real");
     if (mouse_is_off_) add("mouse off");
     if (follows_ && selected_) add(fmt::format("following {}", number(*selected_)));
     return mode;
@@ -118,17 +118,17 @@ std::vector<KeyHelp> Player::hints() const {
         const std::string keys = keys_.hint(action);
         if (!keys.empty()) hints.push_back({keys, std::string(what)});
     };
-    if (seat_ && hand_.is_empty() && !shows_cursor_) hints = pool_hints();
-    if (hand_.has_cue()) {
+    if (seat_ && tool_.is_empty() && !shows_cursor_) hints = pool_hints();
+    if (tool_.has_cue()) {
         hint(Action::grab, "shoot");
         hint(Action::menu, "let go");
-    } else if (hand_.has_new_edge()) {
+    } else if (tool_.has_new_edge()) {
         hint(Action::draw_edge, "make the edge");
         hint(Action::menu, "let go");
-    } else if (!hand_.is_empty()) {
+    } else if (!tool_.is_empty()) {
         hint(Action::grab, "drop");
-        hint(Action::pause, clockwork_.is_paused() ? "go on" : "pause");
-    } else if (clockwork_.is_paused()) {
+        hint(Action::pause, clock_.is_paused() ? "go on" : "pause");
+    } else if (clock_.is_paused()) {
         hint(Action::pause, "go on");
         hint(Action::step_forward, "step");
         hint(Action::step_back, "step back");
@@ -137,13 +137,13 @@ std::vector<KeyHelp> Player::hints() const {
         if (table_ && !is_watching()) add_table_hints(hints);
         hint(Action::pause, "pause");
     }
-    if (hand_.is_empty() && (shows_cursor_ || selected_) && !is_watching()) {
+    if (tool_.is_empty() && (shows_cursor_ || selected_) && !is_watching()) {
         hint(Action::grab, "take");
         hint(Action::cue, "cue");
         hint(Action::remove, "remove");
     }
     hint(Action::help, "help");
-    if (hand_.is_empty()) {
+    if (tool_.is_empty()) {
         if (session_.latest() > 0) hint(Action::restart, "again");
         if (!mouse_is_off_ && !shows_cursor_ && !is_watching() && !seat_ && !table_) {
             hints.push_back({"drag", "move"});
@@ -190,7 +190,7 @@ HudInfo Player::hud() const {
     info.time = world.time();
     info.tick = world.tick;
     info.latest_tick = session_.latest();
-    info.ticks_per_second = clockwork_.is_paused() ? 0.0 : clockwork_.ticks_per_second();
+    info.ticks_per_second = clock_.is_paused() ? 0.0 : clock_.ticks_per_second();
     info.rate = world.rate;
     info.terms = terms_in_force(world.model);
     info.balls = world.balls.size();
@@ -206,8 +206,8 @@ HudInfo Player::hud() const {
     if (keeps_momentum(world))
         info.momentum_drift =
             relative(length(sums.momentum - reference_.momentum), reference_.momentum_scale);
-    info.speed = clockwork_.speed();
-    info.is_paused = clockwork_.is_paused() && !clockwork_.is_seeking();
+    info.speed = clock_.speed();
+    info.is_paused = clock_.is_paused() && !clock_.is_seeking();
     info.mode = mode();
     if (const auto warning = clock_warning()) {
         info.message = *warning;
@@ -267,14 +267,14 @@ void Player::draw_game(Canvas& canvas, double aspect) {
     energy_.add({world.tick, sums.kinetic_energy, sums.potential_energy});
     draw_world(canvas, camera_, session_.scene(), world, session_.contacts(), marks(), view_,
                memory_);
-    if (rival_) draw_rival(canvas);
+    if (comparison_) draw_comparison(canvas);
     draw_panels(canvas);
-    if (table_ && !rival_) table_->draw_panel(canvas, session_, view_.look);
+    if (table_ && !comparison_) table_->draw_panel(canvas, session_, view_.look);
     draw_hud(canvas, hud(), view_.look);
 }
 
 bool Player::wants_motion() const {
-    return !pressed_ && (hand_.has_cue() || hand_.has_new_edge());
+    return !pressed_ && (tool_.has_cue() || tool_.has_new_edge());
 }
 
 }  // namespace carom

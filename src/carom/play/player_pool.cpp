@@ -69,7 +69,7 @@ bool Player::perform_at_pool(Action action) {
         say("that is for pool tables");
         return true;
     }
-    const bool aims = is_aiming() && hand_.is_empty() && !shows_cursor_;
+    const bool aims = is_aiming() && tool_.is_empty() && !shows_cursor_;
     switch (action) {
         case Action::cursor_left:
         case Action::cursor_right:
@@ -81,7 +81,7 @@ bool Player::perform_at_pool(Action action) {
             return aims;
         case Action::aim_left:
         case Action::aim_right:
-            if (!hand_.is_empty())
+            if (!tool_.is_empty())
                 move_cursor(action == Action::aim_left ? -0.2 : 0.2, 0.0);
             else
                 seat_->turn(action == Action::aim_left ? fine : -fine);
@@ -126,14 +126,14 @@ void Player::shoot() {
 }
 
 void Player::place_cue_ball() {
-    if (!hand_.is_empty()) {
+    if (!tool_.is_empty()) {
         shows_cursor_ = false;
-        return hand_.cancel(session_);
+        return tool_.cancel(session_);
     }
     if (!is_aiming() || !seat_->may_place(session_)) return say("the ball is not in hand");
     const BallId ball = *seat_->cue_ball(session_);
     pointer_ = session_.world().balls.position[*index_of(session_.world(), ball)];
-    hand_.take_to_place(session_.world(), ball, pointer_);
+    tool_.take_to_place(session_.world(), ball, pointer_);
     shows_cursor_ = true;
     say("move the ball with the arrows; p or enter puts it down");
 }
@@ -159,7 +159,7 @@ bool Player::press_at_pool(const InputEvent& event) {
     const bool is_left = event.button == left_button && !(event.modifiers & (shift | control));
     if (is_left && at_pointer && !pool()) return false;
     if (is_left && at_pointer && at_pointer == cue && is_aiming() && seat_->may_place(session_)) {
-        hand_.take_to_place(session_.world(), *cue, pointer_);
+        tool_.take_to_place(session_.world(), *cue, pointer_);
         pressed_ = event.button;
         return true;
     }
@@ -176,7 +176,7 @@ bool Player::press_at_pool(const InputEvent& event) {
         seat_->aim_at(session_, pointer_);
     } else {
         cue_is_armed_ = false;
-        hand_.take_cue(*cue, pointer_);
+        tool_.take_cue(*cue, pointer_);
     }
     return true;
 }
@@ -184,8 +184,8 @@ bool Player::press_at_pool(const InputEvent& event) {
 bool Player::release_at_pool() {
     if (!seat_) return false;
     if (std::exchange(aims_by_mouse_, false)) return true;
-    if (!hand_.has_cue()) return false;
-    hand_.forget();
+    if (!tool_.has_cue()) return false;
+    tool_.forget();
     // A click that pulls nothing shoots nothing.
     const auto cue = seat_->cue_ball(session_);
     const double radius =

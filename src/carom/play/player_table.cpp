@@ -76,13 +76,13 @@ void Player::play_demonstration() {
             session_.apply(press);
 }
 
-void Player::set_honours(Honours honours) {
-    if (table_) table_->set_honours(std::move(honours));
+void Player::set_high_scores(HighScores scores) {
+    if (table_) table_->set_high_scores(std::move(scores));
     needs_draw_ = true;
 }
 
-std::optional<Honour> Player::take_honour() {
-    return table_ ? table_->take_honour() : std::nullopt;
+std::optional<HighScore> Player::take_high_score() {
+    return table_ ? table_->take_high_score() : std::nullopt;
 }
 
 void Player::set_key_release(bool tells) {

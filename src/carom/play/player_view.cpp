@@ -50,7 +50,7 @@ void Player::perform_on_view(Action action) {
                 view_.ball_style == BallStyle::filled ? BallStyle::outline : BallStyle::filled;
             return;
         case Action::split:
-            return next_rival();
+            return next_comparison();
         case Action::butterfly:
             return toggle_butterfly();
         case Action::explain:

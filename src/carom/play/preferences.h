@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "carom/context/keys.h"
 #include "carom/options/play_options.h"
-#include "carom/play/keys.h"
 #include "terminal/draw/draw.h"
 
 /// What a player likes, kept in a small text file that people may edit. Its grammar, one statement

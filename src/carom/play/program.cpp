@@ -68,12 +68,12 @@ std::optional<std::string> change_preferences(std::string_view name, std::string
 }
 
 // The table's high scores, where it keeps any.
-void show_honours(Player& player, const std::string& path) {
+void show_high_scores(Player& player, const std::string& path) {
     const PinballTable& table = player.session().scene().table;
     if (!table.is_game || table.highscores == 0) return;
-    HonoursText kept = load_honours(honours_name(path), table.highscores);
+    HighScoresText kept = load_high_scores(high_scores_name(path), table.highscores);
     if (kept.problem) player.complain(*kept.problem);
-    player.set_honours(std::move(kept.honours));
+    player.set_high_scores(std::move(kept.scores));
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ void Program::set_capabilities(const Capabilities& capabilities) {
     }
     if (auto* menu = std::get_if<Menu>(&page_)) menu->touch();
     if (auto* notice = std::get_if<Notice>(&page_)) notice->needs_draw = true;
-    if (auto* taking_up = std::get_if<TakingUp>(&page_)) taking_up->needs_draw = true;
+    if (auto* resuming = std::get_if<Resuming>(&page_)) resuming->needs_draw = true;
 }
 
 std::optional<Problems> Program::start() {
@@ -125,9 +125,10 @@ std::optional<Problems> Program::start() {
             if (!found.path) return Problems{found.error};
             path = absolute(*found.path);
         }
-        const auto games = folder ? cut_off_games(*folder, path) : std::vector<CutOffGame>{};
+        const auto games =
+            folder ? interrupted_games(*folder, path) : std::vector<InterruptedGame>{};
         if (!games.empty()) {
-            take_up(games.front());
+            resume(games.front());
             return std::nullopt;
         }
         if (options_.level.empty()) return Problems{"there is no game that was cut off"};
@@ -147,11 +148,11 @@ std::optional<Problems> Program::start() {
 
 void Program::show_menu(std::string_view choose) {
     const auto folder = resume_folder();
-    const auto cut_off = folder ? cut_off_games(*folder) : std::vector<CutOffGame>{};
+    const auto interrupted = folder ? interrupted_games(*folder) : std::vector<InterruptedGame>{};
     const auto load_for_picture = [this](const std::string& path) {
         return load(source_of(options_, path));
     };
-    page_.emplace<Menu>(menu_items(cut_off), load_for_picture, choose);
+    page_.emplace<Menu>(menu_items(interrupted), load_for_picture, choose);
 }
 
 std::optional<Problems> Program::open(const LevelSource& source) {
@@ -166,11 +167,11 @@ std::optional<Problems> Program::open(const LevelSource& source) {
 
     LevelSource found = source;
     found.path = absolute(find_level(source.path).path.value_or(source.path));
-    std::optional<CutOffGame> offer;
+    std::optional<InterruptedGame> offer;
     if (const auto folder = resume_folder()) {
-        auto games = cut_off_games(*folder, found.path);
-        const auto same = std::ranges::find_if(games, [&](const CutOffGame& cut_off) {
-            return cut_off.replay.level_hash == player.session().scene().text_hash;
+        auto games = interrupted_games(*folder, found.path);
+        const auto same = std::ranges::find_if(games, [&](const InterruptedGame& interrupted) {
+            return interrupted.replay.level_hash == player.session().scene().text_hash;
         });
         if (same != games.end()) offer = std::move(*same);
     }
@@ -178,7 +179,7 @@ std::optional<Problems> Program::open(const LevelSource& source) {
         const double seconds = static_cast<double>(offer->replay.stands) / offer->replay.rate;
         player.say(fmt::format("a game was {} here at {:.1f} s: {} takes it up",
                                offer->was_left ? "left" : "cut off", seconds,
-                               preferences_.keys.hint(Action::take_up)));
+                               preferences_.keys.hint(Action::resume)));
     }
     enter(std::move(found), std::move(player), std::move(offer));
     return std::nullopt;
@@ -208,18 +209,18 @@ void Program::compare_marks(Game& game) {
             "this is not what was recorded: at tick {} the fingerprint differs", *tick));
 }
 
-void Program::enter(LevelSource source, Player player, std::optional<CutOffGame> offer) {
+void Program::enter(LevelSource source, Player player, std::optional<InterruptedGame> offer) {
     player.set_mouse_is_off(!mouse_);
     player.set_key_release(capabilities_.key_release);
     player.set_bell(preferences_.bell);
     player.set_keep_going(keep_going_);
     if (options_.paused) player.pause(true);
-    show_honours(player, source.path);
+    show_high_scores(player, source.path);
     if (options_.demo) player.demonstrate(true);
     if (options_.opponent > 0 && !player.is_watching() && !player.set_opponent(options_.opponent))
         player.complain("no game of pool is played here, so there is no opponent");
-    FileWatch watch;
-    if (options_.watch) watch = FileWatch(files_of(player.session().scene(), source.path));
+    FileWatcher watch;
+    if (options_.watch) watch = FileWatcher(files_of(player.session().scene(), source.path));
     ResumeFile resume_file;
     const auto folder = resume_folder();
     if (folder && !player.is_watching()) resume_file = ResumeFile(*folder, source.path);
@@ -234,24 +235,24 @@ void Program::open_or_tell(const LevelSource& source) {
     auto& notice = std::get<Notice>(page_);
     notice.source = source;
     if (options_.watch)
-        notice.watch = FileWatch({find_level(source.path).path.value_or(source.path)});
+        notice.watch = FileWatcher({find_level(source.path).path.value_or(source.path)});
 }
 
 void Program::tell(std::string title, Problems problems) {
     page_.emplace<Notice>(Notice{std::move(title), std::move(problems)});
 }
 
-void Program::take_up(const CutOffGame& game) {
-    const CutOffGame taken = game;  // `game` may live in the page that goes
+void Program::resume(const InterruptedGame& game) {
+    const InterruptedGame taken = game;  // `game` may live in the page that goes
     leave_game();
     auto opened = reopen_game(taken.replay, options_.rewind_bytes);
     if (auto* problems = std::get_if<Problems>(&opened))
         return tell("This game cannot be taken up", std::move(*problems));
-    page_.emplace<TakingUp>(TakingUp{taken, std::move(std::get<Replayer>(opened))});
+    page_.emplace<Resuming>(Resuming{taken, std::move(std::get<Replayer>(opened))});
 }
 
-void Program::finish_taking_up() {
-    TakingUp done = std::move(std::get<TakingUp>(page_));
+void Program::finish_resuming() {
+    Resuming done = std::move(std::get<Resuming>(page_));
     if (const auto& failure = done.replayer.failure())
         return tell("This game cannot be taken up",
                     {"It comes out differently now, so it is left as it is.", *failure});
@@ -318,7 +319,7 @@ void Program::autosave(Game& game) {
     if (const auto problem = game.resume_file.save(replay)) game.player.complain(*problem);
 }
 
-void Program::cut_off() {
+void Program::interrupted() {
     auto* game = std::get_if<Game>(&page_);
     if (!game) return;
     autosave(*game);
@@ -338,7 +339,7 @@ void Program::reload(Game& game) {
     game.player = game.player.continued_with(std::move(fresh.session), fresh.solver_is_picked);
     game.player.say(fresh.warnings.empty() ? "the level has changed: from the start"
                                            : fresh.warnings.front());
-    game.watch = FileWatch(files_of(game.player.session().scene(), game.source.path));
+    game.watch = FileWatcher(files_of(game.player.session().scene(), game.source.path));
 }
 
 void Program::keep_setting(std::string_view name, std::string_view value) {

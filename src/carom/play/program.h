@@ -19,7 +19,7 @@
 namespace carom {
 
 /// What the program asks of the screen.
-struct ScreenWishes {
+struct ScreenRequests {
     bool mouse = true;    ///< false: the mouse is left to the terminal
     bool motion = false;  ///< and motion without a button matters
 };
@@ -51,10 +51,10 @@ class Program {
     /// Whether the terminal's bell shall ring now, once.
     bool take_bell();
     bool is_over() const { return is_over_; }
-    ScreenWishes screen_wishes() const;
+    ScreenRequests screen_requests() const;
 
     /// The game has been cut off: writes what is needed to take it up again, and the recording.
-    void cut_off();
+    void interrupted();
     /// The game that was left last can be gone on with.
     bool is_kept() const { return is_kept_; }
     /// A recording that could not be written: for the person, once the screen is gone.
@@ -65,12 +65,12 @@ class Program {
     struct Game {
         LevelSource source;
         Player player;
-        FileWatch watch;
+        FileWatcher watch;
         ResumeFile resume_file;
         std::uint64_t saved_tick = 0;
         std::size_t saved_commands = 0;
         std::optional<PoolStance> saved_stance{};
-        std::optional<CutOffGame> offer;          ///< what "take up" would take up
+        std::optional<InterruptedGame> offer;     ///< what "take up" would take up
         std::vector<FingerprintMark> expected{};  ///< of a recording that is watched
         std::size_t marks_compared = 0;
     };
@@ -80,12 +80,12 @@ class Program {
         Problems lines;
         int scroll = 0;
         std::optional<LevelSource> source{};
-        FileWatch watch{};
+        FileWatcher watch{};
         bool needs_draw = true;
     };
     /// A game that is being played again up to where it was cut off.
-    struct TakingUp {
-        CutOffGame game;
+    struct Resuming {
+        InterruptedGame game;
         Replayer replayer;
         bool needs_draw = true;
     };
@@ -95,9 +95,9 @@ class Program {
     std::optional<Problems> open(const LevelSource& source);
     std::optional<Problems> open_recording();
     void open_or_tell(const LevelSource& source);
-    void take_up(const CutOffGame& game);
-    void finish_taking_up();
-    void enter(LevelSource source, Player player, std::optional<CutOffGame> offer);
+    void resume(const InterruptedGame& game);
+    void finish_resuming();
+    void enter(LevelSource source, Player player, std::optional<InterruptedGame> offer);
     void leave_game();
     bool end_game();
     void compare_marks(Game& game);
@@ -105,13 +105,13 @@ class Program {
 
     void handle_game(Game& game, const InputEvent& event, double now);
     void handle_notice(Notice& notice, const InputEvent& event);
-    void handle_taking_up(const InputEvent& event);
+    void handle_resuming(const InputEvent& event);
     void handle_menu(Menu& menu, const InputEvent& event);
     void advance_game(Game& game, double seconds, double now, const MayGoOn& may_go_on);
     void advance_notice(Notice& notice, double now);
-    void advance_taking_up(TakingUp& taking_up, const MayGoOn& may_go_on);
+    void advance_resuming(Resuming& resuming, const MayGoOn& may_go_on);
     void draw_notice(Canvas& canvas, Notice& notice) const;
-    void draw_taking_up(Canvas& canvas, TakingUp& taking_up) const;
+    void draw_resuming(Canvas& canvas, Resuming& resuming) const;
 
     void reload(Game& game);
     void save_level(Game& game);
@@ -135,7 +135,7 @@ class Program {
     double next_autosave_ = 0.0;
     double next_look_ = 0.0;  ///< at watched files
     KeepGoing keep_going_;
-    std::variant<std::monostate, Menu, Game, Notice, TakingUp> page_;
+    std::variant<std::monostate, Menu, Game, Notice, Resuming> page_;
 };
 
 }  // namespace carom

@@ -24,18 +24,18 @@ bool is_key_press(const InputEvent& event) {
     return event.kind == InputEvent::Kind::key && event.action != InputEvent::Action::release;
 }
 
-void keep_in_honour(Player& player, const std::string& path, const Honour& honour) {
+void keep_score(Player& player, const std::string& path, const HighScore& score) {
     const std::size_t most = player.session().scene().table.highscores;
-    HonoursText kept = keep_honour(honours_name(path), most, honour);
+    HighScoresText kept = keep_high_score(high_scores_name(path), most, score);
     if (kept.problem) player.complain(*kept.problem);
-    player.set_honours(std::move(kept.honours));
+    player.set_high_scores(std::move(kept.scores));
 }
 
 }  // namespace
 
 void Program::handle(const InputEvent& event, double now) {
     if (event.kind == InputEvent::Kind::hangup || event.kind == InputEvent::Kind::end) {
-        cut_off();
+        interrupted();
         is_over_ = true;
     } else if (auto* game = std::get_if<Game>(&page_)) {
         handle_game(*game, event, now);
@@ -44,27 +44,27 @@ void Program::handle(const InputEvent& event, double now) {
     } else if (auto* notice = std::get_if<Notice>(&page_)) {
         handle_notice(*notice, event);
     } else {
-        handle_taking_up(event);
+        handle_resuming(event);
     }
 }
 
 void Program::handle_game(Game& game, const InputEvent& event, double now) {
     const ViewOptions before = game.player.view();
-    const Wish wish = game.player.handle(event);
-    if (const auto honour = game.player.take_honour())
-        keep_in_honour(game.player, game.source.path, *honour);
+    const PlayRequest request = game.player.handle(event);
+    if (const auto score = game.player.take_high_score())
+        keep_score(game.player, game.source.path, *score);
     keep_preferences(before, game.player.view());
     if (game.player.has_bell() != preferences_.bell) {
         preferences_.bell = game.player.has_bell();
         keep_setting("bell", preferences_.bell ? "on" : "off");
     }
     if (next_autosave_ < now) next_autosave_ = now + autosave_interval;
-    switch (wish) {
-        case Wish::quit:
+    switch (request) {
+        case PlayRequest::quit:
             end_game();
             is_over_ = true;
             break;
-        case Wish::menu: {
+        case PlayRequest::menu: {
             const std::string path = game.source.path;
             if (end_game())
                 show_menu(path);
@@ -72,22 +72,22 @@ void Program::handle_game(Game& game, const InputEvent& event, double now) {
                 tell("The recording is lost", {*lost_recording_});
             break;
         }
-        case Wish::save:
+        case PlayRequest::save:
             save_level(game);
             break;
-        case Wish::toggle_mouse:
+        case PlayRequest::toggle_mouse:
             mouse_ = !mouse_;
             game.player.set_mouse_is_off(!mouse_);
             game.player.say(mouse_ ? "the mouse plays" : "the mouse is the terminal's");
             keep_setting("mouse", mouse_ ? "on" : "off");
             break;
-        case Wish::take_up:
+        case PlayRequest::resume:
             if (game.offer)
-                take_up(*game.offer);
+                resume(*game.offer);
             else
                 game.player.say("no game of this level was cut off");
             break;
-        case Wish::none:
+        case PlayRequest::none:
             break;
     }
 }
@@ -96,8 +96,8 @@ void Program::handle_menu(Menu& menu, const InputEvent& event) {
     const Menu::Choice choice = menu.handle(event);
     if (std::holds_alternative<Menu::Quit>(choice)) is_over_ = true;
     if (const auto* item = std::get_if<MenuItem>(&choice)) {
-        if (item->cut_off)
-            take_up(*item->cut_off);
+        if (item->interrupted)
+            resume(*item->interrupted);
         else
             open_or_tell(source_of(options_, item->path));
     }
@@ -130,7 +130,7 @@ void Program::handle_notice(Notice& notice, const InputEvent& event) {
     }
 }
 
-void Program::handle_taking_up(const InputEvent& event) {
+void Program::handle_resuming(const InputEvent& event) {
     if (!is_key_press(event)) return;
     if (event.key == U'q') is_over_ = true;
     if (event.key == key::escape) show_menu({});
@@ -152,8 +152,8 @@ void Program::advance(double seconds, double now, const MayGoOn& may_go_on) {
         menu->advance(seconds, may_go_on);
     else if (auto* notice = std::get_if<Notice>(&page_))
         advance_notice(*notice, now);
-    else if (auto* taking_up = std::get_if<TakingUp>(&page_))
-        advance_taking_up(*taking_up, may_go_on);
+    else if (auto* resuming = std::get_if<Resuming>(&page_))
+        advance_resuming(*resuming, may_go_on);
 }
 
 void Program::advance_game(Game& game, double seconds, double now, const MayGoOn& may_go_on) {
@@ -177,15 +177,15 @@ void Program::advance_notice(Notice& notice, double now) {
     open_or_tell(source);
 }
 
-void Program::advance_taking_up(TakingUp& taking_up, const MayGoOn& may_go_on) {
-    taking_up.needs_draw = true;
+void Program::advance_resuming(Resuming& resuming, const MayGoOn& may_go_on) {
+    resuming.needs_draw = true;
     do {
-        if (!taking_up.replayer.advance(ticks_at_once)) return finish_taking_up();
+        if (!resuming.replayer.advance(ticks_at_once)) return finish_resuming();
     } while (may_go_on());
 }
 
 double Program::seconds_to_change(double now) const {
-    if (std::holds_alternative<TakingUp>(page_)) return 0.0;
+    if (std::holds_alternative<Resuming>(page_)) return 0.0;
     if (std::holds_alternative<Menu>(page_)) return 0.0;
     double seconds = never;
     if (options_.watch) seconds = std::max(0.0, next_look_ - now);
@@ -208,7 +208,7 @@ bool Program::needs_draw() const {
     if (const auto* game = std::get_if<Game>(&page_)) return game->player.needs_draw();
     if (const auto* menu = std::get_if<Menu>(&page_)) return menu->needs_draw();
     if (const auto* notice = std::get_if<Notice>(&page_)) return notice->needs_draw;
-    if (const auto* taking_up = std::get_if<TakingUp>(&page_)) return taking_up->needs_draw;
+    if (const auto* resuming = std::get_if<Resuming>(&page_)) return resuming->needs_draw;
     return false;
 }
 
@@ -220,8 +220,8 @@ void Program::draw(Canvas& canvas) {
         menu->draw(canvas, capabilities_.cell_aspect, view());
     else if (auto* notice = std::get_if<Notice>(&page_))
         draw_notice(canvas, *notice);
-    else if (auto* taking_up = std::get_if<TakingUp>(&page_))
-        draw_taking_up(canvas, *taking_up);
+    else if (auto* resuming = std::get_if<Resuming>(&page_))
+        draw_resuming(canvas, *resuming);
 }
 
 void Program::draw_notice(Canvas& canvas, Notice& notice) const {
@@ -235,17 +235,17 @@ void Program::draw_notice(Canvas& canvas, Notice& notice) const {
             .scroll;
 }
 
-void Program::draw_taking_up(Canvas& canvas, TakingUp& taking_up) const {
-    taking_up.needs_draw = false;
+void Program::draw_resuming(Canvas& canvas, Resuming& resuming) const {
+    resuming.needs_draw = false;
     if (is_too_small(canvas.columns(), canvas.rows())) return draw_too_small(canvas);
-    const std::string lines[] = {taking_up.game.replay.level,
-                                 fmt::format("{:.0f} % of the way to where it stood",
-                                             100.0 * taking_up.replayer.progress())};
+    const std::string lines[] = {
+        resuming.game.replay.level,
+        fmt::format("{:.0f} % of the way to where it stood", 100.0 * resuming.replayer.progress())};
     draw_text_page(canvas, "Taking up the game that was cut off", lines, 0,
                    "esc: the menu   q quits", view().look);
 }
 
-ScreenWishes Program::screen_wishes() const {
+ScreenRequests Program::screen_requests() const {
     const auto* game = std::get_if<Game>(&page_);
     return {mouse_, game && game->player.wants_motion()};
 }

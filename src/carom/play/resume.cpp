@@ -76,8 +76,8 @@ std::vector<std::string> left_behind(const std::string& folder) {
 
 }  // namespace
 
-std::vector<CutOffGame> cut_off_games(const std::string& folder, std::string_view level) {
-    std::vector<CutOffGame> games;
+std::vector<InterruptedGame> interrupted_games(const std::string& folder, std::string_view level) {
+    std::vector<InterruptedGame> games;
     for (const std::string& path : left_behind(folder)) {
         const std::string name = fs::path(path).filename().string();
         if (!level.empty() && !name.starts_with(stem_of(level))) continue;
@@ -124,7 +124,7 @@ bool ResumeFile::put_aside() {
     }
 }
 
-void forget(const CutOffGame& game) {
+void forget(const InterruptedGame& game) {
     ::unlink(game.file.c_str());
 }
 

@@ -15,7 +15,7 @@
 /// name without a process. What is there of no running process can be taken up.
 namespace carom {
 
-struct CutOffGame {
+struct InterruptedGame {
     std::string file;
     Replay replay;
     std::int64_t saved = 0;  ///< s since 1970
@@ -24,7 +24,8 @@ struct CutOffGame {
 
 /// Those left, and those of processes that run no more, the newest first; files that cannot be read
 /// are left out. `level`: the path of one level only, as it is in Replay::level; empty: of all.
-std::vector<CutOffGame> cut_off_games(const std::string& folder, std::string_view level = {});
+std::vector<InterruptedGame> interrupted_games(const std::string& folder,
+                                               std::string_view level = {});
 
 /// The file of one running game. It stays when this goes: only remove() takes it away.
 class ResumeFile {
@@ -47,7 +48,7 @@ class ResumeFile {
 };
 
 /// Takes a cut-off game's file away: it has been taken up, or is not wanted.
-void forget(const CutOffGame& game);
+void forget(const InterruptedGame& game);
 
 /// Where they are, by the user's folders; none: the user has no such place.
 std::optional<std::string> resume_folder();

@@ -10,60 +10,60 @@
 using namespace carom;
 
 TEST_CASE("a score is taken where it is among the best") {
-    Honours honours{{}, 2};
-    CHECK_FALSE(honours.takes(0));
-    honours.add({"AAA", 100});
-    honours.add({"BBB", 300});
-    CHECK(honours.takes(101));
-    CHECK_FALSE(honours.takes(100));
-    honours.add({"CCC", 300});
-    CHECK(honours.lines == std::vector<Honour>{{"BBB", 300}, {"CCC", 300}});
-    CHECK_FALSE(Honours{{}, 0}.takes(5));
+    HighScores scores{{}, 2};
+    CHECK_FALSE(scores.takes(0));
+    scores.add({"AAA", 100});
+    scores.add({"BBB", 300});
+    CHECK(scores.takes(101));
+    CHECK_FALSE(scores.takes(100));
+    scores.add({"CCC", 300});
+    CHECK(scores.lines == std::vector<HighScore>{{"BBB", 300}, {"CCC", 300}});
+    CHECK_FALSE(HighScores{{}, 0}.takes(5));
 }
 
 TEST_CASE("lines of one table are read and written, all others stay") {
     const std::string text =
         "carom high scores 1\nother 5 XYZ\ntable 10 ABC\ntable 30 D-1\nother 4 XYY\n";
-    const HonoursText read = read_honours(text, "table", 5, "scores");
+    const HighScoresText read = read_high_scores(text, "table", 5, "scores");
     CHECK_FALSE(read.problem);
-    CHECK(read.honours.lines == std::vector<Honour>{{"D-1", 30}, {"ABC", 10}});
-    Honours changed = read.honours;
+    CHECK(read.scores.lines == std::vector<HighScore>{{"D-1", 30}, {"ABC", 10}});
+    HighScores changed = read.scores;
     changed.add({"NEW", 20});
-    const std::string after = with_honours(text, "table", changed);
+    const std::string after = with_high_scores(text, "table", changed);
     CHECK(after ==
           "carom high scores 1\nother 5 XYZ\nother 4 XYY\ntable 30 D-1\ntable 20 NEW\ntable 10 "
           "ABC\n");
-    CHECK(with_honours("", "table", {{{"ABC", 1}}, 5}) == "carom high scores 1\ntable 1 ABC\n");
+    CHECK(with_high_scores("", "table", {{{"ABC", 1}}, 5}) == "carom high scores 1\ntable 1 ABC\n");
 }
 
 TEST_CASE("what is no file of scores is told, with its line") {
-    CHECK(read_honours("hello\n", "t", 5, "f").problem->find("no file of high scores") !=
+    CHECK(read_high_scores("hello\n", "t", 5, "f").problem->find("no file of high scores") !=
           std::string::npos);
     for (const char* line : {"t 5", "t five ABC", "t -5 ABC", "t 5 AB", "t 5 abc", "t 5 ABC x", "",
                              "t 99999999999999999999 ABC"}) {
         CAPTURE(line);
         const std::string text = std::string("carom high scores 1\nt 1 ABC\n") + line + "\n";
-        const HonoursText read = read_honours(text, "t", 5, "f");
+        const HighScoresText read = read_high_scores(text, "t", 5, "f");
         REQUIRE(read.problem);
         CHECK(read.problem->starts_with("f:3: "));
     }
 }
 
 TEST_CASE("scores are kept in the user's data folder, and a broken file is left as it is") {
-    const auto folder = std::filesystem::temp_directory_path() / "carom-honours-test";
+    const auto folder = std::filesystem::temp_directory_path() / "carom-high-scores-test";
     std::filesystem::remove_all(folder);
     const char* before = std::getenv("XDG_DATA_HOME");
     const std::string saved = before ? before : "";
     ::setenv("XDG_DATA_HOME", folder.c_str(), 1);
-    CHECK(load_honours("t", 5).honours.lines.empty());
-    CHECK_FALSE(keep_honour("t", 5, {"ABC", 100}).problem);
-    const HonoursText kept = keep_honour("t", 5, {"DEF", 200});
+    CHECK(load_high_scores("t", 5).scores.lines.empty());
+    CHECK_FALSE(keep_high_score("t", 5, {"ABC", 100}).problem);
+    const HighScoresText kept = keep_high_score("t", 5, {"DEF", 200});
     CHECK_FALSE(kept.problem);
-    CHECK(kept.honours.lines.size() == 2);
-    CHECK(load_honours("t", 5).honours.lines == kept.honours.lines);
+    CHECK(kept.scores.lines.size() == 2);
+    CHECK(load_high_scores("t", 5).scores.lines == kept.scores.lines);
     const std::string path = (folder / "carom/high-scores").string();
     CHECK_FALSE(write_file_atomically(path, "something else\n"));
-    CHECK(keep_honour("t", 5, {"GHI", 300}).problem);
+    CHECK(keep_high_score("t", 5, {"GHI", 300}).problem);
     CHECK(*read_file(path).text == "something else\n");
     if (before)
         ::setenv("XDG_DATA_HOME", saved.c_str(), 1);
@@ -73,6 +73,6 @@ TEST_CASE("scores are kept in the user's data folder, and a broken file is left 
 }
 
 TEST_CASE("a level is known by its file's name") {
-    CHECK(honours_name("/a/b/three-bumpers.level") == "three-bumpers");
-    CHECK(honours_name("my table.level") == "my_table");
+    CHECK(high_scores_name("/a/b/three-bumpers.level") == "three-bumpers");
+    CHECK(high_scores_name("my table.level") == "my_table");
 }

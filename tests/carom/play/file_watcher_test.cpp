@@ -30,7 +30,7 @@ TEST_CASE("a file that is saved with another content has changed, once") {
     const Folder folder;
     write(folder.file("a"), "one");
     write(folder.file("b"), "two");
-    FileWatch watch({folder.file("a"), folder.file("b")});
+    FileWatcher watch({folder.file("a"), folder.file("b")});
     CHECK_FALSE(watch.has_changed());
     write(folder.file("b"), "three");
     CHECK(watch.has_changed());
@@ -40,7 +40,7 @@ TEST_CASE("a file that is saved with another content has changed, once") {
 TEST_CASE("saving the same content is no change") {
     const Folder folder;
     write(folder.file("a"), "one");
-    FileWatch watch({folder.file("a")});
+    FileWatcher watch({folder.file("a")});
     fs::last_write_time(folder.file("a"), fs::file_time_type::clock::now() + std::chrono::hours(1));
     CHECK_FALSE(watch.has_changed());
 }
@@ -48,7 +48,7 @@ TEST_CASE("saving the same content is no change") {
 TEST_CASE("an editor that renames a new file over the old one is seen") {
     const Folder folder;
     write(folder.file("a"), "one");
-    FileWatch watch({folder.file("a")});
+    FileWatcher watch({folder.file("a")});
     write(folder.file("new"), "ONE");  // of the same size
     fs::rename(folder.file("new"), folder.file("a"));
     CHECK(watch.has_changed());
@@ -57,7 +57,7 @@ TEST_CASE("an editor that renames a new file over the old one is seen") {
 TEST_CASE("a file that is away for a moment is waited for") {
     const Folder folder;
     write(folder.file("a"), "one");
-    FileWatch watch({folder.file("a")});
+    FileWatcher watch({folder.file("a")});
     fs::remove(folder.file("a"));
     CHECK_FALSE(watch.has_changed());
     write(folder.file("a"), "one more");
@@ -66,7 +66,7 @@ TEST_CASE("a file that is away for a moment is waited for") {
 
 TEST_CASE("a file that was not there yet is seen when it comes") {
     const Folder folder;
-    FileWatch watch({folder.file("a")});
+    FileWatcher watch({folder.file("a")});
     CHECK_FALSE(watch.has_changed());
     write(folder.file("a"), "one");
     CHECK(watch.has_changed());

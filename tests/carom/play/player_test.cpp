@@ -74,12 +74,12 @@ TEST_CASE("stepping pauses a game that runs") {
 
 TEST_CASE("quit, menu and save are wishes") {
     Person person;
-    CHECK(person.key(U'q') == Wish::quit);
-    CHECK(person.key(key::escape) == Wish::menu);
-    CHECK(person.key(U'w') == Wish::save);
-    CHECK(person.key(U'm') == Wish::toggle_mouse);
-    CHECK(person.key(U'x') == Wish::none);
-    CHECK(person.key(U'`') == Wish::none);
+    CHECK(person.key(U'q') == PlayRequest::quit);
+    CHECK(person.key(key::escape) == PlayRequest::menu);
+    CHECK(person.key(U'w') == PlayRequest::save);
+    CHECK(person.key(U'm') == PlayRequest::toggle_mouse);
+    CHECK(person.key(U'x') == PlayRequest::none);
+    CHECK(person.key(U'`') == PlayRequest::none);
 }
 
 TEST_CASE("the left button drags a ball, which pushes others out of its way") {
@@ -126,7 +126,8 @@ TEST_CASE("the cue: the right button, or a modifier with the left, or a key") {
             person.key(U'k');
         }
         person.drag(from, from + Vec2{3.0, -1.0}, way.button, way.modifiers);
-        CHECK(is_near(person.world().balls.velocity[4], Vec2{-3.0, 1.0} * Hand::cue_gain, 0.01));
+        CHECK(is_near(person.world().balls.velocity[4], Vec2{-3.0, 1.0} * PointerTool::cue_gain,
+                      0.01));
         CHECK(person.ball(4) == from);
     }
 }
@@ -144,22 +145,22 @@ TEST_CASE("all that the mouse does can be done with keys") {
         person.key(key::enter);
         CHECK(person.ball(1).x == doctest::Approx(from.x));
         CHECK(person.ball(1).y < from.y - 1.0);
-        CHECK(person.player.hand().is_empty());
+        CHECK(person.player.tool().is_empty());
     }
     SUBCASE("k pulls the cue, enter shoots") {
         person.keys({key::tab, U'k', key::left, key::left, key::up, key::enter});
         const Vec2 velocity = person.world().balls.velocity[0];
         CHECK(velocity.x > 0.0);
         CHECK(velocity.y < 0.0);
-        CHECK(person.player.hand().is_empty());
+        CHECK(person.player.tool().is_empty());
     }
     SUBCASE("escape lets go without shooting, then leaves the cursor, then the game") {
         const auto before = fingerprint(person.world());
         person.keys({key::tab, U'k', key::left});
-        CHECK(person.key(key::escape) == Wish::none);
+        CHECK(person.key(key::escape) == PlayRequest::none);
         CHECK(fingerprint(person.world()) == before);
-        CHECK(person.key(key::escape) == Wish::none);
-        CHECK(person.key(key::escape) == Wish::menu);
+        CHECK(person.key(key::escape) == PlayRequest::none);
+        CHECK(person.key(key::escape) == PlayRequest::menu);
     }
     SUBCASE("e draws an edge") {
         const std::size_t edges = person.world().capsules.size();
@@ -202,7 +203,7 @@ TEST_CASE("going back opens the hand, and the game goes on without it") {
     person.pass(0.1);
     REQUIRE(person.world().held_balls.size() == 1);
     person.keys(U",,");
-    CHECK(person.player.hand().is_empty());
+    CHECK(person.player.tool().is_empty());
     person.key(U' ');
     for (int frame = 0; frame < 30; ++frame)
         person.pass(1.0 / 60.0);
@@ -278,7 +279,7 @@ TEST_CASE("help lists the keys, scrolls, and any other key goes back") {
     CHECK(person.sees("Busy box"));
     CHECK(person.world().balls.size() == 9);
     person.key(U'?');
-    CHECK(person.key(U'q') == Wish::quit);
+    CHECK(person.key(U'q') == PlayRequest::quit);
 }
 
 TEST_CASE("messages fade, and the problem of a watched level stays") {
@@ -415,14 +416,14 @@ TEST_CASE("a recording is watched: time and view obey the keys, the world does n
     CHECK(watched.world().tick == 240);
     person.key(U'n');
     person.player.advance(0.1, always);
-    CHECK_FALSE(person.player.clockwork().is_seeking());
+    CHECK_FALSE(person.player.clock().is_seeking());
     person.key(U'r');
     CHECK(watched.world().tick == 0);
     CHECK(watched.commands().size() == 2);
     person.key(U' ');
     person.player.advance(10.0, always);
     CHECK(watched.world().tick == 240);
-    CHECK(person.player.clockwork().is_paused());
+    CHECK(person.player.clock().is_paused());
 }
 
 TEST_CASE("a split window shows another solver, the next one, and at last the game alone") {
@@ -460,7 +461,7 @@ TEST_CASE("a parting is marked in both halves, told, and goes when time goes bac
     CHECK_FALSE(person.sees(">X<"));
 }
 
-TEST_CASE("in a split window, one step at a time misses no parting") {
+TEST_CASE("in a split window, one step at a time misses no divergence") {
     Person stepping;
     Person running;
     for (Person* person : {&stepping, &running})
@@ -487,7 +488,7 @@ TEST_CASE("in a split window, the mouse takes the same ball in either half") {
     CellPoint right = left;
     right.column += 40;
     person.mouse_in_cells(InputEvent::Action::press, right, 1, no_modifier);
-    CHECK(person.player.hand().has_ball());
+    CHECK(person.player.tool().has_ball());
 }
 
 TEST_CASE("the butterfly says how far its copies are apart") {

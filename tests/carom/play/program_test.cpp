@@ -224,12 +224,12 @@ TEST_CASE("the mouse is let go of and taken back") {
     const Home home;
     Running running(playing("test.level"));
     REQUIRE_FALSE(running.program.start());
-    CHECK(running.program.screen_wishes().mouse);
+    CHECK(running.program.screen_requests().mouse);
     running.key(U'm');
-    CHECK_FALSE(running.program.screen_wishes().mouse);
+    CHECK_FALSE(running.program.screen_requests().mouse);
     CHECK(running.sees("mouse"));
     running.key(U'm');
-    CHECK(running.program.screen_wishes().mouse);
+    CHECK(running.program.screen_requests().mouse);
 }
 
 TEST_CASE("from the game to the menu and back") {

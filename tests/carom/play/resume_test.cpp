@@ -44,19 +44,19 @@ void in_a_process_that_dies(Work work) {
 
 TEST_CASE("a game that was cut off is found by its level") {
     const Folder folder;
-    CHECK(cut_off_games(folder.text()).empty());
+    CHECK(interrupted_games(folder.text()).empty());
     in_a_process_that_dies([&] {
         ResumeFile a(folder.text(), "/levels/gas.level");
         a.save(replay_of("/levels/gas.level", 7));
         a.save(replay_of("/levels/gas.level", 9));
         ResumeFile(folder.text(), "/other/gas.level").save(replay_of("/other/gas.level"));
     });
-    CHECK(cut_off_games(folder.text()).size() == 2);
-    const auto games = cut_off_games(folder.text(), "/levels/gas.level");
+    CHECK(interrupted_games(folder.text()).size() == 2);
+    const auto games = interrupted_games(folder.text(), "/levels/gas.level");
     REQUIRE(games.size() == 1);
     CHECK(games[0].replay.stands == 9);
     forget(games[0]);
-    CHECK(cut_off_games(folder.text()).size() == 1);
+    CHECK(interrupted_games(folder.text()).size() == 1);
 }
 
 TEST_CASE("a game that runs, or has ended in good order, was not cut off") {
@@ -68,7 +68,7 @@ TEST_CASE("a game that runs, or has ended in good order, was not cut off") {
         ended.save(replay_of("a.level"));
         ended.remove();
     });
-    CHECK(cut_off_games(folder.text()).empty());
+    CHECK(interrupted_games(folder.text()).empty());
 }
 
 TEST_CASE("games that are left stay, also of a process that runs on, each for itself") {
@@ -78,17 +78,17 @@ TEST_CASE("games that are left stay, also of a process that runs on, each for it
     file.save(replay_of("a.level", 3));
     CHECK(file.put_aside());
     file.save(replay_of("a.level", 4));
-    CHECK(cut_off_games(folder.text()).size() == 1);
+    CHECK(interrupted_games(folder.text()).size() == 1);
     CHECK(file.put_aside());
     file.save(replay_of("a.level", 5));
     file.remove();
-    const auto games = cut_off_games(folder.text(), "a.level");
+    const auto games = interrupted_games(folder.text(), "a.level");
     REQUIRE(games.size() == 2);
     CHECK(games[0].was_left);
     CHECK(games[0].replay.end + games[1].replay.end == 7);
     forget(games[0]);
     forget(games[1]);
-    CHECK(cut_off_games(folder.text()).empty());
+    CHECK(interrupted_games(folder.text()).empty());
 }
 
 TEST_CASE("a file that is torn or strange is left out") {
@@ -99,7 +99,7 @@ TEST_CASE("a file that is torn or strange is left out") {
         fs::resize_file(file, fs::file_size(file) - 5);
     });
     std::ofstream(folder.path / "notes.txt") << "hello";
-    CHECK(cut_off_games(folder.text()).empty());
+    CHECK(interrupted_games(folder.text()).empty());
 }
 
 TEST_CASE("no more than twenty are kept") {
@@ -107,7 +107,7 @@ TEST_CASE("no more than twenty are kept") {
     for (int i = 0; i < 23; ++i)
         in_a_process_that_dies(
             [&] { ResumeFile(folder.text(), "a.level").save(replay_of("a.level")); });
-    CHECK(cut_off_games(folder.text()).size() == 20);
+    CHECK(interrupted_games(folder.text()).size() == 20);
 }
 
 TEST_CASE("without a place to write to nothing happens") {

@@ -32,7 +32,7 @@ struct PersonAtWindow {
         return window.text();
     }
     bool sees(const std::string& text) { return look().find(text) != std::string::npos; }
-    Wish key(char32_t code, std::uint8_t modifiers = no_modifier) {
+    PlayRequest key(char32_t code, std::uint8_t modifiers = no_modifier) {
         InputEvent event;
         event.key = code;
         event.modifiers = modifiers;

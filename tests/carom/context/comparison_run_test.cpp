@@ -1,4 +1,4 @@
-#include "carom/play/comparison_run.h"
+#include "carom/context/comparison_run.h"
 
 #include <doctest/doctest.h>
 
@@ -16,11 +16,11 @@ constexpr SolverSettings discrete{.kind = SolverKind::discrete};
 
 struct Pair {
     Session session{busy_box(), swept};
-    Rival rival;
+    ComparisonRun comparison;
 
-    explicit Pair(const SolverSettings& solver) : rival(session, solver) {}
+    explicit Pair(const SolverSettings& solver) : comparison(session, solver) {}
 
-    bool follow() { return rival.follow(session, {}, {}); }
+    bool follow() { return comparison.follow(session, {}, {}); }
     void run(int ticks) {
         for (int i = 0; i < ticks; ++i) {
             session.step_forward();
@@ -37,9 +37,9 @@ TEST_CASE("a rival under the same solver never parts, commands and all") {
     CHECK_FALSE(pair.session.apply(command::AddBall{ball_at_rest({4.0, 26.0})}));
     CHECK_FALSE(pair.session.apply(command::SetGravity{Vec2{0.0, -30.0}}));
     pair.run(100);
-    CHECK(pair.rival.world().balls.size() == 10);
-    CHECK(is_same_state(pair.rival.world(), pair.session.world()));
-    CHECK_FALSE(pair.rival.parting());
+    CHECK(pair.comparison.world().balls.size() == 10);
+    CHECK(is_same_state(pair.comparison.world(), pair.session.world()));
+    CHECK_FALSE(pair.comparison.divergence());
 }
 
 TEST_CASE("a rival keeps its own solver when the session changes its") {
@@ -47,54 +47,55 @@ TEST_CASE("a rival keeps its own solver when the session changes its") {
     pair.run(10);
     pair.session.apply(command::SetSolver{discrete});
     pair.run(200);
-    CHECK(pair.rival.solver() == swept);
-    CHECK(pair.rival.parting());
+    CHECK(pair.comparison.solver() == swept);
+    CHECK(pair.comparison.divergence());
 }
 
-TEST_CASE("the parting is the first tick at which a ball is a hundredth of a radius off") {
+TEST_CASE("the divergence is the first tick at which a ball is a hundredth of a radius off") {
     Pair pair(discrete);
     std::uint64_t expected = 0;
     while (expected == 0) {
         pair.run(1);
         const World& a = pair.session.world();
-        const World& b = pair.rival.world();
+        const World& b = pair.comparison.world();
         for (std::size_t i = 0; i < a.balls.size(); ++i)
             if (distance(a.balls.position[i], b.balls.position[i]) > 0.01 * a.balls.radius[i])
                 expected = a.tick;
     }
-    REQUIRE(pair.rival.parting());
-    const Rival::Parting parting = *pair.rival.parting();
-    CHECK(parting.tick == expected);
-    CHECK(parting.time == pair.session.world().time());
-    const auto ball = index_of(pair.session.world(), parting.ball);
+    REQUIRE(pair.comparison.divergence());
+    const ComparisonRun::Divergence divergence = *pair.comparison.divergence();
+    CHECK(divergence.tick == expected);
+    CHECK(divergence.time == pair.session.world().time());
+    const auto ball = index_of(pair.session.world(), divergence.ball);
     REQUIRE(ball);
-    CHECK(parting.place == pair.session.world().balls.position[*ball]);
+    CHECK(divergence.place == pair.session.world().balls.position[*ball]);
     pair.run(20);
-    CHECK(pair.rival.parting()->tick == expected);
+    CHECK(pair.comparison.divergence()->tick == expected);
 }
 
-TEST_CASE("a rival goes back with the session, to the same bits, and the parting is forgotten") {
+TEST_CASE(
+    "a comparison run goes back with the session, to the same bits, and forgets the divergence") {
     Pair pair(discrete);
     pair.run(37);
-    const std::uint64_t before = fingerprint(pair.rival.world());
+    const std::uint64_t before = fingerprint(pair.comparison.world());
     pair.run(200);
-    REQUIRE(pair.rival.parting());
-    const std::uint64_t parted = pair.rival.parting()->tick;
+    REQUIRE(pair.comparison.divergence());
+    const std::uint64_t parted = pair.comparison.divergence()->tick;
     pair.session.go_to(37);
     CHECK(pair.follow());
-    CHECK(fingerprint(pair.rival.world()) == before);
+    CHECK(fingerprint(pair.comparison.world()) == before);
     pair.session.go_to(std::min<std::uint64_t>(parted - 1, 37));
     pair.follow();
-    CHECK_FALSE(pair.rival.parting());
+    CHECK_FALSE(pair.comparison.divergence());
     while (pair.session.world().tick < 237)
         pair.run(1);
-    CHECK(pair.rival.parting()->tick == parted);
+    CHECK(pair.comparison.divergence()->tick == parted);
 }
 
 TEST_CASE("before its beginning, and after a restart, a rival begins anew") {
     Pair pair(discrete);
     pair.run(30);
-    Rival late(pair.session, discrete);
+    ComparisonRun late(pair.session, discrete);
     CHECK(late.start_time() == 0.25);
     pair.session.go_to(12);
     CHECK(late.follow(pair.session, {}, {}));
@@ -112,7 +113,7 @@ TEST_CASE("what is done at its beginning is part of the beginning") {
     pair.session.apply(command::SetGravity{Vec2{0.0, -30.0}});
     pair.follow();
     pair.run(60);
-    CHECK(is_same_state(pair.rival.world(), pair.session.world()));
+    CHECK(is_same_state(pair.comparison.world(), pair.session.world()));
 }
 
 TEST_CASE("a command about a ball that only the session has is left out") {
@@ -121,8 +122,8 @@ TEST_CASE("a command about a ball that only the session has is left out") {
     // Free there, but perhaps not here; either way the rival goes on.
     pair.session.apply(command::RemoveBall{BallId{3}});
     pair.run(5);
-    CHECK(pair.rival.world().balls.size() == 8);
-    CHECK(pair.rival.world().tick == 205);
+    CHECK(pair.comparison.world().balls.size() == 8);
+    CHECK(pair.comparison.world().tick == 205);
 }
 
 TEST_CASE("a rival that may not go on takes the rest up later") {
@@ -130,8 +131,8 @@ TEST_CASE("a rival that may not go on takes the rest up later") {
     for (int i = 0; i < 10; ++i)
         pair.session.step_forward();
     const auto never = [] { return false; };
-    CHECK_FALSE(pair.rival.follow(pair.session, never, {}));
-    CHECK(pair.rival.world().tick == 1);
+    CHECK_FALSE(pair.comparison.follow(pair.session, never, {}));
+    CHECK(pair.comparison.world().tick == 1);
     CHECK(pair.follow());
-    CHECK(pair.rival.world().tick == 10);
+    CHECK(pair.comparison.world().tick == 10);
 }

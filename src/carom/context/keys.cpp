@@ -1,4 +1,4 @@
-#include "carom/play/keys.h"
+#include "carom/context/keys.h"
 
 #include <algorithm>
 #include <array>
@@ -83,7 +83,7 @@ constexpr ActionRow rows[] = {
     {Action::explain, "explain", "i", "which solver, which terms, why", "View"},
 
     {Action::mouse, "mouse", "m", "give the mouse to the terminal", "Program"},
-    {Action::take_up, "take-up", "R", "take up the game that was left", "Program"},
+    {Action::resume, "take-up", "R", "take up the game that was left", "Program"},
     {Action::help, "help", "? f1", "this page", "Program"},
     {Action::menu, "menu", "escape", "let go; the menu", "Program"},
     {Action::quit, "quit", "q", "quit at once", "Program"},

@@ -1,4 +1,4 @@
-#include "carom/play/comparison_run.h"
+#include "carom/context/comparison_run.h"
 
 #include <algorithm>
 
@@ -14,7 +14,7 @@ constexpr double tolerance = 0.01;
 constexpr std::size_t rewind_bytes = std::size_t{16} << 20;
 
 /// The ball that is furthest from its twin, in its own radii, if that is beyond the tolerance.
-std::optional<std::size_t> parted_ball(const World& a, const World& b) {
+std::optional<std::size_t> diverged_ball(const World& a, const World& b) {
     std::optional<std::size_t> found;
     double most = tolerance;
     std::size_t j = 0;
@@ -45,12 +45,12 @@ bool is_same_state(const World& a, const World& b) {
     return a.model == b.model && fingerprint(a) == fingerprint(b);
 }
 
-Rival::Rival(const Session& session, const SolverSettings& solver)
+ComparisonRun::ComparisonRun(const Session& session, const SolverSettings& solver)
     : solver_(solver), history_(rewind_bytes) {
     begin(session);
 }
 
-void Rival::begin(const Session& session) {
+void ComparisonRun::begin(const Session& session) {
     start_ = session.world();
     world_ = start_;
     start_game_ = session.game();
@@ -58,20 +58,20 @@ void Rival::begin(const Session& session) {
     contacts_.clear();
     history_.clear();
     obeyed_ = start_.tick;
-    parting_.reset();
+    divergence_.reset();
 }
 
-void Rival::go_back(std::uint64_t tick) {
+void ComparisonRun::go_back(std::uint64_t tick) {
     const Snapshot* from = history_.at_or_before(tick);
     world_ = from ? from->world : start_;
     game_ = from ? from->game : start_game_;
     obeyed_ = from ? std::nullopt : std::optional(start_.tick);
     history_.forget_from(tick + 1);
     contacts_.clear();
-    if (parting_ && parting_->tick > tick) parting_.reset();
+    if (divergence_ && divergence_->tick > tick) divergence_.reset();
 }
 
-bool Rival::tick(const Session& session, const KeepGoing& keep_going) {
+bool ComparisonRun::tick(const Session& session, const KeepGoing& keep_going) {
     if (obeyed_ != world_.tick) {
         if (world_.tick % History::spacing == 0) history_.keep(world_, solver_.settings(), game_);
         for (const TimedCommand& timed : commands_at(session, world_.tick))
@@ -85,7 +85,8 @@ bool Rival::tick(const Session& session, const KeepGoing& keep_going) {
     return true;
 }
 
-bool Rival::follow(const Session& session, const MayGoOn& may_go_on, const KeepGoing& keep_going) {
+bool ComparisonRun::follow(const Session& session, const MayGoOn& may_go_on,
+                           const KeepGoing& keep_going) {
     const World& lead = session.world();
     if (lead.tick < start_.tick || (lead.tick == start_.tick && !is_same_state(lead, start_)))
         begin(session);
@@ -94,9 +95,9 @@ bool Rival::follow(const Session& session, const MayGoOn& may_go_on, const KeepG
         if (!tick(session, keep_going)) return false;
         if (world_.tick < lead.tick && may_go_on && !may_go_on()) return false;
     }
-    if (parting_) return true;
-    if (const auto ball = parted_ball(lead, world_))
-        parting_ = {lead.tick, lead.time(), lead.balls.id[*ball], lead.balls.position[*ball]};
+    if (divergence_) return true;
+    if (const auto ball = diverged_ball(lead, world_))
+        divergence_ = {lead.tick, lead.time(), lead.balls.id[*ball], lead.balls.position[*ball]};
     return true;
 }
 

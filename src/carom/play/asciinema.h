@@ -11,7 +11,7 @@
 /// each event: [seconds, "o", bytes for the terminal] or [seconds, "r", "COLUMNSxROWS"].
 namespace carom {
 
-struct CastHeader {
+struct AsciinemaHeader {
     int columns = 0;
     int rows = 0;
     std::string title;
@@ -19,10 +19,10 @@ struct CastHeader {
 };
 
 /// The first line, with its line end. No date: the same game gives the same film but for its times.
-std::string cast_header(const CastHeader& header);
+std::string asciinema_header(const AsciinemaHeader& header);
 
 /// One event, with its line end. `data` in UTF-8, never a part of a character.
-std::string cast_event(double seconds, char code, std::string_view data);
+std::string asciinema_event(double seconds, char code, std::string_view data);
 
 /// A film that is being made. It is written as it goes, into a temporary file beside `path`, so
 /// that an hour of it takes no memory; the file appears under its name when it is finished, and
@@ -30,9 +30,9 @@ std::string cast_event(double seconds, char code, std::string_view data);
 ///
 /// The film shows the pictures alone, in a terminal that is in no special mode: neither its other
 /// screen nor the mouse, and no question to it, so that the last picture stays when it has ended.
-class Cast {
+class AsciinemaRecording {
   public:
-    Cast(const std::string& path, std::string title, std::string terminal);
+    AsciinemaRecording(const std::string& path, std::string title, std::string terminal);
 
     /// Why nothing can be written there, so that a player learns of it before the game.
     std::optional<std::string> obstacle() const;
@@ -48,7 +48,7 @@ class Cast {
   private:
     std::string path_;
     OutputFile file_;
-    CastHeader header_;  // with the present size
+    AsciinemaHeader header_;  // with the present size
     std::optional<double> start_;
 };
 

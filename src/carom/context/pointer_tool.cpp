@@ -1,4 +1,4 @@
-#include "carom/play/hand.h"
+#include "carom/context/pointer_tool.h"
 
 #include <fmt/format.h>
 
@@ -46,10 +46,10 @@ std::uint64_t foresight(const World& world) {
 }  // namespace
 
 Vec2 cue_velocity(const World& world, Vec2 ball, Vec2 hand) {
-    return offset(world, hand, ball) * Hand::cue_gain;
+    return offset(world, hand, ball) * PointerTool::cue_gain;
 }
 
-bool Hand::take(const World& world, Vec2 at, double slack) {
+bool PointerTool::take(const World& world, Vec2 at, double slack) {
     if (const auto ball = ball_at(world, at, slack)) {
         state_ = BallInHand{*ball, offset(world, at, *place_of(world, *ball)), at};
         return true;
@@ -65,29 +65,29 @@ bool Hand::take(const World& world, Vec2 at, double slack) {
     return false;
 }
 
-void Hand::take_to_place(const World& world, BallId ball, Vec2 at) {
+void PointerTool::take_to_place(const World& world, BallId ball, Vec2 at) {
     state_ = BallInHand{ball, offset(world, at, *place_of(world, ball)), at, true};
 }
 
-void Hand::take_cue(BallId ball, Vec2 at) {
+void PointerTool::take_cue(BallId ball, Vec2 at) {
     state_ = CueInHand{ball, at};
 }
 
-void Hand::start_edge(Vec2 at, double radius, ClassIndex material) {
+void PointerTool::start_edge(Vec2 at, double radius, ClassIndex material) {
     state_ = NewEdge{{at, at, radius}, material};
 }
 
-bool Hand::holds_ball(BallId ball) const {
+bool PointerTool::holds_ball(BallId ball) const {
     const auto* held = std::get_if<BallInHand>(&state_);
     return held && held->ball == ball;
 }
 
-bool Hand::holds_edge(CapsuleId edge) const {
+bool PointerTool::holds_edge(CapsuleId edge) const {
     const auto* held = std::get_if<EdgesInHand>(&state_);
     return held && std::ranges::count(held->grip.parts, edge, &EdgeGrip::Part::capsule) > 0;
 }
 
-std::vector<Command> Hand::holds(const World& world) const {
+std::vector<Command> PointerTool::holds(const World& world) const {
     if (const auto* held = std::get_if<BallInHand>(&state_)) {
         if (held->is_placed || !index_of(world, held->ball)) return {};
         return {command::HoldBall{held->ball, inside(world, held->at + held->grip)}};
@@ -97,7 +97,7 @@ std::vector<Command> Hand::holds(const World& world) const {
     return {};
 }
 
-Complaint Hand::move(Session& session, Vec2 to, bool stands_still) {
+Complaint PointerTool::move(Session& session, Vec2 to, bool stands_still) {
     const World& world = session.world();
     std::vector<Command> commands;
     if (auto* held = std::get_if<BallInHand>(&state_)) {
@@ -123,7 +123,7 @@ Complaint Hand::move(Session& session, Vec2 to, bool stands_still) {
     return std::nullopt;
 }
 
-Complaint Hand::open(Session& session) {
+Complaint PointerTool::open(Session& session) {
     const World& world = session.world();
     Complaint complaint;
     if (const auto* cue = std::get_if<CueInHand>(&state_)) {
@@ -138,7 +138,7 @@ Complaint Hand::open(Session& session) {
     return complaint;
 }
 
-void Hand::cancel(Session& session) {
+void PointerTool::cancel(Session& session) {
     if (const auto* held = std::get_if<BallInHand>(&state_)) {
         if (std::ranges::count(session.world().held_balls, held->ball, &HeldBall::id))
             session.apply(command::DropBall{held->ball});
@@ -149,7 +149,7 @@ void Hand::cancel(Session& session) {
     forget();
 }
 
-void Hand::prepare(Session& session) {
+void PointerTool::prepare(Session& session) {
     for (const Command& command : holds(session.world()))
         if (!is_held_so(session.world(), command)) session.apply(command);
     if (session.world().tick < session.latest()) return;
@@ -161,8 +161,8 @@ void Hand::prepare(Session& session) {
         if (!holds_edge(held.id)) session.apply(command::DropCapsule{held.id});
 }
 
-void Hand::mark(const World& world, const SolverSettings& solver, std::string_view unit,
-                Marks& marks) const {
+void PointerTool::mark(const World& world, const SolverSettings& solver, std::string_view unit,
+                       Marks& marks) const {
     if (const auto* held = std::get_if<BallInHand>(&state_)) {
         marks.selected_ball = held->ball;
     } else if (const auto* edges = std::get_if<EdgesInHand>(&state_)) {

@@ -81,7 +81,7 @@ enum class Action : std::uint8_t {
     explain,
     // program
     mouse,
-    take_up,
+    resume,
     help,
     menu,
     quit

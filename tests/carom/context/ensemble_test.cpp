@@ -1,8 +1,8 @@
-#include "carom/play/ensemble.h"
+#include "carom/context/ensemble.h"
 
 #include <doctest/doctest.h>
 
-#include "carom/play/comparison_run.h"
+#include "carom/context/comparison_run.h"
 #include "game/support/scenes.h"
 
 using namespace carom;
@@ -16,55 +16,55 @@ constexpr SolverSettings swept{.kind = SolverKind::swept};
 
 TEST_CASE("the swarm follows the session, whose game its first copy is") {
     Session session(busy_box(), swept);
-    Swarm swarm(session);
-    CHECK(swarm.copies().size() == 200);
-    CHECK(swarm.spread() > 0.0);
-    CHECK(swarm.spread() < 1e-8);
+    Ensemble ensemble(session);
+    CHECK(ensemble.copies().size() == 200);
+    CHECK(ensemble.spread() > 0.0);
+    CHECK(ensemble.spread() < 1e-8);
     for (int i = 0; i < 60; ++i)
         session.step_forward();
-    CHECK(swarm.is_behind(session));
-    CHECK(swarm.follow(session, {}, {}));
-    CHECK_FALSE(swarm.is_behind(session));
+    CHECK(ensemble.is_behind(session));
+    CHECK(ensemble.follow(session, {}, {}));
+    CHECK_FALSE(ensemble.is_behind(session));
     session.apply(command::SetGravity{Vec2{0.0, -30.0}});
     session.apply(command::SetSolver{{.kind = SolverKind::substep}});
     for (int i = 0; i < 60; ++i)
         session.step_forward();
-    swarm.follow(session, {}, {});
-    CHECK(is_same_state(swarm.copies().front(), session.world()));
+    ensemble.follow(session, {}, {});
+    CHECK(is_same_state(ensemble.copies().front(), session.world()));
 }
 
 TEST_CASE("a swarm spreads to a radius, once") {
     Session session(busy_box(), swept);
-    Swarm swarm(session);
-    while (!swarm.time_of_a_radius() && session.world().tick < 6000) {
+    Ensemble ensemble(session);
+    while (!ensemble.time_of_a_radius() && session.world().tick < 6000) {
         session.step_forward();
-        swarm.follow(session, {}, {});
-        CHECK((swarm.spread() >= 1.0) == swarm.time_of_a_radius().has_value());
+        ensemble.follow(session, {}, {});
+        CHECK((ensemble.spread() >= 1.0) == ensemble.time_of_a_radius().has_value());
     }
-    REQUIRE(swarm.time_of_a_radius());
-    CHECK(*swarm.time_of_a_radius() == session.world().time());
-    const double time = *swarm.time_of_a_radius();
+    REQUIRE(ensemble.time_of_a_radius());
+    CHECK(*ensemble.time_of_a_radius() == session.world().time());
+    const double time = *ensemble.time_of_a_radius();
     session.step_forward();
-    swarm.follow(session, {}, {});
-    CHECK(*swarm.time_of_a_radius() == time);
+    ensemble.follow(session, {}, {});
+    CHECK(*ensemble.time_of_a_radius() == time);
 }
 
 TEST_CASE("when the session goes back, the swarm begins anew there") {
     Session session(busy_box(), swept);
-    Swarm swarm(session);
+    Ensemble ensemble(session);
     for (int i = 0; i < 100; ++i)
         session.step_forward();
-    swarm.follow(session, {}, {});
+    ensemble.follow(session, {}, {});
     session.step_back();
-    CHECK(swarm.follow(session, {}, {}));
-    CHECK(swarm.start_time() == session.world().time());
-    CHECK(swarm.spread() < 1e-8);
+    CHECK(ensemble.follow(session, {}, {}));
+    CHECK(ensemble.start_time() == session.world().time());
+    CHECK(ensemble.spread() < 1e-8);
 }
 
 TEST_CASE("a swarm that is interrupted between its copies comes to the same") {
     Session session(busy_box(), swept);
-    Swarm at_once(session);
-    Swarm in_bits(session);
+    Ensemble at_once(session);
+    Ensemble in_bits(session);
     for (int i = 0; i < 5; ++i)
         session.step_forward();
     at_once.follow(session, {}, {});

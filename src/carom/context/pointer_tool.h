@@ -16,7 +16,7 @@ namespace carom {
 /// Why something did not work, as a sentence for the player.
 using Complaint = std::optional<std::string>;
 
-class Hand {
+class PointerTool {
   public:
     /// Ball speed for each length that the cue is pulled, 1/s.
     static constexpr double cue_gain = 5.0;

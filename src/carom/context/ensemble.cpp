@@ -1,6 +1,6 @@
-#include "carom/play/ensemble.h"
+#include "carom/context/ensemble.h"
 
-#include "carom/play/comparison_run.h"
+#include "carom/context/comparison_run.h"
 #include "lab/measure/difference.h"
 
 namespace carom {
@@ -9,25 +9,26 @@ namespace {
 Butterfly butterfly_of(const World& start, const SolverSettings& solver) {
     return {start,
             solver,
-            {.copies = Swarm::copy_count,
-             .size = Swarm::nudge_radii * mean_radius(start),
+            {.copies = Ensemble::copy_count,
+             .size = Ensemble::nudge_radii * mean_radius(start),
              .seed = start.seed}};
 }
 
 }  // namespace
 
-Swarm::Swarm(const Session& session)
+Ensemble::Ensemble(const Session& session)
     : start_(session.world()),
       start_solver_(session.solver()),
       butterfly_(butterfly_of(start_, start_solver_)),
       tick_(start_.tick),
       spread_(butterfly_.spread()) {}
 
-bool Swarm::follow(const Session& session, const MayGoOn& may_go_on, const KeepGoing& keep_going) {
+bool Ensemble::follow(const Session& session, const MayGoOn& may_go_on,
+                      const KeepGoing& keep_going) {
     const World& lead = session.world();
     const bool is_at_start = lead.tick == start_.tick && is_same_state(lead, start_) &&
                              session.solver() == start_solver_;
-    if (lead.tick < tick_ || (lead.tick <= start_.tick && !is_at_start)) *this = Swarm(session);
+    if (lead.tick < tick_ || (lead.tick <= start_.tick && !is_at_start)) *this = Ensemble(session);
     while (tick_ < lead.tick) {
         if (!is_within_tick_ && tick_ > start_.tick)
             for (const TimedCommand& timed : commands_at(session, tick_))

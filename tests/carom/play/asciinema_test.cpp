@@ -1,4 +1,4 @@
-#include "carom/play/cast.h"
+#include "carom/play/asciinema.h"
 
 #include <doctest/doctest.h>
 #include <signal.h>
@@ -109,21 +109,21 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
 }  // namespace
 
 TEST_CASE("the lines of a cast are JSON, whatever is shown") {
-    CHECK(cast_header({.columns = 80, .rows = 24, .title = "a \"b\"", .terminal = "xterm"}) ==
+    CHECK(asciinema_header({.columns = 80, .rows = 24, .title = "a \"b\"", .terminal = "xterm"}) ==
           "{\"version\": 2, \"width\": 80, \"height\": 24, \"title\": \"a \\\"b\\\"\", "
           "\"env\": {\"TERM\": \"xterm\"}}\n");
-    CHECK(cast_header({.columns = 1, .rows = 2, .title = "", .terminal = ""}) ==
+    CHECK(asciinema_header({.columns = 1, .rows = 2, .title = "", .terminal = ""}) ==
           "{\"version\": 2, \"width\": 1, \"height\": 2, \"title\": \"\"}\n");
-    CHECK(cast_event(1.25, 'o', "\033[1m\\▀\r\n\"") ==
+    CHECK(asciinema_event(1.25, 'o', "\033[1m\\▀\r\n\"") ==
           "[1.250000, \"o\", \"\\u001b[1m\\\\▀\\r\\n\\\"\"]\n");
-    CHECK(cast_event(0.0, 'r', "80x24") == "[0.000000, \"r\", \"80x24\"]\n");
-    CHECK(cast_event(0.0, 'o', "\xe2\x96") == "[0.000000, \"o\", \"\uFFFD\uFFFD\"]\n");
+    CHECK(asciinema_event(0.0, 'r', "80x24") == "[0.000000, \"r\", \"80x24\"]\n");
+    CHECK(asciinema_event(0.0, 'o', "\xe2\x96") == "[0.000000, \"o\", \"\uFFFD\uFFFD\"]\n");
 }
 
 TEST_CASE("a cast tells sizes and times from its first picture on") {
     const TemporaryFolder folder;
     const std::string file = folder.path("a.cast");
-    Cast cast(file, "title", "");
+    AsciinemaRecording cast(file, "title", "");
     REQUIRE_FALSE(cast.obstacle());
     cast.add(100.0, 80, 24, "one");
     cast.add(100.5, 80, 24, "two");
@@ -146,16 +146,16 @@ TEST_CASE("a cast that showed nothing, or was not finished, leaves nothing behin
     const TemporaryFolder folder;
     const std::string old = folder.file("old.cast", "precious");
     {
-        Cast cast(old, "", "");
+        AsciinemaRecording cast(old, "", "");
         cast.add(0.0, 80, 24, "one");
     }
-    CHECK_FALSE(Cast(old, "", "").finish(1.0));
+    CHECK_FALSE(AsciinemaRecording(old, "", "").finish(1.0));
     CHECK(content(old) == "precious");
     CHECK(folder.names().size() == 1);
 }
 
 TEST_CASE("a cast on a full disk is told") {
-    Cast cast("/dev/full", "", "");
+    AsciinemaRecording cast("/dev/full", "", "");
     REQUIRE_FALSE(cast.obstacle());
     cast.add(0.0, 80, 24, "one");
     CHECK(cast.finish(1.0).value_or("").find("'/dev/full'") != std::string::npos);

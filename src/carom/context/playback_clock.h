@@ -13,7 +13,7 @@ using MayGoOn = std::function<bool()>;
 /// Asked within a long tick: whether it may go on; see Session::set_keep_going.
 using KeepGoing = std::function<bool()>;
 
-class Clockwork {
+class PlaybackClock {
   public:
     bool is_paused() const { return is_paused_; }
     /// Pausing ends a search, and forgets the part of a tick that was due.

@@ -1,4 +1,4 @@
-#include "carom/play/playback_clock.h"
+#include "carom/context/playback_clock.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,35 +20,35 @@ constexpr double window = 0.5;
 
 }  // namespace
 
-void Clockwork::pause(bool paused) {
+void PlaybackClock::pause(bool paused) {
     is_paused_ = paused;
     due_ = 0.0;
     seeking_ = 0;
 }
 
-double Clockwork::speed() const {
+double PlaybackClock::speed() const {
     return gears[gear_ + normal_gear];
 }
 
-void Clockwork::slower() {
+void PlaybackClock::slower() {
     gear_ = std::max(gear_ - 1, -normal_gear);
 }
 
-void Clockwork::faster() {
+void PlaybackClock::faster() {
     gear_ = std::min(gear_ + 1, last_gear - normal_gear);
 }
 
-void Clockwork::normal() {
+void PlaybackClock::normal() {
     gear_ = 0;
 }
 
-void Clockwork::seek_collision() {
+void PlaybackClock::seek_collision() {
     pause(true);
     search_failed_ = false;
     seeking_ = std::numeric_limits<std::uint64_t>::max();
 }
 
-std::uint64_t Clockwork::advance(Session& session, double seconds, const MayGoOn& may_go_on) {
+std::uint64_t PlaybackClock::advance(Session& session, double seconds, const MayGoOn& may_go_on) {
     if (is_seeking()) return seek(session, may_go_on);
     if (is_paused_) return 0;
     due_ += seconds * speed() * session.world().rate;
@@ -71,7 +71,7 @@ std::uint64_t Clockwork::advance(Session& session, double seconds, const MayGoOn
     return ticks;
 }
 
-std::uint64_t Clockwork::seek(Session& session, const MayGoOn& may_go_on) {
+std::uint64_t PlaybackClock::seek(Session& session, const MayGoOn& may_go_on) {
     const double most = longest_search * session.world().rate;
     if (static_cast<double>(seeking_) > most) seeking_ = static_cast<std::uint64_t>(most) + 1;
     std::uint64_t ticks = 0;
@@ -91,7 +91,7 @@ std::uint64_t Clockwork::seek(Session& session, const MayGoOn& may_go_on) {
     return ticks;
 }
 
-void Clockwork::measure(double seconds, std::uint64_t ticks, bool dropped) {
+void PlaybackClock::measure(double seconds, std::uint64_t ticks, bool dropped) {
     window_seconds_ += seconds;
     window_ticks_ += ticks;
     window_dropped_ = window_dropped_ || dropped;

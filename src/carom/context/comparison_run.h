@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "carom/play/playback_clock.h"
+#include "carom/context/playback_clock.h"
 #include "game/session/history.h"
 #include "game/session/session.h"
 
@@ -16,10 +16,10 @@ namespace carom {
 /// the solver. Commands that make no sense here any more, such as one about a ball that is gone,
 /// are left out. When the session goes back, so does this; before the beginning there is nothing to
 /// follow, and it begins anew.
-class Rival {
+class ComparisonRun {
   public:
     /// When a ball was first further than 1 % of its radius from its twin.
-    struct Parting {
+    struct Divergence {
         std::uint64_t tick = 0;
         double time = 0.0;  ///< s
         BallId ball{};
@@ -27,11 +27,11 @@ class Rival {
     };
 
     /// Pre: solver.kind is one of solvers_available().
-    Rival(const Session& session, const SolverSettings& solver);
+    ComparisonRun(const Session& session, const SolverSettings& solver);
 
     /// To the session's tick: true. `may_go_on` is asked between ticks and `keep_going` within long
     /// ones; where one of them says no, the rest is left to the next call. Called after every tick
-    /// of the session, it misses no parting.
+    /// of the session, it misses no divergence.
     bool follow(const Session& session, const MayGoOn& may_go_on, const KeepGoing& keep_going);
 
     const SolverSettings& solver() const { return solver_.settings(); }
@@ -39,7 +39,7 @@ class Rival {
     std::span<const Contact> contacts() const { return contacts_; }
     /// When both began, s.
     double start_time() const { return start_.time(); }
-    const std::optional<Parting>& parting() const { return parting_; }
+    const std::optional<Divergence>& divergence() const { return divergence_; }
 
   private:
     void begin(const Session& session);
@@ -54,7 +54,7 @@ class Rival {
     std::vector<Contact> contacts_;
     History history_;
     std::optional<std::uint64_t> obeyed_;  ///< the tick whose commands world_ has obeyed
-    std::optional<Parting> parting_;
+    std::optional<Divergence> divergence_;
 };
 
 /// The commands of a session that were given at this tick.

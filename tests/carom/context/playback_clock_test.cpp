@@ -1,4 +1,4 @@
-#include "carom/play/playback_clock.h"
+#include "carom/context/playback_clock.h"
 
 #include <doctest/doctest.h>
 
@@ -24,71 +24,71 @@ TEST_CASE("as many ticks are run as the time asks for, however it is cut into fr
     for (const int frames : {30, 60, 77, 144, 1000}) {
         CAPTURE(frames);
         Session game = session();
-        Clockwork clockwork;
+        PlaybackClock clock;
         for (int frame = 0; frame < frames; ++frame)
-            clockwork.advance(game, 1.0 / frames, always);
+            clock.advance(game, 1.0 / frames, always);
         CHECK(std::abs(static_cast<double>(game.world().tick) - 120.0) <= 1.0);
     }
 }
 
 TEST_CASE("gears go from a hundredth to a thousandfold") {
-    Clockwork clockwork;
-    CHECK(clockwork.speed() == 1.0);
+    PlaybackClock clock;
+    CHECK(clock.speed() == 1.0);
     for (int i = 0; i < 100; ++i)
-        clockwork.slower();
-    CHECK(clockwork.speed() == 0.01);
+        clock.slower();
+    CHECK(clock.speed() == 0.01);
     for (int i = 0; i < 100; ++i)
-        clockwork.faster();
-    CHECK(clockwork.speed() == 1000.0);
-    clockwork.normal();
-    CHECK(clockwork.speed() == 1.0);
+        clock.faster();
+    CHECK(clock.speed() == 1000.0);
+    clock.normal();
+    CHECK(clock.speed() == 1.0);
 }
 
 TEST_CASE("slow motion runs a tick now and then") {
     Session game = session();
-    Clockwork clockwork;
+    PlaybackClock clock;
     for (int i = 0; i < 100; ++i)
-        clockwork.slower();
+        clock.slower();
     for (int frame = 0; frame < 600; ++frame)
-        clockwork.advance(game, 1.0 / 60.0, always);
+        clock.advance(game, 1.0 / 60.0, always);
     CHECK(game.world().tick >= 11);
     CHECK(game.world().tick <= 12);
 }
 
 TEST_CASE("a pause stands still") {
     Session game = session();
-    Clockwork clockwork;
-    clockwork.pause(true);
-    CHECK(clockwork.advance(game, 10.0, always) == 0);
-    clockwork.pause(false);
-    CHECK(clockwork.advance(game, 1.0 / 120.0, always) == 1);
+    PlaybackClock clock;
+    clock.pause(true);
+    CHECK(clock.advance(game, 10.0, always) == 0);
+    clock.pause(false);
+    CHECK(clock.advance(game, 1.0 / 120.0, always) == 1);
 }
 
 TEST_CASE("where the machine is too slow the game slows down, says so, and does not fall behind") {
     Session game = session();
-    Clockwork clockwork;
+    PlaybackClock clock;
     for (int frame = 0; frame < 60; ++frame)
-        CHECK(clockwork.advance(game, 1.0 / 60.0, never) == 1);  // at least one: it goes on
-    CHECK(clockwork.is_behind());
-    CHECK(clockwork.ticks_per_second() == doctest::Approx(60.0).epsilon(0.05));
-    CHECK(clockwork.advance(game, 1.0 / 60.0, always) <= 3);  // nothing is made up for
+        CHECK(clock.advance(game, 1.0 / 60.0, never) == 1);  // at least one: it goes on
+    CHECK(clock.is_behind());
+    CHECK(clock.ticks_per_second() == doctest::Approx(60.0).epsilon(0.05));
+    CHECK(clock.advance(game, 1.0 / 60.0, always) <= 3);  // nothing is made up for
     for (int frame = 0; frame < 60; ++frame)
-        clockwork.advance(game, 1.0 / 60.0, always);
-    CHECK_FALSE(clockwork.is_behind());
-    CHECK(clockwork.ticks_per_second() == doctest::Approx(120.0).epsilon(0.05));
+        clock.advance(game, 1.0 / 60.0, always);
+    CHECK_FALSE(clock.is_behind());
+    CHECK(clock.ticks_per_second() == doctest::Approx(120.0).epsilon(0.05));
 }
 
 TEST_CASE("a search ends at a collision and pauses there") {
     Session game = session();
-    Clockwork clockwork;
-    clockwork.seek_collision();
+    PlaybackClock clock;
+    clock.seek_collision();
     int frames = 0;
-    for (; clockwork.is_seeking() && frames < 10000; ++frames)
-        clockwork.advance(game, 1.0 / 60.0, never);
+    for (; clock.is_seeking() && frames < 10000; ++frames)
+        clock.advance(game, 1.0 / 60.0, never);
     CHECK(frames > 1);
-    CHECK_FALSE(clockwork.search_failed());
+    CHECK_FALSE(clock.search_failed());
     CHECK_FALSE(game.contacts().empty());
-    CHECK(clockwork.is_paused());
+    CHECK(clock.is_paused());
 }
 
 TEST_CASE("a search that finds nothing ends too") {
@@ -96,19 +96,19 @@ TEST_CASE("a search that finds nothing ends too") {
     empty.world.balls = {};
     empty.world.rate = 2.0;
     Session game(empty, {});
-    Clockwork clockwork;
-    clockwork.seek_collision();
-    clockwork.advance(game, 1.0, always);
-    CHECK_FALSE(clockwork.is_seeking());
-    CHECK(clockwork.search_failed());
+    PlaybackClock clock;
+    clock.seek_collision();
+    clock.advance(game, 1.0, always);
+    CHECK_FALSE(clock.is_seeking());
+    CHECK(clock.search_failed());
     CHECK(game.world().tick >= 1200);
     CHECK(game.world().tick < 1210);
 }
 
 TEST_CASE("pausing ends a search") {
     Session game = session();
-    Clockwork clockwork;
-    clockwork.seek_collision();
-    clockwork.pause(true);
-    CHECK(clockwork.advance(game, 1.0, always) == 0);
+    PlaybackClock clock;
+    clock.seek_collision();
+    clock.pause(true);
+    CHECK(clock.advance(game, 1.0, always) == 0);
 }

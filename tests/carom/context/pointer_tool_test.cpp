@@ -1,4 +1,4 @@
-#include "carom/play/hand.h"
+#include "carom/context/pointer_tool.h"
 
 #include <doctest/doctest.h>
 
@@ -21,7 +21,7 @@ Vec2 ball(const Session& game, std::uint32_t number) {
 
 TEST_CASE("the hand carries a ball by where it was taken") {
     Session game = session();
-    Hand hand;
+    PointerTool hand;
     REQUIRE(hand.take(game.world(), {8.5, 8.0}, 0.1));
     CHECK(hand.has_ball());
     hand.move(game, {10.0, 8.0}, false);
@@ -37,7 +37,7 @@ TEST_CASE("the hand carries a ball by where it was taken") {
 
 TEST_CASE("a hand that rests writes nothing into the log") {
     Session game = session();
-    Hand hand;
+    PointerTool hand;
     REQUIRE(hand.take(game.world(), {8.0, 8.0}, 0.1));
     for (int tick = 0; tick < 50; ++tick) {
         hand.prepare(game);
@@ -48,7 +48,7 @@ TEST_CASE("a hand that rests writes nothing into the log") {
 
 TEST_CASE("in a world that stands still a ball is put where the hand is, if there is room") {
     Session game = session();
-    Hand hand;
+    PointerTool hand;
     REQUIRE(hand.take(game.world(), {8.0, 8.0}, 0.1));
     CHECK(hand.move(game, {8.0, 5.0}, true) == std::nullopt);
     CHECK(ball(game, 0) == Vec2{8.0, 5.0});
@@ -64,7 +64,7 @@ TEST_CASE("in a world that stands still a ball is put where the hand is, if ther
 
 TEST_CASE("a joint is moved as one, or not at all") {
     Session game = session();
-    Hand hand;
+    PointerTool hand;
     REQUIRE(hand.take(game.world(), {30.0, 20.0}, 0.1));
     CHECK(hand.has_edges());
     CHECK(hand.move(game, {31.0, 19.0}, true) == std::nullopt);
@@ -77,7 +77,7 @@ TEST_CASE("a joint is moved as one, or not at all") {
 
 TEST_CASE("an edge that is dragged while time passes gets there") {
     Session game = session();
-    Hand hand;
+    PointerTool hand;
     REQUIRE(hand.take(game.world(), {34.0, 7.0}, 0.1));
     hand.move(game, {34.0, 9.0}, false);
     hand.prepare(game);
@@ -89,7 +89,7 @@ TEST_CASE("an edge that is dragged while time passes gets there") {
 
 TEST_CASE("the cue shoots away from the hand, faster the longer the pull") {
     Session game = session();
-    Hand hand;
+    PointerTool hand;
     hand.take_cue(BallId{4}, ball(game, 4));
     const Vec2 from = ball(game, 4);
     hand.move(game, from + Vec2{-2.0, -1.0}, true);
@@ -100,12 +100,12 @@ TEST_CASE("the cue shoots away from the hand, faster the longer the pull") {
     CHECK(marks.path[5].x > marks.path[0].x);
     CHECK(marks.cue->speed == "11.2 m/s");
     hand.open(game);
-    CHECK(game.world().balls.velocity[4] == Vec2{2.0, 1.0} * Hand::cue_gain);
+    CHECK(game.world().balls.velocity[4] == Vec2{2.0, 1.0} * PointerTool::cue_gain);
 }
 
 TEST_CASE("a cue that is let go does not shoot") {
     Session game = session();
-    Hand hand;
+    PointerTool hand;
     hand.take_cue(BallId{4}, {0.0, 0.0});
     hand.cancel(game);
     CHECK(hand.is_empty());
@@ -114,7 +114,7 @@ TEST_CASE("a cue that is let go does not shoot") {
 
 TEST_CASE("a drawn edge that is refused stays in the hand") {
     Session game = session();
-    Hand hand;
+    PointerTool hand;
     hand.start_edge({10.0, 20.5}, 0.1, 0);
     hand.move(game, {18.0, 18.0}, true);
     REQUIRE(hand.open(game));
@@ -129,7 +129,7 @@ TEST_CASE("what nobody holds any more is dropped before time goes on") {
     Session game = session();
     REQUIRE(game.apply(command::HoldBall{BallId{0}, {8.0, 8.0}}) == std::nullopt);
     REQUIRE(game.apply(command::HoldCapsule{CapsuleId{4}, {24, 4}, {34, 7}}) == std::nullopt);
-    Hand hand;
+    PointerTool hand;
     hand.prepare(game);
     CHECK(game.world().held_balls.empty());
     CHECK(game.world().held_capsules.empty());
@@ -137,7 +137,7 @@ TEST_CASE("what nobody holds any more is dropped before time goes on") {
 
 TEST_CASE("a ball that goes away leaves the hand empty") {
     Session game = session();
-    Hand hand;
+    PointerTool hand;
     REQUIRE(hand.take(game.world(), {8.0, 8.0}, 0.1));
     REQUIRE(game.apply(command::RemoveBall{BallId{0}}) == std::nullopt);
     CHECK(hand.move(game, {9.0, 9.0}, true) == std::nullopt);

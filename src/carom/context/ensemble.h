@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "carom/play/playback_clock.h"
+#include "carom/context/playback_clock.h"
 #include "game/session/session.h"
 #include "lab/compare/butterfly.h"
 
@@ -12,13 +12,13 @@ namespace carom {
 
 /// Begins where a session is, and follows it: the same ticks, the same commands, the same solver.
 /// When the session goes back, there is nothing to follow any more, and it begins anew there.
-class Swarm {
+class Ensemble {
   public:
     static constexpr std::size_t copy_count = 200;
     /// Most that a ball is moved each way at the start, in mean radii.
     static constexpr double nudge_radii = 1e-9;
 
-    explicit Swarm(const Session& session);
+    explicit Ensemble(const Session& session);
 
     /// To the session's tick: true. `may_go_on` is asked between copies and `keep_going` within
     /// long ticks; where one of them says no, the rest is left to the next call.

@@ -1,4 +1,4 @@
-#include "carom/play/keys.h"
+#include "carom/context/keys.h"
 
 #include <doctest/doctest.h>
 
