@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bits/level_writer.h"
+#include "bits/random.h"
+
+/// Writes recordings of players who take, throw, place, add and remove balls and edges, press
+/// buttons, and change gravity and the solver, all at random: see src/game/replay/replay_text.h.
+namespace carom::bits {
+
+struct TimedLine {
+    int tick = 0;
+    std::string command;
+};
+
+/// Commands for a level, in order of their ticks. The game may refuse some.
+std::vector<TimedLine> write_commands(Random& random, const Level& level);
+
+/// Of a level's text, as a recording names it.
+std::uint64_t level_hash(std::string_view text);
+
+/// A whole recording. Its fingerprints are wrong, at the last tick alone: who verifies it is told
+/// what the fingerprint is.
+std::string write_recording(const Level& level, const std::string& solver,
+                            const std::vector<TimedLine>& commands);
+
+/// Any solver with its settings, as recordings write it.
+std::string write_solver(Random& random, bool has_cloth);
+
+}  // namespace carom::bits
