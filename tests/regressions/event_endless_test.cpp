@@ -6,15 +6,15 @@
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 
-// Ticks of the solver `event` that did not end: balls went to and fro between two cells on whose
-// border they were, balls that slid along an edge less deep in it than rounding met its end without
-// end, and balls that hands pulled into wedges went from one edge to the other.
+// Ticks of the solver `event` that did not end. A ball on the border of two cells was transferred
+// back and forth; a ball that slid along an edge, overlapping it by less than rounding, met the
+// edge's end again and again; a ball dragged into a wedge bounced between its two sides.
 
 using namespace carom;
 
 namespace {
 
-// Whether each of so many ticks ends within a few thousand events.
+// Whether each of `ticks` ticks ends within a few thousand events.
 bool ends(World& world, int ticks) {
     Solver solver({.kind = SolverKind::event});
     for (int tick = 0; tick < ticks; ++tick) {
@@ -26,8 +26,8 @@ bool ends(World& world, int ticks) {
 
 }  // namespace
 
-TEST_CASE("event: a ball on the border of two cells that goes neither way does not go to and fro") {
-    // Wherever the borders are.
+TEST_CASE("event: a ball on a cell border that moves along it is not transferred back and forth") {
+    // The borders may lie anywhere.
     for (int cells = 1; cells <= 12; ++cells)
         for (int cell = 0; cell < cells; ++cell) {
             CAPTURE(cells);
@@ -43,7 +43,7 @@ TEST_CASE("event: a ball on the border of two cells that goes neither way does n
         }
 }
 
-TEST_CASE("event: a ball that begins to turn on the border of two cells does not go to and fro") {
+TEST_CASE("event: a ball that starts turning on a cell border is not transferred back and forth") {
     for (int cells = 1; cells <= 12; ++cells)
         for (int cell = 0; cell < cells; ++cell) {
             CAPTURE(cells);
@@ -62,7 +62,8 @@ TEST_CASE("event: a ball that begins to turn on the border of two cells does not
         }
 }
 
-TEST_CASE("event: a ball that slides by the end of an edge, as deep in it as rounding, goes on") {
+TEST_CASE(
+    "event: a ball that slides past the end of an edge that it overlaps by rounding goes on") {
     for (int depth = -20; depth <= 60; ++depth) {
         CAPTURE(depth);
         World world = scenes::empty();
@@ -76,7 +77,7 @@ TEST_CASE("event: a ball that slides by the end of an edge, as deep in it as rou
     }
 }
 
-TEST_CASE("event: a ball that a hand pulls into a wedge stays in it") {
+TEST_CASE("event: a ball dragged into a wedge stays in it") {
     for (const double target : {-0.4, -0.1, 0.0, 0.1, 0.4}) {
         CAPTURE(target);
         World world = scenes::empty();
@@ -85,16 +86,16 @@ TEST_CASE("event: a ball that a hand pulls into a wedge stays in it") {
         const BallId ball = add_ball(world, {.position = {20.0, 0.0}, .radius = 0.5});
         world.held_balls = {{ball, {2.0, target}}};
         REQUIRE(ends(world, 60));
-        // Where both edges are as far away as they may be.
+        // Both edges are as far away as they can be.
         const double deepest = 0.5 * std::sqrt(100.0 * 100.0 + 5.0 * 5.0) / 5.0;
         CHECK(world.balls.position[0].x == doctest::Approx(deepest).epsilon(1e-6));
         CHECK(std::abs(world.balls.position[0].y) < 1e-6);
     }
 }
 
-// What had been shut in among three was left with the least number there is for a speed, of which
-// no share is taken away by an impact.
-TEST_CASE("event: what approaches as slowly as numbers can say has no impact") {
+// A ball jammed among three others was left with the smallest denormal as its speed, and no impact
+// takes a share of that away.
+TEST_CASE("event: an approach at the smallest representable speed is no impact") {
     const Edge<double> wall(Capsule{{0.0, -1.0}, {0.0, 1.0}, 0.0}, {});
     const Edge<double> peg(Capsule{{0.0, 0.0}, {0.0, 0.0}, 0.0}, {});
     for (const double speed : {5e-324, 1e-320, 1e-310, 1e-300}) {
@@ -110,9 +111,9 @@ TEST_CASE("event: what approaches as slowly as numbers can say has no impact") {
     }
 }
 
-// Pushed into a wedge until it has hardly any speed left, a ball met one side of it again and
-// again.
-TEST_CASE("event: what slips on cloth for less than the clock can tell rolls or stands at once") {
+// A ball was pushed into a wedge until it had hardly any speed left, and met one side of the wedge
+// again and again.
+TEST_CASE("event: a slip on cloth that is shorter than the clock resolves ends at once") {
     World world = scenes::empty();
     world.model.spin = 0.4;
     world.model.cloth = Cloth{};

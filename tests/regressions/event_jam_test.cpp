@@ -6,8 +6,8 @@
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 
-// Balls that something bars from where gravity takes them: the solver `event` did not see that they
-// lie there, and met what barred them thousands of times a second, a hair deeper each time.
+// Balls that gravity presses against an obstacle. The solver `event` did not recognise that they
+// rest there, and found thousands of impacts a second with the obstacle, each slightly deeper.
 
 using namespace carom;
 
@@ -24,7 +24,7 @@ World under_gravity(double restitution) {
 
 struct Run {
     std::size_t contacts = 0;
-    int asked = 0;  // every 4096 events, and sooner where impacts take many rounds
+    int asked = 0;  // every 4096 events, and sooner if impacts take many iterations
 };
 
 Run run(World& world, int ticks) {
@@ -39,14 +39,14 @@ Run run(World& world, int ticks) {
 
 }  // namespace
 
-TEST_CASE("event: a ball lies where a slope meets a wall, or something that hangs over") {
+TEST_CASE("event: a ball rests where a slope meets a wall or an overhang") {
     for (const double restitution : {0.0, 0.5, 1.0})
         for (const double slope : {0.2, 0.5, 1.2})
             for (const double over : {0.3, 0.6, 1.0}) {
                 CAPTURE(restitution);
                 CAPTURE(slope);
                 CAPTURE(over);
-                // The other leans over the slope, or is upright.
+                // The other edge leans over the slope, or is upright.
                 const double other = slope + (std::acos(-1.0) / 2.0 - slope) * over;
                 const double half = (other - slope) / 2.0;
                 const Vec2 down{std::cos(slope), std::sin(slope)};
@@ -67,7 +67,7 @@ TEST_CASE("event: a ball lies where a slope meets a wall, or something that hang
             }
 }
 
-TEST_CASE("event: a ball that turns round a peg lies against the end of a wall") {
+TEST_CASE("event: a ball that turns round a peg comes to rest against the end of a wall") {
     for (const double restitution : {0.0, 0.5})
         for (const double angle : {0.05, 0.3})
             for (const double share : {0.5, 1.0}) {
@@ -89,8 +89,8 @@ TEST_CASE("event: a ball that turns round a peg lies against the end of a wall")
             }
 }
 
-// What they lost of their speed in each round was a share of it: down to the least number there is.
-TEST_CASE("event: elastic balls that are put into edges and one another lie still") {
+// Each iteration took a share of their speeds away, down to the smallest denormal.
+TEST_CASE("event: elastic balls placed inside edges and each other come to rest") {
     World world = under_gravity(1.0);
     add_capsule(world, {{0.0, 0.0}, {12.0, 0.0}, 0.1}, 0);
     add_capsule(world, {{0.0, 12.0}, {0.0, 0.0}, 0.1}, 0);
@@ -103,9 +103,9 @@ TEST_CASE("event: elastic balls that are put into edges and one another lie stil
     CHECK(done.contacts < 20000);
 }
 
-// It was laid on the one that it would leave for the other at once, and bounced back, at one
-// instant, as often as its speed lasted.
-TEST_CASE("event: a ball that goes over from one floor to another slides on the higher one") {
+// The ball was put to rest on the floor that it would leave for the other at once. It bounced back
+// within the same instant until its speed was used up.
+TEST_CASE("event: a ball that passes from one floor to another slides on the higher one") {
     for (const bool is_flat_first : {false, true}) {
         CAPTURE(is_flat_first);
         World world = under_gravity(1.0);
@@ -126,9 +126,9 @@ TEST_CASE("event: a ball that goes over from one floor to another slides on the 
     }
 }
 
-// It was let fall for that, and too slow then to meet what it went against: it met the floor again
-// and again, a hair deeper each time, and gave up.
-TEST_CASE("event: a ball on a floor that goes slowly against a wall or a ball beside it meets it") {
+// The solver released the ball from the floor, but the ball was too slow to reach the obstacle. It
+// met the floor again and again, slightly deeper each time, until the tick was given up.
+TEST_CASE("event: a ball that moves slowly along a floor meets the wall or ball beside it") {
     for (const bool is_wall : {false, true})
         for (const double drag : {0.0, 0.3})
             for (const double restitution : {0.0, 0.3})
@@ -154,8 +154,8 @@ TEST_CASE("event: a ball on a floor that goes slowly against a wall or a ball be
                 }
 }
 
-// Round the end that two edges share it was looked for the end of the other a million times.
-TEST_CASE("event: a ball that goes slowly over the ridge of two edges costs next to nothing") {
+// At the end that two edges share, the search for the other edge's end took a million iterations.
+TEST_CASE("event: a ball that moves slowly over the ridge of two edges costs next to nothing") {
     World world = under_gravity(0.5);
     add_capsule(world, {{0.0, 0.0}, {40.0, 0.0}, 0.0}, 0);
     add_capsule(world, {{0.0, 0.0}, {-40.0, -0.4}, 0.0}, 0);
@@ -168,7 +168,7 @@ TEST_CASE("event: a ball that goes slowly over the ridge of two edges costs next
 
 namespace {
 
-// Whether a tick ends in which a hand takes the ball at `from` to `to`.
+// Whether a tick ends in which the ball at `from` is dragged to `to`.
 bool ends_with_hand(World world, double spin, Vec2 from, Vec2 to, Vec2 velocity = {}) {
     const BallId held = add_ball(world, {.position = from, .velocity = velocity, .radius = 0.5});
     world.balls.spin.back() = spin;
@@ -180,10 +180,10 @@ bool ends_with_hand(World world, double spin, Vec2 from, Vec2 to, Vec2 velocity 
 
 }  // namespace
 
-// What was shut in with a ball was stopped together with it; the ball was tired and lay down at the
-// same instant, and was met again, without end.
-TEST_CASE("event: what meets a ball that lies still since it is tired is stopped by it") {
-    SUBCASE("in a heap that a hand that turns drives on") {
+// A ball and its jammed neighbours were frozen together. The collapse guard froze the ball at the
+// same instant, and its neighbours met it again without end.
+TEST_CASE("event: a ball frozen by the collapse guard stops a jammed ball that meets it") {
+    SUBCASE("in a heap driven by a turning edge") {
         World world = under_gravity(0.916212115243346);
         world.rate = 112.45867869668238;
         world.model.gravity = Vec2{-1.7595310857244439, -10};
@@ -203,7 +203,7 @@ TEST_CASE("event: what meets a ball that lies still since it is tired is stopped
         CHECK(
             ends_with_hand(world, 52.0, {1.934, 2.203}, {9.0693224385413487, 9.2722200228548353}));
     }
-    SUBCASE("in a row that a hand pushes into a corner") {
+    SUBCASE("in a row pushed into a corner") {
         World world = under_gravity(1.0);
         world.rate = 206.57188127763254;
         world.model.gravity = Vec2{-2.2018241751008993, -10};

@@ -5,13 +5,13 @@
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 
-// An edge that came to where a ball had been on its present path stopped the ball wherever it was
-// by then: in mid-air, or high above a flipper that had been raised behind it.
+// An edge moved to a place that a ball had already passed on its current trajectory. The ball then
+// bounced wherever it was by that time: in mid-air, or high above a flipper raised behind it.
 
 using namespace carom;
 
-TEST_CASE("event: an edge where a ball was before does not stop it in mid-air") {
-    // It flies up through 2 to 5 and falls again.
+TEST_CASE("event: an edge moved to a place that a ball has passed does not stop the ball") {
+    // The ball flies up through 2 to 5 and falls again.
     for (const int when : {60, 110, 125, 135}) {
         CAPTURE(when);
         World world = scenes::empty();
@@ -26,7 +26,7 @@ TEST_CASE("event: an edge where a ball was before does not stop it in mid-air") 
             for (const Contact& contact : solver.contacts()) {
                 ++contacts;
                 CHECK(contact.point.y == doctest::Approx(2.0));
-                // It has fallen from 5 to 2.5.
+                // By now the ball has fallen from 5 to 2.5.
                 CHECK(contact.time == doctest::Approx(1.0 + std::sqrt(0.5)));
             }
         }

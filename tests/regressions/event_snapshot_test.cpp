@@ -8,16 +8,17 @@
 #include "physics/support/scenes.h"
 #include "physics/world/fingerprint.h"
 
-// The solver `event` went on with other bits than one that began from a copy of the world: where a
-// ball lay deeper in what carried it than a fall would press it, where one went round a torus more
-// than fifty times, where one was moved on which another lay, where balls had been put into one
-// another beside an edge, and where an edge had come to where a ball had been before.
+// The solver `event` went on with other bits than a fresh solver that started from a copy of the
+// world. It happened when a ball overlapped its support by more than a fall would press it, when a
+// ball went round a torus more than fifty times, when a ball that supported another was moved, when
+// balls were placed inside each other beside an edge, and when an edge moved to a place that a ball
+// had passed.
 
 using namespace carom;
 
 namespace {
 
-// The first tick in which the two differ; -1: none of so many.
+// The first tick in which the two differ, or -1 if none of the ticks does.
 int first_difference(World& world, int ticks) {
     Solver solver({.kind = SolverKind::event});
     for (int tick = 0; tick < ticks; ++tick) {
@@ -42,7 +43,7 @@ World lossy() {
 
 }  // namespace
 
-TEST_CASE("event: a snapshot goes on with the same bits where balls lie deep in edges") {
+TEST_CASE("event: a snapshot continues with the same bits if balls rest deep in edges") {
     struct Row {
         Capsule edge;
         Motion motion;
@@ -69,20 +70,20 @@ TEST_CASE("event: a snapshot goes on with the same bits where balls lie deep in 
             REQUIRE(world.paths[0].motion == row.motion);
             const double began = world.paths[0].time;
             CHECK(first_difference(world, 8) == -1);
-            // Paths go on from tick to tick.
+            // Trajectories continue from tick to tick.
             if (row.motion == Motion::resting) CHECK(world.paths[0].time == began);
         }
     }
 }
 
-TEST_CASE("event: what carries a ball carries it no more once it has been moved") {
+TEST_CASE("event: a support that has been moved no longer carries its ball") {
     World world = lossy();
     add_ball(world, {.position = {0.0, 0.5}, .radius = 0.5, .restitution = 0.5});
     const CapsuleId floor = add_capsule(world, {{-2.0, 0.0}, {2.0, 0.0}, 0.0}, 0);
     Solver solver({.kind = SolverKind::event});
     solver.tick(world);
     REQUIRE(world.paths[0].motion == Motion::resting);
-    // So that it still touches it, but slides down.
+    // The ball still touches the support, but now slides down.
     world.capsules.shape[0] = {{-2.0, 1.0}, {2.0, -1.0}, 0.0};
     world.balls.position[0] = {0.25 * std::sqrt(0.8), 0.5 * std::sqrt(0.8)};
     solver.tick(world);
@@ -91,7 +92,7 @@ TEST_CASE("event: what carries a ball carries it no more once it has been moved"
     CHECK(world.balls.velocity[0].x > 0.0);
 }
 
-TEST_CASE("event: a snapshot goes on with the same bits where a ball goes round and round") {
+TEST_CASE("event: a snapshot continues with the same bits if a ball circles a torus") {
     for (const bool falls : {false, true})
         for (const bool slows : {false, true}) {
             CAPTURE(falls);
@@ -107,7 +108,7 @@ TEST_CASE("event: a snapshot goes on with the same bits where a ball goes round 
         }
 }
 
-TEST_CASE("event: a snapshot goes on with the same bits where what carries a ball is moved") {
+TEST_CASE("event: a snapshot continues with the same bits if a ball's support is moved") {
     for (const Vec2 push : {Vec2{0.0, 0.0}, Vec2{0.5, 0.0}, Vec2{30.0, 0.0}}) {
         CAPTURE(push.x);
         World world = lossy();
@@ -131,7 +132,7 @@ TEST_CASE("event: a snapshot goes on with the same bits where what carries a bal
     }
 }
 
-TEST_CASE("event: a ball that is pushed over the seam of a torus meets who is there") {
+TEST_CASE("event: a ball pushed over the seam of a torus meets the ball there") {
     World world = scenes::empty();
     world.model.wrap = Box{{0.0, 0.0}, {10.0, 10.0}};
     add_ball(world, {.position = {9.0, 5.0}, .radius = 0.5});
@@ -145,7 +146,7 @@ TEST_CASE("event: a ball that is pushed over the seam of a torus meets who is th
     CHECK(world.ball_ball_collisions == 1);
 }
 
-TEST_CASE("event: a snapshot goes on with the same bits where balls are put into one another") {
+TEST_CASE("event: a snapshot continues with the same bits if balls are placed inside each other") {
     for (int seed = 0; seed < 20; ++seed) {
         CAPTURE(seed);
         World world = lossy();
@@ -176,7 +177,7 @@ TEST_CASE("event: a snapshot goes on with the same bits where balls are put into
     }
 }
 
-TEST_CASE("event: a gravity of -0 in place of one of 0 changes no bits") {
+TEST_CASE("event: a gravity of -0 gives the same bits as a gravity of 0") {
     World whole = scenes::gas(30, 5);
     whole.model.gravity = Vec2{0.0, 0.0};
     World parted = whole;
@@ -190,7 +191,7 @@ TEST_CASE("event: a gravity of -0 in place of one of 0 changes no bits") {
     }
 }
 
-TEST_CASE("event: a heap is not handed over any more once the model has cloth") {
+TEST_CASE("event: a model that gains cloth has no hybrid step any more") {
     World world = scenes::bucket(40, 0.3);
     Solver solver({.kind = SolverKind::event});
     for (int tick = 0; tick < 3000 && world.heaped.empty(); ++tick)
@@ -205,9 +206,9 @@ TEST_CASE("event: a heap is not handed over any more once the model has cloth") 
     CHECK(world.heaped.empty());
 }
 
-// A path that had met such an edge in the past began anew whenever its ball came into a cell that
-// this edge is near, and which cells there are depends on when a solver began.
-TEST_CASE("event: a snapshot goes on with the same bits where an edge comes to where a ball was") {
+// A trajectory that crossed such an edge in the past restarted when its ball entered a cell near
+// the edge. Which cells there are depends on when a solver started.
+TEST_CASE("event: a snapshot continues with the same bits if an edge moves to a passed place") {
     for (const double speed : {20.0, 22.0, 24.0})
         for (std::size_t ago = 3; ago <= 23; ++ago) {
             CAPTURE(speed);
@@ -215,7 +216,7 @@ TEST_CASE("event: a snapshot goes on with the same bits where an edge comes to w
             World world = lossy();
             world.rate = 60.0;
             add_ball(world, {.position = {0.0, 0.0}, .velocity = {6.0, 3.0}, .radius = 0.5});
-            // Two flocks make the cells small. They part, until a new solver has other cells.
+            // Two flocks make the cells small. They separate until a fresh solver has other cells.
             for (int i = 0; i < 100; ++i) {
                 const double side = i % 2 == 0 ? -1.0 : 1.0;
                 add_ball(world,
@@ -235,9 +236,9 @@ TEST_CASE("event: a snapshot goes on with the same bits where an edge comes to w
         }
 }
 
-// Under drag a ball may cross from cell to cell a little late. Where cells are much wider than
-// balls that was too late for an edge beside the border.
-TEST_CASE("event: a snapshot goes on with the same bits under drag where cells are wide") {
+// Under drag a cell transfer may come slightly late. In cells much wider than the balls it came too
+// late for an edge beside the border.
+TEST_CASE("event: a snapshot continues with the same bits under drag with wide cells") {
     struct Row {
         double wall;
         Vec2 from;

@@ -5,12 +5,12 @@
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 
-// A ball that goes round a torus hundreds of times before it meets anybody: the images between its
-// path and the other's are counted in eight bits, so a path must begin anew in time.
+// A ball goes round a torus hundreds of times before it meets another. The periodic images between
+// two trajectories are counted in eight bits, so a trajectory must restart in time.
 
 using namespace carom;
 
-TEST_CASE("event: a ball that has gone round a torus hundreds of times still meets the other") {
+TEST_CASE("event: a ball that has circled a torus hundreds of times still meets the other ball") {
     for (const double speed : {100.0, 1'000.0, 20'000.0}) {
         CAPTURE(speed);
         World world = scenes::empty();
@@ -24,7 +24,7 @@ TEST_CASE("event: a ball that has gone round a torus hundreds of times still mee
             solver.tick(world);
             contacts.insert(contacts.end(), solver.contacts().begin(), solver.contacts().end());
         }
-        // They meet where the slow one, undisturbed until then, has its rim.
+        // They meet at the rim of the slow ball, which nothing has disturbed until then.
         REQUIRE(!contacts.empty());
         const Vec2 slow{2.0, 9.0 - contacts[0].time};
         CHECK(length(contacts[0].point - slow) == doctest::Approx(0.5).epsilon(1e-6));

@@ -10,8 +10,8 @@
 #include "physics/support/scenes.h"
 #include "physics/tick/totals.h"
 
-// What users of the systems that carom starts from ran into, one test each: carom does not have it,
-// or, where the baseline solver has it by nature, the test measures it.
+// Faults that users of the first systems ran into, one test each. carom does not have the fault; if
+// it is inherent in the baseline solver, the test measures it.
 
 using namespace carom;
 
@@ -25,7 +25,7 @@ void run(World& world, SolverKind kind, int ticks) {
 
 }  // namespace
 
-TEST_CASE("every pair handled twice: one contact a pair") {
+TEST_CASE("each pair has one contact, not two") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
         World world = scenes::empty();
@@ -35,18 +35,18 @@ TEST_CASE("every pair handled twice: one contact a pair") {
         solver.tick(world);
         CHECK(solver.contacts().size() == 1);
         CHECK(world.ball_ball_collisions == 1);
-        // Handled twice, the two would have exchanged their velocities twice: no bounce at all.
+        // With two contacts the balls would exchange velocities twice, and not bounce at all.
         CHECK(world.balls.velocity[0].x == doctest::Approx(-2.0));
     }
 }
 
-TEST_CASE("in a row of touching balls, parting one pair pushes the next together") {
-    // By nature in the baseline: after one tick the row still overlaps; it is out only ticks later.
+TEST_CASE("in a row of touching balls, separating one pair pushes the next together") {
+    // Inherent in the baseline: the row still overlaps after one tick, and separates ticks later.
     const auto row = [] {
         World world = scenes::empty();
         for (int i = 0; i < 6; ++i)
             add_ball(world, {.position = {2.0 * i, 0}, .velocity = {}});
-        world.balls.position[0].x += 0.5;  // pressed in from the left
+        world.balls.position[0].x += 0.5;  // pushed in from the left
         return world;
     };
     World discrete = row();
@@ -57,7 +57,7 @@ TEST_CASE("in a row of touching balls, parting one pair pushes the next together
     CHECK(deepest_overlap(discrete) < after_one);
     MESSAGE("overlap of a pressed row under discrete: ", after_one, " after one tick, ",
             deepest_overlap(discrete), " after a hundred");
-    // swept lets no row be pressed together at all.
+    // `swept` never lets a row be pressed together.
     World swept = scenes::empty();
     for (int i = 0; i < 6; ++i)
         add_ball(swept, {.position = {2.0 * i, 0}, .velocity = {}});
@@ -70,7 +70,7 @@ TEST_CASE("in a row of touching balls, parting one pair pushes the next together
     }
 }
 
-TEST_CASE("balls stick together after a bounce") {
+TEST_CASE("balls do not stick together after a bounce") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
         World world = scenes::empty();
@@ -82,12 +82,10 @@ TEST_CASE("balls stick together after a bounce") {
     }
 }
 
-TEST_CASE(
-    "a ball gains energy out of nothing when a distance is used again after the balls were "
-    "parted") {
+TEST_CASE("no ball gains energy from a distance that is reused after the balls were separated") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
-        // Deep, oblique overlaps of three bodies at once, again and again.
+        // Repeated deep, oblique overlaps of three bodies at once.
         World world = scenes::empty();
         world.rate = 10.0;
         scenes::add_walls(world, {{0, 0}, {14, 14}});
@@ -101,8 +99,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "sum of radii 30, distance 29.999999999999996: no contact without approach, none at every "
-    "tick") {
+    "sum of radii 30, distance 29.999999999999996: no contact without approach, and none in "
+    "every tick") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
         World world = scenes::empty();
@@ -140,12 +138,12 @@ TEST_CASE("bullet through paper: a fast ball and a thin wall") {
         return world.balls.position[0].x > 0.0;
     };
     CHECK_FALSE(through(SolverKind::swept));
-    // By nature: it goes 15 in a tick, and is 1.1 thick with the wall.
+    // Inherent: the ball moves 15 in a tick; ball and wall together are 1.1 thick.
     CHECK(through(SolverKind::discrete));
     CHECK(through(SolverKind::substep));
 }
 
-TEST_CASE("n squared pair tests: the neighbours looked at do not grow with the number of balls") {
+TEST_CASE("the neighbours tested for a ball do not grow with the number of balls") {
     const auto looks_a_ball = [](std::size_t count) {
         const World world = scenes::gas(count, 3);
         PointCells cells;
@@ -187,8 +185,7 @@ TEST_CASE("admired for running in 2 MB: ten thousand balls are well inside it") 
 }
 
 TEST_CASE("a squeeze without a solution blasts out") {
-    // substep is what showed it first. The lid closes on more balls than there is room for, then
-    // opens.
+    // `substep` showed it first. The lid closes on more balls than there is room for, then opens.
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
         World world = scenes::empty();
@@ -200,7 +197,7 @@ TEST_CASE("a squeeze without a solution blasts out") {
             add_ball(world,
                      {.position = {1.1 + 2.2 * (i % 4), 1.1 + 2.2 * (i / 4)}, .velocity = {}});
         Solver solver({.kind = kind});
-        double jumped = 0.0;  // furthest way of a ball in one tick after the lid has turned
+        double jumped = 0.0;  // longest displacement in one tick after the lid has turned
         for (int i = 0; i < 480; ++i) {
             const double x = i < 240 ? std::max(4.0, 13.0 - i * 0.05) : 4.0 + (i - 240) * 0.03;
             world.held_capsules = {{lid, {x, -1}, {x, 9}}};

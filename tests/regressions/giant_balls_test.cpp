@@ -5,12 +5,12 @@
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 
-// Balls far larger than the rest are in no cell of the solver `event`. They were forgotten where
-// what touches a ball is looked for: as supports, and, on a torus, beyond the seam.
+// Oversized balls are in no cell of the solver `event`. The search for the bodies that touch a ball
+// forgot them: as supports, and beyond the seam of a torus.
 
 using namespace carom;
 
-TEST_CASE("event: a small ball comes to rest on a ball far larger") {
+TEST_CASE("event: a small ball comes to rest on an oversized ball") {
     World world = scenes::empty();
     world.model.gravity = Vec2{0.0, -10.0};
     world.kinds[0].restitution = 0.5;
@@ -31,8 +31,8 @@ TEST_CASE("event: a small ball comes to rest on a ball far larger") {
     CHECK(world.ball_ball_collisions == bounces);
 }
 
-// A large ball that meets two small ones at once, seen whole and with the seam of the torus
-// between it and one of them.
+// A large ball meets two small ones at once, with and without the seam of the torus between it and
+// one of them.
 TEST_CASE("event: a large ball meets two small ones at once across the seam of a torus") {
     const auto after = [](double shift) {
         World world = scenes::empty();

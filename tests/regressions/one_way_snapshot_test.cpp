@@ -4,12 +4,12 @@
 #include "physics/support/scenes.h"
 #include "physics/world/fingerprint.h"
 
-// Under event, a ball that passes a one-way edge from behind met it again in the run that went on,
-// and did not in one that began from a snapshot: other bits from the same state.
+// Under `event`, a ball that passed a one-way edge from behind met it again in the run that went
+// on, but not in a run from a snapshot: different bits from the same state.
 
 using namespace carom;
 
-TEST_CASE("one-way edges: a snapshot goes on with the same bits in every solver") {
+TEST_CASE("one-way edges: a snapshot continues with the same bits in every solver") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
         World whole = scenes::gas(60, 7);
