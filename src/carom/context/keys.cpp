@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "terminal/canvas/utf8.h"
+#include "level/text/utf8.h"
 
 namespace carom {
 namespace {

@@ -8,7 +8,8 @@
 
 #include "carom/controllers/table_controller.h"
 #include "carom/files/high_scores.h"
-#include "terminal/canvas/utf8.h"
+#include "level/text/utf8.h"
+#include "terminal/canvas/character_width.h"
 
 namespace carom {
 namespace {
@@ -143,7 +144,7 @@ Menu::Choice Menu::handle_key(const InputEvent& event) {
             search({});
             return {};
         case key::backspace:
-            while (!search_.empty() && (static_cast<unsigned char>(search_.back()) & 0xc0) == 0x80)
+            while (!search_.empty() && continues_sequence(search_.back()))
                 search_.pop_back();
             search(search_.substr(0, search_.empty() ? 0 : search_.size() - 1));
             return {};

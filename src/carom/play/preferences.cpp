@@ -7,7 +7,7 @@
 
 #include "carom/files/user_folders.h"
 #include "carom/text/suggest.h"
-#include "terminal/canvas/utf8.h"
+#include "terminal/canvas/character_width.h"
 
 namespace carom {
 namespace {

@@ -12,6 +12,7 @@
 #include "game/replay/replayer.h"
 #include "level/text/diagnostic.h"
 #include "level/text/text.h"
+#include "level/text/utf8.h"
 
 namespace carom {
 namespace {

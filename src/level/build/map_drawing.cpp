@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "level/statements/builders.h"
+#include "level/text/utf8.h"
 
 namespace carom {
 namespace {
@@ -15,10 +16,8 @@ class Drawing {
             std::vector<std::string_view> row;
             for (std::size_t i = 0; i < line.text.size();) {
                 std::size_t end = i + 1;
-                while (end < line.text.size() &&
-                       (static_cast<unsigned char>(line.text[end]) & 0xc0u) == 0x80u) {
+                while (end < line.text.size() && continues_sequence(line.text[end]))
                     ++end;
-                }
                 row.push_back(line.text.substr(i, end - i));
                 i = end;
             }

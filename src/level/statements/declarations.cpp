@@ -7,6 +7,7 @@
 #include "level/statements/builders.h"
 #include "level/statements/rules.h"
 #include "level/text/spelling.h"
+#include "level/text/utf8.h"
 
 namespace carom {
 namespace {

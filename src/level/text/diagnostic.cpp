@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "level/text/text.h"
+#include "level/text/utf8.h"
 
 namespace carom {
 namespace {

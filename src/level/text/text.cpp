@@ -2,41 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "level/text/utf8.h"
+
 namespace carom {
-namespace {
-
-unsigned byte_at(std::string_view text, std::size_t i) {
-    return static_cast<unsigned char>(text[i]);
-}
-
-}  // namespace
-
-std::size_t character_length(std::string_view text, std::size_t i) {
-    const unsigned first = byte_at(text, i);
-    if (first < 0x80) return 1;
-    const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-    if (first < 0xc2 || first > 0xf4 || i + length > text.size()) return 0;
-    unsigned low = 0x80;
-    unsigned high = 0xbf;
-    if (first == 0xe0) low = 0xa0;
-    if (first == 0xed) high = 0x9f;
-    if (first == 0xf0) low = 0x90;
-    if (first == 0xf4) high = 0x8f;
-    for (std::size_t k = 1; k < length; ++k) {
-        const unsigned next = byte_at(text, i + k);
-        if (next < low || next > high) return 0;
-        low = 0x80;
-        high = 0xbf;
-    }
-    return length;
-}
-
-int characters(std::string_view text) {
-    int count = 0;
-    for (const char c : text)
-        count += (static_cast<unsigned char>(c) & 0xc0u) != 0x80u;
-    return count;
-}
 
 std::vector<std::string_view> split_lines(std::string_view text) {
     if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
@@ -72,9 +40,10 @@ std::optional<TextFault> find_fault(std::string_view text) {
             }
             const std::size_t length = character_length(line, i);
             if (length == 0) {
-                return TextFault{line_number, column,
-                                 fmt::format("byte 0x{:02x} is not UTF-8", byte_at(line, i)),
-                                 "save the file as UTF-8"};
+                return TextFault{
+                    line_number, column,
+                    fmt::format("byte 0x{:02x} is not UTF-8", static_cast<unsigned char>(line[i])),
+                    "save the file as UTF-8"};
             }
             i += length;
         }

@@ -29,9 +29,6 @@ struct Span {
     int length = 1;
 };
 
-/// Characters in UTF-8 text; bytes that begin none count nothing.
-int characters(std::string_view text);
-
 /// Splits `text` into lines. A byte order mark at the start belongs to no line.
 std::vector<std::string_view> split_lines(std::string_view text);
 
@@ -45,10 +42,6 @@ struct TextFault {
 
 inline constexpr std::size_t max_file_bytes = 4u << 20;
 inline constexpr std::size_t max_line_bytes = 4096;
-
-/// Bytes of the valid UTF-8 character at `i`, or 0 (RFC 3629: no overlong forms, no surrogates).
-/// Pre: i < text.size().
-std::size_t character_length(std::string_view text, std::size_t i);
 
 /// The first fault: over 4 MiB, a NUL byte, not UTF-8, a line over 4,096 bytes.
 std::optional<TextFault> find_fault(std::string_view text);

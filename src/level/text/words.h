@@ -6,6 +6,7 @@
 
 #include "level/text/reporter.h"
 #include "level/text/text.h"
+#include "level/text/utf8.h"
 
 /// Lines of words: comments dropped, lines that end in a backslash joined to the next.
 namespace carom {

@@ -4,7 +4,8 @@
 #include <cassert>
 #include <utility>
 
-#include "terminal/canvas/utf8.h"
+#include "level/text/utf8.h"
+#include "terminal/canvas/character_width.h"
 
 namespace carom {
 

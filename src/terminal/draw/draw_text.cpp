@@ -4,7 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "terminal/canvas/utf8.h"
+#include "level/text/utf8.h"
+#include "terminal/canvas/character_width.h"
 #include "terminal/draw/draw_parts.h"
 
 /// What is written over the shapes: counters, labels, and the marks of the player.

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "level/text/utf8.h"
+
 namespace carom {
 namespace {
 
@@ -13,26 +15,6 @@ constexpr std::string_view paste_end = "\033[201~";
 
 bool is_control(unsigned char byte) {
     return byte < 0x20;
-}
-
-// How many bytes a UTF-8 character has that starts so; 0: none starts so.
-std::size_t utf8_length(unsigned char first) {
-    if (first >= 0xc2 && first <= 0xdf) return 2;
-    if (first >= 0xe0 && first <= 0xef) return 3;
-    if (first >= 0xf0 && first <= 0xf4) return 4;
-    return 0;
-}
-
-// Pre: a lead byte and the right number of continuations. 0: an overlong form, a surrogate, or
-// beyond Unicode.
-char32_t decode_utf8(std::string_view bytes) {
-    constexpr char32_t smallest[] = {0, 0, 0x80, 0x800, 0x10000};
-    char32_t value = static_cast<unsigned char>(bytes[0]) & (0x7fu >> bytes.size());
-    for (const char byte : bytes.substr(1)) {
-        value = (value << 6) | (static_cast<unsigned char>(byte) & 0x3fu);
-    }
-    const bool is_surrogate = value >= 0xd800 && value <= 0xdfff;
-    return value < smallest[bytes.size()] || value > 0x10ffff || is_surrogate ? 0 : value;
 }
 
 }  // namespace
@@ -104,24 +86,26 @@ void InputDecoder::take_ground(unsigned char byte) {
         emit(key_from_character(byte));
     } else if (!is_utf8_) {
         if (byte >= 0xa0) emit(key_from_character(byte));
-    } else if (utf8_length(byte) > 0) {
+    } else if (sequence_length(static_cast<char>(byte)) > 1) {
         begin(State::utf8);
         bytes_ = static_cast<char>(byte);
     }
 }
 
 void InputDecoder::take_utf8(unsigned char byte) {
-    if ((byte & 0xc0) != 0x80) {  // cut short: what came is dropped, this byte starts afresh
+    if (!continues_sequence(
+            static_cast<char>(byte))) {  // cut short: what came is dropped, this byte starts afresh
         begin(State::ground);
         return take_ground(byte);
     }
     bytes_ += static_cast<char>(byte);
     const std::string_view character = std::string_view(bytes_).substr(bytes_[0] == '\033' ? 1 : 0);
-    if (character.size() < utf8_length(static_cast<unsigned char>(character[0]))) return;
-    const char32_t decoded = decode_utf8(character);
+    if (character.size() < sequence_length(character[0])) return;
+    const char32_t decoded = decode_utf8(character).character;
+    const bool is_valid = character_length(character) > 0;
     InputEvent event = key_from_character(decoded);
     if (bytes_[0] == '\033') event.modifiers |= alt;
-    if (decoded >= 0xa0) emit(event);
+    if (is_valid && decoded >= 0xa0) emit(event);
     begin(State::ground);
 }
 
@@ -148,7 +132,7 @@ void InputDecoder::take_escape(unsigned char byte) {
         return;
     }
     if (byte > delete_byte) {
-        if (is_utf8_ && utf8_length(byte) > 0) return go_to(State::utf8);
+        if (is_utf8_ && sequence_length(static_cast<char>(byte)) > 1) return go_to(State::utf8);
         return begin(State::ground);
     }
     InputEvent event = key_from_character(byte);

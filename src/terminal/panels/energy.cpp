@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "terminal/canvas/character_width.h"
 #include "terminal/canvas/raster.h"
-#include "terminal/canvas/utf8.h"
 #include "terminal/panels/panel.h"
 
 namespace carom {

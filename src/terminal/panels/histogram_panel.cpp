@@ -5,7 +5,6 @@
 #include <cmath>
 #include <string_view>
 
-#include "terminal/canvas/utf8.h"
 #include "terminal/panels/histogram.h"
 #include "terminal/panels/panel.h"
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "terminal/canvas/utf8.h"
+#include "terminal/canvas/character_width.h"
 #include "terminal/panels/pages.h"
 #include "terminal/panels/panel.h"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <iterator>
 
-#include "terminal/canvas/utf8.h"
+#include "terminal/canvas/character_width.h"
 #include "terminal/panels/panel.h"
 
 namespace carom {

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "terminal/canvas/utf8.h"
+#include "level/text/utf8.h"
+#include "terminal/canvas/character_width.h"
 
 namespace carom {
 

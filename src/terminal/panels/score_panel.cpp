@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "terminal/canvas/utf8.h"
+#include "terminal/canvas/character_width.h"
 #include "terminal/panels/panel.h"
 
 namespace carom {

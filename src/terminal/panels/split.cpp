@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "terminal/canvas/utf8.h"
+#include "terminal/canvas/character_width.h"
 #include "terminal/panels/panel.h"
 
 namespace carom {

@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "terminal/canvas/utf8.h"
-
 using namespace carom;
 
 TEST_CASE("a canvas starts blank, and negative sizes count as none") {
@@ -67,23 +65,5 @@ TEST_CASE("what a terminal would not show in one column becomes a question mark"
         Canvas canvas(8, 1);
         canvas.write(0, 0, row.text);
         CHECK(canvas.text() == row.shown + "\n");
-    }
-}
-
-TEST_CASE("every code point survives UTF-8 and back") {
-    for (char32_t character = 1; character <= 0x10FFFF; character += 7) {
-        if (character >= 0xD800 && character <= 0xDFFF) continue;
-        std::string text;
-        append_utf8(text, character);
-        const DecodedCharacter decoded = decode_utf8(text);
-        REQUIRE(decoded.character == character);
-        REQUIRE(decoded.bytes == text.size());
-    }
-}
-
-TEST_CASE("columns_of agrees with write") {
-    for (const std::string text : {"", "abc", "é█", "\xff\xe2\x82"}) {
-        Canvas canvas(20, 1);
-        CHECK(canvas.write(0, 0, text) == columns_of(text));
     }
 }

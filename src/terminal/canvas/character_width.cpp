@@ -1,7 +1,9 @@
-#include "terminal/canvas/utf8.h"
+#include "terminal/canvas/character_width.h"
 
 #include <algorithm>
 #include <array>
+
+#include "level/text/utf8.h"
 
 namespace carom {
 
@@ -30,45 +32,6 @@ constexpr std::array not_one_column = std::to_array<Range>({
 });
 
 }  // namespace
-
-DecodedCharacter decode_utf8(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned lead = byte(0);
-    if (lead < 0x80) return {lead, 1};
-    const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-    if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return {not_a_character, 1};
-
-    char32_t character = lead & (0x7Fu >> length);
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xC0u) != 0x80u) return {not_a_character, 1};
-        character = (character << 6) | (byte(i) & 0x3Fu);
-    }
-    constexpr std::array<char32_t, 5> smallest = {0, 0, 0x80, 0x800, 0x10000};
-    const bool is_surrogate = character >= 0xD800 && character <= 0xDFFF;
-    if (character < smallest[length] || character > 0x10FFFF || is_surrogate) {
-        return {not_a_character, 1};
-    }
-    return {character, length};
-}
-
-void append_utf8(std::string& text, char32_t character) {
-    const auto add = [&](char32_t byte) { text.push_back(static_cast<char>(byte)); };
-    if (character < 0x80) {
-        add(character);
-    } else if (character < 0x800) {
-        add(0xC0 | (character >> 6));
-        add(0x80 | (character & 0x3F));
-    } else if (character < 0x10000) {
-        add(0xE0 | (character >> 12));
-        add(0x80 | ((character >> 6) & 0x3F));
-        add(0x80 | (character & 0x3F));
-    } else {
-        add(0xF0 | (character >> 18));
-        add(0x80 | ((character >> 12) & 0x3F));
-        add(0x80 | ((character >> 6) & 0x3F));
-        add(0x80 | (character & 0x3F));
-    }
-}
 
 bool is_one_column(char32_t character) {
     if (character >= 0x20 && character < 0x7F) return true;
