@@ -1,11 +1,6 @@
 #include "physics/solver.h"
 
-#include "physics/contact/solver.h"
-#include "physics/contact/swept_fallback.h"
-#include "physics/discrete/solver.h"
-#include "physics/event/engine.h"
-#include "physics/event/hybrid_step.h"
-#include "physics/swept/solver.h"
+#include "physics/solver_table.h"
 #include "physics/tick/emitters_and_sinks.h"
 #include "physics/tick/undo.h"
 
@@ -13,16 +8,6 @@ namespace carom {
 namespace {
 
 constexpr std::array<std::string_view, 5> names{"discrete", "substep", "swept", "contact", "event"};
-constexpr std::array available{SolverKind::discrete, SolverKind::substep, SolverKind::swept,
-                               SolverKind::contact, SolverKind::event};
-
-// `discrete` does no more than look at each ball once, and `contact` a fixed number of times where
-// anything can press.
-bool may_give_up(SolverKind kind, const World& world) {
-    if (kind == SolverKind::contact) return is_flight_only(world);
-    return kind != SolverKind::discrete;
-}
-
 // Inside a solver bodies go by index; outside by id. Looked up one by one, the ids of many balls
 // would have to come from far away in memory.
 void name_bodies(World& world, std::span<Contact> contacts) {
@@ -56,15 +41,17 @@ std::optional<SolverKind> solver_named(std::string_view name) {
 }
 
 std::span<const SolverKind> solvers_available() {
-    return available;
+    static const std::vector<SolverKind> kinds = [] {
+        std::vector<SolverKind> all;
+        for (const SolverRow& row : solver_table())
+            all.push_back(row.kind);
+        return all;
+    }();
+    return kinds;
 }
 
-bool knows_cloth(SolverKind kind) {
-    return kind != SolverKind::contact;
-}
-
-bool suits(SolverKind kind, const Model& model) {
-    return !model.cloth || knows_cloth(kind);
+bool supports(SolverKind kind, const Model& model) {
+    return !model.cloth || row_of(kind).supports_cloth;
 }
 
 bool hands_heaps_over(const Model& model, const SolverSettings& settings) {
@@ -83,32 +70,15 @@ void set_substeps(SolverSettings& settings, int substeps) {
 
 struct Solver::State {
     SolverSettings settings;
-    OverlapSolver overlap;
-    SweptSolver swept;
-    ContactSolver contact;
-    EventEngine<double> event;
-    std::unique_ptr<EventEngine<Wide>> extended;  // large, and seldom asked for
-    Handover handover;
+    std::unique_ptr<SolverMethod> method;
     std::vector<Contact> contacts;
     std::vector<std::uint8_t> touched;
     TickUndo undo;
-    bool flies = false;  // the last tick was one of `contact` that went by `swept`
-
-    EventOutcome tick_by_event(World& world, const std::function<bool()>& keep_going) {
-        if (extended) return extended->tick(world, contacts, touched, keep_going);
-        if (!hands_heaps_over(world.model, settings)) world.heaped.clear();
-        if (!world.heaped.empty())
-            return handover.tick(world, event, contact, contacts, touched, keep_going);
-        const EventOutcome outcome = event.tick(world, contacts, touched, keep_going);
-        if (outcome != EventOutcome::given_up) world.pressed.clear();
-        return outcome;
-    }
 };
 
 Solver::Solver(const SolverSettings& settings) : state_(std::make_unique<State>()) {
     state_->settings = settings;
-    if (settings.kind == SolverKind::event && settings.extended)
-        state_->extended = std::make_unique<EventEngine<Wide>>();
+    state_->method = row_of(settings.kind).make(settings);
 }
 Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
@@ -120,70 +90,26 @@ const SolverSettings& Solver::settings() const {
 std::span<const Contact> Solver::contacts() const {
     return state_->contacts;
 }
-
 const CellFrame& Solver::cells() const {
-    switch (state_->settings.kind) {
-        case SolverKind::swept:
-            return state_->swept.cells();
-        case SolverKind::contact:
-            return state_->flies ? state_->swept.cells() : state_->contact.cells();
-        case SolverKind::event:
-            return state_->extended ? state_->extended->cells() : state_->event.cells();
-        default:
-            return state_->overlap.cells();
-    }
+    return state_->method->cells();
 }
 
 TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) {
     State& state = *state_;
-    state.contacts.clear();
-    const bool can_give_up = keep_going && may_give_up(state.settings.kind, world);
-    if (can_give_up) state.undo.note(world);
+    const bool can_cancel = keep_going && row_of(state.settings.kind).can_cancel(world);
+    if (can_cancel) state.undo.note(world);
     emit(world);
     drive_flippers(world);
+    state.contacts.clear();
     state.touched.assign(world.balls.size(), 0);
-    TickOutcome outcome = TickOutcome::done;
-    const std::function<bool()> nobody;
-    Patience patience(can_give_up ? keep_going : nobody);
-    state.flies = state.settings.kind == SolverKind::contact && is_flight_only(world);
-    switch (state.settings.kind) {
-        case SolverKind::discrete:
-            state.overlap.tick(world, 1, 1, state.contacts, state.touched, patience);
-            break;
-        case SolverKind::substep:
-            state.overlap.tick(world, state.settings.updates, state.settings.steps, state.contacts,
-                               state.touched, patience);
-            break;
-        case SolverKind::contact:
-            if (state.flies) {
-                state.swept.tick(world, flight_substeps(world, state.settings.contact_substeps),
-                                 state.contacts, state.touched, patience);
-                break;
-            }
-            state.contact.tick(world, state.settings.contact_substeps, state.contacts,
-                               state.touched);
-            break;
-        case SolverKind::event: {
-            const auto ended = state.tick_by_event(world, keep_going);
-            if (ended == EventOutcome::given_up) outcome = TickOutcome::given_up;
-            if (ended == EventOutcome::too_dense) outcome = TickOutcome::too_dense;
-            break;
-        }
-        default:
-            state.swept.tick(world, state.settings.substeps, state.contacts, state.touched,
-                             patience);
-    }
-    if (patience.is_out() || outcome == TickOutcome::given_up) {
+    const std::function<bool()> never_asked;
+    const TickOutcome outcome = state.method->advance(
+        world, {state.contacts, state.touched, can_cancel ? keep_going : never_asked});
+    if (outcome == TickOutcome::given_up) {
         state.contacts.clear();
         state.undo.take_back(world);
-        return TickOutcome::given_up;
+        return outcome;
     }
-    if (state.settings.kind != SolverKind::event) forget_paths(world);
-    const bool has_heaps = state.settings.kind == SolverKind::event && !state.extended;
-    if (!has_heaps) world.heaped.clear();
-    const bool may_press = state.settings.kind == SolverKind::contact && !state.flies;
-    if (!has_heaps && !may_press) world.pressed.clear();
-    if (!may_press) world.homes.clear();
     rest_flippers(world);
     stop_slow_balls(world, state.touched);
     ++world.tick;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -27,10 +26,9 @@ std::optional<SolverKind> solver_named(std::string_view name);
 /// The solvers that this carom has, cheapest first.
 std::span<const SolverKind> solvers_available();
 
-/// Whether the solver moves balls on cloth as Model::cloth says.
-bool knows_cloth(SolverKind kind);
-/// Whether the solver knows all that the model says.
-bool suits(SolverKind kind, const Model& model);
+/// Whether the solver can move balls as this model says. Only `contact` falls short: it has no
+/// cloth.
+bool supports(SolverKind kind, const Model& model);
 
 /// Whether the solver hands heaps that are too dense for it over to `contact` (handover.h): where
 /// gravity acts, balls meet, and impacts lose energy.

@@ -100,7 +100,7 @@ std::vector<std::string> fingerprint_lines(const std::string& folder,
             continue;
         }
         for (const SolverKind kind : solvers_available())
-            if (!loaded.scene->world.model.cloth || knows_cloth(kind))
+            if (supports(kind, loaded.scene->world.model))
                 lines.push_back(line_for(level, *loaded.scene, kind));
     }
     return lines;

@@ -42,7 +42,7 @@ Comparison compare_with_bar(const Scene& scene, const CompareSettings& settings)
 
 int compare_scene(const CompareOptions& options, const Scene& scene) {
     for (const CompareOptions::Side& side : options.solvers) {
-        if (suits(side.kind, scene.world.model)) continue;
+        if (supports(side.kind, scene.world.model)) continue;
         print_error(fmt::format("solver {} does not know cloth", name(side.kind)));
         return 2;
     }

@@ -25,7 +25,7 @@ std::optional<SolverKind> next_kind(std::optional<SolverKind> last, SolverKind o
     if (last) from = std::next(std::ranges::find(comparison_kinds, *last));
     const auto available = solvers_available();
     const auto next = std::find_if(from, comparison_kinds.end(), [&](SolverKind kind) {
-        return kind != own && suits(kind, model) &&
+        return kind != own && supports(kind, model) &&
                std::ranges::find(available, kind) != available.end();
     });
     return next == comparison_kinds.end() ? std::nullopt : std::optional(*next);

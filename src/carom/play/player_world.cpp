@@ -13,7 +13,7 @@ SolverKind after(SolverKind current, const Model& model) {
     auto place = std::ranges::find(all, current);
     do
         place = place == all.end() || ++place == all.end() ? all.begin() : place;
-    while (!suits(*place, model));
+    while (!supports(*place, model));
     return *place;
 }
 

@@ -173,7 +173,7 @@ Refusal refused(const World&, const SetGravity& set) {
 Refusal refused(const World& world, const SetSolver& set) {
     if (!std::ranges::count(solvers_available(), set.settings.kind))
         return fmt::format("this carom has no solver {}", name(set.settings.kind));
-    if (world.model.cloth && !knows_cloth(set.settings.kind))
+    if (!supports(set.settings.kind, world.model))
         return fmt::format("solver {} does not know cloth", name(set.settings.kind));
     const auto in_range = [](int count) { return count >= 1 && count <= 1000; };
     if (!in_range(set.settings.updates) || !in_range(set.settings.steps) ||

@@ -81,7 +81,7 @@ std::vector<Choice> choices_for(const Scene& scene, std::span<const SolverKind> 
         choices.push_back({own, scene.world.rate});
     }
     for (const SolverKind kind : kinds) {
-        if (!suits(kind, scene.world.model)) continue;
+        if (!supports(kind, scene.world.model)) continue;
         for (const double rate : rates)
             add_new(choices, {{.kind = kind}, rate});
         add_variants(choices, kind, scene.world.rate);

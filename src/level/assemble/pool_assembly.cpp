@@ -25,7 +25,7 @@ void check_cloth(const LoadOptions& options, Context& context) {
     if (settings.gravity) refuse("gravity");
     if (settings.drag) refuse("drag");
     const auto& solver = options.solver ? options.solver : settings.solver;
-    if (solver && !knows_cloth(solver->kind))
+    if (solver && !supports(solver->kind, {.cloth = Cloth{}}))
         context.reporter.error(*settings.cloth_at,
                                fmt::format("solver {} does not know cloth", name(solver->kind)),
                                "take another solver, or leave the line solver out");

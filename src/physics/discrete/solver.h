@@ -7,7 +7,6 @@
 #include "physics/laws/cloth.h"
 #include "physics/laws/free_motion.h"
 #include "physics/tick/cancellation.h"
-#include "physics/tick/solver_settings.h"
 #include "physics/world/contact.h"
 #include "physics/world/terms.h"
 

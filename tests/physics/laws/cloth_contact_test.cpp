@@ -31,7 +31,7 @@ void run(World& world, SolverKind kind, double seconds) {
 
 void for_each_solver(const std::function<void(SolverKind)>& body) {
     for (const SolverKind kind : solvers_available()) {
-        if (!knows_cloth(kind)) continue;
+        if (!supports(kind, {.cloth = Cloth{}})) continue;
         CAPTURE(name(kind));
         body(kind);
     }

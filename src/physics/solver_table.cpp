@@ -1,0 +1,199 @@
+#include "physics/solver_table.h"
+
+#include <array>
+
+#include "physics/contact/solver.h"
+#include "physics/contact/swept_fallback.h"
+#include "physics/discrete/solver.h"
+#include "physics/event/engine.h"
+#include "physics/event/hybrid_step.h"
+#include "physics/swept/solver.h"
+
+namespace carom {
+namespace {
+
+// Of what solvers remember in the world, `discrete`, `substep` and `swept` use nothing.
+void forget_all(World& world) {
+    forget_paths(world);
+    world.heaped.clear();
+    world.pressed.clear();
+    world.homes.clear();
+}
+
+TickOutcome outcome_of(const Patience& patience) {
+    return patience.is_out() ? TickOutcome::given_up : TickOutcome::done;
+}
+
+class OverlapMethod final : public SolverMethod {
+  public:
+    OverlapMethod(int updates, int steps) : updates_(updates), steps_(steps) {}
+
+    TickOutcome advance(World& world, TickWork work) override {
+        Patience patience(work.keep_going);
+        solver_.tick(world, updates_, steps_, work.contacts, work.touched, patience);
+        if (!patience.is_out()) forget_all(world);
+        return outcome_of(patience);
+    }
+    const CellFrame& cells() const override { return solver_.cells(); }
+
+  private:
+    int updates_;
+    int steps_;
+    OverlapSolver solver_;
+};
+
+class SweptMethod final : public SolverMethod {
+  public:
+    explicit SweptMethod(int substeps) : substeps_(substeps) {}
+
+    TickOutcome advance(World& world, TickWork work) override {
+        Patience patience(work.keep_going);
+        solver_.tick(world, substeps_, work.contacts, work.touched, patience);
+        if (!patience.is_out()) forget_all(world);
+        return outcome_of(patience);
+    }
+    const CellFrame& cells() const override { return solver_.cells(); }
+
+  private:
+    int substeps_;
+    SweptSolver solver_;
+};
+
+// Where nothing can press, `swept` stands in for `contact`.
+class ContactMethod final : public SolverMethod {
+  public:
+    explicit ContactMethod(int substeps) : substeps_(substeps) {}
+
+    TickOutcome advance(World& world, TickWork work) override {
+        was_swept_ = is_flight_only(world);
+        if (!was_swept_) {
+            contact_.tick(world, substeps_, work.contacts, work.touched);
+            forget_paths(world);
+            world.heaped.clear();
+            return TickOutcome::done;
+        }
+        Patience patience(work.keep_going);
+        swept_.tick(world, flight_substeps(world, substeps_), work.contacts, work.touched,
+                    patience);
+        if (!patience.is_out()) forget_all(world);
+        return outcome_of(patience);
+    }
+    const CellFrame& cells() const override {
+        return was_swept_ ? swept_.cells() : contact_.cells();
+    }
+
+  private:
+    int substeps_;
+    bool was_swept_ = false;
+    ContactSolver contact_;
+    SweptSolver swept_;
+};
+
+TickOutcome outcome_of(EventOutcome outcome) {
+    switch (outcome) {
+        case EventOutcome::given_up:
+            return TickOutcome::given_up;
+        case EventOutcome::too_dense:
+            return TickOutcome::too_dense;
+        default:
+            return TickOutcome::done;
+    }
+}
+
+// Hybrid stepping: `contact` moves clusters that are too dense for events.
+class EventMethod final : public SolverMethod {
+  public:
+    TickOutcome advance(World& world, TickWork work) override {
+        if (!hands_heaps_over(world.model, {.kind = SolverKind::event})) world.heaped.clear();
+        const bool has_clusters = !world.heaped.empty();
+        const EventOutcome outcome =
+            has_clusters ? hybrid_.tick(world, event_, contact_, work.contacts, work.touched,
+                                        work.keep_going)
+                         : event_.tick(world, work.contacts, work.touched, work.keep_going);
+        if (outcome == EventOutcome::given_up) return TickOutcome::given_up;
+        if (!has_clusters) world.pressed.clear();
+        world.homes.clear();
+        return outcome_of(outcome);
+    }
+    const CellFrame& cells() const override { return event_.cells(); }
+
+  private:
+    EventEngine<double> event_;
+    ContactSolver contact_;
+    Handover hybrid_;
+};
+
+class ExtendedEventMethod final : public SolverMethod {
+  public:
+    TickOutcome advance(World& world, TickWork work) override {
+        const EventOutcome outcome =
+            event_.tick(world, work.contacts, work.touched, work.keep_going);
+        if (outcome == EventOutcome::given_up) return TickOutcome::given_up;
+        world.heaped.clear();
+        world.pressed.clear();
+        world.homes.clear();
+        return outcome_of(outcome);
+    }
+    const CellFrame& cells() const override { return event_.cells(); }
+
+  private:
+    EventEngine<Wide> event_;
+};
+
+using Made = std::unique_ptr<SolverMethod>;
+
+bool always(const World&) {
+    return true;
+}
+// `discrete` only looks at each ball once.
+bool never(const World&) {
+    return false;
+}
+
+constexpr std::array<SolverRow, 5> rows{{
+    {.kind = SolverKind::discrete,
+     .supports_cloth = true,
+     .can_cancel = never,
+     .make = [](const SolverSettings&) -> Made { return std::make_unique<OverlapMethod>(1, 1); }},
+    {.kind = SolverKind::substep,
+     .supports_cloth = true,
+     .can_cancel = always,
+     .make = [](const SolverSettings& settings) -> Made {
+         return std::make_unique<OverlapMethod>(settings.updates, settings.steps);
+     }},
+    {.kind = SolverKind::swept,
+     .supports_cloth = true,
+     .can_cancel = always,
+     .make = [](const SolverSettings& settings) -> Made {
+         return std::make_unique<SweptMethod>(settings.substeps);
+     }},
+    // The constraint solver does a fixed amount of work; its stand-in does not.
+    {.kind = SolverKind::contact,
+     .supports_cloth = false,
+     .can_cancel = is_flight_only,
+     .make = [](const SolverSettings& settings) -> Made {
+         return std::make_unique<ContactMethod>(settings.contact_substeps);
+     }},
+    {.kind = SolverKind::event,
+     .supports_cloth = true,
+     .can_cancel = always,
+     .make = [](const SolverSettings& settings) -> Made {
+         if (settings.extended) return std::make_unique<ExtendedEventMethod>();
+         return std::make_unique<EventMethod>();
+     }},
+}};
+
+constexpr bool rows_are_in_order() {
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].kind != static_cast<SolverKind>(i)) return false;
+    return true;
+}
+static_assert(rows_are_in_order());
+
+}  // namespace
+
+std::span<const SolverRow> solver_table() {
+    return rows;
+}
+
+}  // namespace carom

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "physics/solver.h"
+
+/// The table of solvers. A new solver is a row here with a `SolverMethod`, its name and settings in
+/// solver_settings, and the files that compute.
+namespace carom {
+
+/// What a solver is given for a tick besides the world.
+struct TickWork {
+    /// Empty; receives the exchanges of momentum in the order in which they are made. Bodies are
+    /// named by their indices in the world.
+    std::vector<Contact>& contacts;
+    /// By ball, all 0; becomes 1 for each ball that meets something.
+    std::vector<std::uint8_t>& touched;
+    /// Asked now and then whether to go on. Empty where nobody asks or the solver cannot cancel.
+    const std::function<bool()>& keep_going;
+};
+
+/// How one solver moves a world through a tick: one virtual call a tick, above all loops.
+class SolverMethod {
+  public:
+    virtual ~SolverMethod() = default;
+
+    /// Moves all balls and held edges by one tick. Leaves in the world the memory of solvers that
+    /// the next tick may use (paths, pressed pairs, reference positions, clusters), and clears the
+    /// rest, unless the tick is cancelled: then the caller puts the world back.
+    virtual TickOutcome advance(World& world, TickWork work) = 0;
+
+    /// The cells in which the last tick looked for neighbours.
+    virtual const CellFrame& cells() const = 0;
+};
+
+/// One solver. Rows stand in the order of SolverKind, cheapest solver first.
+struct SolverRow {
+    SolverKind kind;
+    /// Whether it moves balls on cloth as Model::cloth says. All else in a model every solver
+    /// supports.
+    bool supports_cloth;
+    /// Whether a tick of this world can take so long that it asks `keep_going`.
+    bool (*can_cancel)(const World& world);
+    std::unique_ptr<SolverMethod> (*make)(const SolverSettings& settings);
+};
+
+std::span<const SolverRow> solver_table();
+
+inline const SolverRow& row_of(SolverKind kind) {
+    return solver_table()[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace carom
