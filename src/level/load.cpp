@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "level/assemble/assemble.h"
-#include "level/build/unroll.h"
+#include "level/build/interpreter.h"
 
 namespace carom {
 namespace {
@@ -59,7 +59,7 @@ std::vector<Include> links(const std::vector<FoundInclude>& found,
 }  // namespace
 
 LoadResult load_level(std::string_view text, std::string_view file, const LoadOptions& options) {
-    Texts texts;
+    SourceStore texts;
     Context context;
     Scene scene;
     const SourceText& main = texts.add(std::string(file), std::string(text));

@@ -116,7 +116,7 @@ const std::vector<std::string> rooms{
     "level/text",
     "level/values",
     "level/language",
-    "level/draft",
+    "level/ir",
     "level/statements",
     "level/build",
     "level/assemble",

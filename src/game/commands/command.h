@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "game/referees/pool_rules.h"
-#include "level/scene/table.h"
+#include "level/scene/pinball_table.h"
 #include "physics/solver.h"
 #include "physics/world/world.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "level/scene/table.h"
+#include "level/scene/pinball_table.h"
 #include "physics/world/ids.h"
 
 namespace carom {

@@ -8,11 +8,11 @@
 #include "geometry/elementary.h"
 #include "level/assemble/checks.h"
 #include "level/assemble/fill.h"
-#include "level/assemble/groups.h"
-#include "level/assemble/names.h"
+#include "level/assemble/mirror_duplicates.h"
+#include "level/assemble/pinball_assembly.h"
 #include "level/assemble/pool_assembly.h"
-#include "level/assemble/table_assembly.h"
-#include "level/assemble/twins.h"
+#include "level/assemble/resolve_names.h"
+#include "level/assemble/symbol_table.h"
 
 namespace carom {
 namespace {
@@ -20,28 +20,28 @@ namespace {
 class Assembly {
   public:
     Assembly(const LoadOptions& options, Scene& scene, Context& context)
-        : options_(options), scene_(scene), context_(context), draft_(context.draft) {}
+        : options_(options), scene_(scene), context_(context), ir_(context.ir) {}
 
     void run() {
-        drop_mirror_twins(draft_);
+        remove_mirror_duplicates(ir_);
         names_ = resolve_names(context_);
         check_terms(context_);
         collect_balls();
         check_start(balls_, names_, context_);
-        check_resolution(balls_, rate(), context_);
-        Groups groups(draft_, names_, context_);
-        groups.name_balls(balls_);
-        TableAssembly table(names_, context_);
+        check_precision(balls_, rate(), context_);
+        SymbolTable symbols(ir_, names_, context_);
+        symbols.name_balls(balls_);
+        PinballAssembly table(names_, context_);
         table.check(!balls_.empty());
         check_pool(balls_, options_, context_);
         if (context_.reporter.has_errors()) {
-            groups.check_references();
+            symbols.check_references();
             return;
         }
         make_world();
-        groups.fill_in(scene_);
-        fill_in_pool(balls_, groups.world_zones(), scene_, context_);
-        table.fill_in(scene_, groups.world_zones());
+        symbols.fill_in(scene_);
+        fill_in_pool(balls_, symbols.world_zones(), scene_, context_);
+        table.fill_in(scene_, symbols.world_zones());
         if (!context_.reporter.has_errors()) check_gaps(balls_, names_, context_);
     }
 
@@ -51,48 +51,47 @@ class Assembly {
     // Flippers ask for short ticks: pinball has them where the level says nothing else.
     double own_rate() const {
         constexpr double pinball_rate = 1000.0;
-        return draft_.settings.rate.value_or(draft_.settings.table.is_game ? pinball_rate
-                                                                           : World{}.rate);
+        return ir_.settings.rate.value_or(ir_.settings.table.is_game ? pinball_rate : World{}.rate);
     }
 
-    StartingBall starting_ball(const BallDraft& draft) const {
-        const ResolvedBalls& of = names_.balls[static_cast<std::size_t>(draft.naming)];
+    StartingBall starting_ball(const BallIr& spec) const {
+        const ResolvedBalls& of = names_.balls[static_cast<std::size_t>(spec.binding)];
         const Kind& kind = names_.kinds[of.kind];
         StartingBall ball;
-        ball.position = draft.position;
-        ball.velocity = draft.velocity;
-        ball.radius = draft.radius.value_or(kind.radius);
-        ball.position += draft.racked * (2.0 * ball.radius + draft.gap);
+        ball.position = spec.position;
+        ball.velocity = spec.velocity;
+        ball.radius = spec.radius.value_or(kind.radius);
+        ball.position += spec.racked * (2.0 * ball.radius + spec.gap);
         const FillDefaults kinds = defaults_of(of.kind);
-        ball.mass = draft.mass.value_or(
-            kinds.mass.value_or(kinds.density * pi * ball.radius * ball.radius));
-        ball.restitution = draft.restitution.value_or(kind.restitution);
-        ball.spin = draft.spin;
-        ball.roll = draft.roll;
+        ball.mass =
+            spec.mass.value_or(kinds.mass.value_or(kinds.density * pi * ball.radius * ball.radius));
+        ball.restitution = spec.restitution.value_or(kind.restitution);
+        ball.spin = spec.spin;
+        ball.roll = spec.roll;
         ball.kind = of.kind;
-        ball.naming = draft.naming;
-        ball.origin = draft.origin;
+        ball.binding = spec.binding;
+        ball.origin = spec.origin;
         return ball;
     }
 
     FillDefaults defaults_of(ClassIndex kind) const {
         FillDefaults defaults;
         defaults.radius = names_.kinds[kind].radius;
-        if (kind >= draft_.kinds.size()) return defaults;
-        defaults.mass = draft_.kinds[kind].mass;
-        defaults.density = draft_.kinds[kind].density.value_or(1.0);
+        if (kind >= ir_.kinds.size()) return defaults;
+        defaults.mass = ir_.kinds[kind].mass;
+        defaults.density = ir_.kinds[kind].density.value_or(1.0);
         return defaults;
     }
 
     // In the order of the file. Fills come to stand last, around all else.
     void collect_balls() {
         std::vector<StartingBall> placed;
-        for (const BallDraft& draft : draft_.balls) {
-            if (names_.balls[static_cast<std::size_t>(draft.naming)].is_sound) {
-                placed.push_back(starting_ball(draft));
+        for (const BallIr& spec : ir_.balls) {
+            if (names_.balls[static_cast<std::size_t>(spec.binding)].is_valid) {
+                placed.push_back(starting_ball(spec));
             }
         }
-        if (draft_.fills.empty()) {
+        if (ir_.fills.empty()) {
             balls_ = std::move(placed);
             return;
         }
@@ -102,15 +101,15 @@ class Assembly {
         }
         Obstacles obstacles;
         std::vector<ClassIndex> owners;
-        for (const CapsuleDraft& edge : draft_.capsules)
+        for (const CapsuleIr& edge : ir_.capsules)
             obstacles.capsules.push_back(edge.shape);
         for (const StartingBall& ball : placed) {
             obstacles.discs.push_back({ball.position, ball.radius});
             owners.push_back(ball.kind);
         }
         std::size_t taken = 0;
-        for (std::size_t i = 0; i < draft_.fills.size(); ++i) {
-            const FillDraft& fill = draft_.fills[i];
+        for (std::size_t i = 0; i < ir_.fills.size(); ++i) {
+            const FillIr& fill = ir_.fills[i];
             while (taken < fill.balls_before)
                 balls_.push_back(placed[taken++]);
             add_fill(fill, names_.fills[i].kind, obstacles, owners);
@@ -120,17 +119,17 @@ class Assembly {
     }
 
     // Those of the obstacles that a ball of this kind may not start inside. Pre: all of them stand
-    // in the order of draft_.capsules, and of `owners`.
+    // in the order of ir_.capsules, and of `owners`.
     Obstacles solid_to(ClassIndex kind, const Obstacles& all,
                        const std::vector<ClassIndex>& owners) const {
         Obstacles solid;
-        if (draft_.settings.may_overlap) return {{}, {}, false};
+        if (ir_.settings.may_overlap) return {{}, {}, false};
         solid.each_other = names_.kinds_meet(kind, kind);
         for (std::size_t i = 0; i < all.discs.size(); ++i) {
             if (names_.kinds_meet(kind, owners[i])) solid.discs.push_back(all.discs[i]);
         }
         for (std::size_t i = 0; i < all.capsules.size(); ++i) {
-            if (names_.kind_meets_material(kind, material_of(draft_.capsules[i]))) {
+            if (names_.kind_meets_material(kind, material_of(ir_.capsules[i]))) {
                 solid.capsules.push_back(all.capsules[i]);
             }
         }
@@ -138,10 +137,10 @@ class Assembly {
     }
 
     // `owners`: the kinds of the obstacles' discs.
-    void add_fill(const FillDraft& fill, ClassIndex kind, Obstacles& obstacles,
+    void add_fill(const FillIr& fill, ClassIndex kind, Obstacles& obstacles,
                   std::vector<ClassIndex>& owners) {
         FillObstacles around{obstacles, {}};
-        if (draft_.settings.may_overlap || !names_.all_meet()) {
+        if (ir_.settings.may_overlap || !names_.all_meet()) {
             around.solid = [&] { return solid_to(kind, obstacles, owners); };
         }
         const auto filled = place_fill(fill, defaults_of(kind), around, context_);
@@ -163,7 +162,7 @@ class Assembly {
 
     void make_world() {
         World& world = scene_.world;
-        const SettingsDraft& s = draft_.settings;
+        const LevelSettings& s = ir_.settings;
         world.seed = context_.seed;
         world.rate = rate();
         world.kinds = names_.kinds;
@@ -180,11 +179,11 @@ class Assembly {
                              .spin = ball.spin,
                              .roll = ball.roll});
         }
-        for (const CapsuleDraft& edge : draft_.capsules) {
+        for (const CapsuleIr& edge : ir_.capsules) {
             add_capsule(world, edge.shape, material_of(edge), edge.side);
         }
-        for (std::size_t i = 0; i < draft_.emitters.size(); ++i) {
-            Emitter emitter = draft_.emitters[i].emitter;
+        for (std::size_t i = 0; i < ir_.emitters.size(); ++i) {
+            Emitter emitter = ir_.emitters[i].emitter;
             emitter.kind = names_.emitters[i].kind;
             world.emitters.push_back(emitter);
         }
@@ -200,12 +199,12 @@ class Assembly {
         scene_.view = view();
     }
 
-    ClassIndex material_of(const CapsuleDraft& edge) const {
-        return names_.edges[static_cast<std::size_t>(edge.naming)].material;
+    ClassIndex material_of(const CapsuleIr& edge) const {
+        return names_.edges[static_cast<std::size_t>(edge.binding)].material;
     }
 
     void make_model(Model& model) const {
-        const SettingsDraft& s = draft_.settings;
+        const LevelSettings& s = ir_.settings;
         model.gravity = s.gravity;
         model.drag = s.drag;
         model.stop_speed = s.stop_speed;
@@ -217,9 +216,8 @@ class Assembly {
         if (s.cloth) model.spin = s.inertia.value_or(solid_ball);
         if (s.wrap) model.wrap = s.world;
         model.lossy = is_lossy();
-        model.one_way = std::ranges::any_of(draft_.devices, [](const DeviceDraft& d) {
-            return d.device.kind == DeviceKind::droptarget;
-        });
+        model.one_way = std::ranges::any_of(
+            ir_.devices, [](const DeviceIr& d) { return d.device.kind == DeviceKind::droptarget; });
         model.filtered = !names_.all_meet();
         model.ball_ball = names_.some_balls_meet();
         model.ball_edge = names_.some_edges_meet();
@@ -231,7 +229,7 @@ class Assembly {
         for (const ResolvedBalls& of : names_.emitters) {
             if (loses(names_.kinds[of.kind].restitution)) return true;
         }
-        for (const CapsuleDraft& edge : draft_.capsules) {
+        for (const CapsuleIr& edge : ir_.capsules) {
             const Material& material = names_.materials[material_of(edge)];
             if (loses(material.restitution) || material.soften > 0.0) return true;
         }
@@ -240,9 +238,9 @@ class Assembly {
 
     void make_outlines() {
         std::map<int, std::vector<CapsuleId>> outlines;
-        for (std::size_t i = 0; i < draft_.capsules.size(); ++i) {
-            const int chain = draft_.capsules[i].chain;
-            if (!draft_.chains[static_cast<std::size_t>(chain)].is_closed) continue;
+        for (std::size_t i = 0; i < ir_.capsules.size(); ++i) {
+            const int chain = ir_.capsules[i].chain;
+            if (!ir_.chains[static_cast<std::size_t>(chain)].is_closed) continue;
             outlines[chain].push_back(scene_.world.capsules.id[i]);
         }
         for (auto& [chain, capsules] : outlines)
@@ -251,10 +249,10 @@ class Assembly {
 
     // The world as declared, else the bounds of all that is drawn, never without extent.
     Box view() const {
-        if (draft_.settings.world) return *draft_.settings.world;
+        if (ir_.settings.world) return *ir_.settings.world;
         std::optional<Box> all;
         const auto add = [&](const Box& box) { all = all ? join(*all, box) : box; };
-        for (const CapsuleDraft& edge : draft_.capsules)
+        for (const CapsuleIr& edge : ir_.capsules)
             add(bounds(edge.shape));
         for (const StartingBall& ball : balls_)
             add(bounds(Disc{ball.position, ball.radius}));
@@ -274,15 +272,15 @@ class Assembly {
     const LoadOptions& options_;
     Scene& scene_;
     Context& context_;
-    Draft& draft_;
-    Resolved names_;
+    LevelIr& ir_;
+    ResolvedNames names_;
     std::vector<StartingBall> balls_;
 };
 
 }  // namespace
 
 void assemble(const LoadOptions& options, Scene& scene, Context& context) {
-    context.seed = options.seed.value_or(context.draft.settings.seed.value_or(0));
+    context.seed = options.seed.value_or(context.ir.settings.seed.value_or(0));
     Assembly(options, scene, context).run();
 }
 

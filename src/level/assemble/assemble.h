@@ -1,6 +1,6 @@
 #pragma once
 
-#include "level/draft/context.h"
+#include "level/ir/context.h"
 
 /// The last stage: a draft to a scene.
 namespace carom {
@@ -15,7 +15,7 @@ struct StartingBall {
     double spin = 0.0;  ///< rad/s
     std::optional<Vec2> roll;
     ClassIndex kind = 0;
-    int naming = -1;  ///< index into Draft::ball_namings; -1: a fill's
+    int binding = -1;  ///< index into LevelIr::ball_bindings; -1: a fill's
     Origin origin;
 };
 

@@ -8,23 +8,24 @@
 
 #include "geometry/closest.h"
 #include "geometry/elementary.h"
+#include "level/assemble/hierarchical_grid.h"
 #include "level/assemble/lattice.h"
-#include "level/assemble/occupancy.h"
-#include "level/draft/numbers.h"
+#include "level/ir/numbers.h"
 #include "physics/world/random.h"
 
 namespace carom {
 namespace {
 
 constexpr std::uint32_t attempts = 300;
-constexpr std::uint64_t most_looks = 200'000'000;
+constexpr std::uint64_t max_fill_tests = 200'000'000;
 
 // What a draw is for: each has numbers of its own.
 enum class Purpose : std::uint64_t { mass = 1, radius, place, shift, direction, speed, gaussian };
 
-class Chance {
+class FillRandom {
   public:
-    Chance(std::uint64_t seed, int fill) : seed_(seed), fill_(static_cast<std::uint64_t>(fill)) {}
+    FillRandom(std::uint64_t seed, int fill)
+        : seed_(seed), fill_(static_cast<std::uint64_t>(fill)) {}
 
     /// Uniform in [0, 1): the `draw`th for ball `ball`.
     double unit(Purpose purpose, std::uint64_t ball, std::uint64_t draw = 0) const {
@@ -42,7 +43,7 @@ class Chance {
 };
 
 // A unit vector: a point of the disc, drawn by rejection, and pushed out to its rim.
-Vec2 random_direction(const Chance& chance, std::uint64_t ball) {
+Vec2 random_direction(const FillRandom& chance, std::uint64_t ball) {
     for (std::uint64_t draw = 0;; draw += 2) {
         const Vec2 v{2.0 * chance.unit(Purpose::direction, ball, draw) - 1.0,
                      2.0 * chance.unit(Purpose::direction, ball, draw + 1) - 1.0};
@@ -52,7 +53,7 @@ Vec2 random_direction(const Chance& chance, std::uint64_t ball) {
 }
 
 // By rejection under the bell curve, between -8 and 8: six draws on average.
-double gaussian(const Chance& chance, std::uint64_t ball, std::uint64_t component) {
+double gaussian(const FillRandom& chance, std::uint64_t ball, std::uint64_t component) {
     for (std::uint64_t draw = component;; draw += 4) {
         const double x = 16.0 * chance.unit(Purpose::gaussian, ball, draw) - 8.0;
         const double y = chance.unit(Purpose::gaussian, ball, draw + 2);
@@ -60,7 +61,7 @@ double gaussian(const Chance& chance, std::uint64_t ball, std::uint64_t componen
     }
 }
 
-bool draw_sizes(const FillDraft& fill, const FillDefaults& defaults, const Chance& chance,
+bool draw_sizes(const FillIr& fill, const FillDefaults& defaults, const FillRandom& chance,
                 std::vector<FilledBall>& balls, Context& context) {
     Scope scope = fill.scope;
     for (std::uint32_t i = 0; i < fill.count; ++i) {
@@ -89,7 +90,7 @@ bool draw_sizes(const FillDraft& fill, const FillDefaults& defaults, const Chanc
     return true;
 }
 
-void draw_velocities(const FillDraft& fill, const Chance& chance, std::vector<FilledBall>& balls) {
+void draw_velocities(const FillIr& fill, const FillRandom& chance, std::vector<FilledBall>& balls) {
     if (fill.rms_speed > 0.0) {
         double squares = 0.0;
         for (std::uint32_t i = 0; i < fill.count; ++i) {
@@ -109,15 +110,15 @@ void draw_velocities(const FillDraft& fill, const Chance& chance, std::vector<Fi
     }
 }
 
-class Placing {
+class FillPlacer {
   public:
-    /// `looks`: Context::fill_looks.
-    Placing(const FillDraft& fill, const Obstacles& obstacles, const Chance& chance,
-            std::vector<FilledBall>& balls, std::uint64_t& looks)
+    /// `looks`: Context::fill_tests.
+    FillPlacer(const FillIr& fill, const Obstacles& obstacles, const FillRandom& chance,
+               std::vector<FilledBall>& balls, std::uint64_t& tests)
         : fill_(fill),
-          chance_(chance),
+          random_(chance),
           balls_(balls),
-          looks_(looks),
+          tests_(tests),
           keeps_apart_(obstacles.each_other),
           tree_(boxes_near(obstacles, fill.box)) {
         // The tree numbers only what is near the box, so its entries are kept beside it.
@@ -128,7 +129,7 @@ class Placing {
             if (overlaps(bounds(capsule), fill.box)) near_capsules_.push_back(capsule);
         }
         constexpr std::uint64_t looks_to_plant = 20;  // what an entry of a tree costs, about
-        looks_ += looks_to_plant * (near_discs_.size() + near_capsules_.size());
+        tests_ += looks_to_plant * (near_discs_.size() + near_capsules_.size());
     }
 
     /// Places all at random, else on a lattice; or says how many found a place.
@@ -148,11 +149,11 @@ class Placing {
         std::vector<double> radii;
         for (const std::uint32_t i : order)
             radii.push_back(balls_[i].radius);
-        Occupancy occupancy(fill_.box, radii);
+        HierarchicalGrid grid(fill_.box, radii);
         std::uint32_t placed = 0;
         for (const std::uint32_t i : order) {
-            if (!find_place(i, occupancy)) return placed;
-            if (keeps_apart_) occupancy.add({balls_[i].position, balls_[i].radius});
+            if (!find_place(i, grid)) return placed;
+            if (keeps_apart_) grid.add({balls_[i].position, balls_[i].radius});
             ++placed;
         }
         return placed;
@@ -170,7 +171,7 @@ class Placing {
         }
         std::vector<Vec2> sites = lattice.sites;
         for (std::uint32_t i = 0; i < fill_.count; ++i) {
-            const double share = chance_.unit(Purpose::place, i, attempts * 2);
+            const double share = random_.unit(Purpose::place, i, attempts * 2);
             const auto k =
                 i + static_cast<std::size_t>(share * static_cast<double>(sites.size() - i));
             std::swap(sites[i], sites[k]);
@@ -190,12 +191,12 @@ class Placing {
         return boxes;
     }
 
-    bool is_exhausted() const { return looks_ > most_looks; }
+    bool is_exhausted() const { return tests_ > max_fill_tests; }
 
     bool is_free(const Disc& disc) {
         bool is_free = !is_exhausted();
         tree_.query(bounds(disc), [&](std::uint32_t i) {
-            if (++looks_ > most_looks) is_free = false;
+            if (++tests_ > max_fill_tests) is_free = false;
             if (!is_free) return false;
             is_free = i < near_discs_.size()
                           ? separation(disc, near_discs_[i]) >= 0.0
@@ -205,16 +206,16 @@ class Placing {
         return is_free;
     }
 
-    bool find_place(std::uint32_t i, const Occupancy& occupancy) {
+    bool find_place(std::uint32_t i, const HierarchicalGrid& grid) {
         FilledBall& ball = balls_[i];
         const Box room = grow(fill_.box, -ball.radius);
         if (room.low.x > room.high.x || room.low.y > room.high.y) return false;
         for (std::uint32_t attempt = 0; attempt < attempts; ++attempt) {
             ball.position = {
-                chance_.between(room.low.x, room.high.x, Purpose::place, i, 2 * attempt),
-                chance_.between(room.low.y, room.high.y, Purpose::place, i, 2 * attempt + 1)};
+                random_.between(room.low.x, room.high.x, Purpose::place, i, 2 * attempt),
+                random_.between(room.low.y, room.high.y, Purpose::place, i, 2 * attempt + 1)};
             const Disc disc{ball.position, ball.radius};
-            if (!occupancy.touches(disc) && is_free(disc)) return true;
+            if (!grid.touches(disc) && is_free(disc)) return true;
         }
         return false;
     }
@@ -223,16 +224,16 @@ class Placing {
     Vec2 shifted(Vec2 site, double radius, double pitch, std::uint32_t i) {
         const double room = (0.5 * pitch - radius) * 0.7;  // the square inside the circle
         if (room <= 0.0) return site;
-        const Vec2 place = site + Vec2{chance_.between(-room, room, Purpose::shift, i, 0),
-                                       chance_.between(-room, room, Purpose::shift, i, 1)};
+        const Vec2 place = site + Vec2{random_.between(-room, room, Purpose::shift, i, 0),
+                                       random_.between(-room, room, Purpose::shift, i, 1)};
         const Box inside = grow(fill_.box, -radius);
         return contains(inside, place) && is_free({place, radius}) ? place : site;
     }
 
-    const FillDraft& fill_;
-    const Chance& chance_;
+    const FillIr& fill_;
+    const FillRandom& random_;
     std::vector<FilledBall>& balls_;
-    std::uint64_t& looks_;
+    std::uint64_t& tests_;
     bool keeps_apart_;
     BoxTree tree_;
     std::vector<Disc> near_discs_;
@@ -241,24 +242,23 @@ class Placing {
 
 }  // namespace
 
-std::optional<std::vector<FilledBall>> place_fill(const FillDraft& fill,
-                                                  const FillDefaults& defaults,
+std::optional<std::vector<FilledBall>> place_fill(const FillIr& fill, const FillDefaults& defaults,
                                                   const FillObstacles& obstacles,
                                                   Context& context) {
-    if (context.fill_looks > most_looks) return std::nullopt;  // told already
-    const Chance chance(context.seed, fill.number);
+    if (context.fill_tests > max_fill_tests) return std::nullopt;  // told already
+    const FillRandom chance(context.seed, fill.number);
     std::vector<FilledBall> balls(fill.count);
     if (!draw_sizes(fill, defaults, chance, balls, context)) return std::nullopt;
     draw_velocities(fill, chance, balls);
     const auto place_among = [&](const Obstacles& among) {
-        return Placing(fill, among, chance, balls, context.fill_looks).place();
+        return FillPlacer(fill, among, chance, balls, context.fill_tests).place();
     };
     std::uint32_t placed = place_among(obstacles.all);
-    if (placed < fill.count && obstacles.solid && context.fill_looks <= most_looks) {
+    if (placed < fill.count && obstacles.solid && context.fill_tests <= max_fill_tests) {
         placed = place_among(obstacles.solid());
     }
     if (placed == fill.count) return balls;
-    if (context.fill_looks > most_looks) {
+    if (context.fill_tests > max_fill_tests) {
         context.reporter.error(fill.origin.span, "the level is too crowded for this fill",
                                "draw less into its box, or fill it in fewer parts");
         return std::nullopt;

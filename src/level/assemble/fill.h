@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "level/assemble/box_tree.h"
-#include "level/draft/context.h"
+#include "level/ir/context.h"
 
 /// Balls placed by chance: `fill`.
 namespace carom {
@@ -52,8 +52,7 @@ struct FillDefaults {
 /// deviations, and then scaled so that their root mean square is exactly the one given.
 ///
 /// 1,000,000 balls at a packing of 0.3 take about a second.
-std::optional<std::vector<FilledBall>> place_fill(const FillDraft& fill,
-                                                  const FillDefaults& defaults,
+std::optional<std::vector<FilledBall>> place_fill(const FillIr& fill, const FillDefaults& defaults,
                                                   const FillObstacles& obstacles, Context& context);
 
 }  // namespace carom

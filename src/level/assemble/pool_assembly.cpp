@@ -9,12 +9,12 @@
 namespace carom {
 namespace {
 
-bool is_pool_game(const SettingsDraft& settings) {
+bool is_pool_game(const LevelSettings& settings) {
     return settings.game == "eightball" || settings.game == "nineball";
 }
 
 void check_cloth(const LoadOptions& options, Context& context) {
-    const SettingsDraft& settings = context.draft.settings;
+    const LevelSettings& settings = context.ir.settings;
     if (!settings.cloth) return;
     const auto refuse = [&](std::string_view term) {
         context.reporter.error(*settings.cloth_at,
@@ -35,7 +35,7 @@ void check_pockets(const std::vector<StartingBall>& balls, Context& context) {
     double largest = 0.0;
     for (const StartingBall& ball : balls)
         largest = std::max(largest, ball.radius);
-    for (const ZoneDraft& zone : context.draft.zones) {
+    for (const ZoneIr& zone : context.ir.zones) {
         if (!zone.is_pocket || zone.origin.image != 0 || zone.zone.shape.radius >= largest)
             continue;
         context.reporter.error(
@@ -45,21 +45,21 @@ void check_pockets(const std::vector<StartingBall>& balls, Context& context) {
 }
 
 void check_game(Context& context) {
-    const Draft& draft = context.draft;
-    if (!is_pool_game(draft.settings) || context.reporter.has_errors()) return;
-    const bool is_eight = draft.settings.game == "eightball";
+    const LevelIr& ir = context.ir;
+    if (!is_pool_game(ir.settings) || context.reporter.has_errors()) return;
+    const bool is_eight = ir.settings.game == "eightball";
     const auto wanted = is_eight ? Rack::Shape::eight : Rack::Shape::nine;
     const auto needs = [&](std::string_view what, std::string_view line) {
-        context.reporter.error(*draft.settings.game_at,
-                               fmt::format("game {} needs {}", *draft.settings.game, what),
+        context.reporter.error(*ir.settings.game_at,
+                               fmt::format("game {} needs {}", *ir.settings.game, what),
                                fmt::format("add a line such as: {}", line));
     };
-    const auto racks = std::ranges::count(draft.racks, wanted, &RackDraft::shape);
+    const auto racks = std::ranges::count(ir.racks, wanted, &RackIr::shape);
     if (racks != 1)
         needs(is_eight ? "one rack eight" : "one rack nine",
               is_eight ? "rack eight kind=pool at=635,0" : "rack nine kind=pool at=635,0");
-    if (draft.cues.size() != 1) needs("one cue", "cue ball=cue power=0..10m/s");
-    if (std::ranges::none_of(draft.zones, &ZoneDraft::is_pocket))
+    if (ir.cues.size() != 1) needs("one cue", "cue ball=cue power=0..10m/s");
+    if (std::ranges::none_of(ir.zones, &ZoneIr::is_pocket))
         needs("pockets", "pocket corner at=1299.5,664.5 r=62");
 }
 
@@ -74,22 +74,22 @@ void check_pool(const std::vector<StartingBall>& balls, const LoadOptions& optio
 
 void fill_in_pool(const std::vector<StartingBall>& balls,
                   const std::vector<std::uint32_t>& world_zones, Scene& scene, Context& context) {
-    const Draft& draft = context.draft;
-    for (const RackDraft& from : draft.racks) {
+    const LevelIr& ir = context.ir;
+    for (const RackIr& from : ir.racks) {
         Rack rack;
         rack.shape = from.shape;
         rack.foot = from.foot;
         rack.toward = from.toward;
         for (std::size_t i = 0; i < balls.size(); ++i)
-            if (balls[i].naming == from.naming) rack.balls.push_back(scene.world.balls.id[i]);
+            if (balls[i].binding == from.binding) rack.balls.push_back(scene.world.balls.id[i]);
         scene.pool.racks.push_back(std::move(rack));
     }
-    for (std::size_t i = 0; i < draft.zones.size(); ++i)
-        if (draft.zones[i].is_pocket) scene.pool.pockets.push_back(world_zones[i]);
+    for (std::size_t i = 0; i < ir.zones.size(); ++i)
+        if (ir.zones[i].is_pocket) scene.pool.pockets.push_back(world_zones[i]);
     std::ranges::sort(scene.pool.pockets);
-    scene.pool.race = draft.settings.race;
-    scene.pool.clock = draft.settings.clock;
-    for (const CueDraft& cue : draft.cues) {
+    scene.pool.race = ir.settings.race;
+    scene.pool.clock = ir.settings.clock;
+    for (const CueIr& cue : ir.cues) {
         const auto named = std::ranges::find(scene.ball_names, cue.ball.text);
         if (named != scene.ball_names.end()) {
             scene.pool.cue = {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "level/assemble/assemble.h"
-#include "level/assemble/names.h"
+#include "level/assemble/resolve_names.h"
 #include "level/scene/scene.h"
 
 /// What is wrong with a pool table, and what of it the scene has.
@@ -13,7 +13,7 @@ void check_pool(const std::vector<StartingBall>& balls, const LoadOptions& optio
                 Context& context);
 
 /// Fills in Scene::pool; reports a cue for a ball that is not there. Pre: checked, without errors;
-/// the scene has its balls and their names, and its zones. `world_zones`: by Draft::zones, the
+/// the scene has its balls and their names, and its zones. `world_zones`: by LevelIr::zones, the
 /// index into World::zones.
 void fill_in_pool(const std::vector<StartingBall>& balls,
                   const std::vector<std::uint32_t>& world_zones, Scene& scene, Context& context);

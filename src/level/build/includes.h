@@ -1,7 +1,7 @@
 #pragma once
 
-#include "level/build/unroll.h"
-#include "level/draft/context.h"
+#include "level/build/interpreter.h"
+#include "level/ir/context.h"
 
 /// Opens included files, each read once; refuses paths that lead out, and circles.
 namespace carom {
@@ -13,7 +13,7 @@ struct Included {
 
 class Includes {
   public:
-    Includes(const IncludeResolver& resolver, Texts& texts, Reporter& reporter)
+    Includes(const IncludeResolver& resolver, SourceStore& texts, Reporter& reporter)
         : resolver_(resolver), texts_(texts), reporter_(reporter) {}
 
     /// `path` is the quoted word. None: reported. A file that was opened must be closed.
@@ -27,7 +27,7 @@ class Includes {
     };
 
     const IncludeResolver& resolver_;
-    Texts& texts_;
+    SourceStore& texts_;
     Reporter& reporter_;
     std::map<std::string, File> files_;
     std::vector<std::string> open_;  ///< from the outermost to the one that is being carried out

@@ -95,14 +95,14 @@ class MapBuilder {
     bool is_joint(std::string_view c) const { return c == "+" && !legends_.contains(c); }
 
     bool check_letters() {
-        bool is_sound = true;
+        bool is_valid = true;
         for (int row = 0; row < drawing_.rows(); ++row) {
             for (int column = 0; column < drawing_.columns(); ++column) {
                 const std::string_view c = drawing_.at(row, column);
                 if (c == " " || c == "." || is_line(c) || is_joint(c) || legends_.contains(c)) {
                     continue;
                 }
-                is_sound = false;
+                is_valid = false;
                 const bool is_tab = c == "\t";
                 context_.reporter.error(
                     drawing_.span(row, column),
@@ -112,7 +112,7 @@ class MapBuilder {
                            : fmt::format("explain it above: legend ball {} kind=NAME", c));
             }
         }
-        return is_sound;
+        return is_valid;
     }
 
     // The corner of a cell: (0, 0) is the lower left one of the drawing's lowest row.
@@ -132,8 +132,9 @@ class MapBuilder {
         if (legend.what == Legend::What::ball) build_ball(legend, middle, row, column);
         if (legend.what == Legend::What::peg) {
             const double radius = legend.radius.value_or(peg_share * cell_);
-            add_piece({middle, middle, radius}, Side::both, naming(legend.material),
-                      begin_chain(false, context_), drawing_.span(row, column), frame_, context_);
+            emit_capsule({middle, middle, radius}, Side::both, binding(legend.material),
+                         begin_chain(false, context_), drawing_.span(row, column), frame_,
+                         context_);
         }
     }
 
@@ -155,16 +156,16 @@ class MapBuilder {
     }
 
     void build_ball(const Legend& legend, Vec2 middle, int row, int column) {
-        BallDraft ball;
+        BallIr ball;
         ball.position = middle;
         ball.velocity = legend.velocity;
-        BallNaming balls;
+        BallBinding balls;
         balls.node = arguments_.node;
         balls.kind = legend.kind ? legend.kind : arguments_.word("kind");
         if (!balls.kind) ball.radius = 0.5 * cell_;
-        ball.naming = name_balls(std::move(balls), context_);
+        ball.binding = name_balls(std::move(balls), context_);
         ball.origin.span = drawing_.span(row, column);
-        add_ball_draft(ball, frame_, context_);
+        emit_ball(ball, frame_, context_);
     }
 
     const Legend* solid_at(int row, int column) const {
@@ -213,14 +214,14 @@ class MapBuilder {
     }
 
     void add_edge(Vec2 from, Vec2 to, const std::optional<Word>& material, const Span& span) {
-        add_piece({from, to, arguments_.number_or("r", 0.0)}, Side::both, naming(material),
-                  begin_chain(false, context_), span, frame_, context_);
+        emit_capsule({from, to, arguments_.number_or("r", 0.0)}, Side::both, binding(material),
+                     begin_chain(false, context_), span, frame_, context_);
     }
 
-    int naming(const std::optional<Word>& material) {
-        EdgeNaming edges{arguments_.node, {}, false, material};
+    int binding(const std::optional<Word>& material) {
+        EdgeBinding edges{arguments_.node, {}, false, material};
         if (!edges.material) edges.material = arguments_.word("material");
-        return name_edges(std::move(edges), context_);
+        return bind_edges(std::move(edges), context_);
     }
 
     const Arguments& arguments_;

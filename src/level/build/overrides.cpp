@@ -22,7 +22,8 @@ std::string setting(const Node& node) {
 
 }  // namespace
 
-Overrides::Overrides(const std::vector<std::string>& statements, Texts& texts, Reporter& reporter) {
+Overrides::Overrides(const std::vector<std::string>& statements, SourceStore& texts,
+                     Reporter& reporter) {
     for (const std::string& text : statements) {
         const SourceText& source = texts.add("--set", text);
         if (const auto fault = find_fault(source.text)) {

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "level/build/unroll.h"
+#include "level/build/interpreter.h"
 
 /// Statements of --set: each takes the place of the file's statement of the same kind.
 namespace carom {
@@ -10,7 +10,7 @@ namespace carom {
 class Overrides {
   public:
     /// Reports statements that cannot be set.
-    Overrides(const std::vector<std::string>& statements, Texts& texts, Reporter& reporter);
+    Overrides(const std::vector<std::string>& statements, SourceStore& texts, Reporter& reporter);
 
     /// What is to be carried out in place of `node`, or null.
     const Node* replacement(const Node& node);

@@ -2,7 +2,7 @@
 
 namespace carom {
 std::vector<Statement> make_statements() {
-    using enum Form;
+    using enum KeyShape;
     using enum Bound;
     constexpr auto number = Measure::number;
     constexpr auto whole = Measure::whole;
@@ -179,7 +179,7 @@ std::vector<Statement> make_statements() {
                   "[v=VX,VY] [speed=A..B] [rms=]",
          .plain_most = 1,
          .keys = {{"count", scalar, whole, positive, true},
-                  {"box", Form::box, length, any, true},
+                  {"box", KeyShape::box, length, any, true},
                   {"r", deferred, length, positive},
                   {"m", range, mass, positive},
                   {"density", scalar, Measure::density, positive},

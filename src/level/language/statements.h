@@ -12,7 +12,7 @@
 namespace carom {
 
 /// The shape of what stands behind a key.
-enum class Form {
+enum class KeyShape {
     scalar,    ///< a number
     pair,      ///< x,y
     box,       ///< x0,y0,x1,y1
@@ -35,7 +35,7 @@ enum class Bound {
 
 struct KeyRule {
     std::string_view name;
-    Form form = Form::scalar;
+    KeyShape form = KeyShape::scalar;
     Measure measure = Measure::number;
     Bound bound = Bound::any;
     bool is_required = false;

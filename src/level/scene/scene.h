@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "geometry/shapes.h"
+#include "level/scene/pinball_table.h"
 #include "level/scene/pool_table.h"
 #include "level/scene/quantities.h"
-#include "level/scene/table.h"
 #include "physics/solver.h"
 #include "physics/world/world.h"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "level/draft/numbers.h"
+#include "level/ir/numbers.h"
 #include "level/statements/builders.h"
 
 namespace carom {
@@ -10,13 +10,13 @@ namespace {
 
 constexpr std::size_t max_fills = 1000;  // each looks at all that stands already
 
-BallNaming ball_naming(const Arguments& arguments, bool is_numbered) {
-    BallNaming naming;
-    naming.node = arguments.node;
-    if (!arguments.plain.empty()) naming.name = arguments.plain.front();
-    naming.kind = arguments.word("kind");
-    naming.is_numbered = is_numbered;
-    return naming;
+BallBinding ball_binding(const Arguments& arguments, bool is_numbered) {
+    BallBinding binding;
+    binding.node = arguments.node;
+    if (!arguments.plain.empty()) binding.name = arguments.plain.front();
+    binding.kind = arguments.word("kind");
+    binding.is_numbered = is_numbered;
+    return binding;
 }
 
 bool keeps_axes(const Arguments& arguments, const Frame& frame, Context& context) {
@@ -49,8 +49,7 @@ Scope names_in(const Word& expression, const Scope& scope) {
 }
 
 // r= may be a range, or, beside m=, an expression of the ball's mass, such as sqrt(m)*0.8.
-bool read_radius(const Arguments& arguments, const Frame& frame, FillDraft& fill,
-                 Context& context) {
+bool read_radius(const Arguments& arguments, const Frame& frame, FillIr& fill, Context& context) {
     const Word expression = *arguments.word("r");
     bool uses_mass = false;
     Scope scope = names_in(expression, *frame.scope);
@@ -73,7 +72,7 @@ bool read_radius(const Arguments& arguments, const Frame& frame, FillDraft& fill
 }  // namespace
 
 void build_ball(const Arguments& arguments, const Frame& frame, Context& context) {
-    BallDraft ball;
+    BallIr ball;
     ball.position = arguments.pair_or("at", {});
     ball.velocity = arguments.pair_or("v", {});
     ball.radius = arguments.number("r");
@@ -82,11 +81,11 @@ void build_ball(const Arguments& arguments, const Frame& frame, Context& context
     ball.spin = arguments.number_or("w", 0.0);
     if (arguments.has("roll")) {
         ball.roll = arguments.pair_or("roll", {});
-        if (!context.draft.needs_cloth) context.draft.needs_cloth = arguments.span_of("roll");
+        if (!context.ir.needs_cloth) context.ir.needs_cloth = arguments.span_of("roll");
     }
-    ball.naming = name_balls(ball_naming(arguments, false), context);
+    ball.binding = name_balls(ball_binding(arguments, false), context);
     ball.origin.span = arguments.span_of("at");
-    add_ball_draft(ball, frame, context);
+    emit_ball(ball, frame, context);
 }
 
 void build_spawn(const Arguments& arguments, const Frame& frame, Context& context) {
@@ -95,24 +94,24 @@ void build_spawn(const Arguments& arguments, const Frame& frame, Context& contex
     const Vec2 velocity_jitter = arguments.pair_or("vjitter", {});
     const bool has_jitter = !(jitter == Vec2{}) || !(velocity_jitter == Vec2{});
     if (has_jitter && !keeps_axes(arguments, frame, context)) return;
-    if (!plan_balls(arguments.count("count"), arguments.span_of("count"), context)) return;
-    EmitterDraft draft;
-    draft.kind = arguments.plain.front();
-    draft.emitter.at = t.point(arguments.pair_or("at", {}));
-    draft.emitter.velocity = t.direction(arguments.pair_or("v", {}));
-    draft.emitter.jitter = absolute(t.direction(jitter));
-    draft.emitter.velocity_jitter = absolute(t.direction(velocity_jitter));
-    draft.emitter.every = arguments.number_or("every", 1.0);
-    draft.emitter.count = arguments.count("count");
-    draft.origin = {arguments.span_of("at"), frame.image};
-    context.draft.emitters.push_back(std::move(draft));
+    if (!reserve_balls(arguments.count("count"), arguments.span_of("count"), context)) return;
+    EmitterIr spec;
+    spec.kind = arguments.plain.front();
+    spec.emitter.at = t.point(arguments.pair_or("at", {}));
+    spec.emitter.velocity = t.direction(arguments.pair_or("v", {}));
+    spec.emitter.jitter = absolute(t.direction(jitter));
+    spec.emitter.velocity_jitter = absolute(t.direction(velocity_jitter));
+    spec.emitter.every = arguments.number_or("every", 1.0);
+    spec.emitter.count = arguments.count("count");
+    spec.origin = {arguments.span_of("at"), frame.image};
+    context.ir.emitters.push_back(std::move(spec));
 }
 
 void build_fill(const Arguments& arguments, const Frame& frame, Context& context) {
     if (!keeps_axes(arguments, frame, context)) return;
     const std::uint32_t count = arguments.count("count");
-    if (!plan_balls(count, arguments.span_of("count"), context)) return;
-    if (context.draft.fills.size() >= max_fills) {
+    if (!reserve_balls(count, arguments.span_of("count"), context)) return;
+    if (context.ir.fills.size() >= max_fills) {
         context.reporter.error(arguments.node->keyword().span(),
                                fmt::format("the level has more than {} fills", max_fills),
                                "fill larger boxes, with more balls each");
@@ -123,10 +122,10 @@ void build_fill(const Arguments& arguments, const Frame& frame, Context& context
                                "rms= stands beside speed= or v=", "keep one of them");
         return;
     }
-    FillDraft fill;
+    FillIr fill;
     if (!arguments.plain.empty()) fill.kind = arguments.plain.front();
     fill.count = count;
-    fill.number = static_cast<int>(context.draft.fills.size());
+    fill.number = static_cast<int>(context.ir.fills.size());
     const std::array<double, 4>& corners = arguments.values.at("box").numbers;
     const Vec2 a = frame.transform.point({corners[0], corners[1]});
     const Vec2 b = frame.transform.point({corners[2], corners[3]});
@@ -141,10 +140,10 @@ void build_fill(const Arguments& arguments, const Frame& frame, Context& context
         fill.most_speed = arguments.values.at("speed").numbers[1];
     }
     fill.rms_speed = arguments.number_or("rms", 0.0);
-    fill.balls_before = context.draft.balls.size();
+    fill.balls_before = context.ir.balls.size();
     fill.origin = {arguments.span_of("count"), frame.image};
     if (arguments.has("r") && !read_radius(arguments, frame, fill, context)) return;
-    context.draft.fills.push_back(std::move(fill));
+    context.ir.fills.push_back(std::move(fill));
 }
 
 void build_cradle(const Arguments& arguments, const Frame& frame, Context& context) {
@@ -161,14 +160,14 @@ void build_cradle(const Arguments& arguments, const Frame& frame, Context& conte
         return;
     }
     if (count > max_items) {
-        plan_balls(count, arguments.span_of("count"), context);
+        reserve_balls(count, arguments.span_of("count"), context);
         return;
     }
-    BallDraft ball;
+    BallIr ball;
     ball.radius = radius;
     ball.mass = arguments.number("m");
     ball.restitution = arguments.number("e");
-    ball.naming = name_balls(ball_naming(arguments, true), context);
+    ball.binding = name_balls(ball_binding(arguments, true), context);
     ball.origin.span = arguments.span_of("count");
     const double half = 0.5 * (count - 1.0) * pitch;
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -176,17 +175,17 @@ void build_cradle(const Arguments& arguments, const Frame& frame, Context& conte
         ball.position = {at.x + (i - 0.5 * (count - 1.0)) * pitch - (is_moving ? swing : 0.0),
                          at.y};
         ball.velocity = {is_moving ? arguments.number_or("v", 0.0) : 0.0, 0.0};
-        add_ball_draft(ball, frame, context);
+        emit_ball(ball, frame, context);
     }
     // The walls leave each end of the row twice the swing: what goes out comes back.
     const double wall = half + radius + 2.0 * swing;
-    EdgeNaming naming{arguments.node, {}, false, arguments.word("material")};
-    const int edges = name_edges(std::move(naming), context);
+    EdgeBinding binding{arguments.node, {}, false, arguments.word("material")};
+    const int edges = bind_edges(std::move(binding), context);
     for (const double x : {at.x - wall, at.x + wall}) {
         const int chain = begin_chain(false, context);
-        context.draft.chains.back().has_gaps = false;
-        add_piece({{x, at.y - 2.0 * radius}, {x, at.y + 2.0 * radius}, 0.0}, Side::both, edges,
-                  chain, arguments.node->keyword().span(), frame, context);
+        context.ir.chains.back().has_gaps = false;
+        emit_capsule({{x, at.y - 2.0 * radius}, {x, at.y + 2.0 * radius}, 0.0}, Side::both, edges,
+                     chain, arguments.node->keyword().span(), frame, context);
     }
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "level/draft/add_to_draft.h"
-#include "level/draft/arguments.h"
+#include "level/ir/arguments.h"
+#include "level/ir/emit.h"
 
 /// Statements to the draft: one function a statement that makes something, one for all that only
-/// declare. Pre, for each: arguments.is_sound. Everything passes through the frame's transform.
+/// declare. Pre, for each: arguments.is_valid. Everything passes through the frame's transform.
 namespace carom {
 
 // Shapes (shapes.cpp).

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "level/draft/numbers.h"
+#include "level/ir/numbers.h"
 #include "level/statements/builders.h"
 #include "level/statements/rules.h"
 #include "level/text/spelling.h"
@@ -20,7 +20,7 @@ bool is_free(const Word& name, Context& context) {
                        "a name has letters, digits and '_', and begins with a letter");
         return false;
     }
-    if (context.draft.kinds.size() + context.draft.materials.size() >= max_classes) {
+    if (context.ir.kinds.size() + context.ir.materials.size() >= max_classes) {
         reporter.error(name.span(),
                        fmt::format("the level has more than {} kinds and materials", max_classes),
                        "use fewer");
@@ -33,10 +33,10 @@ bool is_free(const Word& name, Context& context) {
                        "give each kind and each material a name of its own");
         return true;
     };
-    for (const KindDraft& kind : context.draft.kinds) {
+    for (const KindIr& kind : context.ir.kinds) {
         if (taken(kind.name)) return false;
     }
-    for (const MaterialDraft& material : context.draft.materials) {
+    for (const MaterialIr& material : context.ir.materials) {
         if (taken(material.name)) return false;
     }
     return true;
@@ -44,20 +44,20 @@ bool is_free(const Word& name, Context& context) {
 
 void declare_kind(const Arguments& a, Context& context) {
     if (a.plain.empty() || !is_free(a.plain.front(), context)) return;
-    KindDraft kind;
+    KindIr kind;
     kind.name = a.plain.front();
     kind.radius = a.number("r");
     kind.mass = a.number("m");
     kind.density = a.number("density");
     kind.restitution = a.number("e");
     kind.friction = a.number_or("mu", 0.0);
-    kind.is_sound = a.is_sound;
-    context.draft.kinds.push_back(std::move(kind));
+    kind.is_valid = a.is_valid;
+    context.ir.kinds.push_back(std::move(kind));
 }
 
 void declare_material(const Arguments& a, Context& context) {
     if (a.plain.empty() || !is_free(a.plain.front(), context)) return;
-    context.draft.materials.push_back(
+    context.ir.materials.push_back(
         {a.plain.front(),
          {a.number_or("e", 1.0), a.number_or("soften", 0.0), a.number_or("mu", 0.0)},
          static_cast<std::uint8_t>(a.number_or("layer", 0.0))});
@@ -71,7 +71,7 @@ void set_positive(const Arguments& a, Measure measure, Bound bound, const Scope&
 }
 
 void declare_use(const Arguments& a, const Scope& scope, Context& context) {
-    SettingsDraft& s = context.draft.settings;
+    LevelSettings& s = context.ir.settings;
     const std::string_view term = a.statement->name.substr(4);
     if (term == "gravity") {
         s.gravity = a.points[0] == Vec2{} ? std::nullopt : std::optional(a.points[0]);
@@ -130,7 +130,7 @@ void declare_solver(const Arguments& a, Context& context) {
     settings.updates = static_cast<int>(a.number_or("updates", settings.updates));
     settings.steps = static_cast<int>(a.number_or("steps", settings.steps));
     set_substeps(settings, static_cast<int>(a.number_or("substeps", substeps_of(settings))));
-    context.draft.settings.solver = settings;
+    context.ir.settings.solver = settings;
 }
 
 void declare_rate(const Arguments& a, const Scope& scope, Context& context) {
@@ -144,7 +144,7 @@ void declare_rate(const Arguments& a, const Scope& scope, Context& context) {
                                "write ticks a second, from 0.001 to 1e9");
         return;
     }
-    context.draft.settings.rate = rate;
+    context.ir.settings.rate = rate;
 }
 
 void declare_seed(const Arguments& a, const Scope& scope, Context& context) {
@@ -153,17 +153,17 @@ void declare_seed(const Arguments& a, const Scope& scope, Context& context) {
     const char* end = word.text.data() + word.text.size();
     const auto [stop, fault] = std::from_chars(word.text.data(), end, seed);
     if (fault == std::errc{} && stop == end) {
-        context.draft.settings.seed = seed;
+        context.ir.settings.seed = seed;
         return;
     }
     const auto number =
         read_number(word, {"seed", " "}, Measure::whole, Bound::not_negative, scope, context);
-    if (number) context.draft.settings.seed = static_cast<std::uint64_t>(*number);
+    if (number) context.ir.settings.seed = static_cast<std::uint64_t>(*number);
 }
 
 void declare_game(const Arguments& a, Context& context) {
     const Word& word = a.plain.front();
-    context.draft.settings.game_at = word.span();
+    context.ir.settings.game_at = word.span();
     const bool is_pinball = word.text == "pinball";
     const bool is_pool = word.text == "eightball" || word.text == "nineball";
     if (!is_pinball && !is_pool && !a.values.empty()) {
@@ -181,10 +181,10 @@ void declare_game(const Arguments& a, Context& context) {
         return;
     }
     if (is_pinball || is_pool || word.text == "sandbox" || word.text == "galton") {
-        context.draft.settings.game = std::string(word.text);
+        context.ir.settings.game = std::string(word.text);
         if (is_pinball) declare_pinball(a, context);
-        if (a.has("race")) context.draft.settings.race = a.count("race");
-        context.draft.settings.clock = a.number_or("clock", 0.0);
+        if (a.has("race")) context.ir.settings.race = a.count("race");
+        context.ir.settings.clock = a.number_or("clock", 0.0);
         return;
     }
     context.reporter.error(
@@ -213,12 +213,12 @@ void declare_legend(const Arguments& a, Legends& legends, Context& context) {
 }
 
 void declare_show(const Arguments& a, Context& context) {
-    ShowDraft show;
+    ShowIr show;
     show.what = a.statement->name == "show energy" ? Show::What::energy : Show::What::histogram;
     show.of = a.word("of");
     show.against = a.word("against");
     show.span = a.node->keyword().span();
-    context.draft.shows.push_back(std::move(show));
+    context.ir.shows.push_back(std::move(show));
 }
 
 void declare_expect(const Arguments& a, const Scope& scope, Context& context) {
@@ -232,7 +232,7 @@ void declare_expect(const Arguments& a, const Scope& scope, Context& context) {
     const auto tolerance = read_number(a.plain[3], {"the tolerance", ""}, Measure::result,
                                        Bound::not_negative, scope, context);
     if (!value || !tolerance) return;
-    context.draft.expects.push_back({a.plain[0], *value, *tolerance, a.number("at")});
+    context.ir.expects.push_back({a.plain[0], *value, *tolerance, a.number("at")});
 }
 
 }  // namespace
@@ -243,8 +243,8 @@ bool declare(const Arguments& a, const Scope& scope, Legends& legends, Context& 
     if (name == "kind") return declare_kind(a, context), true;
     if (name == "material") return declare_material(a, context), true;
     if (name == "use spin") {
-        context.draft.settings.spin = a.number_or("inertia", 0.5);
-        context.draft.settings.inertia = a.number("inertia");
+        context.ir.settings.spin = a.number_or("inertia", 0.5);
+        context.ir.settings.inertia = a.number("inertia");
     }
     const bool is_use = name.substr(0, 4) == "use ";
     const bool is_legend = name.substr(0, 7) == "legend ";
@@ -252,11 +252,11 @@ bool declare(const Arguments& a, const Scope& scope, Legends& legends, Context& 
     const bool is_known = is_use || is_legend || is_show || name == "collide" || name == "solver" ||
                           name == "rate" || name == "seed" || name == "game" || name == "expect" ||
                           name == "cue" || name == "on";
-    if (!is_known || !a.is_sound) return is_known;
+    if (!is_known || !a.is_valid) return is_known;
     if (is_use) declare_use(a, scope, context);
     if (is_legend) declare_legend(a, legends, context);
     if (is_show) declare_show(a, context);
-    if (name == "collide") context.draft.collides.push_back({a.plain[0], a.plain[1]});
+    if (name == "collide") context.ir.collides.push_back({a.plain[0], a.plain[1]});
     if (name == "solver") declare_solver(a, context);
     if (name == "rate") declare_rate(a, scope, context);
     if (name == "seed") declare_seed(a, scope, context);

@@ -7,7 +7,7 @@
 namespace carom {
 namespace {
 
-EdgeNaming part_naming(const Arguments& arguments) {
+EdgeBinding edge_binding_of(const Arguments& arguments) {
     return {arguments.node, arguments.plain, false, arguments.word("material")};
 }
 
@@ -21,7 +21,7 @@ void build_pegs(const Arguments& arguments, const Frame& frame, Context& context
     const double pitch = arguments.number_or("pitch", 0.0);
     const double row = arguments.number_or("row", is_staggered ? equilateral * pitch : pitch);
     const double radius = arguments.number_or("r", 0.0);
-    const int naming = name_edges(part_naming(arguments), context);
+    const int binding = bind_edges(edge_binding_of(arguments), context);
     const std::uint32_t rows = arguments.count("rows");
     for (std::uint32_t i = 0; i < rows; ++i) {
         std::uint32_t columns = i + 1;
@@ -31,8 +31,9 @@ void build_pegs(const Arguments& arguments, const Frame& frame, Context& context
         }
         for (std::uint32_t k = 0; k < columns; ++k) {
             const Vec2 place{at.x + (k - 0.5 * (columns - 1.0)) * pitch, at.y - i * row};
-            if (!add_piece({place, place, radius}, Side::both, naming, begin_chain(false, context),
-                           arguments.span_of("rows"), frame, context)) {
+            if (!emit_capsule({place, place, radius}, Side::both, binding,
+                              begin_chain(false, context), arguments.span_of("rows"), frame,
+                              context)) {
                 return;
             }
         }
@@ -49,25 +50,25 @@ void build_bins(const Arguments& arguments, const Frame& frame, Context& context
     const bool is_open = arguments.flag("open");
     const double floor = at.y - depth;
     const Span span = arguments.span_of("count");
-    const int naming = name_edges(part_naming(arguments), context);
+    const int binding = bind_edges(edge_binding_of(arguments), context);
     const auto x_of = [&](double i) { return at.x + (i - 0.5 * count) * width; };
 
-    if (context.draft.zones.size() + count > max_items) {
+    if (context.ir.zones.size() + count > max_items) {
         context.reporter.error(span, fmt::format("the level has more than {} bins", max_items),
                                "make fewer of them");
-        context.is_full = true;
+        context.is_at_limit = true;
         return;
     }
     for (std::uint32_t i = 0; i <= count && !is_open; ++i) {
         const Vec2 foot{x_of(i), floor};
-        if (!add_piece({foot, {foot.x, at.y - wall}, wall}, Side::both, naming,
-                       begin_chain(false, context), span, frame, context)) {
+        if (!emit_capsule({foot, {foot.x, at.y - wall}, wall}, Side::both, binding,
+                          begin_chain(false, context), span, frame, context)) {
             return;
         }
     }
     if (!is_sink && !is_open) {
-        add_piece({{x_of(0), floor}, {x_of(count), floor}, wall}, Side::both, naming,
-                  begin_chain(false, context), span, frame, context);
+        emit_capsule({{x_of(0), floor}, {x_of(count), floor}, wall}, Side::both, binding,
+                     begin_chain(false, context), span, frame, context);
     }
     for (std::uint32_t i = 0; i < count; ++i) {
         // A census covers the bin, up to its corners where no walls keep balls out of them; a sink
@@ -80,18 +81,18 @@ void build_bins(const Arguments& arguments, const Frame& frame, Context& context
         Zone zone;
         zone.shape = {t.point({x, bottom}), t.point({x, top}), 0.5 * width};
         zone.effect = is_sink ? Zone::Effect::sink : Zone::Effect::census;
-        context.draft.zones.push_back({zone, naming, {span, frame.image}});
+        context.ir.zones.push_back({zone, binding, {span, frame.image}});
     }
 }
 
 // One bin alone, as bins are made of: a capsule that counts the balls in it. Zones of one name
 // count as bins of that name.
 void build_zone(const Arguments& arguments, const Frame& frame, Context& context) {
-    if (context.draft.zones.size() >= max_items) {
+    if (context.ir.zones.size() >= max_items) {
         context.reporter.error(arguments.node->keyword().span(),
                                fmt::format("the level has more than {} zones", max_items),
                                "make fewer of them");
-        context.is_full = true;
+        context.is_at_limit = true;
         return;
     }
     const Transform& t = frame.transform;
@@ -99,10 +100,10 @@ void build_zone(const Arguments& arguments, const Frame& frame, Context& context
     zone.shape = {t.point(arguments.points[0]), t.point(arguments.points[1]),
                   arguments.number_or("r", 0.0)};
     zone.effect = arguments.flag("sink") ? Zone::Effect::sink : Zone::Effect::census;
-    EdgeNaming names = part_naming(arguments);
+    EdgeBinding names = edge_binding_of(arguments);
     names.makes_edges = false;
-    const int naming = name_edges(names, context);
-    context.draft.zones.push_back({zone, naming, {arguments.span_of("r"), frame.image}});
+    const int binding = bind_edges(names, context);
+    context.ir.zones.push_back({zone, binding, {arguments.span_of("r"), frame.image}});
 }
 
 }  // namespace carom

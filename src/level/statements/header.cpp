@@ -159,7 +159,7 @@ void read_header(const std::vector<Node>& nodes, const SourceText& source, Scene
         if (!is_named(node, "let")) continue;
         for (const Word& word : node.rest()) {
             const std::string_view name = word.text.substr(0, word.text.find('='));
-            context.lets_ahead.emplace(std::string(name), word.line);
+            context.top_level_lets.emplace(std::string(name), word.line);
         }
     }
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "level/draft/context.h"
+#include "level/ir/context.h"
 
 /// What a level says of itself before anything else is understood: format, title, opening comment,
 /// version of the physics, units.
@@ -10,7 +10,7 @@ inline constexpr int format_version = 1;
 inline constexpr int physics_version = 1;
 
 /// Of the level itself. Fills the scene's title, comment and unit, and the context's unit and
-/// lets_ahead.
+/// top_level_lets.
 void read_header(const std::vector<Node>& nodes, const SourceText& source, Scene& scene,
                  Context& context);
 

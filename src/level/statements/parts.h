@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "level/draft/arguments.h"
+#include "level/ir/arguments.h"
 
 /// What `part` has defined, and what `place` asks of it.
 namespace carom {

@@ -30,48 +30,49 @@ Material made_of(Material material, const Context& context) {
     return material;
 }
 
-int name_part(const Arguments& arguments, const std::optional<Material>& part, Context& context) {
-    EdgeNaming naming{arguments.node, arguments.plain, part.has_value(), std::nullopt};
-    naming.makes_edges = part.has_value();
-    naming.part = part;
-    return name_edges(std::move(naming), context);
+int bind_device(const Arguments& arguments, const std::optional<Material>& material,
+                Context& context) {
+    EdgeBinding binding{arguments.node, arguments.plain, material.has_value(), std::nullopt};
+    binding.makes_edges = material.has_value();
+    binding.device_material = material;
+    return bind_edges(std::move(binding), context);
 }
 
 Origin origin_of(const Arguments& arguments, const Frame& frame) {
     return {arguments.node->keyword().span(), frame.image};
 }
 
-int add_device(DeviceDraft device, Context& context) {
-    context.draft.devices.push_back(std::move(device));
-    return static_cast<int>(context.draft.devices.size()) - 1;
+int add_device(DeviceIr device, Context& context) {
+    context.ir.devices.push_back(std::move(device));
+    return static_cast<int>(context.ir.devices.size()) - 1;
 }
 
 /// The device's one capsule. What ends there is meant to: its ends make no gaps.
-void draw_device(const Capsule& shape, Side side, DeviceDraft device, const Span& at,
+void draw_device(const Capsule& shape, Side side, DeviceIr device, const Span& at,
                  const Frame& frame, Context& context) {
     const int chain = begin_chain(false, context);
-    context.draft.chains.back().has_gaps = false;
-    const int naming = device.naming;
+    context.ir.chains.back().has_gaps = false;
+    const int binding = device.binding;
     const int number = add_device(std::move(device), context);
-    if (add_piece(shape, side, naming, chain, at, frame, context))
-        context.draft.capsules.back().device = number;
+    if (emit_capsule(shape, side, binding, chain, at, frame, context))
+        context.ir.capsules.back().device = number;
 }
 
-void draw_zone(const Capsule& shape, Zone::Effect effect, DeviceDraft device, const Span& at,
+void draw_zone(const Capsule& shape, Zone::Effect effect, DeviceIr device, const Span& at,
                const Frame& frame, Context& context) {
-    if (context.draft.zones.size() >= max_items) {
+    if (context.ir.zones.size() >= max_items) {
         context.reporter.error(at, fmt::format("the level has more than {} zones", max_items),
                                "make fewer of them");
-        context.is_full = true;
+        context.is_at_limit = true;
         return;
     }
     const Transform& t = frame.transform;
-    const int naming = device.naming;
+    const int binding = device.binding;
     const int number = add_device(std::move(device), context);
     Zone zone;
     zone.shape = {t.point(shape.start), t.point(shape.end), shape.radius};
     zone.effect = effect;
-    context.draft.zones.push_back({zone, naming, {at, frame.image}, number});
+    context.ir.zones.push_back({zone, binding, {at, frame.image}, number});
 }
 
 /// up, down, left or right, as unit vectors; none: reported.
@@ -167,11 +168,11 @@ void build_flipper(const Arguments& arguments, const Frame& frame, Context& cont
     if (!button) return;
     const Vec2 pivot = arguments.pair_or("at", {});
     const Vec2 end = pivot + Vec2{at.cos, at.sin} * flipper.length;
-    DeviceDraft device{.device = {.kind = DeviceKind::flipper},
-                       .naming = name_part(arguments, made_of(rubber, context), context),
-                       .flipper = flipper,
-                       .button = *button,
-                       .origin = origin_of(arguments, frame)};
+    DeviceIr device{.device = {.kind = DeviceKind::flipper},
+                    .binding = bind_device(arguments, made_of(rubber, context), context),
+                    .flipper = flipper,
+                    .button = *button,
+                    .origin = origin_of(arguments, frame)};
     draw_device({pivot, end, arguments.number_or("r", 0.0)}, Side::both, std::move(device),
                 arguments.span_of("at"), frame, context);
 }
@@ -179,12 +180,12 @@ void build_flipper(const Arguments& arguments, const Frame& frame, Context& cont
 void build_bumper(const Arguments& arguments, const Frame& frame, Context& context) {
     Material material = made_of(rubber, context);
     take_kick(arguments, material, context);
-    const int naming = name_part(arguments, material, context);
-    for (std::size_t i = 0; i < arguments.places.size() && !context.is_full; ++i) {
+    const int binding = bind_device(arguments, material, context);
+    for (std::size_t i = 0; i < arguments.places.size() && !context.is_at_limit; ++i) {
         const Vec2 at = arguments.places[i];
         draw_device({at, at, arguments.number_or("r", 0.0)}, Side::both,
                     {.device = {.kind = DeviceKind::bumper},
-                     .naming = naming,
+                     .binding = binding,
                      .origin = origin_of(arguments, frame)},
                     arguments.place_words[i].span(), frame, context);
     }
@@ -208,8 +209,8 @@ void build_device_edges(const Arguments& arguments, const Frame& frame, Context&
         pass = direction_of(arguments, "pass", context);
         if (!pass) return;
     }
-    const int naming = name_part(arguments, material, context);
-    for (std::size_t i = 0; i < arguments.points.size() && !context.is_full; i += 2) {
+    const int binding = bind_device(arguments, material, context);
+    for (std::size_t i = 0; i < arguments.points.size() && !context.is_at_limit; i += 2) {
         const Vec2 from = arguments.points[i];
         const Vec2 to = arguments.points[i + 1];
         const Span span = arguments.point_words[i + 1].span();
@@ -233,7 +234,7 @@ void build_device_edges(const Arguments& arguments, const Frame& frame, Context&
         }
         draw_device(
             {from, to, arguments.number_or("r", 0.0)}, side,
-            {.device = {.kind = kind}, .naming = naming, .origin = origin_of(arguments, frame)},
+            {.device = {.kind = kind}, .binding = binding, .origin = origin_of(arguments, frame)},
             span, frame, context);
     }
 }
@@ -252,17 +253,16 @@ void build_device_spots(const Arguments& arguments, const Frame& frame, Context&
         device.most_speed = arguments.number_or("speed", 0.0);
         device.hold = arguments.number_or("hold", 1.0);
     }
-    const int naming = name_part(arguments, std::nullopt, context);
-    for (std::size_t i = 0; i < arguments.places.size() && !context.is_full; ++i) {
+    const int binding = bind_device(arguments, std::nullopt, context);
+    for (std::size_t i = 0; i < arguments.places.size() && !context.is_at_limit; ++i) {
         const Vec2 at = arguments.places[i];
         if (kind == DeviceKind::hole && !aim_hole(arguments, at, device, frame, context)) return;
-        DeviceDraft draft{
-            .device = device, .naming = naming, .origin = origin_of(arguments, frame)};
-        draft.device.place = frame.transform.point(at);
+        DeviceIr spec{.device = device, .binding = binding, .origin = origin_of(arguments, frame)};
+        spec.device.place = frame.transform.point(at);
         if (kind == DeviceKind::lamp)
-            add_device(std::move(draft), context);
+            add_device(std::move(spec), context);
         else
-            draw_zone({at, at, radius}, Zone::Effect::census, std::move(draft),
+            draw_zone({at, at, radius}, Zone::Effect::census, std::move(spec),
                       arguments.place_words[i].span(), frame, context);
     }
 }
@@ -277,15 +277,15 @@ void build_ramp(const Arguments& arguments, const Frame& frame, Context& context
                                "layer= and from= are two layers, such as layer=1 from=0");
         return;
     }
-    DeviceDraft draft{.device = {.kind = DeviceKind::ramp},
-                      .naming = name_part(arguments, std::nullopt, context),
-                      .origin = origin_of(arguments, frame)};
-    draft.device.direction = frame.transform.direction(*pass);
-    draft.device.from = static_cast<std::uint8_t>(from);
-    draft.device.to = static_cast<std::uint8_t>(layer);
+    DeviceIr spec{.device = {.kind = DeviceKind::ramp},
+                  .binding = bind_device(arguments, std::nullopt, context),
+                  .origin = origin_of(arguments, frame)};
+    spec.device.direction = frame.transform.direction(*pass);
+    spec.device.from = static_cast<std::uint8_t>(from);
+    spec.device.to = static_cast<std::uint8_t>(layer);
     draw_zone({arguments.points[0], arguments.points[1],
                arguments.number_or("r", default_size(0.015, 1.0, context))},
-              Zone::Effect::census, std::move(draft), arguments.point_words[0].span(), frame,
+              Zone::Effect::census, std::move(spec), arguments.point_words[0].span(), frame,
               context);
 }
 
@@ -296,13 +296,13 @@ void build_plunger(const Arguments& arguments, const Frame& frame, Context& cont
     const Vec2 across = perpendicular(*direction) *
                         (0.5 * arguments.number_or("width", default_size(0.02, 2.0, context)));
     const std::optional<double> least = arguments.number("speed");
-    DeviceDraft draft{.device = {.kind = DeviceKind::plunger},
-                      .naming = name_part(arguments, made_of(steel, context), context),
-                      .origin = origin_of(arguments, frame)};
-    draft.device.direction = frame.transform.direction(*direction);
-    draft.device.least_speed = least.value_or(0.0);
-    draft.device.most_speed = arguments.values.find("speed")->second.numbers[1];
-    draw_device({at - across, at + across, 0.0}, Side::both, std::move(draft),
+    DeviceIr spec{.device = {.kind = DeviceKind::plunger},
+                  .binding = bind_device(arguments, made_of(steel, context), context),
+                  .origin = origin_of(arguments, frame)};
+    spec.device.direction = frame.transform.direction(*direction);
+    spec.device.least_speed = least.value_or(0.0);
+    spec.device.most_speed = arguments.values.find("speed")->second.numbers[1];
+    draw_device({at - across, at + across, 0.0}, Side::both, std::move(spec),
                 arguments.span_of("at"), frame, context);
 }
 
@@ -311,7 +311,7 @@ void build_drain(const Arguments& arguments, const Frame& frame, Context& contex
                arguments.number_or("r", default_size(0.02, 1.0, context))},
               Zone::Effect::sink,
               {.device = {.kind = DeviceKind::drain},
-               .naming = name_part(arguments, std::nullopt, context),
+               .binding = bind_device(arguments, std::nullopt, context),
                .origin = origin_of(arguments, frame)},
               arguments.point_words[0].span(), frame, context);
 }

@@ -76,18 +76,18 @@ std::optional<Vec2> toward_of(const Arguments& arguments, Context& context) {
 
 void build_rack(const Arguments& arguments, const Frame& frame, Context& context) {
     const std::string_view name = arguments.statement->name;
-    RackDraft rack;
+    RackIr rack;
     rack.shape = name == "rack eight"  ? Rack::Shape::eight
                  : name == "rack nine" ? Rack::Shape::nine
                                        : Rack::Shape::triangle;
     const auto toward = toward_of(arguments, context);
     if (!toward) return;
-    BallNaming naming;
-    naming.node = arguments.node;
-    if (!arguments.plain.empty()) naming.name = arguments.plain.front();
-    naming.kind = arguments.word("kind");
-    naming.is_numbered = true;
-    rack.naming = name_balls(naming, context);
+    BallBinding binding;
+    binding.node = arguments.node;
+    if (!arguments.plain.empty()) binding.name = arguments.plain.front();
+    binding.kind = arguments.word("kind");
+    binding.is_numbered = true;
+    rack.binding = name_balls(binding, context);
     rack.foot = arguments.pair_or("at", {});
     rack.toward = *toward;
     const std::vector<Vec2> places = places_of(rack.shape);
@@ -98,7 +98,7 @@ void build_rack(const Arguments& arguments, const Frame& frame, Context& context
     for (int number = 1; number <= static_cast<int>(numbers.size()); ++number) {
         const auto place =
             static_cast<std::size_t>(std::ranges::find(numbers, number) - numbers.begin());
-        BallDraft ball;
+        BallIr ball;
         // No two come nearer than half of the gap.
         const auto shake = [&](std::uint64_t draw) {
             return is_shaken ? random_between(-0.25, 0.25, seed, RandomStream::rack,
@@ -109,11 +109,11 @@ void build_rack(const Arguments& arguments, const Frame& frame, Context& context
         ball.position = rack.foot + Vec2{shake(0), shake(1)};
         ball.racked = rack.toward * places[place].x + perpendicular(rack.toward) * places[place].y;
         ball.gap = gap;
-        ball.naming = rack.naming;
+        ball.binding = rack.binding;
         ball.origin.span = arguments.span_of("at");
-        add_ball_draft(ball, frame, context);
+        emit_ball(ball, frame, context);
     }
-    context.draft.racks.push_back(rack);
+    context.ir.racks.push_back(rack);
 }
 
 void build_pocket(const Arguments& arguments, const Frame& frame, Context& context) {
@@ -121,17 +121,17 @@ void build_pocket(const Arguments& arguments, const Frame& frame, Context& conte
     const Vec2 at = frame.transform.point(arguments.pair_or("at", {}));
     zone.shape = {at, at, arguments.number_or("r", 0.0)};
     zone.effect = Zone::Effect::sink;
-    EdgeNaming names{arguments.node, arguments.plain, false, {}};
+    EdgeBinding names{arguments.node, arguments.plain, false, {}};
     names.makes_edges = false;
-    const int naming = name_edges(names, context);
-    ZoneDraft draft{zone, naming, {arguments.span_of("r"), frame.image}};
-    draft.is_pocket = true;
-    context.draft.zones.push_back(draft);
+    const int binding = bind_edges(names, context);
+    ZoneIr spec{zone, binding, {arguments.span_of("r"), frame.image}};
+    spec.is_pocket = true;
+    context.ir.zones.push_back(spec);
 }
 
 void declare_cue(const Arguments& arguments, Context& context) {
     const auto& power = arguments.values.at("power").numbers;
-    context.draft.cues.push_back({*arguments.word("ball"), power[0], power[1]});
+    context.ir.cues.push_back({*arguments.word("ball"), power[0], power[1]});
 }
 
 void declare_cloth(const Arguments& arguments, Context& context) {
@@ -145,8 +145,8 @@ void declare_cloth(const Arguments& arguments, Context& context) {
                                "write how hard the table is pressed on, such as g=10");
     }
     cloth.gravity = arguments.number_or("g", cloth.gravity);
-    context.draft.settings.cloth = cloth;
-    context.draft.settings.cloth_at = arguments.node->keyword().span();
+    context.ir.settings.cloth = cloth;
+    context.ir.settings.cloth_at = arguments.node->keyword().span();
 }
 
 }  // namespace carom

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "level/draft/numbers.h"
+#include "level/ir/numbers.h"
 #include "level/text/spelling.h"
 
 namespace carom {
@@ -52,9 +52,9 @@ class RuleReader {
     RuleReader(const Arguments& arguments, const Scope& scope, Context& context)
         : arguments_(arguments), scope_(scope), context_(context) {}
 
-    std::optional<RuleDraft> read() {
+    std::optional<RuleIr> read() {
         const std::vector<Word>& words = arguments_.plain;
-        RuleDraft rule;
+        RuleIr rule;
         rule.name = words[0];
         rule.when_word = words[1];
         if (!read_when(rule)) return std::nullopt;
@@ -88,7 +88,7 @@ class RuleReader {
         return std::nullopt;
     }
 
-    bool read_when(RuleDraft& rule) {
+    bool read_when(RuleIr& rule) {
         const Word& word = rule.when_word;
         if (word.text == "hit")
             rule.when = Rule::When::hit;
@@ -103,7 +103,7 @@ class RuleReader {
         return word.text == "hit" || word.text == "all" || word.text == "enter";
     }
 
-    bool read_action(const std::vector<Word>& words, RuleDraft& rule) {
+    bool read_action(const std::vector<Word>& words, RuleIr& rule) {
         const ActionShape* shape = shape_named(words[0].text);
         if (!shape) {
             context_.reporter.error(
@@ -123,27 +123,27 @@ class RuleReader {
                 fmt::format("write it as: {}, with a comma before the next", shape->sample));
             return false;
         }
-        RuleActionDraft draft;
-        draft.action.what = shape->what;
-        if (wanted == 2 && !read_value(*shape, words[1], draft)) return false;
-        if (has_time && !read_time(*shape, words[2], draft.action)) return false;
-        rule.actions.push_back(std::move(draft));
+        RuleActionIr spec;
+        spec.action.what = shape->what;
+        if (wanted == 2 && !read_value(*shape, words[1], spec)) return false;
+        if (has_time && !read_time(*shape, words[2], spec.action)) return false;
+        rule.actions.push_back(std::move(spec));
         return true;
     }
 
-    bool read_value(const ActionShape& shape, const Word& word, RuleActionDraft& draft) {
+    bool read_value(const ActionShape& shape, const Word& word, RuleActionIr& spec) {
         switch (shape.takes) {
             case Takes::points:
             case Takes::sum:
-                draft.action.adds = word.text.front() == '+';
-                return read_amount(shape, word, Bound::any, draft.action);
+                spec.action.adds = word.text.front() == '+';
+                return read_amount(shape, word, Bound::any, spec.action);
             case Takes::count:
-                return read_amount(shape, word, Bound::positive, draft.action);
+                return read_amount(shape, word, Bound::positive, spec.action);
             case Takes::time:
-                return read_time(shape, word, draft.action);
+                return read_time(shape, word, spec.action);
             case Takes::name:
             case Takes::name_and_time:
-                draft.group = word;
+                spec.group = word;
                 return true;
             default:
                 break;
@@ -153,7 +153,7 @@ class RuleReader {
                                     fmt::format("write it as: {}", shape.sample));
             return false;
         }
-        draft.action.text = std::string(word.text.substr(1, word.text.size() - 2));
+        spec.action.text = std::string(word.text.substr(1, word.text.size() - 2));
         return true;
     }
 
@@ -191,11 +191,11 @@ class RuleReader {
 
 void declare_rule(const Arguments& arguments, const Scope& scope, Context& context) {
     auto rule = RuleReader(arguments, scope, context).read();
-    if (rule) context.draft.rules.push_back(std::move(*rule));
+    if (rule) context.ir.rules.push_back(std::move(*rule));
 }
 
 void declare_pinball(const Arguments& arguments, Context& context) {
-    PinballTable& table = context.draft.settings.table;
+    PinballTable& table = context.ir.settings.table;
     table.is_game = true;
     if (arguments.has("balls")) table.balls = arguments.count("balls");
     table.save = arguments.number_or("save", table.save);

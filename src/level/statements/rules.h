@@ -1,12 +1,12 @@
 #pragma once
 
-#include "level/draft/arguments.h"
+#include "level/ir/arguments.h"
 
 /// What a level says of its game: `on ...` and `game pinball ...`. Names are looked up later
 /// (table_assembly.h).
 namespace carom {
 
-/// Pre, for both: arguments.is_sound.
+/// Pre, for both: arguments.is_valid.
 void declare_rule(const Arguments& arguments, const Scope& scope, Context& context);
 void declare_pinball(const Arguments& arguments, Context& context);
 

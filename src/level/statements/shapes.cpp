@@ -25,7 +25,7 @@ bool is_side_known(const Arguments& arguments, Context& context) {
     return false;
 }
 
-EdgeNaming shape_naming(const Arguments& arguments) {
+EdgeBinding shape_binding(const Arguments& arguments) {
     return {arguments.node, arguments.plain, true, std::nullopt};
 }
 
@@ -138,14 +138,14 @@ void add_polyline(std::vector<Corner> corners, bool is_closed, const Arguments& 
         corners = rounded(corners, closes, fillet);
     }
     const double radius = arguments.number_or("r", 0.0);
-    const int naming = name_edges(shape_naming(arguments), context);
+    const int binding = bind_edges(shape_binding(arguments), context);
     const int chain = begin_chain(closes, context);
     const std::size_t pieces = closes ? corners.size() : corners.size() - 1;
     for (std::size_t i = 0; i < pieces; ++i) {
         const Corner& end = corners[(i + 1) % corners.size()];
         if (corners[i].point == end.point) continue;  // two fillets that meet
-        if (!add_piece({corners[i].point, end.point, radius}, side_of(arguments), naming, chain,
-                       end.span, frame, context)) {
+        if (!emit_capsule({corners[i].point, end.point, radius}, side_of(arguments), binding, chain,
+                          end.span, frame, context)) {
             return;
         }
     }
@@ -209,9 +209,9 @@ void build_arc(const Arguments& arguments, const Frame& frame, Context& context)
 
 void build_peg(const Arguments& arguments, const Frame& frame, Context& context) {
     const Vec2 at = arguments.pair_or("at", {});
-    const int naming = name_edges(shape_naming(arguments), context);
-    add_piece({at, at, arguments.number_or("r", 0.0)}, Side::both, naming,
-              begin_chain(false, context), arguments.span_of("at"), frame, context);
+    const int binding = bind_edges(shape_binding(arguments), context);
+    emit_capsule({at, at, arguments.number_or("r", 0.0)}, Side::both, binding,
+                 begin_chain(false, context), arguments.span_of("at"), frame, context);
 }
 
 }  // namespace carom

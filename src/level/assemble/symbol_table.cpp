@@ -1,11 +1,11 @@
-#include "level/assemble/groups.h"
+#include "level/assemble/symbol_table.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 
-#include "level/draft/numbers.h"
+#include "level/ir/numbers.h"
 #include "level/text/spelling.h"
 
 namespace carom {
@@ -22,8 +22,8 @@ std::optional<Call> call_of(const Word& word) {
     return Call{word.part(0, open), word.part(open + 1, word.text.size() - open - 2)};
 }
 
-std::string_view bins_name(const EdgeNaming& naming) {
-    return naming.plain.empty() ? naming.node->statement->name : naming.plain.front().text;
+std::string_view bins_name(const EdgeBinding& binding) {
+    return binding.plain.empty() ? binding.node->statement->name : binding.plain.front().text;
 }
 
 Group& group_named(std::vector<Group>& groups,
@@ -35,29 +35,30 @@ Group& group_named(std::vector<Group>& groups,
 
 }  // namespace
 
-void Groups::name_balls(const std::vector<StartingBall>& balls) {
+void SymbolTable::name_balls(const std::vector<StartingBall>& balls) {
     std::map<std::string_view, std::pair<const Node*, std::uint32_t>> statements;
     ball_names_.assign(balls.size(), "");
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        if (balls[i].naming < 0) continue;
-        const BallNaming& naming = draft_.ball_namings[static_cast<std::size_t>(balls[i].naming)];
-        if (!naming.name && !naming.is_numbered) continue;
-        const std::string_view base = naming.name ? naming.name->text : naming.node->keyword().text;
+        if (balls[i].binding < 0) continue;
+        const BallBinding& binding = ir_.ball_bindings[static_cast<std::size_t>(balls[i].binding)];
+        if (!binding.name && !binding.is_numbered) continue;
+        const std::string_view base =
+            binding.name ? binding.name->text : binding.node->keyword().text;
         auto& [node, count] = statements[base];
-        if (!node) node = naming.node;
-        if (node != naming.node) {
+        if (!node) node = binding.node;
+        if (node != binding.node) {
             context_.reporter.error(
-                naming.name ? naming.name->span() : naming.node->keyword().span(),
+                binding.name ? binding.name->span() : binding.node->keyword().span(),
                 fmt::format("the name '{}' is taken, in line {}", base, node->keyword().line),
                 "give each ball a name of its own");
             continue;
         }
         ++count;
-        const bool is_plain = count == 1 && !naming.is_numbered;
+        const bool is_plain = count == 1 && !binding.is_numbered;
         ball_names_[i] = is_plain ? std::string(base) : fmt::format("{}.{}", base, count);
         ball_numbers_[ball_names_[i]] = static_cast<std::uint32_t>(i);
-        if (naming.name && !is_identifier(base)) {
-            context_.reporter.error(naming.name->span(), fmt::format("'{}' is not a name", base),
+        if (binding.name && !is_identifier(base)) {
+            context_.reporter.error(binding.name->span(), fmt::format("'{}' is not a name", base),
                                     "a name has letters, digits and '_', and begins with a letter");
         }
     }
@@ -71,10 +72,10 @@ void Groups::name_balls(const std::vector<StartingBall>& balls) {
     }
 }
 
-void Groups::collect_bins() {
-    for (std::uint32_t i = 0; i < draft_.zones.size(); ++i) {
-        const auto& naming = draft_.edge_namings[static_cast<std::size_t>(draft_.zones[i].naming)];
-        const std::string_view name = bins_name(naming);
+void SymbolTable::collect_bins() {
+    for (std::uint32_t i = 0; i < ir_.zones.size(); ++i) {
+        const auto& binding = ir_.edge_bindings[static_cast<std::size_t>(ir_.zones[i].binding)];
+        const std::string_view name = bins_name(binding);
         const auto [found, is_new] = bins_index_.emplace(std::string(name), bins_.size());
         if (is_new) bins_.push_back({std::string(name), {}, 0});
         bins_[found->second].zones.push_back(i);
@@ -82,8 +83,8 @@ void Groups::collect_bins() {
     std::uint32_t counter = 0;
     for (Bins& bins : bins_) {
         std::ranges::stable_sort(bins.zones, [&](std::uint32_t a, std::uint32_t b) {
-            const Vec2 at_a = draft_.zones[a].zone.shape.start;
-            const Vec2 at_b = draft_.zones[b].zone.shape.start;
+            const Vec2 at_a = ir_.zones[a].zone.shape.start;
+            const Vec2 at_b = ir_.zones[b].zone.shape.start;
             return std::pair(at_a.x, at_a.y) < std::pair(at_b.x, at_b.y);
         });
         bins.first_counter = counter;
@@ -91,14 +92,14 @@ void Groups::collect_bins() {
     }
 }
 
-bool Groups::is_poisoned(std::string_view name) const {
-    return std::ranges::count(draft_.poisoned_names, name) > 0;
+bool SymbolTable::is_error_name(std::string_view name) const {
+    return std::ranges::count(ir_.error_names, name) > 0;
 }
 
-const Groups::Bins* Groups::bins_named(const Word& name) {
+const SymbolTable::Bins* SymbolTable::bins_named(const Word& name) {
     const auto found = bins_index_.find(name.text);
     if (found != bins_index_.end()) return &bins_[found->second];
-    if (is_poisoned(name.text) || (name.text == "bins" && context_.reporter.has_errors())) {
+    if (is_error_name(name.text) || (name.text == "bins" && context_.reporter.has_errors())) {
         return nullptr;
     }
     std::vector<std::string_view> known;
@@ -112,7 +113,8 @@ const Groups::Bins* Groups::bins_named(const Word& name) {
     return nullptr;
 }
 
-std::optional<std::vector<double>> Groups::expected_shares(const Word& against, std::size_t bins) {
+std::optional<std::vector<double>> SymbolTable::expected_shares(const Word& against,
+                                                                std::size_t bins) {
     Reporter& reporter = context_.reporter;
     if (against.text == "uniform") {
         return std::vector<double>(bins, 1.0 / static_cast<double>(bins));
@@ -144,25 +146,25 @@ std::optional<std::vector<double>> Groups::expected_shares(const Word& against, 
     return binomial_shares(static_cast<int>(*n), *p);
 }
 
-std::optional<Show> Groups::make_show(const ShowDraft& draft) {
+std::optional<Show> SymbolTable::make_show(const ShowIr& spec) {
     Show show;
-    show.what = draft.what;
-    if (draft.what == Show::What::energy) return show;
-    const Bins* bins = bins_named(*draft.of);
+    show.what = spec.what;
+    if (spec.what == Show::What::energy) return show;
+    const Bins* bins = bins_named(*spec.of);
     if (!bins) return std::nullopt;
     show.of = bins->name;
     for (std::uint32_t i = 0; i < bins->zones.size(); ++i) {
         show.counters.push_back(bins->first_counter + i);
     }
-    if (!draft.against) return show;
-    const auto shares = expected_shares(*draft.against, bins->zones.size());
+    if (!spec.against) return show;
+    const auto shares = expected_shares(*spec.against, bins->zones.size());
     if (!shares) return std::nullopt;
     show.expected = *shares;
-    show.against = std::string(draft.against->text);
+    show.against = std::string(spec.against->text);
     return show;
 }
 
-std::optional<Quantity> Groups::quantity_of(const Word& word) {
+std::optional<Quantity> SymbolTable::quantity_of(const Word& word) {
     const std::size_t open = word.text.find('(');
     if (open != std::string_view::npos) return bins_quantity(word, open);
     const std::size_t dot = word.text.rfind('.');
@@ -186,7 +188,7 @@ std::optional<Quantity> Groups::quantity_of(const Word& word) {
     return std::nullopt;
 }
 
-std::optional<Quantity> Groups::ball_quantity(const Word& word, std::size_t dot) {
+std::optional<Quantity> SymbolTable::ball_quantity(const Word& word, std::size_t dot) {
     const Word ball = word.part(0, dot);
     const Word what = word.part(dot + 1);
     std::vector<std::string_view> kinds;
@@ -203,7 +205,7 @@ std::optional<Quantity> Groups::ball_quantity(const Word& word, std::size_t dot)
     }
     const auto number = ball_numbers_.find(ball.text);
     if (number != ball_numbers_.end()) return Quantity{*found, BallId{number->second}, {}, {}};
-    if (is_poisoned(ball.text)) return std::nullopt;
+    if (is_error_name(ball.text)) return std::nullopt;
     std::vector<std::string_view> known;
     for (const auto& [other, index] : ball_numbers_)
         known.push_back(other);
@@ -213,7 +215,7 @@ std::optional<Quantity> Groups::ball_quantity(const Word& word, std::size_t dot)
     return std::nullopt;
 }
 
-std::optional<Quantity> Groups::bins_quantity(const Word& word, std::size_t open) {
+std::optional<Quantity> SymbolTable::bins_quantity(const Word& word, std::size_t open) {
     const Word what = word.part(0, open);
     std::vector<std::string_view> kinds;
     std::optional<QuantityKind> found;
@@ -245,30 +247,30 @@ std::optional<Quantity> Groups::bins_quantity(const Word& word, std::size_t open
     return quantity;
 }
 
-std::optional<Expect> Groups::make_expect(const ExpectDraft& draft) {
-    const auto what = quantity_of(draft.quantity);
+std::optional<Expect> SymbolTable::make_expect(const ExpectIr& spec) {
+    const auto what = quantity_of(spec.quantity);
     if (!what) return std::nullopt;
     Expect expect;
-    expect.quantity = std::string(draft.quantity.text);
+    expect.quantity = std::string(spec.quantity.text);
     expect.what = *what;
-    expect.value = draft.value;
-    expect.tolerance = draft.tolerance;
-    expect.at = draft.at;
-    expect.line = draft.quantity.line;
+    expect.value = spec.value;
+    expect.tolerance = spec.tolerance;
+    expect.at = spec.at;
+    expect.line = spec.quantity.line;
     return expect;
 }
 
-void Groups::check_references() {
+void SymbolTable::check_references() {
     collect_bins();
-    for (const ShowDraft& draft : draft_.shows) {
-        if (auto show = make_show(draft)) shows_.push_back(std::move(*show));
+    for (const ShowIr& spec : ir_.shows) {
+        if (auto show = make_show(spec)) shows_.push_back(std::move(*show));
     }
-    for (const ExpectDraft& draft : draft_.expects) {
-        if (auto expect = make_expect(draft)) expects_.push_back(std::move(*expect));
+    for (const ExpectIr& spec : ir_.expects) {
+        if (auto expect = make_expect(spec)) expects_.push_back(std::move(*expect));
     }
 }
 
-void Groups::fill_in(Scene& scene) {
+void SymbolTable::fill_in(Scene& scene) {
     check_references();
     World& world = scene.world;
     scene.ball_names = ball_names_;
@@ -279,18 +281,18 @@ void Groups::fill_in(Scene& scene) {
             std::string_view(ball_names_[i]).substr(0, ball_names_[i].find('.'));
         group_named(scene.groups, index, base).balls.push_back(world.balls.id[i]);
     }
-    for (std::size_t i = 0; i < draft_.capsules.size(); ++i) {
+    for (std::size_t i = 0; i < ir_.capsules.size(); ++i) {
         const std::string& name =
-            names_.edges[static_cast<std::size_t>(draft_.capsules[i].naming)].name;
+            names_.edges[static_cast<std::size_t>(ir_.capsules[i].binding)].name;
         if (name.empty()) continue;
         group_named(scene.groups, index, name).capsules.push_back(world.capsules.id[i]);
     }
     std::uint32_t counter = 0;
-    world_zones_.assign(draft_.zones.size(), 0);
+    world_zones_.assign(ir_.zones.size(), 0);
     for (const Bins& bins : bins_) {
         for (std::uint32_t i = 0; i < bins.zones.size(); ++i) {
             world_zones_[bins.zones[i]] = static_cast<std::uint32_t>(world.zones.size());
-            Zone zone = draft_.zones[bins.zones[i]].zone;
+            Zone zone = ir_.zones[bins.zones[i]].zone;
             zone.counter = counter++;
             world.zones.push_back(zone);
             scene.zone_names.push_back(fmt::format("{}.{}", bins.name, i + 1));

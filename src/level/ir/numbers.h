@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "level/draft/context.h"
+#include "level/ir/context.h"
 #include "level/language/statements.h"
 
 /// Words to numbers: evaluated, in the world's units (angles in degrees), within bounds. Where

@@ -1,4 +1,4 @@
-#include "level/assemble/table_assembly.h"
+#include "level/assemble/pinball_assembly.h"
 
 #include <fmt/format.h>
 
@@ -44,47 +44,47 @@ std::optional<std::string> never_gives(DeviceKind kind, Rule::When when) {
 
 }  // namespace
 
-std::string TableAssembly::name_of(const DeviceDraft& device) const {
-    const std::string& name = names_.edges[static_cast<std::size_t>(device.naming)].name;
+std::string PinballAssembly::name_of(const DeviceIr& device) const {
+    const std::string& name = names_.edges[static_cast<std::size_t>(device.binding)].name;
     return name.empty() ? std::string(word_for(device.device.kind)) : name;
 }
 
 // Those that something is drawn for, in the order of the file. A lamp is drawn for itself.
-void TableAssembly::collect_devices() {
-    std::vector<bool> is_drawn(draft_.devices.size(), false);
-    for (const CapsuleDraft& capsule : draft_.capsules)
+void PinballAssembly::collect_devices() {
+    std::vector<bool> is_drawn(ir_.devices.size(), false);
+    for (const CapsuleIr& capsule : ir_.capsules)
         if (capsule.device >= 0) is_drawn[static_cast<std::size_t>(capsule.device)] = true;
-    for (const ZoneDraft& zone : draft_.zones)
+    for (const ZoneIr& zone : ir_.zones)
         if (zone.device >= 0) is_drawn[static_cast<std::size_t>(zone.device)] = true;
-    device_of_draft_.assign(draft_.devices.size(), -1);
-    for (std::size_t i = 0; i < draft_.devices.size(); ++i) {
-        const DeviceDraft& draft = draft_.devices[i];
-        const bool is_lamp = draft.device.kind == DeviceKind::lamp;
+    device_of_spec_.assign(ir_.devices.size(), -1);
+    for (std::size_t i = 0; i < ir_.devices.size(); ++i) {
+        const DeviceIr& spec = ir_.devices[i];
+        const bool is_lamp = spec.device.kind == DeviceKind::lamp;
         const bool is_twin = is_lamp && std::ranges::any_of(table_.devices, [&](const Device& d) {
-                                 return d.kind == DeviceKind::lamp && d.place == draft.device.place;
+                                 return d.kind == DeviceKind::lamp && d.place == spec.device.place;
                              });
         if (is_lamp ? is_twin : !is_drawn[i]) continue;
-        check_layers(draft);
-        const std::string name = name_of(draft);
+        check_layers(spec);
+        const std::string name = name_of(spec);
         const auto [found, is_new] =
             groups_.emplace(name, static_cast<std::uint32_t>(table_.groups.size()));
-        if (is_new) table_.groups.push_back({name, draft.device.kind, {}});
+        if (is_new) table_.groups.push_back({name, spec.device.kind, {}});
         DeviceGroup& group = table_.groups[found->second];
-        if (group.kind != draft.device.kind) {
-            context_.reporter.error(draft.origin.span,
+        if (group.kind != spec.device.kind) {
+            context_.reporter.error(spec.origin.span,
                                     fmt::format("'{}' is the name of a {} and of a {}", name,
-                                                word_for(group.kind), word_for(draft.device.kind)),
+                                                word_for(group.kind), word_for(spec.device.kind)),
                                     "give each of them a name of its own");
             continue;
         }
-        device_of_draft_[i] = static_cast<int>(table_.devices.size());
+        device_of_spec_[i] = static_cast<int>(table_.devices.size());
         group.devices.push_back(static_cast<std::uint32_t>(table_.devices.size()));
-        table_.devices.push_back(draft.device);
+        table_.devices.push_back(spec.device);
         table_.devices.back().group = found->second;
     }
 }
 
-void TableAssembly::check_layers(const DeviceDraft& ramp) {
+void PinballAssembly::check_layers(const DeviceIr& ramp) {
     const std::size_t highest = std::max(ramp.device.from, ramp.device.to);
     if (highest < names_.layers) return;
     context_.reporter.error(
@@ -93,12 +93,12 @@ void TableAssembly::check_layers(const DeviceDraft& ramp) {
 }
 
 // A group of devices, or, for what is hit, the edges of that name: together they are one device.
-std::optional<std::uint32_t> TableAssembly::group_named(const Word& name, bool may_be_edge) {
+std::optional<std::uint32_t> PinballAssembly::group_named(const Word& name, bool may_be_edge) {
     if (const auto found = groups_.find(name.text); found != groups_.end()) return found->second;
-    const auto is_edge = [&](const CapsuleDraft& capsule) {
-        return names_.edges[static_cast<std::size_t>(capsule.naming)].name == name.text;
+    const auto is_edge = [&](const CapsuleIr& capsule) {
+        return names_.edges[static_cast<std::size_t>(capsule.binding)].name == name.text;
     };
-    if (may_be_edge && std::ranges::any_of(draft_.capsules, is_edge)) {
+    if (may_be_edge && std::ranges::any_of(ir_.capsules, is_edge)) {
         const auto group = static_cast<std::uint32_t>(table_.groups.size());
         groups_.emplace(std::string(name.text), group);
         table_.groups.push_back({std::string(name.text),
@@ -107,7 +107,7 @@ std::optional<std::uint32_t> TableAssembly::group_named(const Word& name, bool m
         table_.devices.push_back({.kind = DeviceKind::edge, .group = group});
         return group;
     }
-    if (std::ranges::count(draft_.poisoned_names, name.text) > 0) return std::nullopt;
+    if (std::ranges::count(ir_.error_names, name.text) > 0) return std::nullopt;
     std::vector<std::string_view> known;
     for (const DeviceGroup& group : table_.groups)
         known.emplace_back(group.name);
@@ -119,17 +119,17 @@ std::optional<std::uint32_t> TableAssembly::group_named(const Word& name, bool m
     return std::nullopt;
 }
 
-bool TableAssembly::resolve_rule(const RuleDraft& draft) {
+bool PinballAssembly::resolve_rule(const RuleIr& spec) {
     Rule rule;
-    const auto group = group_named(draft.name, true);
+    const auto group = group_named(spec.name, true);
     if (!group) return false;
     rule.group = *group;
-    rule.when = draft.when;
+    rule.when = spec.when;
     const DeviceKind kind = table_.groups[*group].kind;
-    if (const auto why = never_gives(kind, draft.when)) {
-        context_.reporter.error(draft.when_word.span(),
-                                fmt::format("'{}' is a {}, which never gives '{}'", draft.name.text,
-                                            word_for(kind), draft.when_word.text),
+    if (const auto why = never_gives(kind, spec.when)) {
+        context_.reporter.error(spec.when_word.span(),
+                                fmt::format("'{}' is a {}, which never gives '{}'", spec.name.text,
+                                            word_for(kind), spec.when_word.text),
                                 *why);
         return false;
     }
@@ -140,13 +140,13 @@ bool TableAssembly::resolve_rule(const RuleDraft& draft) {
                                 "only rollovers, targets, lamps and kickbacks are lit");
         return std::nullopt;
     };
-    for (const RuleDraft::Need& need : draft.needs) {
+    for (const RuleIr::Need& need : spec.needs) {
         rule.needs.push_back({std::nullopt, need.is_not});
         if (need.name.text == "multiball") continue;
         rule.needs.back().group = with_lights(need.name);
         if (!rule.needs.back().group) return false;
     }
-    for (const RuleActionDraft& action : draft.actions) {
+    for (const RuleActionIr& action : spec.actions) {
         rule.actions.push_back(action.action);
         if (!action.group) continue;
         const auto lit = with_lights(*action.group);
@@ -157,15 +157,15 @@ bool TableAssembly::resolve_rule(const RuleDraft& draft) {
     return true;
 }
 
-void TableAssembly::check_game(bool has_balls) {
-    if (!draft_.settings.table.is_game) {
-        if (!draft_.rules.empty())
-            context_.reporter.error(draft_.rules.front().name.span(),
+void PinballAssembly::check_game(bool has_balls) {
+    if (!ir_.settings.table.is_game) {
+        if (!ir_.rules.empty())
+            context_.reporter.error(ir_.rules.front().name.span(),
                                     "rules need a game that follows them",
                                     "say which: game pinball");
         return;
     }
-    const Span& at = *draft_.settings.game_at;
+    const Span& at = *ir_.settings.game_at;
     const auto has = [&](DeviceKind kind) {
         return std::ranges::count(table_.devices, kind, &Device::kind) > 0;
     };
@@ -177,31 +177,31 @@ void TableAssembly::check_game(bool has_balls) {
                                 "say where balls are lost: drain NAME x,y x,y");
 }
 
-void TableAssembly::check(bool has_balls) {
+void PinballAssembly::check(bool has_balls) {
     collect_devices();
-    for (const RuleDraft& rule : draft_.rules)
+    for (const RuleIr& rule : ir_.rules)
         resolve_rule(rule);
     // What is in error may be what is missing.
     if (!context_.reporter.has_errors()) check_game(has_balls);
 }
 
-void TableAssembly::fill_in(Scene& scene, const std::vector<std::uint32_t>& world_zones) {
+void PinballAssembly::fill_in(Scene& scene, const std::vector<std::uint32_t>& world_zones) {
     World& world = scene.world;
-    const PinballTable settings = draft_.settings.table;
+    const PinballTable settings = ir_.settings.table;
     table_.is_game = settings.is_game;
     table_.balls = settings.balls;
     table_.save = settings.save;
     table_.warnings = settings.warnings;
     table_.bonus = settings.bonus;
     table_.highscores = settings.highscores;
-    table_.device_of_capsule.assign(draft_.capsules.size(), -1);
-    for (std::size_t i = 0; i < draft_.capsules.size(); ++i) {
-        const CapsuleDraft& draft = draft_.capsules[i];
+    table_.device_of_capsule.assign(ir_.capsules.size(), -1);
+    for (std::size_t i = 0; i < ir_.capsules.size(); ++i) {
+        const CapsuleIr& spec = ir_.capsules[i];
         const CapsuleId id = world.capsules.id[i];
         int device = -1;
-        if (draft.device >= 0) {
-            const DeviceDraft& from = draft_.devices[static_cast<std::size_t>(draft.device)];
-            device = device_of_draft_[static_cast<std::size_t>(draft.device)];
+        if (spec.device >= 0) {
+            const DeviceIr& from = ir_.devices[static_cast<std::size_t>(spec.device)];
+            device = device_of_spec_[static_cast<std::size_t>(spec.device)];
             if (from.flipper) {
                 world.flippers.push_back(*from.flipper);
                 world.flippers.back().capsule = id;
@@ -209,7 +209,7 @@ void TableAssembly::fill_in(Scene& scene, const std::vector<std::uint32_t>& worl
             }
         } else {
             const auto found =
-                groups_.find(names_.edges[static_cast<std::size_t>(draft.naming)].name);
+                groups_.find(names_.edges[static_cast<std::size_t>(spec.binding)].name);
             if (found != groups_.end() && table_.groups[found->second].kind == DeviceKind::edge)
                 device = static_cast<int>(table_.groups[found->second].devices.front());
         }
@@ -217,14 +217,14 @@ void TableAssembly::fill_in(Scene& scene, const std::vector<std::uint32_t>& worl
         if (device < 0) continue;
         Device& made = table_.devices[static_cast<std::size_t>(device)];
         made.capsules.push_back(id);
-        made.place = (draft.shape.start + draft.shape.end) * 0.5;
+        made.place = (spec.shape.start + spec.shape.end) * 0.5;
     }
-    for (std::size_t i = 0; i < draft_.zones.size(); ++i) {
-        if (draft_.zones[i].device < 0) continue;
-        const int device = device_of_draft_[static_cast<std::size_t>(draft_.zones[i].device)];
+    for (std::size_t i = 0; i < ir_.zones.size(); ++i) {
+        if (ir_.zones[i].device < 0) continue;
+        const int device = device_of_spec_[static_cast<std::size_t>(ir_.zones[i].device)];
         if (device < 0) continue;
         Device& made = table_.devices[static_cast<std::size_t>(device)];
-        const Capsule& shape = draft_.zones[i].zone.shape;
+        const Capsule& shape = ir_.zones[i].zone.shape;
         made.zone = world_zones[i];
         made.place = (shape.start + shape.end) * 0.5;
     }

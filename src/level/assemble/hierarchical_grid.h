@@ -10,10 +10,10 @@ namespace carom {
 
 /// One grid of cells for each halving of the radius, so that a question looks at no more than nine
 /// cells a grid. Discs must be added, and asked for, from large to small.
-class Occupancy {
+class HierarchicalGrid {
   public:
     /// Pre: `radii` are those of the discs to come, from large to small; all > 0.
-    Occupancy(const Box& box, const std::vector<double>& radii);
+    HierarchicalGrid(const Box& box, const std::vector<double>& radii);
 
     /// Pre: the centre lies in the box.
     void add(const Disc& disc);

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "level/draft/context.h"
+#include "level/ir/context.h"
 
 /// The words of one statement, sorted by its row of the table of statements.
 namespace carom {
@@ -29,7 +29,7 @@ struct Arguments {
     std::map<std::string_view, Argument> values;
     std::vector<std::pair<Word, Word>> own_keys;  ///< of let, part and place: name, expression
     std::set<std::string_view> flags;
-    bool is_sound = true;  ///< false: mistakes were reported, or something used is poisoned
+    bool is_valid = true;  ///< false: mistakes were reported, or something used is poisoned
 
     bool has(std::string_view key) const { return values.contains(key); }
     /// The first number of a key; none where it is absent.

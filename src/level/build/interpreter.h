@@ -9,7 +9,7 @@
 namespace carom {
 
 /// Owns every text and every tree that words point into.
-struct Texts {
+struct SourceStore {
     std::deque<SourceText> sources;
     std::deque<std::vector<Node>> trees;
 
@@ -18,7 +18,7 @@ struct Texts {
 
 /// Pre: `main` is in `texts` and has no fault. Overrides replace the statement of the file that
 /// says the same thing, in its place; one that the file does not say comes last.
-void unroll(const SourceText& main, const LoadOptions& options, Texts& texts, Scene& scene,
+void unroll(const SourceText& main, const LoadOptions& options, SourceStore& texts, Scene& scene,
             Context& context);
 
 }  // namespace carom

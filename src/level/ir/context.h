@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
-#include "level/draft/draft.h"
-#include "level/draft/transform.h"
+#include "level/ir/level_ir.h"
+#include "level/ir/transform.h"
 #include "level/scene/load_options.h"
 #include "level/scene/scene.h"
 #include "level/text/reporter.h"
@@ -25,29 +25,29 @@ struct LetUse {
 
 /// A statement, and a word of it: the same each time that the statement is unrolled. Only looked
 /// up, never walked through, so that no order depends on addresses.
-using NamingKey = std::pair<const Node*, const char*>;
+using BindingKey = std::pair<const Node*, const char*>;
 
 struct Context {
     Reporter reporter;
-    Draft draft;
+    LevelIr ir;
     LengthUnit unit = LengthUnit::natural;
     /// The `units` line had a mistake: nothing is concluded from units.
     bool is_unit_unknown = false;
     /// Top-level lets and their lines, known before the unrolling.
-    std::map<std::string, int, std::less<>> lets_ahead;
+    std::map<std::string, int, std::less<>> top_level_lets;
     std::map<const char*, LetUse> lets;
-    std::map<NamingKey, std::size_t> naming_index;
-    std::map<NamingKey, std::size_t> ball_naming_index;
-    /// Values of Draft::spin_needs: unrolled a thousand times, one is still one. Only looked up.
-    std::set<const char*> needs_noted;
+    std::map<BindingKey, std::size_t> edge_binding_index;
+    std::map<BindingKey, std::size_t> ball_binding_index;
+    /// Values of LevelIr::spin_needs: unrolled a thousand times, one is still one. Only looked up.
+    std::set<const char*> spin_needs_seen;
     std::uint64_t seed = 0;
     /// How often fills have looked at an obstacle: bounds the work.
-    std::uint64_t fill_looks = 0;
+    std::uint64_t fill_tests = 0;
     /// Too many balls or edges: no more are unrolled.
-    bool is_full = false;
+    bool is_at_limit = false;
 
     ExpressionRules rules() const {
-        return {is_unit_unknown ? LengthUnit::millimetre : unit, &lets_ahead};
+        return {is_unit_unknown ? LengthUnit::millimetre : unit, &top_level_lets};
     }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "level/draft/draft.h"
+#include "level/ir/level_ir.h"
 
 namespace carom {
 
@@ -8,6 +8,6 @@ namespace carom {
 /// Such an image is not made a second time. Removes every item that coincides exactly with an
 /// earlier one from the same statement, but from another image of it. Counts what fills precede
 /// anew.
-void drop_mirror_twins(Draft& draft);
+void remove_mirror_duplicates(LevelIr& ir);
 
 }  // namespace carom

@@ -1,4 +1,4 @@
-#include "level/draft/numbers.h"
+#include "level/ir/numbers.h"
 
 #include <fmt/format.h>
 

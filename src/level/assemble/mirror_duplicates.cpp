@@ -1,4 +1,4 @@
-#include "level/assemble/twins.h"
+#include "level/assemble/mirror_duplicates.h"
 
 #include <algorithm>
 #include <array>
@@ -55,7 +55,7 @@ void drop(std::vector<T>& items, const std::vector<bool>& is_dropped) {
 }
 
 template <typename T, typename PlaceOf>
-void drop_twins(std::vector<T>& items, PlaceOf place, std::vector<FillDraft>* fills = nullptr) {
+void drop_twins(std::vector<T>& items, PlaceOf place, std::vector<FillIr>* fills = nullptr) {
     const auto is_copy = [](const T& item) { return item.origin.image != 0; };
     if (std::ranges::none_of(items, is_copy)) return;
     std::vector<Item> all;
@@ -72,7 +72,7 @@ void drop_twins(std::vector<T>& items, PlaceOf place, std::vector<FillDraft>* fi
         for (std::size_t i = 0; i < items.size(); ++i) {
             kept_before[i + 1] = kept_before[i] + (is_twin[i] ? 0 : 1);
         }
-        for (FillDraft& fill : *fills)
+        for (FillIr& fill : *fills)
             fill.balls_before = kept_before[fill.balls_before];
     }
     drop(items, is_twin);
@@ -80,17 +80,17 @@ void drop_twins(std::vector<T>& items, PlaceOf place, std::vector<FillDraft>* fi
 
 }  // namespace
 
-void drop_mirror_twins(Draft& draft) {
-    drop_twins(draft.capsules, [](const CapsuleDraft& c) { return place_of(c.shape); });
-    drop_twins(draft.zones, [](const ZoneDraft& z) { return place_of(z.zone.shape); });
+void remove_mirror_duplicates(LevelIr& ir) {
+    drop_twins(ir.capsules, [](const CapsuleIr& c) { return place_of(c.shape); });
+    drop_twins(ir.zones, [](const ZoneIr& z) { return place_of(z.zone.shape); });
     drop_twins(
-        draft.balls,
-        [](const BallDraft& b) {
+        ir.balls,
+        [](const BallIr& b) {
             return Spot{b.position.x, b.position.y,           b.velocity.x,
                         b.velocity.y, b.radius.value_or(0.0), b.spin};
         },
-        &draft.fills);
-    drop_twins(draft.emitters, [](const EmitterDraft& e) {
+        &ir.fills);
+    drop_twins(ir.emitters, [](const EmitterIr& e) {
         return Spot{e.emitter.at.x, e.emitter.at.y, e.emitter.velocity.x, e.emitter.velocity.y,
                     0.0};
     });

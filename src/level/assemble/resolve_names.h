@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "level/draft/context.h"
+#include "level/ir/context.h"
 
 /// Names looked up, once the whole file is known: kinds, materials, and who meets whom.
 namespace carom {
@@ -12,19 +12,19 @@ struct ResolvedEdges {
     ClassIndex material = 0;
     std::string name;  ///< empty: none
     Span name_at;
-    bool is_sound = true;  ///< false: its material is not known, told already
+    bool is_valid = true;  ///< false: its material is not known, told already
 };
 
 struct ResolvedBalls {
     ClassIndex kind = 0;
-    bool is_sound = true;
+    bool is_valid = true;
 };
 
-struct Resolved {
-    std::vector<ResolvedEdges> edges;     ///< by Draft::edge_namings
-    std::vector<ResolvedBalls> balls;     ///< by Draft::ball_namings
-    std::vector<ResolvedBalls> fills;     ///< by Draft::fills
-    std::vector<ResolvedBalls> emitters;  ///< by Draft::emitters
+struct ResolvedNames {
+    std::vector<ResolvedEdges> edges;     ///< by LevelIr::edge_bindings
+    std::vector<ResolvedBalls> balls;     ///< by LevelIr::ball_bindings
+    std::vector<ResolvedBalls> fills;     ///< by LevelIr::fills
+    std::vector<ResolvedBalls> emitters;  ///< by LevelIr::emitters
     std::vector<Kind> kinds;
     std::vector<std::string> kind_names;
     std::vector<Material> materials;
@@ -43,6 +43,6 @@ struct Resolved {
 
 /// Reports unknown names, and warns of unused ones. The kind "ball" and the material "edge" stand
 /// for those that the level does not name; they are there when they are used, or nothing else is.
-Resolved resolve_names(Context& context);
+ResolvedNames resolve_names(Context& context);
 
 }  // namespace carom

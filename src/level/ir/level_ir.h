@@ -14,17 +14,17 @@
 /// (SI or natural; radians).
 namespace carom {
 
-struct KindDraft {
+struct KindIr {
     Word name;
     std::optional<double> radius;
     std::optional<double> mass;
     std::optional<double> density;
     std::optional<double> restitution;
     double friction = 0.0;
-    bool is_sound = true;  ///< false: it had a mistake, so nothing is concluded from it
+    bool is_valid = true;  ///< false: it had a mistake, so nothing is concluded from it
 };
 
-struct MaterialDraft {
+struct MaterialIr {
     Word name;
     Material values;
     std::uint8_t layer = 0;  ///< on which its edges stand
@@ -32,18 +32,18 @@ struct MaterialDraft {
 
 /// What a statement calls the edges that it draws. The words say no more than that: whether the
 /// first of `plain` is a material or a name is decided when all materials are known.
-struct EdgeNaming {
+struct EdgeBinding {
     const Node* node = nullptr;
     std::vector<Word> plain;
     bool may_begin_with_material = false;
     std::optional<Word> material{};  ///< of a key material=
     bool makes_edges = true;         ///< false: only zones, which have no material
     /// Of a part: what it is made of where no material is named, and its kick in any case.
-    std::optional<Material> part{};
+    std::optional<Material> device_material{};
 };
 
 /// What a statement calls its balls, and of which kind they are.
-struct BallNaming {
+struct BallBinding {
     const Node* node = nullptr;
     std::optional<Word> name;
     std::optional<Word> kind;
@@ -56,7 +56,7 @@ struct Origin {
     int image = 0;  ///< which image, of any mirror; 0: the original
 };
 
-struct BallDraft {
+struct BallIr {
     Vec2 position;
     Vec2 velocity;
     std::optional<double> radius;
@@ -67,48 +67,48 @@ struct BallDraft {
     /// Of a rack: how far from `position`, in diameters and gaps.
     Vec2 racked;
     double gap = 0.0;
-    int naming = 0;  ///< index into Draft::ball_namings
+    int binding = 0;  ///< index into LevelIr::ball_bindings
     Origin origin;
 };
 
-struct CapsuleDraft {
+struct CapsuleIr {
     Capsule shape;
     Side side = Side::both;
-    int naming = 0;  ///< index into Draft::edge_namings
-    int chain = 0;   ///< pieces of one edge, arc or box share it
+    int binding = 0;  ///< index into LevelIr::edge_bindings
+    int chain = 0;    ///< pieces of one edge, arc or box share it
     Origin origin;
-    int device = -1;  ///< index into Draft::devices; -1: none
+    int device = -1;  ///< index into LevelIr::devices; -1: none
 };
 
-struct ChainDraft {
+struct ChainIr {
     bool is_closed = false;
     bool has_gaps = true;  ///< false: no ball comes to its ends, so gaps there are no mistake
 };
 
-struct ZoneDraft {
+struct ZoneIr {
     Zone zone;
-    int naming = 0;  ///< index into Draft::edge_namings
+    int binding = 0;  ///< index into LevelIr::edge_bindings
     Origin origin;
-    int device = -1;  ///< index into Draft::devices; -1: none
+    int device = -1;  ///< index into LevelIr::devices; -1: none
     bool is_pocket = false;
 };
 
 /// A device, but for what it is drawn as: the capsules and zones that refer to it. One to which
 /// nothing refers (the twin of another in a mirror) is no device, but for a lamp.
-struct DeviceDraft {
+struct DeviceIr {
     Device device;
-    int naming = 0;  ///< index into Draft::edge_namings
+    int binding = 0;  ///< index into LevelIr::edge_bindings
     std::optional<Flipper> flipper{};
     Button button = Button::left_flipper;  ///< of the flipper
     Origin origin{};
 };
 
 /// An action and a rule, before their names are looked up.
-struct RuleActionDraft {
+struct RuleActionIr {
     RuleAction action;
     std::optional<Word> group;
 };
-struct RuleDraft {
+struct RuleIr {
     Word name;
     Word when_word;
     Rule::When when = Rule::When::hit;
@@ -117,31 +117,31 @@ struct RuleDraft {
         bool is_not = false;
     };
     std::vector<Need> needs;
-    std::vector<RuleActionDraft> actions;
+    std::vector<RuleActionIr> actions;
 };
 
 /// Where balls are racked; the balls themselves are drafts of their own.
-struct RackDraft {
+struct RackIr {
     Rack::Shape shape = Rack::Shape::eight;
     Vec2 foot;
     Vec2 toward;
-    int naming = 0;  ///< index into Draft::ball_namings
+    int binding = 0;  ///< index into LevelIr::ball_bindings
 };
 
-struct CueDraft {
+struct CueIr {
     Word ball;
     double least_power = 0.0;
     double most_power = 0.0;
 };
 
-struct EmitterDraft {
+struct EmitterIr {
     Word kind;
     Emitter emitter;
     Origin origin;
 };
 
 /// Balls to be placed by chance, once all else stands.
-struct FillDraft {
+struct FillIr {
     std::optional<Word> kind;
     std::uint32_t count = 0;
     Box box;
@@ -157,24 +157,24 @@ struct FillDraft {
     double least_speed = 0.0;
     double most_speed = 0.0;
     double rms_speed = 0.0;
-    std::size_t balls_before = 0;  ///< Draft::balls that precede it in the file
+    std::size_t balls_before = 0;  ///< LevelIr::balls that precede it in the file
     int number = 0;                ///< its own stream of chance
     Origin origin;
 };
 
-struct CollideDraft {
+struct CollideIr {
     Word a;
     Word b;
 };
 
-struct ShowDraft {
+struct ShowIr {
     Show::What what = Show::What::energy;
     std::optional<Word> of;
     std::optional<Word> against;
     Span span;
 };
 
-struct ExpectDraft {
+struct ExpectIr {
     Word quantity;
     double value = 0.0;
     double tolerance = 0.0;
@@ -187,7 +187,7 @@ struct SpinNeed {
     Word value;
 };
 
-struct SettingsDraft {
+struct LevelSettings {
     std::optional<Vec2> gravity;
     std::optional<double> drag;
     std::optional<double> stop_speed;
@@ -210,30 +210,30 @@ struct SettingsDraft {
     double clock = 0.0;
 };
 
-struct Draft {
-    SettingsDraft settings;
-    std::vector<KindDraft> kinds;
-    std::vector<MaterialDraft> materials;
-    std::vector<BallNaming> ball_namings;
-    std::vector<EdgeNaming> edge_namings;
-    std::vector<BallDraft> balls;
-    std::vector<CapsuleDraft> capsules;
-    std::vector<ChainDraft> chains;
-    std::vector<ZoneDraft> zones;
-    std::vector<EmitterDraft> emitters;
-    std::vector<FillDraft> fills;
-    std::vector<RackDraft> racks;
-    std::vector<CueDraft> cues;
-    std::vector<DeviceDraft> devices;
-    std::vector<RuleDraft> rules;
-    std::vector<CollideDraft> collides;
+struct LevelIr {
+    LevelSettings settings;
+    std::vector<KindIr> kinds;
+    std::vector<MaterialIr> materials;
+    std::vector<BallBinding> ball_bindings;
+    std::vector<EdgeBinding> edge_bindings;
+    std::vector<BallIr> balls;
+    std::vector<CapsuleIr> capsules;
+    std::vector<ChainIr> chains;
+    std::vector<ZoneIr> zones;
+    std::vector<EmitterIr> emitters;
+    std::vector<FillIr> fills;
+    std::vector<RackIr> racks;
+    std::vector<CueIr> cues;
+    std::vector<DeviceIr> devices;
+    std::vector<RuleIr> rules;
+    std::vector<CollideIr> collides;
     std::vector<SpinNeed> spin_needs;
     std::optional<Span> needs_cloth;  ///< the first value that means nothing without it
-    std::vector<ShowDraft> shows;
-    std::vector<ExpectDraft> expects;
+    std::vector<ShowIr> shows;
+    std::vector<ExpectIr> expects;
     /// Names of balls, edges and bins whose statements had a mistake: they exist all the same.
-    std::vector<std::string> poisoned_names;
-    std::uint64_t balls_planned = 0;  ///< balls, fills and emitters together
+    std::vector<std::string> error_names;
+    std::uint64_t balls_reserved = 0;  ///< balls, fills and emitters together
 };
 
 /// Most kinds and materials together.

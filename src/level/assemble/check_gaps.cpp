@@ -35,9 +35,9 @@ double gap_between(const Capsule& a, const Capsule& b) {
 }
 
 // Edges that hang together, piece by piece: what is near on the same one is a corner, not a gap.
-class Clusters {
+class DisjointSets {
   public:
-    explicit Clusters(std::size_t count) : parent_(count) {
+    explicit DisjointSets(std::size_t count) : parent_(count) {
         std::iota(parent_.begin(), parent_.end(), std::size_t{0});
     }
     std::size_t find(std::size_t i) {
@@ -53,12 +53,12 @@ class Clusters {
     std::vector<std::size_t> parent_;
 };
 
-double smallest_radius(const std::vector<StartingBall>& balls, const Resolved& names,
-                       const Draft& draft) {
+double smallest_radius(const std::vector<StartingBall>& balls, const ResolvedNames& names,
+                       const LevelIr& ir) {
     double smallest = std::numeric_limits<double>::infinity();
     for (const StartingBall& ball : balls)
         smallest = std::min(smallest, ball.radius);
-    for (std::size_t i = 0; i < draft.emitters.size(); ++i) {
+    for (std::size_t i = 0; i < ir.emitters.size(); ++i) {
         smallest = std::min(smallest, names.kinds[names.emitters[i].kind].radius);
     }
     return smallest;
@@ -72,25 +72,26 @@ struct Gap {
 
 }  // namespace
 
-void check_gaps(const std::vector<StartingBall>& balls, const Resolved& names, Context& context) {
-    const std::vector<CapsuleDraft>& edges = context.draft.capsules;
-    const std::vector<ChainDraft>& chains = context.draft.chains;
-    if (balls.empty() && context.draft.emitters.empty()) return;
-    const double diameter = 2.0 * smallest_radius(balls, names, context.draft);
+void check_gaps(const std::vector<StartingBall>& balls, const ResolvedNames& names,
+                Context& context) {
+    const std::vector<CapsuleIr>& edges = context.ir.capsules;
+    const std::vector<ChainIr>& chains = context.ir.chains;
+    if (balls.empty() && context.ir.emitters.empty()) return;
+    const double diameter = 2.0 * smallest_radius(balls, names, context.ir);
     std::vector<Box> boxes;
-    for (const CapsuleDraft& edge : edges)
+    for (const CapsuleIr& edge : edges)
         boxes.push_back(bounds(edge.shape));
     const BoxTree tree(boxes);
-    Clusters clusters(context.draft.chains.size() + edges.size());
-    const auto layer_of = [&names](const CapsuleDraft& edge) {
-        const ResolvedEdges& drawn = names.edges[static_cast<std::size_t>(edge.naming)];
+    DisjointSets connected(context.ir.chains.size() + edges.size());
+    const auto layer_of = [&names](const CapsuleIr& edge) {
+        const ResolvedEdges& drawn = names.edges[static_cast<std::size_t>(edge.binding)];
         return names.material_layers[drawn.material];
     };
     std::vector<Gap> gaps;
     std::uint64_t pairs = 0;
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const auto chain = static_cast<std::size_t>(edges[i].chain);
-        clusters.join(edges.size() + chain, i);
+        connected.join(edges.size() + chain, i);
         tree.query(grow(boxes[i], diameter), [&](std::uint32_t k) {
             if (k >= i || edges[k].chain == edges[i].chain) return ++pairs < most_pairs;
             if (!chains[chain].has_gaps ||
@@ -101,7 +102,7 @@ void check_gaps(const std::vector<StartingBall>& balls, const Resolved& names, C
             const double gap = gap_between(edges[i].shape, edges[k].shape);
             // What an author computed to touch, and rounding parted, is no gap.
             if (gap <= 1e-9 * diameter) {
-                clusters.join(i, k);
+                connected.join(i, k);
             } else if (gap < diameter * (1.0 - 1e-9)) {
                 gaps.push_back({i, k, gap});
             }
@@ -115,8 +116,8 @@ void check_gaps(const std::vector<StartingBall>& balls, const Resolved& names, C
     }
     std::set<std::pair<int, int>> told;
     for (const Gap& gap : gaps) {
-        if (clusters.find(gap.a) == clusters.find(gap.b)) continue;
-        if (!told.emplace(edges[gap.a].naming, edges[gap.b].naming).second) continue;
+        if (connected.find(gap.a) == connected.find(gap.b)) continue;
+        if (!told.emplace(edges[gap.a].binding, edges[gap.b].binding).second) continue;
         context.reporter.warning(
             edges[gap.a].origin.span,
             fmt::format("no ball can pass the gap of {}{} to the edge of line {}",

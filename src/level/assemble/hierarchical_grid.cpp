@@ -1,4 +1,4 @@
-#include "level/assemble/occupancy.h"
+#include "level/assemble/hierarchical_grid.h"
 
 #include <cmath>
 
@@ -13,7 +13,7 @@ int cells_along(double length, double cell) {
 
 }  // namespace
 
-Occupancy::Occupancy(const Box& box, const std::vector<double>& radii) : box_(box) {
+HierarchicalGrid::HierarchicalGrid(const Box& box, const std::vector<double>& radii) : box_(box) {
     for (std::size_t i = 0; i < radii.size();) {
         Grid grid;
         grid.largest = radii[i];
@@ -34,15 +34,15 @@ Occupancy::Occupancy(const Box& box, const std::vector<double>& radii) : box_(bo
     }
 }
 
-int Occupancy::column(const Grid& grid, double x) const {
+int HierarchicalGrid::column(const Grid& grid, double x) const {
     return std::clamp(static_cast<int>((x - box_.low.x) / grid.cell), 0, grid.columns - 1);
 }
 
-int Occupancy::row(const Grid& grid, double y) const {
+int HierarchicalGrid::row(const Grid& grid, double y) const {
     return std::clamp(static_cast<int>((y - box_.low.y) / grid.cell), 0, grid.rows - 1);
 }
 
-void Occupancy::add(const Disc& disc) {
+void HierarchicalGrid::add(const Disc& disc) {
     std::size_t k = 0;
     while (k + 1 < grids_.size() && grids_[k + 1].largest >= disc.radius)
         ++k;
@@ -54,7 +54,7 @@ void Occupancy::add(const Disc& disc) {
     discs_.push_back(disc);
 }
 
-bool Occupancy::touches(const Disc& disc) const {
+bool HierarchicalGrid::touches(const Disc& disc) const {
     for (const Grid& grid : grids_) {
         const double reach = disc.radius + grid.largest;
         const int last_row = row(grid, disc.center.y + reach);

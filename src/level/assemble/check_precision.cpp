@@ -24,7 +24,7 @@ bool is_lost(double coordinate, double velocity, double speed, double tick) {
 
 }  // namespace
 
-void check_resolution(const std::vector<StartingBall>& balls, double rate, Context& context) {
+void check_precision(const std::vector<StartingBall>& balls, double rate, Context& context) {
     constexpr double least_share = 1.0 / 64.0;
     const double tick = 1.0 / rate;
     const auto length_text = [&](double value) {

@@ -1,4 +1,4 @@
-#include "level/assemble/names.h"
+#include "level/assemble/resolve_names.h"
 
 #include <fmt/format.h>
 
@@ -12,11 +12,11 @@
 namespace carom {
 namespace {
 
-template <typename Draft>
-std::vector<std::string_view> names_of(const std::vector<Draft>& drafts) {
+template <typename Spec>
+std::vector<std::string_view> names_of(const std::vector<Spec>& specs) {
     std::vector<std::string_view> names;
-    for (const Draft& draft : drafts)
-        names.push_back(draft.name.text);
+    for (const Spec& spec : specs)
+        names.push_back(spec.name.text);
     return names;
 }
 
@@ -59,22 +59,22 @@ class Resolver {
   public:
     explicit Resolver(Context& context)
         : context_(context),
-          draft_(context.draft),
-          kind_names_(names_of(draft_.kinds)),
-          material_names_(names_of(draft_.materials)),
+          ir_(context.ir),
+          kind_names_(names_of(ir_.kinds)),
+          material_names_(names_of(ir_.materials)),
           kinds_(kind_names_),
           materials_(material_names_) {}
 
-    Resolved resolve() {
-        for (const EdgeNaming& naming : draft_.edge_namings) {
-            result_.edges.push_back(resolve_edges(naming));
+    ResolvedNames resolve() {
+        for (const EdgeBinding& binding : ir_.edge_bindings) {
+            result_.edges.push_back(resolve_edges(binding));
         }
-        for (const BallNaming& naming : draft_.ball_namings) {
-            result_.balls.push_back(resolve_kind(naming.kind));
+        for (const BallBinding& binding : ir_.ball_bindings) {
+            result_.balls.push_back(resolve_kind(binding.kind));
         }
-        for (const FillDraft& fill : draft_.fills)
+        for (const FillIr& fill : ir_.fills)
             result_.fills.push_back(resolve_kind(fill.kind));
-        for (const EmitterDraft& emitter : draft_.emitters) {
+        for (const EmitterIr& emitter : ir_.emitters) {
             result_.emitters.push_back(resolve_kind(emitter.kind));
         }
         make_classes();
@@ -95,7 +95,7 @@ class Resolver {
     ResolvedBalls resolve_kind(const std::optional<Word>& name) {
         if (!name) return {kinds_.unnamed(), true};
         if (const auto kind = kinds_.find(name->text)) {
-            return {*kind, draft_.kinds[*kind].is_sound};
+            return {*kind, ir_.kinds[*kind].is_valid};
         }
         context_.reporter.error(
             name->span(), fmt::format("there is no kind '{}'", name->text),
@@ -111,24 +111,24 @@ class Resolver {
         return std::nullopt;
     }
 
-    ResolvedEdges resolve_edges(const EdgeNaming& naming) {
+    ResolvedEdges resolve_edges(const EdgeBinding& binding) {
         ResolvedEdges edges;
-        std::vector<Word> words = naming.plain;
-        std::optional<Word> material = naming.material;
-        if (naming.may_begin_with_material && !words.empty() &&
+        std::vector<Word> words = binding.plain;
+        std::optional<Word> material = binding.material;
+        if (binding.may_begin_with_material && !words.empty() &&
             (words.size() == 2 || materials_.has(words[0].text))) {
             material = words[0];
             words.erase(words.begin());
         }
         if (material) {
             const auto found = known_material(*material);
-            edges.is_sound = found.has_value();
+            edges.is_valid = found.has_value();
             edges.material = found.value_or(ClassIndex{0});
-        } else if (naming.makes_edges && !naming.part) {
+        } else if (binding.makes_edges && !binding.device_material) {
             edges.material = materials_.unnamed();
         }
-        if (naming.part) is_of_own_material_.push_back(!material);
-        if (!words.empty()) take_name(words[0], naming.may_begin_with_material, edges);
+        if (binding.device_material) is_of_own_material_.push_back(!material);
+        if (!words.empty()) take_name(words[0], binding.may_begin_with_material, edges);
         return edges;
     }
 
@@ -137,7 +137,7 @@ class Resolver {
         if (!is_identifier(word.text)) {
             context_.reporter.error(word.span(), fmt::format("'{}' is not a name", word.text),
                                     "points are written x,y without spaces");
-            edges.is_sound = false;
+            edges.is_valid = false;
             return;
         }
         edges.name = std::string(word.text);
@@ -150,21 +150,21 @@ class Resolver {
     }
 
     void make_classes() {
-        for (const KindDraft& draft : draft_.kinds) {
+        for (const KindIr& spec : ir_.kinds) {
             Kind kind;
-            kind.radius = draft.radius.value_or(1.0);
+            kind.radius = spec.radius.value_or(1.0);
             kind.mass =
-                draft.mass.value_or(draft.density.value_or(1.0) * pi * kind.radius * kind.radius);
-            kind.restitution = draft.restitution.value_or(1.0);
-            kind.friction = draft.friction;
+                spec.mass.value_or(spec.density.value_or(1.0) * pi * kind.radius * kind.radius);
+            kind.restitution = spec.restitution.value_or(1.0);
+            kind.friction = spec.friction;
             result_.kinds.push_back(kind);
-            result_.kind_names.emplace_back(draft.name.text);
+            result_.kind_names.emplace_back(spec.name.text);
         }
-        for (const MaterialDraft& draft : draft_.materials) {
-            result_.materials.push_back(draft.values);
-            result_.material_names.emplace_back(draft.name.text);
-            result_.material_layers.push_back(draft.layer);
-            result_.layers = std::max<std::size_t>(result_.layers, draft.layer + 1u);
+        for (const MaterialIr& spec : ir_.materials) {
+            result_.materials.push_back(spec.values);
+            result_.material_names.emplace_back(spec.name.text);
+            result_.material_layers.push_back(spec.layer);
+            result_.layers = std::max<std::size_t>(result_.layers, spec.layer + 1u);
         }
         if (kinds_.is_unnamed_used() || result_.kinds.empty()) {
             result_.kinds.emplace_back();
@@ -189,13 +189,13 @@ class Resolver {
     void make_parts() {
         const std::size_t first = result_.materials.size();
         std::size_t part = 0;
-        for (std::size_t i = 0; i < draft_.edge_namings.size(); ++i) {
-            const EdgeNaming& naming = draft_.edge_namings[i];
-            if (!naming.part) continue;
+        for (std::size_t i = 0; i < ir_.edge_bindings.size(); ++i) {
+            const EdgeBinding& binding = ir_.edge_bindings[i];
+            if (!binding.device_material) continue;
             const bool is_own = is_of_own_material_[part++];
             ResolvedEdges& edges = result_.edges[i];
-            if (!edges.is_sound) continue;
-            Material made = *naming.part;
+            if (!edges.is_valid) continue;
+            Material made = *binding.device_material;
             std::uint8_t layer = 0;
             if (!is_own) {
                 layer = result_.material_layers[edges.material];
@@ -204,9 +204,9 @@ class Resolver {
                 made.soften = named.soften;
                 made.friction = named.friction;
             }
-            const std::string name(is_own ? naming.node->statement->name
+            const std::string name(is_own ? binding.node->statement->name
                                           : result_.material_names[edges.material]);
-            edges.material = part_material(made, name, first, naming.node->keyword().span());
+            edges.material = part_material(made, name, first, binding.node->keyword().span());
             result_.material_layers.resize(result_.materials.size(), layer);
         }
     }
@@ -273,10 +273,10 @@ class Resolver {
     }
 
     void make_meetings() {
-        if (draft_.collides.empty() && result_.layers == 1) return;
+        if (ir_.collides.empty() && result_.layers == 1) return;
         const std::size_t kinds = result_.kinds.size();
         const std::size_t classes = kinds + result_.materials.size();
-        result_.meets.assign(classes * classes, draft_.collides.empty() ? 1 : 0);
+        result_.meets.assign(classes * classes, ir_.collides.empty() ? 1 : 0);
         make_declared_meetings();
         const auto layer_of = [&](std::size_t i) {
             return i < kinds ? result_.kinds[i].layer : result_.material_layers[i - kinds];
@@ -291,7 +291,7 @@ class Resolver {
         const std::size_t classes = kinds + result_.materials.size();
         // Each pair of words once: `ball ball` alone can be a million pairs of kinds.
         std::set<std::pair<std::string_view, std::string_view>> done;
-        for (const CollideDraft& collide : draft_.collides) {
+        for (const CollideIr& collide : ir_.collides) {
             if (!done.emplace(collide.a.text, collide.b.text).second) continue;
             const std::vector<std::size_t>& a = classes_of(collide.a);
             const std::vector<std::size_t>& b = classes_of(collide.b);
@@ -318,11 +318,11 @@ class Resolver {
                                       fmt::format("the {} '{}' is never used", what, name.text),
                                       "use it, or take it out");
         };
-        for (std::size_t i = 0; i < draft_.kinds.size(); ++i) {
-            if (!kinds_.is_used(i) && draft_.kinds[i].is_sound) warn(draft_.kinds[i].name, "kind");
+        for (std::size_t i = 0; i < ir_.kinds.size(); ++i) {
+            if (!kinds_.is_used(i) && ir_.kinds[i].is_valid) warn(ir_.kinds[i].name, "kind");
         }
-        for (std::size_t i = 0; i < draft_.materials.size(); ++i) {
-            if (!materials_.is_used(i)) warn(draft_.materials[i].name, "material");
+        for (std::size_t i = 0; i < ir_.materials.size(); ++i) {
+            if (!materials_.is_used(i)) warn(ir_.materials[i].name, "material");
         }
         for (const auto& [where, let] : context_.lets) {
             if (let.is_used || !let.span.source->included_from.empty()) continue;
@@ -332,29 +332,29 @@ class Resolver {
     }
 
     Context& context_;
-    Draft& draft_;
+    LevelIr& ir_;
     std::vector<std::string_view> kind_names_;
     std::vector<std::string_view> material_names_;
     Classes kinds_;
     Classes materials_;
     std::size_t kinds_of_a_layer_ = 0;
-    std::vector<bool> is_of_own_material_;                          ///< by naming of a part
+    std::vector<bool> is_of_own_material_;                          ///< by binding of a part
     std::map<std::string_view, std::vector<std::size_t>> classes_;  ///< by a word of `collide`
-    Resolved result_;
+    ResolvedNames result_;
 };
 
 }  // namespace
 
-bool Resolved::kinds_meet(ClassIndex a, ClassIndex b) const {
+bool ResolvedNames::kinds_meet(ClassIndex a, ClassIndex b) const {
     return meets.empty() || meets[a * (kinds.size() + materials.size()) + b] != 0;
 }
 
-bool Resolved::kind_meets_material(ClassIndex kind, ClassIndex material) const {
+bool ResolvedNames::kind_meets_material(ClassIndex kind, ClassIndex material) const {
     return meets.empty() ||
            meets[kind * (kinds.size() + materials.size()) + kinds.size() + material] != 0;
 }
 
-bool Resolved::some_balls_meet() const {
+bool ResolvedNames::some_balls_meet() const {
     for (std::size_t a = 0; a < kinds.size(); ++a) {
         for (std::size_t b = 0; b < kinds.size(); ++b) {
             if (kinds_meet(static_cast<ClassIndex>(a), static_cast<ClassIndex>(b))) return true;
@@ -363,7 +363,7 @@ bool Resolved::some_balls_meet() const {
     return false;
 }
 
-bool Resolved::some_edges_meet() const {
+bool ResolvedNames::some_edges_meet() const {
     for (std::size_t a = 0; a < kinds.size(); ++a) {
         for (std::size_t m = 0; m < materials.size(); ++m) {
             if (kind_meets_material(static_cast<ClassIndex>(a), static_cast<ClassIndex>(m))) {
@@ -374,7 +374,7 @@ bool Resolved::some_edges_meet() const {
     return false;
 }
 
-bool Resolved::all_meet() const {
+bool ResolvedNames::all_meet() const {
     // Edges do not meet edges, whatever the table says of them.
     const std::size_t classes = kinds.size() + materials.size();
     for (std::size_t i = 0; i < meets.size(); ++i) {
@@ -385,7 +385,7 @@ bool Resolved::all_meet() const {
     return true;
 }
 
-Resolved resolve_names(Context& context) {
+ResolvedNames resolve_names(Context& context) {
     return Resolver(context).resolve();
 }
 

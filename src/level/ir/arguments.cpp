@@ -1,10 +1,10 @@
-#include "level/draft/arguments.h"
+#include "level/ir/arguments.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "level/draft/numbers.h"
+#include "level/ir/numbers.h"
 #include "level/text/spelling.h"
 
 namespace carom {
@@ -26,8 +26,8 @@ class Reading {
             for (const Word& word : words)
                 read_word(word);
         }
-        if (context_.reporter.errors() == errors && result_.is_sound) check_counts();
-        if (context_.reporter.errors() != errors) result_.is_sound = false;
+        if (context_.reporter.errors() == errors && result_.is_valid) check_counts();
+        if (context_.reporter.errors() != errors) result_.is_valid = false;
         return std::move(result_);
     }
 
@@ -36,7 +36,7 @@ class Reading {
 
     void mistake(const Span& at, std::string message, std::string remedy) {
         context_.reporter.error(at, std::move(message), std::move(remedy));
-        result_.is_sound = false;
+        result_.is_valid = false;
     }
 
     // "a = 1" and "W / 2": one mistake, though it makes several odd words.
@@ -58,7 +58,7 @@ class Reading {
     void read_plain(const Word& word) {
         if (result_.points.empty() && result_.values.empty() && result_.own_keys.empty()) {
             result_.plain.push_back(word);
-        } else if (result_.is_sound) {
+        } else if (result_.is_valid) {
             report_surplus(word);
         }
     }
@@ -88,7 +88,7 @@ class Reading {
         const std::optional<Vec2> point =
             read_pair(word, "", statement().point_measure, Bound::any, scope_, context_);
         if (!point) {
-            result_.is_sound = false;
+            result_.is_valid = false;
             return;
         }
         result_.points.push_back(*point);
@@ -141,7 +141,7 @@ class Reading {
     void read_value(const KeyRule& key, const Word& value) {
         Argument argument{value, {}};
         if (!read_numbers(key, argument)) {
-            result_.is_sound = false;
+            result_.is_valid = false;
             return;
         }
         if (key.repeats) {
@@ -154,21 +154,21 @@ class Reading {
     bool read_numbers(const KeyRule& key, Argument& argument) {
         const Word& value = argument.value;
         switch (key.form) {
-            case Form::scalar: {
+            case KeyShape::scalar: {
                 const auto number =
                     read_number(value, {key.name}, key.measure, key.bound, scope_, context_);
                 argument.numbers[0] = number.value_or(0.0);
                 if (number && *number != 0.0) note_need(key, value);
                 return number.has_value();
             }
-            case Form::pair: {
+            case KeyShape::pair: {
                 const auto pair =
                     read_pair(value, key.name, key.measure, key.bound, scope_, context_);
                 argument.numbers[0] = pair.value_or(Vec2{}).x;
                 argument.numbers[1] = pair.value_or(Vec2{}).y;
                 return pair.has_value();
             }
-            case Form::range: {
+            case KeyShape::range: {
                 const auto range =
                     read_range(value, {key.name}, key.measure, key.bound, scope_, context_);
                 if (range) {
@@ -177,15 +177,15 @@ class Reading {
                 }
                 return range.has_value();
             }
-            case Form::box: {
+            case KeyShape::box: {
                 const auto box = read_box(value, key.name, key.measure, scope_, context_);
                 argument.numbers = box.value_or(argument.numbers);
                 return box.has_value();
             }
-            case Form::word:
+            case KeyShape::word:
                 return read_name(key, value);
-            case Form::deferred:
-            case Form::call:
+            case KeyShape::deferred:
+            case KeyShape::call:
                 break;
         }
         return true;
@@ -194,8 +194,8 @@ class Reading {
     // Whether the level says `use spin` is known when all of it is read.
     void note_need(const KeyRule& key, const Word& value) {
         if (key.name != "mu" && key.name != "w") return;
-        if (context_.needs_noted.insert(value.text.data()).second)
-            context_.draft.spin_needs.push_back({key.name, value});
+        if (context_.spin_needs_seen.insert(value.text.data()).second)
+            context_.ir.spin_needs.push_back({key.name, value});
     }
 
     bool read_name(const KeyRule& key, const Word& value) {

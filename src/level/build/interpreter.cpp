@@ -1,4 +1,4 @@
-#include "level/build/unroll.h"
+#include "level/build/interpreter.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "level/build/includes.h"
 #include "level/build/overrides.h"
-#include "level/draft/numbers.h"
+#include "level/ir/numbers.h"
 #include "level/statements/header.h"
 #include "level/statements/parts.h"
 #include "level/text/spelling.h"
@@ -14,9 +14,9 @@
 namespace carom {
 namespace {
 
-class Unroller {
+class Interpreter {
   public:
-    Unroller(const LoadOptions& options, Texts& texts, Context& context)
+    Interpreter(const LoadOptions& options, SourceStore& texts, Context& context)
         : includes_(options.resolve_include, texts, context.reporter),
           overrides_(options.overrides, texts, context.reporter),
           context_(context),
@@ -65,7 +65,7 @@ class Unroller {
         constexpr std::uint64_t work_of_a_cell = 8;  // against that of a character of a word
         for (const Word& line : node.drawing)
             characters_ += work_of_a_cell * (line.text.size() + 1);
-        if (context_.reporter.errors() >= most_errors || context_.is_full) stopped_ = true;
+        if (context_.reporter.errors() >= most_errors || context_.is_at_limit) stopped_ = true;
         if (stopped_) return false;
         if (++steps_ <= max_items && characters_ <= most_characters) return true;
         context_.reporter.error(
@@ -85,9 +85,9 @@ class Unroller {
         if (declare(arguments, *frame.scope, legends_, context_)) return;
         const std::string_view name = node.statement->name;
         if (name == "part") return parts_.define(arguments, *frame.scope);
-        if (!arguments.is_sound) {
+        if (!arguments.is_valid) {
             for (const Word& word : arguments.plain) {
-                context_.draft.poisoned_names.emplace_back(word.text);
+                context_.ir.error_names.emplace_back(word.text);
             }
             return;
         }
@@ -148,7 +148,7 @@ class Unroller {
             context_.reporter.error(word.span(), fmt::format("'{}' has no value", word.text),
                                     "write let NAME=NUMBER without spaces");
         }
-        if (arguments.own_keys.empty() && arguments.is_sound) {
+        if (arguments.own_keys.empty() && arguments.is_valid) {
             context_.reporter.error(node.keyword().span(), "let names nothing",
                                     "write it as: let NAME=NUMBER ...");
         }
@@ -261,7 +261,7 @@ class Unroller {
         const Vec2 a = arguments.points[0];
         const Vec2 b = arguments.points[1];
         if (a.x < b.x && a.y < b.y) {
-            context_.draft.settings.world = Box{a, b};
+            context_.ir.settings.world = Box{a, b};
             return;
         }
         context_.reporter.error(arguments.point_words[1].span(), "the world is empty",
@@ -272,7 +272,7 @@ class Unroller {
     void run_new_override(const Node& node, const Frame& frame) {
         if (node.statement->name == "let") {
             std::vector<std::string_view> known;
-            for (const auto& [name, line] : context_.lets_ahead)
+            for (const auto& [name, line] : context_.top_level_lets)
                 known.push_back(name);
             for (const Word& word : node.rest()) {
                 const Word name = word.part(0, word.text.find('='));
@@ -303,7 +303,8 @@ class Unroller {
 
 }  // namespace
 
-const SourceText& Texts::add(std::string name, std::string text, std::vector<IncludedFrom> from) {
+const SourceText& SourceStore::add(std::string name, std::string text,
+                                   std::vector<IncludedFrom> from) {
     SourceText& source = sources.emplace_back();
     source.name = std::move(name);
     source.text = std::move(text);
@@ -313,11 +314,11 @@ const SourceText& Texts::add(std::string name, std::string text, std::vector<Inc
     return source;
 }
 
-void unroll(const SourceText& main, const LoadOptions& options, Texts& texts, Scene& scene,
+void unroll(const SourceText& main, const LoadOptions& options, SourceStore& texts, Scene& scene,
             Context& context) {
     const std::vector<Node>& nodes = texts.trees.emplace_back(read_blocks(main, context.reporter));
     read_header(nodes, main, scene, context);
-    Unroller(options, texts, context).run(nodes);
+    Interpreter(options, texts, context).run(nodes);
 }
 
 }  // namespace carom

@@ -24,13 +24,13 @@ std::string length_text(double value, const Context& context) {
 
 class StartCheck {
   public:
-    StartCheck(const std::vector<StartingBall>& balls, const Resolved& names, Context& context)
-        : balls_(balls), names_(names), context_(context), draft_(context.draft) {}
+    StartCheck(const std::vector<StartingBall>& balls, const ResolvedNames& names, Context& context)
+        : balls_(balls), names_(names), context_(context), ir_(context.ir) {}
 
     void run() {
         check_torus();
         check_emitters_in_world();
-        if (draft_.settings.may_overlap || balls_.size() + draft_.emitters.size() == 0) return;
+        if (ir_.settings.may_overlap || balls_.size() + ir_.emitters.size() == 0) return;
         const BoxTree edges = edge_tree();
         check_edges(edges);
         check_emitters(edges);
@@ -39,10 +39,10 @@ class StartCheck {
 
   private:
     void check_torus() {
-        const std::optional<Box>& world = draft_.settings.world;
-        if (!draft_.settings.wrap) return;
+        const std::optional<Box>& world = ir_.settings.world;
+        if (!ir_.settings.wrap) return;
         if (!world) {
-            context_.reporter.error(*draft_.settings.wrap, "use wrap needs a world",
+            context_.reporter.error(*ir_.settings.wrap, "use wrap needs a world",
                                     "say how large the torus is: world x0,y0 x1,y1");
             return;
         }
@@ -63,42 +63,43 @@ class StartCheck {
     }
 
     void check_emitters_in_world() {
-        const std::optional<Box>& world = draft_.settings.world;
+        const std::optional<Box>& world = ir_.settings.world;
         if (!world) return;
-        for (const EmitterDraft& draft : draft_.emitters) {
-            if (contains(*world, draft.emitter.at)) continue;
-            context_.reporter.error(draft.origin.span, "the spawn lies outside the world",
+        for (const EmitterIr& spec : ir_.emitters) {
+            if (contains(*world, spec.emitter.at)) continue;
+            context_.reporter.error(spec.origin.span, "the spawn lies outside the world",
                                     "move it inside, or make the world larger");
         }
     }
 
     BoxTree edge_tree() const {
         std::vector<Box> boxes;
-        for (const CapsuleDraft& capsule : draft_.capsules)
+        for (const CapsuleIr& capsule : ir_.capsules)
             boxes.push_back(bounds(capsule.shape));
         return BoxTree(std::move(boxes));
     }
 
     // Whether the edge pushes a ball with this centre at all.
-    static bool pushes(const CapsuleDraft& edge, Vec2 center) {
+    static bool pushes(const CapsuleIr& edge, Vec2 center) {
         if (edge.side == Side::both) return true;
         const double side = cross(edge.shape.end - edge.shape.start, center - edge.shape.start);
         return edge.side == Side::left ? side > 0.0 : side < 0.0;
     }
 
     // The edge that a ball of this kind would be in, and how deep. `span`: where the ball is said.
-    std::optional<std::pair<const CapsuleDraft*, double>> edge_around(const BoxTree& tree,
-                                                                      const Disc& disc,
-                                                                      ClassIndex kind,
-                                                                      const Span& span) {
-        std::optional<std::pair<const CapsuleDraft*, double>> found;
+    std::optional<std::pair<const CapsuleIr*, double>> edge_around(const BoxTree& tree,
+                                                                   const Disc& disc,
+                                                                   ClassIndex kind,
+                                                                   const Span& span) {
+        std::optional<std::pair<const CapsuleIr*, double>> found;
         tree.query(bounds(disc), [&](std::uint32_t i) {
             if (!has_time(span)) return false;
-            const CapsuleDraft& edge = draft_.capsules[i];
-            const ResolvedEdges& naming = names_.edges[static_cast<std::size_t>(edge.naming)];
+            const CapsuleIr& edge = ir_.capsules[i];
+            const ResolvedEdges& binding = names_.edges[static_cast<std::size_t>(edge.binding)];
             const double gap = separation(disc, edge.shape);
             if (gap >= -rounding(disc.center, disc.radius + edge.shape.radius)) return true;
-            if (!naming.is_sound || !names_.kind_meets_material(kind, naming.material)) return true;
+            if (!binding.is_valid || !names_.kind_meets_material(kind, binding.material))
+                return true;
             if (!pushes(edge, disc.center)) return true;
             found = {&edge, -gap};
             return false;
@@ -118,7 +119,7 @@ class StartCheck {
     }
 
     // A fill keeps clear of all that stands.
-    static bool is_filled(const StartingBall& ball) { return ball.naming < 0; }
+    static bool is_filled(const StartingBall& ball) { return ball.binding < 0; }
 
     void check_edges(const BoxTree& tree) {
         for (const StartingBall& ball : balls_) {
@@ -137,16 +138,16 @@ class StartCheck {
     }
 
     void check_emitters(const BoxTree& tree) {
-        for (std::size_t i = 0; i < draft_.emitters.size(); ++i) {
-            const EmitterDraft& draft = draft_.emitters[i];
-            if (!names_.emitters[i].is_sound) continue;
-            if (!has_time(draft.origin.span)) return;
+        for (std::size_t i = 0; i < ir_.emitters.size(); ++i) {
+            const EmitterIr& spec = ir_.emitters[i];
+            if (!names_.emitters[i].is_valid) continue;
+            if (!has_time(spec.origin.span)) return;
             const ClassIndex kind = names_.emitters[i].kind;
-            const auto edge = edge_around(tree, {draft.emitter.at, names_.kinds[kind].radius}, kind,
-                                          draft.origin.span);
+            const auto edge = edge_around(tree, {spec.emitter.at, names_.kinds[kind].radius}, kind,
+                                          spec.origin.span);
             if (!edge) continue;
             context_.reporter.error(
-                draft.origin.span,
+                spec.origin.span,
                 fmt::format("the spawn lies inside the edge of line {}, {} deep",
                             edge->first->origin.span.line, length_text(edge->second, context_)),
                 "move the spawn or the edge");
@@ -173,8 +174,8 @@ class StartCheck {
     // On a torus, where else the ball is: its place, and beyond each side that it hangs over.
     std::vector<Vec2> images_of(const StartingBall& ball) const {
         std::vector<Vec2> images{ball.position};
-        if (!draft_.settings.wrap || !draft_.settings.world) return images;
-        const Box& world = *draft_.settings.world;
+        if (!ir_.settings.wrap || !ir_.settings.world) return images;
+        const Box& world = *ir_.settings.world;
         const Box around = bounds(disc_of(ball));
         const double dx = around.low.x < world.low.x     ? size(world).x
                           : around.high.x > world.high.x ? -size(world).x
@@ -196,11 +197,11 @@ class StartCheck {
             const std::uint32_t k = checked_[entry];
             const StartingBall& other = balls_[k];
             if (k == i || (k > i && at == ball.position)) return true;
-            if (told_.contains({i, k}) || told_.contains({k, i})) return true;
+            if (reported_.contains({i, k}) || reported_.contains({k, i})) return true;
             const double gap = separation(disc, disc_of(other));
             if (gap >= -rounding(at, disc.radius + other.radius)) return true;
             if (!names_.kinds_meet(ball.kind, other.kind)) return true;
-            told_.emplace(i, k);
+            reported_.emplace(i, k);
             const StartingBall& later = i > k ? ball : other;
             const StartingBall& earlier = i > k ? other : ball;
             context_.reporter.error(
@@ -213,29 +214,30 @@ class StartCheck {
     }
 
     const std::vector<StartingBall>& balls_;
-    const Resolved& names_;
+    const ResolvedNames& names_;
     Context& context_;
-    const Draft& draft_;
+    const LevelIr& ir_;
     std::uint64_t pairs_ = 0;
     std::vector<std::uint32_t> checked_;  ///< balls, by their entry in the tree
-    std::set<std::pair<std::uint32_t, std::uint32_t>> told_;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> reported_;
 };
 
 }  // namespace
 
 void check_terms(Context& context) {
-    if (context.draft.needs_cloth && !context.draft.settings.cloth)
-        context.reporter.error(*context.draft.needs_cloth, "roll= needs 'use cloth'",
+    if (context.ir.needs_cloth && !context.ir.settings.cloth)
+        context.reporter.error(*context.ir.needs_cloth, "roll= needs 'use cloth'",
                                "add a line 'use cloth', or leave roll= out");
-    if (context.draft.settings.spin || context.draft.settings.cloth) return;
-    for (const SpinNeed& need : context.draft.spin_needs) {
+    if (context.ir.settings.spin || context.ir.settings.cloth) return;
+    for (const SpinNeed& need : context.ir.spin_needs) {
         context.reporter.error(need.value.span(),
                                fmt::format("{}={} needs 'use spin'", need.key, need.value.text),
                                fmt::format("add a line 'use spin', or leave {}= out", need.key));
     }
 }
 
-void check_start(const std::vector<StartingBall>& balls, const Resolved& names, Context& context) {
+void check_start(const std::vector<StartingBall>& balls, const ResolvedNames& names,
+                 Context& context) {
     StartCheck(balls, names, context).run();
 }
 
