@@ -189,6 +189,7 @@ void Handover::take_part(const World& world, bool of_heap, Part& part) const {
     keep_some(balls.restitution, part.ball, some.balls.restitution);
     keep_some(balls.edge_contacts, part.ball, some.balls.edge_contacts);
     keep_some(balls.spin, part.ball, some.balls.spin);
+    keep_some(balls.roll, part.ball, some.balls.roll);
     some.held_balls.clear();
     for (const HeldBall& held : world.held_balls)
         if (index_of(some, held.id)) some.held_balls.push_back(held);
@@ -247,6 +248,7 @@ void Handover::put_back(World& world, const Part& part, std::vector<std::uint8_t
     put_some_back(some.velocity, part.ball, world.balls.velocity);
     put_some_back(some.edge_contacts, part.ball, world.balls.edge_contacts);
     put_some_back(some.spin, part.ball, world.balls.spin);
+    put_some_back(some.roll, part.ball, world.balls.roll);
     put_some_back(part.touched, part.ball, touched);
 }
 
