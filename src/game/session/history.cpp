@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "physics/world/columns.h"
+
 namespace carom {
 namespace {
 
@@ -20,13 +22,7 @@ std::uint64_t apart(std::uint64_t a, std::uint64_t b) {
 }  // namespace
 
 std::size_t bytes_of(const World& world) {
-    const Balls& balls = world.balls;
-    const Capsules& capsules = world.capsules;
-    return sizeof(Snapshot) + bytes_in(balls.id) + bytes_in(balls.position) +
-           bytes_in(balls.velocity) + bytes_in(balls.radius) + bytes_in(balls.inverse_mass) +
-           bytes_in(balls.kind) + bytes_in(balls.restitution) + bytes_in(balls.edge_contacts) +
-           bytes_in(balls.spin) + bytes_in(balls.roll) + bytes_in(capsules.id) +
-           bytes_in(capsules.shape) + bytes_in(capsules.material) + bytes_in(capsules.side) +
+    return sizeof(Snapshot) + bytes_in_columns(world.balls) + bytes_in_columns(world.capsules) +
            bytes_in(world.kinds) + bytes_in(world.materials) + bytes_in(world.meets) +
            bytes_in(world.zones) + bytes_in(world.emitters) + bytes_in(world.counters) +
            bytes_in(world.removed) + bytes_in(world.held_balls) + bytes_in(world.held_capsules) +

@@ -7,26 +7,10 @@
 #include "geometry/closest.h"
 #include "physics/broad_phase/capsule_cells.h"
 #include "physics/laws/bounce.h"
+#include "physics/world/columns.h"
 
 namespace carom {
 namespace {
-
-template <typename T>
-void keep_some(const std::vector<T>& all, const std::vector<std::uint32_t>& which,
-               std::vector<T>& some) {
-    some.clear();
-    if (all.empty()) return;
-    for (const std::uint32_t i : which)
-        some.push_back(all[i]);
-}
-
-template <typename T>
-void put_some_back(const std::vector<T>& some, const std::vector<std::uint32_t>& which,
-                   std::vector<T>& all) {
-    if (all.empty()) return;
-    for (std::size_t i = 0; i < which.size(); ++i)
-        all[which[i]] = some[i];
-}
 
 Vec2 torus_of(const World& world) {
     return world.model.wrap ? size(*world.model.wrap) : Vec2{};
@@ -179,17 +163,7 @@ void Handover::take_part(const World& world, bool of_heap, Part& part) const {
     some.kinds = world.kinds;
     some.materials = world.materials;
     some.meets = world.meets;
-    const Balls& balls = world.balls;
-    keep_some(balls.id, part.ball, some.balls.id);
-    keep_some(balls.position, part.ball, some.balls.position);
-    keep_some(balls.velocity, part.ball, some.balls.velocity);
-    keep_some(balls.radius, part.ball, some.balls.radius);
-    keep_some(balls.inverse_mass, part.ball, some.balls.inverse_mass);
-    keep_some(balls.kind, part.ball, some.balls.kind);
-    keep_some(balls.restitution, part.ball, some.balls.restitution);
-    keep_some(balls.edge_contacts, part.ball, some.balls.edge_contacts);
-    keep_some(balls.spin, part.ball, some.balls.spin);
-    keep_some(balls.roll, part.ball, some.balls.roll);
+    copy_rows(world.balls, part.ball, some.balls);
     some.held_balls.clear();
     for (const HeldBall& held : world.held_balls)
         if (index_of(some, held.id)) some.held_balls.push_back(held);
@@ -243,13 +217,9 @@ bool Handover::widen_to(const World& world, std::uint32_t ball, Vec2 place) {
 }
 
 void Handover::put_back(World& world, const Part& part, std::vector<std::uint8_t>& touched) const {
-    const Balls& some = part.world.balls;
-    put_some_back(some.position, part.ball, world.balls.position);
-    put_some_back(some.velocity, part.ball, world.balls.velocity);
-    put_some_back(some.edge_contacts, part.ball, world.balls.edge_contacts);
-    put_some_back(some.spin, part.ball, world.balls.spin);
-    put_some_back(some.roll, part.ball, world.balls.roll);
-    put_some_back(part.touched, part.ball, touched);
+    write_rows(part.world.balls, part.ball, world.balls);
+    for (std::size_t i = 0; i < part.ball.size(); ++i)
+        touched[part.ball[i]] = part.touched[i];
 }
 
 // In the order of time.

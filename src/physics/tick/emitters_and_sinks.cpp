@@ -5,6 +5,7 @@
 
 #include "geometry/closest.h"
 #include "physics/broad_phase/cell_frame.h"
+#include "physics/world/columns.h"
 #include "physics/world/random.h"
 
 namespace carom {
@@ -29,15 +30,6 @@ bool is_free(const World& world, ClassIndex kind, Vec2 place) {
             return false;
     }
     return true;
-}
-
-template <typename T>
-void keep(std::vector<T>& values, const std::vector<std::uint8_t>& gone) {
-    if (values.empty()) return;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        if (!gone[i]) values[kept++] = values[i];
-    values.resize(kept);
 }
 
 }  // namespace
@@ -106,16 +98,7 @@ void drain_sinks(World& world) {
         const auto index = index_of(world, held.id);
         return index && gone[*index];
     });
-    keep(balls.id, gone);
-    keep(balls.position, gone);
-    keep(balls.velocity, gone);
-    keep(balls.radius, gone);
-    keep(balls.inverse_mass, gone);
-    keep(balls.kind, gone);
-    keep(balls.restitution, gone);
-    keep(balls.edge_contacts, gone);
-    keep(balls.spin, gone);
-    keep(balls.roll, gone);
+    erase_rows(balls, gone);
 }
 
 int substeps_needed(const World& world, int wanted) {

@@ -6,27 +6,26 @@
 
 namespace carom {
 
-/// The way back from within a tick: what births, flippers and the motion of balls and held edges
-/// change in a world. Not what the end of a tick changes (stops, sinks, counts, paths).
+/// Takes back a tick that was cancelled half way: restores what emitters, flippers, the motion of
+/// balls and kinematic edges have changed in the world. It does not cover what the end of a tick
+/// changes (stops, sinks, collision counts, the memory of solvers), which a cancelled tick never
+/// reaches.
 class TickUndo {
   public:
-    /// Notes how the world is: about 32 bytes a ball, in memory that is kept.
+    /// Remembers the world as it is: a copy of its balls and of what moves, in memory that is
+    /// reused from tick to tick.
     void note(const World& world);
-    /// The world is as it was when it was noted. Pre: it has gone through a part of a tick since.
+    /// Restores the world that was noted. Pre: no more than a part of a tick lies between.
     void take_back(World& world) const;
 
   private:
-    std::size_t balls_ = 0;
+    Balls balls_;
     bool lossy_ = false;
     std::uint32_t next_ball_ = 0;
-    std::vector<Vec2> position_;
-    std::vector<Vec2> velocity_;
-    std::vector<double> spin_;
-    std::vector<Vec2> roll_;
-    std::vector<std::uint32_t> edge_contacts_;
     std::vector<Emitter> emitters_;
     std::vector<HeldCapsule> held_capsules_;
-    std::vector<Capsule> shapes_;  // where some may move
+    bool moves_edges_ = false;
+    std::vector<Capsule> shapes_;  // if moves_edges_
 };
 
 }  // namespace carom

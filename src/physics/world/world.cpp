@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "geometry/closest.h"
+#include "physics/world/columns.h"
 
 namespace carom {
 namespace {
@@ -13,11 +14,6 @@ std::optional<std::size_t> find(const std::vector<Id>& ids, Id id) {
     const auto found = std::lower_bound(ids.begin(), ids.end(), id);
     if (found == ids.end() || *found != id) return std::nullopt;
     return static_cast<std::size_t>(found - ids.begin());
-}
-
-template <typename T>
-void erase_at(std::vector<T>& values, std::size_t index) {
-    if (!values.empty()) values.erase(values.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
 void become_one_way(World& world) {
@@ -37,22 +33,13 @@ void become_lossy(World& world) {
 
 BallId add_ball(World& world, const BallSpec& spec) {
     const Kind& kind = world.kinds[spec.kind];
-    const double restitution = spec.restitution.value_or(kind.restitution);
-    const double mass = spec.mass.value_or(kind.mass);
-    assert(mass > 0.0);
-    if (restitution < 1.0) become_lossy(world);
-    Balls& balls = world.balls;
+    assert(spec.mass.value_or(kind.mass) > 0.0);
+    if (spec.restitution.value_or(kind.restitution) < 1.0) become_lossy(world);
     const BallId id{world.next_ball++};
-    balls.id.push_back(id);
-    balls.position.push_back(spec.position);
-    balls.velocity.push_back(spec.velocity);
-    balls.radius.push_back(spec.radius.value_or(kind.radius));
-    balls.inverse_mass.push_back(1.0 / mass);
-    balls.kind.push_back(spec.kind);
-    if (world.model.lossy) balls.restitution.push_back(restitution);
-    if (world.model.scatter) balls.edge_contacts.push_back(0);
-    if (world.model.spin) balls.spin.push_back(spec.spin);
-    if (world.model.cloth) balls.roll.push_back(spec.roll.value_or(spec.velocity));
+    Balls::for_each_column([&](const auto& column) {
+        if (column.is_used(world.model))
+            (world.balls.*column.values).push_back(column.of_new(id, spec, kind));
+    });
     return id;
 }
 
@@ -110,17 +97,7 @@ void forget_paths(World& world) {
 void remove_ball(World& world, BallId id) {
     const auto index = index_of(world, id);
     if (!index) return;
-    Balls& balls = world.balls;
-    erase_at(balls.id, *index);
-    erase_at(balls.position, *index);
-    erase_at(balls.velocity, *index);
-    erase_at(balls.radius, *index);
-    erase_at(balls.inverse_mass, *index);
-    erase_at(balls.kind, *index);
-    erase_at(balls.restitution, *index);
-    erase_at(balls.edge_contacts, *index);
-    erase_at(balls.spin, *index);
-    erase_at(balls.roll, *index);
+    erase_row(world.balls, *index);
     std::erase_if(world.held_balls, [id](const HeldBall& held) { return held.id == id; });
     world.removed.push_back({.id = id, .zone = -1, .tick = world.tick});
 }
@@ -128,11 +105,7 @@ void remove_ball(World& world, BallId id) {
 void remove_capsule(World& world, CapsuleId id) {
     const auto index = index_of(world, id);
     if (!index) return;
-    Capsules& capsules = world.capsules;
-    erase_at(capsules.id, *index);
-    erase_at(capsules.shape, *index);
-    erase_at(capsules.material, *index);
-    erase_at(capsules.side, *index);
+    erase_row(world.capsules, *index);
     std::erase_if(world.held_capsules, [id](const HeldCapsule& held) { return held.id == id; });
     std::erase_if(world.flippers, [id](const Flipper& flipper) { return flipper.capsule == id; });
 }

@@ -6,6 +6,7 @@
 
 #include "geometry/shapes.h"
 #include "physics/memory/large_pages.h"
+#include "physics/world/bodies.h"
 #include "physics/world/contact.h"
 #include "physics/world/flipper.h"
 #include "physics/world/ids.h"
@@ -19,70 +20,6 @@
 /// *index*, which changes when balls before it are removed; its *id* never changes. Arrays are
 /// always in ascending order of id.
 namespace carom {
-
-/// A kind of ball, or a material of edges, as the physics sees it: `collide` filters by these.
-using ClassIndex = std::uint16_t;
-
-struct Balls {
-    std::vector<BallId> id;
-    std::vector<Vec2> position;
-    std::vector<Vec2> velocity;
-    std::vector<double> radius;        ///< > 0
-    std::vector<double> inverse_mass;  ///< > 0; 1/mass
-    std::vector<ClassIndex> kind;      ///< index into World::kinds
-    std::vector<double> restitution;   ///< ball on ball, 0..1; empty unless Model::lossy
-    std::vector<std::uint32_t>
-        edge_contacts;         ///< contacts with edges so far; empty unless Model::scatter
-    std::vector<double> spin;  ///< rad/s, counter-clockwise; empty unless Model::spin
-    std::vector<Vec2> roll;    ///< length/s, see cloth.h; empty unless Model::cloth
-
-    std::size_t size() const { return id.size(); }
-};
-
-/// What a kind of ball is made of: emitters and players make balls from it.
-struct Kind {
-    double radius = 1.0;
-    double mass = 3.14159265358979323846;
-    double restitution = 1.0;
-    /// Ball on ball, >= 0: the coefficient of a pair is the geometric mean of their kinds'. Counts
-    /// only where Model::spin.
-    double friction = 0.0;
-    /// Above the table, as on a ramp. World::kinds has all kinds of layer 0 first, then the same
-    /// ones in the same order on each layer above.
-    std::uint8_t layer = 0;
-
-    friend bool operator==(const Kind&, const Kind&) = default;
-};
-
-/// What a kind of edge is made of (ball on edge).
-struct Material {
-    double restitution = 1.0;
-    /// Restitution at approach speed v is restitution / (1 + soften v). s/length, >= 0.
-    double soften = 0.0;
-    /// Ball on edge, >= 0, whatever the ball. Counts only where Model::spin.
-    double friction = 0.0;
-    /// A coil behind the edge adds this speed along the normal to a ball that comes at `kick_from`
-    /// or faster, length/s, both >= 0. Counts only where Model::kicks.
-    double kick = 0.0;
-    double kick_from = 0.0;
-    /// The kick is that of the middle of the edge, and falls off to 0 at its ends as a parabola.
-    bool kicks_in_the_middle = false;
-
-    friend bool operator==(const Material&, const Material&) = default;
-};
-
-/// Which balls an edge pushes, seen from its start to its end; `none`: it is out of the way, as a
-/// drop target that is down.
-enum class Side : std::uint8_t { both, left, right, none };
-
-struct Capsules {
-    std::vector<CapsuleId> id;
-    std::vector<Capsule> shape;
-    std::vector<ClassIndex> material;  ///< index into World::materials
-    std::vector<Side> side;            ///< empty unless Model::one_way
-
-    std::size_t size() const { return id.size(); }
-};
 
 /// A region that reports and does not push.
 struct Zone {
@@ -285,19 +222,6 @@ struct World {
     double time() const { return static_cast<double>(tick) / rate; }
     /// s a tick.
     double tick_length() const { return 1.0 / rate; }
-};
-
-/// A ball to be added. Mass and restitution absent: those of its kind.
-struct BallSpec {
-    ClassIndex kind = 0;
-    Vec2 position;
-    Vec2 velocity;
-    std::optional<double> radius;
-    std::optional<double> mass;
-    std::optional<double> restitution;
-    double spin = 0.0;  ///< rad/s, counter-clockwise; for nothing unless Model::spin
-    /// For nothing unless Model::cloth; absent: it rolls.
-    std::optional<Vec2> roll = std::nullopt;
 };
 
 /// Pre: kind is an index into world.kinds; radius and mass positive and finite. A restitution below

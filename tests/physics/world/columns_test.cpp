@@ -1,0 +1,162 @@
+#include "physics/world/columns.h"
+
+#include <doctest/doctest.h>
+
+#include "physics/support/scenes.h"
+#include "physics/tick/emitters_and_sinks.h"
+#include "physics/tick/undo.h"
+#include "physics/world/world.h"
+
+using namespace carom;
+
+namespace {
+
+// The entry of a column for row `row`: one value for each row, none of them the default.
+void set(BallId& value, std::uint32_t row) {
+    value = BallId{10 * row + 3};
+}
+void set(CapsuleId& value, std::uint32_t row) {
+    value = CapsuleId{10 * row + 3};
+}
+void set(Vec2& value, std::uint32_t row) {
+    value = {row + 0.25, row + 0.5};
+}
+void set(double& value, std::uint32_t row) {
+    value = row + 0.125;
+}
+void set(ClassIndex& value, std::uint32_t row) {
+    value = static_cast<ClassIndex>(row + 1);
+}
+void set(std::uint32_t& value, std::uint32_t row) {
+    value = row + 7;
+}
+void set(Side& value, std::uint32_t row) {
+    value = static_cast<Side>(1 + row % 3);
+}
+void set(Capsule& value, std::uint32_t row) {
+    value = {{row + 1.0, 0.0}, {0.0, row + 2.0}, 0.5};
+}
+
+// A table with `rows` rows in which every column is in use.
+template <typename Table>
+Table filled(std::uint32_t rows) {
+    Table table;
+    Table::for_each_column([&](const auto& column) {
+        auto& values = table.*column.values;
+        values.resize(rows);
+        for (std::uint32_t row = 0; row < rows; ++row)
+            set(values[row], row);
+    });
+    return table;
+}
+
+// Checks that the rows of `part` are the rows `rows` of `whole`, in every column.
+template <typename Table>
+void check_rows(const Table& part, const Table& whole, const std::vector<std::uint32_t>& rows) {
+    Table::for_each_column([&](const auto& column) {
+        CAPTURE(column.name);
+        const auto& some = part.*column.values;
+        const auto& all = whole.*column.values;
+        REQUIRE(some.size() == rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            CHECK(some[i] == all[rows[i]]);
+    });
+}
+
+// A world of three balls in which every column is in use, far apart, with a sink around one.
+World full() {
+    World world = scenes::empty();
+    world.model.lossy = true;
+    world.model.scatter = 0.1;
+    world.model.spin = 0.4;
+    world.model.cloth = Cloth{};
+    for (int i = 0; i < 3; ++i)
+        add_ball(world, {.position = {9.0 * i, 1.0}});
+    const std::vector<BallId> ids = world.balls.id;
+    world.balls = filled<Balls>(3);
+    world.balls.id = ids;
+    world.balls.kind.assign(3, 0);
+    for (std::uint32_t i = 0; i < 3; ++i)
+        world.balls.position[i] = {9.0 * i, 1.0};
+    return world;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("every column goes through each operation on rows", Table, Balls, Capsules) {
+    const Table whole = filled<Table>(5);
+    Table table = whole;
+    erase_row(table, 1);
+    check_rows(table, whole, {0, 2, 3, 4});
+
+    table = whole;
+    erase_rows(table, std::vector<std::uint8_t>{1, 0, 0, 1, 0});
+    check_rows(table, whole, {1, 2, 4});
+
+    Table part = filled<Table>(9);
+    const std::vector<std::uint32_t> rows{4, 0, 2};
+    copy_rows(whole, rows, part);
+    check_rows(part, whole, {4, 0, 2});
+
+    const Table other = filled<Table>(9);
+    copy_rows(other, std::vector<std::uint32_t>{6, 7, 8}, part);
+    table = whole;
+    write_rows(part, rows, table);
+    check_rows(table, other, {7, 1, 8, 3, 6});
+}
+
+TEST_CASE("columns that are not in use stay empty through each operation on rows") {
+    Balls balls = filled<Balls>(3);
+    balls.spin.clear();
+    Balls part;
+    copy_rows(balls, std::vector<std::uint32_t>{2, 1}, part);
+    CHECK(part.spin.empty());
+    write_rows(part, std::vector<std::uint32_t>{0, 1}, balls);
+    erase_row(balls, 0);
+    erase_rows(balls, std::vector<std::uint8_t>{1, 0});
+    CHECK(balls.spin.empty());
+    CHECK(balls.size() == 1);
+}
+
+TEST_CASE("the bytes of a table are those of all its columns") {
+    const Balls balls = filled<Balls>(4);
+    CHECK(bytes_in_columns(balls) == 4 * (4 + 16 + 16 + 8 + 8 + 2 + 8 + 4 + 8 + 16));
+}
+
+TEST_CASE("a new ball has an entry in every column that its scene uses, and in no other") {
+    World world = full();
+    add_ball(world, {.position = {30.0, 1.0}, .spin = 2.0, .roll = Vec2{1.0, 2.0}});
+    Balls::for_each_column([&](const auto& column) {
+        CAPTURE(column.name);
+        CHECK((world.balls.*column.values).size() == 4);
+    });
+    World plain = scenes::empty();
+    add_ball(plain, {});
+    Balls::for_each_column([&](const auto& column) {
+        CAPTURE(column.name);
+        CHECK((plain.balls.*column.values).size() == (column.is_used(plain.model) ? 1 : 0));
+    });
+}
+
+TEST_CASE("removing a ball, by a player or in a sink, keeps every column of the others") {
+    const World start = full();
+    World world = start;
+    remove_ball(world, BallId{1});
+    check_rows(world.balls, start.balls, {0, 2});
+
+    world = start;
+    world.counters = {0};
+    world.zones.push_back({.shape = {{0.0, 1.0}, {0.0, 1.0}, 1.0}, .effect = Zone::Effect::sink});
+    drain_sinks(world);
+    check_rows(world.balls, start.balls, {1, 2});
+}
+
+TEST_CASE("taking back a tick restores every column") {
+    const World start = full();
+    World world = start;
+    TickUndo undo;
+    undo.note(world);
+    world.balls = filled<Balls>(7);
+    undo.take_back(world);
+    check_rows(world.balls, start.balls, {0, 1, 2});
+}
