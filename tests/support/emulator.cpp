@@ -26,7 +26,7 @@ void append_utf8(std::string& text, std::uint32_t code) {
 std::optional<int> index_of(const VTermColor& color) {
     if ((color.type & VTERM_COLOR_DEFAULT_MASK) != 0) return std::nullopt;
     if (VTERM_COLOR_IS_INDEXED(&color)) return color.indexed.idx;
-    return -1;  // of no palette
+    return 1 << 24 | color.rgb.red << 16 | color.rgb.green << 8 | color.rgb.blue;
 }
 
 }  // namespace

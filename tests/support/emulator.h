@@ -52,7 +52,7 @@ class Emulator {
     std::string row(int row) const;
     VTermScreenCell cell(int column, int row) const;
     CellLook look(int column, int row) const;
-    /// The number of the palette; none: the terminal's own.
+    /// The number of the palette, or 0x1RRGGBB for a 24-bit colour; none: the terminal's own.
     std::optional<int> foreground(int column, int row) const;
     std::optional<int> background(int column, int row) const;
 

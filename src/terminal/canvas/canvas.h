@@ -5,14 +5,11 @@
 #include <string_view>
 #include <vector>
 
+#include "terminal/canvas/color.h"
+
 /// A picture in character cells. All drawing goes into a canvas, which tests read without a
 /// terminal; the screen then sends what changed.
 namespace carom {
-
-/// A colour of the xterm palette of 256, or the terminal's own default. The screen maps it to what
-/// the terminal has.
-using Color = std::int16_t;
-inline constexpr Color default_color = -1;
 
 enum Attribute : std::uint8_t { plain = 0, bold = 1, dim = 2, reverse = 4, underline = 8 };
 

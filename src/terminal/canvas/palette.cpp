@@ -9,46 +9,6 @@ namespace carom {
 
 namespace {
 
-struct Rgb {
-    int red = 0;
-    int green = 0;
-    int blue = 0;
-};
-
-// The xterm palette above the 16 colours of the terminal's own: a cube of 6 x 6 x 6, and 24 greys.
-constexpr int first_of_cube = 16;
-constexpr int first_grey = 232;
-constexpr std::array<int, 6> cube_steps = {0, 95, 135, 175, 215, 255};
-
-// xterm's values for the first 16, which themes may change.
-constexpr std::array<Rgb, 16> system_colors = {{{0, 0, 0},
-                                                {205, 0, 0},
-                                                {0, 205, 0},
-                                                {205, 205, 0},
-                                                {0, 0, 238},
-                                                {205, 0, 205},
-                                                {0, 205, 205},
-                                                {229, 229, 229},
-                                                {127, 127, 127},
-                                                {255, 0, 0},
-                                                {0, 255, 0},
-                                                {255, 255, 0},
-                                                {92, 92, 255},
-                                                {255, 0, 255},
-                                                {0, 255, 255},
-                                                {255, 255, 255}}};
-
-Rgb rgb_of(int color) {
-    if (color < first_of_cube) return system_colors[static_cast<std::size_t>(color)];
-    if (color >= first_grey) {
-        const int grey = 8 + 10 * (color - first_grey);
-        return {grey, grey, grey};
-    }
-    const int i = color - first_of_cube;
-    const auto step = [](int n) { return cube_steps[static_cast<std::size_t>(n)]; };
-    return {step(i / 36), step(i / 6 % 6), step(i % 6)};
-}
-
 // How far a colour's hue and its strength are off: the distance of what is left without the grey.
 int tint_error(const Rgb& a, const Rgb& b) {
     const int red = a.red - b.red;
@@ -62,6 +22,7 @@ int tint_error(const Rgb& a, const Rgb& b) {
 // `tint_weight`: how much more a wrong hue counts than a wrong brightness.
 Color nearest_color(const Rgb& wanted, int tint_weight) {
     const auto square = [](int x) { return x * x; };
+    constexpr int first_of_cube = 16;  // below it, themes change the colours
     int nearest = first_of_cube;
     int least = std::numeric_limits<int>::max();
     for (int color = first_of_cube; color < 256; ++color) {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "terminal/input/capabilities.h"
+#include "terminal/canvas/color.h"
 #include "terminal/input/input_sequence.h"
 
 /// What the terminal says when carom asks it something. Never a key, however late it comes.

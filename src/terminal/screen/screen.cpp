@@ -7,15 +7,22 @@
 #include <string>
 #include <utility>
 
+#include "terminal/screen/environment.h"
 #include "terminal/screen/restore.h"
-#include "terminal/screen/screen_environment.h"
-#include "terminal/screen/screen_state.h"
-#include "terminal/screen/screen_terminfo.h"
+#include "terminal/screen/state.h"
+#include "terminal/screen/terminfo.h"
 
 namespace carom {
 namespace {
 
 constexpr double answer_patience = 0.25;  // s that open() waits for answers
+
+// COLORTERM is inherited by what knows nothing of it, so it counts only beside 256 colours.
+int colors_on_offer(const TerminalEnvironment& environment) {
+    const int described = described_colors();
+    const bool is_direct = described > 256 || (described == 256 && environment.has_direct_colors);
+    return is_direct ? direct_colors : 256;
+}
 
 }  // namespace
 
@@ -28,22 +35,26 @@ std::variant<Screen, ScreenError> Screen::open(const ScreenOptions& options) {
     }
     auto state = std::make_unique<State>();
     tcgetattr(STDOUT_FILENO, &state->modes_before);
-    state->modes = ScreenModes(options);
+    state->modes = TerminalModes(options);
     Capabilities& capabilities = state->capabilities;
-    const ScreenEnvironment environment = read_screen_environment();
+    const TerminalEnvironment environment = read_terminal_environment();
     capabilities.utf8 = environment.is_utf8;
     capabilities.ssh = environment.is_ssh;
     capabilities.light_background = environment.is_light;
-    const int most_colors = options.colors.value_or(environment.wants_no_colors ? 0 : 256);
-    auto started = Curses::start(environment.terminal, most_colors, capabilities.utf8);
+    auto started = CursesSession::start(environment.terminal);
     if (const auto* const error = std::get_if<std::string>(&started)) return ScreenError{*error};
-    state->curses = std::get<Curses>(std::move(started));
-    capabilities.colors = std::min(256, state->curses->colors());
+    state->curses = std::get<CursesSession>(std::move(started));
+    const int most_colors =
+        options.colors.value_or(environment.wants_no_colors ? 0 : colors_on_offer(environment));
+    const TerminalDialect dialect = described_dialect(most_colors, capabilities.utf8);
+    state->differ = FrameDiffer(dialect);
+    capabilities.colors = std::min(256, dialect.colors);
+    capabilities.direct_color = dialect.colors == direct_colors;
     state->decoder = InputDecoder(capabilities.utf8, described_keys());
     catch_fatal_signals();
     state->measure();
     state->enter();
-    if (options.queries && state->curses->is_modern()) {
+    if (options.queries && is_modern_emulator()) {
         state->send(capability_questions());
         constexpr int most_reads = 64;  // somebody may be typing meanwhile
         for (int i = 0; i < most_reads && !state->has_answered_all; ++i) {
@@ -75,7 +86,7 @@ std::size_t Screen::show(const Canvas& canvas, FrameEnd end) {
     State& state = *state_;
     state.frame = {};
     if (!state.is_open || state.is_gone) return 0;
-    const std::string_view change = state.curses->paint(canvas);
+    const std::string_view change = state.differ.paint(canvas);
     if (change.empty()) return 0;
     std::string bytes(state.modes.before_frame());
     bytes += change;
@@ -95,7 +106,7 @@ std::string_view Screen::last_frame() const {
 }
 
 void Screen::redraw() {
-    state_->curses->redraw();
+    state_->differ.redraw();
 }
 
 std::vector<InputEvent> Screen::wait(double seconds, int also) {

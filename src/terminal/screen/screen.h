@@ -24,7 +24,8 @@ enum class MouseMode : std::uint8_t {
 };
 
 struct ScreenOptions {
-    /// 0, 8, 16 or 256: this many at most. None: as many as the terminal has, NO_COLOR honoured.
+    /// 0, 8, 16 or 256: this many at most; direct_colors: 24-bit colours, whatever TERM says.
+    /// None: as many as the terminal has, NO_COLOR honoured.
     std::optional<int> colors;
     std::optional<bool> light_background;  ///< overrides what the terminal says
     MouseMode mouse = MouseMode::drag;
@@ -83,7 +84,7 @@ class Screen {
     /// Gives the terminal back as it was. Everything else does nothing from then on.
     void close();
 
-    struct State;  ///< known to screen*.cpp alone
+    struct State;  ///< state.h
 
   private:
     explicit Screen(std::unique_ptr<State> state);

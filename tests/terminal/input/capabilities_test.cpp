@@ -4,40 +4,6 @@
 
 using namespace carom;
 
-TEST_CASE("the palette of 256 is xterm's") {
-    CHECK(rgb_of(9) == Rgb{255, 0, 0});
-    CHECK(rgb_of(16) == Rgb{0, 0, 0});
-    CHECK(rgb_of(196) == Rgb{255, 0, 0});
-    CHECK(rgb_of(67) == Rgb{95, 135, 175});
-    CHECK(rgb_of(231) == Rgb{255, 255, 255});
-    CHECK(rgb_of(232) == Rgb{8, 8, 8});
-    CHECK(rgb_of(255) == Rgb{238, 238, 238});
-}
-
-TEST_CASE("a colour stays itself where the terminal has it, and keeps its hue where it has not") {
-    for (Color color = 0; color < 256; ++color) {
-        CHECK(color_for_terminal(color, 256) == color);
-        CHECK(color_for_terminal(color, 0) == default_color);
-        const int of_eight = color_for_terminal(color, 8);
-        CHECK(of_eight >= 0);
-        CHECK(of_eight < 8);
-        const int of_sixteen = color_for_terminal(color, 16);
-        CHECK(of_sixteen >= 0);
-        CHECK(of_sixteen < 16);
-        if (color < 16) CHECK(of_sixteen == color);
-        if (luminance(rgb_of(color)) > 0.25) CHECK(of_eight != 0);
-    }
-    CHECK(color_for_terminal(default_color, 256) == default_color);
-    CHECK(color_for_terminal(196, 8) == 1);
-    CHECK(color_for_terminal(196, 16) == 9);
-    CHECK(color_for_terminal(17, 8) == 4);  // a dark blue is blue, not black
-    CHECK(color_for_terminal(244, 8) == 7);
-    CHECK(color_for_terminal(240, 16) == 8);
-    CHECK(color_for_terminal(8, 8) == 7);
-    CHECK(color_for_terminal(208, 1 << 24) == 0xff8700);
-    CHECK(color_for_terminal(5, 1 << 24) == 5);
-}
-
 TEST_CASE("COLORFGBG") {
     CHECK(light_background_from("15;0") == false);
     CHECK(light_background_from("0;15") == true);

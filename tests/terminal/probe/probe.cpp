@@ -5,14 +5,16 @@
 ///     probe [option...] events          shows a mark, logs every event, ends with q, hangup or
 ///     end;
 ///                                       m switches the mouse off and to motion, b rings the bell
-///     probe [option...] frames N        shows N frames of 200 moving discs, logs writes and bytes
+///     probe [option...] frames N        shows N frames of 200 moving discs, or of level=FILE, and
+///                                       logs writes and bytes
 ///     probe [option...] crash SIGNAL    raises the signal with the screen open
 ///     probe [option...] capabilities    logs what the terminal can do
 ///     probe [option...] random N        shows N random pictures, logs the last cell by cell, waits
 ///     probe [option...] cells           shows cells of many colours and attributes, waits for a
 ///     key
 ///
-/// Options: guarded, ascii / halves / braille (of frames), colors=N, motion, nopixels, noqueries.
+/// Options: guarded, ascii / halves / braille and level=FILE (of frames), colors=N, motion,
+/// nopixels, noqueries.
 
 #include <fmt/format.h>
 #include <sys/syscall.h>
@@ -20,6 +22,8 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -104,14 +108,19 @@ int echo_events(Screen& screen) {
 }
 
 // 200 discs that bounce in a box, as in the table of what a frame may cost.
-int show_frames(Screen& screen, int count, Renderer renderer) {
-    const LoadResult loaded = load_level(
+// Or a level from a file, drawn at 60 frames a second.
+int show_frames(Screen& screen, int count, Renderer renderer, const std::string& level) {
+    std::string text =
         "carom 1 \"Discs\"\n"
         "kind disc r=1\n"
         "box r=0 0,0 160,96\n"
         "fill disc count=200 box=2,2,158,94 speed=20\n"
-        "rate 60\n",
-        "discs");
+        "rate 60\n";
+    if (!level.empty()) {
+        std::ifstream file(level);
+        text.assign(std::istreambuf_iterator<char>(file), {});
+    }
+    const LoadResult loaded = load_level(text, "discs");
     const Capabilities& capabilities = screen.capabilities();
     Canvas canvas(capabilities.columns, capabilities.rows);
     if (!loaded.scene) {
@@ -121,13 +130,19 @@ int show_frames(Screen& screen, int count, Renderer renderer) {
         return 1;
     }
     World world = loaded.scene->world;
-    Solver solver({.kind = SolverKind::discrete});
+    const int ticks = level.empty() ? 1 : static_cast<int>(world.rate / 60.0 + 0.5);
+    Solver solver(
+        {.kind = level.empty() ? SolverKind::discrete : pick_solver(world).settings.kind});
+    if (!level.empty() && world.balls.velocity[0] == Vec2{}) {
+        world.balls.velocity[0] = {0.7 * size(loaded.scene->view).x, 0.01};
+    }
     ViewOptions options;
     options.renderer = renderer;
     options.look = {capabilities.colors, capabilities.utf8, capabilities.light_background};
     ViewMemory memory;
-    const Camera camera = fit_camera({{0, 0}, {160, 96}}, {0, 0, canvas.columns(), canvas.rows()},
-                                     capabilities.cell_aspect);
+    const Camera camera =
+        fit_camera(level.empty() ? Box{{0, 0}, {160, 96}} : loaded.scene->view,
+                   {0, 0, canvas.columns(), canvas.rows()}, capabilities.cell_aspect);
     unsigned asked = 0;
     unsigned long first_writes = 0;
     unsigned long first_bytes = 0;
@@ -141,7 +156,8 @@ int show_frames(Screen& screen, int count, Renderer renderer) {
         draw_world(canvas, camera, *loaded.scene, world, {}, {}, options, memory);
         if (screen.show(canvas, FrameEnd::asks) > 0) ++asked;
         if (frame > 0) most_writes = std::max(most_writes, terminal_writes - before);
-        solver.tick(world);
+        for (int i = 0; i < ticks; ++i)
+            solver.tick(world);
         while (screen.frames_answered() < asked) {
             screen.wait(0.1);
         }
@@ -207,6 +223,10 @@ int show_cells(Screen& screen) {
     canvas.put(1, 9, {.glyph = U'b', .attributes = bold});
     canvas.put(2, 9, {.glyph = U'u', .attributes = underline});
     canvas.put(3, 9, {.glyph = U'r', .attributes = reverse});
+    const Color orange = direct_color({250, 130, 5});
+    canvas.put(4, 9, {.glyph = U'd', .foreground = orange, .background = 4});
+    canvas.put(5, 9, {.glyph = U'\U0001CD00', .foreground = 2, .background = orange});
+    canvas.put(6, 9, {.glyph = U'x'});
     canvas.put(canvas.columns() - 1, canvas.rows() - 1, {.glyph = U'#'});
     screen.show(canvas);
     log("shown");
@@ -218,6 +238,7 @@ struct Arguments {
     ScreenOptions screen;
     Renderer renderer = Renderer::ascii;
     bool is_guarded = false;
+    std::string level;
     std::vector<std::string_view> words;
 };
 
@@ -239,6 +260,8 @@ Arguments parsed(int count, char** values) {
             arguments.screen.mouse_pixels = false;
         } else if (word == "noqueries") {
             arguments.screen.queries = false;
+        } else if (word.starts_with("level=")) {
+            arguments.level = word.substr(6);
         } else if (word.starts_with("colors=")) {
             arguments.screen.colors = std::atoi(values[i] + 7);
         } else {
@@ -258,7 +281,7 @@ int run(const Arguments& arguments) {
     const std::string_view what = arguments.words.empty() ? "events" : arguments.words[0];
     const int number = arguments.words.size() > 1 ? std::atoi(arguments.words[1].data()) : 0;
     if (what == "events") return echo_events(screen);
-    if (what == "frames") return show_frames(screen, number, arguments.renderer);
+    if (what == "frames") return show_frames(screen, number, arguments.renderer, arguments.level);
     if (what == "random") return show_random(screen, number);
     if (what == "cells") return show_cells(screen);
     if (what == "crash") {

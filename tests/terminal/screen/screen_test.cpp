@@ -166,6 +166,74 @@ TEST_CASE("colours, as many as the terminal has") {
     }
 }
 
+TEST_CASE("24-bit colours and octants, whatever TERM says") {
+    constexpr int orange = 1 << 24 | 250 << 16 | 130 << 8 | 5;
+    ProgramOptions options;
+    const std::string asked = "colors=16777216 cells";
+    std::string arguments = asked;
+    SUBCASE("xterm-256color") {}
+    SUBCASE("xterm-direct") {
+        options.environment["TERM"] = "xterm-direct";
+        arguments = "cells";
+    }
+    SUBCASE("screen-256color") {
+        options.environment["TERM"] = "screen-256color";
+    }
+    SUBCASE("linux") {
+        options.environment["TERM"] = "linux";
+    }
+    SUBCASE("vt100") {
+        options.environment["TERM"] = "vt100";
+    }
+    SUBCASE("COLORTERM") {
+        options.environment["COLORTERM"] = "truecolor";
+        arguments = "cells";
+    }
+    TerminalProgram program(probe(arguments), options);
+    REQUIRE(program.wait_for_log("shown"));
+    program.settle();
+    const carom::test::Emulator& screen = program.screen();
+    CHECK(screen.foreground(4, 9) == orange);
+    CHECK(screen.background(4, 9) == 4);
+    CHECK(screen.cell(5, 9).chars[0] == 0x1CD00);
+    CHECK(screen.background(5, 9) == orange);
+    CHECK(screen.cell(6, 9).chars[0] == 'x');  // an octant is one column wide
+    CHECK(screen.foreground(10, 3) == 202);
+    program.send("x");
+    CHECK(program.exit_status() == 0);
+    CHECK(program.what_is_left_dirty() == "");
+}
+
+TEST_CASE("24-bit colours become the nearest that there is") {
+    ProgramOptions options;
+    SUBCASE("256") {
+        TerminalProgram program(probe("cells"), options);
+        REQUIRE(program.wait_for_log("shown"));
+        program.settle();
+        CHECK(program.screen().foreground(4, 9) == 208);
+        CHECK(program.screen().cell(5, 9).chars[0] == 0x1CD00);
+    }
+    SUBCASE("8, though COLORTERM was inherited from elsewhere") {
+        options.environment = {{"TERM", "linux"}, {"COLORTERM", "truecolor"}};
+        TerminalProgram program(probe("cells"), options);
+        REQUIRE(program.wait_for_log("shown"));
+        program.settle();
+        CHECK(program.screen().foreground(4, 9) == 1);
+    }
+}
+
+TEST_CASE("a terminal without ECMA-48 gets what its description says") {
+    ProgramOptions options;
+    options.environment["TERM"] = "vt52";
+    TerminalProgram program(probe("cells"), options);
+    REQUIRE(program.wait_for_log("shown"));
+    program.settle();
+    CHECK(program.output().find("\033Y) \u2580bur") != std::string::npos);  // row 9, column 0
+    CHECK(program.output().find("\033[10") == std::string::npos);
+    program.send("x");
+    CHECK(program.exit_status() == 0);
+}
+
 TEST_CASE("an old terminal without colour, in the C locale") {
     ProgramOptions options;
     options.environment = {{"TERM", "vt100"}, {"LC_ALL", "C"}};

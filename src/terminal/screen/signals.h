@@ -10,15 +10,15 @@ bool ends_the_game(int signal);
 
 /// Catches WINCH, INT, QUIT, TERM, HUP, TSTP and CONT (not INT, QUIT, TERM, HUP or TSTP where they
 /// were ignored). Open it before ncurses starts, or ncurses takes some of them. One at a time.
-class ScreenSignals {
+class SignalPipe {
   public:
-    ScreenSignals();
-    ScreenSignals(const ScreenSignals&) = delete;
-    ScreenSignals& operator=(const ScreenSignals&) = delete;
+    SignalPipe();
+    SignalPipe(const SignalPipe&) = delete;
+    SignalPipe& operator=(const SignalPipe&) = delete;
     /// Does with signals what was done before; but a signal that has asked for the end once must
     /// not kill what is ending in good order, and is ignored from now on. (A terminal that hangs up
     /// tells the game and its guardian, which passes it on.)
-    ~ScreenSignals();
+    ~SignalPipe();
 
     /// The terminal is gone: HUP, which may come later, is as good as come.
     void expect_hangup();

@@ -7,18 +7,20 @@
 #include <vector>
 
 #include "terminal/input/input_decoder.h"
+#include "terminal/screen/curses_session.h"
+#include "terminal/screen/frame_differ.h"
+#include "terminal/screen/modes.h"
 #include "terminal/screen/screen.h"
-#include "terminal/screen/screen_curses.h"
-#include "terminal/screen/screen_modes.h"
-#include "terminal/screen/screen_signals.h"
+#include "terminal/screen/signals.h"
 
 /// What is behind an open screen.
 namespace carom {
 
 struct Screen::State {
-    ScreenSignals signals;  // before ncurses: it leaves alone what is caught already
-    std::optional<Curses> curses;
-    ScreenModes modes;
+    SignalPipe signals;  // before ncurses: it leaves alone what is caught already
+    std::optional<CursesSession> curses;
+    FrameDiffer differ;
+    TerminalModes modes;
     InputDecoder decoder;
     Capabilities capabilities;
     termios modes_before{};
@@ -33,7 +35,7 @@ struct Screen::State {
     bool is_open = false;
     bool is_gone = false;
 
-    // screen_state.cpp: taking the terminal over, giving it back, sending
+    // state.cpp: taking the terminal over, giving it back, sending
     void enter();
     void leave();
     void suspend();
@@ -44,7 +46,7 @@ struct Screen::State {
     void set_mouse();
     void hang_up();
 
-    // screen_input.cpp: what comes from it, and from signals
+    // state_input.cpp: what comes from it, and from signals
     void take(const DecodedInput& input);
     void take(const Answer& answer);
     void take(const InputEvent& event);

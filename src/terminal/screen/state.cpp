@@ -1,4 +1,4 @@
-#include "terminal/screen/screen_state.h"
+#include "terminal/screen/state.h"
 
 #include <poll.h>
 #include <sys/ioctl.h>
@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "terminal/screen/restore.h"
-#include "terminal/screen/screen_terminfo.h"
+#include "terminal/screen/terminfo.h"
 
 namespace carom {
 
@@ -60,6 +60,7 @@ void Screen::State::measure() {
     if (is_to_ask && is_open && does_answer_questions) send(cell_question);
     modes.tell(capabilities);
     curses->set_size(capabilities.columns, capabilities.rows);
+    differ.set_size(capabilities.columns, capabilities.rows);
 }
 
 void Screen::State::set_mouse() {

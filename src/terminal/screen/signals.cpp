@@ -1,4 +1,4 @@
-#include "terminal/screen/screen_signals.h"
+#include "terminal/screen/signals.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -44,7 +44,7 @@ bool ends_the_game(int signal) {
     return signal == SIGINT || signal == SIGQUIT || signal == SIGTERM || signal == SIGHUP;
 }
 
-ScreenSignals::ScreenSignals() {
+SignalPipe::SignalPipe() {
     if (pipe(pipe_ends.data()) == 0) {
         for (const int end : pipe_ends) {
             fcntl(end, F_SETFL, O_NONBLOCK);
@@ -63,7 +63,7 @@ ScreenSignals::ScreenSignals() {
     }
 }
 
-ScreenSignals::~ScreenSignals() {
+SignalPipe::~SignalPipe() {
     for (std::size_t i = 0; i < caught.size(); ++i) {
         if (ends_the_game(caught[i]) && has_come[i] != 0) {
             ignore(caught[i]);
@@ -77,15 +77,15 @@ ScreenSignals::~ScreenSignals() {
     }
 }
 
-void ScreenSignals::expect_hangup() {
+void SignalPipe::expect_hangup() {
     note(SIGHUP);
 }
 
-int ScreenSignals::handle() const {
+int SignalPipe::handle() const {
     return pipe_ends[0];
 }
 
-std::vector<int> ScreenSignals::take() {
+std::vector<int> SignalPipe::take() {
     std::vector<int> signals;
     std::array<char, 64> bytes{};
     for (;;) {
@@ -95,7 +95,7 @@ std::vector<int> ScreenSignals::take() {
     }
 }
 
-void ScreenSignals::stop() {
+void SignalPipe::stop() {
     struct sigaction by_default {};
     struct sigaction ours {};
     by_default.sa_handler = SIG_DFL;

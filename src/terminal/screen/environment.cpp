@@ -1,4 +1,4 @@
-#include "terminal/screen/screen_environment.h"
+#include "terminal/screen/environment.h"
 
 #include <langinfo.h>
 
@@ -41,13 +41,20 @@ std::string described_terminal(const Variables& variables) {
     return named == "xterm" && has_256 ? "xterm-256color" : named;
 }
 
-ScreenEnvironment read_screen_environment() {
-    ScreenEnvironment environment;
+bool has_direct_colors(const Variables& variables) {
+    const std::string promise = variables("COLORTERM");
+    return (promise == "truecolor" || promise == "24bit") &&
+           !variables("TERM").starts_with("screen");
+}
+
+TerminalEnvironment read_terminal_environment() {
+    TerminalEnvironment environment;
     environment.terminal = described_terminal(variable);
     environment.is_utf8 = is_utf8_locale();
     environment.is_ssh = !variable("SSH_CONNECTION").empty() || !variable("SSH_TTY").empty();
     environment.is_light = light_background_from(variable("COLORFGBG")).value_or(false);
     environment.wants_no_colors = !variable("NO_COLOR").empty();
+    environment.has_direct_colors = has_direct_colors(variable);
     return environment;
 }
 

@@ -13,9 +13,9 @@
 /// terminal has said of itself. Pure: it makes the bytes, others send them.
 namespace carom {
 
-class ScreenModes {
+class TerminalModes {
   public:
-    explicit ScreenModes(const ScreenOptions& options = {}) : options_(options) {}
+    explicit TerminalModes(const ScreenOptions& options = {}) : options_(options) {}
 
     /// Everything on that is wanted and on offer, for a terminal where all is off; and off again.
     std::string on() const;

@@ -1,8 +1,10 @@
-#include "terminal/screen/screen_environment.h"
+#include "terminal/screen/environment.h"
 
 #include <doctest/doctest.h>
 
 #include <map>
+#include <string>
+#include <string_view>
 
 using namespace carom;
 
@@ -22,6 +24,19 @@ TEST_CASE("a terminal that calls itself xterm and has 256 colours gets them") {
     CHECK(described({{"TERM", "xterm"}, {"XTERM_VERSION", "XTerm(379)"}}) == "xterm-256color");
     CHECK(described({{"TERM", "xterm"}, {"VTE_VERSION", "7006"}}) == "xterm-256color");
     CHECK(described({{"TERM", "xterm"}, {"COLORTERM", "truecolor"}}) == "xterm-256color");
+}
+
+TEST_CASE("COLORTERM promises 24-bit colours, but not for GNU screen") {
+    const auto promises = [](const char* term, const char* colorterm) {
+        return has_direct_colors([&](const char* name) {
+            return std::string(std::string_view(name) == "TERM" ? term : colorterm);
+        });
+    };
+    CHECK(promises("xterm-256color", "truecolor"));
+    CHECK(promises("tmux-256color", "24bit"));
+    CHECK_FALSE(promises("xterm-256color", "yes"));
+    CHECK_FALSE(promises("xterm-256color", ""));
+    CHECK_FALSE(promises("screen-256color", "truecolor"));
 }
 
 TEST_CASE("all other terminals are what they say") {

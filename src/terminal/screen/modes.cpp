@@ -1,4 +1,4 @@
-#include "terminal/screen/screen_modes.h"
+#include "terminal/screen/modes.h"
 
 namespace carom {
 namespace {
@@ -17,14 +17,14 @@ constexpr std::string_view end_frame = "\033[?2026l";
 
 }  // namespace
 
-std::string ScreenModes::on() const {
+std::string TerminalModes::on() const {
     std::string bytes(paste_on);
     bytes += mouse();
     if (has_key_protocol_) bytes += keys_on;
     return bytes;
 }
 
-std::string ScreenModes::off() const {
+std::string TerminalModes::off() const {
     std::string bytes(after_frame());
     bytes += mouse_off;
     bytes += paste_off;
@@ -32,7 +32,7 @@ std::string ScreenModes::off() const {
     return bytes;
 }
 
-std::string ScreenModes::mouse() const {
+std::string TerminalModes::mouse() const {
     std::string bytes(mouse_off);
     if (options_.mouse == MouseMode::off) return bytes;
     bytes += "\033[?1002h";
@@ -42,39 +42,39 @@ std::string ScreenModes::mouse() const {
     return bytes;
 }
 
-bool ScreenModes::has_mouse_pixels() const {
+bool TerminalModes::has_mouse_pixels() const {
     return options_.mouse_pixels && has_pixel_reports_ && cell_wide_ > 0 &&
            options_.mouse != MouseMode::off;
 }
 
-MouseUnit ScreenModes::mouse_unit() const {
+MouseUnit TerminalModes::mouse_unit() const {
     if (!has_mouse_pixels()) return {};
     return {static_cast<double>(cell_wide_), static_cast<double>(cell_high_)};
 }
 
-std::string_view ScreenModes::before_frame() const {
+std::string_view TerminalModes::before_frame() const {
     return has_synchronized_output_ ? begin_frame : std::string_view();
 }
 
-std::string_view ScreenModes::after_frame() const {
+std::string_view TerminalModes::after_frame() const {
     return has_synchronized_output_ ? end_frame : std::string_view();
 }
 
-bool ScreenModes::measure(int pixels_wide, int pixels_high, int columns, int rows) {
+bool TerminalModes::measure(int pixels_wide, int pixels_high, int columns, int rows) {
     const bool has_cells = columns > 0 && rows > 0;
     does_window_tell_pixels_ = has_cells && learn_cell(pixels_wide / columns, pixels_high / rows);
     return !does_window_tell_pixels_;
 }
 
 // A window is not always a whole number of cells, so the sizes were divided as integers.
-bool ScreenModes::learn_cell(int wide, int high) {
+bool TerminalModes::learn_cell(int wide, int high) {
     if (!cell_aspect_from(wide, high, 1, 1)) return false;
     cell_wide_ = wide;
     cell_high_ = high;
     return true;
 }
 
-std::string ScreenModes::learn(const Answer& answer) {
+std::string TerminalModes::learn(const Answer& answer) {
     using enum Answer::Kind;
     switch (answer.kind) {
         case attributes:
@@ -101,7 +101,7 @@ std::string ScreenModes::learn(const Answer& answer) {
     return {};
 }
 
-void ScreenModes::tell(Capabilities& capabilities) const {
+void TerminalModes::tell(Capabilities& capabilities) const {
     capabilities.mouse_pixels = has_mouse_pixels();
     capabilities.key_release = has_key_protocol_;
     capabilities.cell_aspect = cell_aspect_from(cell_wide_, cell_high_, 1, 1).value_or(2.0);

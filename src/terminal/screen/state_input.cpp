@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "terminal/screen/screen_state.h"
+#include "terminal/screen/state.h"
 
 /// What an open screen hears: answers of the terminal, keys, the mouse, and signals.
 namespace carom {

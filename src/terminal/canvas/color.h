@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+
+/// Colours of cells, and what becomes of them on terminals that have fewer.
+namespace carom {
+
+/// One of three: default_color; a number of xterm's palette of 256 (0 to 255); or 24 bits of red,
+/// green and blue, made by direct_color().
+using Color = std::int32_t;
+
+/// The terminal's own foreground or background.
+inline constexpr Color default_color = -1;
+
+/// The number of colours of a terminal that shows 24-bit colours.
+inline constexpr int direct_colors = 1 << 24;
+
+/// Red, green and blue, each 0 to 255.
+struct Rgb {
+    int red = 0;
+    int green = 0;
+    int blue = 0;
+
+    friend bool operator==(const Rgb&, const Rgb&) = default;
+};
+
+/// Pre: each channel is 0 to 255.
+constexpr Color direct_color(const Rgb& rgb) {
+    return direct_colors | rgb.red << 16 | rgb.green << 8 | rgb.blue;
+}
+constexpr bool is_direct(Color color) {
+    return color >= direct_colors;
+}
+
+/// Red, green and blue of a colour, by xterm's palette. A theme may change the first 16.
+/// Pre: color != default_color.
+Rgb rgb_of(Color color);
+
+/// Brightness as the eye sees it, 0 (black) to 1 (white).
+double luminance(const Rgb& rgb);
+
+/// The nearest of the colours that a terminal of `colors` colours (8, 16, 256 or direct_colors)
+/// has: the colour itself where it can be shown, else a number of the palette. With 8 and 16
+/// colours the hue is kept. default_color stays itself, and with fewer than 8 colours everything
+/// becomes it.
+Color color_for_terminal(Color color, int colors);
+
+}  // namespace carom

@@ -1,0 +1,91 @@
+#include "terminal/screen/curses_session.h"
+
+#define NCURSES_NOMACROS 1
+#include <curses.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <utility>
+
+#include "terminal/screen/terminfo.h"
+
+namespace carom {
+
+struct CursesSession::State {
+    SCREEN* screen = nullptr;
+    std::FILE* output = nullptr;  // the terminal, apart from stdout and its buffer
+    bool is_left = false;
+
+    State() = default;
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    ~State() {
+        if (screen != nullptr) delscreen(screen);
+        if (output != nullptr) std::fclose(output);
+    }
+};
+
+std::variant<CursesSession, std::string> CursesSession::start(const std::string& term) {
+    auto state = std::make_unique<State>();
+    state->output = fdopen(dup(STDOUT_FILENO), "w");
+    if (state->output == nullptr) return std::string("too few files may be open");
+    constexpr const char* common = "xterm-256color";
+    const bool is_usable = !term.empty() && is_described(term.c_str());
+    const char* const used = is_usable ? term.c_str() : common;
+    if (is_described(used)) state->screen = newterm(used, state->output, stdin);
+    if (state->screen == nullptr) {
+        return fmt::format(
+            "the terminal '{}' is not known here: set TERM to one that is, such as vt100, or "
+            "install its description (on Debian the package ncurses-term)",
+            term);
+    }
+    if (!has_capability("cup")) {
+        endwin();
+        return fmt::format(
+            "the terminal '{}' cannot place characters: set TERM to what it really is, such as "
+            "xterm-256color or vt100",
+            used);
+    }
+    raw();
+    noecho();
+    nonl();
+    typeahead(-1);  // or a key that waits would keep it from taking the screen
+    curs_set(0);
+    refresh();
+    return CursesSession(std::move(state));
+}
+
+CursesSession::CursesSession(std::unique_ptr<State> state) : state_(std::move(state)) {}
+CursesSession::CursesSession(CursesSession&&) noexcept = default;
+CursesSession& CursesSession::operator=(CursesSession&&) noexcept = default;
+CursesSession::~CursesSession() {
+    if (state_ != nullptr) leave();
+}
+
+int CursesSession::columns() const {
+    return COLS;
+}
+int CursesSession::rows() const {
+    return LINES;
+}
+
+void CursesSession::set_size(int columns, int rows) {
+    resize_term(rows, columns);
+}
+
+void CursesSession::leave() {
+    if (std::exchange(state_->is_left, true)) return;
+    // ncurses takes the terminal to be in no style: the frames' last one is not its own.
+    const std::string plain_style = plain_style_bytes();
+    [[maybe_unused]] const ssize_t written =
+        write(fileno(state_->output), plain_style.data(), plain_style.size());
+    endwin();
+}
+
+void CursesSession::enter() {
+    if (!std::exchange(state_->is_left, false)) return;
+    refresh();
+}
+
+}  // namespace carom

@@ -1,0 +1,261 @@
+#include "terminal/screen/frame_differ.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "level/text/utf8.h"
+#include "terminal/canvas/character_width.h"
+
+namespace carom {
+namespace {
+
+constexpr char32_t full_block = U'█';
+constexpr char32_t upper_half = U'▀';
+constexpr char32_t lower_half = U'▄';
+
+// What a style of a terminal without ECMA-48 costs, about.
+constexpr std::size_t foreign_cost = 12;
+// Unchanged cells between two changes that may be written again: no jump is longer.
+constexpr int longest_gap = 8;
+
+constexpr bool is_ascii(char32_t glyph) {
+    return glyph >= U' ' && glyph < 0x7f;
+}
+
+// Marks show on blanks too.
+bool is_marked(const SgrStyle& style) {
+    return (style.attributes & (reverse | underline)) != 0;
+}
+
+std::size_t glyph_size(char32_t glyph) {
+    return glyph < 0x80 ? 1 : glyph < 0x800 ? 2 : glyph < 0x10000 ? 3 : 4;
+}
+
+// Without colours, a bright background behind dark text is told by reversing the cell.
+bool has_bright_ground(const Cell& cell) {
+    if (cell.background == default_color) return false;
+    constexpr double own_ink = 0.9;  // of a dark terminal
+    const double ink = cell.foreground < 0 ? own_ink : luminance(rgb_of(cell.foreground));
+    return luminance(rgb_of(cell.background)) > ink;
+}
+
+}  // namespace
+
+FrameDiffer::FrameDiffer(TerminalDialect dialect) : dialect_(std::move(dialect)) {}
+
+void FrameDiffer::set_size(int columns, int rows) {
+    columns_ = columns;
+    rows_ = rows;
+    redraw();
+}
+
+std::string_view FrameDiffer::paint(const Canvas& canvas) {
+    out_.clear();
+    const bool has_shape = canvas.columns() == canvas_.columns() && canvas.rows() == canvas_.rows();
+    if (std::exchange(is_whole_due_, false) || !has_shape) begin_whole(canvas);
+    for (int row = 0; row < std::min(rows_, canvas.rows()); ++row)
+        paint_row(canvas, row);
+    canvas_ = canvas;
+    return out_;
+}
+
+void FrameDiffer::begin_whole(const Canvas& canvas) {
+    style_.reset();
+    take_style({});
+    out_ += dialect_.clear;
+    cursor_ = CellPlace{0, 0};
+    canvas_ = Canvas(canvas.columns(), canvas.rows());
+    shown_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), Look{});
+    wanted_.assign(static_cast<std::size_t>(columns_), Look{});
+}
+
+FrameDiffer::Look FrameDiffer::look_of(const Cell& cell) const {
+    const bool is_shown = is_ascii(cell.glyph) || (dialect_.is_utf8 && is_one_column(cell.glyph));
+    Look look{is_shown ? cell.glyph : U'?',
+              {color_for_terminal(cell.foreground, dialect_.colors),
+               color_for_terminal(cell.background, dialect_.colors), cell.attributes}};
+    SgrStyle& style = look.style;
+    if (dialect_.colors == 0 && has_bright_ground(cell)) style.attributes ^= reverse;
+    style.attributes &= dialect_.attributes;
+    const bool is_colored = style.foreground >= 0 || style.background >= 0;
+    if (is_colored) style.attributes &= dialect_.attributes_in_color;
+    if (is_marked(style)) return look;
+
+    const bool is_plain = style.attributes == plain;
+    const bool is_block =
+        look.glyph == full_block || look.glyph == upper_half || look.glyph == lower_half;
+    // One colour all over is a blank of that colour: a byte, and no ink beyond the cell's border,
+    // which the blocks of many fonts leave behind.
+    if (is_block && style.background >= 0 && style.foreground == style.background) {
+        look.glyph = U' ';
+    }
+    if (look.glyph == U' ') {
+        style.foreground = default_color;
+        style.attributes = plain;
+    } else if (look.glyph == full_block && is_plain && style.foreground >= 0) {
+        style.background = default_color;
+    } else if (look.glyph == lower_half && is_plain && style.foreground >= 0 &&
+               style.background >= 0) {
+        look.glyph = upper_half;
+        std::swap(style.foreground, style.background);
+    }
+    return look;
+}
+
+void FrameDiffer::paint_row(const Canvas& canvas, int row) {
+    const int width = std::min(columns_, canvas.columns());
+    const std::span<Look> shown = std::span(shown_).subspan(index_of(row, 0), wanted_.size());
+    for (int column = 0; column < width; ++column) {
+        const auto i = static_cast<std::size_t>(column);
+        const Cell& cell = canvas.at(column, row);
+        wanted_[i] = cell == canvas_.at(column, row) ? shown[i] : look_of(cell);
+    }
+    if (!dialect_.waits_at_margin && row == rows_ - 1) wanted_.back() = shown.back();
+
+    for (int column = next_change(row, 0); column < columns_; column = next_change(row, column)) {
+        reach(row, column);
+        const int after_blanks = paint_blanks(row, column);
+        if (after_blanks > column) {
+            column = after_blanks;
+        } else {
+            column += paint_cells(row, column);
+        }
+    }
+    std::ranges::copy(wanted_, shown.begin());
+}
+
+std::size_t FrameDiffer::index_of(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+}
+
+// From `column` on; the number of columns where there is none.
+int FrameDiffer::next_change(int row, int column) const {
+    const std::size_t start = index_of(row, 0);
+    while (column < columns_ && wanted(column) == shown_[start + static_cast<std::size_t>(column)])
+        ++column;
+    return column;
+}
+
+// How far the cells that look like the one at `column` reach.
+FrameDiffer::Run FrameDiffer::run_from(int row, int column) const {
+    Run run{column, column};
+    for (; run.end < columns_ && wanted(run.end) == wanted(column); ++run.end) {
+        const bool is_changed = wanted(run.end) != shown_[index_of(row, run.end)];
+        if (is_changed) run.last_change = run.end + 1;
+    }
+    return run;
+}
+
+// Brings the cursor to a cell: by writing what lies between again, where that is shorter.
+void FrameDiffer::reach(int row, int column) {
+    const int from = cursor_ && cursor_->row == row ? cursor_->column : column + 1;
+    if (from < column && column - from <= longest_gap) {
+        std::optional<SgrStyle> style = style_;
+        std::size_t cost = 0;
+        for (int i = from; i < column; ++i) {
+            const Way way = way_of(wanted(i), style);
+            cost += way.cost;
+            style = way.style;
+        }
+        cost += way_of(wanted(column), style).cost;
+        if (cost <=
+            sideways_size(dialect_, columns_, from, column) + way_of(wanted(column), style_).cost) {
+            for (int i = from; i < column; ++i)
+                write(way_of(wanted(i), style_));
+        }
+    }
+    const CellPlace place{row, column};
+    if (cursor_ != place) append_movement(out_, dialect_, columns_, cursor_, place);
+    cursor_ = place;
+}
+
+// Erases the run of blanks at `column` where that is shorter than writing them; returns how far it
+// came. The cursor stays.
+int FrameDiffer::paint_blanks(int row, int column) {
+    const Look& look = wanted(column);
+    const bool can_erase = look.style.background < 0 || dialect_.erases_in_color;
+    if (look.glyph != U' ' || is_marked(look.style) || !can_erase) return column;
+    const Run run = run_from(row, column);
+    const int count = run.last_change - column;
+    const std::size_t written = static_cast<std::size_t>(count);
+    if (dialect_.has_erase_line && run.end == columns_ && written > 3) {
+        take_style(way_of(look, style_).style);
+        out_ += "\033[K";
+        return columns_;
+    }
+    if (!dialect_.has_erase_cells) return column;
+    const int next = next_change(row, run.last_change);
+    const bool is_last = next == columns_;
+    const std::size_t erasing =
+        sequence_size(count) + (is_last ? 0 : sideways_size(dialect_, columns_, column, next));
+    if (erasing >=
+        written + (is_last ? 0 : sideways_size(dialect_, columns_, run.last_change, next)))
+        return column;
+    take_style(way_of(look, style_).style);
+    append_sequence(out_, count, 'X');
+    return run.last_change;
+}
+
+// Writes the cell at `column`, and equal ones behind it where one sequence repeats it. Returns how
+// many.
+int FrameDiffer::paint_cells(int row, int column) {
+    write(way_of(wanted(column), style_));
+    if (!dialect_.has_repeat || !is_ascii(wanted(column).glyph)) return 1;
+    const int more = run_from(row, column).last_change - column - 1;
+    // libvterm 0.3 takes the cursor to wait at the margin when a repetition ends one column before.
+    const bool reaches_margin = column + 1 + more >= columns_ - 1;
+    if (reaches_margin || static_cast<std::size_t>(more) <= sequence_size(more)) return 1;
+    append_sequence(out_, more, 'b');
+    cursor_->column += more;
+    return 1 + more;
+}
+
+// The cheapest of the ways to show a look. Where colours do not show, those in force stay.
+FrameDiffer::Way FrameDiffer::way_of(const Look& look, const std::optional<SgrStyle>& style) const {
+    Way best{look.glyph, look.style, style_cost(style, look.style) + glyph_size(look.glyph)};
+    if (best.cost <= 3 || !style || is_marked(look.style)) return best;
+    const auto offer = [&](char32_t glyph, const SgrStyle& other) {
+        const std::size_t cost = style_cost(style, other) + glyph_size(glyph);
+        if (cost < best.cost) best = {glyph, other, cost};
+    };
+    const SgrStyle& own = look.style;
+    if (look.glyph == U' ' && !is_marked(*style)) {
+        offer(U' ', {style->foreground, own.background, style->attributes});
+    }
+    if (own.attributes != plain || own.foreground < 0) return best;
+    if (look.glyph == full_block) {
+        offer(full_block, {own.foreground, style->background, plain});
+        offer(U' ', {style->foreground, own.foreground, plain});
+    }
+    if (look.glyph == upper_half && own.background >= 0) {
+        offer(lower_half, {own.background, own.foreground, plain});
+    }
+    return best;
+}
+
+std::size_t FrameDiffer::style_cost(const std::optional<SgrStyle>& from, const SgrStyle& to) const {
+    if (from == to) return 0;
+    if (dialect_.style) return foreign_cost;
+    return style_change(from, to, dialect_.has_own_colors).size();
+}
+
+void FrameDiffer::take_style(const SgrStyle& style) {
+    if (style_ == style) return;
+    if (dialect_.style) {
+        out_ += dialect_.style(style);
+    } else {
+        out_ += style_change(style_, style, dialect_.has_own_colors).text();
+    }
+    style_ = style;
+}
+
+void FrameDiffer::write(const Way& way) {
+    take_style(way.style);
+    append_utf8(out_, way.glyph);
+    ++cursor_->column;
+    if (cursor_->column == columns_ && !dialect_.waits_at_margin) cursor_.reset();
+}
+
+}  // namespace carom

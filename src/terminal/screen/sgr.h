@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "terminal/canvas/canvas.h"
+
+/// Colours and attributes as terminals are told them: SGR sequences, ESC [ parameters m (ECMA-48
+/// 8.3.117, with xterm's extensions for 16, 256 and 2^24 colours).
+namespace carom {
+
+struct SgrStyle {
+    Color foreground = default_color;
+    Color background = default_color;
+    std::uint8_t attributes = plain;  ///< of enum Attribute
+
+    friend bool operator==(const SgrStyle&, const SgrStyle&) = default;
+};
+
+/// A sequence, or two for a reset followed by a style. Never longer than its buffer: both colours
+/// in 24 bits and all attributes take 48 bytes.
+class SgrText {
+  public:
+    std::string_view text() const { return {bytes_.data(), size_}; }
+    std::size_t size() const { return size_; }
+    void add(char byte) { bytes_[size_++] = byte; }
+    void add(std::string_view text);
+    void add_number(int number);  ///< Pre: 0 <= number <= 999.
+
+  private:
+    std::array<char, 64> bytes_;
+    std::size_t size_ = 0;
+};
+
+/// The shortest way from one style to another; empty where they are equal. `from` is empty where
+/// the style in force is not known. `has_own_colors`: the terminal understands 39 and 49, which
+/// bring back its own foreground and background one by one.
+SgrText style_change(const std::optional<SgrStyle>& from, const SgrStyle& to, bool has_own_colors);
+
+}  // namespace carom
