@@ -59,12 +59,12 @@ std::vector<Include> links(const std::vector<FoundInclude>& found,
 }  // namespace
 
 LoadResult load_level(std::string_view text, std::string_view file, const LoadOptions& options) {
-    SourceStore texts;
+    SourceStore store;
     Context context;
     Scene scene;
-    const SourceText& main = texts.add(std::string(file), std::string(text));
+    const SourceText& main = store.add(std::string(file), std::string(text));
     if (const auto fault = find_fault(main.text)) {
-        context.reporter.error({&main, fault->line, fault->column, 1}, fault->message,
+        context.reporter.error(fault->code, {&main, fault->line, fault->column, 1}, fault->message,
                                fault->remedy);
         return {std::nullopt, context.reporter.diagnostics()};
     }
@@ -72,14 +72,14 @@ LoadResult load_level(std::string_view text, std::string_view file, const LoadOp
     std::vector<FoundInclude> found;
     LoadOptions noted = options;
     noted.resolve_include = noting(options.resolve_include, found);
-    unroll(main, noted, texts, scene, context);
+    interpret(main, noted, store, scene, context);
     assemble(noted, scene, context);
 
     LoadResult result;
     result.diagnostics = context.reporter.diagnostics();
     if (context.reporter.has_errors()) return result;
     TextHash hash;
-    for (const SourceText& source : texts.sources) {
+    for (const SourceText& source : store.sources) {
         hash.add(source.text);
         if (source.name == "--set") continue;
         scene.files.push_back(source.name);

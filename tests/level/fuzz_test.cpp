@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "level/language/statements.h"
+#include "level/build/all_statements.h"
 #include "level/support/files.h"
 #include "physics/world/random.h"
 
@@ -75,9 +75,9 @@ std::vector<std::string> soup_words() {
                                    "at=W,W",   "r=W",         "binomial(2,0.5)",
                                    "of=bins",  "against=",    "step=1,1",
                                    "2"};
-    for (const std::string_view keyword : keywords())
+    for (const std::string_view keyword : all_statements().keywords())
         words.emplace_back(keyword);
-    for (const Statement& statement : statements())
+    for (const Statement& statement : all_statements().rows())
         words.emplace_back(statement.name);
     return words;
 }

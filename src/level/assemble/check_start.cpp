@@ -42,7 +42,8 @@ class StartCheck {
         const std::optional<Box>& world = ir_.settings.world;
         if (!ir_.settings.wrap) return;
         if (!world) {
-            context_.reporter.error(*ir_.settings.wrap, "use wrap needs a world",
+            context_.reporter.error("wrap-without-world", *ir_.settings.wrap,
+                                    "use wrap needs a world",
                                     "say how large the torus is: world x0,y0 x1,y1");
             return;
         }
@@ -52,10 +53,11 @@ class StartCheck {
             const bool is_in = p.x >= world->low.x && p.x < world->high.x && p.y >= world->low.y &&
                                p.y < world->high.y;
             if (!is_in) {
-                context_.reporter.error(ball.origin.span, "the ball starts outside the world",
+                context_.reporter.error("ball-outside-torus", ball.origin.span,
+                                        "the ball starts outside the world",
                                         "under use wrap the world is all there is: move it inside");
             } else if (4.0 * ball.radius > side) {
-                context_.reporter.error(ball.origin.span,
+                context_.reporter.error("ball-too-large-for-torus", ball.origin.span,
                                         "the ball is too large for the wrapped world",
                                         "each side of the world must be 4 radii at least");
             }
@@ -67,7 +69,8 @@ class StartCheck {
         if (!world) return;
         for (const EmitterIr& spec : ir_.emitters) {
             if (contains(*world, spec.emitter.at)) continue;
-            context_.reporter.error(spec.origin.span, "the spawn lies outside the world",
+            context_.reporter.error("spawn-outside-world", spec.origin.span,
+                                    "the spawn lies outside the world",
                                     "move it inside, or make the world larger");
         }
     }
@@ -112,7 +115,8 @@ class StartCheck {
         constexpr std::uint64_t most_pairs = 50'000'000;
         if (++pairs_ <= most_pairs) return true;
         if (pairs_ == most_pairs + 1) {
-            context_.reporter.warning(span, "the level is too crowded to check how its balls start",
+            context_.reporter.warning("overlap-check-gave-up", span,
+                                      "the level is too crowded to check how its balls start",
                                       "expect balls that start inside one another");
         }
         return false;
@@ -129,7 +133,7 @@ class StartCheck {
                 edge_around(tree, {ball.position, ball.radius}, ball.kind, ball.origin.span);
             if (!edge) continue;
             context_.reporter.error(
-                ball.origin.span,
+                "ball-inside-edge", ball.origin.span,
                 fmt::format("the ball starts inside the edge of line {}, {} deep",
                             edge->first->origin.span.line, length_text(edge->second, context_)),
                 "move the ball or the edge; a ball reaches r around its centre, an edge r around "
@@ -147,7 +151,7 @@ class StartCheck {
                                           spec.origin.span);
             if (!edge) continue;
             context_.reporter.error(
-                spec.origin.span,
+                "spawn-inside-edge", spec.origin.span,
                 fmt::format("the spawn lies inside the edge of line {}, {} deep",
                             edge->first->origin.span.line, length_text(edge->second, context_)),
                 "move the spawn or the edge");
@@ -205,7 +209,7 @@ class StartCheck {
             const StartingBall& later = i > k ? ball : other;
             const StartingBall& earlier = i > k ? other : ball;
             context_.reporter.error(
-                later.origin.span,
+                "ball-inside-ball", later.origin.span,
                 fmt::format("the ball starts inside the ball of line {}, {} deep",
                             earlier.origin.span.line, length_text(-gap, context_)),
                 "move one of them, or write 'use overlap'");
@@ -226,11 +230,12 @@ class StartCheck {
 
 void check_terms(Context& context) {
     if (context.ir.needs_cloth && !context.ir.settings.cloth)
-        context.reporter.error(*context.ir.needs_cloth, "roll= needs 'use cloth'",
+        context.reporter.error("roll-without-cloth", *context.ir.needs_cloth,
+                               "roll= needs 'use cloth'",
                                "add a line 'use cloth', or leave roll= out");
     if (context.ir.settings.spin || context.ir.settings.cloth) return;
     for (const SpinNeed& need : context.ir.spin_needs) {
-        context.reporter.error(need.value.span(),
+        context.reporter.error("value-needs-spin", need.value.span(),
                                fmt::format("{}={} needs 'use spin'", need.key, need.value.text),
                                fmt::format("add a line 'use spin', or leave {}= out", need.key));
     }

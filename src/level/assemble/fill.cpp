@@ -259,12 +259,13 @@ std::optional<std::vector<FilledBall>> place_fill(const FillIr& fill, const Fill
     }
     if (placed == fill.count) return balls;
     if (context.fill_tests > max_fill_tests) {
-        context.reporter.error(fill.origin.span, "the level is too crowded for this fill",
+        context.reporter.error("fill-too-crowded", fill.origin.span,
+                               "the level is too crowded for this fill",
                                "draw less into its box, or fill it in fewer parts");
         return std::nullopt;
     }
     context.reporter.error(
-        fill.origin.span,
+        "fill-does-not-fit", fill.origin.span,
         fmt::format("the box has room for only {} of {} balls", placed, fill.count),
         "make the box larger, or the balls smaller or fewer");
     return std::nullopt;

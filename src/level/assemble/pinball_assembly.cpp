@@ -9,36 +9,18 @@
 namespace carom {
 namespace {
 
-bool is_zone(DeviceKind kind) {
-    return kind == DeviceKind::rollover || kind == DeviceKind::spinner ||
-           kind == DeviceKind::kickback || kind == DeviceKind::drain || kind == DeviceKind::hole ||
-           kind == DeviceKind::ramp;
-}
-
-std::string_view word_for(DeviceKind kind) {
-    constexpr std::string_view words[] = {
-        "edge",     "flipper", "bumper",   "slingshot", "plunger", "gate", "droptarget", "target",
-        "rollover", "spinner", "kickback", "drain",     "lamp",    "hole", "ramp"};
-    return words[static_cast<std::size_t>(kind)];
-}
-
-bool has_lights(DeviceKind kind) {
-    return kind == DeviceKind::rollover || kind == DeviceKind::droptarget ||
-           kind == DeviceKind::target || kind == DeviceKind::lamp || kind == DeviceKind::kickback;
-}
-
-/// Why this kind of device never gives this event; none: it does.
+// Why this kind of device never gives this event; none: it does.
 std::optional<std::string> never_gives(DeviceKind kind, Rule::When when) {
+    const DeviceTraits& device = traits(kind);
     if (when == Rule::When::all) {
-        if (kind == DeviceKind::rollover || kind == DeviceKind::target ||
-            kind == DeviceKind::droptarget || kind == DeviceKind::lamp)
-            return std::nullopt;
+        if (device.completes_group) return std::nullopt;
         return "only rollovers, targets and lamps light up one by one";
     }
     if (kind == DeviceKind::lamp) return "a lamp only shines: wait for what lights it";
     if (when == Rule::When::enter)
-        return is_zone(kind) ? std::nullopt : std::optional<std::string>("balls hit it: write hit");
-    if (!is_zone(kind) || kind == DeviceKind::spinner) return std::nullopt;
+        return device.is_zone ? std::nullopt
+                              : std::optional<std::string>("balls hit it: write hit");
+    if (!device.is_zone || kind == DeviceKind::spinner) return std::nullopt;
     return "balls enter it: write enter";
 }
 
@@ -46,7 +28,7 @@ std::optional<std::string> never_gives(DeviceKind kind, Rule::When when) {
 
 std::string PinballAssembly::name_of(const DeviceIr& device) const {
     const std::string& name = names_.edges[static_cast<std::size_t>(device.binding)].name;
-    return name.empty() ? std::string(word_for(device.device.kind)) : name;
+    return name.empty() ? std::string(traits(device.device.kind).name) : name;
 }
 
 // Those that something is drawn for, in the order of the file. A lamp is drawn for itself.
@@ -71,10 +53,11 @@ void PinballAssembly::collect_devices() {
         if (is_new) table_.groups.push_back({name, spec.device.kind, {}});
         DeviceGroup& group = table_.groups[found->second];
         if (group.kind != spec.device.kind) {
-            context_.reporter.error(spec.origin.span,
-                                    fmt::format("'{}' is the name of a {} and of a {}", name,
-                                                word_for(group.kind), word_for(spec.device.kind)),
-                                    "give each of them a name of its own");
+            context_.reporter.error(
+                "group-of-two-kinds", spec.origin.span,
+                fmt::format("'{}' is the name of a {} and of a {}", name, traits(group.kind).name,
+                            traits(spec.device.kind).name),
+                "give each of them a name of its own");
             continue;
         }
         device_of_spec_[i] = static_cast<int>(table_.devices.size());
@@ -88,7 +71,7 @@ void PinballAssembly::check_layers(const DeviceIr& ramp) {
     const std::size_t highest = std::max(ramp.device.from, ramp.device.to);
     if (highest < names_.layers) return;
     context_.reporter.error(
-        ramp.origin.span, fmt::format("nothing stands on layer {}", highest),
+        "layer-is-empty", ramp.origin.span, fmt::format("nothing stands on layer {}", highest),
         fmt::format("say which material does: material rail layer={}", highest));
 }
 
@@ -114,7 +97,8 @@ std::optional<std::uint32_t> PinballAssembly::group_named(const Word& name, bool
     for (const ResolvedEdges& edges : names_.edges)
         if (may_be_edge && !edges.name.empty()) known.emplace_back(edges.name);
     context_.reporter.error(
-        name.span(), fmt::format("nothing on the table is called '{}'", name.text),
+        "unknown-device", name.span(),
+        fmt::format("nothing on the table is called '{}'", name.text),
         did_you_mean(name.text, known, "name a part of the table, such as: bumper NAME at=..."));
     return std::nullopt;
 }
@@ -127,16 +111,17 @@ bool PinballAssembly::resolve_rule(const RuleIr& spec) {
     rule.when = spec.when;
     const DeviceKind kind = table_.groups[*group].kind;
     if (const auto why = never_gives(kind, spec.when)) {
-        context_.reporter.error(spec.when_word.span(),
+        context_.reporter.error("event-never-happens", spec.when_word.span(),
                                 fmt::format("'{}' is a {}, which never gives '{}'", spec.name.text,
-                                            word_for(kind), spec.when_word.text),
+                                            traits(kind).name, spec.when_word.text),
                                 *why);
         return false;
     }
     const auto with_lights = [&](const Word& name) -> std::optional<std::uint32_t> {
         const auto lit = group_named(name, false);
-        if (!lit || has_lights(table_.groups[*lit].kind)) return lit;
-        context_.reporter.error(name.span(), fmt::format("'{}' has no lights", name.text),
+        if (!lit || traits(table_.groups[*lit].kind).has_light) return lit;
+        context_.reporter.error("device-without-light", name.span(),
+                                fmt::format("'{}' has no lights", name.text),
                                 "only rollovers, targets, lamps and kickbacks are lit");
         return std::nullopt;
     };
@@ -160,7 +145,7 @@ bool PinballAssembly::resolve_rule(const RuleIr& spec) {
 void PinballAssembly::check_game(bool has_balls) {
     if (!ir_.settings.table.is_game) {
         if (!ir_.rules.empty())
-            context_.reporter.error(ir_.rules.front().name.span(),
+            context_.reporter.error("rules-without-pinball", ir_.rules.front().name.span(),
                                     "rules need a game that follows them",
                                     "say which: game pinball");
         return;
@@ -170,10 +155,10 @@ void PinballAssembly::check_game(bool has_balls) {
         return std::ranges::count(table_.devices, kind, &Device::kind) > 0;
     };
     if (!has_balls)
-        context_.reporter.error(at, "pinball needs a ball",
+        context_.reporter.error("pinball-without-ball", at, "pinball needs a ball",
                                 "put one where each ball begins: ball NAME at=...");
     if (!has(DeviceKind::drain))
-        context_.reporter.error(at, "pinball needs a drain",
+        context_.reporter.error("pinball-without-drain", at, "pinball needs a drain",
                                 "say where balls are lost: drain NAME x,y x,y");
 }
 

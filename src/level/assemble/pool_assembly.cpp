@@ -17,7 +17,7 @@ void check_cloth(const LoadOptions& options, Context& context) {
     const LevelSettings& settings = context.ir.settings;
     if (!settings.cloth) return;
     const auto refuse = [&](std::string_view term) {
-        context.reporter.error(*settings.cloth_at,
+        context.reporter.error("cloth-with-other-term", *settings.cloth_at,
                                fmt::format("use cloth does not go with 'use {}'", term),
                                "a table is seen from above: nothing pulls or brakes the balls but "
                                "its cloth");
@@ -26,7 +26,7 @@ void check_cloth(const LoadOptions& options, Context& context) {
     if (settings.drag) refuse("drag");
     const auto& solver = options.solver ? options.solver : settings.solver;
     if (solver && !supports(solver->kind, {.cloth = Cloth{}}))
-        context.reporter.error(*settings.cloth_at,
+        context.reporter.error("solver-without-cloth", *settings.cloth_at,
                                fmt::format("solver {} does not know cloth", name(solver->kind)),
                                "take another solver, or leave the line solver out");
 }
@@ -39,7 +39,7 @@ void check_pockets(const std::vector<StartingBall>& balls, Context& context) {
         if (!zone.is_pocket || zone.origin.image != 0 || zone.zone.shape.radius >= largest)
             continue;
         context.reporter.error(
-            zone.origin.span, "the pocket is smaller than a ball",
+            "pocket-too-small", zone.origin.span, "the pocket is smaller than a ball",
             fmt::format("make it {} or larger", written(largest, Measure::length, context.unit)));
     }
 }
@@ -50,7 +50,7 @@ void check_game(Context& context) {
     const bool is_eight = ir.settings.game == "eightball";
     const auto wanted = is_eight ? Rack::Shape::eight : Rack::Shape::nine;
     const auto needs = [&](std::string_view what, std::string_view line) {
-        context.reporter.error(*ir.settings.game_at,
+        context.reporter.error("game-lacks-part", *ir.settings.game_at,
                                fmt::format("game {} needs {}", *ir.settings.game, what),
                                fmt::format("add a line such as: {}", line));
     };
@@ -101,7 +101,7 @@ void fill_in_pool(const std::vector<StartingBall>& balls,
         for (const std::string& other : scene.ball_names)
             if (!other.empty()) known.push_back(other);
         context.reporter.error(
-            cue.ball.span(), fmt::format("there is no ball '{}'", cue.ball.text),
+            "unknown-ball", cue.ball.span(), fmt::format("there is no ball '{}'", cue.ball.text),
             did_you_mean(cue.ball.text, known, "give the ball a name: ball NAME at=..."));
     }
 }

@@ -98,7 +98,7 @@ class Resolver {
             return {*kind, ir_.kinds[*kind].is_valid};
         }
         context_.reporter.error(
-            name->span(), fmt::format("there is no kind '{}'", name->text),
+            "unknown-kind", name->span(), fmt::format("there is no kind '{}'", name->text),
             remedy(*name, kind_names_, fmt::format("define it: kind {} r=...", name->text)));
         return {0, false};
     }
@@ -106,7 +106,7 @@ class Resolver {
     std::optional<ClassIndex> known_material(const Word& name) {
         if (const auto material = materials_.find(name.text)) return material;
         context_.reporter.error(
-            name.span(), fmt::format("there is no material '{}'", name.text),
+            "unknown-material", name.span(), fmt::format("there is no material '{}'", name.text),
             remedy(name, material_names_, fmt::format("define it: material {} e=...", name.text)));
         return std::nullopt;
     }
@@ -135,7 +135,8 @@ class Resolver {
     // One word before the points may be a misspelt material: that is worth a warning.
     void take_name(const Word& word, bool may_be_material, ResolvedEdges& edges) {
         if (!is_identifier(word.text)) {
-            context_.reporter.error(word.span(), fmt::format("'{}' is not a name", word.text),
+            context_.reporter.error("not-a-name", word.span(),
+                                    fmt::format("'{}' is not a name", word.text),
                                     "points are written x,y without spaces");
             edges.is_valid = false;
             return;
@@ -145,7 +146,8 @@ class Resolver {
         const auto near = nearest_word(word.text, material_names_);
         if (!may_be_material || !near || edges.material < material_names_.size()) return;
         context_.reporter.warning(
-            word.span(), fmt::format("'{}' is no material, so it is taken for a name", word.text),
+            "material-taken-for-name", word.span(),
+            fmt::format("'{}' is no material, so it is taken for a name", word.text),
             fmt::format("did you mean '{}'?", *near));
     }
 
@@ -219,7 +221,8 @@ class Resolver {
         }
         if (result_.kinds.size() + result_.materials.size() >= max_classes) {
             context_.reporter.error(
-                at, fmt::format("the level has more than {} kinds and materials", max_classes),
+                "too-many-classes", at,
+                fmt::format("the level has more than {} kinds and materials", max_classes),
                 "let more parts have the same kick");
             return 0;
         }
@@ -234,7 +237,7 @@ class Resolver {
         if (word.text != all || name != all || of_its_sort == 1) return false;
         const bool is_declared = kinds_.has(all) || materials_.has(all);
         if (!is_declared) return false;
-        context_.reporter.error(word.span(),
+        context_.reporter.error("ambiguous-class", word.span(),
                                 fmt::format("'{}' is the name of one, and the word for all", all),
                                 fmt::format("call that one something else than {}", all));
         return true;
@@ -267,7 +270,8 @@ class Resolver {
         known.insert(known.end(), kind_names_.begin(), kind_names_.end());
         known.insert(known.end(), material_names_.begin(), material_names_.end());
         context_.reporter.error(
-            word.span(), fmt::format("'{}' is neither a kind nor a material", word.text),
+            "unknown-class", word.span(),
+            fmt::format("'{}' is neither a kind nor a material", word.text),
             remedy(word, known, "name kinds, materials, or the words ball and edge"));
         return {};
     }
@@ -303,7 +307,8 @@ class Resolver {
             const auto is_edge = [&](std::size_t i) { return i >= kinds; };
             if (!a.empty() && !b.empty() && std::ranges::all_of(a, is_edge) &&
                 std::ranges::all_of(b, is_edge)) {
-                context_.reporter.error(collide.b.span(), "edges do not meet edges",
+                context_.reporter.error("edges-with-edges", collide.b.span(),
+                                        "edges do not meet edges",
                                         "name a kind of ball, or the word ball");
             }
         }
@@ -314,7 +319,7 @@ class Resolver {
         if (context_.reporter.has_errors()) return;
         const auto warn = [&](const Word& name, std::string_view what) {
             if (!name.source->included_from.empty() || name.source->name == "--set") return;
-            context_.reporter.warning(name.span(),
+            context_.reporter.warning("unused-class", name.span(),
                                       fmt::format("the {} '{}' is never used", what, name.text),
                                       "use it, or take it out");
         };
@@ -326,7 +331,8 @@ class Resolver {
         }
         for (const auto& [where, let] : context_.lets) {
             if (let.is_used || !let.span.source->included_from.empty()) continue;
-            context_.reporter.warning(let.span, fmt::format("'{}' is never used", let.name),
+            context_.reporter.warning("unused-let", let.span,
+                                      fmt::format("'{}' is never used", let.name),
                                       "use it, or take it out");
         }
     }

@@ -48,7 +48,7 @@ void SymbolTable::name_balls(const std::vector<StartingBall>& balls) {
         if (!node) node = binding.node;
         if (node != binding.node) {
             context_.reporter.error(
-                binding.name ? binding.name->span() : binding.node->keyword().span(),
+                "name-taken", binding.name ? binding.name->span() : binding.node->keyword().span(),
                 fmt::format("the name '{}' is taken, in line {}", base, node->keyword().line),
                 "give each ball a name of its own");
             continue;
@@ -58,14 +58,15 @@ void SymbolTable::name_balls(const std::vector<StartingBall>& balls) {
         ball_names_[i] = is_plain ? std::string(base) : fmt::format("{}.{}", base, count);
         ball_numbers_[ball_names_[i]] = static_cast<std::uint32_t>(i);
         if (binding.name && !is_identifier(base)) {
-            context_.reporter.error(binding.name->span(), fmt::format("'{}' is not a name", base),
+            context_.reporter.error("not-a-name", binding.name->span(),
+                                    fmt::format("'{}' is not a name", base),
                                     "a name has letters, digits and '_', and begins with a letter");
         }
     }
     for (const ResolvedEdges& edges : names_.edges) {
         const auto taken = statements.find(edges.name);
         if (edges.name.empty() || taken == statements.end()) continue;
-        context_.reporter.error(edges.name_at,
+        context_.reporter.error("name-taken", edges.name_at,
                                 fmt::format("the name '{}' is taken, in line {}", edges.name,
                                             taken->second.first->keyword().line),
                                 "a ball has that name: choose another");
@@ -106,7 +107,7 @@ const SymbolTable::Bins* SymbolTable::bins_named(const Word& name) {
     for (const Bins& bins : bins_)
         known.emplace_back(bins.name);
     context_.reporter.error(
-        name.span(), fmt::format("there are no bins '{}'", name.text),
+        "unknown-bins", name.span(), fmt::format("there are no bins '{}'", name.text),
         did_you_mean(name.text, known,
                      known.empty() ? "the level has no bins: add a line such as bins at=0,0 ..."
                                    : fmt::format("there are: {}", fmt::join(known, " "))));
@@ -123,21 +124,23 @@ std::optional<std::vector<double>> SymbolTable::expected_shares(const Word& agai
         fmt::format("write against=binomial({},0.5) or against=uniform", bins - 1);
     const std::optional<Call> call = call_of(against);
     if (!call || call->name.text != "binomial") {
-        reporter.error(against.span(), fmt::format("'{}' is no known curve", against.text), usage);
+        reporter.error("unknown-curve", against.span(),
+                       fmt::format("'{}' is no known curve", against.text), usage);
         return std::nullopt;
     }
     const std::vector<Word> arguments = split_outside_brackets(call->inside, ",");
     if (arguments.size() != 2) {
-        reporter.error(against.span(), "binomial takes two numbers", usage);
+        reporter.error("binomial-arguments", against.span(), "binomial takes two numbers", usage);
         return std::nullopt;
     }
     const Scope nothing;
     const auto n =
         read_number(arguments[0], {}, Measure::whole, Bound::not_negative, nothing, context_);
-    const auto p = read_number(arguments[1], {}, Measure::number, Bound::share, nothing, context_);
+    const auto p =
+        read_number(arguments[1], {}, Measure::number, Bound::unit_interval, nothing, context_);
     if (!n || !p) return std::nullopt;
     if (*n + 1.0 != static_cast<double>(bins)) {
-        reporter.error(arguments[0].span(),
+        reporter.error("binomial-outcomes", arguments[0].span(),
                        fmt::format("{:.6g} tosses have {:.6g} outcomes, but there are {} bins", *n,
                                    *n + 1.0, bins),
                        usage);
@@ -173,7 +176,8 @@ std::optional<Quantity> SymbolTable::quantity_of(const Word& word) {
     for (const QuantityKind kind : quantity_kinds()) {
         if (is_of_ball(kind) || is_of_bins(kind)) {
             if (name(kind) != word.text) continue;
-            context_.reporter.error(word.span(), fmt::format("{} of what?", word.text),
+            context_.reporter.error("quantity-without-subject", word.span(),
+                                    fmt::format("{} of what?", word.text),
                                     is_of_ball(kind) ? fmt::format("write BALL.{}", word.text)
                                                      : fmt::format("write {}(BINS)", word.text));
             return std::nullopt;
@@ -182,7 +186,7 @@ std::optional<Quantity> SymbolTable::quantity_of(const Word& word) {
         known.push_back(name(kind));
     }
     context_.reporter.error(
-        word.span(), fmt::format("'{}' is no quantity", word.text),
+        "unknown-quantity", word.span(), fmt::format("'{}' is no quantity", word.text),
         did_you_mean(word.text, known,
                      fmt::format("there are {}, BALL.x and mean(BINS)", fmt::join(known, " "))));
     return std::nullopt;
@@ -199,7 +203,8 @@ std::optional<Quantity> SymbolTable::ball_quantity(const Word& word, std::size_t
         if (name(kind) == what.text) found = kind;
     }
     if (!found) {
-        context_.reporter.error(what.span(), fmt::format("a ball has no '{}'", what.text),
+        context_.reporter.error("unknown-ball-quantity", what.span(),
+                                fmt::format("a ball has no '{}'", what.text),
                                 fmt::format("it has {}", fmt::join(kinds, " ")));
         return std::nullopt;
     }
@@ -210,7 +215,7 @@ std::optional<Quantity> SymbolTable::ball_quantity(const Word& word, std::size_t
     for (const auto& [other, index] : ball_numbers_)
         known.push_back(other);
     context_.reporter.error(
-        ball.span(), fmt::format("there is no ball '{}'", ball.text),
+        "unknown-ball", ball.span(), fmt::format("there is no ball '{}'", ball.text),
         did_you_mean(ball.text, known, "give the ball a name: ball NAME at=..."));
     return std::nullopt;
 }
@@ -227,7 +232,7 @@ std::optional<Quantity> SymbolTable::bins_quantity(const Word& word, std::size_t
     const std::optional<Call> call = call_of(word);
     if (!found || !call) {
         context_.reporter.error(
-            what.span(), fmt::format("bins have no '{}'", what.text),
+            "unknown-bins-quantity", what.span(), fmt::format("bins have no '{}'", what.text),
             did_you_mean(what.text, kinds,
                          fmt::format("they have {}, as in mean(bins)", fmt::join(kinds, " "))));
         return std::nullopt;

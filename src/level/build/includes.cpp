@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "level/build/all_statements.h"
+
 namespace carom {
 namespace {
 
@@ -29,17 +31,18 @@ std::string_view refusal(std::string_view path) {
 std::optional<Included> Includes::open(const Word& path, const Word& keyword) {
     const std::string_view text = path.text;
     if (text.size() < 2 || text.front() != '"' || text.back() != '"') {
-        reporter_.error(path.span(), "the path stands in quotes", R"(write it as: include "FILE")");
+        reporter_.error("path-without-quotes", path.span(), "the path stands in quotes",
+                        R"(write it as: include "FILE")");
         return std::nullopt;
     }
     const std::string_view inner = text.substr(1, text.size() - 2);
     if (const std::string_view why = refusal(inner); !why.empty()) {
-        reporter_.error(path.span(), std::string(why),
+        reporter_.error("path-refused", path.span(), std::string(why),
                         "include files in the level's own folder, such as \"parts.level\"");
         return std::nullopt;
     }
     if (open_.size() >= max_block_depth) {
-        reporter_.error(path.span(),
+        reporter_.error("include-too-deep", path.span(),
                         fmt::format("includes are nested deeper than {}", max_block_depth),
                         "include less deeply");
         return std::nullopt;
@@ -47,13 +50,14 @@ std::optional<Included> Includes::open(const Word& path, const Word& keyword) {
     const std::optional<IncludedFile> found =
         resolver_ ? resolver_(path.source->name, inner) : std::nullopt;
     if (!found) {
-        reporter_.error(path.span(), fmt::format("there is no file {}", text),
+        reporter_.error("unknown-file", path.span(), fmt::format("there is no file {}", text),
                         "paths are relative to the folder of the file that includes");
         return std::nullopt;
     }
-    const bool is_main = found->file == texts_.sources.front().name;
+    const bool is_main = found->file == store_.sources.front().name;
     if (is_main || std::ranges::count(open_, found->file) > 0) {
-        reporter_.error(path.span(), fmt::format("{} includes itself", found->file),
+        reporter_.error("include-of-itself", path.span(),
+                        fmt::format("{} includes itself", found->file),
                         "take one include of the circle out");
         return std::nullopt;
     }
@@ -63,17 +67,19 @@ std::optional<Included> Includes::open(const Word& path, const Word& keyword) {
     }
     bytes_ += found->text.size();
     if (bytes_ > max_included_bytes) {
-        reporter_.error(path.span(), "all includes together have more than 16 MiB", "include less");
+        reporter_.error("include-too-large", path.span(),
+                        "all includes together have more than 16 MiB", "include less");
         return std::nullopt;
     }
     std::vector<IncludedFrom> chain{{path.source->name, keyword.line}};
     chain.insert(chain.end(), path.source->included_from.begin(), path.source->included_from.end());
-    const SourceText& source = texts_.add(found->file, found->text, std::move(chain));
+    const SourceText& source = store_.add(found->file, found->text, std::move(chain));
     if (const auto fault = find_fault(source.text)) {
-        reporter_.error({&source, fault->line, fault->column, 1}, fault->message, fault->remedy);
+        reporter_.error(fault->code, {&source, fault->line, fault->column, 1}, fault->message,
+                        fault->remedy);
         return std::nullopt;
     }
-    const auto& tree = texts_.trees.emplace_back(read_blocks(source, reporter_));
+    const auto& tree = store_.trees.emplace_back(read_blocks(source, all_statements(), reporter_));
     files_[found->file] = {&source, &tree};
     open_.push_back(found->file);
     return Included{&tree, true};

@@ -1,9 +1,16 @@
 #pragma once
 
-#include "level/build/interpreter.h"
-#include "level/ir/context.h"
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
 
-/// Opens included files, each read once; refuses paths that lead out, and circles.
+#include "level/build/source_store.h"
+#include "level/scene/load_options.h"
+#include "level/text/reporter.h"
+
+/// Opens included files, and reads each of them once. Refuses paths that lead out of the level's
+/// folder, and files that include themselves.
 namespace carom {
 
 struct Included {
@@ -13,10 +20,10 @@ struct Included {
 
 class Includes {
   public:
-    Includes(const IncludeResolver& resolver, SourceStore& texts, Reporter& reporter)
-        : resolver_(resolver), texts_(texts), reporter_(reporter) {}
+    Includes(const IncludeResolver& resolver, SourceStore& store, Reporter& reporter)
+        : resolver_(resolver), store_(store), reporter_(reporter) {}
 
-    /// `path` is the quoted word. None: reported. A file that was opened must be closed.
+    /// `path` is the quoted word. None: reported. Every file that was opened must be closed.
     std::optional<Included> open(const Word& path, const Word& keyword);
     void close() { open_.pop_back(); }
 
@@ -27,10 +34,10 @@ class Includes {
     };
 
     const IncludeResolver& resolver_;
-    SourceStore& texts_;
+    SourceStore& store_;
     Reporter& reporter_;
     std::map<std::string, File> files_;
-    std::vector<std::string> open_;  ///< from the outermost to the one that is being carried out
+    std::vector<std::string> open_;  ///< the chain of includes, outermost first
     std::size_t bytes_ = 0;
 };
 

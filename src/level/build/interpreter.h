@@ -1,24 +1,69 @@
 #pragma once
 
-#include <deque>
-#include <string>
+#include <map>
+#include <string_view>
 
-#include "level/statements/builders.h"
+#include "level/build/includes.h"
+#include "level/build/overrides.h"
+#include "level/build/parts.h"
+#include "level/build/source_store.h"
+#include "level/ir/arguments.h"
 
-/// Carries out the statements of a level, its blocks and its includes, into a draft.
+/// Runs the statements of a level, expands its blocks and its includes, and so fills the
+/// intermediate representation (Context::ir).
 namespace carom {
 
-/// Owns every text and every tree that words point into.
-struct SourceStore {
-    std::deque<SourceText> sources;
-    std::deque<std::vector<Node>> trees;
+/// Runs trees of statements. It knows how statements are run, not what they do: that is the action
+/// in a statement's row of the table (language/statement.h).
+///
+/// A level is data from strangers, so the work is bounded: 1,000,000 statements, 100,000,000
+/// characters read, 32 nested blocks, 200 errors. At a limit the interpreter reports an error (for
+/// the last limit, the errors themselves are the report) and stops.
+class Interpreter {
+  public:
+    Interpreter(const LoadOptions& options, SourceStore& store, Context& context);
 
-    const SourceText& add(std::string name, std::string text, std::vector<IncludedFrom> from = {});
+    /// Runs a whole level, and then the overrides that replaced no statement of it.
+    void run_level(const std::vector<Node>& nodes);
+
+    /// Runs the statements in a frame, up to a limit.
+    void run_all(const std::vector<Node>& nodes, const Frame& frame);
+    /// Runs the body of a block in a frame inside `frame`: with `names` in scope, and `transform`
+    /// applied before the frame's own. `image` tells copies made by mirror (Origin::image).
+    void run_body(const Node& node, const Frame& frame, const Transform& transform, int image,
+                  Names names);
+    /// Counts a statement against the limits; false: a limit is reached.
+    bool count_step(const Node& node);
+    bool is_stopped() const { return is_stopped_; }
+    /// A number for a mirror image; each call gives another.
+    int new_image() { return ++images_; }
+
+    Scope& globals() { return globals_; }
+    Parts& parts() { return parts_; }
+    Includes& includes() { return includes_; }
+    const Overrides& overrides() const { return overrides_; }
+
+  private:
+    void run(const Node& node, const Frame& frame);
+    void run_statement(const Node& node, const Frame& frame, const Span& stands_at);
+    bool is_first_of_its_kind(const Statement& statement, const Span& at);
+    void run_unused_override(const Node& node, const Frame& frame);
+
+    Includes includes_;
+    Overrides overrides_;
+    Context& context_;
+    Scope globals_;
+    Parts parts_;
+    std::map<std::string_view, Span> unique_;  ///< Statement::is_unique: where each one stands
+    int images_ = 0;
+    std::uint64_t steps_ = 0;
+    std::uint64_t characters_ = 0;
+    bool is_stopped_ = false;
 };
 
-/// Pre: `main` is in `texts` and has no fault. Overrides replace the statement of the file that
-/// says the same thing, in its place; one that the file does not say comes last.
-void unroll(const SourceText& main, const LoadOptions& options, SourceStore& texts, Scene& scene,
-            Context& context);
+/// Reads the header of `main` and interprets the level. Pre: `main` is in `store` and has no fault
+/// (text/text.h). Fills Context::ir and the scene's title, comment and unit; reports errors.
+void interpret(const SourceText& main, const LoadOptions& options, SourceStore& store, Scene& scene,
+               Context& context);
 
 }  // namespace carom

@@ -2,39 +2,46 @@
 
 #include <fmt/format.h>
 
+#include "level/build/all_statements.h"
+
 namespace carom {
 namespace {
 
-// What a statement sets: two statements with the same key say the same thing. Empty: it makes
-// something, and is no setting.
+// What a statement sets: of two statements with the same key, one replaces the other. Empty: --set
+// cannot change it.
 std::string setting(const Node& node) {
     const std::string_view name = node.statement->name;
-    if (name.substr(0, 4) == "use " || name == "seed" || name == "rate" || name == "solver" ||
-        name == "world" || name == "game") {
-        return std::string(name);
-    }
-    if (name != "kind" && name != "material") return "";
-    for (const Word& word : node.rest()) {
-        if (is_identifier(word.text)) return fmt::format("{} {}", name, word.text);
+    switch (node.statement->settable) {
+        case Settable::no:
+            break;
+        case Settable::whole:
+            return std::string(name);
+        case Settable::by_name:
+            for (const Word& word : node.rest()) {
+                if (is_identifier(word.text)) return fmt::format("{} {}", name, word.text);
+            }
+            break;
     }
     return "";
 }
 
 }  // namespace
 
-Overrides::Overrides(const std::vector<std::string>& statements, SourceStore& texts,
+Overrides::Overrides(const std::vector<std::string>& statements, SourceStore& store,
                      Reporter& reporter) {
     for (const std::string& text : statements) {
-        const SourceText& source = texts.add("--set", text);
+        const SourceText& source = store.add("--set", text);
         if (const auto fault = find_fault(source.text)) {
-            reporter.error({&source, fault->line, fault->column, 1}, fault->message, fault->remedy);
+            reporter.error(fault->code, {&source, fault->line, fault->column, 1}, fault->message,
+                           fault->remedy);
             continue;
         }
         const std::size_t errors = reporter.errors();
-        const std::vector<Node>& nodes = texts.trees.emplace_back(read_blocks(source, reporter));
+        const std::vector<Node>& nodes =
+            store.trees.emplace_back(read_blocks(source, all_statements(), reporter));
         if (reporter.errors() != errors) continue;
         if (nodes.size() != 1) {
-            reporter.error({&source, 1, 1, 1}, "--set takes one statement",
+            reporter.error("override-of-several", {&source, 1, 1, 1}, "--set takes one statement",
                            "write it as in: --set 'use gravity 0,-1.6'");
             continue;
         }
@@ -50,7 +57,7 @@ Overrides::Overrides(const std::vector<std::string>& statements, SourceStore& te
         }
         const std::string key = setting(node);
         if (key.empty()) {
-            reporter.error(node.keyword().span(),
+            reporter.error("override-refused", node.keyword().span(),
                            fmt::format("--set cannot change '{}'", node.statement->name),
                            "it changes: let use world solver rate seed game kind material");
             continue;

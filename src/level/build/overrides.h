@@ -1,26 +1,30 @@
 #pragma once
 
+#include <map>
+#include <optional>
 #include <set>
+#include <string>
 
-#include "level/build/interpreter.h"
+#include "level/build/source_store.h"
 
-/// Statements of --set: each takes the place of the file's statement of the same kind.
+/// Statements of --set. Each replaces the statement of the file that sets the same thing
+/// (Statement::settable).
 namespace carom {
 
 class Overrides {
   public:
-    /// Reports statements that cannot be set.
-    Overrides(const std::vector<std::string>& statements, SourceStore& texts, Reporter& reporter);
+    /// Reports statements that --set cannot replace.
+    Overrides(const std::vector<std::string>& statements, SourceStore& store, Reporter& reporter);
 
-    /// What is to be carried out in place of `node`, or null.
+    /// The statement to run in place of `node`; null: none replaces it.
     const Node* replacement(const Node& node);
-    /// The expression for a top-level let of this name.
+    /// The expression that replaces that of a top-level let of this name.
     std::optional<Word> let_value(std::string_view name) const;
-    /// The statements that replaced nothing, and all lets.
+    /// The statements that replaced none of the file, and all lets.
     std::vector<const Node*> unused() const;
 
   private:
-    std::map<std::string, const Node*> statements_;
+    std::map<std::string, const Node*> statements_;  ///< by what they set
     std::map<std::string, Word, std::less<>> lets_;
     std::vector<const Node*> let_nodes_;
     std::set<std::string> used_;

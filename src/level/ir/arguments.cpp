@@ -34,19 +34,18 @@ class Reading {
   private:
     const Statement& statement() const { return *result_.statement; }
 
-    void mistake(const Span& at, std::string message, std::string remedy) {
-        context_.reporter.error(at, std::move(message), std::move(remedy));
+    void mistake(FaultCode code, const Span& at, std::string message, std::string remedy) {
+        context_.reporter.error(code, at, std::move(message), std::move(remedy));
         result_.is_valid = false;
     }
 
     // "a = 1" and "W / 2": one mistake, though it makes several odd words.
     bool check_spaces(const std::vector<Word>& words) {
-        if (statement().name.starts_with("legend ") || statement().name == "on")
-            return true;  // any character is a letter there; a comma parts actions
+        if (statement().takes_lone_signs) return true;
         for (const Word& word : words) {
             if (word.text.find_first_not_of("=+-*/^,") != std::string_view::npos) continue;
             const bool is_key = word.text == "=";
-            mistake(word.span(), fmt::format("'{}' stands alone", word.text),
+            mistake("lone-sign", word.span(), fmt::format("'{}' stands alone", word.text),
                     is_key ? "write key=value without spaces"
                            : "arithmetic and points are written without spaces: W/2,0");
             return false;
@@ -101,10 +100,11 @@ class Reading {
         const auto key = std::ranges::find(statement().keys, name.text, &KeyRule::name);
         if (key != statement().keys.end()) {
             if (result_.values.contains(key->name) && !key->repeats) {
-                mistake(name.span(), fmt::format("{}= stands here twice", name.text),
+                mistake("key-twice", name.span(), fmt::format("{}= stands here twice", name.text),
                         "keep one of them");
             } else if (value.text.empty()) {
-                mistake(word.span(), fmt::format("{}= has no value", name.text),
+                mistake("key-without-value", word.span(),
+                        fmt::format("{}= has no value", name.text),
                         "write key=value without spaces");
             } else {
                 read_value(*key, value);
@@ -120,11 +120,12 @@ class Reading {
 
     void report_key(const Word& word, const Word& name) {
         if (name.text.empty()) {
-            mistake(word.span(), "'=' has no key before it", "write key=value without spaces");
+            mistake("value-without-key", word.span(), "'=' has no key before it",
+                    "write key=value without spaces");
             return;
         }
         if (!is_identifier(name.text)) {
-            mistake(name.span(), fmt::format("'{}' is not a name", name.text),
+            mistake("not-a-name", name.span(), fmt::format("'{}' is not a name", name.text),
                     "a name has letters, digits and '_', and begins with a letter");
             return;
         }
@@ -132,7 +133,8 @@ class Reading {
         for (const KeyRule& key : statement().keys)
             known.push_back(key.name);
         mistake(
-            name.span(), fmt::format("{} has no key '{}'", statement().name, name.text),
+            "unknown-key", name.span(),
+            fmt::format("{} has no key '{}'", statement().name, name.text),
             did_you_mean(name.text, known,
                          known.empty() ? fmt::format("write it as: {}", statement().usage)
                                        : fmt::format("its keys are: {}", fmt::join(known, " "))));
@@ -153,7 +155,7 @@ class Reading {
 
     bool read_numbers(const KeyRule& key, Argument& argument) {
         const Word& value = argument.value;
-        switch (key.form) {
+        switch (key.shape) {
             case KeyShape::scalar: {
                 const auto number =
                     read_number(value, {key.name}, key.measure, key.bound, scope_, context_);
@@ -193,14 +195,14 @@ class Reading {
 
     // Whether the level says `use spin` is known when all of it is read.
     void note_need(const KeyRule& key, const Word& value) {
-        if (key.name != "mu" && key.name != "w") return;
+        if (!key.needs_spin) return;
         if (context_.spin_needs_seen.insert(value.text.data()).second)
             context_.ir.spin_needs.push_back({key.name, value});
     }
 
     bool read_name(const KeyRule& key, const Word& value) {
         if (is_identifier(value.text)) return true;
-        mistake(value.span(), fmt::format("'{}' is not a name", value.text),
+        mistake("not-a-name", value.span(), fmt::format("'{}' is not a name", value.text),
                 fmt::format("write {}=NAME", key.name));
         return false;
     }
@@ -209,7 +211,7 @@ class Reading {
         const Statement& s = statement();
         for (const KeyRule& key : s.keys) {
             if (key.is_required && !result_.values.contains(key.name)) {
-                mistake(result_.node->keyword().span(),
+                mistake("key-missing", result_.node->keyword().span(),
                         fmt::format("{} needs {}=", s.name, key.name),
                         fmt::format("write it as: {}", s.usage));
                 return;
@@ -221,14 +223,15 @@ class Reading {
         }
         if (std::ssize(result_.points) > s.points_most) {
             const Word& word = result_.point_words[static_cast<std::size_t>(s.points_most)];
-            mistake(word.span(),
+            mistake("too-many-points", word.span(),
                     fmt::format("{} takes no more than {} points", s.name, s.points_most),
                     fmt::format("write it as: {}", s.usage));
             return;
         }
         if (std::ssize(result_.plain) < s.plain_least ||
             std::ssize(result_.points) < s.points_least) {
-            mistake(result_.node->keyword().span(), fmt::format("{} is not complete", s.name),
+            mistake("statement-incomplete", result_.node->keyword().span(),
+                    fmt::format("{} is not complete", s.name),
                     fmt::format("write it as: {}", s.usage));
         }
     }
@@ -245,7 +248,7 @@ class Reading {
         if (word.text.find_first_of("+*/,") != std::string_view::npos) {
             otherwise = "points are written x,y and arithmetic a+b, without spaces";
         }
-        mistake(word.span(), fmt::format("'{}' is not expected here", word.text),
+        mistake("unexpected-word", word.span(), fmt::format("'{}' is not expected here", word.text),
                 std::ranges::count(known, word.text) > 0
                     ? otherwise
                     : did_you_mean(word.text, known, otherwise));

@@ -51,8 +51,11 @@ struct Context {
     }
 };
 
-/// Where a statement is carried out.
+class Interpreter;
+
+/// Where a statement is run: the activation record of a block.
 struct Frame {
+    Interpreter* interpreter = nullptr;
     Scope* scope = nullptr;
     Transform transform;
     bool is_top = true;

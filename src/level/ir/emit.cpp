@@ -20,7 +20,8 @@ BindingKey key_of(const Node* node, const std::optional<Word>& word) {
 bool reserve_balls(std::uint64_t count, const Span& at, Context& context) {
     context.ir.balls_reserved += count;
     if (context.ir.balls_reserved <= max_items) return true;
-    context.reporter.error(at, fmt::format("the level has more than {} balls", max_items),
+    context.reporter.error("too-many-balls", at,
+                           fmt::format("the level has more than {} balls", max_items),
                            "make fewer of them");
     context.is_at_limit = true;
     return false;
@@ -34,7 +35,8 @@ int begin_chain(bool is_closed, Context& context) {
 bool emit_capsule(const Capsule& shape, Side side, int binding, int chain, const Span& at,
                   const Frame& frame, Context& context) {
     if (context.ir.capsules.size() >= max_items) {
-        context.reporter.error(at, fmt::format("the level has more than {} edges", max_items),
+        context.reporter.error("too-many-edges", at,
+                               fmt::format("the level has more than {} edges", max_items),
                                "draw fewer of them");
         context.is_at_limit = true;
         return false;

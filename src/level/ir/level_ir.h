@@ -210,6 +210,16 @@ struct LevelSettings {
     double clock = 0.0;
 };
 
+/// What a letter of a map stands for.
+struct LegendIr {
+    enum class What { ball, peg, solid };
+    What what = What::ball;
+    std::optional<Word> kind;
+    std::optional<Word> material;
+    std::optional<double> radius;
+    Vec2 velocity;
+};
+
 struct LevelIr {
     LevelSettings settings;
     std::vector<KindIr> kinds;
@@ -231,6 +241,7 @@ struct LevelIr {
     std::optional<Span> needs_cloth;  ///< the first value that means nothing without it
     std::vector<ShowIr> shows;
     std::vector<ExpectIr> expects;
+    std::map<std::string, LegendIr, std::less<>> legends;  ///< by letter
     /// Names of balls, edges and bins whose statements had a mistake: they exist all the same.
     std::vector<std::string> error_names;
     std::uint64_t balls_reserved = 0;  ///< balls, fills and emitters together

@@ -39,7 +39,7 @@ std::optional<double> converted(const Word& word, const Value& value, const Labe
         if (value.is_bare()) return value.number;
         const Dimension& d = value.dimension;
         if (d.angle == wanted.angle && d.time == wanted.time) return value.number;
-        context.reporter.error(word.span(),
+        context.reporter.error("wrong-dimension", word.span(),
                                fmt::format("{} is {}, {} is wanted", word.text,
                                            described(value.dimension), described(measure)),
                                remedy_for(label, measure, context));
@@ -55,12 +55,13 @@ std::optional<double> converted(const Word& word, const Value& value, const Labe
             return value.number;
         }
         context.reporter.error(
-            word.span(), fmt::format("{} has no unit, {} is wanted", word.text, described(measure)),
+            "unit-missing", word.span(),
+            fmt::format("{} has no unit, {} is wanted", word.text, described(measure)),
             fmt::format("write it with its unit, such as {}{}", lead_of(label),
                         sample(measure, context.unit)));
         return std::nullopt;
     }
-    context.reporter.error(word.span(),
+    context.reporter.error("wrong-dimension", word.span(),
                            fmt::format("{} is {}, {} is wanted", word.text,
                                        described(value.dimension), described(measure)),
                            remedy_for(label, measure, context));
@@ -73,9 +74,9 @@ bool holds(double number, Bound bound) {
             return number >= 0.0;
         case Bound::positive:
             return number > 0.0;
-        case Bound::share:
+        case Bound::unit_interval:
             return number >= 0.0 && number <= 1.0;
-        case Bound::positive_share:
+        case Bound::positive_unit_interval:
             return number > 0.0 && number <= 1.0;
         case Bound::up_to_thousand:
             return number >= 1.0 && number <= 1000.0;
@@ -93,9 +94,9 @@ std::string_view demand(Bound bound) {
             return "must not be negative";
         case Bound::positive:
             return "must be more than 0";
-        case Bound::share:
+        case Bound::unit_interval:
             return "must be from 0 to 1";
-        case Bound::positive_share:
+        case Bound::positive_unit_interval:
             return "must be more than 0, and 1 at most";
         case Bound::up_to_thousand:
             return "must be from 1 to 1000";
@@ -113,15 +114,16 @@ std::optional<double> bounded(const Word& word, double number, const Label& labe
     const std::string subject(label.name.empty() ? described(measure) : std::string(label.name));
     const std::string shown = written(number, measure, context.unit);
     if (measure == Measure::whole && std::floor(number) != number) {
-        context.reporter.error(word.span(),
+        context.reporter.error("number-not-whole", word.span(),
                                fmt::format("{} must be a whole number, but is {}", subject, shown),
                                remedy_for(label, measure, context));
         return std::nullopt;
     }
     if (!holds(number, bound)) {
-        const std::string mended = bound == Bound::share || bound == Bound::positive_share
-                                       ? "0.8"
-                                       : written(-number, measure, context.unit);
+        const std::string mended =
+            bound == Bound::unit_interval || bound == Bound::positive_unit_interval
+                ? "0.8"
+                : written(-number, measure, context.unit);
         std::string remedy = remedy_for(label, measure, context);
         if (number < 0.0 && bound != Bound::up_to_thousand) {
             remedy =
@@ -130,14 +132,16 @@ std::optional<double> bounded(const Word& word, double number, const Label& labe
         if (bound == Bound::layer)
             remedy =
                 fmt::format("write {}0 for the table, or 1 for what is above it", lead_of(label));
-        context.reporter.error(
-            word.span(), fmt::format("{} {}, but is {}", subject, demand(bound), shown), remedy);
+        context.reporter.error("number-out-of-bounds", word.span(),
+                               fmt::format("{} {}, but is {}", subject, demand(bound), shown),
+                               remedy);
         return std::nullopt;
     }
-    const bool is_positive = bound == Bound::positive || bound == Bound::positive_share;
+    const bool is_positive = bound == Bound::positive || bound == Bound::positive_unit_interval;
     const bool is_too_small = is_positive && number < smallest_positive;
     if (std::abs(number) > largest_quantity || is_too_small) {
-        context.reporter.error(word.span(), fmt::format("{} is out of range: {}", subject, shown),
+        context.reporter.error("number-out-of-range", word.span(),
+                               fmt::format("{} is out of range: {}", subject, shown),
                                "quantities go from 1e-18 to 1e18");
         return std::nullopt;
     }
@@ -157,7 +161,7 @@ bool are_brackets_closed(const Word& word, Reporter& reporter) {
         if (word.text[i] == ')' && !open.empty()) open.pop_back();
     }
     if (open.empty()) return true;
-    reporter.error(word.part(open.back(), 1).span(), "the ')' is missing",
+    reporter.error("bracket-not-closed", word.part(open.back(), 1).span(), "the ')' is missing",
                    "arithmetic is written without spaces: (W-2*R)/2");
     return false;
 }
@@ -178,7 +182,7 @@ std::optional<std::pair<double, double>> read_range(const Word& word, const Labe
                                                     const Scope& scope, Context& context) {
     const std::vector<Word> ends = split_outside_brackets(word, "..");
     if (ends.size() > 2) {
-        context.reporter.error(word.span(), "a range has two ends",
+        context.reporter.error("range-of-many", word.span(), "a range has two ends",
                                fmt::format("write {}a..b", lead_of(label)));
         return std::nullopt;
     }
@@ -187,7 +191,8 @@ std::optional<std::pair<double, double>> read_range(const Word& word, const Labe
     const auto high = read_number(ends.back(), label, measure, bound, scope, context);
     if (!high) return std::nullopt;
     if (*low > *high) {
-        context.reporter.error(word.span(), fmt::format("the range {} runs backwards", word.text),
+        context.reporter.error("range-backwards", word.span(),
+                               fmt::format("the range {} runs backwards", word.text),
                                "write the smaller end first");
         return std::nullopt;
     }
@@ -200,7 +205,7 @@ std::optional<Vec2> read_pair(const Word& word, std::string_view name, Measure m
     if (!are_brackets_closed(word, context.reporter)) return std::nullopt;
     if (pieces.size() != 2) {
         context.reporter.error(
-            word.span(), numbers_wanted(pieces.size(), 2),
+            "pair-of-other-count", word.span(), numbers_wanted(pieces.size(), 2),
             fmt::format("write {}{}x,y without spaces", name, name.empty() ? "" : "="));
         return std::nullopt;
     }
@@ -217,7 +222,7 @@ std::optional<std::array<double, 4>> read_box(const Word& word, std::string_view
     const std::vector<Word> pieces = split_outside_brackets(word, ",");
     if (!are_brackets_closed(word, context.reporter)) return std::nullopt;
     if (pieces.size() != 4) {
-        context.reporter.error(word.span(), numbers_wanted(pieces.size(), 4),
+        context.reporter.error("box-of-other-count", word.span(), numbers_wanted(pieces.size(), 4),
                                fmt::format("write {}=x0,y0,x1,y1 without spaces", name));
         return std::nullopt;
     }
@@ -230,7 +235,7 @@ std::optional<std::array<double, 4>> read_box(const Word& word, std::string_view
     }
     if (!is_complete) return std::nullopt;
     if (box[0] < box[2] && box[1] < box[3]) return box;
-    context.reporter.error(word.span(), fmt::format("the {} is empty", name),
+    context.reporter.error("box-empty", word.span(), fmt::format("the {} is empty", name),
                            "write the lower left corner first: x0,y0,x1,y1");
     return std::nullopt;
 }

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "level/ir/context.h"
-#include "level/language/statements.h"
+#include "level/language/statement.h"
 
 /// Words to numbers: evaluated, in the world's units (angles in degrees), within bounds. Where
 /// there is no number, the mistake has been reported, or something that the word uses is poisoned.

@@ -13,35 +13,39 @@ std::string listed(const std::vector<std::string_view>& words) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-// The statement that the author meant: only for the shape of the blocks.
-const Statement* meant(std::string_view keyword) {
-    const auto nearest = nearest_word(keyword, keywords());
-    return nearest ? statement_named(*nearest) : nullptr;
+// The statement that a misspelt keyword stands for: decides only whether it opens a block.
+const Statement* guess(const StatementTable& table, std::string_view keyword) {
+    const auto nearest = nearest_word(keyword, table.keywords());
+    return nearest ? table.find(*nearest) : nullptr;
 }
 
-void report_unknown(const Word& keyword, Reporter& reporter) {
+void report_unknown(const StatementTable& table, const Word& keyword, Reporter& reporter) {
     const std::string otherwise = "a line begins with a keyword, such as ball or edge";
-    reporter.error(keyword.span(), fmt::format("'{}' is not a statement", keyword.text),
-                   did_you_mean(keyword.text, keywords(), otherwise));
+    reporter.error("unknown-statement", keyword.span(),
+                   fmt::format("'{}' is not a statement", keyword.text),
+                   did_you_mean(keyword.text, table.keywords(), otherwise));
 }
 
-const Statement* find_statement(const std::vector<Word>& words, Reporter& reporter) {
+const Statement* find_statement(const StatementTable& table, const std::vector<Word>& words,
+                                Reporter& reporter) {
     const Word& keyword = words.front();
-    if (const Statement* statement = statement_named(keyword.text)) return statement;
-    const std::vector<std::string_view> seconds = second_words(keyword.text);
+    if (const Statement* statement = table.find(keyword.text)) return statement;
+    const std::vector<std::string_view> seconds = table.second_words(keyword.text);
     if (seconds.empty()) {
-        report_unknown(keyword, reporter);
+        report_unknown(table, keyword, reporter);
         return nullptr;
     }
     if (words.size() < 2) {
-        reporter.error(keyword.span(), fmt::format("'{}' wants one of its words", keyword.text),
+        reporter.error("second-word-missing", keyword.span(),
+                       fmt::format("'{}' wants one of its words", keyword.text),
                        fmt::format("they are: {}", listed(seconds)));
         return nullptr;
     }
     const Word& second = words[1];
     const std::string name = fmt::format("{} {}", keyword.text, second.text);
-    if (const Statement* statement = statement_named(name)) return statement;
-    reporter.error(second.span(), fmt::format("{} has no '{}'", keyword.text, second.text),
+    if (const Statement* statement = table.find(name)) return statement;
+    reporter.error("unknown-second-word", second.span(),
+                   fmt::format("{} has no '{}'", keyword.text, second.text),
                    did_you_mean(second.text, seconds, fmt::format("it has: {}", listed(seconds))));
     return nullptr;
 }
@@ -54,14 +58,15 @@ bool is_end(const Word& line) {
 }
 
 void report_no_end(const Node& node, Reporter& reporter) {
-    reporter.error(node.keyword().span(), fmt::format("'{}' has no 'end'", node.keyword().text),
+    reporter.error("end-missing", node.keyword().span(),
+                   fmt::format("'{}' has no 'end'", node.keyword().text),
                    "close it with a line that says end");
 }
 
 class BlockReader {
   public:
-    BlockReader(const SourceText& source, Reporter& reporter)
-        : lines_(source, reporter), reporter_(reporter) {}
+    BlockReader(const SourceText& source, const StatementTable& table, Reporter& reporter)
+        : lines_(source, reporter), table_(table), reporter_(reporter) {}
 
     std::vector<Node> read() {
         std::vector<Node> nodes;
@@ -70,39 +75,41 @@ class BlockReader {
     }
 
   private:
-    // Reads up to the `end` of this block; false at the end of the source.
+    // Reads up to the `end` of this block; false: the source ends first.
     bool read_into(std::vector<Node>& nodes, int depth) {
         while (true) {
             std::vector<Word> words = lines_.next();
             if (words.empty() || stopped_) return false;
             if (words.front().text == "end") {
                 if (words.size() > 1) {
-                    reporter_.error(words[1].span(), "nothing stands behind 'end'",
-                                    "put it on a line of its own");
+                    reporter_.error("word-after-end", words[1].span(),
+                                    "nothing stands behind 'end'", "put it on a line of its own");
                 }
                 if (depth > 0) return true;
-                reporter_.error(words.front().span(), "this 'end' closes nothing",
+                reporter_.error("end-without-block", words.front().span(),
+                                "this 'end' closes nothing",
                                 "take it out, or open a block above it");
                 continue;
             }
             if (is_forgotten_continuation(words, nodes)) continue;
             Node node;
-            node.statement = find_statement(words, reporter_);
+            node.statement = find_statement(table_, words, reporter_);
             node.words = std::move(words);
             read_body(node, depth);
             nodes.push_back(std::move(node));
         }
     }
 
-    // A line that begins with key=value: the line above lacks its backslash. Told, and then read as
-    // it was meant.
+    // A line that begins with key=value: the line above lacks its backslash. Reports it, and then
+    // joins the line to the statement above, as the author meant.
     bool is_forgotten_continuation(const std::vector<Word>& words, std::vector<Node>& nodes) {
         const Word& first = words.front();
         const std::size_t equals = first.text.find('=');
         if (equals == std::string_view::npos || !is_identifier(first.text.substr(0, equals))) {
             return false;
         }
-        reporter_.error(first.span(), fmt::format("'{}' is not a statement", first.text),
+        reporter_.error("unknown-statement", first.span(),
+                        fmt::format("'{}' is not a statement", first.text),
                         "a '\\' at the end of the line above would continue it");
         if (!nodes.empty() && nodes.back().body.empty()) {
             nodes.back().words.insert(nodes.back().words.end(), words.begin(), words.end());
@@ -111,17 +118,18 @@ class BlockReader {
     }
 
     void read_body(Node& node, int depth) {
-        const Statement* shape = node.statement ? node.statement : meant(node.keyword().text);
+        const Statement* shape =
+            node.statement ? node.statement : guess(table_, node.keyword().text);
         if (!shape || !shape->opens_block) return;
         if (depth >= max_block_depth) {
-            reporter_.error(node.keyword().span(),
+            reporter_.error("block-too-deep", node.keyword().span(),
                             fmt::format("blocks are nested deeper than {}", max_block_depth),
                             "take some of them out, or use part and place");
             stopped_ = true;
             return;
         }
         const bool is_closed =
-            shape->name == "map" ? read_drawing(node) : read_into(node.body, depth + 1);
+            shape->body_is_drawing ? read_drawing(node) : read_into(node.body, depth + 1);
         if (!is_closed && !stopped_) report_no_end(node, reporter_);
     }
 
@@ -134,6 +142,7 @@ class BlockReader {
     }
 
     LineReader lines_;
+    const StatementTable& table_;
     Reporter& reporter_;
     bool stopped_ = false;
 };
@@ -145,8 +154,9 @@ std::vector<Word> Node::rest() const {
     return {words.begin() + std::min<std::ptrdiff_t>(count, std::ssize(words)), words.end()};
 }
 
-std::vector<Node> read_blocks(const SourceText& source, Reporter& reporter) {
-    return BlockReader(source, reporter).read();
+std::vector<Node> read_blocks(const SourceText& source, const StatementTable& table,
+                              Reporter& reporter) {
+    return BlockReader(source, table, reporter).read();
 }
 
 }  // namespace carom

@@ -1,15 +1,17 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/vec2.h"
 #include "physics/world/ids.h"
 
-/// What stands on a pinball table beside its edges, and the rules that its author has written: data
-/// for the game, which carries them out (game/pinball.h).
+/// The devices of a pinball table and the rules that its author has written. They are data; the
+/// game runs them (game/pinball/pinball.h).
 namespace carom {
 
 enum class DeviceKind : std::uint8_t {
@@ -30,7 +32,38 @@ enum class DeviceKind : std::uint8_t {
     ramp         ///< a zone that takes balls which pass it to another layer
 };
 
-/// One of them. A statement that draws several makes several.
+/// What a kind of device can do, for the statements and the rules of a level.
+struct DeviceTraits {
+    DeviceKind kind;
+    std::string_view name;         ///< the keyword of its statement
+    bool is_zone = false;          ///< balls enter it, and do not bounce off it
+    bool has_light = false;        ///< rules may light it: `light NAME`
+    bool completes_group = false;  ///< it takes part in `on NAME all`
+};
+
+/// Each kind of device, in the order of DeviceKind.
+inline constexpr std::array device_traits{
+    DeviceTraits{DeviceKind::edge, "edge"},
+    DeviceTraits{DeviceKind::flipper, "flipper"},
+    DeviceTraits{DeviceKind::bumper, "bumper"},
+    DeviceTraits{DeviceKind::slingshot, "slingshot"},
+    DeviceTraits{DeviceKind::plunger, "plunger"},
+    DeviceTraits{DeviceKind::gate, "gate"},
+    DeviceTraits{DeviceKind::droptarget, "droptarget", false, true, true},
+    DeviceTraits{DeviceKind::target, "target", false, true, true},
+    DeviceTraits{DeviceKind::rollover, "rollover", true, true, true},
+    DeviceTraits{DeviceKind::spinner, "spinner", true},
+    DeviceTraits{DeviceKind::kickback, "kickback", true, true},
+    DeviceTraits{DeviceKind::drain, "drain", true},
+    DeviceTraits{DeviceKind::lamp, "lamp", false, true, true},
+    DeviceTraits{DeviceKind::hole, "hole", true},
+    DeviceTraits{DeviceKind::ramp, "ramp", true}};
+
+constexpr const DeviceTraits& traits(DeviceKind kind) {
+    return device_traits[static_cast<std::size_t>(kind)];
+}
+
+/// One device. A statement that draws several makes several.
 struct Device {
     DeviceKind kind = DeviceKind::edge;
     std::uint32_t group = 0;            ///< index into PinballTable::groups

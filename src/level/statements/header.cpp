@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "level/statements/families.h"
 #include "level/text/spelling.h"
 
 namespace carom {
@@ -28,12 +29,13 @@ bool check_version(const Word& word, std::string_view what, int own, Reporter& r
     const char* end = word.text.data() + word.text.size();
     const auto [stop, fault] = std::from_chars(word.text.data(), end, version);
     if (fault != std::errc{} || stop != end || version < 1) {
-        reporter.error(word.span(), fmt::format("'{}' is not a version", word.text),
+        reporter.error("not-a-version", word.span(),
+                       fmt::format("'{}' is not a version", word.text),
                        fmt::format("write {} {}", what, own));
         return false;
     }
     if (version <= own) return true;
-    reporter.error(word.span(),
+    reporter.error("version-too-new", word.span(),
                    fmt::format("the level wants {} version {}, this carom has version {}",
                                what == "carom" ? "format" : "physics", version, own),
                    "use a newer carom");
@@ -45,14 +47,16 @@ void read_title_line(const Node& node, Scene& scene, Reporter& reporter) {
     const std::string usage = R"(write it as: carom 1 "TITLE")";
     if (words.size() != 2) {
         const Word& at = words.size() > 2 ? words[2] : node.keyword();
-        reporter.error(at.span(), "the first line has a version and a title", usage);
+        reporter.error("title-line-malformed", at.span(),
+                       "the first line has a version and a title", usage);
         return;
     }
     if (!check_version(words[0], "carom", format_version, reporter)) return;
     if (!is_quoted(words[1].text)) {
         // A missing quote has been told already.
         if (words[1].text[0] != '"') {
-            reporter.error(words[1].span(), "the title stands in quotes", usage);
+            reporter.error("title-without-quotes", words[1].span(), "the title stands in quotes",
+                           usage);
         }
         return;
     }
@@ -104,14 +108,15 @@ std::vector<std::string> opening_comment(const SourceText& source, int first_sta
 void read_units(const Node& node, Scene& scene, Context& context, bool& is_set) {
     const std::vector<Word> words = node.rest();
     if (is_set) {
-        context.reporter.error(node.keyword().span(), "units stands here again",
+        context.reporter.error("units-twice", node.keyword().span(), "units stands here again",
                                "keep one of them");
         return;
     }
     is_set = true;
     if (words.size() != 1) {
         context.is_unit_unknown = true;
-        context.reporter.error(words.size() > 1 ? words[1].span() : node.keyword().span(),
+        context.reporter.error("units-malformed",
+                               words.size() > 1 ? words[1].span() : node.keyword().span(),
                                "units takes one unit", "write it as: units mm|cm|m|in");
         return;
     }
@@ -119,7 +124,8 @@ void read_units(const Node& node, Scene& scene, Context& context, bool& is_set) 
     if (!unit) {
         context.is_unit_unknown = true;
         context.reporter.error(
-            words[0].span(), fmt::format("'{}' is not a unit of length", words[0].text),
+            "unknown-unit", words[0].span(),
+            fmt::format("'{}' is not a unit of length", words[0].text),
             did_you_mean(words[0].text, length_unit_names(), "there are: mm cm m in"));
         return;
     }
@@ -133,7 +139,7 @@ void read_header(const std::vector<Node>& nodes, const SourceText& source, Scene
     Reporter& reporter = context.reporter;
     if (nodes.empty()) {
         if (!reporter.has_errors()) {
-            reporter.error({&source, 1, 1, 1}, "the file is empty",
+            reporter.error("file-empty", {&source, 1, 1, 1}, "the file is empty",
                            R"(a level begins with a line such as: carom 1 "My level")");
         }
         return;
@@ -141,7 +147,8 @@ void read_header(const std::vector<Node>& nodes, const SourceText& source, Scene
     if (is_named(nodes.front(), "carom")) {
         read_title_line(nodes.front(), scene, reporter);
     } else if (nodes.front().statement) {
-        reporter.error(nodes.front().keyword().span(), "the level does not say its format",
+        reporter.error("format-missing", nodes.front().keyword().span(),
+                       "the level does not say its format",
                        R"(begin it with a line such as: carom 1 "My level")");
     }
     scene.comment = opening_comment(source, nodes.front().keyword().line);
@@ -149,8 +156,8 @@ void read_header(const std::vector<Node>& nodes, const SourceText& source, Scene
     bool has_units = false;
     for (const Node& node : nodes) {
         if (is_named(node, "carom") && &node != &nodes.front()) {
-            reporter.error(node.keyword().span(), "carom stands only in the first line",
-                           "take this line out");
+            reporter.error("format-not-first", node.keyword().span(),
+                           "carom stands only in the first line", "take this line out");
         }
         if (is_named(node, "physics") && node.rest().size() == 1) {
             check_version(node.rest()[0], "physics", physics_version, reporter);
@@ -178,11 +185,31 @@ void read_fragment_header(const std::vector<Node>& nodes, Context& context) {
         if (length_unit_named(words[0].text) == context.unit) continue;
         const std::string_view own = symbol(context.unit);
         context.reporter.error(
-            words[0].span(),
+            "units-of-include-differ", words[0].span(),
             own.empty() ? "the level that includes this file has no units"
                         : fmt::format("the level that includes this file has units {}", own),
             "use the same units in both");
     }
+}
+
+std::vector<Statement> header_statements() {
+    return {
+        {.name = "carom",
+         .usage = R"(carom 1 "TITLE")",
+         .place = Place::top,
+         .plain_least = 2,
+         .plain_most = 2},
+        {.name = "physics",
+         .usage = "physics 1",
+         .place = Place::top,
+         .plain_least = 1,
+         .plain_most = 1},
+        {.name = "units",
+         .usage = "units mm|cm|m|in",
+         .place = Place::top,
+         .plain_least = 1,
+         .plain_most = 1},
+    };
 }
 
 }  // namespace carom

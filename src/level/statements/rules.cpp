@@ -62,7 +62,8 @@ class RuleReader {
         for (; words[next].text == "while" || words[next].text == "unless"; next += 2) {
             const Word& word = words[next];
             if (words.size() < next + 3)
-                return refuse(word, fmt::format("{} what, and what then?", word.text));
+                return refuse("rule-incomplete", word,
+                              fmt::format("{} what, and what then?", word.text));
             rule.needs.push_back({words[next + 1], word.text == "unless"});
         }
         std::vector<Word> action;
@@ -72,18 +73,20 @@ class RuleReader {
             if (ends) word = word.part(0, word.text.size() - 1);
             if (!word.text.empty()) action.push_back(word);
             if (!ends && next + 1 < words.size()) continue;
-            if (action.empty()) return refuse(words[next], "an action is missing here");
+            if (action.empty())
+                return refuse("action-missing", words[next], "an action is missing here");
             if (!read_action(action, rule)) return std::nullopt;
             action.clear();
             if (ends && next + 1 == words.size())
-                return refuse(words[next], "an action is missing behind the comma");
+                return refuse("action-missing", words[next],
+                              "an action is missing behind the comma");
         }
         return rule;
     }
 
   private:
-    std::nullopt_t refuse(const Word& at, std::string message) {
-        context_.reporter.error(at.span(), std::move(message),
+    std::nullopt_t refuse(FaultCode code, const Word& at, std::string message) {
+        context_.reporter.error(code, at.span(), std::move(message),
                                 fmt::format("write it as: {}", arguments_.statement->usage));
         return std::nullopt;
     }
@@ -98,7 +101,8 @@ class RuleReader {
             rule.when = Rule::When::enter;
         else
             context_.reporter.error(
-                word.span(), fmt::format("there is no '{}' to wait for", word.text),
+                "unknown-event", word.span(),
+                fmt::format("there is no '{}' to wait for", word.text),
                 did_you_mean(word.text, {"hit", "all", "enter"}, "write hit, all or enter"));
         return word.text == "hit" || word.text == "all" || word.text == "enter";
     }
@@ -107,7 +111,8 @@ class RuleReader {
         const ActionShape* shape = shape_named(words[0].text);
         if (!shape) {
             context_.reporter.error(
-                words[0].span(), fmt::format("there is no action '{}'", words[0].text),
+                "unknown-action", words[0].span(),
+                fmt::format("there is no action '{}'", words[0].text),
                 did_you_mean(words[0].text, action_names(),
                              fmt::format("there are: {}", fmt::join(action_names(), " "))));
             return false;
@@ -117,7 +122,7 @@ class RuleReader {
         if (words.size() != wanted && !has_time) {
             const Word& at = words.size() > wanted ? words[wanted] : words[0];
             context_.reporter.error(
-                at.span(),
+                "action-malformed", at.span(),
                 words.size() > wanted ? fmt::format("'{}' is not expected here", at.text)
                                       : fmt::format("{} is not complete", shape->name),
                 fmt::format("write it as: {}, with a comma before the next", shape->sample));
@@ -149,7 +154,8 @@ class RuleReader {
                 break;
         }
         if (word.text.size() < 2 || word.text.front() != '"') {
-            context_.reporter.error(word.span(), "a message stands in quotes",
+            context_.reporter.error("message-without-quotes", word.span(),
+                                    "a message stands in quotes",
                                     fmt::format("write it as: {}", shape.sample));
             return false;
         }
@@ -173,7 +179,7 @@ class RuleReader {
                                : shape.what == What::multiplier ? 100.0
                                                                 : most;
         if (*amount > largest || *amount < -largest) {
-            context_.reporter.error(word.span(),
+            context_.reporter.error("action-value-too-large", word.span(),
                                     fmt::format("{} goes up to {:.0f}", shape.name, largest),
                                     fmt::format("write a smaller number, as in: {}", shape.sample));
             return false;
@@ -189,19 +195,9 @@ class RuleReader {
 
 }  // namespace
 
-void declare_rule(const Arguments& arguments, const Scope& scope, Context& context) {
-    auto rule = RuleReader(arguments, scope, context).read();
+void add_rule(const Arguments& arguments, const Frame& frame, Context& context) {
+    auto rule = RuleReader(arguments, *frame.scope, context).read();
     if (rule) context.ir.rules.push_back(std::move(*rule));
-}
-
-void declare_pinball(const Arguments& arguments, Context& context) {
-    PinballTable& table = context.ir.settings.table;
-    table.is_game = true;
-    if (arguments.has("balls")) table.balls = arguments.count("balls");
-    table.save = arguments.number_or("save", table.save);
-    if (arguments.has("tilt")) table.warnings = arguments.count("tilt");
-    if (arguments.has("bonus")) table.bonus = arguments.count("bonus");
-    if (arguments.has("highscores")) table.highscores = arguments.count("highscores");
 }
 
 }  // namespace carom

@@ -2,12 +2,10 @@
 
 #include "level/ir/arguments.h"
 
-/// What a level says of its game: `on ...` and `game pinball ...`. Names are looked up later
-/// (table_assembly.h).
 namespace carom {
 
-/// Pre, for both: arguments.is_valid.
-void declare_rule(const Arguments& arguments, const Scope& scope, Context& context);
-void declare_pinball(const Arguments& arguments, Context& context);
+/// Carries out `on NAME ...`: adds a pinball rule to the intermediate representation. Reports words
+/// that are no rule; the names in it are looked up later (assemble/pinball_assembly.h).
+void add_rule(const Arguments& arguments, const Frame& frame, Context& context);
 
 }  // namespace carom

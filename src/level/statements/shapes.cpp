@@ -3,7 +3,10 @@
 #include <cmath>
 
 #include "geometry/unit.h"
-#include "level/statements/builders.h"
+#include "level/ir/arguments.h"
+#include "level/ir/emit.h"
+#include "level/statements/families.h"
+#include "level/statements/keys.h"
 
 namespace carom {
 namespace {
@@ -20,7 +23,8 @@ Side side_of(const Arguments& arguments) {
 bool is_side_known(const Arguments& arguments, Context& context) {
     const std::optional<Word> side = arguments.word("side");
     if (!side || side->text == "left" || side->text == "right") return true;
-    context.reporter.error(side->span(), fmt::format("an edge has no side '{}'", side->text),
+    context.reporter.error("unknown-side", side->span(),
+                           fmt::format("an edge has no side '{}'", side->text),
                            "write side=left or side=right, seen along the edge");
     return false;
 }
@@ -93,7 +97,8 @@ bool fillets_fit(const std::vector<Corner>& corners, bool is_closed, double radi
         const double room = distance(corners[i].point, corners[next].point);
         // A rounding more than the room is still a fit: two arcs may share a whole side.
         if (reach_at(i) + reach_at(next) <= room * (1.0 + 1e-9)) continue;
-        context.reporter.error(corners[next].span, "the fillet does not fit between these points",
+        context.reporter.error("fillet-does-not-fit", corners[next].span,
+                               "the fillet does not fit between these points",
                                "make it smaller, or move the points apart");
         return false;
     }
@@ -120,13 +125,15 @@ void add_polyline(std::vector<Corner> corners, bool is_closed, const Arguments& 
                   const Frame& frame, Context& context) {
     for (std::size_t i = 1; i < corners.size(); ++i) {
         if (!(corners[i].point == corners[i - 1].point)) continue;
-        context.reporter.error(corners[i].span, "this piece of the edge has no length",
+        context.reporter.error("edge-without-length", corners[i].span,
+                               "this piece of the edge has no length",
                                "move or drop the point; a single point is a peg");
         return;
     }
     const bool is_ring = corners.size() > 2 && corners.front().point == corners.back().point;
     if (is_closed && is_ring) {
-        context.reporter.error(corners.back().span, "the edge is already back at its first point",
+        context.reporter.error("edge-closed-already", corners.back().span,
+                               "the edge is already back at its first point",
                                "drop this point, or 'close'");
         return;
     }
@@ -151,8 +158,6 @@ void add_polyline(std::vector<Corner> corners, bool is_closed, const Arguments& 
     }
 }
 
-}  // namespace
-
 void build_edge(const Arguments& arguments, const Frame& frame, Context& context) {
     if (!is_side_known(arguments, context)) return;
     std::vector<Corner> corners;
@@ -160,7 +165,7 @@ void build_edge(const Arguments& arguments, const Frame& frame, Context& context
         corners.push_back({arguments.points[i], arguments.point_words[i].span()});
     }
     if (arguments.flag("close") && corners.size() < 3) {
-        context.reporter.error(arguments.node->keyword().span(),
+        context.reporter.error("edge-too-short-to-close", arguments.node->keyword().span(),
                                "an edge of two points cannot be closed", "add a third point");
         return;
     }
@@ -173,7 +178,7 @@ void build_box(const Arguments& arguments, const Frame& frame, Context& context)
     const Vec2 b = arguments.points[1];
     const Span span = arguments.point_words[1].span();
     if (!(a.x < b.x && a.y < b.y)) {
-        context.reporter.error(span, "the box is empty",
+        context.reporter.error("box-empty", span, "the box is empty",
                                "write its lower left corner, then its upper right one");
         return;
     }
@@ -187,7 +192,7 @@ void build_arc(const Arguments& arguments, const Frame& frame, Context& context)
     const double to = arguments.number_or("to", 360.0);
     const double sweep = to - from;
     if (std::abs(sweep) > 360.0 || sweep == 0.0) {
-        context.reporter.error(arguments.span_of("to"),
+        context.reporter.error("arc-sweep", arguments.span_of("to"),
                                fmt::format("the arc sweeps {:.6g} degrees", sweep),
                                "from= and to= differ by 360 degrees at most, and not by 0");
         return;
@@ -212,6 +217,51 @@ void build_peg(const Arguments& arguments, const Frame& frame, Context& context)
     const int binding = bind_edges(shape_binding(arguments), context);
     emit_capsule({at, at, arguments.number_or("r", 0.0)}, Side::both, binding,
                  begin_chain(false, context), arguments.span_of("at"), frame, context);
+}
+
+}  // namespace
+
+std::vector<Statement> shape_statements() {
+    using enum KeyShape;
+    using enum Bound;
+    const KeyRule fillet{"fillet", scalar, Measure::length, not_negative};
+    const KeyRule side{"side", word};
+    return {
+        {.name = "edge",
+         .usage = "edge [MATERIAL] [NAME] X,Y X,Y ... [r=] [close] [fillet=] [side=left|right]",
+         .action = build_edge,
+         .plain_most = 2,
+         .points_least = 2,
+         .points_most = many,
+         .keys = {keys::edge_radius, fillet, side},
+         .flags = {"close"},
+         .binds_names = true},
+        {.name = "arc",
+         .usage = "arc [MATERIAL] [NAME] at=X,Y radius= [from=] [to=] [r=] [side=left|right]",
+         .action = build_arc,
+         .plain_most = 2,
+         .keys = {keys::at,
+                  {"radius", scalar, Measure::length, positive, true},
+                  {"from", scalar, Measure::angle},
+                  {"to", scalar, Measure::angle},
+                  keys::edge_radius,
+                  side},
+         .binds_names = true},
+        {.name = "peg",
+         .usage = "peg [MATERIAL] [NAME] at=X,Y r=",
+         .action = build_peg,
+         .plain_most = 2,
+         .keys = {keys::at, keys::required_edge_radius},
+         .binds_names = true},
+        {.name = "box",
+         .usage = "box [MATERIAL] [NAME] X0,Y0 X1,Y1 [r=] [fillet=] [side=left|right]",
+         .action = build_box,
+         .plain_most = 2,
+         .points_least = 2,
+         .points_most = 2,
+         .keys = {keys::edge_radius, fillet, side},
+         .binds_names = true},
+    };
 }
 
 }  // namespace carom

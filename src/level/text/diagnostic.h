@@ -9,6 +9,24 @@ namespace carom {
 
 enum class Severity { error, warning };
 
+/// A stable name for a kind of fault, such as "unknown-kind": words of lower-case letters and
+/// digits joined by '-'. Tests and tools match it, since the message may change; players do not see
+/// it. Two places that find the same fault share a code.
+class FaultCode {
+  public:
+    constexpr FaultCode() = default;
+    /// Does not compile where the text is not of that form.
+    consteval FaultCode(const char* text) : text_(text) {
+        for (const char c : text_)
+            if (!(c >= 'a' && c <= 'z') && !(c >= '0' && c <= '9') && c != '-') throw "not a code";
+    }
+    constexpr std::string_view text() const { return text_; }
+    friend constexpr bool operator==(FaultCode, FaultCode) = default;
+
+  private:
+    std::string_view text_;
+};
+
 /// Where an `include` stands that led to a file.
 struct IncludedFrom {
     std::string file;
@@ -17,6 +35,7 @@ struct IncludedFrom {
 
 struct Diagnostic {
     Severity severity = Severity::error;
+    FaultCode code;
     std::string file;  ///< as given to load_level, or as resolved for an include
     int line = 1;      ///< from 1
     int column = 1;    ///< from 1, in characters (not bytes)

@@ -13,21 +13,23 @@ std::tuple<int, int, int, Severity> rank(int order, const Diagnostic& d) {
 
 }  // namespace
 
-void Reporter::error(const Span& at, std::string message, std::string remedy) {
+void Reporter::error(FaultCode code, const Span& at, std::string message, std::string remedy) {
     ++errors_;
-    add(Severity::error, at, std::move(message), std::move(remedy));
+    add(Severity::error, code, at, std::move(message), std::move(remedy));
 }
 
-void Reporter::warning(const Span& at, std::string message, std::string remedy) {
-    add(Severity::warning, at, std::move(message), std::move(remedy));
+void Reporter::warning(FaultCode code, const Span& at, std::string message, std::string remedy) {
+    add(Severity::warning, code, at, std::move(message), std::move(remedy));
 }
 
-void Reporter::add(Severity severity, const Span& at, std::string message, std::string remedy) {
+void Reporter::add(Severity severity, FaultCode code, const Span& at, std::string message,
+                   std::string remedy) {
     const int order = at.source ? at.source->order : 0;
     if (entries_.size() >= most_kept) return;
     if (!places_.insert({severity, order, at.line, at.column}).second) return;
     Diagnostic d;
     d.severity = severity;
+    d.code = code;
     d.line = at.line;
     d.column = at.column;
     d.length = std::max(1, at.length);

@@ -16,8 +16,8 @@ inline constexpr std::size_t max_diagnostics = 20;
 /// that is unrolled a thousand times complains once.
 class Reporter {
   public:
-    void error(const Span& at, std::string message, std::string remedy = {});
-    void warning(const Span& at, std::string message, std::string remedy = {});
+    void error(FaultCode code, const Span& at, std::string message, std::string remedy = {});
+    void warning(FaultCode code, const Span& at, std::string message, std::string remedy = {});
 
     bool has_errors() const { return errors_ > 0; }
     /// Errors so far: a caller that sees it grow knows that something it called has complained.
@@ -27,7 +27,8 @@ class Reporter {
     std::vector<Diagnostic> diagnostics() const;
 
   private:
-    void add(Severity severity, const Span& at, std::string message, std::string remedy);
+    void add(Severity severity, FaultCode code, const Span& at, std::string message,
+             std::string remedy);
 
     struct Entry {
         int order = 0;

@@ -21,27 +21,27 @@ std::vector<std::string_view> split_lines(std::string_view text) {
 
 std::optional<TextFault> find_fault(std::string_view text) {
     if (text.size() > max_file_bytes) {
-        return TextFault{1, 1, "the file has more than 4 MiB",
+        return TextFault{"file-too-large", 1, 1, "the file has more than 4 MiB",
                          "split it, or draw with repeat and part"};
     }
     int line_number = 0;
     for (const std::string_view line : split_lines(text)) {
         ++line_number;
         if (line.size() > max_line_bytes) {
-            return TextFault{line_number, 1,
+            return TextFault{"line-too-long", line_number, 1,
                              fmt::format("the line has {} bytes, more than 4096", line.size()),
                              "break it with a '\\' at the end"};
         }
         int column = 1;
         for (std::size_t i = 0; i < line.size(); ++column) {
             if (line[i] == '\0') {
-                return TextFault{line_number, column, "a NUL byte stands here",
+                return TextFault{"nul-byte", line_number, column, "a NUL byte stands here",
                                  "a level is plain text: save it as UTF-8"};
             }
             const std::size_t length = character_length(line, i);
             if (length == 0) {
                 return TextFault{
-                    line_number, column,
+                    "not-utf8", line_number, column,
                     fmt::format("byte 0x{:02x} is not UTF-8", static_cast<unsigned char>(line[i])),
                     "save the file as UTF-8"};
             }

@@ -34,6 +34,7 @@ std::vector<std::string_view> split_lines(std::string_view text);
 
 /// Why a text cannot be read at all.
 struct TextFault {
+    FaultCode code;
     int line = 1;
     int column = 1;
     std::string message;

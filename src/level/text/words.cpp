@@ -51,7 +51,8 @@ bool LineReader::split(std::string_view line, int number, std::vector<Word>& wor
         if (line[i] == '#') return false;
         if (line[i] == '\\') {
             if (is_blank_or_comment(line.substr(i + 1))) return true;
-            reporter_->error(word_at(i, i + 1).span(), "a '\\' stands in the middle of the line",
+            reporter_->error("backslash-inside-line", word_at(i, i + 1).span(),
+                             "a '\\' stands in the middle of the line",
                              "a '\\' continues a line, and only at its end");
             ++i;
             continue;
@@ -60,7 +61,8 @@ bool LineReader::split(std::string_view line, int number, std::vector<Word>& wor
         if (line[i] == '"') {
             end = line.find('"', i + 1);
             if (end == std::string_view::npos) {
-                reporter_->error(word_at(i, line.size()).span(), "the closing '\"' is missing",
+                reporter_->error("quote-not-closed", word_at(i, line.size()).span(),
+                                 "the closing '\"' is missing",
                                  "end the text with '\"' on the same line");
                 words.push_back(word_at(i, line.size()));
                 return false;

@@ -25,11 +25,13 @@ class Parser {
         if (value && at_ < text_.size()) {
             const std::string_view rest = text_.substr(at_);
             const bool is_bracket = rest[0] == ')';
-            return mistake(at_, is_bracket ? 1 : rest.size(),
-                           is_bracket ? "this ')' closes nothing"
-                                      : fmt::format("'{}' is not expected here", rest),
-                           is_bracket ? "take it out, or add the '('"
-                                      : "arithmetic has + - * / ^ and brackets, without spaces");
+            return mistake(
+                is_bracket ? FaultCode("bracket-not-open") : FaultCode("unexpected-text"), at_,
+                is_bracket ? 1 : rest.size(),
+                is_bracket ? "this ')' closes nothing"
+                           : fmt::format("'{}' is not expected here", rest),
+                is_bracket ? "take it out, or add the '('"
+                           : "arithmetic has + - * / ^ and brackets, without spaces");
         }
         return value;
     }
@@ -37,10 +39,10 @@ class Parser {
   private:
     using Result = std::optional<Value>;
 
-    Result mistake(std::size_t offset, std::size_t count, std::string message,
+    Result mistake(FaultCode code, std::size_t offset, std::size_t count, std::string message,
                    std::string remedy = {}) {
         if (!failed_) {
-            reporter_.error(word_.part(offset, count).span(), std::move(message),
+            reporter_.error(code, word_.part(offset, count).span(), std::move(message),
                             std::move(remedy));
         }
         failed_ = true;
@@ -53,12 +55,13 @@ class Parser {
 
     Result finite(std::size_t start, const Value& value) {
         if (!is_sensible(value.dimension)) {
-            return mistake(start, at_ - start,
+            return mistake("impossible-unit", start, at_ - start,
                            fmt::format("{} is {}", since(start), described(value.dimension)),
                            "no quantity has such a unit");
         }
         if (std::abs(value.number) <= largest_number) return value;
-        return mistake(start, at_ - start, fmt::format("{} is not a finite number", since(start)),
+        return mistake("number-not-finite", start, at_ - start,
+                       fmt::format("{} is not a finite number", since(start)),
                        "numbers go up to 1e300, and nothing is divided by 0");
     }
 
@@ -79,7 +82,7 @@ class Parser {
     Result added(std::size_t start, Value left, std::size_t right_start, Value right, double sign) {
         if (!match(left, right, rules_.unit)) {
             return mistake(
-                start, at_ - start,
+                "wrong-dimension", start, at_ - start,
                 fmt::format("{} is {}, but {} is {}", text_.substr(start, right_start - 1 - start),
                             described(left.dimension), since(right_start),
                             described(right.dimension)),
@@ -125,7 +128,7 @@ class Parser {
         --depth_;
         if (!exponent) return exponent;
         if (!can_be_exponent(*exponent)) {
-            return mistake(exponent_start, at_ - exponent_start,
+            return mistake("bad-exponent", exponent_start, at_ - exponent_start,
                            fmt::format("{} cannot be an exponent", since(exponent_start)),
                            "an exponent is a whole number from -1024 to 1024, or 0.5");
         }
@@ -135,11 +138,11 @@ class Parser {
     // What the arithmetic made of the text since `start`.
     Result settled(std::size_t start, const Outcome& outcome) {
         if (outcome.fault.empty()) return finite(start, outcome.value);
-        return mistake(start, at_ - start, outcome.fault, outcome.remedy);
+        return mistake(outcome.code, start, at_ - start, outcome.fault, outcome.remedy);
     }
 
     Result too_deep() {
-        return mistake(at_, 1, fmt::format("nested deeper than {}", max_nesting),
+        return mistake("nested-too-deep", at_, 1, fmt::format("nested deeper than {}", max_nesting),
                        "split it with let");
     }
 
@@ -156,10 +159,10 @@ class Parser {
         }
         if (at_ >= text_.size()) {
             const std::size_t from = text_.empty() ? 0 : text_.size() - 1;
-            return mistake(from, 1, "a number is missing here",
+            return mistake("number-missing", from, 1, "a number is missing here",
                            "arithmetic is written without spaces, points as x,y");
         }
-        return mistake(at_, text_.size() - at_,
+        return mistake("not-a-number", at_, text_.size() - at_,
                        fmt::format("'{}' is not a number", text_.substr(at_)),
                        "write a number, a let name or arithmetic, such as W/2");
     }
@@ -170,10 +173,11 @@ class Parser {
             return true;
         }
         if (at_ < text_.size()) {
-            mistake(at_, 1, fmt::format("'{}' is not expected here", text_.substr(at_, 1)),
+            mistake("unexpected-text", at_, 1,
+                    fmt::format("'{}' is not expected here", text_.substr(at_, 1)),
                     "arithmetic has + - * / ^ and brackets, without spaces");
         } else {
-            mistake(open, 1, "the ')' is missing",
+            mistake("bracket-not-closed", open, 1, "the ')' is missing",
                     "arithmetic is written without spaces: (W-2*R)/2");
         }
         return false;
@@ -184,8 +188,8 @@ class Parser {
         const auto is_let = [&](std::string_view name) { return scope_.find(name) != nullptr; };
         const Literal literal = read_literal(text_.substr(start), rules_.unit, is_let);
         if (!literal.fault.empty()) {
-            return mistake(start + literal.fault_at, literal.fault_length, literal.fault,
-                           literal.remedy);
+            return mistake(literal.code, start + literal.fault_at, literal.fault_length,
+                           literal.fault, literal.remedy);
         }
         at_ += literal.length;
         return finite(start, literal.value);
@@ -199,7 +203,8 @@ class Parser {
         const FunctionFacts* function = function_named(name);
         if (function && peek() == '(') return call(start, *function);
         if (peek() == '(') {
-            return mistake(start, name.size(), fmt::format("'{}' is not a function", name),
+            return mistake("unknown-function", start, name.size(),
+                           fmt::format("'{}' is not a function", name),
                            did_you_mean(name, function_names(),
                                         "there are sqrt sin cos tan abs min max floor ceil round"));
         }
@@ -208,7 +213,8 @@ class Parser {
         if (!variable && name == "pi") return Value{pi, {}};
         if (!variable && function) {
             return mistake(
-                start, name.size(), fmt::format("{} needs brackets", name),
+                "function-without-brackets", start, name.size(),
+                fmt::format("{} needs brackets", name),
                 fmt::format("write {}({})", name, function->arguments == 2 ? "a,b" : "x"));
         }
         if (!variable) return unknown(start, name);
@@ -221,7 +227,8 @@ class Parser {
             const auto later = rules_.defined_later->find(name);
             if (later != rules_.defined_later->end()) {
                 return mistake(
-                    start, name.size(), fmt::format("'{}' has no value yet", name),
+                    "let-used-too-early", start, name.size(),
+                    fmt::format("'{}' has no value yet", name),
                     fmt::format("move its let, line {}, above this line", later->second));
             }
         }
@@ -235,7 +242,7 @@ class Parser {
         for (const std::string_view function : function_names())
             known.push_back(function);
         return mistake(
-            start, name.size(), fmt::format("'{}' is not known", name),
+            "unknown-name", start, name.size(), fmt::format("'{}' is not known", name),
             did_you_mean(name, known, fmt::format("give it a value above: let {}=...", name)));
     }
 
@@ -246,7 +253,7 @@ class Parser {
         for (std::size_t i = 0; i < f.arguments; ++i) {
             if (i > 0) {
                 if (peek() != ',') {
-                    return mistake(start, at_ - start,
+                    return mistake("function-arguments", start, at_ - start,
                                    fmt::format("{} wants {} numbers", f.name, f.arguments),
                                    fmt::format("write {}(a,b)", f.name));
                 }

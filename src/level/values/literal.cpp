@@ -22,13 +22,14 @@ class LiteralReader {
         if (!read_number() || !read_unit(is_let)) return std::move(literal_);
         if (at_ < text_.size() && continues_identifier(text_[at_])) {
             const std::string_view rest = text_.substr(at_);
-            fail(at_, rest.size(), fmt::format("'{}' is not expected here", rest),
-                 "a product needs its '*'");
+            fail("unexpected-text", at_, rest.size(),
+                 fmt::format("'{}' is not expected here", rest), "a product needs its '*'");
             return std::move(literal_);
         }
         const Dimension& dimension = literal_.value.dimension;
         if (unit == LengthUnit::natural && (dimension.length != 0 || dimension.mass != 0)) {
-            fail(0, at_, fmt::format("{} has a unit, but the level has none", text_.substr(0, at_)),
+            fail("unit-in-natural-level", 0, at_,
+                 fmt::format("{} has a unit, but the level has none", text_.substr(0, at_)),
                  "leave the unit out, or begin with a line such as 'units mm'");
         }
         literal_.length = at_;
@@ -36,7 +37,9 @@ class LiteralReader {
     }
 
   private:
-    bool fail(std::size_t at, std::size_t length, std::string fault, std::string remedy) {
+    bool fail(FaultCode code, std::size_t at, std::size_t length, std::string fault,
+              std::string remedy) {
+        literal_.code = code;
         literal_.fault_at = at;
         literal_.fault_length = length;
         literal_.fault = std::move(fault);
@@ -69,7 +72,8 @@ class LiteralReader {
         double& value = literal_.value.number;
         const auto [end, error] = std::from_chars(text_.data(), text_.data() + at_, value);
         if (error != std::errc::result_out_of_range && value <= largest_number) return true;
-        return fail(0, at_, fmt::format("{} is out of range", text_.substr(0, at_)),
+        return fail("number-out-of-range", 0, at_,
+                    fmt::format("{} is out of range", text_.substr(0, at_)),
                     "numbers go from 1e-300 to 1e300");
     }
 
@@ -85,7 +89,8 @@ class LiteralReader {
         if (!letters.empty()) {
             const Unit* unit = unit_named(letters);
             if (!unit) {
-                return fail(at_, letters.size(), fmt::format("'{}' is not a unit", letters),
+                return fail("unknown-unit", at_, letters.size(),
+                            fmt::format("'{}' is not a unit", letters),
                             did_you_mean(letters, unit_names(),
                                          "units are mm cm m in, g kg, ms s, m/s, m/s2, deg; "
                                          "a product needs its '*'"));

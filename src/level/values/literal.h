@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "level/text/diagnostic.h"
 #include "level/values/dimension.h"
 
 /// Numbers as people write them: 12, .5, 1e-3, 0.8m/s2.
@@ -16,7 +17,8 @@ inline constexpr double largest_number = 1e300;
 struct Literal {
     Value value;
     std::size_t length = 0;  ///< bytes of it
-    std::string fault;       ///< empty: the value holds
+    FaultCode code;
+    std::string fault;  ///< empty: the value holds
     std::string remedy;
     std::size_t fault_at = 0;  ///< the part of the text that it is about
     std::size_t fault_length = 0;

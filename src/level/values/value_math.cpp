@@ -22,41 +22,44 @@ constexpr std::array functions{
     FunctionFacts{"max", Function::max, 2},   FunctionFacts{"floor", Function::floor, 1},
     FunctionFacts{"ceil", Function::ceil, 1}, FunctionFacts{"round", Function::round, 1}};
 
-Outcome fault(std::string what, std::string remedy) {
-    return {{}, std::move(what), std::move(remedy)};
+Outcome fault(FaultCode code, std::string what, std::string remedy) {
+    return {{}, code, std::move(what), std::move(remedy)};
 }
 
 Outcome square_root(const Value& value) {
     const Dimension& d = value.dimension;
     if (value.number < 0.0) {
-        return fault("the square root of a negative number", "sqrt wants 0 or more");
+        return fault("root-of-negative", "the square root of a negative number",
+                     "sqrt wants 0 or more");
     }
     if (d.length % 2 != 0 || d.mass % 2 != 0 || d.time % 2 != 0 || d.angle % 2 != 0) {
-        return fault(fmt::format("{} has no square root", described(d)),
+        return fault("root-of-unit", fmt::format("{} has no square root", described(d)),
                      "take the root of a number, or of a square");
     }
-    return {{std::sqrt(value.number), {d.length / 2, d.mass / 2, d.time / 2, d.angle / 2}}, {}, {}};
+    return {
+        .value = {std::sqrt(value.number), {d.length / 2, d.mass / 2, d.time / 2, d.angle / 2}}};
 }
 
 Outcome trigonometric(Function function, const Value& a) {
     if (!a.is_bare() && !(a.dimension == angle_dimension)) {
-        return fault(fmt::format("an angle is wanted, not {}", described(a.dimension)),
+        return fault("wrong-dimension",
+                     fmt::format("an angle is wanted, not {}", described(a.dimension)),
                      "angles are in degrees, as in sin(30)");
     }
     const SinCos at = sin_cos_degrees(a.number);
-    if (function == Function::sin) return {{at.sin, {}}, {}, {}};
-    if (function == Function::cos) return {{at.cos, {}}, {}, {}};
-    return {{at.sin / at.cos, {}}, {}, {}};
+    if (function == Function::sin) return {.value = {at.sin, {}}};
+    if (function == Function::cos) return {.value = {at.cos, {}}};
+    return {.value = {at.sin / at.cos, {}}};
 }
 
 Outcome rounded(Function function, const Value& a) {
     if (!a.is_bare()) {
-        return fault(fmt::format("{} cannot be rounded", described(a.dimension)),
+        return fault("rounded-unit", fmt::format("{} cannot be rounded", described(a.dimension)),
                      "divide it by a unit first, as in floor(W/1mm)");
     }
-    if (function == Function::floor) return {{std::floor(a.number), {}}, {}, {}};
-    if (function == Function::ceil) return {{std::ceil(a.number), {}}, {}, {}};
-    return {{std::floor(a.number + 0.5), {}}, {}, {}};
+    if (function == Function::floor) return {.value = {std::floor(a.number), {}}};
+    if (function == Function::ceil) return {.value = {std::ceil(a.number), {}}};
+    return {.value = {std::floor(a.number + 0.5), {}}};
 }
 
 }  // namespace
@@ -97,7 +100,7 @@ Outcome raised(const Value& base, const Value& exponent) {
     for (int i = 0; i < count; ++i)
         result.number *= base.number;
     if (exponent.number < 0.0) result = {1.0 / result.number, Dimension{} / result.dimension};
-    return {result, {}, {}};
+    return {.value = result};
 }
 
 const FunctionFacts* function_named(std::string_view name) {
@@ -119,15 +122,16 @@ Outcome applied(Function function, Value a, Value b, LengthUnit unit) {
         case Function::sqrt:
             return square_root(a);
         case Function::abs:
-            return {{std::abs(a.number), a.dimension}, {}, {}};
+            return {.value = {std::abs(a.number), a.dimension}};
         case Function::min:
         case Function::max:
             if (!match(a, b, unit)) {
-                return fault(fmt::format("{} cannot be compared with {}", described(a.dimension),
+                return fault("wrong-dimension",
+                             fmt::format("{} cannot be compared with {}", described(a.dimension),
                                          described(b.dimension)),
                              "compare like with like");
             }
-            return {(function == Function::min) == (b.number < a.number) ? b : a, {}, {}};
+            return {.value = (function == Function::min) == (b.number < a.number) ? b : a};
         case Function::sin:
         case Function::cos:
         case Function::tan:

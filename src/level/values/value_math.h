@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "level/text/diagnostic.h"
 #include "level/values/dimension.h"
 
 /// Arithmetic with quantities: what the operators and functions of an expression do.
@@ -12,6 +13,7 @@ namespace carom {
 /// A value, or why there is none.
 struct Outcome {
     Value value;
+    FaultCode code;
     std::string fault;  ///< empty: the value holds
     std::string remedy;
 };

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
-#include "level/statements/builders.h"
+#include "level/ir/arguments.h"
+#include "level/ir/emit.h"
+#include "level/statements/families.h"
+#include "level/statements/keys.h"
 #include "level/text/utf8.h"
 
 namespace carom {
@@ -48,18 +51,17 @@ class Drawing {
 
 class MapBuilder {
   public:
-    MapBuilder(const Arguments& arguments, const Legends& legends, const Frame& frame,
-               Context& context)
+    MapBuilder(const Arguments& arguments, const Frame& frame, Context& context)
         : arguments_(arguments),
           frame_(frame),
           context_(context),
           drawing_(arguments.node->drawing),
-          legends_(legends),
+          legends_(context.ir.legends),
           cell_(arguments.number_or("cell", 1.0)),
           corner_(arguments.pair_or("at", {})) {
-        add_default("#", Legend::What::solid);
-        add_default("o", Legend::What::ball);
-        add_default("*", Legend::What::peg);
+        add_default("#", LegendIr::What::solid);
+        add_default("o", LegendIr::What::ball);
+        add_default("*", LegendIr::What::peg);
     }
 
     void build() {
@@ -76,8 +78,8 @@ class MapBuilder {
 
   private:
     // A letter that the author's legend does not explain keeps its meaning.
-    void add_default(std::string_view letter, Legend::What what) {
-        Legend legend;
+    void add_default(std::string_view letter, LegendIr::What what) {
+        LegendIr legend;
         legend.what = what;
         legends_.emplace(std::string(letter), legend);
     }
@@ -105,6 +107,7 @@ class MapBuilder {
                 is_valid = false;
                 const bool is_tab = c == "\t";
                 context_.reporter.error(
+                    is_tab ? FaultCode("map-tab") : FaultCode("map-letter-unknown"),
                     drawing_.span(row, column),
                     is_tab ? "a tab stands in the drawing"
                            : fmt::format("'{}' means nothing in a drawing", c),
@@ -127,10 +130,10 @@ class MapBuilder {
         if (c == "|") return build_run(row, column, 1, 0, {0.0, 0.5}, {1.0, 0.5});
         if (c == "/") return build_run(row, column, 1, -1, {0.0, 1.0}, {1.0, 0.0});
         if (c == "\\") return build_run(row, column, 1, 1, {0.0, 0.0}, {1.0, 1.0});
-        const Legend& legend = legends_.find(c)->second;
+        const LegendIr& legend = legends_.find(c)->second;
         const Vec2 middle = point(row + 0.5, column + 0.5);
-        if (legend.what == Legend::What::ball) build_ball(legend, middle, row, column);
-        if (legend.what == Legend::What::peg) {
+        if (legend.what == LegendIr::What::ball) build_ball(legend, middle, row, column);
+        if (legend.what == LegendIr::What::peg) {
             const double radius = legend.radius.value_or(peg_share * cell_);
             emit_capsule({middle, middle, radius}, Side::both, binding(legend.material),
                          begin_chain(false, context_), drawing_.span(row, column), frame_,
@@ -155,7 +158,7 @@ class MapBuilder {
                  std::nullopt, drawing_.span(row, column));
     }
 
-    void build_ball(const Legend& legend, Vec2 middle, int row, int column) {
+    void build_ball(const LegendIr& legend, Vec2 middle, int row, int column) {
         BallIr ball;
         ball.position = middle;
         ball.velocity = legend.velocity;
@@ -168,14 +171,14 @@ class MapBuilder {
         emit_ball(ball, frame_, context_);
     }
 
-    const Legend* solid_at(int row, int column) const {
+    const LegendIr* solid_at(int row, int column) const {
         const auto found = legends_.find(drawing_.at(row, column));
-        if (found == legends_.end() || found->second.what != Legend::What::solid) return nullptr;
+        if (found == legends_.end() || found->second.what != LegendIr::What::solid) return nullptr;
         return &found->second;
     }
 
     // The edge between the cells a and b of a solid's rim: the solid one's legend. None: no rim.
-    static const Legend* rim(const Legend* a, const Legend* b) {
+    static const LegendIr* rim(const LegendIr* a, const LegendIr* b) {
         if ((a == nullptr) == (b == nullptr)) return nullptr;
         return a ? a : b;
     }
@@ -186,7 +189,7 @@ class MapBuilder {
             return rim(solid_at(row - 1, column), solid_at(row, column));
         };
         for (int column = 0; column < drawing_.columns();) {
-            const Legend* legend = rim_at(column);
+            const LegendIr* legend = rim_at(column);
             const int first = column++;
             if (!legend) continue;
             while (column < drawing_.columns() && rim_at(column) == legend)
@@ -202,7 +205,7 @@ class MapBuilder {
             return rim(solid_at(row, column - 1), solid_at(row, column));
         };
         for (int row = 0; row < drawing_.rows();) {
-            const Legend* legend = rim_at(row);
+            const LegendIr* legend = rim_at(row);
             const int first = row++;
             if (!legend) continue;
             while (row < drawing_.rows() && rim_at(row) == legend)
@@ -228,16 +231,77 @@ class MapBuilder {
     const Frame& frame_;
     Context& context_;
     Drawing drawing_;
-    Legends legends_;
+    std::map<std::string, LegendIr, std::less<>> legends_;
     double cell_;
     Vec2 corner_;
 };
 
+void build_map(const Arguments& arguments, const Frame& frame, Context& context) {
+    MapBuilder(arguments, frame, context).build();
+}
+
+void add_legend(LegendIr::What what, const Arguments& arguments, Context& context) {
+    const Word& letter = arguments.plain.front();
+    if (characters(letter.text) != 1) {
+        context.reporter.error("legend-of-several-letters", letter.span(),
+                               "a legend explains one letter",
+                               "write it as in: legend ball x kind=red");
+        return;
+    }
+    LegendIr legend;
+    legend.what = what;
+    legend.kind = arguments.word("kind");
+    legend.material = arguments.word("material");
+    legend.radius = arguments.number("r");
+    legend.velocity = arguments.pair_or("v", {});
+    context.ir.legends[std::string(letter.text)] = legend;
+}
+
+Statement legend(std::string_view name, std::string_view usage, StatementAction action,
+                 std::vector<KeyRule> keys) {
+    return {.name = name,
+            .usage = usage,
+            .action = action,
+            .place = Place::top,
+            .plain_least = 1,
+            .plain_most = 1,
+            .keys = std::move(keys),
+            .takes_lone_signs = true};
+}
+
 }  // namespace
 
-void build_map(const Arguments& arguments, const Legends& legends, const Frame& frame,
-               Context& context) {
-    MapBuilder(arguments, legends, frame, context).build();
+std::vector<Statement> map_statements() {
+    using enum KeyShape;
+    using enum Bound;
+    constexpr auto length = Measure::length;
+    return {
+        {.name = "map",
+         .usage = "map cell=S [at=X,Y] [r=] [kind=] [material=] ... end",
+         .action = build_map,
+         .opens_block = true,
+         .body_is_drawing = true,
+         .keys = {{"cell", scalar, length, positive, true},
+                  {"at", pair, length},
+                  keys::edge_radius,
+                  keys::kind,
+                  keys::material}},
+        legend("legend ball", "legend ball LETTER [kind=] [v=VX,VY]",
+               [](const Arguments& arguments, const Frame&, Context& context) {
+                   add_legend(LegendIr::What::ball, arguments, context);
+               },
+               {keys::kind, {"v", pair, Measure::speed}}),
+        legend("legend peg", "legend peg LETTER [material=] [r=]",
+               [](const Arguments& arguments, const Frame&, Context& context) {
+                   add_legend(LegendIr::What::peg, arguments, context);
+               },
+               {keys::material, keys::edge_radius}),
+        legend("legend solid", "legend solid LETTER [material=]",
+               [](const Arguments& arguments, const Frame&, Context& context) {
+                   add_legend(LegendIr::What::solid, arguments, context);
+               },
+               {keys::material}),
+    };
 }
 
 }  // namespace carom

@@ -5,7 +5,10 @@
 #include <numeric>
 
 #include "geometry/elementary.h"
-#include "level/statements/builders.h"
+#include "level/ir/arguments.h"
+#include "level/ir/emit.h"
+#include "level/statements/families.h"
+#include "level/statements/keys.h"
 #include "level/text/spelling.h"
 #include "physics/world/random.h"
 
@@ -66,20 +69,17 @@ std::optional<Vec2> toward_of(const Arguments& arguments, Context& context) {
     if (word->text == "west") return Vec2{-1.0, 0.0};
     if (word->text == "north") return Vec2{0.0, 1.0};
     if (word->text == "south") return Vec2{0.0, -1.0};
-    context.reporter.error(word->span(), fmt::format("'{}' is no way to go", word->text),
+    context.reporter.error("unknown-direction", word->span(),
+                           fmt::format("'{}' is no way to go", word->text),
                            did_you_mean(word->text, {"east", "west", "north", "south"},
                                         "write toward=east, west, north or south"));
     return std::nullopt;
 }
 
-}  // namespace
-
-void build_rack(const Arguments& arguments, const Frame& frame, Context& context) {
-    const std::string_view name = arguments.statement->name;
+void build_rack(Rack::Shape shape, const Arguments& arguments, const Frame& frame,
+                Context& context) {
     RackIr rack;
-    rack.shape = name == "rack eight"  ? Rack::Shape::eight
-                 : name == "rack nine" ? Rack::Shape::nine
-                                       : Rack::Shape::triangle;
+    rack.shape = shape;
     const auto toward = toward_of(arguments, context);
     if (!toward) return;
     BallBinding binding;
@@ -129,24 +129,60 @@ void build_pocket(const Arguments& arguments, const Frame& frame, Context& conte
     context.ir.zones.push_back(spec);
 }
 
-void declare_cue(const Arguments& arguments, Context& context) {
+void add_cue(const Arguments& arguments, const Frame&, Context& context) {
     const auto& power = arguments.values.at("power").numbers;
     context.ir.cues.push_back({*arguments.word("ball"), power[0], power[1]});
 }
 
-void declare_cloth(const Arguments& arguments, Context& context) {
-    Cloth cloth;
-    cloth.slide = arguments.number_or("slide", cloth.slide);
-    cloth.roll = arguments.number_or("roll", cloth.roll);
-    cloth.spin = arguments.number_or("spin", cloth.spin);
-    if (!arguments.has("g") && context.unit == LengthUnit::natural) {
-        context.reporter.error(arguments.node->keyword().span(),
-                               "use cloth needs g= where the level has no units",
-                               "write how hard the table is pressed on, such as g=10");
-    }
-    cloth.gravity = arguments.number_or("g", cloth.gravity);
-    context.ir.settings.cloth = cloth;
-    context.ir.settings.cloth_at = arguments.node->keyword().span();
+Statement rack(std::string_view name, std::string_view usage, StatementAction action) {
+    return {.name = name,
+            .usage = usage,
+            .action = action,
+            .place = Place::top,
+            .plain_most = 1,
+            .keys = {keys::at,
+                     keys::kind,
+                     {"toward", KeyShape::word},
+                     {"gap", KeyShape::scalar, Measure::length, Bound::not_negative},
+                     {"seed", KeyShape::scalar, Measure::whole, Bound::not_negative}},
+            .binds_names = true};
+}
+
+}  // namespace
+
+std::vector<Statement> pool_statements() {
+    using enum KeyShape;
+    using enum Bound;
+    return {
+        rack("rack eight",
+             "rack eight [NAME] at=X,Y [kind=] [toward=east|west|north|south] [gap=] [seed=]",
+             [](const Arguments& arguments, const Frame& frame, Context& context) {
+                 build_rack(Rack::Shape::eight, arguments, frame, context);
+             }),
+        rack("rack nine",
+             "rack nine [NAME] at=X,Y [kind=] [toward=east|west|north|south] [gap=] [seed=]",
+             [](const Arguments& arguments, const Frame& frame, Context& context) {
+                 build_rack(Rack::Shape::nine, arguments, frame, context);
+             }),
+        rack("rack triangle",
+             "rack triangle [NAME] at=X,Y [kind=] [toward=east|west|north|south] [gap=] [seed=]",
+             [](const Arguments& arguments, const Frame& frame, Context& context) {
+                 build_rack(Rack::Shape::triangle, arguments, frame, context);
+             }),
+        {.name = "pocket",
+         .usage = "pocket [NAME] at=X,Y r=",
+         .action = build_pocket,
+         .plain_most = 1,
+         .keys = {keys::at, {"r", scalar, Measure::length, positive, true}},
+         .binds_names = true},
+        {.name = "cue",
+         .usage = "cue ball=NAME power=A..B",
+         .action = add_cue,
+         .place = Place::top,
+         .keys = {{"ball", word, Measure::number, any, true},
+                  {"power", range, Measure::speed, not_negative, true}},
+         .is_unique = true},
+    };
 }
 
 }  // namespace carom

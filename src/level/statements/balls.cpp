@@ -2,8 +2,11 @@
 
 #include <cmath>
 
+#include "level/ir/arguments.h"
+#include "level/ir/emit.h"
 #include "level/ir/numbers.h"
-#include "level/statements/builders.h"
+#include "level/statements/families.h"
+#include "level/statements/keys.h"
 
 namespace carom {
 namespace {
@@ -22,7 +25,7 @@ BallBinding ball_binding(const Arguments& arguments, bool is_numbered) {
 bool keeps_axes(const Arguments& arguments, const Frame& frame, Context& context) {
     if (frame.transform.keeps_axes()) return true;
     context.reporter.error(
-        arguments.node->keyword().span(),
+        "box-turned", arguments.node->keyword().span(),
         fmt::format("{} cannot be turned by this angle", arguments.statement->name),
         "turn the part by a multiple of 90 degrees");
     return false;
@@ -69,8 +72,6 @@ bool read_radius(const Arguments& arguments, const Frame& frame, FillIr& fill, C
     return true;
 }
 
-}  // namespace
-
 void build_ball(const Arguments& arguments, const Frame& frame, Context& context) {
     BallIr ball;
     ball.position = arguments.pair_or("at", {});
@@ -112,13 +113,13 @@ void build_fill(const Arguments& arguments, const Frame& frame, Context& context
     const std::uint32_t count = arguments.count("count");
     if (!reserve_balls(count, arguments.span_of("count"), context)) return;
     if (context.ir.fills.size() >= max_fills) {
-        context.reporter.error(arguments.node->keyword().span(),
+        context.reporter.error("too-many-fills", arguments.node->keyword().span(),
                                fmt::format("the level has more than {} fills", max_fills),
                                "fill larger boxes, with more balls each");
         return;
     }
     if (arguments.has("rms") && (arguments.has("speed") || arguments.has("v"))) {
-        context.reporter.error(arguments.span_of("rms"),
+        context.reporter.error("rms-with-other-speed", arguments.span_of("rms"),
                                "rms= stands beside speed= or v=", "keep one of them");
         return;
     }
@@ -154,7 +155,7 @@ void build_cradle(const Arguments& arguments, const Frame& frame, Context& conte
     const double moving = arguments.number_or("in", 1.0);
     const Vec2 at = arguments.pair_or("at", {});
     if (moving > count) {
-        context.reporter.error(arguments.span_of("in"),
+        context.reporter.error("cradle-moves-too-many", arguments.span_of("in"),
                                fmt::format("in={:.6g} is more than count={}", moving, count),
                                "move as many balls as there are, or fewer");
         return;
@@ -187,6 +188,77 @@ void build_cradle(const Arguments& arguments, const Frame& frame, Context& conte
         emit_capsule({{x, at.y - 2.0 * radius}, {x, at.y + 2.0 * radius}, 0.0}, Side::both, edges,
                      chain, arguments.node->keyword().span(), frame, context);
     }
+}
+
+}  // namespace
+
+std::vector<Statement> ball_statements() {
+    using enum KeyShape;
+    using enum Bound;
+    constexpr auto length = Measure::length;
+    constexpr auto speed = Measure::speed;
+    constexpr auto whole = Measure::whole;
+    const KeyRule velocity{"v", pair, speed};
+    const KeyRule count{"count", scalar, whole, positive, true};
+    return {
+        {.name = "ball",
+         .usage = "ball [NAME] at=X,Y [kind=] [v=VX,VY] [r=] [m=] [e=] [w=] [roll=VX,VY]",
+         .action = build_ball,
+         .plain_most = 1,
+         .keys = {keys::at,
+                  keys::kind,
+                  velocity,
+                  keys::ball_radius,
+                  keys::ball_mass,
+                  keys::restitution,
+                  {.name = "w", .measure = Measure::angular_speed, .needs_spin = true},
+                  {"roll", pair, speed}},
+         .binds_names = true},
+        {.name = "spawn",
+         .usage = "spawn KIND at=X,Y every=TIME count=N [v=VX,VY] [jitter=DX,DY] [vjitter=DVX,DVY]",
+         .action = build_spawn,
+         .plain_least = 1,
+         .plain_most = 1,
+         .keys = {keys::at,
+                  {"every", scalar, Measure::time, positive, true},
+                  count,
+                  velocity,
+                  {"jitter", pair, length, not_negative},
+                  {"vjitter", pair, speed, not_negative}},
+         .binds_names = true},
+        {.name = "fill",
+         .usage = "fill [KIND] count=N box=X0,Y0,X1,Y1 [r=A..B] [m=A..B] [density=] [e=] "
+                  "[v=VX,VY] [speed=A..B] [rms=]",
+         .action = build_fill,
+         .plain_most = 1,
+         .keys = {count,
+                  {"box", KeyShape::box, length, any, true},
+                  {"r", deferred, length, positive},
+                  {"m", range, Measure::mass, positive},
+                  {"density", scalar, Measure::density, positive},
+                  keys::restitution,
+                  velocity,
+                  {"speed", range, speed, not_negative},
+                  {"rms", scalar, speed, not_negative}},
+         .binds_names = true},
+        {.name = "cradle",
+         .usage = "cradle [NAME] at=X,Y count=N v=SPEED [in=N] [gap=] [swing=] [r=] [m=] [e=] "
+                  "[kind=] [material=]",
+         .action = build_cradle,
+         .plain_most = 1,
+         .keys = {keys::at,
+                  count,
+                  {"v", scalar, speed, not_negative, true},
+                  {"in", scalar, whole, positive},
+                  {"gap", scalar, length, not_negative},
+                  {"swing", scalar, length, positive},
+                  keys::ball_radius,
+                  keys::ball_mass,
+                  keys::restitution,
+                  keys::kind,
+                  keys::material},
+         .binds_names = true},
+    };
 }
 
 }  // namespace carom

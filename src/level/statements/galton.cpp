@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
-#include "level/statements/builders.h"
+#include "level/ir/arguments.h"
+#include "level/ir/emit.h"
+#include "level/statements/families.h"
+#include "level/statements/keys.h"
 
 namespace carom {
 namespace {
@@ -11,11 +14,12 @@ EdgeBinding edge_binding_of(const Arguments& arguments) {
     return {arguments.node, arguments.plain, false, arguments.word("material")};
 }
 
-}  // namespace
+enum class PegLayout { triangle, grid };
 
-void build_pegs(const Arguments& arguments, const Frame& frame, Context& context) {
+void build_pegs(PegLayout layout, const Arguments& arguments, const Frame& frame,
+                Context& context) {
     constexpr double equilateral = 0.86602540378443865;  // sqrt(3)/2: equal gaps all around
-    const bool is_triangle = arguments.statement->name == "pegs triangle";
+    const bool is_triangle = layout == PegLayout::triangle;
     const bool is_staggered = is_triangle || arguments.flag("stagger");
     const Vec2 at = arguments.pair_or("at", {});
     const double pitch = arguments.number_or("pitch", 0.0);
@@ -40,6 +44,14 @@ void build_pegs(const Arguments& arguments, const Frame& frame, Context& context
     }
 }
 
+void build_peg_triangle(const Arguments& arguments, const Frame& frame, Context& context) {
+    build_pegs(PegLayout::triangle, arguments, frame, context);
+}
+
+void build_peg_grid(const Arguments& arguments, const Frame& frame, Context& context) {
+    build_pegs(PegLayout::grid, arguments, frame, context);
+}
+
 void build_bins(const Arguments& arguments, const Frame& frame, Context& context) {
     const std::uint32_t count = arguments.count("count");
     const double width = arguments.number_or("width", 0.0);
@@ -54,7 +66,8 @@ void build_bins(const Arguments& arguments, const Frame& frame, Context& context
     const auto x_of = [&](double i) { return at.x + (i - 0.5 * count) * width; };
 
     if (context.ir.zones.size() + count > max_items) {
-        context.reporter.error(span, fmt::format("the level has more than {} bins", max_items),
+        context.reporter.error("too-many-zones", span,
+                               fmt::format("the level has more than {} bins", max_items),
                                "make fewer of them");
         context.is_at_limit = true;
         return;
@@ -89,7 +102,7 @@ void build_bins(const Arguments& arguments, const Frame& frame, Context& context
 // count as bins of that name.
 void build_zone(const Arguments& arguments, const Frame& frame, Context& context) {
     if (context.ir.zones.size() >= max_items) {
-        context.reporter.error(arguments.node->keyword().span(),
+        context.reporter.error("too-many-zones", arguments.node->keyword().span(),
                                fmt::format("the level has more than {} zones", max_items),
                                "make fewer of them");
         context.is_at_limit = true;
@@ -104,6 +117,60 @@ void build_zone(const Arguments& arguments, const Frame& frame, Context& context
     names.makes_edges = false;
     const int binding = bind_edges(names, context);
     context.ir.zones.push_back({zone, binding, {arguments.span_of("r"), frame.image}});
+}
+
+}  // namespace
+
+std::vector<Statement> galton_statements() {
+    using enum KeyShape;
+    using enum Bound;
+    constexpr auto length = Measure::length;
+    constexpr auto whole = Measure::whole;
+    const KeyRule rows{"rows", scalar, whole, positive, true};
+    const KeyRule pitch{"pitch", scalar, length, positive, true};
+    const KeyRule row{"row", scalar, length, positive};
+    return {
+        {.name = "pegs triangle",
+         .usage = "pegs triangle [NAME] at=X,Y rows=N pitch= r= [row=] [material=]",
+         .action = build_peg_triangle,
+         .plain_most = 1,
+         .keys = {keys::at, rows, pitch, keys::required_edge_radius, row, keys::material},
+         .binds_names = true},
+        {.name = "pegs grid",
+         .usage = "pegs grid [NAME] at=X,Y rows=N columns=N pitch= r= [row=] [material=] [stagger]",
+         .action = build_peg_grid,
+         .plain_most = 1,
+         .keys = {keys::at,
+                  rows,
+                  {"columns", scalar, whole, positive, true},
+                  pitch,
+                  keys::required_edge_radius,
+                  row,
+                  keys::material},
+         .flags = {"stagger"},
+         .binds_names = true},
+        {.name = "bins",
+         .usage = "bins [NAME] at=X,Y count=N width= depth= [wall=] [material=] [sink] [open]",
+         .action = build_bins,
+         .plain_most = 1,
+         .keys = {keys::at,
+                  {"count", scalar, whole, positive, true},
+                  {"width", scalar, length, positive, true},
+                  {"depth", scalar, length, positive, true},
+                  {"wall", scalar, length, not_negative},
+                  keys::material},
+         .flags = {"sink", "open"},
+         .binds_names = true},
+        {.name = "zone",
+         .usage = "zone [NAME] X,Y X,Y r= [sink]",
+         .action = build_zone,
+         .plain_most = 1,
+         .points_least = 2,
+         .points_most = 2,
+         .keys = {{"r", scalar, length, positive, true}},
+         .flags = {"sink"},
+         .binds_names = true},
+    };
 }
 
 }  // namespace carom

@@ -1,4 +1,4 @@
-#include "level/statements/parts.h"
+#include "level/build/parts.h"
 
 #include <fmt/format.h>
 
@@ -20,7 +20,8 @@ void Parts::define(const Arguments& arguments, const Scope& scope) {
     part.span = name.span();
     for (const auto& [key, expression] : arguments.own_keys) {
         if (key.text == "at" || key.text == "turn" || key.text == "flip") {
-            context_.reporter.error(key.span(), fmt::format("'{}' belongs to place", key.text),
+            context_.reporter.error("part-key-reserved", key.span(),
+                                    fmt::format("'{}' belongs to place", key.text),
                                     "choose another name");
             continue;
         }
@@ -30,7 +31,7 @@ void Parts::define(const Arguments& arguments, const Scope& scope) {
     }
     const auto [first, is_new] = parts_.emplace(std::string(name.text), std::move(part));
     if (is_new) return;
-    context_.reporter.error(name.span(),
+    context_.reporter.error("part-twice", name.span(),
                             fmt::format("the part '{}' is defined already, in line {}", name.text,
                                         first->second.span.line),
                             "choose another name");
@@ -42,7 +43,8 @@ Parts::Part* Parts::find(const Word& name) {
     std::vector<std::string_view> known;
     for (const auto& [other, part] : parts_)
         known.push_back(other);
-    context_.reporter.error(name.span(), fmt::format("there is no part '{}'", name.text),
+    context_.reporter.error("unknown-part", name.span(),
+                            fmt::format("there is no part '{}'", name.text),
                             did_you_mean(name.text, known, "define it above: part NAME ... end"));
     return nullptr;
 }
@@ -65,7 +67,7 @@ bool Parts::take_given(const Arguments& arguments, const Part& part, const Scope
     for (const auto& [key, expression] : arguments.own_keys) {
         if (std::ranges::count(known, key.text) == 0) {
             context_.reporter.error(
-                key.span(),
+                "unknown-part-key", key.span(),
                 fmt::format("part {} has no key '{}'", arguments.plain[0].text, key.text),
                 did_you_mean(key.text, known,
                              known.empty()
@@ -83,7 +85,7 @@ bool Parts::take_defaults(const Arguments& arguments, const Part& part, Names& n
         if (names.contains(key.text)) continue;
         if (!otherwise) {
             context_.reporter.error(
-                arguments.node->keyword().span(),
+                "part-key-missing", arguments.node->keyword().span(),
                 fmt::format("part {} needs {}=", arguments.plain[0].text, key.text),
                 fmt::format("write {}=... here, or give it a value in the part's first line",
                             key.text));
@@ -97,7 +99,8 @@ bool Parts::take_defaults(const Arguments& arguments, const Part& part, Names& n
 void Parts::warn_unplaced() {
     for (const auto& [name, part] : parts_) {
         if (part.is_placed || !part.span.source->included_from.empty()) continue;
-        context_.reporter.warning(part.span, fmt::format("the part '{}' is never placed", name),
+        context_.reporter.warning("part-unused", part.span,
+                                  fmt::format("the part '{}' is never placed", name),
                                   "place it, or take it out");
     }
 }

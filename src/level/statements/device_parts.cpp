@@ -1,0 +1,78 @@
+#include "level/statements/device_parts.h"
+
+#include <fmt/format.h>
+
+namespace carom {
+
+bool has_units(const Context& context) {
+    return context.unit != LengthUnit::natural;
+}
+
+double default_size(double metres, double natural, const Context& context) {
+    return has_units(context) ? metres : natural;
+}
+
+Material default_material(Material material, const Context& context) {
+    if (!has_units(context)) material.soften = 0.0;
+    return material;
+}
+
+int bind_device(const Arguments& arguments, const std::optional<Material>& material,
+                Context& context) {
+    EdgeBinding binding{arguments.node, arguments.plain, material.has_value(), std::nullopt};
+    binding.makes_edges = material.has_value();
+    binding.device_material = material;
+    return bind_edges(std::move(binding), context);
+}
+
+Origin origin_of(const Arguments& arguments, const Frame& frame) {
+    return {arguments.node->keyword().span(), frame.image};
+}
+
+int add_device(DeviceIr device, Context& context) {
+    context.ir.devices.push_back(std::move(device));
+    return static_cast<int>(context.ir.devices.size()) - 1;
+}
+
+void emit_device_capsule(const Capsule& shape, Side side, DeviceIr device, const Span& at,
+                         const Frame& frame, Context& context) {
+    const int chain = begin_chain(false, context);
+    context.ir.chains.back().has_gaps = false;
+    const int binding = device.binding;
+    const int number = add_device(std::move(device), context);
+    if (emit_capsule(shape, side, binding, chain, at, frame, context))
+        context.ir.capsules.back().device = number;
+}
+
+void emit_device_zone(const Capsule& shape, Zone::Effect effect, DeviceIr device, const Span& at,
+                      const Frame& frame, Context& context) {
+    if (context.ir.zones.size() >= max_items) {
+        context.reporter.error("too-many-zones", at,
+                               fmt::format("the level has more than {} zones", max_items),
+                               "make fewer of them");
+        context.is_at_limit = true;
+        return;
+    }
+    const Transform& t = frame.transform;
+    const int binding = device.binding;
+    const int number = add_device(std::move(device), context);
+    Zone zone;
+    zone.shape = {t.point(shape.start), t.point(shape.end), shape.radius};
+    zone.effect = effect;
+    context.ir.zones.push_back({zone, binding, {at, frame.image}, number});
+}
+
+std::optional<Vec2> read_direction(const Arguments& arguments, std::string_view key,
+                                   Context& context) {
+    const std::optional<Word> word = arguments.word(key);
+    if (word->text == "up") return Vec2{0.0, 1.0};
+    if (word->text == "down") return Vec2{0.0, -1.0};
+    if (word->text == "left") return Vec2{-1.0, 0.0};
+    if (word->text == "right") return Vec2{1.0, 0.0};
+    context.reporter.error("unknown-direction", word->span(),
+                           fmt::format("'{}' is no direction", word->text),
+                           fmt::format("write {}=up, down, left or right", key));
+    return std::nullopt;
+}
+
+}  // namespace carom

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "level/ir/arguments.h"
+#include "level/ir/emit.h"
+
+/// Helpers of the statements that make pinball devices (pinball.cpp, pinball_zones.cpp).
+namespace carom {
+
+bool has_units(const Context& context);
+
+/// A size that a device has where the author gives none: `metres` in a level with units, else
+/// `natural`.
+double default_size(double metres, double natural, const Context& context);
+
+/// The material of a device where the author names none. Without units there are no speeds by which
+/// it could soften.
+Material default_material(Material material, const Context& context);
+
+/// An index into LevelIr::edge_bindings for the statement's device. `material`: absent for a device
+/// that is only a zone, which has no material.
+int bind_device(const Arguments& arguments, const std::optional<Material>& material,
+                Context& context);
+
+Origin origin_of(const Arguments& arguments, const Frame& frame);
+
+/// Adds the device to the intermediate representation; gives its index there.
+int add_device(DeviceIr device, Context& context);
+
+/// Adds the device and the capsule that is its shape. An end of the capsule near another edge is
+/// intended, so it is not reported as a gap.
+void emit_device_capsule(const Capsule& shape, Side side, DeviceIr device, const Span& at,
+                         const Frame& frame, Context& context);
+
+/// Adds the device and the zone that is its shape, in the frame's coordinates.
+void emit_device_zone(const Capsule& shape, Zone::Effect effect, DeviceIr device, const Span& at,
+                      const Frame& frame, Context& context);
+
+/// The value of a key that says up, down, left or right, as a unit vector. None: reported.
+std::optional<Vec2> read_direction(const Arguments& arguments, std::string_view key,
+                                   Context& context);
+
+}  // namespace carom

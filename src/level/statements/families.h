@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "level/language/statement.h"
+
+/// The families of statements: each file holds the rows of its statements and the functions that
+/// carry them out, so that a new statement is a row and a function in one file.
+namespace carom {
+
+std::vector<Statement> header_statements();   ///< carom, physics, units (header.cpp)
+std::vector<Statement> setting_statements();  ///< world, use, collide, solver, rate, seed
+std::vector<Statement> class_statements();    ///< kind, material (classes.cpp)
+std::vector<Statement> ball_statements();     ///< ball, spawn, fill, cradle (balls.cpp)
+std::vector<Statement> shape_statements();    ///< edge, arc, peg, box (shapes.cpp)
+std::vector<Statement> galton_statements();   ///< pegs, bins, zone (galton.cpp)
+std::vector<Statement> pool_statements();     ///< rack, pocket, cue (pool.cpp)
+std::vector<Statement> map_statements();      ///< map, legend (maps.cpp)
+std::vector<Statement> pinball_statements();  ///< devices that a ball hits (pinball.cpp)
+std::vector<Statement>
+pinball_zone_statements();                       ///< devices that a ball enters (pinball_zones.cpp)
+std::vector<Statement> game_statements();        ///< game, on (games.cpp, rules.cpp)
+std::vector<Statement> experiment_statements();  ///< show, expect (experiments.cpp)
+
+}  // namespace carom

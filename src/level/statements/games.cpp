@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include "level/ir/arguments.h"
+#include "level/statements/families.h"
+#include "level/statements/rules.h"
+#include "level/text/spelling.h"
+
+namespace carom {
+namespace {
+
+void set_pinball(const Arguments& arguments, PinballTable& table) {
+    table.is_game = true;
+    if (arguments.has("balls")) table.balls = arguments.count("balls");
+    table.save = arguments.number_or("save", table.save);
+    if (arguments.has("tilt")) table.warnings = arguments.count("tilt");
+    if (arguments.has("bonus")) table.bonus = arguments.count("bonus");
+    if (arguments.has("highscores")) table.highscores = arguments.count("highscores");
+}
+
+void set_game(const Arguments& arguments, const Frame&, Context& context) {
+    const Word& word = arguments.plain.front();
+    context.ir.settings.game_at = word.span();
+    const bool is_pinball = word.text == "pinball";
+    const bool is_pool = word.text == "eightball" || word.text == "nineball";
+    if (!is_pinball && !is_pool && !arguments.values.empty()) {
+        context.reporter.error("game-without-keys", word.span(),
+                               fmt::format("game {} has no keys", word.text),
+                               "balls=, save=, tilt= and the like belong to game pinball, race= "
+                               "and clock= to games of pool");
+        return;
+    }
+    for (const auto& [key, value] : arguments.values) {
+        const bool is_of_pool = key == "race" || key == "clock";
+        if (is_of_pool == is_pool) continue;
+        context.reporter.error("game-key-of-other-game", arguments.span_of(key),
+                               fmt::format("game {} has no {}=", word.text, key),
+                               is_pool ? "a game of pool has race= and clock="
+                                       : "race= and clock= belong to games of pool");
+        return;
+    }
+    if (is_pinball || is_pool || word.text == "sandbox" || word.text == "galton") {
+        context.ir.settings.game = std::string(word.text);
+        if (is_pinball) set_pinball(arguments, context.ir.settings.table);
+        if (arguments.has("race")) context.ir.settings.race = arguments.count("race");
+        context.ir.settings.clock = arguments.number_or("clock", 0.0);
+        return;
+    }
+    context.reporter.error(
+        "unknown-game", word.span(), fmt::format("there is no game '{}'", word.text),
+        did_you_mean(word.text, {"sandbox", "galton", "eightball", "nineball", "pinball"},
+                     "there are: sandbox galton eightball nineball pinball"));
+}
+
+}  // namespace
+
+std::vector<Statement> game_statements() {
+    using enum KeyShape;
+    using enum Bound;
+    return {
+        {.name = "game",
+         .usage = "game sandbox|galton|eightball|nineball|pinball [race=N] [clock=TIME] [balls=N] "
+                  "[save=TIME] [tilt=N] [bonus=N] [highscores=N]",
+         .action = set_game,
+         .place = Place::top,
+         .plain_least = 1,
+         .plain_most = 1,
+         .keys = {{"race", scalar, Measure::whole, up_to_thousand},
+                  {"clock", scalar, Measure::time, positive},
+                  {"balls", scalar, Measure::whole, up_to_thousand},
+                  {"save", scalar, Measure::time, not_negative},
+                  {"tilt", scalar, Measure::whole, not_negative},
+                  {"bonus", scalar, Measure::whole, not_negative},
+                  {"highscores", scalar, Measure::whole, not_negative}},
+         .is_unique = true,
+         .settable = Settable::whole},
+        {.name = "on",
+         .usage = "on NAME hit|all|enter [while|unless NAME|multiball ...] ACTION [VALUE ...], ...",
+         .action = add_rule,
+         .place = Place::top,
+         .plain_least = 3,
+         .plain_most = many,
+         .takes_lone_signs = true},
+    };
+}
+
+}  // namespace carom

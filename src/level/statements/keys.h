@@ -1,0 +1,25 @@
+#pragma once
+
+#include "level/language/statement.h"
+
+/// Keys that several families of statements share.
+namespace carom::keys {
+
+inline constexpr KeyRule at{"at", KeyShape::pair, Measure::length, Bound::any, true};
+/// at=X,Y as often as the author likes, one place each.
+inline constexpr KeyRule places{"at", KeyShape::pair, Measure::length, Bound::any, true, true};
+inline constexpr KeyRule kind{"kind", KeyShape::word};
+inline constexpr KeyRule material{"material", KeyShape::word};
+inline constexpr KeyRule ball_radius{"r", KeyShape::scalar, Measure::length, Bound::positive};
+inline constexpr KeyRule edge_radius{"r", KeyShape::scalar, Measure::length, Bound::not_negative};
+inline constexpr KeyRule required_edge_radius{"r", KeyShape::scalar, Measure::length,
+                                              Bound::not_negative, true};
+inline constexpr KeyRule restitution{"e", KeyShape::scalar, Measure::number, Bound::unit_interval};
+inline constexpr KeyRule friction{.name = "mu",
+                                  .shape = KeyShape::scalar,
+                                  .measure = Measure::number,
+                                  .bound = Bound::not_negative,
+                                  .needs_spin = true};
+inline constexpr KeyRule ball_mass{"m", KeyShape::scalar, Measure::mass, Bound::positive};
+
+}  // namespace carom::keys

@@ -1,0 +1,182 @@
+#include <fmt/format.h>
+
+#include "level/statements/device_parts.h"
+#include "level/statements/families.h"
+#include "level/statements/keys.h"
+
+namespace carom {
+namespace {
+
+// The zone of a device that has no r=.
+double zone_radius(const Arguments& arguments, Context& context) {
+    return arguments.number_or("r", default_size(0.015, 1.0, context));
+}
+
+DeviceIr device_at(Vec2 at, const Device& device, int binding, const Arguments& arguments,
+                   const Frame& frame) {
+    DeviceIr made{.device = device, .binding = binding, .origin = origin_of(arguments, frame)};
+    made.device.place = frame.transform.point(at);
+    return made;
+}
+
+// Makes a device of each at=: a round zone that detects balls.
+void build_zones(const Device& device, const Arguments& arguments, const Frame& frame,
+                 Context& context) {
+    const double radius = zone_radius(arguments, context);
+    const int binding = bind_device(arguments, std::nullopt, context);
+    for (std::size_t i = 0; i < arguments.places.size() && !context.is_at_limit; ++i) {
+        const Vec2 at = arguments.places[i];
+        emit_device_zone({at, at, radius}, Zone::Effect::census,
+                         device_at(at, device, binding, arguments, frame),
+                         arguments.place_words[i].span(), frame, context);
+    }
+}
+
+void build_rollover(const Arguments& arguments, const Frame& frame, Context& context) {
+    build_zones({.kind = DeviceKind::rollover}, arguments, frame, context);
+}
+
+void build_spinner(const Arguments& arguments, const Frame& frame, Context& context) {
+    build_zones({.kind = DeviceKind::spinner}, arguments, frame, context);
+}
+
+void build_kickback(const Arguments& arguments, const Frame& frame, Context& context) {
+    const auto direction = read_direction(arguments, "dir", context);
+    if (!direction) return;
+    Device device{.kind = DeviceKind::kickback};
+    device.direction = frame.transform.direction(*direction);
+    device.most_speed = arguments.number_or("speed", 0.0);
+    build_zones(device, arguments, frame, context);
+}
+
+// A hole aims at the point toward=, so each place has its own direction.
+void build_hole(const Arguments& arguments, const Frame& frame, Context& context) {
+    Device device{.kind = DeviceKind::hole};
+    device.most_speed = arguments.number_or("speed", 0.0);
+    device.hold = arguments.number_or("hold", 1.0);
+    const double radius = zone_radius(arguments, context);
+    const int binding = bind_device(arguments, std::nullopt, context);
+    for (std::size_t i = 0; i < arguments.places.size() && !context.is_at_limit; ++i) {
+        const Vec2 at = arguments.places[i];
+        const Vec2 aim = arguments.pair_or("toward", {}) - at;
+        const double distance = length(aim);
+        if (!(distance > 0.0)) {
+            context.reporter.error("hole-aims-at-itself", arguments.span_of("toward"),
+                                   "the hole sends balls to where it is",
+                                   "give a point that it aims at");
+            return;
+        }
+        device.direction = frame.transform.direction(aim / distance);
+        emit_device_zone({at, at, radius}, Zone::Effect::census,
+                         device_at(at, device, binding, arguments, frame),
+                         arguments.place_words[i].span(), frame, context);
+    }
+}
+
+void build_ramp(const Arguments& arguments, const Frame& frame, Context& context) {
+    const auto pass = read_direction(arguments, "pass", context);
+    if (!pass) return;
+    const double layer = arguments.number_or("layer", 0.0);
+    const double from = arguments.number_or("from", layer > 0.0 ? 0.0 : 1.0);
+    if (layer == from) {
+        context.reporter.error("ramp-leads-nowhere", arguments.span_of("layer"),
+                               "the ramp leads to where it begins",
+                               "layer= and from= are two layers, such as layer=1 from=0");
+        return;
+    }
+    DeviceIr spec{.device = {.kind = DeviceKind::ramp},
+                  .binding = bind_device(arguments, std::nullopt, context),
+                  .origin = origin_of(arguments, frame)};
+    spec.device.direction = frame.transform.direction(*pass);
+    spec.device.from = static_cast<std::uint8_t>(from);
+    spec.device.to = static_cast<std::uint8_t>(layer);
+    emit_device_zone({arguments.points[0], arguments.points[1],
+                      arguments.number_or("r", default_size(0.015, 1.0, context))},
+                     Zone::Effect::census, std::move(spec), arguments.point_words[0].span(), frame,
+                     context);
+}
+
+// A lamp is a device without a shape.
+void build_lamp(const Arguments& arguments, const Frame& frame, Context& context) {
+    const int binding = bind_device(arguments, std::nullopt, context);
+    for (const Vec2 at : arguments.places)
+        add_device(device_at(at, {.kind = DeviceKind::lamp}, binding, arguments, frame), context);
+}
+
+void build_drain(const Arguments& arguments, const Frame& frame, Context& context) {
+    emit_device_zone({arguments.points[0], arguments.points[1],
+                      arguments.number_or("r", default_size(0.02, 1.0, context))},
+                     Zone::Effect::sink,
+                     {.device = {.kind = DeviceKind::drain},
+                      .binding = bind_device(arguments, std::nullopt, context),
+                      .origin = origin_of(arguments, frame)},
+                     arguments.point_words[0].span(), frame, context);
+}
+
+}  // namespace
+
+std::vector<Statement> pinball_zone_statements() {
+    using enum KeyShape;
+    using enum Bound;
+    constexpr auto number = Measure::number;
+    constexpr auto speed = Measure::speed;
+    const KeyRule radius{"r", scalar, Measure::length, positive};
+    const KeyRule required_speed{"speed", scalar, speed, positive, true};
+    return {
+        {.name = "rollover",
+         .usage = "rollover [NAME] at=X,Y ... [r=]",
+         .action = build_rollover,
+         .plain_most = 1,
+         .keys = {keys::places, radius},
+         .binds_names = true},
+        {.name = "spinner",
+         .usage = "spinner [NAME] at=X,Y ... [r=]",
+         .action = build_spinner,
+         .plain_most = 1,
+         .keys = {keys::places, radius},
+         .binds_names = true},
+        {.name = "kickback",
+         .usage = "kickback [NAME] at=X,Y ... dir=up|down|left|right speed= [r=]",
+         .action = build_kickback,
+         .plain_most = 1,
+         .keys = {keys::places, {"dir", word, number, any, true}, required_speed, radius},
+         .binds_names = true},
+        {.name = "hole",
+         .usage = "hole [NAME] at=X,Y ... toward=X,Y speed= [hold=TIME] [r=]",
+         .action = build_hole,
+         .plain_most = 1,
+         .keys = {keys::places,
+                  {"toward", pair, Measure::length, any, true},
+                  required_speed,
+                  {"hold", scalar, Measure::time, positive},
+                  radius},
+         .binds_names = true},
+        {.name = "ramp",
+         .usage = "ramp [NAME] X,Y X,Y pass=up|down|left|right layer=0..3 [from=0..3] [r=]",
+         .action = build_ramp,
+         .plain_most = 1,
+         .points_least = 2,
+         .points_most = 2,
+         .keys = {{"pass", word, number, any, true},
+                  {"layer", scalar, Measure::whole, layer, true},
+                  {"from", scalar, Measure::whole, layer},
+                  radius},
+         .binds_names = true},
+        {.name = "lamp",
+         .usage = "lamp [NAME] at=X,Y ...",
+         .action = build_lamp,
+         .plain_most = 1,
+         .keys = {keys::places},
+         .binds_names = true},
+        {.name = "drain",
+         .usage = "drain [NAME] X,Y X,Y [r=]",
+         .action = build_drain,
+         .plain_most = 1,
+         .points_least = 2,
+         .points_most = 2,
+         .keys = {radius},
+         .binds_names = true},
+    };
+}
+
+}  // namespace carom

@@ -1,0 +1,231 @@
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "level/ir/arguments.h"
+#include "level/ir/numbers.h"
+#include "level/statements/families.h"
+#include "level/text/spelling.h"
+
+namespace carom {
+namespace {
+
+void set_world(const Arguments& arguments, const Frame&, Context& context) {
+    const Vec2 a = arguments.points[0];
+    const Vec2 b = arguments.points[1];
+    if (a.x < b.x && a.y < b.y) {
+        context.ir.settings.world = Box{a, b};
+        return;
+    }
+    context.reporter.error("world-empty", arguments.point_words[1].span(), "the world is empty",
+                           "write its lower left corner, then its upper right one");
+}
+
+void set_gravity(const Arguments& arguments, const Frame&, Context& context) {
+    const Vec2 gravity = arguments.points[0];
+    context.ir.settings.gravity = gravity == Vec2{} ? std::nullopt : std::optional(gravity);
+}
+
+// Sets the one number of "use drag 0.1" and the like; 0 turns the term off.
+void set_term(const Arguments& arguments, Measure measure, Bound bound, const Frame& frame,
+              std::optional<double>& setting, Context& context) {
+    const auto number =
+        read_number(arguments.plain.front(), {}, measure, bound, *frame.scope, context);
+    if (number) setting = *number > 0.0 ? number : std::nullopt;
+}
+
+void set_drag(const Arguments& arguments, const Frame& frame, Context& context) {
+    set_term(arguments, Measure::rate, Bound::not_negative, frame, context.ir.settings.drag,
+             context);
+}
+
+void set_stop_speed(const Arguments& arguments, const Frame& frame, Context& context) {
+    set_term(arguments, Measure::speed, Bound::not_negative, frame, context.ir.settings.stop_speed,
+             context);
+}
+
+void set_speed_limit(const Arguments& arguments, const Frame& frame, Context& context) {
+    set_term(arguments, Measure::speed, Bound::positive, frame, context.ir.settings.speed_limit,
+             context);
+}
+
+void set_scatter(const Arguments& arguments, const Frame& frame, Context& context) {
+    const Word& word = arguments.plain.front();
+    const auto degrees =
+        read_number(word, {}, Measure::angle, Bound::not_negative, *frame.scope, context);
+    if (!degrees) return;
+    if (*degrees > 90.0) {
+        context.reporter.error(
+            "scatter-too-wide", word.span(),
+            fmt::format("scatter must be 90 degrees at most, but is {:.6g}", *degrees),
+            "write an angle such as 20deg");
+        return;
+    }
+    context.ir.settings.scatter =
+        *degrees > 0.0 ? std::optional(*degrees * pi / 180.0) : std::nullopt;
+}
+
+void set_wrap(const Arguments& arguments, const Frame&, Context& context) {
+    context.ir.settings.wrap = arguments.node->keyword().span();
+}
+
+void allow_overlap(const Arguments&, const Frame&, Context& context) {
+    context.ir.settings.may_overlap = true;
+}
+
+void set_spin(const Arguments& arguments, const Frame&, Context& context) {
+    context.ir.settings.spin = arguments.number_or("inertia", 0.5);
+    context.ir.settings.inertia = arguments.number("inertia");
+}
+
+void set_cloth(const Arguments& arguments, const Frame&, Context& context) {
+    Cloth cloth;
+    cloth.slide = arguments.number_or("slide", cloth.slide);
+    cloth.roll = arguments.number_or("roll", cloth.roll);
+    cloth.spin = arguments.number_or("spin", cloth.spin);
+    if (!arguments.has("g") && context.unit == LengthUnit::natural) {
+        context.reporter.error("cloth-without-gravity", arguments.node->keyword().span(),
+                               "use cloth needs g= where the level has no units",
+                               "write how hard the table is pressed on, such as g=10");
+    }
+    cloth.gravity = arguments.number_or("g", cloth.gravity);
+    context.ir.settings.cloth = cloth;
+    context.ir.settings.cloth_at = arguments.node->keyword().span();
+}
+
+void add_collide(const Arguments& arguments, const Frame&, Context& context) {
+    context.ir.collides.push_back({arguments.plain[0], arguments.plain[1]});
+}
+
+bool has_setting(SolverKind solver, std::string_view key) {
+    if (key == "updates" || key == "steps") return solver == SolverKind::substep;
+    return key != "substeps" || solver == SolverKind::swept || solver == SolverKind::contact;
+}
+
+void set_solver(const Arguments& arguments, const Frame&, Context& context) {
+    const Word& word = arguments.plain.front();
+    const std::optional<SolverKind> kind = solver_named(word.text);
+    std::vector<std::string_view> known;
+    for (const SolverKind available : solvers_available())
+        known.push_back(name(available));
+    const std::string offer = fmt::format("there are: {}", fmt::join(known, " "));
+    if (!kind) {
+        context.reporter.error("unknown-solver", word.span(),
+                               fmt::format("there is no solver '{}'", word.text),
+                               did_you_mean(word.text, known, offer));
+        return;
+    }
+    for (const auto& [key, argument] : arguments.values) {
+        if (has_setting(*kind, key)) continue;
+        context.reporter.error("solver-key-of-other-solver", argument.value.span(),
+                               fmt::format("{} has no {}", word.text, key),
+                               fmt::format("leave {}= out", key));
+    }
+    SolverSettings settings;
+    settings.kind = *kind;
+    settings.updates = static_cast<int>(arguments.number_or("updates", settings.updates));
+    settings.steps = static_cast<int>(arguments.number_or("steps", settings.steps));
+    set_substeps(settings,
+                 static_cast<int>(arguments.number_or("substeps", substeps_of(settings))));
+    context.ir.settings.solver = settings;
+}
+
+void set_rate(const Arguments& arguments, const Frame& frame, Context& context) {
+    constexpr double fastest = 1e9;
+    const Word& word = arguments.plain.front();
+    const auto rate = read_number(word, {"rate", " "}, Measure::frequency, Bound::positive,
+                                  *frame.scope, context);
+    if (!rate) return;
+    if (*rate > fastest || *rate < 1e-3) {
+        context.reporter.error("rate-out-of-range", word.span(),
+                               fmt::format("rate is out of range: {:.6g}", *rate),
+                               "write ticks a second, from 0.001 to 1e9");
+        return;
+    }
+    context.ir.settings.rate = rate;
+}
+
+// A seed of plain digits keeps all 64 bits; an expression has the 53 of a double.
+void set_seed(const Arguments& arguments, const Frame& frame, Context& context) {
+    const Word& word = arguments.plain.front();
+    std::uint64_t seed = 0;
+    const char* end = word.text.data() + word.text.size();
+    const auto [stop, fault] = std::from_chars(word.text.data(), end, seed);
+    if (fault == std::errc{} && stop == end) {
+        context.ir.settings.seed = seed;
+        return;
+    }
+    const auto number = read_number(word, {"seed", " "}, Measure::whole, Bound::not_negative,
+                                    *frame.scope, context);
+    if (number) context.ir.settings.seed = static_cast<std::uint64_t>(*number);
+}
+
+// All settings stand at the top of a level, once, and --set replaces them whole.
+Statement setting(Statement row) {
+    row.place = Place::top;
+    row.is_unique = true;
+    row.settable = Settable::whole;
+    return row;
+}
+
+Statement one_word_setting(std::string_view name, std::string_view usage, StatementAction action) {
+    return setting(
+        {.name = name, .usage = usage, .action = action, .plain_least = 1, .plain_most = 1});
+}
+
+}  // namespace
+
+std::vector<Statement> setting_statements() {
+    using enum KeyShape;
+    using enum Bound;
+    return {
+        setting({.name = "world",
+                 .usage = "world X0,Y0 X1,Y1",
+                 .action = set_world,
+                 .points_least = 2,
+                 .points_most = 2}),
+        setting({.name = "use gravity",
+                 .usage = "use gravity X,Y",
+                 .action = set_gravity,
+                 .points_least = 1,
+                 .points_most = 1,
+                 .point_measure = Measure::acceleration}),
+        one_word_setting("use drag", "use drag RATE", set_drag),
+        one_word_setting("use stop", "use stop SPEED", set_stop_speed),
+        one_word_setting("use limit", "use limit SPEED", set_speed_limit),
+        one_word_setting("use scatter", "use scatter ANGLE", set_scatter),
+        setting({.name = "use wrap", .usage = "use wrap", .action = set_wrap}),
+        setting({.name = "use overlap", .usage = "use overlap", .action = allow_overlap}),
+        setting({.name = "use spin",
+                 .usage = "use spin [inertia=]",
+                 .action = set_spin,
+                 .keys = {{"inertia", scalar, Measure::number, positive_unit_interval}},
+                 .runs_with_errors = true}),
+        setting({.name = "use cloth",
+                 .usage = "use cloth slide= roll= spin= [g=]",
+                 .action = set_cloth,
+                 .keys = {{"slide", scalar, Measure::number, positive, true},
+                          {"roll", scalar, Measure::number, not_negative, true},
+                          {"spin", scalar, Measure::angular_acceleration, not_negative, true},
+                          {"g", scalar, Measure::acceleration, positive}}}),
+        {.name = "collide",
+         .usage = "collide A B     (kinds, materials, ball, edge)",
+         .action = add_collide,
+         .place = Place::top,
+         .plain_least = 2,
+         .plain_most = 2},
+        setting(
+            {.name = "solver",
+             .usage = "solver discrete|substep|swept|contact|event [updates=] [steps=] [substeps=]",
+             .action = set_solver,
+             .plain_least = 1,
+             .plain_most = 1,
+             .keys = {{"updates", scalar, Measure::whole, up_to_thousand},
+                      {"steps", scalar, Measure::whole, up_to_thousand},
+                      {"substeps", scalar, Measure::whole, up_to_thousand}}}),
+        one_word_setting("rate", "rate HZ", set_rate),
+        one_word_setting("seed", "seed N", set_seed),
+    };
+}
+
+}  // namespace carom
