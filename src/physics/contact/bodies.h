@@ -2,7 +2,6 @@
 
 #include <cstdint>
 
-#include "geometry/f64x2.h"
 #include "geometry/vec2.h"
 #include "physics/broad_phase/fat_pairs.h"
 
@@ -41,21 +40,19 @@ struct ContactPair {
     bool settled : 1 = false;  ///< in this substep: has come to rest at an impact
 };
 
-/// Two pressed pairs in a substep that have no body in common: what the rounds need, one after
-/// another in their order. Where there is no second one, the body that nothing moves takes both
-/// its places.
-struct ContactPresses {
-    std::uint32_t a[2];
-    std::uint32_t b[2];
-    std::uint32_t pair[2];  ///< or 2^32 - 1: none
-    bool lasts[2];          ///< pressed in the last substep too
-    Two normal_x;
-    Two normal_y;
-    Two target;  ///< speed at which they may close (positive) or must part, length/s
-    Two mass;    ///< of a rigid contact
-    Two impulse;
-    Two rub;
-    Two friction;
+/// A pressed pair in a substep: what the rounds need, one after another in their order.
+struct ContactPress {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    std::uint32_t pair = 0;
+    bool lasts = false;      ///< pressed in the last substep too
+    bool with_next = false;  ///< this press and the next one are neighbours: take_back_throws
+    Vec2 normal;
+    double target = 0.0;  ///< speed at which they may close (positive) or must part, length/s
+    double mass = 0.0;    ///< of a rigid contact
+    double impulse = 0.0;
+    double rub = 0.0;
+    double friction = 0.0;
 };
 
 /// How pressed pairs that overlap are held apart.

@@ -189,19 +189,14 @@ void ContactSolver::forget_what_was_not_given(const World& world) {
         const bool has_path = body < still_ && place_of_path_[body] != none;
         return has_path ? velocity_at(world, body, duration_) : mover_[body].velocity;
     };
-    for (std::size_t k = 0; k < presses_used_; ++k) {
-        Presses& presses = presses_[k];
-        for (const int which : {0, 1}) {
-            const Share a = given(presses.a[which]);
-            const Share b = given(presses.b[which]);
-            const double impulse = std::min(a.impulse, b.impulse);
-            const Vec2 normal{presses.normal_x[which], presses.normal_y[which]};
-            if (impulse < 1.0 &&
-                dot(velocity_then(presses.a[which]) - velocity_then(presses.b[which]), normal) >
-                    most_throw * resting_speed_)
-                presses.impulse[which] *= impulse;
-            presses.rub[which] *= std::min(a.rub, b.rub);
-        }
+    for (Press& press : presses_) {
+        const Share a = given(press.a);
+        const Share b = given(press.b);
+        const double impulse = std::min(a.impulse, b.impulse);
+        if (impulse < 1.0 && dot(velocity_then(press.a) - velocity_then(press.b), press.normal) >
+                                 most_throw * resting_speed_)
+            press.impulse *= impulse;
+        press.rub *= std::min(a.rub, b.rub);
     }
 }
 

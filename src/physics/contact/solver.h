@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/f64x2.h"
 #include "geometry/impact.h"
 #include "physics/broad_phase/fat_pairs.h"
 #include "physics/contact/bodies.h"
@@ -124,7 +123,7 @@ class ContactSolver {
     using Mover = ContactMover;
     using State = ContactState;
     using Pair = ContactPair;
-    using Presses = ContactPresses;
+    using Press = ContactPress;
     using Softness = ContactSoftness;
     using Throw = ContactThrow;
     using Path = ContactPath;
@@ -176,32 +175,29 @@ class ContactSolver {
     template <bool spin>
     void begin_presses();
     template <bool spin>
-    void start_with(const Presses& presses);
-    bool share_body(const Pair& one, const Pair& other) const;
+    void start_with(const Press& press);
+    bool share_body(const Press& one, const Press& other) const;
     void end_presses();
     template <bool spin>
-    void exchange(Presses& presses, Two impulse);
+    void exchange(Press& press, double impulse);
     template <bool spin>
-    void press(Presses& presses);
+    void press(Press& press);
     template <bool spin>
-    void relax(Presses& presses);
-    template <bool spin>
-    void relax_after_impacts(Presses& presses);
+    void relax(Press& press);
     template <bool spin>
     void press_all(bool downwards);
     template <bool spin>
     void relax_all();
-    Two apart(const Presses& presses) const;
-    bool is_about_to_bounce(const Presses& presses, int which) const;
-    template <typename Round>
-    void take_alone(Presses& presses, int which, Round&& round);
+    double apart(const Press& press) const;
+    bool is_about_to_bounce(const Press& press) const;
     void press(bool spin, bool downwards);
     void press_with_loads(bool spin);
     void relax_with_loads(bool spin);
     bool is_uneven(const Pair& pair) const;
     void find_loaded();
     bool has_throws() const;
-    Throw throw_of(const Presses& presses, int which, Vec2 up) const;
+    Throw throw_of(const Press& press, Vec2 up) const;
+    std::optional<double> without_throw(const Press& press, Vec2 up) const;
     template <bool spin>
     void take_back_throws();
     void note_new_contacts(std::vector<Contact>& contacts);
@@ -301,8 +297,7 @@ class ContactSolver {
     std::vector<std::uint32_t> turn_;  // near pairs in the order of pairs_; empty: as they are
     std::vector<std::uint32_t> first_impulse_;
     std::vector<std::uint32_t> pressed_;
-    std::vector<Presses> presses_;  // only the first presses_used_ count
-    std::size_t presses_used_ = 0;
+    std::vector<Press> presses_;
     std::vector<std::uint32_t> new_;  // places in presses_ of pairs that did not press yet
     std::vector<std::uint32_t> flying_;
     std::vector<std::uint32_t> hand_pairs_;
