@@ -2,339 +2,260 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 #include <utility>
 
-#include "game/ai/hand_error.h"
-#include "game/ai/pool_shots.h"
-#include "game/commands/aiming.h"
-#include "geometry/elementary.h"
+#include "carom/controllers/editing.h"
 
 namespace carom {
 namespace {
 
-/// Ball speed for each length that the cue is pulled, 1/s.
-constexpr double pull_gain = 5.0;
-constexpr double least_speed = 0.1;
-constexpr double finest_turn = 0.05;  // degrees
-constexpr double break_speed = 8.0;
-constexpr double usual_speed = 2.0;
-/// How long a shot is followed, s: balls roll for half a minute at most.
-constexpr double foresight = 40.0;
-constexpr std::uint64_t cloud_size = 20;
+// By one key.
+constexpr double coarse_turn = 1.0;  // degrees
+constexpr double fine_turn = 0.05;
+constexpr double speed_step = 0.1;   // m/s
+constexpr double tip_step = 0.05;    // of the radius
+constexpr double cursor_step = 0.2;  // columns, with a ball in hand
 
-Vec2 place_of(const World& world, BallId ball) {
-    return world.balls.position[*index_of(world, ball)];
-}
-
-double bearing_of(Vec2 way) {
-    return std::atan2(way.y, way.x) * 180.0 / pi;
-}
+/// A pull shorter than this, in radii of the ball, shoots nothing.
+constexpr double least_pull = 1.5;
 
 }  // namespace
 
-PoolAim::PoolAim(const Session& session) {
-    begin_turn(session);
+PlayerNames PoolController::names() const {
+    if (opponent_.steadiness() > 0) return {"you", "carom"};
+    return {"player 1", "player 2"};
 }
 
-const PoolPlay* PoolAim::play(const Session& session) const {
-    return std::get_if<PoolPlay>(&session.game());
+bool PoolController::is_aiming(const PlayContext& play) const {
+    return !play.page.is_open() && !opponent_.is_turn(play.session) && aim_.may_aim(play.session);
 }
 
-std::optional<BallId> PoolAim::cue_ball(const Session& session) const {
-    const auto ball =
-        play(session) ? play(session)->balls[0] : std::optional(session.scene().pool.cue->ball);
-    if (!ball || !index_of(session.world(), *ball)) return std::nullopt;
-    return ball;
+bool PoolController::aims_with_keys(const PlayContext& play) const {
+    return is_aiming(play) && play.pointer.tool.is_empty() && !play.pointer.shows_cursor;
 }
 
-bool PoolAim::may_aim(const Session& session) const {
-    const auto ball = cue_ball(session);
-    if (!ball) return false;
-    if (const PoolPlay* game = play(session)) return !refusal_to_shoot(*game, *ball);
-    return lies_still(session.world());
+void PoolController::perform(PlayContext& play, const Action& action) {
+    if (action.at_pool && action.at_pool(*this, play)) return;
+    using AtPool = void (*)(PoolController&, PlayContext&);
+    if (const auto* perform = std::get_if<AtPool>(&action.perform)) return (*perform)(*this, play);
+    FreeController::perform(play, action);
 }
 
-bool PoolAim::may_place(const Session& session) const {
-    const PoolPlay* game = play(session);
-    return game && may_aim(session) && game->rules.in_hand != CueInHand::no;
-}
-
-double PoolAim::most_speed(const Session& session) const {
-    return session.scene().pool.cue->most_power;
-}
-
-std::vector<BallId> PoolAim::targets(const Session& session) const {
-    std::vector<BallId> balls;
-    const PoolPlay* game = play(session);
-    const auto cue = cue_ball(session);
-    for (const BallId id : session.world().balls.id) {
-        if (id == cue) continue;
-        const auto number = game ? number_of(*game, id) : std::nullopt;
-        if (game && (!number || !may_hit_first(game->rules, *number))) continue;
-        balls.push_back(id);
-    }
-    return balls;
-}
-
-void PoolAim::begin_turn(const Session& session) {
-    const PoolPlay* game = play(session);
-    const bool is_break = game && game->rules.phase == PoolPhase::breaking;
-    stance_ = {.bearing = stance_.bearing,
-               .speed = std::min(is_break ? break_speed : usual_speed, most_speed(session)),
-               .aids = stance_.aids};
-    pot_ = 0;
-    pot_text_.clear();
-    has_aimed_ = false;
-    aim_at_nearest(session);
-}
-
-// Of the balls that may be met.
-void PoolAim::aim_at_nearest(const Session& session) {
-    const auto cue = cue_ball(session);
-    if (!cue) return;
-    const Vec2 from = place_of(session.world(), *cue);
-    std::optional<Vec2> nearest;
-    for (const BallId ball : targets(session)) {
-        const Vec2 there = place_of(session.world(), ball) - from;
-        if (!nearest || length(there) < length(*nearest)) nearest = there;
-    }
-    if (nearest) stance_.bearing = bearing_of(*nearest);
-}
-
-void PoolAim::stand(const Session& session, const PoolStance& stance) {
-    look(session);  // so that a turn that begins does not take it away again
-    stance_ = stance;
-    has_aimed_ = true;
-    constexpr double most = command::Strike::most_offset;
-    if (!(stance.side * stance.side + stance.follow * stance.follow <= most * most))
-        stance_.side = stance_.follow = 0.0;
-    stance_.speed = std::clamp(stance.speed, least_speed, most_speed(session));
-    const auto pockets = static_cast<int>(session.scene().pool.pockets.size());
-    if (stance.pocket < 0 || stance.pocket >= pockets) {
-        stance_.pocket = 0;
-        stance_.intent = Intent::automatic;
-    }
-    is_seen_ = false;
-}
-
-void PoolAim::turn(double degrees) {
-    // In whole steps of the finest, so that straight lines can be met.
-    const double bearing = std::round((stance_.bearing + degrees) / finest_turn) * finest_turn;
-    stance_.bearing = std::remainder(bearing, 360.0);
-    has_aimed_ = true;
-}
-
-void PoolAim::change_speed(double by) {
-    stance_.speed = std::max(least_speed, std::round((stance_.speed + by) * 1000.0) / 1000.0);
-}
-
-void PoolAim::move_tip(double side, double follow) {
-    constexpr double most = command::Strike::most_offset;
-    const double to_side = stance_.side + side;
-    const double to_follow = stance_.follow + follow;
-    const auto tidy = [](double value) { return std::round(value * 1000.0) / 1000.0; };
-    if (to_side * to_side + to_follow * to_follow > most * most + 1e-9) return;
-    stance_.side = tidy(to_side);
-    stance_.follow = tidy(to_follow);
-}
-
-void PoolAim::aim_at(const Session& session, Vec2 place) {
-    const auto cue = cue_ball(session);
-    if (!cue) return;
-    const Vec2 way = place - place_of(session.world(), *cue);
-    if (!(length(way) > 0.0)) return;
-    stance_.bearing = bearing_of(way);
-    has_aimed_ = true;
-}
-
-void PoolAim::pull(const Session& session, Vec2 hand) {
-    const auto cue = cue_ball(session);
-    if (!cue) return;
-    const Vec2 way = place_of(session.world(), *cue) - hand;
-    if (!(length(way) > 0.0)) return;
-    stance_.bearing = bearing_of(way);
-    has_aimed_ = true;
-    stance_.speed = std::clamp(length(way) * pull_gain, least_speed, most_speed(session));
-}
-
-std::string PoolAim::next_pot(const Session& session, bool backwards) {
-    const auto cloth = cloth_box(session.scene());
-    const auto cue = cue_ball(session);
-    if (!cloth || !cue) return "there are no pockets here";
-    const World& world = session.world();
-    const auto lines =
-        pot_lines(session.scene(), world, *cloth, *cue, place_of(world, *cue), targets(session));
-    if (lines.empty()) return "no ball lies free to a pocket";
-    if (pot_text_.empty())
-        pot_ = backwards ? lines.size() - 1 : 0;
-    else
-        pot_ = (pot_ + (backwards ? lines.size() - 1 : 1)) % lines.size();
-    const PotLine& line = lines[pot_ % lines.size()];
-    stance_.bearing = bearing_of(line.direction);
-    has_aimed_ = true;
-    stance_.side = stance_.follow = 0.0;
-    const PoolPlay* game = play(session);
-    if (game && game->rules.game == PoolGame::eight_ball &&
-        game->rules.phase == PoolPhase::playing) {
-        stance_.intent = Intent::pocket;
-        stance_.pocket = line.pocket;
-    }
-    const auto number = game ? number_of(*game, line.object) : std::nullopt;
-    constexpr std::string_view ways[] = {"", ", by a cushion", ", kicked by a cushion"};
-    pot_text_ = fmt::format("{} of {}: {} into the {}{}", pot_ % lines.size() + 1, lines.size(),
-                            number ? fmt::format("the {}", *number) : "the ball",
-                            pocket_name(session.scene(), line.pocket),
-                            ways[static_cast<std::size_t>(line.way)]);
-    return pot_text_;
-}
-
-void PoolAim::take(const Session& session, const PoolThought& thought) {
-    look(session);  // so that a turn that begins does not take the aim away again
-    const Vec2 velocity = thought.strike.velocity;
-    stance_ = {.bearing = bearing_of(velocity),
-               .speed = length(velocity),
-               .side = thought.strike.side,
-               .follow = thought.strike.follow,
-               .aids = stance_.aids,
-               .pocket = thought.call.pocket};
-    has_aimed_ = true;
-    using enum PoolCall::Kind;
-    stance_.intent = thought.call.kind == pot        ? Intent::pocket
-                     : thought.call.kind == safety   ? Intent::safety
-                     : thought.call.kind == push_out ? Intent::push_out
-                                                     : Intent::automatic;
-}
-
-bool PoolAim::call_pocket(const Session& session, Vec2 place) {
-    const PoolPlay* game = play(session);
-    if (!game || game->rules.game != PoolGame::eight_ball ||
-        game->rules.phase != PoolPhase::playing)
-        return false;
-    const auto& pockets = session.scene().pool.pockets;
-    for (std::size_t i = 0; i < pockets.size(); ++i) {
-        const Capsule& shape = session.scene().world.zones[pockets[i]].shape;
-        if (length(place - shape.start) > shape.radius) continue;
-        stance_.intent = Intent::pocket;
-        stance_.pocket = static_cast<int>(i);
+// The wheel changes the speed; 1, 2, 3 take what the rules let the player choose from.
+bool PoolController::take(PlayContext& play, const InputEvent& event) {
+    using enum InputEvent::Action;
+    if (event.kind == InputEvent::Kind::mouse) {
+        if ((event.action != wheel_up && event.action != wheel_down) || !is_aiming(play))
+            return false;
+        aim_.change_speed(event.action == wheel_up ? speed_step : -speed_step);
+        play.needs_draw = true;
         return true;
     }
-    return false;
-}
-
-std::string PoolAim::next_call(const Session& session) {
-    const PoolPlay* game = play(session);
-    if (!game || game->rules.phase != PoolPhase::playing) return "nothing is called now";
-    if (game->rules.game == PoolGame::nine_ball) {
-        if (!game->rules.may_push_out) return "in 9-ball nothing is called";
-        stance_.intent = stance_.intent == Intent::push_out ? Intent::automatic : Intent::push_out;
-        return stance_.intent == Intent::push_out ? "push-out" : "no push-out";
-    }
-    stance_.intent = stance_.intent == Intent::safety ? Intent::automatic : Intent::safety;
-    return stance_.intent == Intent::safety
-               ? "safety: the turn passes"
-               : "calls what the aim pockets; click a pocket for another";
-}
-
-std::string PoolAim::next_aids() {
-    constexpr std::string_view texts[] = {"no help: the cue alone", "help: ghost ball and lines",
-                                          "help: the whole shot",
-                                          "help: 20 shots of a hand that errs"};
-    stance_.aids = static_cast<Aids>((static_cast<int>(stance_.aids) + 1) % 4);
-    is_seen_ = false;
-    return std::string(texts[static_cast<std::size_t>(stance_.aids)]);
-}
-
-// What the aim pockets, of the balls that count; or the pocket that was chosen.
-PoolCall PoolAim::call(const Session& session) const {
-    const PoolPlay* game = play(session);
-    if (!game || game->rules.phase != PoolPhase::playing) return {};
-    const PoolState& rules = game->rules;
-    if (rules.game == PoolGame::nine_ball) {
-        const bool pushes = rules.may_push_out && stance_.intent == Intent::push_out;
-        return pushes ? PoolCall{PoolCall::Kind::push_out, 0, 0} : PoolCall{};
-    }
-    if (stance_.intent == Intent::safety) return {PoolCall::Kind::safety, 0, 0};
-    const auto* ahead = forecast_ ? std::get_if<PoolPlay>(&forecast_->game) : nullptr;
-    if (ahead)
-        for (const PoolShot::Pocketed& pocketed : ahead->shot.pocketed)
-            if (pocketed.ball != 0 && may_hit_first(rules, pocketed.ball) &&
-                (stance_.intent == Intent::automatic || pocketed.pocket == stance_.pocket))
-                return {PoolCall::Kind::pot, pocketed.ball, pocketed.pocket};
-    if (stance_.intent != Intent::pocket) return {};
-    const auto line = aim_line(session.world(), *cue_ball(session), strike(session).velocity);
-    const auto met = line && line->object ? number_of(*game, *line->object) : std::nullopt;
-    if (!met || !may_hit_first(rules, *met)) return {};
-    return {PoolCall::Kind::pot, *met, stance_.pocket};
-}
-
-command::Strike PoolAim::strike(const Session& session) const {
-    const double angle = stance_.bearing * pi / 180.0;
-    const double speed = std::min(stance_.speed, most_speed(session));
-    command::Strike strike;
-    strike.ball = cue_ball(session).value_or(BallId{});
-    strike.velocity = {speed * std::cos(angle), speed * std::sin(angle)};
-    if (session.world().model.spin) strike.side = stance_.side;
-    if (session.world().model.cloth) strike.follow = stance_.follow;
-    return strike;
-}
-
-std::vector<Command> PoolAim::shot(const Session& session) {
-    look(session);
-    std::vector<Command> commands;
-    const PoolCall what = call(session);
-    const PoolPlay* game = play(session);
-    if (game && game->rules.phase == PoolPhase::playing && !(what == game->call))
-        commands.push_back(command::CallShot{what});
-    commands.push_back(strike(session));
-    return commands;
-}
-
-void PoolAim::look(const Session& session) {
-    const PoolPlay* game = play(session);
-    if (!may_aim(session)) {
-        is_seen_ = false;
-        forecast_.reset();
-        cloud_.clear();
-        return;
-    }
-    // Another turn, or another frame.
-    const std::uint64_t now = game ? std::uint64_t{game->shots} * 64 +
-                                         static_cast<std::uint64_t>(game->rules.phase) * 8 +
-                                         static_cast<std::uint64_t>(game->rules.player)
-                                   : 0;
-    if (std::exchange(turn_, now) != now) begin_turn(session);
-    stance_.speed = std::min(stance_.speed, most_speed(session));
-    // The ball in hand was put elsewhere.
-    if (!has_aimed_ && may_place(session) && lay_ != session.world().balls.position)
-        aim_at_nearest(session);
-    if (is_seen_ && seen_stance_ == stance_ && lay_ == session.world().balls.position) return;
-    is_seen_ = true;
-    seen_stance_ = stance_;
-    lay_ = session.world().balls.position;
-    cloud_.clear();
-    cloud_shots_ = 0;
-    Solver solver(session.solver());
-    forecast_ = forecast(session.scene(), session.world(), session.game(), solver, strike(session),
-                         foresight, Tracks::all);
-}
-
-bool PoolAim::has_work() const {
-    return stance_.aids == Aids::cloud && forecast_ && cloud_shots_ < cloud_size;
-}
-
-bool PoolAim::work(const Session& session) {
-    if (!has_work() || !may_aim(session)) return false;
-    const HandError usual;
-    const command::Strike off = with_error(strike(session), usual, most_speed(session),
-                                           session.world().seed, cloud_shots_++);
-    Solver solver(session.solver());
-    const Forecast ahead = forecast(session.scene(), session.world(), session.game(), solver, off,
-                                    foresight, Tracks::all);
-    for (const Forecast::Track& track : ahead.tracks)
-        cloud_.push_back({track.ball, track.way.back(), track.zone.has_value()});
+    const PoolPlay* const pool = pool_of(play.session);
+    if (!pool || event.kind != InputEvent::Kind::key || event.action == release ||
+        event.modifiers != no_modifier)
+        return false;
+    const std::vector<PoolChoice>& choices = pool->rules.choices;
+    if (pool->rules.phase != PoolPhase::choosing || opponent_.is_turn(play.session) ||
+        event.key < U'1' || event.key >= U'1' + choices.size())
+        return false;
+    const PoolChoice choice = choices[event.key - U'1'];
+    obey(play, command::Decide{choice}, std::string(choice_text(choice)));
     return true;
+}
+
+void PoolController::point(PlayContext& play) {
+    const bool pulls = play.pointer.tool.has_cue();
+    if (!aims_by_mouse_ && !pulls) return;
+    play.needs_draw = true;
+    if (aims_by_mouse_) aim_.aim_at(play.session, play.pointer.at);
+    if (pulls) aim_.pull(play.session, play.pointer.at);
+}
+
+void PoolController::pass(PlayContext& play, double seconds) {
+    if (aim_.work(play.session)) play.needs_draw = true;
+    opponent_.play(play, seconds);
+    hear_coach(play);
+}
+
+void PoolController::after_ticks(PlayContext& play, double) {
+    if (auto outcome = referee_.tell(play.session, names())) say(play, *std::move(outcome));
+}
+
+bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
+    if (event.button == middle_button) return false;
+    const bool has_game = pool_of(play.session) != nullptr;
+    const auto cue = aim_.cue_ball(play.session);
+    const auto at_pointer = ball_at_pointer(play);
+    const bool is_left = event.button == left_button && !(event.modifiers & (shift | control));
+    if (is_left && at_pointer && !has_game) return false;
+    Pointer& pointer = play.pointer;
+    if (is_left && at_pointer && at_pointer == cue && is_aiming(play) &&
+        aim_.may_place(play.session)) {
+        pointer.tool.take_to_place(play.session.world(), *cue, pointer.at);
+        pointer.pressed = event.button;
+        return true;
+    }
+    if (!is_aiming(play)) {
+        if (opponent_.is_turn(play.session)) say(play, "it is carom's turn");
+        const auto why_not =
+            has_game && cue ? refusal_to_shoot(*pool_of(play.session), *cue) : std::nullopt;
+        if (why_not) say(play, *why_not);
+        return has_game || !is_left;
+    }
+    pointer.pressed = event.button;
+    if (!is_left) {
+        pointer.cue_is_armed = false;
+        pointer.tool.take_cue(*cue, pointer.at);
+    } else if (!aim_.call_pocket(play.session, pointer.at)) {
+        aims_by_mouse_ = true;
+        aim_.aim_at(play.session, pointer.at);
+    }
+    return true;
+}
+
+bool PoolController::take_release(PlayContext& play) {
+    if (std::exchange(aims_by_mouse_, false)) return true;
+    if (!play.pointer.tool.has_cue()) return false;
+    play.pointer.tool.forget();
+    const World& world = play.session.world();
+    const auto cue = aim_.cue_ball(play.session);
+    const auto index = cue ? index_of(world, *cue) : std::nullopt;
+    if (!index || !is_aiming(play)) return true;
+    const double pulled = distance(play.pointer.at, world.balls.position[*index]);
+    if (pulled > least_pull * world.balls.radius[*index]) shoot(play);
+    return true;
+}
+
+void PoolController::shoot(PlayContext& play) {
+    for (const Command& command : aim_.shot(play.session))
+        if (const auto why_not = play.session.apply(command)) return complain(play, *why_not);
+    set_reference(play);
+}
+
+bool PoolController::turn_coarsely(const PlayContext& play, int direction) {
+    if (!aims_with_keys(play)) return false;
+    aim_.turn(direction * coarse_turn);
+    return true;
+}
+
+void PoolController::turn_finely(PlayContext& play, int direction) {
+    if (play.pointer.tool.is_empty())
+        aim_.turn(direction * fine_turn);
+    else
+        move_cursor(play, -direction * cursor_step, 0.0);
+}
+
+bool PoolController::change_speed(const PlayContext& play, int direction) {
+    if (!aims_with_keys(play)) return false;
+    aim_.change_speed(direction * speed_step);
+    return true;
+}
+
+bool PoolController::move_tip(const PlayContext& play, int side, int follow) {
+    if (!is_aiming(play) || play.pointer.shows_cursor) return false;
+    aim_.move_tip(side * tip_step, follow * tip_step);
+    return true;
+}
+
+bool PoolController::shoot_with_key(PlayContext& play) {
+    if (!aims_with_keys(play)) return false;
+    shoot(play);
+    return true;
+}
+
+bool PoolController::explain_cue(PlayContext& play) const {
+    if (!aims_with_keys(play)) return false;
+    say(play, "the arrows aim, enter shoots; or drag with the right button");
+    return true;
+}
+
+void PoolController::next_pot(PlayContext& play, bool backwards) {
+    if (is_aiming(play)) say(play, aim_.next_pot(play.session, backwards));
+}
+
+void PoolController::next_call(PlayContext& play) {
+    say(play, aim_.next_call(play.session));
+}
+
+void PoolController::next_aids(PlayContext& play) {
+    say(play, aim_.next_aids());
+}
+
+void PoolController::place_cue_ball(PlayContext& play) {
+    Pointer& pointer = play.pointer;
+    if (!pointer.tool.is_empty()) {
+        pointer.shows_cursor = false;
+        return pointer.tool.cancel(play.session);
+    }
+    if (!is_aiming(play) || !aim_.may_place(play.session))
+        return say(play, "the ball is not in hand");
+    const World& world = play.session.world();
+    const BallId ball = *aim_.cue_ball(play.session);
+    pointer.at = world.balls.position[*index_of(world, ball)];
+    pointer.tool.take_to_place(world, ball, pointer.at);
+    pointer.shows_cursor = true;
+    say(play, "move the ball with the arrows; p or enter puts it down");
+}
+
+bool PoolController::set_opponent(const Session& session, int steadiness) {
+    if (!pool_of(session)) return false;
+    opponent_.set_steadiness(steadiness);
+    referee_.skip(session, names());
+    return true;
+}
+
+void PoolController::next_opponent(PlayContext& play) {
+    const int next = (opponent() + 1) % (most_steadiness + 1);
+    if (!set_opponent(play.session, next)) return say(play, "there is no game of pool here");
+    say(play, next > 0 ? fmt::format("against carom, {} of {}: {}", next, most_steadiness,
+                                     steadiness_text(next))
+                       : "two players");
+}
+
+void PoolController::ask_coach(PlayContext& play) {
+    if (!pool_of(play.session) || !is_aiming(play))
+        return say(play, "the coach speaks when you are to shoot");
+    coach_.ask();
+    say(play, "the coach thinks");
+}
+
+// The coach proposes one shot at a time, and aims it.
+void PoolController::hear_coach(PlayContext& play) {
+    if (!coach_.is_asked()) return;
+    if (!is_aiming(play)) return coach_.dismiss();
+    const PoolThought* const proposal = coach_.think(play.session);
+    if (!proposal) return;
+    const PoolThought shot = *proposal;
+    const std::string text = coach_.text(play.session.scene());
+    if (shot.place) {
+        const BallId ball = *aim_.cue_ball(play.session);
+        if (const auto why_not = play.session.apply(command::PlaceBall{ball, *shot.place}))
+            return complain(play, *why_not);
+    }
+    aim_.take(play.session, shot);
+    say(play, text);
+}
+
+// Back to where a person is to play.
+void PoolController::undo_shot(PlayContext& play) {
+    opponent_.hesitate();
+    if (!undo(play)) return;
+    while (opponent_.is_turn(play.session) && play.session.undo()) {
+    }
+    set_reference(play);
+}
+
+void PoolController::continue_from(PlayContext& play, const Controller& before) {
+    const auto* const pool = dynamic_cast<const PoolController*>(&before);
+    if (pool && pool->opponent() > 0) set_opponent(play.session, pool->opponent());
+}
+
+bool is_in_match(const Session& session) {
+    const PoolPlay* const pool = pool_of(session);
+    if (!pool || session.is_following() || match_winner(*pool)) return false;
+    return pool->shooter || pool->frames != std::array<std::uint32_t, 2>{};
 }
 
 }  // namespace carom

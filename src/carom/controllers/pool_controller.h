@@ -1,100 +1,83 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "game/ai/planner.h"
-#include "game/pool/pool.h"
-#include "game/pool/pool_stance.h"
-#include "game/pool/pool_words.h"
-#include "game/session/forecast.h"
-#include "game/session/session.h"
-#include "terminal/canvas/palette.h"
-#include "terminal/draw/pool_marks.h"
+#include "carom/controllers/free_controller.h"
+#include "carom/controllers/pool_aim.h"
+#include "carom/controllers/pool_opponent.h"
+#include "carom/controllers/pool_status.h"
 
-/// A person at a pool table, with the cue: aims, sees what the aim comes to, calls, shoots.
+/// Pool: the aim by keys and by mouse, the ball in hand, choices, the AI player, and what the
+/// referee says. Works at any table with a cue; where no game is played, balls are dragged as in
+/// free play.
 namespace carom {
 
-class PoolAim {
+class PoolController : public FreeController {
   public:
-    /// Whether the level has a cue, so that there is something to aim.
-    static bool is_at(const Scene& scene) { return scene.pool.cue.has_value(); }
+    /// The level has a cue, so there is something to aim.
+    static bool is_at(const Scene& scene) { return PoolAim::is_at(scene); }
     /// Pre: is_at().
-    explicit PoolAim(const Session& session);
+    explicit PoolController(const Session& session) : aim_(session) {}
 
-    /// The ball that the cue strikes; none while it is off the table.
-    std::optional<BallId> cue_ball(const Session& session) const;
-    /// The balls lie still, and nothing is to be decided first.
-    bool may_aim(const Session& session) const;
-    /// The cue ball may be put elsewhere.
-    bool may_place(const Session& session) const;
+    bool take(PlayContext& play, const InputEvent& event) override;
+    void perform(PlayContext& play, const Action& action) override;
+    void point(PlayContext& play) override;
+    void pass(PlayContext& play, double seconds) override;
+    void after_ticks(PlayContext& play, double seconds) override;
+    bool has_work() const override { return aim_.has_work() || coach_.is_asked(); }
+    void look(PlayContext& play) override { aim_.look(play.session); }
+    void mark(const PlayContext& play, Marks& marks) const override;
+    void add_status(const PlayContext& play, HudInfo& info) const override;
+    void add_hints(const PlayContext& play, std::vector<KeyHelp>& hints) const override;
+    void continue_from(PlayContext& play, const Controller& before) override;
+    bool drags_anything() const override { return false; }
 
-    void turn(double degrees);                  ///< counter-clockwise
-    void change_speed(double by);               ///< length/s; within what the level's cue gives
-    void move_tip(double side, double follow);  ///< in shares of the radius
-    void aim_at(const Session& session, Vec2 place);
-    /// The cue pulled back to the hand: the ball goes the other way, the faster the longer.
-    void pull(const Session& session, Vec2 hand);
-    /// To the next way to pocket a ball, the easiest first. Returns what it is.
-    std::string next_pot(const Session& session, bool backwards);
+    // Actions. Those that return false do nothing while the player has something else to do with
+    // the key than to aim.
+    bool turn_coarsely(const PlayContext& play, int direction);
+    void turn_finely(PlayContext& play, int direction);
+    bool change_speed(const PlayContext& play, int direction);
+    bool move_tip(const PlayContext& play, int side, int follow);
+    bool shoot_with_key(PlayContext& play);
+    bool explain_cue(PlayContext& play) const;
+    void next_pot(PlayContext& play, bool backwards);
+    void next_call(PlayContext& play);
+    void next_aids(PlayContext& play);
+    void place_cue_ball(PlayContext& play);
+    void next_opponent(PlayContext& play);
+    void ask_coach(PlayContext& play);
+    void undo_shot(PlayContext& play);
 
-    /// Aims as a thought does; the cue ball stays where it is.
-    void take(const Session& session, const PoolThought& thought);
+    // What is kept with an unfinished game.
+    /// The AI player takes the second player's turns from now on (PoolOpponent::set_steadiness).
+    /// False where no game of pool is played.
+    bool set_opponent(const Session& session, int steadiness);
+    int opponent() const { return opponent_.steadiness(); }
+    const PoolStance& setup() const { return aim_.setup(); }
+    void set_up(const Session& session, const PoolStance& setup) { aim_.set_up(session, setup); }
 
-    /// Calls the pocket that is there. False when there is none, or nothing is called.
-    bool call_pocket(const Session& session, Vec2 place);
-    /// What the next shot shall be; returns it in words.
-    std::string next_call(const Session& session);
-    std::string next_aids();
-    Aids aids() const { return stance_.aids; }
-
-    const PoolStance& stance() const { return stance_; }
-    /// Stands as before, in the turn that is now; what cannot be here is left out.
-    void stand(const Session& session, const PoolStance& stance);
-
-    command::Strike strike(const Session& session) const;
-    /// The call, where one is due, and the strike. Pre: may_aim().
-    std::vector<Command> shot(const Session& session);
-
-    /// Looks where the balls lie: computes the forecast anew where it is no longer right.
-    void look(const Session& session);
-    /// One more shot of the cloud; false when nothing is left to compute.
-    bool work(const Session& session);
-    bool has_work() const;
-
-    /// `aims`: it is this person's turn to aim.
-    PoolMarks marks(const Session& session, bool aims) const;
-    /// Power, tip, cut angle, call: one line.
-    std::string line(const Session& session, const Look& look) const;
+  protected:
+    bool take_press(PlayContext& play, const InputEvent& event) override;
+    bool take_release(PlayContext& play) override;
 
   private:
-    using Intent = PoolStance::Intent;
+    bool is_aiming(const PlayContext& play) const;
+    bool aims_with_keys(const PlayContext& play) const;
+    void shoot(PlayContext& play);
+    void hear_coach(PlayContext& play);
+    PlayerNames names() const;
+    std::string line(const PlayContext& play) const;
 
-    const PoolPlay* play(const Session& session) const;
-    PoolCall call(const Session& session) const;
-    std::vector<BallId> targets(const Session& session) const;
-    void begin_turn(const Session& session);
-    void aim_at_nearest(const Session& session);
-    double most_speed(const Session& session) const;
-
-    PoolStance stance_;
-    bool has_aimed_ = false;  ///< in this turn: the bearing is the person's
-    std::size_t pot_ = 0;
-    std::string pot_text_;
-
-    // What the forecast was made of.
-    std::vector<Vec2> lay_;
-    PoolStance seen_stance_;
-    bool is_seen_ = false;
-    std::uint64_t turn_ = ~std::uint64_t{0};
-    std::optional<Forecast> forecast_;
-    std::vector<PoolMarks::Spot> cloud_;
-    std::uint64_t cloud_shots_ = 0;
+    PoolAim aim_;
+    bool aims_by_mouse_ = false;  ///< the left button is down, and the cue points at the mouse
+    Referee referee_;
+    PoolOpponent opponent_;
+    PoolCoach coach_;
 };
 
-/// The numbers on the balls, where a game or a rack gives them any.
-std::vector<PoolMarks::Number> numbers_of(const Session& session);
+/// A match has begun and is not won, so it is kept when the player leaves.
+bool is_in_match(const Session& session);
 
 }  // namespace carom

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "carom/controllers/table_controller.h"
+#include "carom/controllers/pinball_display.h"
 #include "carom/files/high_scores.h"
 #include "level/text/utf8.h"
 #include "terminal/canvas/character_width.h"

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <filesystem>
 #include <functional>
 
+#include "carom/files/files.h"
 #include "carom/files/user_folders.h"
 #include "carom/text/suggest.h"
 #include "terminal/canvas/character_width.h"
@@ -154,7 +156,7 @@ std::optional<Mistake> obey(Preferences& preferences, std::string_view line) {
                        fmt::format("there is no key or setting '{}'{}", statement.name,
                                    suggestion(statement.name, names))};
     }
-    const auto action = action_named(statement.value);
+    const Action* const action = action_named(statement.value);
     if (!action && statement.value != "none")
         return Mistake{after, fmt::format("there is no action '{}'{}", statement.value,
                                           suggestion(statement.value, action_names()))};
@@ -219,6 +221,17 @@ std::optional<std::string> preferences_path() {
     const auto folder = configuration_folder();
     if (!folder) return std::nullopt;
     return *folder + "/preferences";
+}
+
+std::optional<std::string> write_preference(std::string_view name, std::string_view value) {
+    const auto path = preferences_path();
+    const auto folder = configuration_folder();
+    if (!path || !folder) return std::nullopt;
+    if (auto fault = make_folder(*folder)) return fault;
+    FileText text = read_file(*path);
+    std::error_code ignored;
+    if (!text.text && std::filesystem::exists(*path, ignored)) return text.error;
+    return write_file_atomically(*path, with_setting(text.text.value_or(""), name, value));
 }
 
 }  // namespace carom

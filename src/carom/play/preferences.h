@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "carom/context/keys.h"
+#include "carom/context/key_map.h"
 #include "carom/options/play_options.h"
 #include "terminal/draw/draw.h"
 
@@ -56,5 +56,9 @@ std::string_view text_of(BallStyle style);
 /// carom/preferences in the user's configuration folder ($XDG_CONFIG_HOME, else ~/.config). None:
 /// the user has no such place.
 std::optional<std::string> preferences_path();
+
+/// Writes one setting into the user's file. What went wrong, if anything; a file that cannot be
+/// read is left as it is. A user who has no such place wants none.
+std::optional<std::string> write_preference(std::string_view name, std::string_view value);
 
 }  // namespace carom

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "carom/controllers/pool_controller.h"
 #include "carom/files/files.h"
 #include "carom/files/high_scores.h"
 #include "carom/files/user_folders.h"
@@ -54,19 +55,6 @@ std::vector<std::string> files_of(const Scene& scene, const std::string& path) {
     return files;
 }
 
-// Writes one setting into the preferences. What went wrong, if anything; what cannot be read is
-// left as it is. Who has no such place wants none.
-std::optional<std::string> change_preferences(std::string_view name, std::string_view value) {
-    const auto path = preferences_path();
-    const auto folder = configuration_folder();
-    if (!path || !folder) return std::nullopt;
-    if (auto fault = make_folder(*folder)) return fault;
-    FileText text = read_file(*path);
-    std::error_code ignored;
-    if (!text.text && std::filesystem::exists(*path, ignored)) return text.error;
-    return write_file_atomically(*path, with_setting(text.text.value_or(""), name, value));
-}
-
 // The table's high scores, where it keeps any.
 void show_high_scores(Player& player, const std::string& path) {
     const PinballTable& table = player.session().scene().table;
@@ -99,7 +87,7 @@ ViewOptions Program::view() const {
 
 void Program::set_capabilities(const Capabilities& capabilities) {
     capabilities_ = capabilities;
-    if (auto* game = std::get_if<Game>(&page_)) {
+    if (auto* game = std::get_if<RunningGame>(&page_)) {
         ViewOptions changed = game->player.view();
         changed.look = view().look;
         game->player.set_view(changed);
@@ -179,7 +167,7 @@ std::optional<Problems> Program::open(const LevelSource& source) {
         const double seconds = static_cast<double>(offer->replay.stands) / offer->replay.rate;
         player.say(fmt::format("a game was {} here at {:.1f} s: {} takes it up",
                                offer->was_left ? "left" : "cut off", seconds,
-                               preferences_.keys.hint(Action::resume)));
+                               preferences_.keys.hint("take-up")));
     }
     enter(std::move(found), std::move(player), std::move(offer));
     return std::nullopt;
@@ -194,19 +182,8 @@ std::optional<Problems> Program::open_recording() {
     Player player(std::move(session), view(), preferences_.keys);
     LevelSource source = source_of(options_, replay.level);
     enter(std::move(source), std::move(player), std::nullopt);
-    std::get<Game>(page_).expected = std::move(replay.marks);
+    std::get<RunningGame>(page_).expected = std::move(replay.marks);
     return std::nullopt;
-}
-
-void Program::compare_marks(Game& game) {
-    const Session& session = game.player.session();
-    if (session.fault())
-        game.player.set_problem("the recording cannot be followed " + *session.fault());
-    if (session.marks().size() == game.marks_compared) return;
-    game.marks_compared = session.marks().size();
-    if (const auto tick = first_difference(game.expected, session.marks()))
-        game.player.set_problem(fmt::format(
-            "this is not what was recorded: at tick {} the fingerprint differs", *tick));
 }
 
 void Program::enter(LevelSource source, Player player, std::optional<InterruptedGame> offer) {
@@ -216,7 +193,7 @@ void Program::enter(LevelSource source, Player player, std::optional<Interrupted
     player.set_keep_going(keep_going_);
     if (options_.paused) player.pause(true);
     show_high_scores(player, source.path);
-    if (options_.demo) player.demonstrate(true);
+    if (options_.demo) player.demonstrate();
     if (options_.opponent > 0 && !player.is_watching() && !player.set_opponent(options_.opponent))
         player.complain("no game of pool is played here, so there is no opponent");
     FileWatcher watch;
@@ -224,8 +201,8 @@ void Program::enter(LevelSource source, Player player, std::optional<Interrupted
     ResumeFile resume_file;
     const auto folder = resume_folder();
     if (folder && !player.is_watching()) resume_file = ResumeFile(*folder, source.path);
-    page_.emplace<Game>(Game{std::move(source), std::move(player), std::move(watch),
-                             std::move(resume_file), 0, 0, std::nullopt, std::move(offer)});
+    page_.emplace<RunningGame>(RunningGame{std::move(source), std::move(player), std::move(watch),
+                                           std::move(resume_file), std::move(offer)});
 }
 
 void Program::open_or_tell(const LevelSource& source) {
@@ -262,25 +239,25 @@ void Program::finish_resuming() {
     source.overrides = done.game.replay.overrides;
     Player player(std::move(done.replayer).take(), view(), preferences_.keys);
     player.set_opponent(done.game.replay.opponent);
-    if (done.game.replay.stance) player.stand(*done.game.replay.stance);
+    if (done.game.replay.stance) player.set_up(*done.game.replay.stance);
     player.pause(true);
-    player.say("taken up where it stood; " + preferences_.keys.hint(Action::pause) + " goes on");
+    player.say("taken up where it stood; " + preferences_.keys.hint("pause") + " goes on");
     enter(std::move(source), std::move(player), std::nullopt);
-    Game& game = std::get<Game>(page_);
-    autosave(game);  // under our own name, before the other goes
+    RunningGame& game = std::get<RunningGame>(page_);
+    game.autosave();  // under our own name, before the other goes
     forget(done.game);
 }
 
 /// Writes the recording; false when it cannot be written. Then the game stays, as one that was cut
 /// off.
 bool Program::end_game() {
-    auto* game = std::get_if<Game>(&page_);
+    auto* game = std::get_if<RunningGame>(&page_);
     if (game && recording_) {
         const Recording recording = *std::exchange(recording_, std::nullopt);
         lost_recording_ =
             recording.write(game->player.session(), game->source.path, game->source.overrides);
         if (lost_recording_) {
-            autosave(*game);
+            game->autosave();
             *lost_recording_ +=
                 "; carom play --resume --record FILE takes the game up and records all of it";
             return false;
@@ -290,45 +267,20 @@ bool Program::end_game() {
     return true;
 }
 
-// A match of pool is kept until it is won: it may be gone on with another day.
 void Program::leave_game() {
-    auto* game = std::get_if<Game>(&page_);
-    if (!game) return;
-    is_kept_ = false;
-    if (game->player.is_in_match() && game->player.session().is_complete()) {
-        autosave(*game);
-        is_kept_ = game->resume_file.put_aside();
-    }
-    if (!is_kept_) game->resume_file.remove();
+    if (auto* game = std::get_if<RunningGame>(&page_)) is_kept_ = game->leave();
 }
 
-void Program::autosave(Game& game) {
-    const Session& session = game.player.session();
-    const std::uint64_t tick = session.world().tick;
-    const std::size_t commands = session.commands().size();
-    const auto stance = game.player.stance();
-    if (tick == game.saved_tick && commands == game.saved_commands && stance == game.saved_stance)
-        return;
-    if (!session.is_complete() || game.player.is_watching()) return;
-    game.saved_tick = tick;
-    game.saved_commands = commands;
-    game.saved_stance = stance;
-    Replay replay = record(session, game.source.path, game.source.overrides);
-    replay.opponent = game.player.opponent();
-    replay.stance = stance;
-    if (const auto problem = game.resume_file.save(replay)) game.player.complain(*problem);
-}
-
-void Program::interrupted() {
-    auto* game = std::get_if<Game>(&page_);
+void Program::interrupt() {
+    auto* game = std::get_if<RunningGame>(&page_);
     if (!game) return;
-    autosave(*game);
+    game->autosave();
     if (recording_)
         lost_recording_ =
             recording_->write(game->player.session(), game->source.path, game->source.overrides);
 }
 
-void Program::reload(Game& game) {
+void Program::reload(RunningGame& game) {
     auto opened = open_game(game.source);
     if (const auto* problems = std::get_if<Problems>(&opened)) {
         game.player.set_problem(problems->empty() ? "the level cannot be read" : problems->front());
@@ -343,8 +295,8 @@ void Program::reload(Game& game) {
 }
 
 void Program::keep_setting(std::string_view name, std::string_view value) {
-    const std::optional<std::string> fault = change_preferences(name, value);
-    auto* game = std::get_if<Game>(&page_);
+    const std::optional<std::string> fault = write_preference(name, value);
+    auto* game = std::get_if<RunningGame>(&page_);
     if (!fault || !game || has_told_lost_settings_) return;
     has_told_lost_settings_ = true;
     game->player.say(fmt::format("such choices are not kept: {}", *fault));

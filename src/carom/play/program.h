@@ -13,6 +13,7 @@
 #include "carom/play/preferences.h"
 #include "carom/play/recording.h"
 #include "carom/play/resume.h"
+#include "carom/play/running_game.h"
 #include "terminal/input/capabilities.h"
 
 /// All of playing but the terminal and the clock: which page is shown, and the files around it.
@@ -40,7 +41,7 @@ class Program {
     void set_keep_going(const KeepGoing& keep_going);
     /// A game is on the screen: then advance() may be called in another thread. While it runs,
     /// nothing else is called but ends_tick().
-    bool is_playing() const { return std::holds_alternative<Game>(page_); }
+    bool is_playing() const { return std::holds_alternative<RunningGame>(page_); }
     /// Whether a tick that is being computed shall be given up for it.
     bool ends_tick(const InputEvent& event) const;
     bool needs_draw() const;
@@ -54,26 +55,13 @@ class Program {
     ScreenRequests screen_requests() const;
 
     /// The game has been cut off: writes what is needed to take it up again, and the recording.
-    void interrupted();
+    void interrupt();
     /// The game that was left last can be gone on with.
     bool is_kept() const { return is_kept_; }
     /// A recording that could not be written: for the person, once the screen is gone.
     const std::optional<std::string>& lost_recording() const { return lost_recording_; }
 
   private:
-    /// A game with the files around it.
-    struct Game {
-        LevelSource source;
-        Player player;
-        FileWatcher watch;
-        ResumeFile resume_file;
-        std::uint64_t saved_tick = 0;
-        std::size_t saved_commands = 0;
-        std::optional<PoolStance> saved_stance{};
-        std::optional<InterruptedGame> offer;     ///< what "take up" would take up
-        std::vector<FingerprintMark> expected{};  ///< of a recording that is watched
-        std::size_t marks_compared = 0;
-    };
     /// A text; where it is about a level that is watched, until that is mended.
     struct Notice {
         std::string title;
@@ -82,12 +70,18 @@ class Program {
         std::optional<LevelSource> source{};
         FileWatcher watch{};
         bool needs_draw = true;
+
+        /// A key that moves the text; false: it is another key.
+        bool scroll_with(const InputEvent& event);
+        void draw(Canvas& canvas, const Look& look, bool is_tried_again);
     };
     /// A game that is being played again up to where it was cut off.
     struct Resuming {
         InterruptedGame game;
         Replayer replayer;
         bool needs_draw = true;
+
+        void draw(Canvas& canvas, const Look& look);
     };
 
     void show_menu(std::string_view choose);
@@ -100,22 +94,17 @@ class Program {
     void enter(LevelSource source, Player player, std::optional<InterruptedGame> offer);
     void leave_game();
     bool end_game();
-    void compare_marks(Game& game);
     void tell(std::string title, Problems problems);
 
-    void handle_game(Game& game, const InputEvent& event, double now);
+    void handle_game(RunningGame& game, const InputEvent& event, double now);
     void handle_notice(Notice& notice, const InputEvent& event);
     void handle_resuming(const InputEvent& event);
     void handle_menu(Menu& menu, const InputEvent& event);
-    void advance_game(Game& game, double seconds, double now, const MayGoOn& may_go_on);
+    void advance_game(RunningGame& game, double seconds, double now, const MayGoOn& may_go_on);
     void advance_notice(Notice& notice, double now);
     void advance_resuming(Resuming& resuming, const MayGoOn& may_go_on);
-    void draw_notice(Canvas& canvas, Notice& notice) const;
-    void draw_resuming(Canvas& canvas, Resuming& resuming) const;
 
-    void reload(Game& game);
-    void save_level(Game& game);
-    void autosave(Game& game);
+    void reload(RunningGame& game);
     ViewOptions view() const;
     /// Writes what the player has changed by keys into the preferences file.
     void keep_preferences(const ViewOptions& before, const ViewOptions& after);
@@ -135,7 +124,7 @@ class Program {
     double next_autosave_ = 0.0;
     double next_look_ = 0.0;  ///< at watched files
     KeepGoing keep_going_;
-    std::variant<std::monostate, Menu, Game, Notice, Resuming> page_;
+    std::variant<std::monostate, Menu, RunningGame, Notice, Resuming> page_;
 };
 
 }  // namespace carom

@@ -35,9 +35,9 @@ void keep_score(Player& player, const std::string& path, const HighScore& score)
 
 void Program::handle(const InputEvent& event, double now) {
     if (event.kind == InputEvent::Kind::hangup || event.kind == InputEvent::Kind::end) {
-        interrupted();
+        interrupt();
         is_over_ = true;
-    } else if (auto* game = std::get_if<Game>(&page_)) {
+    } else if (auto* game = std::get_if<RunningGame>(&page_)) {
         handle_game(*game, event, now);
     } else if (auto* menu = std::get_if<Menu>(&page_)) {
         handle_menu(*menu, event);
@@ -48,7 +48,7 @@ void Program::handle(const InputEvent& event, double now) {
     }
 }
 
-void Program::handle_game(Game& game, const InputEvent& event, double now) {
+void Program::handle_game(RunningGame& game, const InputEvent& event, double now) {
     const ViewOptions before = game.player.view();
     const PlayRequest request = game.player.handle(event);
     if (const auto score = game.player.take_high_score())
@@ -73,7 +73,7 @@ void Program::handle_game(Game& game, const InputEvent& event, double now) {
             break;
         }
         case PlayRequest::save:
-            save_level(game);
+            game.save_level();
             break;
         case PlayRequest::toggle_mouse:
             mouse_ = !mouse_;
@@ -106,27 +106,32 @@ void Program::handle_menu(Menu& menu, const InputEvent& event) {
 void Program::handle_notice(Notice& notice, const InputEvent& event) {
     if (!is_key_press(event)) return;
     notice.needs_draw = true;
+    if (notice.scroll_with(event)) return;
+    if (event.key == U'q') {
+        is_over_ = true;
+        return;
+    }
+    const std::string path = notice.source ? notice.source->path : std::string{};
+    show_menu(path);
+}
+
+bool Program::Notice::scroll_with(const InputEvent& event) {
     switch (event.key) {
         case key::up:
-            notice.scroll -= 1;
-            return;
+            scroll -= 1;
+            return true;
         case key::down:
-            notice.scroll += 1;
-            return;
+            scroll += 1;
+            return true;
         case key::page_up:
-            notice.scroll -= 10;
-            return;
+            scroll -= 10;
+            return true;
         case key::page_down:
         case key::space:
-            notice.scroll += 10;
-            return;
-        case U'q':
-            is_over_ = true;
-            return;
-        default: {
-            const std::string path = notice.source ? notice.source->path : std::string{};
-            show_menu(path);
-        }
+            scroll += 10;
+            return true;
+        default:
+            return false;
     }
 }
 
@@ -138,7 +143,7 @@ void Program::handle_resuming(const InputEvent& event) {
 
 void Program::set_keep_going(const KeepGoing& keep_going) {
     keep_going_ = keep_going;
-    if (auto* game = std::get_if<Game>(&page_)) game->player.set_keep_going(keep_going_);
+    if (auto* game = std::get_if<RunningGame>(&page_)) game->player.set_keep_going(keep_going_);
 }
 
 bool Program::ends_tick(const InputEvent& event) const {
@@ -146,7 +151,7 @@ bool Program::ends_tick(const InputEvent& event) const {
 }
 
 void Program::advance(double seconds, double now, const MayGoOn& may_go_on) {
-    if (auto* game = std::get_if<Game>(&page_))
+    if (auto* game = std::get_if<RunningGame>(&page_))
         advance_game(*game, seconds, now, may_go_on);
     else if (auto* menu = std::get_if<Menu>(&page_))
         menu->advance(seconds, may_go_on);
@@ -156,16 +161,17 @@ void Program::advance(double seconds, double now, const MayGoOn& may_go_on) {
         advance_resuming(*resuming, may_go_on);
 }
 
-void Program::advance_game(Game& game, double seconds, double now, const MayGoOn& may_go_on) {
+void Program::advance_game(RunningGame& game, double seconds, double now,
+                           const MayGoOn& may_go_on) {
     if (options_.watch && now >= next_look_) {
         next_look_ = now + watch_interval;
         if (game.watch.has_changed()) reload(game);
     }
     game.player.advance(seconds, may_go_on);
-    if (game.player.is_watching()) compare_marks(game);
+    if (game.player.is_watching()) game.compare_marks();
     if (now >= next_autosave_) {
         next_autosave_ = now + autosave_interval;
-        autosave(game);
+        game.autosave();
     }
 }
 
@@ -189,23 +195,20 @@ double Program::seconds_to_change(double now) const {
     if (std::holds_alternative<Menu>(page_)) return 0.0;
     double seconds = never;
     if (options_.watch) seconds = std::max(0.0, next_look_ - now);
-    if (const auto* game = std::get_if<Game>(&page_)) {
+    if (const auto* game = std::get_if<RunningGame>(&page_)) {
         seconds = std::min(seconds, game->player.seconds_to_change());
-        const Session& session = game->player.session();
-        const bool is_saved = session.world().tick == game->saved_tick &&
-                              session.commands().size() == game->saved_commands;
-        if (!is_saved) seconds = std::min(seconds, std::max(0.0, next_autosave_ - now));
+        if (!game->is_saved()) seconds = std::min(seconds, std::max(0.0, next_autosave_ - now));
     }
     return seconds;
 }
 
 bool Program::take_bell() {
-    auto* const game = std::get_if<Game>(&page_);
+    auto* const game = std::get_if<RunningGame>(&page_);
     return game && game->player.take_bell();
 }
 
 bool Program::needs_draw() const {
-    if (const auto* game = std::get_if<Game>(&page_)) return game->player.needs_draw();
+    if (const auto* game = std::get_if<RunningGame>(&page_)) return game->player.needs_draw();
     if (const auto* menu = std::get_if<Menu>(&page_)) return menu->needs_draw();
     if (const auto* notice = std::get_if<Notice>(&page_)) return notice->needs_draw;
     if (const auto* resuming = std::get_if<Resuming>(&page_)) return resuming->needs_draw;
@@ -214,57 +217,38 @@ bool Program::needs_draw() const {
 
 void Program::draw(Canvas& canvas) {
     canvas.fill({});
-    if (auto* game = std::get_if<Game>(&page_))
+    if (auto* game = std::get_if<RunningGame>(&page_))
         game->player.draw(canvas, capabilities_.cell_aspect);
     else if (auto* menu = std::get_if<Menu>(&page_))
         menu->draw(canvas, capabilities_.cell_aspect, view());
     else if (auto* notice = std::get_if<Notice>(&page_))
-        draw_notice(canvas, *notice);
+        notice->draw(canvas, view().look, notice->source && options_.watch);
     else if (auto* resuming = std::get_if<Resuming>(&page_))
-        draw_resuming(canvas, *resuming);
+        resuming->draw(canvas, view().look);
 }
 
-void Program::draw_notice(Canvas& canvas, Notice& notice) const {
-    notice.needs_draw = false;
+void Program::Notice::draw(Canvas& canvas, const Look& look, bool is_tried_again) {
+    needs_draw = false;
     if (is_too_small(canvas.columns(), canvas.rows())) return draw_too_small(canvas);
-    const std::string_view footer = notice.source && options_.watch
+    const std::string_view footer = is_tried_again
                                         ? "save the file to try again   q quits   menu: any key"
                                         : "q quits   any other key: the menu";
-    notice.scroll =
-        draw_text_page(canvas, notice.title, notice.lines, notice.scroll, footer, view().look)
-            .scroll;
+    scroll = draw_text_page(canvas, title, lines, scroll, footer, look).scroll;
 }
 
-void Program::draw_resuming(Canvas& canvas, Resuming& resuming) const {
-    resuming.needs_draw = false;
+void Program::Resuming::draw(Canvas& canvas, const Look& look) {
+    needs_draw = false;
     if (is_too_small(canvas.columns(), canvas.rows())) return draw_too_small(canvas);
-    const std::string lines[] = {
-        resuming.game.replay.level,
-        fmt::format("{:.0f} % of the way to where it stood", 100.0 * resuming.replayer.progress())};
-    draw_text_page(canvas, "Taking up the game that was cut off", lines, 0,
-                   "esc: the menu   q quits", view().look);
+    const std::string text[] = {
+        game.replay.level,
+        fmt::format("{:.0f} % of the way to where it stood", 100.0 * replayer.progress())};
+    draw_text_page(canvas, "Taking up the game that was cut off", text, 0,
+                   "esc: the menu   q quits", look);
 }
 
 ScreenRequests Program::screen_requests() const {
-    const auto* game = std::get_if<Game>(&page_);
+    const auto* game = std::get_if<RunningGame>(&page_);
     return {mouse_, game && game->player.wants_motion()};
-}
-
-void Program::save_level(Game& game) {
-    namespace fs = std::filesystem;
-    const Session& session = game.player.session();
-    if (!session.scene().table.is_empty())
-        return game.player.complain("a table cannot be saved in play: record it, with --record");
-    const std::string stem = fs::path(game.source.path).stem().string();
-    std::string path;
-    std::error_code error;
-    for (int n = 1; path.empty() || fs::exists(path, error); ++n)
-        path = fmt::format("{}-{}.level", stem, n);
-    if (const auto problem =
-            write_file_atomically(path, level_text(session.scene(), session.world())))
-        game.player.complain(*problem);
-    else
-        game.player.say("saved as " + path);
 }
 
 }  // namespace carom

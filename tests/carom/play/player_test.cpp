@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "carom/context/solver_choice.h"
 #include "carom/support/person.h"
 #include "game/support/scenes.h"
 #include "physics/world/fingerprint.h"
@@ -511,7 +512,7 @@ TEST_CASE("there is no butterfly of more balls than fit into memory 200 times") 
         add_ball(scene.world, carom::test::ball_at_rest(place));
     Player player(Session(scene, {.kind = SolverKind::swept}), ascii_view(), KeyMap());
     Canvas window(80, 24);
-    player.perform(Action::butterfly);
+    player.perform(action("butterfly"));
     player.draw(window, 2.0);
     CHECK(window.text().find("too many balls for 200 copies") != std::string::npos);
     CHECK(window.text().find("200 copies, radii") == std::string::npos);

@@ -3,6 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
+
+#include "carom/support/process.h"
 
 using namespace carom;
 
@@ -10,7 +13,7 @@ TEST_CASE("an empty text leaves everything as it comes") {
     const PreferencesText read = read_preferences("", "preferences");
     CHECK(read.problems.empty());
     CHECK_FALSE(read.preferences.renderer);
-    CHECK(read.preferences.keys.action_of({U'.', no_modifier}) == Action::step_forward);
+    CHECK(read.preferences.keys.action_of({U'.', no_modifier}) == action_named("step-forward"));
 }
 
 TEST_CASE("settings and keys are read") {
@@ -41,11 +44,11 @@ TEST_CASE("settings and keys are read") {
     CHECK(p.color_by == ColorBy::speed);
     CHECK(p.ball_style == BallStyle::outline);
     CHECK(p.trails);
-    CHECK(p.keys.action_of({U'p', no_modifier}) == Action::pause);
-    CHECK(p.keys.action_of({U'q', no_modifier}) == std::nullopt);
-    CHECK(p.keys.action_of({U'=', no_modifier}) == Action::slower);
-    CHECK(p.keys.action_of({U'#', no_modifier}) == Action::help);
-    CHECK(p.keys.action_of({key::up, control}) == Action::zoom_in);
+    CHECK(p.keys.action_of({U'p', no_modifier}) == action_named("pause"));
+    CHECK(p.keys.action_of({U'q', no_modifier}) == nullptr);
+    CHECK(p.keys.action_of({U'=', no_modifier}) == action_named("slower"));
+    CHECK(p.keys.action_of({U'#', no_modifier}) == action_named("help"));
+    CHECK(p.keys.action_of({key::up, control}) == action_named("zoom-in"));
 }
 
 TEST_CASE("a mistake is told with its place, and the rest counts") {
@@ -100,4 +103,22 @@ TEST_CASE("what is kept reads back") {
         const std::string text = with_setting("", "color-by", text_of(by));
         CHECK(read_preferences(text, "p").preferences.color_by == by);
     }
+}
+
+TEST_CASE("preferences of an older carom are read: actions keep their names") {
+    const std::string text =
+        carom::test::content(CAROM_SOURCE_DIR "/tests/carom/play/samples/preferences");
+    const PreferencesText read = read_preferences(text, "preferences");
+    CHECK(read.problems == std::vector<std::string>{});
+    const KeyMap& keys = read.preferences.keys;
+    CHECK(keys.action_of(*key_named("ctrl-a")) == action_named("pause"));
+    CHECK(keys.action_of(*key_named("f20")) == action_named("take-up"));
+    CHECK(keys.action_of(*key_named("q")) == nullptr);
+    CHECK(read.preferences.fps == 30.0);
+    CHECK(read.preferences.bell);
+    std::size_t bound = 0;
+    for (const Action& action : actions())
+        if (layer_of(action) == KeyLayer::common)
+            bound += keys.keys_of(action).size() > 1 || action.name == "quit" ? 1 : 0;
+    CHECK(bound == 65);
 }

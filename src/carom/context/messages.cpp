@@ -1,0 +1,34 @@
+#include "carom/context/messages.h"
+
+#include <utility>
+
+namespace carom {
+namespace {
+
+/// How long a message stays, s.
+constexpr double message_time = 4.0;
+
+}  // namespace
+
+void Messages::set(std::string message, bool is_error) {
+    message_ = {std::move(message), is_error};
+    seconds_left_ = message_time;
+}
+
+bool Messages::fade(double seconds) {
+    if (seconds_left_ <= 0.0) return false;
+    seconds_left_ -= seconds;
+    return seconds_left_ <= 0.0;
+}
+
+std::optional<double> Messages::seconds_left() const {
+    return seconds_left_ > 0.0 ? std::optional(seconds_left_) : std::nullopt;
+}
+
+std::optional<Messages::Line> Messages::line() const {
+    if (seconds_left_ > 0.0) return message_;
+    if (problem_) return Line{*problem_, true};
+    return std::nullopt;
+}
+
+}  // namespace carom

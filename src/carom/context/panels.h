@@ -1,0 +1,36 @@
+#pragma once
+
+#include "game/session/session.h"
+#include "terminal/canvas/camera.h"
+#include "terminal/canvas/canvas.h"
+#include "terminal/panels/energy.h"
+
+/// The panels beside or below the world: the level's histogram, and the energy over time.
+namespace carom {
+
+class Panels {
+  public:
+    /// Shows those that the scene asks for.
+    explicit Panels(const Scene& scene);
+
+    static bool has_histogram(const Scene& scene);
+    void toggle_histogram() { shows_histogram_ = !shows_histogram_; }
+    void toggle_energy() { shows_energy_ = !shows_energy_; }
+    bool is_histogram_drawn() const { return histogram_area_.rows > 0; }
+
+    /// Takes the room for the panels from `area`; none where `is_split`, or where it is too small.
+    void cut(CellArea& area, const Scene& scene, bool is_split);
+    /// Takes a sample of the energy.
+    void sample(const World& world);
+    void clear() { energy_.clear(); }
+    void draw(Canvas& canvas, const Session& session, const Look& look) const;
+
+  private:
+    bool shows_histogram_ = false;
+    bool shows_energy_ = false;
+    CellArea histogram_area_;
+    CellArea energy_area_;
+    EnergyHistory energy_;
+};
+
+}  // namespace carom

@@ -1,0 +1,107 @@
+#include "carom/context/play_context.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace carom {
+namespace {
+
+/// How near something must be to be meant, in columns.
+constexpr double reach = 1.5;
+
+}  // namespace
+
+Camera Controller::fit(const PlayContext& play, const CellArea& area, double aspect) {
+    return fit_camera(play.session.scene().view, area, aspect);
+}
+
+void Controller::mark(const PlayContext& play, Marks& marks) const {
+    play.pointer.tool.mark(play.session.world(), play.session.solver(),
+                           speed_unit(play.session.scene()), marks);
+}
+
+PlayContext::PlayContext(Session game, const ViewOptions& options, KeyMap key_map, bool is_picked)
+    : session(std::move(game)),
+      keys(std::move(key_map)),
+      view{.options = options},
+      pointer{.at = center(session.scene().view)},
+      panels(session.scene()),
+      solver_is_picked(is_picked) {
+    reference.set(session.world());
+}
+
+void say(PlayContext& play, std::string message) {
+    play.messages.say(std::move(message));
+    play.needs_draw = true;
+}
+
+void complain(PlayContext& play, std::string message) {
+    play.messages.complain(std::move(message));
+    play.needs_draw = true;
+}
+
+void obey(PlayContext& play, const Command& command, std::string done) {
+    if (const auto why_not = play.session.apply(command)) return complain(play, *why_not);
+    set_reference(play);
+    say(play, std::move(done));
+}
+
+void set_reference(PlayContext& play) {
+    play.reference.set(play.session.world());
+}
+
+bool is_watching(const PlayContext& play) {
+    return play.session.is_following();
+}
+
+bool stands_still(const PlayContext& play) {
+    return play.clock.is_paused() && !play.clock.is_seeking();
+}
+
+bool keep_up(PlayContext& play, const MayGoOn& may_go_on) {
+    const bool was_behind = play.companion.is_behind(play.session);
+    const bool is_there = play.companion.follow(play.session, may_go_on, play.keep_going);
+    play.needs_draw = play.needs_draw || (was_behind && is_there);
+    return is_there;
+}
+
+double slack(const PlayContext& play) {
+    return reach / play.view.camera.columns_per_length;
+}
+
+std::optional<BallId> ball_at_pointer(const PlayContext& play) {
+    return ball_at(play.session.world(), play.pointer.at, slack(play));
+}
+
+void move_pointer(PlayContext& play, Vec2 to) {
+    Pointer& pointer = play.pointer;
+    if (to == pointer.at) return;
+    pointer.at = to;
+    play.controller->point(play);
+    if (pointer.tool.is_empty()) return;
+    play.needs_draw = true;
+    if (const auto complaint = pointer.tool.move(play.session, to, stands_still(play)))
+        complain(play, *complaint);
+}
+
+void move_cursor(PlayContext& play, double columns, double rows) {
+    Pointer& pointer = play.pointer;
+    const Camera& camera = play.view.camera;
+    if (!pointer.shows_cursor && pointer.tool.is_empty() &&
+        !contains(visible_box(camera), pointer.at))
+        pointer.at = camera.center;
+    pointer.shows_cursor = true;
+    CellPoint place = to_cells(camera, pointer.at);
+    place.column += columns;
+    place.row += rows;
+    const CellArea& area = camera.area;
+    place.column = std::clamp(place.column, area.column + 0.5, area.column + area.columns - 0.5);
+    place.row = std::clamp(place.row, area.row + 0.5, area.row + area.rows - 0.5);
+    move_pointer(play, to_world(camera, place));
+}
+
+std::string_view speed_unit(const Scene& scene) {
+    return scene.unit == LengthUnit::natural ? "" : " m/s";
+}
+
+}  // namespace carom

@@ -1,0 +1,27 @@
+#include "carom/context/play_view.h"
+
+namespace carom {
+
+void PlayView::zoom(CellPoint fixed, double factor) {
+    camera = zoomed(camera, fixed, factor);
+    is_fitted = false;
+}
+
+void PlayView::pan(double columns, double rows) {
+    camera = panned(camera, columns, rows);
+    is_fitted = false;
+    follows = false;
+}
+
+void PlayView::fit() {
+    if (is_fitted) shows_whole = !shows_whole;
+    is_fitted = true;
+    follows = false;
+}
+
+CellPoint PlayView::middle() const {
+    return {camera.area.column + camera.area.columns / 2.0,
+            camera.area.row + camera.area.rows / 2.0};
+}
+
+}  // namespace carom

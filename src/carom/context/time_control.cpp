@@ -1,0 +1,141 @@
+#include "carom/context/time_control.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+void prepare(PlayContext& play) {
+    if (!is_watching(play)) play.pointer.tool.prepare(play.session);
+}
+
+void go_to(PlayContext& play, std::uint64_t tick) {
+    play.pointer.tool.forget();
+    play.session.go_to(tick);
+    play.companion.follow_closely(play.session, play.keep_going);
+    if (play.session.world().tick < play.reference.tick()) set_reference(play);
+}
+
+void tell_outcome(PlayContext& play) {
+    if (play.session.outcome() == TickOutcome::too_dense)
+        complain(play, "too dense for events: time stood still");
+}
+
+/// One tick; false at the end of a recording.
+bool step(PlayContext& play) {
+    play.companion.follow_closely(play.session, play.keep_going);
+    const bool is_done = play.session.step_forward();
+    play.companion.follow_closely(play.session, play.keep_going);
+    if (play.session.is_at_end() && !is_done) say(play, "the recording ends here");
+    if (play.session.outcome() == TickOutcome::given_up)
+        say(play, "the tick took long and was given up");
+    tell_outcome(play);
+    return is_done;
+}
+
+std::uint64_t ticks_in_a_second(const PlayContext& play) {
+    return static_cast<std::uint64_t>(std::max(1.0, play.session.world().rate));
+}
+
+void say_speed(PlayContext& play) {
+    say(play, fmt::format("speed x{:g}", play.clock.speed()));
+}
+
+void tell_end_of_search(PlayContext& play) {
+    if (play.session.is_at_end())
+        say(play, "nothing meets any more: the recording ends here");
+    else if (play.clock.search_failed())
+        complain(play, "nothing met for ten minutes of the level's time");
+    play.needs_draw = true;
+}
+
+}  // namespace
+
+void toggle_pause(PlayContext& play) {
+    play.clock.pause(!play.clock.is_paused() || play.clock.is_seeking());
+}
+
+void step_forward(PlayContext& play) {
+    play.clock.pause(true);
+    prepare(play);
+    step(play);
+}
+
+void step_back(PlayContext& play) {
+    play.clock.pause(true);
+    const std::uint64_t now = play.session.world().tick;
+    if (now > play.session.earliest()) return go_to(play, now - 1);
+    say(play, play.session.earliest() == 0 ? "this is the start"
+                                           : "the memory for the way back ends here");
+}
+
+void seek_collision(PlayContext& play) {
+    prepare(play);
+    play.clock.seek_collision();
+}
+
+void second_forward(PlayContext& play) {
+    prepare(play);
+    const std::uint64_t ticks = ticks_in_a_second(play);
+    for (std::uint64_t tick = 0; tick < ticks && step(play); ++tick) {
+    }
+}
+
+void second_back(PlayContext& play) {
+    const std::uint64_t now = play.session.world().tick;
+    const std::uint64_t earliest = play.session.earliest();
+    const std::uint64_t ticks = ticks_in_a_second(play);
+    go_to(play, now - earliest > ticks ? now - ticks : earliest);
+}
+
+void slower(PlayContext& play) {
+    play.clock.slower();
+    say_speed(play);
+}
+
+void faster(PlayContext& play) {
+    play.clock.faster();
+    say_speed(play);
+}
+
+void normal_speed(PlayContext& play) {
+    play.clock.normal();
+    say(play, "normal speed");
+}
+
+void restart(PlayContext& play) {
+    if (is_watching(play)) {
+        go_to(play, 0);
+    } else {
+        play.pointer.tool.forget();
+        play.session.restart();
+    }
+    set_reference(play);
+    play.panels.clear();
+    say(play, "from the start");
+}
+
+void advance_time(PlayContext& play, double seconds, const MayGoOn& may_go_on) {
+    if (!keep_up(play, may_go_on) || stands_still(play)) return;
+    const bool was_seeking = play.clock.is_seeking();
+    const bool was_at_end = play.session.is_at_end();
+    Controller& controller = *play.controller;
+    prepare(play);
+    keep_up(play, may_go_on);
+    controller.before_tick(play);
+    const auto both_may_go_on = [&] {
+        controller.before_tick(play);
+        return keep_up(play, may_go_on) && may_go_on();
+    };
+    if (play.clock.advance(play.session, seconds, both_may_go_on) > 0) play.needs_draw = true;
+    keep_up(play, may_go_on);
+    tell_outcome(play);
+    controller.after_ticks(play, seconds);
+    if (was_seeking && !play.clock.is_seeking()) tell_end_of_search(play);
+    if (play.session.is_at_end() && !was_at_end && !was_seeking)
+        say(play, "the recording ends here");
+}
+
+}  // namespace carom

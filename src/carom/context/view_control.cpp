@@ -1,0 +1,107 @@
+#include "carom/context/view_control.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string_view>
+
+namespace carom {
+
+void next_renderer(PlayContext& play) {
+    constexpr std::string_view names[] = {"automatic", "ascii", "half blocks", "braille"};
+    ViewOptions& view = play.view.options;
+    const auto current = renderer_in_force(view);
+    view.renderer = !view.look.utf8                    ? Renderer::ascii
+                    : current == Renderer::ascii       ? Renderer::half_blocks
+                    : current == Renderer::half_blocks ? Renderer::braille
+                                                       : Renderer::ascii;
+    say(play, view.look.utf8 ? std::string(names[static_cast<std::size_t>(view.renderer)])
+                             : "without UTF-8 there is only ascii");
+}
+
+void next_colors(PlayContext& play) {
+    constexpr std::string_view names[] = {"kind", "speed", "mass", "ball"};
+    ColorBy& color_by = play.view.options.color_by;
+    const auto next = (static_cast<std::size_t>(color_by) + 1) % std::size(names);
+    color_by = static_cast<ColorBy>(next);
+    say(play, fmt::format("colour by {}", names[next]));
+}
+
+void toggle(PlayContext& play, bool& what, std::string_view name) {
+    what = !what;
+    say(play, fmt::format("{} {}", name, what ? "on" : "off"));
+}
+
+void next_overlay(PlayContext& play) {
+    ViewOptions& view = play.view.options;
+    bool* const overlays[] = {&view.velocities, &view.contacts, &view.broad_phase, &view.grid};
+    constexpr std::string_view names[] = {"velocities", "contacts", "broad-phase cells",
+                                          "coordinates"};
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < std::size(overlays); ++i) {
+        if (*overlays[i]) next = i + 1;
+        *overlays[i] = false;
+    }
+    if (next == std::size(overlays)) return say(play, "no overlay");
+    *overlays[next] = true;
+    say(play, std::string(names[next]));
+}
+
+void toggle_trails(PlayContext& play) {
+    toggle(play, play.view.options.trails, "trails");
+}
+
+void toggle_ids(PlayContext& play) {
+    Labels& labels = play.view.options.labels;
+    labels = labels == Labels::all ? Labels::automatic : Labels::all;
+    say(play, labels == Labels::all ? "numbers on" : "numbers off");
+}
+
+void toggle_outlines(PlayContext& play) {
+    BallStyle& style = play.view.options.ball_style;
+    style = style == BallStyle::filled ? BallStyle::outline : BallStyle::filled;
+}
+
+void toggle_histogram(PlayContext& play) {
+    if (!Panels::has_histogram(play.session.scene()))
+        return say(play, "this level shows no histogram");
+    play.panels.toggle_histogram();
+}
+
+void toggle_energy(PlayContext& play) {
+    play.panels.toggle_energy();
+}
+
+void toggle_following(PlayContext& play) {
+    PlayView& view = play.view;
+    if (!view.selected) view.selected = ball_at_pointer(play);
+    view.follows = !view.follows && view.selected;
+    say(play, view.follows    ? fmt::format("following ball {}", number(*view.selected))
+              : view.selected ? "not following"
+                              : "press tab to choose a ball first");
+}
+
+void next_comparison(PlayContext& play) {
+    if (!play.companion.next_comparison(play.session)) say(play, "one solver alone");
+}
+
+void toggle_ensemble(PlayContext& play) {
+    switch (play.companion.toggle_ensemble(play.session)) {
+        case Companion::EnsembleState::running:
+            return;
+        case Companion::EnsembleState::ended:
+            return say(play, "the butterfly is gone");
+        case Companion::EnsembleState::too_large:
+            return complain(play, "too many balls for 200 copies of them");
+    }
+}
+
+void zoom(PlayContext& play, double factor) {
+    play.view.zoom(play.view.middle(), factor);
+}
+
+void pan(PlayContext& play, double columns, double rows) {
+    play.view.pan(columns, rows);
+}
+
+}  // namespace carom

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "carom/context/play_context.h"
+
+/// The player's command of the view: how the world is drawn, what is drawn over it, from where.
+namespace carom {
+
+void next_renderer(PlayContext& play);
+void next_colors(PlayContext& play);
+void next_overlay(PlayContext& play);
+void toggle_trails(PlayContext& play);
+void toggle_ids(PlayContext& play);
+void toggle_outlines(PlayContext& play);
+void toggle_histogram(PlayContext& play);
+void toggle_energy(PlayContext& play);
+void toggle_following(PlayContext& play);
+void next_comparison(PlayContext& play);
+void toggle_ensemble(PlayContext& play);
+/// Turns a switch of the view over, and says "NAME on" or "NAME off".
+void toggle(PlayContext& play, bool& what, std::string_view name);
+/// Magnifies around the middle of the view.
+void zoom(PlayContext& play, double factor);
+void pan(PlayContext& play, double columns, double rows);
+
+}  // namespace carom

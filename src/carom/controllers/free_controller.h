@@ -1,0 +1,27 @@
+#pragma once
+
+#include "carom/context/controller.h"
+
+/// Free play: the mouse drags balls and edges and pulls the cue; keys add, remove and change.
+namespace carom {
+
+class FreeController : public Controller {
+  public:
+    void perform(PlayContext& play, const Action& action) override;
+    void press(PlayContext& play, const InputEvent& event) override;
+    void release(PlayContext& play, const InputEvent& event) override;
+    bool drags_anything() const override { return true; }
+
+  protected:
+    /// A press with nothing in hand, before free play takes it. True: it was for this controller.
+    virtual bool take_press(PlayContext&, const InputEvent&) { return false; }
+    /// The tool's button came up, before free play opens the tool. True: likewise.
+    virtual bool take_release(PlayContext&) { return false; }
+};
+
+/// The buttons of the mouse as events number them.
+inline constexpr std::uint8_t left_button = 1;
+inline constexpr std::uint8_t middle_button = 2;
+inline constexpr std::uint8_t right_button = 3;
+
+}  // namespace carom

@@ -1,0 +1,169 @@
+#include "carom/controllers/pinball_controller.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "game/pinball/pinball.h"
+
+namespace carom {
+namespace {
+
+/// Applies what the table has buttons for.
+void press_buttons(PlayContext& play, const std::vector<command::Press>& presses) {
+    for (const command::Press& press : presses)
+        if (has_button(play.session.scene(), press.button)) play.session.apply(press);
+    if (!presses.empty()) play.needs_draw = true;
+}
+
+bool has_flippers(const Scene& scene) {
+    return has_button(scene, Button::left_flipper) || has_button(scene, Button::right_flipper);
+}
+
+}  // namespace
+
+void PinballController::learn_key_release(const PlayContext& play) {
+    if (play.terminal.tells_key_release) input_.set_tells_release();
+}
+
+bool PinballController::take(PlayContext& play, const InputEvent& event) {
+    if (event.kind == InputEvent::Kind::mouse) return take_mouse(play, event);
+    if (event.kind != InputEvent::Kind::key) return false;
+    learn_key_release(play);
+    if (feedback_.scores().initials()) {
+        feedback_.scores().type(event);
+        play.needs_draw = true;
+        return true;
+    }
+    const Key key = key_of(event);
+    if (const auto button = play.keys.button_of(key)) {
+        demo_.reset();
+        press_buttons(play, input_.take_key(*button, event));
+        return true;
+    }
+    const Action* const action = play.keys.action_of(key, KeyLayer::pinball);
+    if (!action) return false;
+    if (event.action == InputEvent::Action::press) perform(play, *action);
+    return true;
+}
+
+bool PinballController::take_mouse(PlayContext& play, const InputEvent& event) {
+    const Camera& camera = play.view.camera;
+    const Vec2 at = to_world(camera, {event.column, event.row});
+    const double row = length(to_world(camera, {0.0, 1.0}) - to_world(camera, {0.0, 0.0}));
+    if (const auto pull = input_.drag_plunger(event, at, row)) {
+        play.session.apply(*pull);
+        play.needs_draw = true;
+        return true;
+    }
+    const auto presses = input_.take_mouse(event, at, play.session);
+    if (!presses) return false;
+    if (event.action == InputEvent::Action::press) demo_.reset();
+    press_buttons(play, *presses);
+    return true;
+}
+
+void PinballController::perform(PlayContext& play, const Action& action) {
+    using AtPinball = void (*)(PinballController&, PlayContext&);
+    if (const auto* perform = std::get_if<AtPinball>(&action.perform))
+        return (*perform)(*this, play);
+    FreeController::perform(play, action);
+}
+
+void PinballController::pass(PlayContext& play, double seconds) {
+    learn_key_release(play);
+    press_buttons(play, input_.pass(seconds));
+    feedback_.pass(play, seconds);
+}
+
+void PinballController::before_tick(PlayContext& play) {
+    const Session& session = play.session;
+    if (!demo_ || session.world().tick < session.latest()) return;
+    for (const command::Press& press :
+         demo_->play(session.scene(), session.world(), std::get<PinballState>(session.game())))
+        play.session.apply(press);
+}
+
+void PinballController::after_ticks(PlayContext& play, double seconds) {
+    feedback_.after_ticks(play, seconds, is_demonstrating());
+}
+
+void PinballController::demonstrate(PlayContext& play, bool does) {
+    if (!does) press_buttons(play, input_.release_all());
+    demo_ = does ? std::optional(DemoPlayer{}) : std::nullopt;
+    say(play, does ? "carom plays: any key of the table takes over" : "your game");
+}
+
+void PinballController::next_flipper_mode(PlayContext& play) {
+    say(play, input_.next_flipper_mode());
+}
+
+void PinballController::set_high_scores(HighScores scores) {
+    feedback_.scores().set(std::move(scores));
+}
+
+void PinballController::continue_from(PlayContext& play, const Controller& before) {
+    const auto* const table = dynamic_cast<const PinballController*>(&before);
+    if (!table) return;
+    input_ = table->input_;
+    input_.release_all();
+    feedback_.scores().continue_from(table->feedback_.scores(),
+                                     play.session.scene().table.highscores);
+}
+
+void PinballController::cut_panel(const PlayContext&, CellArea& area) {
+    feedback_.cut_panel(area);
+}
+
+Camera PinballController::fit(const PlayContext& play, const CellArea& area, double aspect) {
+    return feedback_.fit(play, area, aspect);
+}
+
+void PinballController::look(PlayContext& play) {
+    learn_key_release(play);
+}
+
+void PinballController::mark(const PlayContext& play, Marks& marks) const {
+    feedback_.mark(play, marks);
+    FreeController::mark(play, marks);
+}
+
+void PinballController::draw_panel(const PlayContext& play, Canvas& canvas) const {
+    feedback_.draw_panel(play, canvas, is_demonstrating());
+}
+
+void PinballController::add_status(const PlayContext& play, HudInfo& info) const {
+    feedback_.add_score(play, info);
+    if (!has_flippers(play.session.scene())) return;
+    const std::string mouse = play.terminal.mouse_is_off ? "" : " or mouse buttons";
+    info.game = fmt::format("flippers {} {}{}: {} ({}: change)", play.keys.hint("left-flipper"),
+                            play.keys.hint("right-flipper"), mouse, input_.flipper_mode(),
+                            play.keys.hint("flipper-mode"));
+}
+
+void PinballController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hints) const {
+    if (!play.pointer.tool.is_empty() || play.clock.is_paused()) return;
+    if (feedback_.scores().initials()) {
+        hints.push_back({"a-z 0-9", "your initials"});
+        hints.push_back({"enter", "done"});
+        hints.push_back({"esc", "none"});
+        return;
+    }
+    const Scene& scene = play.session.scene();
+    const auto hint = [&](std::initializer_list<std::string_view> names, std::string what) {
+        std::string keys;
+        for (const std::string_view name : names) {
+            const std::string key = play.keys.hint(name);
+            if (!key.empty()) keys += (keys.empty() ? "" : " ") + key;
+        }
+        if (!keys.empty()) hints.push_back({keys, std::move(what)});
+    };
+    if (has_flippers(scene)) hint({"left-flipper", "right-flipper"}, "flippers");
+    if (has_button(scene, Button::plunger)) hint({"plunger"}, "hold: plunger");
+    if (has_button(scene, Button::nudge_up))
+        hint({"nudge-left", "nudge-up", "nudge-right"}, "nudge");
+    hint({"demo"}, is_demonstrating() ? "play yourself" : "watch carom play");
+}
+
+}  // namespace carom

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+
+#include "carom/controllers/free_controller.h"
+#include "carom/controllers/pinball_feedback.h"
+#include "carom/controllers/pinball_input.h"
+#include "game/ai/demo_player.h"
+
+/// Pinball: buttons that are held with keys or the mouse, the demonstration, high scores.
+namespace carom {
+
+class PinballController : public FreeController {
+  public:
+    bool take(PlayContext& play, const InputEvent& event) override;
+    void perform(PlayContext& play, const Action& action) override;
+    void pass(PlayContext& play, double seconds) override;
+    void before_tick(PlayContext& play) override;
+    void after_ticks(PlayContext& play, double seconds) override;
+    void cut_panel(const PlayContext& play, CellArea& area) override;
+    Camera fit(const PlayContext& play, const CellArea& area, double aspect) override;
+    void look(PlayContext& play) override;
+    void mark(const PlayContext& play, Marks& marks) const override;
+    void draw_panel(const PlayContext& play, Canvas& canvas) const override;
+    void add_status(const PlayContext& play, HudInfo& info) const override;
+    void add_hints(const PlayContext& play, std::vector<KeyHelp>& hints) const override;
+    void set_high_scores(HighScores scores) override;
+    bool drags_anything() const override { return false; }
+    void continue_from(PlayContext& play, const Controller& before) override;
+
+    /// The demonstration begins to play, or the player takes over.
+    void demonstrate(PlayContext& play, bool does);
+    bool is_demonstrating() const { return demo_.has_value(); }
+    void next_flipper_mode(PlayContext& play);
+    /// A score that the player has entered initials for, once.
+    std::optional<HighScore> take_high_score() { return feedback_.scores().take(); }
+
+  private:
+    bool take_mouse(PlayContext& play, const InputEvent& event);
+    void learn_key_release(const PlayContext& play);
+
+    PinballInput input_;
+    std::optional<DemoPlayer> demo_;
+    PinballFeedback feedback_;
+};
+
+}  // namespace carom

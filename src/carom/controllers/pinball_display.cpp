@@ -1,0 +1,169 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "carom/controllers/pinball_display.h"
+#include "game/pinball/pinball.h"
+
+namespace carom {
+namespace {
+
+constexpr int least_table_columns = 30;
+constexpr double ball_rows = 1.0;    // that a ball should have across, to be followed with the eyes
+constexpr double lamp_radius = 0.7;  // of a lamp, in radii of the ball
+constexpr double warning_time = 3.0;  // s before a light goes out, in which it blinks
+constexpr double blinks = 8.0;        // changes a second
+constexpr double shake = 1.2;         // radii that a nudge moves the picture
+
+const PinballState& state_of(const Session& session) {
+    return std::get<PinballState>(session.game());
+}
+
+double ball_radius(const Session& session) {
+    const Balls& balls = session.scene().world.balls;
+    return balls.size() > 0 ? balls.radius[0] : 0.0;
+}
+
+bool is_bright(const Session& session, std::size_t device) {
+    const PinballState& state = state_of(session);
+    if (session.world().tick < state.flash_until[device]) return true;
+    if (state.is_lit[device] == 0) return false;
+    const std::uint64_t until = state.lit_until[device];
+    if (until == 0) return true;
+    const double left = (static_cast<double>(until) - static_cast<double>(session.world().tick)) /
+                        session.world().rate;
+    return left > warning_time || static_cast<std::uint64_t>(left * blinks) % 2 == 0;
+}
+
+bool has_lamp(DeviceKind kind) {
+    return kind == DeviceKind::lamp || kind == DeviceKind::rollover ||
+           kind == DeviceKind::kickback || kind == DeviceKind::hole || kind == DeviceKind::spinner;
+}
+
+bool lights_itself(DeviceKind kind) {
+    return kind == DeviceKind::target || kind == DeviceKind::bumper ||
+           kind == DeviceKind::slingshot;
+}
+
+std::string ball_line(const Session& session) {
+    const PinballState& state = state_of(session);
+    std::string line = fmt::format("ball {} of {}", state.ball, session.scene().table.balls);
+    if (state.extra_balls > 0) line += fmt::format(", {} extra", state.extra_balls);
+    return line;
+}
+
+std::string bonus_line(const Session& session) {
+    const PinballState& state = state_of(session);
+    if (state.bonus <= 0) return "no bonus yet";
+    std::string line = fmt::format("bonus {} x {}", state.bonus, session.scene().table.bonus);
+    if (state.multiplier > 1) line += fmt::format(" x {}", state.multiplier);
+    return line;
+}
+
+/// Tilt, the ball saver, or warnings; empty: none of them.
+std::string safety_line(const Session& session) {
+    const PinballState& state = state_of(session);
+    const std::uint64_t tick = session.world().tick;
+    if (state.is_tilted) return "TILT";
+    if (tick < state.save_until && state.phase != PinballState::Phase::over) {
+        const auto left = static_cast<double>(state.save_until - tick) / session.world().rate;
+        return fmt::format("ball saver {:.0f} s", std::ceil(left));
+    }
+    if (state.warnings == 0) return {};
+    return fmt::format("tilt warnings {} of {}", state.warnings, session.scene().table.warnings);
+}
+
+}  // namespace
+
+std::string grouped(std::int64_t number) {
+    std::string digits = fmt::format("{}", number);
+    for (auto at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), ",");
+    return digits;
+}
+
+// The ball that is nearest to the drain is the one that matters.
+void PinballDisplay::follow(const Session& session, double seconds) {
+    const Balls& balls = session.world().balls;
+    if (balls.size() == 0) return;
+    const auto lowest = std::ranges::min_element(balls.position, {}, &Vec2::y);
+    const auto index = static_cast<std::size_t>(lowest - balls.position.begin());
+    camera_.follow(lowest->y, balls.velocity[index].y, seconds);
+}
+
+void PinballDisplay::cut_panel(CellArea& area) {
+    panel_ = {};
+    if (area.columns < least_table_columns + score_panel_columns) return;
+    area.columns -= score_panel_columns;
+    panel_ = {area.column + area.columns, area.row, score_panel_columns, area.rows};
+}
+
+Camera PinballDisplay::look(const Session& session, const CellArea& area, double aspect,
+                            bool whole) {
+    const Box& table = session.scene().view;
+    const PinballState& state = state_of(session);
+    Camera camera = whole ? fit_camera(table, area, aspect)
+                          : camera_.look(table, ball_radius(session), ball_rows, area, aspect);
+    // The table moves, and the eye stays.
+    const double push = length(state.nudge);
+    if (session.world().tick <= state.nudge_until && push > 0.0)
+        camera.center -= state.nudge * (shake * ball_radius(session) / push);
+    return camera;
+}
+
+TableMarks PinballDisplay::marks(const Session& session) const {
+    TableMarks marks;
+    const PinballTable& table = session.scene().table;
+    const double radius = lamp_radius * ball_radius(session);
+    for (std::size_t i = 0; i < table.devices.size(); ++i) {
+        const Device& device = table.devices[i];
+        TableLight light{.is_lit = is_bright(session, i), .family = device.group};
+        if (has_lamp(device.kind)) {
+            light.shape = {device.place, device.place, radius};
+            marks.lights.push_back(light);
+        } else if (lights_itself(device.kind)) {
+            light.is_edge = true;
+            for (const CapsuleId id : device.capsules) {
+                const auto index = index_of(session.world(), id);
+                if (!index) continue;
+                light.shape = session.world().capsules.shape[*index];
+                marks.lights.push_back(light);
+            }
+        } else if (device.kind == DeviceKind::plunger && !device.capsules.empty()) {
+            const auto index = index_of(session.world(), device.capsules.front());
+            if (!index) continue;
+            const Capsule plate = session.world().capsules.shape[*index];
+            const double pulled = state_of(session).pull * 3.0 * ball_radius(session);
+            const Vec2 back = device.direction * -(pulled + 0.3 * ball_radius(session));
+            marks.plungers.push_back({plate.start + back, plate.end + back, plate.radius});
+        }
+    }
+    return marks;
+}
+
+void PinballDisplay::draw_panel(Canvas& canvas, const Session& session, const PinballScores& scores,
+                                bool is_demonstrating, const Look& look) const {
+    if (panel_.columns == 0) return;
+    const PinballState& state = state_of(session);
+    const std::optional<std::string>& initials = scores.initials();
+    ScorePanel panel;
+    panel.title = session.scene().title;
+    panel.score = grouped(state.score);
+    if (session.scene().table.is_game)
+        panel.lines = {ball_line(session), bonus_line(session), safety_line(session)};
+    panel.message = state.message;
+    if (initials)
+        panel.call = "YOUR INITIALS: " + *initials + std::string(3 - initials->size(), '_');
+    else if (state.phase == PinballState::Phase::over)
+        panel.call = "ENTER BEGINS A GAME";
+    else if (is_demonstrating)
+        panel.call = "DEMONSTRATION";
+    int rank = 0;
+    for (const HighScore& score : scores.scores().lines)
+        panel.honours.push_back({fmt::format("{}", ++rank), score.initials, grouped(score.score),
+                                 scores.newest() == score});
+    draw_score_panel(canvas, panel_, panel, look);
+}
+
+}  // namespace carom

@@ -1,0 +1,55 @@
+#include "carom/controllers/pinball_feedback.h"
+
+#include <fmt/format.h>
+
+#include "game/pinball/pinball.h"
+
+namespace carom {
+namespace {
+
+const PinballState& state_of(const PlayContext& play) {
+    return std::get<PinballState>(play.session.game());
+}
+
+}  // namespace
+
+bool PinballFeedback::is_at(const Session& session) {
+    return std::holds_alternative<PinballState>(session.game());
+}
+
+void PinballFeedback::after_ticks(PlayContext& play, double seconds, bool is_demonstrating) {
+    const PinballState& state = state_of(play);
+    if (bell_.rings(play.session, seconds) && play.terminal.rings) play.terminal.bell_is_due = true;
+    scores_.follow(state, is_demonstrating, is_watching(play));
+    if (state.message == heard_) return;
+    heard_ = state.message;
+    if (!heard_.empty() && !display_.has_panel()) say(play, heard_);
+}
+
+Camera PinballFeedback::fit(const PlayContext& play, const CellArea& area, double aspect) {
+    // Braille has so many dots that the ball can be seen on all of the table.
+    const bool is_fine = renderer_in_force(play.view.options) == Renderer::braille;
+    return display_.look(play.session, area, aspect, play.view.shows_whole || is_fine);
+}
+
+void PinballFeedback::mark(const PlayContext& play, Marks& marks) const {
+    marks.table = display_.marks(play.session);
+}
+
+void PinballFeedback::draw_panel(const PlayContext& play, Canvas& canvas,
+                                 bool is_demonstrating) const {
+    display_.draw_panel(canvas, play.session, scores_, is_demonstrating, play.view.options.look);
+}
+
+void PinballFeedback::add_score(const PlayContext& play, HudInfo& info) const {
+    const PinballState& state = state_of(play);
+    const PinballTable& table = play.session.scene().table;
+    if (!table.is_game || display_.has_panel()) return;
+    info.title +=
+        fmt::format(": score {}, ball {} of {}", grouped(state.score), state.ball, table.balls);
+    if (state.multiplier > 1) info.title += fmt::format(", bonus x{}", state.multiplier);
+    if (state.is_tilted) info.title += ", tilt";
+    if (state.phase == PinballState::Phase::over) info.title += ", game over";
+}
+
+}  // namespace carom

@@ -1,0 +1,56 @@
+#include "carom/controllers/pinball_scores.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace carom {
+
+void PinballScores::follow(const PinballState& state, bool is_demonstrating, bool is_watched) {
+    was_demonstrated_ = was_demonstrated_ || is_demonstrating;
+    if (state.phase != PinballState::Phase::over) {
+        if (state.games != last_game_ && state.score == 0) was_demonstrated_ = is_demonstrating;
+        return;
+    }
+    if (state.games == last_game_ || is_watched) return;
+    last_game_ = state.games;
+    if (was_demonstrated_ || !scores_.takes(state.score)) return;
+    initials_ = "";
+    asked_for_ = state.score;
+}
+
+void PinballScores::type(const InputEvent& event) {
+    if (!initials_ || event.action == InputEvent::Action::release) return;
+    if (event.key == key::backspace) {
+        if (!initials_->empty()) initials_->pop_back();
+        return;
+    }
+    if (event.key == key::escape) {
+        initials_.reset();
+        return;
+    }
+    const bool is_letter = (event.key >= U'a' && event.key <= U'z') ||
+                           (event.key >= U'A' && event.key <= U'Z') ||
+                           (event.key >= U'0' && event.key <= U'9');
+    if (is_letter && initials_->size() < 3) {
+        char letter = static_cast<char>(event.key);
+        if (letter >= 'a') letter = static_cast<char>(letter - 'a' + 'A');
+        initials_->push_back(letter);
+    }
+    if (event.key != key::enter || initials_->empty()) return;
+    initials_->resize(3, '-');
+    written_ = newest_ = HighScore{*initials_, asked_for_};
+    initials_.reset();
+}
+
+std::optional<HighScore> PinballScores::take() {
+    return std::exchange(written_, std::nullopt);
+}
+
+void PinballScores::continue_from(const PinballScores& before, std::size_t most) {
+    newest_ = before.newest_;
+    scores_ = before.scores_;
+    scores_.most = most;
+    scores_.lines.resize(std::min(scores_.lines.size(), most));
+}
+
+}  // namespace carom

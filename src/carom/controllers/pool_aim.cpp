@@ -1,0 +1,276 @@
+#include "carom/controllers/pool_aim.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "game/ai/hand_error.h"
+#include "game/ai/pool_shots.h"
+#include "game/commands/aiming.h"
+#include "geometry/elementary.h"
+
+namespace carom {
+namespace {
+
+/// Ball speed for each length that the cue is pulled, 1/s.
+constexpr double pull_gain = 5.0;
+constexpr double least_speed = 0.1;
+constexpr double finest_turn = 0.05;  // degrees
+constexpr double break_speed = 8.0;
+constexpr double usual_speed = 2.0;
+/// How long a shot is followed, s: balls roll for half a minute at most.
+constexpr double foresight = 40.0;
+constexpr std::uint64_t cloud_size = 20;
+
+Vec2 place_of(const World& world, BallId ball) {
+    return world.balls.position[*index_of(world, ball)];
+}
+
+double bearing_of(Vec2 way) {
+    return std::atan2(way.y, way.x) * 180.0 / pi;
+}
+
+}  // namespace
+
+PoolAim::PoolAim(const Session& session) {
+    begin_turn(session);
+}
+
+const PoolPlay* PoolAim::play(const Session& session) const {
+    return std::get_if<PoolPlay>(&session.game());
+}
+
+std::optional<BallId> PoolAim::cue_ball(const Session& session) const {
+    const auto ball =
+        play(session) ? play(session)->balls[0] : std::optional(session.scene().pool.cue->ball);
+    if (!ball || !index_of(session.world(), *ball)) return std::nullopt;
+    return ball;
+}
+
+bool PoolAim::may_aim(const Session& session) const {
+    const auto ball = cue_ball(session);
+    if (!ball) return false;
+    if (const PoolPlay* game = play(session)) return !refusal_to_shoot(*game, *ball);
+    return lies_still(session.world());
+}
+
+bool PoolAim::may_place(const Session& session) const {
+    const PoolPlay* game = play(session);
+    return game && may_aim(session) && game->rules.in_hand != CueInHand::no;
+}
+
+double PoolAim::most_speed(const Session& session) const {
+    return session.scene().pool.cue->most_power;
+}
+
+std::vector<BallId> PoolAim::targets(const Session& session) const {
+    std::vector<BallId> balls;
+    const PoolPlay* game = play(session);
+    const auto cue = cue_ball(session);
+    for (const BallId id : session.world().balls.id) {
+        if (id == cue) continue;
+        const auto number = game ? number_of(*game, id) : std::nullopt;
+        if (game && (!number || !may_hit_first(game->rules, *number))) continue;
+        balls.push_back(id);
+    }
+    return balls;
+}
+
+void PoolAim::begin_turn(const Session& session) {
+    const PoolPlay* game = play(session);
+    const bool is_break = game && game->rules.phase == PoolPhase::breaking;
+    setup_ = {.bearing = setup_.bearing,
+              .speed = std::min(is_break ? break_speed : usual_speed, most_speed(session)),
+              .aids = setup_.aids};
+    pot_ = 0;
+    pot_text_.clear();
+    has_aimed_ = false;
+    aim_at_nearest(session);
+}
+
+// Of the balls that may be met.
+void PoolAim::aim_at_nearest(const Session& session) {
+    const auto cue = cue_ball(session);
+    if (!cue) return;
+    const Vec2 from = place_of(session.world(), *cue);
+    std::optional<Vec2> nearest;
+    for (const BallId ball : targets(session)) {
+        const Vec2 there = place_of(session.world(), ball) - from;
+        if (!nearest || length(there) < length(*nearest)) nearest = there;
+    }
+    if (nearest) setup_.bearing = bearing_of(*nearest);
+}
+
+void PoolAim::set_up(const Session& session, const PoolStance& setup) {
+    look(session);  // so that a turn that begins does not take it away again
+    setup_ = setup;
+    has_aimed_ = true;
+    constexpr double most = command::Strike::most_offset;
+    if (!(setup.side * setup.side + setup.follow * setup.follow <= most * most))
+        setup_.side = setup_.follow = 0.0;
+    setup_.speed = std::clamp(setup.speed, least_speed, most_speed(session));
+    const auto pockets = static_cast<int>(session.scene().pool.pockets.size());
+    if (setup.pocket < 0 || setup.pocket >= pockets) {
+        setup_.pocket = 0;
+        setup_.intent = Intent::automatic;
+    }
+    is_seen_ = false;
+}
+
+void PoolAim::turn(double degrees) {
+    // In whole steps of the finest, so that straight lines can be met.
+    const double bearing = std::round((setup_.bearing + degrees) / finest_turn) * finest_turn;
+    setup_.bearing = std::remainder(bearing, 360.0);
+    has_aimed_ = true;
+}
+
+void PoolAim::change_speed(double by) {
+    setup_.speed = std::max(least_speed, std::round((setup_.speed + by) * 1000.0) / 1000.0);
+}
+
+void PoolAim::move_tip(double side, double follow) {
+    constexpr double most = command::Strike::most_offset;
+    const double to_side = setup_.side + side;
+    const double to_follow = setup_.follow + follow;
+    const auto tidy = [](double value) { return std::round(value * 1000.0) / 1000.0; };
+    if (to_side * to_side + to_follow * to_follow > most * most + 1e-9) return;
+    setup_.side = tidy(to_side);
+    setup_.follow = tidy(to_follow);
+}
+
+void PoolAim::aim_at(const Session& session, Vec2 place) {
+    const auto cue = cue_ball(session);
+    if (!cue) return;
+    const Vec2 way = place - place_of(session.world(), *cue);
+    if (!(length(way) > 0.0)) return;
+    setup_.bearing = bearing_of(way);
+    has_aimed_ = true;
+}
+
+void PoolAim::pull(const Session& session, Vec2 hand) {
+    const auto cue = cue_ball(session);
+    if (!cue) return;
+    const Vec2 way = place_of(session.world(), *cue) - hand;
+    if (!(length(way) > 0.0)) return;
+    setup_.bearing = bearing_of(way);
+    has_aimed_ = true;
+    setup_.speed = std::clamp(length(way) * pull_gain, least_speed, most_speed(session));
+}
+
+std::string PoolAim::next_pot(const Session& session, bool backwards) {
+    const auto cloth = cloth_box(session.scene());
+    const auto cue = cue_ball(session);
+    if (!cloth || !cue) return "there are no pockets here";
+    const World& world = session.world();
+    const auto lines =
+        pot_lines(session.scene(), world, *cloth, *cue, place_of(world, *cue), targets(session));
+    if (lines.empty()) return "no ball lies free to a pocket";
+    if (pot_text_.empty())
+        pot_ = backwards ? lines.size() - 1 : 0;
+    else
+        pot_ = (pot_ + (backwards ? lines.size() - 1 : 1)) % lines.size();
+    const PotLine& line = lines[pot_ % lines.size()];
+    setup_.bearing = bearing_of(line.direction);
+    has_aimed_ = true;
+    setup_.side = setup_.follow = 0.0;
+    const PoolPlay* game = play(session);
+    if (game && game->rules.game == PoolGame::eight_ball &&
+        game->rules.phase == PoolPhase::playing) {
+        setup_.intent = Intent::pocket;
+        setup_.pocket = line.pocket;
+    }
+    const auto number = game ? number_of(*game, line.object) : std::nullopt;
+    constexpr std::string_view ways[] = {"", ", by a cushion", ", kicked by a cushion"};
+    pot_text_ = fmt::format("{} of {}: {} into the {}{}", pot_ % lines.size() + 1, lines.size(),
+                            number ? fmt::format("the {}", *number) : "the ball",
+                            pocket_name(session.scene(), line.pocket),
+                            ways[static_cast<std::size_t>(line.way)]);
+    return pot_text_;
+}
+
+void PoolAim::take(const Session& session, const PoolThought& thought) {
+    look(session);  // so that a turn that begins does not take the aim away again
+    const Vec2 velocity = thought.strike.velocity;
+    setup_ = {.bearing = bearing_of(velocity),
+              .speed = length(velocity),
+              .side = thought.strike.side,
+              .follow = thought.strike.follow,
+              .aids = setup_.aids,
+              .pocket = thought.call.pocket};
+    has_aimed_ = true;
+    using enum PoolCall::Kind;
+    setup_.intent = thought.call.kind == pot        ? Intent::pocket
+                    : thought.call.kind == safety   ? Intent::safety
+                    : thought.call.kind == push_out ? Intent::push_out
+                                                    : Intent::automatic;
+}
+
+std::string PoolAim::next_aids() {
+    constexpr std::string_view texts[] = {"no help: the cue alone", "help: ghost ball and lines",
+                                          "help: the whole shot",
+                                          "help: 20 shots of a hand that errs"};
+    setup_.aids = static_cast<Aids>((static_cast<int>(setup_.aids) + 1) % 4);
+    is_seen_ = false;
+    return std::string(texts[static_cast<std::size_t>(setup_.aids)]);
+}
+
+command::Strike PoolAim::strike(const Session& session) const {
+    const double angle = setup_.bearing * pi / 180.0;
+    const double speed = std::min(setup_.speed, most_speed(session));
+    command::Strike strike;
+    strike.ball = cue_ball(session).value_or(BallId{});
+    strike.velocity = {speed * std::cos(angle), speed * std::sin(angle)};
+    if (session.world().model.spin) strike.side = setup_.side;
+    if (session.world().model.cloth) strike.follow = setup_.follow;
+    return strike;
+}
+
+void PoolAim::look(const Session& session) {
+    const PoolPlay* game = play(session);
+    if (!may_aim(session)) {
+        is_seen_ = false;
+        forecast_.reset();
+        cloud_.clear();
+        return;
+    }
+    // Another turn, or another frame.
+    const std::uint64_t now = game ? std::uint64_t{game->shots} * 64 +
+                                         static_cast<std::uint64_t>(game->rules.phase) * 8 +
+                                         static_cast<std::uint64_t>(game->rules.player)
+                                   : 0;
+    if (std::exchange(turn_, now) != now) begin_turn(session);
+    setup_.speed = std::min(setup_.speed, most_speed(session));
+    // The ball in hand was put elsewhere.
+    if (!has_aimed_ && may_place(session) && lay_ != session.world().balls.position)
+        aim_at_nearest(session);
+    if (is_seen_ && seen_setup_ == setup_ && lay_ == session.world().balls.position) return;
+    is_seen_ = true;
+    seen_setup_ = setup_;
+    lay_ = session.world().balls.position;
+    cloud_.clear();
+    cloud_shots_ = 0;
+    Solver solver(session.solver());
+    forecast_ = forecast(session.scene(), session.world(), session.game(), solver, strike(session),
+                         foresight, Tracks::all);
+}
+
+bool PoolAim::has_work() const {
+    return setup_.aids == Aids::cloud && forecast_ && cloud_shots_ < cloud_size;
+}
+
+bool PoolAim::work(const Session& session) {
+    if (!has_work() || !may_aim(session)) return false;
+    const HandError usual;
+    const command::Strike off = with_error(strike(session), usual, most_speed(session),
+                                           session.world().seed, cloud_shots_++);
+    Solver solver(session.solver());
+    const Forecast ahead = forecast(session.scene(), session.world(), session.game(), solver, off,
+                                    foresight, Tracks::all);
+    for (const Forecast::Track& track : ahead.tracks)
+        cloud_.push_back({track.ball, track.way.back(), track.zone.has_value()});
+    return true;
+}
+
+}  // namespace carom

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game/ai/planner.h"
+#include "game/pool/pool.h"
+#include "game/pool/pool_stance.h"
+#include "game/pool/pool_words.h"
+#include "game/session/forecast.h"
+#include "game/session/session.h"
+#include "terminal/canvas/palette.h"
+#include "terminal/draw/pool_marks.h"
+
+/// A person at a pool table, with the cue: aims, sees what the aim comes to, calls, shoots.
+namespace carom {
+
+class PoolAim {
+  public:
+    /// Whether the level has a cue, so that there is something to aim.
+    static bool is_at(const Scene& scene) { return scene.pool.cue.has_value(); }
+    /// Pre: is_at().
+    explicit PoolAim(const Session& session);
+
+    /// The ball that the cue strikes; none while it is off the table.
+    std::optional<BallId> cue_ball(const Session& session) const;
+    /// The balls lie still, and nothing is to be decided first.
+    bool may_aim(const Session& session) const;
+    /// The cue ball may be put elsewhere.
+    bool may_place(const Session& session) const;
+
+    void turn(double degrees);                  ///< counter-clockwise
+    void change_speed(double by);               ///< length/s; within what the level's cue gives
+    void move_tip(double side, double follow);  ///< in shares of the radius
+    void aim_at(const Session& session, Vec2 place);
+    /// The cue pulled back to the hand: the ball goes the other way, the faster the longer.
+    void pull(const Session& session, Vec2 hand);
+    /// To the next way to pocket a ball, the easiest first. Returns what it is.
+    std::string next_pot(const Session& session, bool backwards);
+
+    /// Aims as a thought does; the cue ball stays where it is.
+    void take(const Session& session, const PoolThought& thought);
+
+    /// Calls the pocket that is there. False when there is none, or nothing is called.
+    bool call_pocket(const Session& session, Vec2 place);
+    /// What the next shot shall be; returns it in words.
+    std::string next_call(const Session& session);
+    std::string next_aids();
+    Aids aids() const { return setup_.aids; }
+
+    const PoolStance& setup() const { return setup_; }
+    /// Stands as before, in the turn that is now; what cannot be here is left out.
+    void set_up(const Session& session, const PoolStance& setup);
+
+    command::Strike strike(const Session& session) const;
+    /// The call, where one is due, and the strike. Pre: may_aim().
+    std::vector<Command> shot(const Session& session);
+
+    /// Looks where the balls lie: computes the forecast anew where it is no longer right.
+    void look(const Session& session);
+    /// One more shot of the cloud; false when nothing is left to compute.
+    bool work(const Session& session);
+    bool has_work() const;
+
+    /// `aims`: it is this person's turn to aim.
+    PoolMarks marks(const Session& session, bool aims) const;
+    /// Power, tip, cut angle, call: one line.
+    std::string line(const Session& session, const Look& look) const;
+
+  private:
+    using Intent = PoolStance::Intent;
+
+    const PoolPlay* play(const Session& session) const;
+    PoolCall call(const Session& session) const;
+    std::vector<BallId> targets(const Session& session) const;
+    void begin_turn(const Session& session);
+    void aim_at_nearest(const Session& session);
+    double most_speed(const Session& session) const;
+
+    PoolStance setup_;
+    bool has_aimed_ = false;  ///< in this turn: the bearing is the person's
+    std::size_t pot_ = 0;
+    std::string pot_text_;
+
+    // What the forecast was made of.
+    std::vector<Vec2> lay_;
+    PoolStance seen_setup_;
+    bool is_seen_ = false;
+    std::uint64_t turn_ = ~std::uint64_t{0};
+    std::optional<Forecast> forecast_;
+    std::vector<PoolMarks::Spot> cloud_;
+    std::uint64_t cloud_shots_ = 0;
+};
+
+/// The numbers on the balls, where a game or a rack gives them any.
+std::vector<PoolMarks::Number> numbers_of(const Session& session);
+
+}  // namespace carom

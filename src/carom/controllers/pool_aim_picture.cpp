@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "carom/controllers/pool_aim.h"
+#include "game/ai/pool_shots.h"
+#include "game/commands/aiming.h"
+#include "geometry/elementary.h"
+
+/// What a person at the table sees of the aim.
+namespace carom {
+namespace {
+
+std::string bar(double share, const Look& look) {
+    constexpr int width = 12;
+    const int full = static_cast<int>(std::lround(share * width));
+    std::string text = look.utf8 ? "▕" : "[";
+    for (int i = 0; i < width; ++i)
+        text += i < full ? (look.utf8 ? "█" : "#") : (look.utf8 ? "░" : "-");
+    return text + (look.utf8 ? "▏" : "]");
+}
+
+std::string tip_text(double side, double follow) {
+    std::string text;
+    if (follow != 0.0)
+        text += fmt::format(" {} {:.2f}", follow > 0.0 ? "follow" : "draw", std::abs(follow));
+    if (side != 0.0)
+        text += fmt::format(" {} {:.2f}", side > 0.0 ? "right" : "left", std::abs(side));
+    return "tip" + (text.empty() ? " centre" : text);
+}
+
+std::string cut_text(const AimLine& line, const Look& look) {
+    if (!line.object) return "";
+    const double degrees = std::acos(std::clamp(line.cut_cosine, -1.0, 1.0)) * 180.0 / pi;
+    if (degrees < 0.05) return "full";
+    const bool is_left = cross(line.to - line.from, line.object_way) > 0.0;
+    return fmt::format("cut {:.1f}{} {}", degrees, look.utf8 ? "°" : " deg",
+                       is_left ? "left" : "right");
+}
+
+}  // namespace
+
+std::vector<PoolMarks::Number> numbers_of(const Session& session) {
+    std::vector<PoolMarks::Number> numbers;
+    if (const auto* play = std::get_if<PoolPlay>(&session.game())) {
+        for (int ball = 0; ball < 16; ++ball)
+            if (const auto id = play->balls[static_cast<std::size_t>(ball)])
+                numbers.push_back({*id, ball});
+        return numbers;
+    }
+    const PoolTable& pool = session.scene().pool;
+    if (pool.cue) numbers.push_back({pool.cue->ball, 0});
+    for (const Rack& rack : pool.racks)
+        for (std::size_t i = 0; i < rack.balls.size(); ++i)
+            numbers.push_back({rack.balls[i], static_cast<int>(i) + 1});
+    return numbers;
+}
+
+PoolMarks PoolAim::marks(const Session& session, bool aims) const {
+    PoolMarks marks;
+    marks.numbers = numbers_of(session);
+    marks.cloth = cloth_box(session.scene());
+    if (!aims || !may_aim(session) || !forecast_) return marks;
+    const World& world = session.world();
+    const BallId cue = *cue_ball(session);
+    const double radius = world.balls.radius[*index_of(world, cue)];
+    const command::Strike strike = this->strike(session);
+    const Vec2 from = world.balls.position[*index_of(world, cue)];
+    const Vec2 way = strike.velocity / length(strike.velocity);
+    const Vec2 tip = from - way * (1.5 * radius + 0.03 * length(strike.velocity));
+    marks.stick = PoolMarks::Line{tip, tip - way * (16.0 * radius)};
+    const PoolCall called = call(session);
+    if (called.kind == PoolCall::Kind::pot || setup_.intent == Intent::pocket) {
+        const int pocket = called.kind == PoolCall::Kind::pot ? called.pocket : setup_.pocket;
+        const std::uint32_t zone = session.scene().pool.pockets[static_cast<std::size_t>(pocket)];
+        if (setup_.aids != Aids::none || setup_.intent == Intent::pocket)
+            marks.called = session.scene().world.zones[zone].shape.start;
+    }
+    if (setup_.aids == Aids::none) return marks;
+    if (const auto line = aim_line(world, cue, strike.velocity)) {
+        marks.aim = PoolMarks::Line{line->from, line->to};
+        if (line->object) {
+            // The fuller the hit, the more of the speed it takes with it.
+            const double reach = 14.0 * radius;
+            const Vec2 object = world.balls.position[*index_of(world, *line->object)];
+            marks.ghost = Disc{line->to, radius};
+            if (setup_.aids == Aids::ghost) {
+                marks.object =
+                    PoolMarks::Line{object, object + line->object_way * (reach * line->cut_cosine)};
+                const double rest = 1.0 - line->cut_cosine * line->cut_cosine;
+                marks.tangent = PoolMarks::Line{
+                    line->to, line->to + line->tangent * (reach * std::sqrt(std::max(0.0, rest)))};
+            }
+        }
+    }
+    if (setup_.aids == Aids::full)
+        for (const Forecast::Track& track : forecast_->tracks)
+            marks.tracks.push_back({track.ball, track.way, track.zone.has_value()});
+    marks.spots = cloud_;
+    return marks;
+}
+
+std::string PoolAim::line(const Session& session, const Look& look) const {
+    if (!may_aim(session)) return "";
+    const command::Strike strike = this->strike(session);
+    const double speed = length(strike.velocity);
+    std::string text = fmt::format("{} {:.2f} m/s  {}", bar(speed / most_speed(session), look),
+                                   speed, tip_text(setup_.side, setup_.follow));
+    const auto line = aim_line(session.world(), strike.ball, strike.velocity);
+    if (line && line->object && setup_.aids != Aids::none) text += "  " + cut_text(*line, look);
+    const std::string called = call_text(session.scene(), call(session));
+    const bool tells = setup_.aids != Aids::none || setup_.intent != Intent::automatic;
+    if (!called.empty() && tells) text += "  calls: " + called;
+    return text;
+}
+
+}  // namespace carom

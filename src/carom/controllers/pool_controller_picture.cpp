@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include "carom/controllers/pool_controller.h"
+
+/// What the player sees of a game of pool.
+namespace carom {
+namespace {
+
+constexpr double last_seconds = 5.0;  // of the shot clock, that are told loudly
+
+}  // namespace
+
+void PoolController::mark(const PlayContext& play, Marks& marks) const {
+    marks.pool = aim_.marks(play.session, is_aiming(play));
+    if (!play.pointer.tool.has_cue()) Controller::mark(play, marks);
+}
+
+// What the player aims at, or the AI player; what was called, while the balls roll; what came of
+// it.
+std::string PoolController::line(const PlayContext& play) const {
+    if (is_aiming(play)) return aim_.line(play.session, play.view.options.look);
+    const PoolPlay* const pool = pool_of(play.session);
+    if (!pool) return "";
+    if (opponent_.is_turn(play.session)) return opponent_.text();
+    if (!pool->is_shooting) return outcome_text(*pool, names());
+    const std::string called = call_text(play.session.scene(), pool->call);
+    return called.empty() ? "" : "called: " + called;
+}
+
+void PoolController::add_status(const PlayContext& play, HudInfo& info) const {
+    add_pool_title(play.session, names(), info);
+    info.game = line(play);
+    // The last seconds of the player who is to shoot, or to choose.
+    const World& world = play.session.world();
+    const PoolPlay* const pool = pool_of(play.session);
+    const auto left = pool ? time_left(world, *pool) : std::nullopt;
+    const bool is_late = left && static_cast<double>(*left) <= last_seconds * world.rate;
+    if (!is_late || opponent_.is_turn(play.session)) return;
+    info.message = fmt::format("{} left", clock_text(world, *pool));
+    info.message_is_error = true;
+}
+
+void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hints) const {
+    if (!play.pointer.tool.is_empty() || play.pointer.shows_cursor) return;
+    const auto hint = [&](std::string_view action_name, std::string_view what) {
+        const std::string keys = play.keys.hint(action_name);
+        if (!keys.empty()) hints.push_back({keys, std::string(what)});
+    };
+    const PoolPlay* const pool = pool_of(play.session);
+    if (pool && pool->rules.phase == PoolPhase::choosing && !opponent_.is_turn(play.session)) {
+        int key = 0;
+        for (const PoolChoice choice : pool->rules.choices)
+            hints.push_back({fmt::format("{}", ++key), std::string(choice_text(choice))});
+        return;
+    }
+    if (pool && pool->rules.phase == PoolPhase::over)
+        hint("next-frame", match_winner(*pool) ? "the next match" : "the next frame");
+    if (!is_aiming(play)) return;
+    hint("grab", "shoot");
+    hints.push_back({"arrows", "aim, power"});
+    hints.push_back({"shift-arrows", "tip"});
+    if (aim_.may_place(play.session)) hint("place-cue-ball", "place the ball");
+    hint("next-pot", "next pot");
+    hint("aids", "lines");
+    if (pool) hint("coach", "coach");
+    if (pool && opponent() == 0) hint("opponent", "opponent");
+}
+
+}  // namespace carom

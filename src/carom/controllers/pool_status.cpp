@@ -1,0 +1,32 @@
+#include "carom/controllers/pool_status.h"
+
+#include <utility>
+
+namespace carom {
+
+const PoolPlay* pool_of(const Session& session) {
+    return std::get_if<PoolPlay>(&session.game());
+}
+
+void add_pool_title(const Session& session, const PlayerNames& names, HudInfo& info) {
+    const PoolPlay* const pool = pool_of(session);
+    if (!pool) return;
+    const std::string clock = clock_text(session.world(), *pool);
+    info.title_comes_first = true;
+    info.title = turn_text(*pool, names) + (clock.empty() ? "" : ", " + clock);
+}
+
+std::optional<std::string> Referee::tell(const Session& session, const PlayerNames& names) {
+    const PoolPlay* const pool = pool_of(session);
+    if (!pool) return std::nullopt;
+    std::string now = outcome_text(*pool, names);
+    if (now == told_) return std::nullopt;
+    told_ = std::move(now);
+    return told_.empty() ? std::nullopt : std::optional(told_);
+}
+
+void Referee::skip(const Session& session, const PlayerNames& names) {
+    if (const PoolPlay* const pool = pool_of(session)) told_ = outcome_text(*pool, names);
+}
+
+}  // namespace carom

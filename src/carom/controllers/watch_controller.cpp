@@ -1,0 +1,66 @@
+#include "carom/controllers/watch_controller.h"
+
+#include <utility>
+
+namespace carom {
+namespace {
+
+const PlayerNames players = {"player 1", "player 2"};
+
+}  // namespace
+
+WatchController::WatchController(const Session& session) {
+    if (PinballFeedback::is_at(session)) pinball_.emplace();
+}
+
+void WatchController::perform(PlayContext& play, const Action& action) {
+    if (action.where != Where::anywhere) return say(play, "a recording is only watched");
+    if (const auto* perform = std::get_if<void (*)(PlayContext&)>(&action.perform))
+        (*perform)(play);
+}
+
+void WatchController::press(PlayContext& play, const InputEvent& event) {
+    play.pointer.panning_from = play.companion.in_first_half({event.column, event.row});
+}
+
+void WatchController::pass(PlayContext& play, double seconds) {
+    if (pinball_) pinball_->pass(play, seconds);
+}
+
+void WatchController::after_ticks(PlayContext& play, double seconds) {
+    if (pinball_) pinball_->after_ticks(play, seconds, false);
+    if (auto outcome = referee_.tell(play.session, players)) say(play, *std::move(outcome));
+}
+
+void WatchController::cut_panel(const PlayContext&, CellArea& area) {
+    if (pinball_) pinball_->cut_panel(area);
+}
+
+Camera WatchController::fit(const PlayContext& play, const CellArea& area, double aspect) {
+    return pinball_ ? pinball_->fit(play, area, aspect) : Controller::fit(play, area, aspect);
+}
+
+// The commands of a recording change the energy; that is no drift.
+void WatchController::look(PlayContext& play) {
+    play.reference.watch_commands(play.session);
+}
+
+void WatchController::mark(const PlayContext& play, Marks& marks) const {
+    if (pinball_) pinball_->mark(play, marks);
+}
+
+void WatchController::draw_panel(const PlayContext& play, Canvas& canvas) const {
+    if (pinball_) pinball_->draw_panel(play, canvas, false);
+}
+
+void WatchController::add_status(const PlayContext& play, HudInfo& info) const {
+    info.title = "recording: " + info.title;
+    if (pinball_) pinball_->add_score(play, info);
+    add_pool_title(play.session, players, info);
+}
+
+void WatchController::set_high_scores(HighScores scores) {
+    if (pinball_) pinball_->scores().set(std::move(scores));
+}
+
+}  // namespace carom

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+
+#include "carom/context/controller.h"
+#include "carom/controllers/pinball_feedback.h"
+#include "carom/controllers/pool_status.h"
+
+/// A recording is watched: only time and view obey the keys, and the mouse drags the view. Pool and
+/// pinball tell how the game stands, as they do for those who play.
+namespace carom {
+
+class WatchController : public Controller {
+  public:
+    explicit WatchController(const Session& session);
+
+    void perform(PlayContext& play, const Action& action) override;
+    void press(PlayContext& play, const InputEvent& event) override;
+    void pass(PlayContext& play, double seconds) override;
+    void after_ticks(PlayContext& play, double seconds) override;
+    void cut_panel(const PlayContext& play, CellArea& area) override;
+    Camera fit(const PlayContext& play, const CellArea& area, double aspect) override;
+    void look(PlayContext& play) override;
+    void mark(const PlayContext& play, Marks& marks) const override;
+    void draw_panel(const PlayContext& play, Canvas& canvas) const override;
+    void add_status(const PlayContext& play, HudInfo& info) const override;
+    void set_high_scores(HighScores scores) override;
+
+  private:
+    Referee referee_;
+    std::optional<PinballFeedback> pinball_;  ///< none: it is no pinball table
+};
+
+}  // namespace carom

@@ -1,0 +1,71 @@
+#include "carom/play/running_game.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string>
+
+#include "carom/controllers/pool_controller.h"
+#include "carom/files/files.h"
+#include "game/session/save_level.h"
+
+namespace carom {
+
+void RunningGame::autosave() {
+    const Session& session = player.session();
+    const std::uint64_t tick = session.world().tick;
+    const std::size_t commands = session.commands().size();
+    const auto setup = player.shot_setup();
+    if (tick == saved_tick && commands == saved_commands && setup == saved_setup) return;
+    if (!session.is_complete() || player.is_watching()) return;
+    saved_tick = tick;
+    saved_commands = commands;
+    saved_setup = setup;
+    Replay replay = record(session, source.path, source.overrides);
+    replay.opponent = player.opponent();
+    replay.stance = setup;
+    if (const auto problem = resume_file.save(replay)) player.complain(*problem);
+}
+
+bool RunningGame::is_saved() const {
+    const Session& session = player.session();
+    return session.world().tick == saved_tick && session.commands().size() == saved_commands;
+}
+
+bool RunningGame::leave() {
+    if (is_in_match(player.session()) && player.session().is_complete()) {
+        autosave();
+        if (resume_file.put_aside()) return true;
+    }
+    resume_file.remove();
+    return false;
+}
+
+void RunningGame::compare_marks() {
+    const Session& session = player.session();
+    if (session.fault()) player.set_problem("the recording cannot be followed " + *session.fault());
+    if (session.marks().size() == marks_compared) return;
+    marks_compared = session.marks().size();
+    if (const auto tick = first_difference(expected, session.marks()))
+        player.set_problem(fmt::format(
+            "this is not what was recorded: at tick {} the fingerprint differs", *tick));
+}
+
+void RunningGame::save_level() {
+    namespace fs = std::filesystem;
+    const Session& session = player.session();
+    if (!session.scene().table.is_empty())
+        return player.complain("a table cannot be saved in play: record it, with --record");
+    const std::string stem = fs::path(source.path).stem().string();
+    std::string path;
+    std::error_code error;
+    for (int n = 1; path.empty() || fs::exists(path, error); ++n)
+        path = fmt::format("{}-{}.level", stem, n);
+    if (const auto problem =
+            write_file_atomically(path, level_text(session.scene(), session.world())))
+        player.complain(*problem);
+    else
+        player.say("saved as " + path);
+}
+
+}  // namespace carom

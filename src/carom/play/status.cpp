@@ -1,0 +1,159 @@
+#include "carom/play/status.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "carom/context/solver_choice.h"
+#include "game/session/conserved.h"
+#include "lab/run/judge.h"
+#include "lab/run/report.h"
+#include "physics/tick/totals.h"
+
+namespace carom {
+namespace {
+
+std::string mode_of(const PlayContext& play) {
+    std::string mode;
+    const auto add = [&mode](std::string_view text) {
+        mode += (mode.empty() ? "" : ", ") + std::string(text);
+    };
+    if (play.clock.is_seeking()) add("seeking a collision");
+    if (play.clock.is_behind() && !play.clock.is_paused()) add("slower than real");
+    if (play.terminal.mouse_is_off) add("mouse off");
+    if (play.view.follows && play.view.selected)
+        add(fmt::format("following {}", number(*play.view.selected)));
+    return mode;
+}
+
+/// Collects hints by the names of actions; an action without a key gives none.
+struct Hints {
+    const KeyMap& keys;
+    std::vector<KeyHelp> lines;
+
+    void add(std::string_view action_name, std::string_view what) {
+        const std::string key = keys.hint(action_name);
+        if (!key.empty()) lines.push_back({key, std::string(what)});
+    }
+};
+
+/// What can be done with what is in hand, else with time.
+void add_first_hints(const PlayContext& play, Hints& hints) {
+    const PointerTool& tool = play.pointer.tool;
+    const bool is_paused = play.clock.is_paused();
+    if (tool.has_cue()) {
+        hints.add("grab", "shoot");
+        hints.add("menu", "let go");
+    } else if (tool.has_new_edge()) {
+        hints.add("draw-edge", "make the edge");
+        hints.add("menu", "let go");
+    } else if (!tool.is_empty()) {
+        hints.add("grab", "drop");
+        hints.add("pause", is_paused ? "go on" : "pause");
+    } else if (is_paused) {
+        hints.add("pause", "go on");
+        hints.add("step-forward", "step");
+        hints.add("step-back", "step back");
+        hints.add("next-collision", "next collision");
+    } else {
+        hints.add("pause", "pause");
+    }
+}
+
+std::vector<KeyHelp> hints_of(const PlayContext& play) {
+    Hints hints{play.keys, {}};
+    const bool has_empty_hand = play.pointer.tool.is_empty();
+    const bool watches = is_watching(play);
+    play.controller->add_hints(play, hints.lines);
+    add_first_hints(play, hints);
+    if (has_empty_hand && (play.pointer.shows_cursor || play.view.selected) && !watches) {
+        hints.add("grab", "take");
+        hints.add("cue", "cue");
+        hints.add("remove", "remove");
+    }
+    hints.add("help", "help");
+    if (!has_empty_hand) return std::move(hints.lines);
+    if (play.session.latest() > 0) hints.add("restart", "again");
+    if (!play.terminal.mouse_is_off && !play.pointer.shows_cursor &&
+        play.controller->drags_anything()) {
+        hints.lines.push_back({"drag", "move"});
+        hints.lines.push_back({"right drag", "shoot"});
+    }
+    hints.add("renderer", "look");
+    hints.add("menu", "menu");
+    hints.add("quit", "quit");
+    if (!watches) hints.add("solver", "solver");
+    return std::move(hints.lines);
+}
+
+/// What the level expects, as it stands in its file, as far as the world knows how it goes.
+std::vector<HudCheck> checks_of(const PlayContext& play) {
+    std::vector<HudCheck> checks;
+    const Scene& scene = play.session.scene();
+    if (scene.overridden) return checks;
+    for (const Expect& expect : scene.expects) {
+        using enum QuantityKind;
+        if (expect.what.kind == escaped || expect.what.kind == overlap) continue;
+        // The histogram says these.
+        if (is_of_bins(expect.what.kind) && play.panels.is_histogram_drawn()) continue;
+        if (const auto measured = measure(expect.what, play.session.world(), {}))
+            checks.push_back({expect.quantity, *measured, expect.value, expect.tolerance});
+    }
+    return checks;
+}
+
+void add_sums(const PlayContext& play, HudInfo& info) {
+    const World& world = play.session.world();
+    const Totals sums = totals(world);
+    info.kinetic_energy = sums.kinetic_energy;
+    if (world.model.gravity) info.potential_energy = sums.potential_energy;
+    info.momentum = sums.momentum;
+    if (keeps_energy(world)) info.energy_drift = play.reference.energy_drift(sums);
+    if (keeps_momentum(world)) info.momentum_drift = play.reference.momentum_drift(sums);
+}
+
+void add_time(const PlayContext& play, HudInfo& info) {
+    const World& world = play.session.world();
+    info.time = world.time();
+    info.tick = world.tick;
+    info.latest_tick = play.session.latest();
+    info.ticks_per_second = play.clock.is_paused() ? 0.0 : play.clock.ticks_per_second();
+    info.rate = world.rate;
+    info.speed = play.clock.speed();
+    info.is_paused = stands_still(play);
+}
+
+void add_world(const PlayContext& play, HudInfo& info) {
+    const World& world = play.session.world();
+    info.terms = terms_in_force(world.model);
+    info.balls = world.balls.size();
+    info.heaped = world.heaped.size();
+    info.collisions = world.ball_ball_collisions + world.ball_edge_collisions;
+    info.checks = checks_of(play);
+}
+
+}  // namespace
+
+HudInfo status_of(const PlayContext& play) {
+    HudInfo info;
+    info.title = play.session.scene().title;
+    info.solver = solver_text(play.session.solver());
+    info.solver_is_picked = play.solver_is_picked;
+    if (play.solver_is_picked) info.reason = pick_solver(play.session.scene().world).reason;
+    info.beside = play.companion.text();
+    info.mode = mode_of(play);
+    add_time(play, info);
+    add_world(play, info);
+    add_sums(play, info);
+    if (const auto line = play.messages.line()) {
+        info.message = line->text;
+        info.message_is_error = line->is_error;
+    }
+    play.controller->add_status(play, info);
+    info.hints = hints_of(play);
+    return info;
+}
+
+}  // namespace carom

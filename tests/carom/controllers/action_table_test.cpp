@@ -1,0 +1,82 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <set>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "carom/context/key_map.h"
+#include "carom/support/process.h"
+
+using namespace carom;
+
+namespace {
+
+std::string_view where_text(Where where) {
+    constexpr std::string_view texts[] = {"everywhere", "not in a recording", "pool", "pinball"};
+    return texts[static_cast<std::size_t>(where)];
+}
+
+/// Keys as the table has them, each as code.
+std::string code_of(std::string_view keys) {
+    std::string text = "`";
+    for (const char c : keys)
+        text += c == ' ' ? std::string("` `") : std::string(1, c);
+    return text + "`";
+}
+
+/// The list of docs/command-line.md, as the table of actions wants it.
+std::string list_of_actions() {
+    std::string text = "| action | keys | does | applies |\n|---|---|---|---|\n";
+    for (const Action& action : actions())
+        text += fmt::format("| `{}` | {} | {} | {} |\n", action.name, code_of(action.keys),
+                            action.help, where_text(action.where));
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("docs/command-line.md lists every action, with its keys and what it does") {
+    const std::string manual = carom::test::content(CAROM_SOURCE_DIR "/docs/command-line.md");
+    const std::string list = list_of_actions();
+    INFO("it should hold exactly this:\n", list);
+    CHECK(manual.find("\n" + list + "\n") != std::string::npos);
+}
+
+TEST_CASE("of each layer, a default key belongs to one action") {
+    const KeyMap keys;
+    std::set<std::pair<KeyLayer, std::string_view>> seen;
+    for (const Action& action : actions()) {
+        std::string_view rest = action.keys;
+        while (!rest.empty()) {
+            const std::string_view key = rest.substr(0, rest.find(' '));
+            CAPTURE(action.name);
+            CAPTURE(key);
+            CHECK(seen.emplace(layer_of(action), key).second);
+            REQUIRE(key_named(key));
+            CHECK(keys.action_of(*key_named(key), layer_of(action)) == &action);
+            rest.remove_prefix(std::min(key.size() + 1, rest.size()));
+        }
+    }
+}
+
+TEST_CASE("what an action does fits where it applies") {
+    for (const Action& action : actions()) {
+        CAPTURE(action.name);
+        const bool is_for_pool =
+            std::holds_alternative<void (*)(PoolController&, PlayContext&)>(action.perform);
+        const bool is_for_all = std::holds_alternative<void (*)(PlayContext&)>(action.perform);
+        CHECK(is_for_pool == (action.where == Where::pool));
+        CHECK(is_for_all == (action.where == Where::anywhere || action.where == Where::playing));
+    }
+}
+
+TEST_CASE("groups and notes of the help page name actions") {
+    for (const ActionGroup& group : action_groups()) {
+        CHECK(action_named(group.first));
+        CHECK(action_named(group.last));
+    }
+    for (const HelpNote& note : help_notes())
+        CHECK((note.action.empty() || action_named(note.action)));
+}

@@ -1,0 +1,322 @@
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+
+#include "carom/controllers/pinball_bell.h"
+#include "carom/controllers/pinball_input.h"
+#include "carom/play/program.h"
+#include "level/load.h"
+#include "support/terminal_program.h"
+
+using namespace carom;
+using carom::test::TerminalProgram;
+namespace fs = std::filesystem;
+
+namespace {
+
+const MayGoOn always = [] { return true; };
+
+// Of a window of 40: three are for the status.
+constexpr int table_rows = 37;
+
+// Nothing moves but what the player moves: one ball lies in the lane at the right, on the plunger,
+// and one beneath the bumper waits for a push.
+const char* const level = R"(carom 1 "A small table"
+units mm
+rate 1000
+use spin
+kind pinball r=10 m=80g
+box 0,0 400,600 r=1
+ball b kind=pinball at=380,31
+ball c kind=pinball at=200,440
+bumper pops at=200,500 r=20 kick=0.8m/s
+hole cellar at=100,300 toward=200,400 speed=0.1m/s hold=1s r=8
+plunger spring at=380,20 dir=up speed=0.5m/s..2.5m/s width=10
+drain out 10,10 20,10 r=3
+flipper left at=60,60 length=90 r=8
+flipper right at=250,60 length=90 r=8 key=right
+game pinball save=0s highscores=3
+)";
+
+std::string looks_of(const Cell& cell) {
+    return std::to_string(cell.glyph) + ' ' + std::to_string(cell.foreground) + ' ' +
+           std::to_string(cell.background) + ';';
+}
+
+InputEvent mouse(InputEvent::Action action, std::uint8_t button = 1) {
+    InputEvent event;
+    event.kind = InputEvent::Kind::mouse;
+    event.action = action;
+    event.button = button;
+    return event;
+}
+
+Session session_of(const char* text) {
+    LoadResult loaded = load_level(text, "table", {});
+    REQUIRE(loaded.scene.has_value());
+    const SolverSettings solver = pick_solver(loaded.scene->world).settings;
+    return Session(std::move(*loaded.scene), solver);
+}
+
+/// A person's folders; all of it goes again.
+struct TableHome {
+    fs::path path = fs::temp_directory_path() / ("carom-table-" + std::to_string(::getpid()));
+    TableHome() {
+        fs::create_directories(path / "data/carom");
+        ::setenv("XDG_CONFIG_HOME", (path / "config").c_str(), 1);
+        ::setenv("XDG_STATE_HOME", (path / "state").c_str(), 1);
+        ::setenv("XDG_DATA_HOME", (path / "data").c_str(), 1);
+        write("work.level", level);
+    }
+    ~TableHome() {
+        fs::remove_all(path);
+        for (const char* const name : {"XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME"})
+            ::unsetenv(name);
+    }
+    void write(const char* name, const std::string& text) const {
+        std::ofstream(path / name) << text;
+    }
+    std::string table() const { return (path / "work.level").string(); }
+};
+
+struct AtTable {
+    Program program;
+    Canvas window{120, 40};
+    double now = 100.0;
+
+    explicit AtTable(const TableHome& home, bool key_release = false, bool watch = false,
+                     const char* preferences = "")
+        : program(
+              [&] {
+                  PlayOptions options;
+                  options.level = home.table();
+                  options.watch = watch;
+                  return options;
+              }(),
+              read_preferences(preferences, "preferences")) {
+        Capabilities capabilities;
+        capabilities.columns = 120;
+        capabilities.rows = 40;
+        capabilities.colors = 256;
+        capabilities.utf8 = true;
+        capabilities.key_release = key_release;
+        program.set_capabilities(capabilities);
+        REQUIRE_FALSE(program.start().has_value());
+        look();
+    }
+    void key(char32_t code, InputEvent::Action action = InputEvent::Action::press) {
+        InputEvent event;
+        event.key = code;
+        event.action = action;
+        program.handle(event, now);
+    }
+    void pass(double seconds) {
+        for (double left = seconds; left > 1e-9; left -= 0.01) {
+            now += 0.01;
+            program.advance(0.01, now, always);
+        }
+    }
+    std::string look() {
+        program.draw(window);
+        return window.text();
+    }
+    bool sees(const std::string& text) { return look().find(text) != std::string::npos; }
+    /// Of the table, without the panel and the lines below.
+    std::size_t picture() {
+        look();
+        std::string rows;
+        for (int row = 0; row < table_rows; ++row)
+            for (int column = 0; column < 80; ++column)
+                rows += looks_of(window.at(column, row));
+        return std::hash<std::string>{}(rows);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("where the terminal tells releases, the first press already holds the flipper up") {
+    const TableHome home;
+    for (const bool tells : {true, false}) {
+        CAPTURE(tells);
+        AtTable table(home, tells);
+        const std::size_t at_rest = table.picture();
+        CHECK(table.sees(tells ? "up while held" : "up 0.2 s, on while the key repeats"));
+        table.key(U'z');
+        table.pass(0.1);
+        const std::size_t up = table.picture();
+        CHECK(up != at_rest);
+        table.pass(0.6);
+        CHECK((table.picture() == up) == tells);
+        table.key(U'z', InputEvent::Action::release);
+        table.pass(0.1);
+        CHECK(table.picture() == at_rest);
+    }
+}
+
+TEST_CASE("releases of the kitty protocol bring a flipper down at once") {
+    const TableHome home;
+    TerminalProgram game({CAROM_BINARY_DIR "/carom", "play", home.table()},
+                         {.columns = 100, .rows = 40, .emulator = {.has_key_protocol = true}});
+    REQUIRE(game.wait_for_text("A small table"));
+    CHECK(game.screen().key_stack() == 1);
+    CHECK(game.wait_for_text("up while held"));
+    const auto picture = [&] {
+        std::string rows;
+        for (int row = 0; row < table_rows; ++row)
+            for (int column = 0; column < 60; ++column)
+                rows += described(game.screen().look(column, row)) + '\n';
+        return std::hash<std::string>{}(rows);
+    };
+    const auto never = [] { return false; };
+    game.wait_until(never, 0.3);
+    const std::size_t at_rest = picture();
+    // As kitty sends it under the flags that carom asks for: z goes down, repeats, comes up.
+    game.send("\033[122;;122u");
+    REQUIRE(game.wait_until([&] { return picture() != at_rest; }));
+    game.wait_until(never, 0.3);
+    const std::size_t up = picture();
+    CHECK_FALSE(game.wait_until([&] { return picture() != up; }, 0.5));
+    game.send("\033[122;1:2;122u");
+    CHECK_FALSE(game.wait_until([&] { return picture() != up; }, 0.3));
+    game.send("\033[122;1:3u");
+    CHECK(game.wait_until([&] { return picture() == at_rest; }, 1.0));
+    // The arrows too, with a lock on; the other flipper stays down meanwhile.
+    game.send("\033[1;65:1D");
+    CHECK(game.wait_until([&] { return picture() == up; }, 1.0));
+    game.send("\033[1;65:3D");
+    CHECK(game.wait_until([&] { return picture() == at_rest; }, 1.0));
+    game.send("\033[113;;113u");
+    CHECK(game.wait_for_end());
+    CHECK(game.screen().key_stack() == 0);
+}
+
+TEST_CASE("the plunger is drawn with the mouse, and the further the stronger") {
+    using enum InputEvent::Action;
+    constexpr double row = 0.02;
+    const Session session = session_of(level);
+    const Vec2 grip{0.38, 0.1};
+    PinballInput input;
+    const auto pressed = input.take_mouse(mouse(press), grip, session);
+    REQUIRE(pressed.has_value());
+    REQUIRE(pressed->size() == 1);
+    CHECK(pressed->front().button == Button::plunger);
+    CHECK_FALSE(input.drag_plunger(mouse(move), grip + Vec2{0.05, 0.0}, row).has_value());
+    auto pull = input.drag_plunger(mouse(move), grip - Vec2{0.0, 3.0 * row}, row);
+    REQUIRE(pull.has_value());
+    CHECK(pull->share == doctest::Approx(0.5));
+    CHECK_FALSE(pull->lets_go);
+    pull = input.drag_plunger(mouse(move), grip - Vec2{0.0, 30.0 * row}, row);
+    REQUIRE(pull.has_value());
+    CHECK(pull->share == 1.0);
+    pull = input.drag_plunger(mouse(release), grip - Vec2{0.0, 1.5 * row}, row);
+    REQUIRE(pull.has_value());
+    CHECK(pull->share == doctest::Approx(0.25));
+    CHECK(pull->lets_go);
+    // The hand is empty now.
+    CHECK_FALSE(input.drag_plunger(mouse(move), grip, row).has_value());
+    CHECK_FALSE(input.take_mouse(mouse(release), grip, session).has_value());
+}
+
+TEST_CASE("a press on the plunger that is not drawn pulls it as its key does") {
+    using enum InputEvent::Action;
+    const Session session = session_of(level);
+    const Vec2 grip{0.38, 0.1};
+    PinballInput input;
+    REQUIRE(input.take_mouse(mouse(press), grip, session).has_value());
+    CHECK_FALSE(input.drag_plunger(mouse(release), grip, 0.02).has_value());
+    const auto released = input.take_mouse(mouse(release), grip, session);
+    REQUIRE(released.has_value());
+    REQUIRE(released->size() == 1);
+    CHECK(released->front().button == Button::plunger);
+    CHECK_FALSE(released->front().is_down);
+    // Elsewhere the same button is a flipper, and nothing is drawn.
+    const auto flipper = input.take_mouse(mouse(press), {0.1, 0.1}, session);
+    REQUIRE(flipper.has_value());
+    CHECK(flipper->front().button == Button::left_flipper);
+    CHECK_FALSE(input.drag_plunger(mouse(move), {0.1, 0.0}, 0.02).has_value());
+}
+
+TEST_CASE("the bell rings for what kicks and for holes, and not too often") {
+    Session session = session_of(level);
+    PinballBell bell;
+    CHECK_FALSE(bell.rings(session, 1.0));
+    const auto send = [&](Vec2 velocity) {
+        const BallId ball = session.world().balls.id[1];
+        REQUIRE_FALSE(session.apply(command::Strike{ball, velocity}).has_value());
+        for (int tick = 0; tick < 60; ++tick)
+            session.step_forward();
+    };
+    send({0.0, 1.0});
+    CHECK(bell.rings(session, 0.06));
+    CHECK_FALSE(bell.rings(session, 1.0));
+    send({0.0, 1.5});
+    CHECK(bell.rings(session, 0.06));
+    send({0.0, 2.5});
+    CHECK_FALSE(bell.rings(session, 0.06));  // it has just rung
+    const BallId ball = session.world().balls.id[1];
+    REQUIRE_FALSE(session.apply(command::PlaceBall{ball, {0.1, 0.3}}).has_value());
+    session.step_forward();
+    CHECK(bell.rings(session, 1.0));
+}
+
+TEST_CASE("the bell is off until a key asks for it, and that is kept") {
+    const TableHome home;
+    {
+        AtTable table(home);
+        CHECK_FALSE(table.program.take_bell());
+        table.key(U'l');
+        CHECK(table.sees("bell"));
+        CHECK(table.program.take_bell());  // so that one hears whether there is one
+        CHECK_FALSE(table.program.take_bell());
+    }
+    std::ifstream file(home.path / "config/carom/preferences");
+    std::string line;
+    std::getline(file, line);
+    CHECK(line == "bell = on");
+    CHECK(read_preferences(line, "p").preferences.bell);
+    CHECK_FALSE(read_preferences("", "p").preferences.bell);
+}
+
+TEST_CASE("high scores and the way flippers are held stay when the level is loaded again") {
+    const TableHome home;
+    home.write("data/carom/high-scores", "carom high scores 1\nwork 4321 XYZ\n");
+    AtTable table(home, true, true);
+    CHECK(table.sees("XYZ"));
+    table.key(U'k');
+    CHECK(table.sees("each press turns one over"));
+    table.pass(0.5);
+    std::string changed = level;
+    changed.replace(changed.find("A small table"), 13, "Another table");
+    home.write("work.level", changed);
+    table.pass(0.5);
+    REQUIRE(table.sees("Another table"));
+    CHECK(table.sees("XYZ"));
+    CHECK(table.sees("4,321"));
+    CHECK(table.sees("each press turns one over"));
+    // As many lines as the level wants now.
+    changed.replace(changed.find("highscores=3"), 12, "highscores=0");
+    home.write("work.level", changed);
+    table.pass(0.5);
+    CHECK_FALSE(table.sees("XYZ"));
+}
+
+TEST_CASE("a flipper is bound to another key in the preferences, and hints say so") {
+    const TableHome home;
+    AtTable table(home, true, false, "p = left-flipper\nz = none\nleft = none\n");
+    const std::size_t at_rest = table.picture();
+    CHECK(table.sees("flippers p / or mouse buttons"));
+    table.key(U'z');
+    table.pass(0.1);
+    CHECK(table.picture() == at_rest);
+    table.key(U'p');
+    table.pass(0.1);
+    CHECK(table.picture() != at_rest);
+    table.key(U'p', InputEvent::Action::release);
+    table.pass(0.2);
+    CHECK(table.picture() == at_rest);
+}
