@@ -8,12 +8,13 @@
 namespace carom {
 namespace {
 
-/// Of a radius: balls that are further apart have parted.
+/// Of a radius: a ball that is further from the other run has diverged.
 constexpr double tolerance = 0.01;
-/// Most memory for the way back.
+/// Most memory for going back.
 constexpr std::size_t rewind_bytes = std::size_t{16} << 20;
 
-/// The ball that is furthest from its twin, in its own radii, if that is beyond the tolerance.
+/// The ball that is furthest from the same ball of `b`, in its own radii, if that is beyond the
+/// tolerance.
 std::optional<std::size_t> diverged_ball(const World& a, const World& b) {
     std::optional<std::size_t> found;
     double most = tolerance;

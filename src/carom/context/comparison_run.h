@@ -9,16 +9,16 @@
 #include "game/session/history.h"
 #include "game/session/session.h"
 
-/// The same game under another solver: the other half of a split window.
+/// The game under another solver, for the second half of a split window.
 namespace carom {
 
-/// Begins where a session is, and follows it: the same ticks, the same commands but for changes of
-/// the solver. Commands that make no sense here any more, such as one about a ball that is gone,
-/// are left out. When the session goes back, so does this; before the beginning there is nothing to
-/// follow, and it begins anew.
+/// Starts from the state of a session and follows it: the same ticks, and the same commands but for
+/// changes of the solver. A command that does not apply here, such as one about a ball that is
+/// gone, is left out. A comparison run goes back when the session does. If the session goes back
+/// beyond its start, it starts again there.
 class ComparisonRun {
   public:
-    /// When a ball was first further than 1 % of its radius from its twin.
+    /// When a ball was first further than 1 % of its radius from the same ball of the session.
     struct Divergence {
         std::uint64_t tick = 0;
         double time = 0.0;  ///< s
@@ -29,15 +29,15 @@ class ComparisonRun {
     /// Pre: solver.kind is one of solvers_available().
     ComparisonRun(const Session& session, const SolverSettings& solver);
 
-    /// To the session's tick: true. `may_go_on` is asked between ticks and `keep_going` within long
-    /// ones; where one of them says no, the rest is left to the next call. Called after every tick
-    /// of the session, it misses no divergence.
+    /// Computes ticks up to the session's: true. `may_go_on` is asked between ticks and
+    /// `keep_going` within long ones; where one of them says no, the rest is left to the next call.
+    /// Called after every tick of the session, it misses no divergence.
     bool follow(const Session& session, const MayGoOn& may_go_on, const KeepGoing& keep_going);
 
     const SolverSettings& solver() const { return solver_.settings(); }
     const World& world() const { return world_; }
     std::span<const Contact> contacts() const { return contacts_; }
-    /// When both began, s.
+    /// The time of the common start, s.
     double start_time() const { return start_.time(); }
     const std::optional<Divergence>& divergence() const { return divergence_; }
 
@@ -53,7 +53,7 @@ class ComparisonRun {
     GameState game_;
     std::vector<Contact> contacts_;
     History history_;
-    std::optional<std::uint64_t> obeyed_;  ///< the tick whose commands world_ has obeyed
+    std::optional<std::uint64_t> obeyed_;  ///< the tick whose commands have been applied to world_
     std::optional<Divergence> divergence_;
 };
 

@@ -22,7 +22,7 @@ std::optional<Vec2> place_of(const World& world, BallId ball) {
     return world.balls.position[*index];
 }
 
-/// Whether the world already holds what the command asks for, and where it asks for it.
+/// Whether the world already holds what the command asks for, at the place that it asks for.
 bool is_held_so(const World& world, const Command& command) {
     if (const auto* hold = std::get_if<command::HoldBall>(&command))
         return std::ranges::any_of(world.held_balls, [&](const HeldBall& held) {
@@ -35,7 +35,8 @@ bool is_held_so(const World& world, const Command& command) {
     });
 }
 
-/// How many ticks the aiming line looks ahead: a second and a half, or what a picture has time for.
+/// How many ticks the predicted path looks ahead: a second and a half, or what a frame has time
+/// for.
 std::uint64_t foresight(const World& world) {
     constexpr double seconds = 1.5;
     constexpr double most_ball_ticks = 20000.0;
@@ -132,7 +133,7 @@ Complaint PointerTool::open(Session& session) {
                 session.apply(command::Strike{cue->ball, cue_velocity(world, *ball, cue->at)});
     } else if (const auto* edge = std::get_if<NewEdge>(&state_)) {
         complaint = session.apply(command::AddCapsule{edge->shape, edge->material});
-        if (complaint) return complaint;  // still in the hand: it can be moved out of the way
+        if (complaint) return complaint;  // still in hand: it can be moved out of the way
     }
     cancel(session);
     return complaint;

@@ -9,8 +9,8 @@
 #include "game/session/session.h"
 #include "terminal/draw/draw.h"
 
-/// The player's hand on the world, whether a mouse or a cursor moves it: takes balls and edges,
-/// pulls the cue, draws edges.
+/// What the pointer does to the world, whether the mouse or the cursor keys move it: it grabs balls
+/// and edges, pulls the cue, or draws an edge.
 namespace carom {
 
 /// Why something did not work, as a sentence for the player.
@@ -27,32 +27,32 @@ class PointerTool {
     bool has_cue() const { return std::holds_alternative<CueInHand>(state_); }
     bool has_new_edge() const { return std::holds_alternative<NewEdge>(state_); }
 
-    /// Takes what is at most `slack` from the point: a ball, else an end of an edge with all that
-    /// is joined to it, else an edge. False when there is nothing.
+    /// Grabs what is at most `slack` (length) from the point: a ball, else an end of an edge with
+    /// all ends joined to it, else an edge. False when there is nothing.
     bool take(const World& world, Vec2 at, double slack);
-    /// A ball that is put where the hand is, at once, whatever else goes on.
+    /// Grabs a ball to place it: it goes where the pointer is at once, even while ticks are run.
     void take_to_place(const World& world, BallId ball, Vec2 at);
-    /// The cue on a ball that exists.
+    /// Puts the cue on a ball. Pre: there is such a ball.
     void take_cue(BallId ball, Vec2 at);
     void start_edge(Vec2 at, double radius, ClassIndex material);
 
-    /// The hand is now there. A world that stands still has what is held put there at once, if
+    /// The pointer has moved. While the game stands still, what is held is placed there at once, if
     /// there is room.
     Complaint move(Session& session, Vec2 to, bool stands_still);
-    /// Opens: drops what it held, shoots with the cue, or makes the edge that was drawn.
+    /// Completes the action: drops what is held, shoots with the cue, or makes the edge.
     Complaint open(Session& session);
-    /// Opens without shooting or drawing.
+    /// Drops what is held, without shooting or making an edge.
     void cancel(Session& session);
-    /// Opens without a command: the session has gone to another time, and its log says who held
-    /// what there.
+    /// Empties the tool without a command: the session has gone to another time, and its log says
+    /// what was held there.
     void forget() { state_ = Nothing{}; }
 
-    /// Before ticks are computed: tells the session what is held and where, and drops what is held
-    /// by nobody (after a rewind, or when a session is taken up again).
+    /// Before ticks are computed: tells the session what is held and where, and drops what the tool
+    /// does not hold (after a rewind, or when a session is resumed).
     void prepare(Session& session);
 
-    /// What the player should see of it; `unit` is put behind the speed of the cue. With the cue
-    /// in the hand also where the ball would go, as far as that is quickly found.
+    /// What the player should see of it; `unit` is put behind the speed of the cue. While the cue
+    /// is pulled, also the predicted path of the ball, as far as it is quickly found.
     void mark(const World& world, const SolverSettings& solver, std::string_view unit,
               Marks& marks) const;
 
@@ -60,7 +60,7 @@ class PointerTool {
     struct Nothing {};
     struct BallInHand {
         BallId ball{};
-        Vec2 grip;  ///< from the hand to the middle of the ball
+        Vec2 grip;  ///< from the pointer to the middle of the ball
         Vec2 at;
         bool is_placed = false;
     };
@@ -85,7 +85,7 @@ class PointerTool {
     std::variant<Nothing, BallInHand, EdgesInHand, CueInHand, NewEdge> state_;
 };
 
-/// The velocity that the cue gives a ball there, pulled to `hand`.
+/// The velocity that the cue gives a ball there, pulled to the place `hand`; both in the world.
 Vec2 cue_velocity(const World& world, Vec2 ball, Vec2 hand);
 
 }  // namespace carom

@@ -12,15 +12,16 @@
 /// is held.
 namespace carom {
 
-/// Turns events into presses. Where the terminal tells when a key is let go, a button is down until
-/// then. Where it never has, a press holds the button for a set time, and the key's repeats hold it
-/// on: a flipper for 0.2 s, then as long as repeats arrive; the plunger until they stop, or for
+/// Turns events into presses. Where the terminal reports the release of a key, a button is down
+/// until then. Elsewhere a press holds the button for a set time, and repeats of the key hold it
+/// longer: a flipper for 0.2 s, then as long as repeats arrive; the plunger until they stop, or for
 /// 0.6 s.
 class PinballButtons {
   public:
-    /// What an event of the button's key changes.
+    /// An event of the button's key. What it changes.
     std::vector<command::Press> take(Button button, const InputEvent& event);
-    /// The mouse tells when it lets go. `mouse`: which of its buttons, 0 where it does not say.
+    /// The mouse always reports a release. `mouse`: which of its buttons; 0: the terminal does not
+    /// say.
     std::vector<command::Press> press_mouse(std::uint8_t mouse, Button button);
     std::vector<command::Press> release_mouse(std::uint8_t mouse);
     bool has_mouse() const;
@@ -29,20 +30,20 @@ class PinballButtons {
     void set_toggles(bool toggles) { toggles_ = toggles; }
     bool toggles() const { return toggles_; }
 
-    /// What lets go as `seconds` pass.
+    /// The buttons that come up as `seconds` pass.
     std::vector<command::Press> pass(double seconds);
-    /// Lets go of everything: nobody has seen what became of the keys.
+    /// Every button comes up: it is not known what became of the keys.
     std::vector<command::Press> let_go();
 
     bool is_down() const;
-    /// The terminal says that it tells when a key is let go; else the first release teaches it.
+    /// The terminal reports releases of keys; else the first release shows that it does.
     void set_tells_release(bool tells) { tells_release_ = tells; }
     bool tells_release() const { return tells_release_; }
 
   private:
     struct Held {
         bool is_down = false;
-        double left = 0.0;                    ///< s until it lets go by itself
+        double left = 0.0;                    ///< s until it comes up by itself
         double since = 1e9;                   ///< s since its last press or repeat
         std::optional<std::uint8_t> mouse{};  ///< its button that holds it
     };

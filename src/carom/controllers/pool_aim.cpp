@@ -90,7 +90,7 @@ void PoolAim::begin_turn(const Session& session) {
     aim_at_nearest(session);
 }
 
-// Of the balls that may be met.
+// At the nearest of the balls that may be hit first.
 void PoolAim::aim_at_nearest(const Session& session) {
     const auto cue = cue_ball(session);
     if (!cue) return;
@@ -104,7 +104,7 @@ void PoolAim::aim_at_nearest(const Session& session) {
 }
 
 void PoolAim::set_up(const Session& session, const PoolStance& setup) {
-    look(session);  // so that a turn that begins does not take it away again
+    look(session);  // so that a turn that begins does not reset it
     setup_ = setup;
     has_aimed_ = true;
     constexpr double most = command::Strike::most_offset;
@@ -191,7 +191,7 @@ std::string PoolAim::next_pot(const Session& session, bool backwards) {
 }
 
 void PoolAim::take(const Session& session, const PoolThought& thought) {
-    look(session);  // so that a turn that begins does not take the aim away again
+    look(session);  // so that a turn that begins does not reset the aim
     const Vec2 velocity = thought.strike.velocity;
     setup_ = {.bearing = bearing_of(velocity),
               .speed = length(velocity),
@@ -235,14 +235,14 @@ void PoolAim::look(const Session& session) {
         cloud_.clear();
         return;
     }
-    // Another turn, or another frame.
+    // A number for the turn and the frame.
     const std::uint64_t now = game ? std::uint64_t{game->shots} * 64 +
                                          static_cast<std::uint64_t>(game->rules.phase) * 8 +
                                          static_cast<std::uint64_t>(game->rules.player)
                                    : 0;
     if (std::exchange(turn_, now) != now) begin_turn(session);
     setup_.speed = std::min(setup_.speed, most_speed(session));
-    // The ball in hand was put elsewhere.
+    // The ball in hand was moved.
     if (!has_aimed_ && may_place(session) && lay_ != session.world().balls.position)
         aim_at_nearest(session);
     if (is_seen_ && seen_setup_ == setup_ && lay_ == session.world().balls.position) return;

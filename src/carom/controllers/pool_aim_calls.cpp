@@ -3,7 +3,7 @@
 #include "carom/controllers/pool_aim.h"
 #include "game/commands/aiming.h"
 
-/// What the next shot is said to be.
+/// What the next shot calls.
 namespace carom {
 
 bool PoolAim::call_pocket(const Session& session, Vec2 place) {

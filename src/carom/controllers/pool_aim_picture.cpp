@@ -8,7 +8,7 @@
 #include "game/commands/aiming.h"
 #include "geometry/elementary.h"
 
-/// What a person at the table sees of the aim.
+/// What the player sees of the aim.
 namespace carom {
 namespace {
 
@@ -81,7 +81,7 @@ PoolMarks PoolAim::marks(const Session& session, bool aims) const {
     if (const auto line = aim_line(world, cue, strike.velocity)) {
         marks.aim = PoolMarks::Line{line->from, line->to};
         if (line->object) {
-            // The fuller the hit, the more of the speed it takes with it.
+            // The fuller the hit, the more of the speed the object ball takes.
             const double reach = 14.0 * radius;
             const Vec2 object = world.balls.position[*index_of(world, *line->object)];
             marks.ghost = Disc{line->to, radius};

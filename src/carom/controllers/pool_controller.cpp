@@ -238,7 +238,7 @@ void PoolController::hear_coach(PlayContext& play) {
     say(play, text);
 }
 
-// Back to where a person is to play.
+// Back to the player's own turn.
 void PoolController::undo_shot(PlayContext& play) {
     opponent_.hesitate();
     if (!undo(play)) return;

@@ -30,7 +30,7 @@ std::string PoolController::line(const PlayContext& play) const {
 void PoolController::add_status(const PlayContext& play, HudInfo& info) const {
     add_pool_title(play.session, names(), info);
     info.game = line(play);
-    // The last seconds of the player who is to shoot, or to choose.
+    // The last seconds for the shot, or the choice.
     const World& world = play.session.world();
     const PoolPlay* const pool = pool_of(play.session);
     const auto left = pool ? time_left(world, *pool) : std::nullopt;

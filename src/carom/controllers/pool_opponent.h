@@ -17,10 +17,10 @@ class PoolOpponent {
 
     /// The AI player is to shoot, or to choose.
     bool is_turn(const Session& session) const;
-    /// Thinks, says what it is going to shoot, and shoots; only in the present, since a player who
-    /// goes back in time only watches.
+    /// Thinks, says what it is going to shoot, and shoots; only at the latest
+    /// tick, since a player who has gone back in time watches.
     void play(PlayContext& play, double seconds);
-    /// Waits anew before the next shot: the player has gone back.
+    /// Waits again before the next shot: the player has gone back.
     void hesitate() { seconds_left_ = 0.0; }
     /// What it is going to shoot, or that it still thinks.
     std::string text() const;

@@ -7,7 +7,7 @@
 #include "carom/controllers/pool_status.h"
 
 /// A recording is watched: only time and view obey the keys, and the mouse drags the view. Pool and
-/// pinball tell how the game stands, as they do for those who play.
+/// pinball show the score and the turn as they do in play.
 namespace carom {
 
 class WatchController : public Controller {

@@ -37,8 +37,8 @@ class OutputFile {
     /// Flushes, syncs to the disk and renames. Whether all of it is written: see `error`.
     void commit();
 
-    /// The first thing that went wrong, or empty. A reader who has closed a pipe has had enough:
-    /// that is no error, see `is_closed`.
+    /// The first thing that went wrong, or empty. A pipe that its reader has closed is no
+    /// error: see `is_closed`.
     const std::string& error() const { return error_; }
     /// What is written goes nowhere any more.
     bool is_closed() const { return descriptor_ < 0; }

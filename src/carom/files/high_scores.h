@@ -7,13 +7,13 @@
 #include <string_view>
 #include <vector>
 
-/// High scores. They live in one small text file in the user's data folder: a first line that says
-/// what it is, then one line a score,
+/// High scores. They live in one small text file in the user's data folder: a first line that names
+/// the format, then one line a score:
 ///
 ///     carom high scores 1
 ///     three-bumpers 123450 ABC
 ///
-/// the name of the table, the points, the initials. A file that is not so is never written over.
+/// the name of the table, the points, the initials. A file in another format is never written over.
 namespace carom {
 
 struct HighScore {
@@ -23,14 +23,14 @@ struct HighScore {
     friend bool operator==(const HighScore&, const HighScore&) = default;
 };
 
-/// Those of one table, the best first.
+/// The high scores of one table, the best first.
 struct HighScores {
     std::vector<HighScore> lines;
     std::size_t most = 5;
 
     /// Whether this score would be among them.
     bool takes(std::int64_t score) const;
-    /// Those who came first stand before those who did as well later.
+    /// Of equal scores, the older stands first.
     void add(const HighScore& score);
 };
 
@@ -46,9 +46,9 @@ HighScoresText read_high_scores(std::string_view text, std::string_view table, s
 std::string with_high_scores(std::string_view text, std::string_view table,
                              const HighScores& scores);
 
-/// As read_honours, from the user's file; a user without one has no scores yet.
+/// Reads the high scores from the user's file; a user without one has none yet.
 HighScoresText load_high_scores(std::string_view table, std::size_t most);
-/// Adds one to the user's file, which is read anew for it, and gives what stands there now. The
+/// Adds one to the user's file, which is read again for it, and returns the table's scores now. The
 /// new text takes the place of the old at once or not at all.
 HighScoresText keep_high_score(std::string_view table, std::size_t most, const HighScore& score);
 

@@ -24,8 +24,8 @@ struct LevelEntry {
 /// The levels of a folder, by name. Files that cannot be read are left out.
 std::vector<LevelEntry> levels_in(const std::string& folder);
 
-/// A level named by a person: the path of a file, or the name of a level that ships (a file wins).
-/// None: there is neither, and `error` says so, with the nearest name if one is near.
+/// A level as the user names it: the path of a file, or the name of a level that ships (a file
+/// wins). None: there is neither, and `error` says so, with the nearest name if one is near.
 struct FoundLevel {
     std::optional<std::string> path;
     std::string error;

@@ -23,7 +23,7 @@ struct LevelSource {
     std::size_t rewind_bytes = Session::default_rewind_bytes;
 };
 
-/// What the command line says of a level; `argument` as a person names it.
+/// What the command line says of a level; `argument`: the level as the user names it.
 LevelSource source_of(const PlayOptions& options, const std::string& argument);
 
 LoadedLevel load(const LevelSource& source);
@@ -41,7 +41,7 @@ struct OpenedGame {
 };
 std::variant<OpenedGame, Problems> open_game(const LevelSource& source);
 
-/// The level of a game that was cut off, ready to be played again up to where it stood.
+/// The level of an unfinished game, ready to be replayed up to where it stood.
 std::variant<Replayer, Problems> reopen_game(const Replay& replay, std::size_t rewind_bytes);
 
 }  // namespace carom

@@ -6,11 +6,11 @@
 
 #include "level/text/diagnostic.h"
 
-/// What carom says to people, on the two standard streams.
+/// What carom writes for people to the two standard streams.
 namespace carom {
 
-/// To standard output. False when it could not be written (standard error then says why); a reader
-/// who has closed the pipe has had enough, and that is no fault.
+/// To standard output. False when it could not be written (standard error then says why); a
+/// closed pipe is no fault.
 bool print_out(std::string_view text);
 
 /// "carom: error: SENTENCE" to standard error.

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// Files that are watched for being saved.
+/// Notices when files are saved, for `--watch`.
 namespace carom {
 
 /// Looks when asked: asks the system for size, time and identity first, and reads only what these

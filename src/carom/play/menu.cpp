@@ -14,8 +14,8 @@
 namespace carom {
 namespace {
 
-/// A level is read once its entry has been chosen for this long, s: who holds an arrow key down
-/// does not wait for pictures.
+/// A level is read once its entry has been selected for this long, s, so that a held arrow key does
+/// not wait for pictures.
 constexpr double patience = 0.12;
 
 std::string lower_case(std::string_view text) {

@@ -18,8 +18,8 @@
 #include "terminal/input/input.h"
 #include "terminal/panels/pages.h"
 
-/// The menu: the levels that ship and those in the current folder, games that were cut off, and a
-/// small picture of the level that is chosen, alive.
+/// The menu: unfinished games, the levels of the current folder and those that ship, and beside
+/// them a small moving picture of the selected level.
 namespace carom {
 
 /// Something to choose.
@@ -28,18 +28,18 @@ struct MenuItem {
     std::string title;
     std::string group;
     std::string path;                              ///< of the level
-    std::optional<InterruptedGame> interrupted{};  ///< to take up where it stood
+    std::optional<InterruptedGame> interrupted{};  ///< to resume
 };
 
-/// Items for cut-off games, the levels of the current folder, and the levels that ship.
+/// Items for unfinished games, the levels of the current folder, and the levels that ship.
 std::vector<MenuItem> menu_items(std::span<const InterruptedGame> interrupted);
 
 class Menu {
   public:
     using Load = std::function<LoadedLevel(const std::string& path)>;
 
-    /// `load` reads a level for its picture. `choose`: the name of the item to begin with, or its
-    /// level's path; a game that was left comes before its level.
+    /// `load` reads a level for its picture. `choose`: the name of the item to select first, or its
+    /// level's path; an unfinished game comes before its level.
     Menu(std::vector<MenuItem> items, Load load, std::string_view choose = {});
 
     struct Quit {};
@@ -52,7 +52,7 @@ class Menu {
     void touch() { needs_draw_ = true; }
     void draw(Canvas& canvas, double aspect, const ViewOptions& view);
 
-    /// The items that the search leaves, and the one that is chosen. Null: none is left.
+    /// The items that match the search, and the selected one. Null: none matches.
     std::vector<const MenuItem*> shown() const;
     const MenuItem* selected() const;
 

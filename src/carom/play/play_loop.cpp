@@ -18,8 +18,7 @@ constexpr double heavy = 0.002;
 /// Share of the time between two frames that ticks may take when something has come that does not
 /// end them, such as the motion of a mouse.
 constexpr double awaited_share = 0.25;
-/// Time that passed while nobody could see it (a stopped process, a busy machine) does not count
-/// beyond this, s.
+/// A gap between two turns of the loop (a stopped process, a busy machine) counts up to this, s.
 constexpr double longest_gap = 0.25;
 /// With nothing to do, so long, s.
 constexpr double longest_wait = 60.0;
@@ -57,7 +56,7 @@ void PlayLoop::run() {
 
 void PlayLoop::turn() {
     const double now = seconds_now();
-    // A player who sees nothing does not lose the game for it.
+    // While the terminal shows nothing, the game waits.
     const bool is_stalled = pacing_.is_stalled(now);
     const double passed = is_stalled ? 0.0 : std::min(now - last_, longest_gap);
     last_ = now;

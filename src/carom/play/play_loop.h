@@ -17,13 +17,13 @@ double seconds_now();
 
 MouseMode mouse_mode(const ScreenRequests& requests);
 
-/// Where ticks take no time worth speaking of, all is done in one thread. Where they do, and there
-/// is a second core, a second thread computes them while the first draws, waits for the terminal
-/// and listens: so a key is answered at once, however heavy the scene.
+/// Where ticks are cheap, one thread does everything. Where they are not, and there is a second
+/// core, a second thread computes them while the first draws, waits for the terminal and reads
+/// input, so a key is answered at once however heavy the scene is.
 ///
-/// While ticks are computed beside, the program belongs to them: the first thread asks it nothing
-/// but Program::ends_tick(). When a key comes, the tick is given up, the key is dealt with between
-/// two ticks, and the picture that shows it is drawn before the next tick is begun.
+/// While the second thread computes ticks, the program belongs to it: the first thread calls
+/// nothing but Program::ends_tick(). When a key comes, the tick is cancelled, the key is handled
+/// between two ticks, and the picture that shows its effect is drawn before the next tick is begun.
 class PlayLoop {
   public:
     /// `asciinema`: the recording that is made, or none. All must outlive the loop.

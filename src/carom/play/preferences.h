@@ -9,8 +9,8 @@
 #include "carom/options/play_options.h"
 #include "terminal/draw/draw.h"
 
-/// What a player likes, kept in a small text file that people may edit. Its grammar, one statement
-/// a line, `#` starts a comment:
+/// The player's preferences, kept in a small text file that may be edited. Its grammar, one
+/// statement a line, `#` starts a comment:
 ///
 ///     p = pause               a key and the action that it does; `none` for nothing
 ///     ctrl-up = zoom-in

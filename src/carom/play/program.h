@@ -16,7 +16,8 @@
 #include "carom/play/running_game.h"
 #include "terminal/input/capabilities.h"
 
-/// All of playing but the terminal and the clock: which page is shown, and the files around it.
+/// All of playing but the terminal and the clock: which page is shown, and the files around it. The
+/// page is the menu, a running game, a notice, or a game that is being resumed.
 namespace carom {
 
 /// What the program asks of the screen.
@@ -54,15 +55,15 @@ class Program {
     bool is_over() const { return is_over_; }
     ScreenRequests screen_requests() const;
 
-    /// The game has been cut off: writes what is needed to take it up again, and the recording.
+    /// The game is interrupted: writes what is needed to resume it, and the recording.
     void interrupt();
-    /// The game that was left last can be gone on with.
+    /// The game that was left last can be resumed.
     bool is_kept() const { return is_kept_; }
-    /// A recording that could not be written: for the person, once the screen is gone.
+    /// A recording that could not be written: for the player, once the screen is closed.
     const std::optional<std::string>& lost_recording() const { return lost_recording_; }
 
   private:
-    /// A text; where it is about a level that is watched, until that is mended.
+    /// A page of text; about a watched level with errors, it stays until they are fixed.
     struct Notice {
         std::string title;
         Problems lines;
@@ -75,7 +76,7 @@ class Program {
         bool scroll_with(const InputEvent& event);
         void draw(Canvas& canvas, const Look& look, bool is_tried_again);
     };
-    /// A game that is being played again up to where it was cut off.
+    /// An unfinished game that is being replayed up to where it stood.
     struct Resuming {
         InterruptedGame game;
         Replayer replayer;

@@ -8,22 +8,22 @@
 
 #include "game/replay/replay_text.h"
 
-/// Games that were cut off, or left in the middle, so that they can be taken up where they stood.
-/// Each running game writes a file of its own (its name holds the level's, a hash of its path, and
-/// the number of the process), again every few seconds and when it is cut off; a game that ends in
-/// good order takes its file away, and one that is left to be gone on with puts it aside under a
-/// name without a process. What is there of no running process can be taken up.
+/// Unfinished games: those that were interrupted, or left in the middle, so that they can be
+/// resumed. Each running game writes a file of its own (its name holds the level's, a hash of its
+/// path, and the number of the process), again every few seconds and when it is interrupted. A game
+/// that ends in good order removes its file; one that is left to be resumed puts it aside under a
+/// name without a process. A file that belongs to no running process can be resumed.
 namespace carom {
 
 struct InterruptedGame {
     std::string file;
     Replay replay;
     std::int64_t saved = 0;  ///< s since 1970
-    bool was_left = false;   ///< by the player, who means to go on
+    bool was_left = false;   ///< by the player, to be resumed
 };
 
-/// Those left, and those of processes that run no more, the newest first; files that cannot be read
-/// are left out. `level`: the path of one level only, as it is in Replay::level; empty: of all.
+/// The unfinished games of no running process, the newest first; files that cannot be read are left
+/// out. `level`: the path of one level only, as it is in Replay::level; empty: of all.
 std::vector<InterruptedGame> interrupted_games(const std::string& folder,
                                                std::string_view level = {});
 
@@ -38,7 +38,7 @@ class ResumeFile {
     std::optional<std::string> save(const Replay& replay);
     /// The game has ended in good order.
     void remove();
-    /// The game is left as it was saved last, to be gone on with. False: nothing was saved.
+    /// The game is left as it was saved last, to be resumed. False: nothing was saved.
     bool put_aside();
 
   private:
@@ -47,10 +47,10 @@ class ResumeFile {
     bool is_written_ = false;
 };
 
-/// Takes a cut-off game's file away: it has been taken up, or is not wanted.
+/// Removes the game's file: it has been resumed, or is not wanted.
 void forget(const InterruptedGame& game);
 
-/// Where they are, by the user's folders; none: the user has no such place.
+/// The folder of unfinished games; none: the user has no such place.
 std::optional<std::string> resume_folder();
 
 }  // namespace carom

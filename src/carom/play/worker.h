@@ -6,8 +6,8 @@
 #include <mutex>
 #include <thread>
 
-/// A second thread, for one job at a time. What a job works on belongs to it from start() to
-/// finish(): nobody else touches that meanwhile, so nothing of it needs a lock.
+/// A second thread, for one job at a time. A job owns what it works on from start() to finish(): no
+/// other thread touches it meanwhile, so it needs no lock.
 namespace carom {
 
 class Worker {
@@ -17,14 +17,14 @@ class Worker {
     Worker& operator=(const Worker&) = delete;
     ~Worker();  ///< waits for the job to end
 
-    /// False where the system had no thread to give: then nothing can be started.
+    /// False where the system gave no thread: then no job can be started.
     bool is_there() const { return thread_.joinable(); }
 
     /// Pre: is_there(), and no job that has not been finished.
     void start(std::function<void()> job);
     /// Whether the job has ended; finish() is still to be called.
     bool is_done() const;
-    /// Waits for the end of the job. What it threw, this throws.
+    /// Waits for the end of the job. Throws what the job threw.
     void finish();
 
     /// For poll(): readable from the end of a job to its finish().
