@@ -1,7 +1,7 @@
 #pragma once
 
+#include "geometry/double_double.h"
 #include "geometry/vec2.h"
-#include "geometry/wide.h"
 
 /// Vec2 over any number type: what the solver `event` computes with, so that the same code runs
 /// with doubles and with more digits. The operations are those of vec2.h.

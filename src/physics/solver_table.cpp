@@ -91,7 +91,7 @@ class ContactMethod final : public SolverMethod {
 
 TickOutcome outcome_of(EventOutcome outcome) {
     switch (outcome) {
-        case EventOutcome::given_up:
+        case EventOutcome::cancelled:
             return TickOutcome::given_up;
         case EventOutcome::too_dense:
             return TickOutcome::too_dense;
@@ -110,7 +110,7 @@ class EventMethod final : public SolverMethod {
             has_clusters ? hybrid_.tick(world, event_, contact_, work.contacts, work.touched,
                                         work.keep_going)
                          : event_.tick(world, work.contacts, work.touched, work.keep_going);
-        if (outcome == EventOutcome::given_up) return TickOutcome::given_up;
+        if (outcome == EventOutcome::cancelled) return TickOutcome::given_up;
         if (!has_clusters) world.pressed.clear();
         world.homes.clear();
         return outcome_of(outcome);
@@ -128,7 +128,7 @@ class ExtendedEventMethod final : public SolverMethod {
     TickOutcome advance(World& world, TickWork work) override {
         const EventOutcome outcome =
             event_.tick(world, work.contacts, work.touched, work.keep_going);
-        if (outcome == EventOutcome::given_up) return TickOutcome::given_up;
+        if (outcome == EventOutcome::cancelled) return TickOutcome::given_up;
         world.heaped.clear();
         world.pressed.clear();
         world.homes.clear();
@@ -137,7 +137,7 @@ class ExtendedEventMethod final : public SolverMethod {
     const CellFrame& cells() const override { return event_.cells(); }
 
   private:
-    EventEngine<Wide> event_;
+    EventEngine<DoubleDouble> event_;
 };
 
 using Made = std::unique_ptr<SolverMethod>;

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "physics/event/toi_search.h"
+#include "physics/event/time_of_impact.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 
@@ -100,14 +100,14 @@ TEST_CASE("event: an approach at the smallest representable speed is no impact")
     const Edge<double> peg(Capsule{{0.0, 0.0}, {0.0, 0.0}, 0.0}, {});
     for (const double speed : {5e-324, 1e-320, 1e-310, 1e-300}) {
         CAPTURE(speed);
-        EventPath<double> path;
+        Trajectory<double> path;
         path.position = {0.5, 0.0};
         path.velocity = {-speed, 0.0};
-        ClosingSearch<double> search;
-        CHECK(!edge_closing(path, wall, 0.5, Field<double>{}, 1.0, search));
-        CHECK(!edge_closing(path, peg, 0.5, Field<double>{}, 1.0, search));
-        EventPath<double> other;
-        CHECK(!ball_closing(path, other, {}, 0.5, 0.25, Field<double>{}, 1.0, search));
+        ToiSearch<double> search;
+        CHECK(!edge_time_of_impact(path, wall, 0.5, Field<double>{}, 1.0, search));
+        CHECK(!edge_time_of_impact(path, peg, 0.5, Field<double>{}, 1.0, search));
+        Trajectory<double> other;
+        CHECK(!ball_time_of_impact(path, other, {}, 0.5, 0.25, Field<double>{}, 1.0, search));
     }
 }
 

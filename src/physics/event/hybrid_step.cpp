@@ -30,7 +30,7 @@ EventOutcome Handover::tick(World& world, EventEngine<double>& event, ContactSol
     if (std::ranges::find(is_heap_, 1) == is_heap_.end()) {
         // They are gone.
         const EventOutcome outcome = event.tick(world, contacts, touched, keep_going);
-        if (outcome != EventOutcome::given_up) world.pressed.clear();
+        if (outcome != EventOutcome::cancelled) world.pressed.clear();
         return outcome;
     }
     for (int attempt = 1;; ++attempt) {
@@ -44,7 +44,7 @@ EventOutcome Handover::tick(World& world, EventEngine<double>& event, ContactSol
         take_part(world, false, free_);
         const EventOutcome outcome =
             event.tick(free_.world, free_.contacts, free_.touched, keep_going);
-        if (outcome == EventOutcome::given_up) return outcome;
+        if (outcome == EventOutcome::cancelled) return outcome;
         take_part(world, true, heap_);
         contact.tick(heap_.world, substeps_for(heap_.world), heap_.contacts, heap_.touched);
         const bool free_went_further = note_ways(world, free_);

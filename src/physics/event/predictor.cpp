@@ -1,11 +1,12 @@
+#include "physics/event/predictor.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
 
-#include "physics/event/engine.h"
-#include "physics/laws/bounce.h"
+#include "physics/event/time_of_impact.h"
+#include "physics/event/tolerances.h"
 
-// Which event of a ball comes next.
 namespace carom {
 namespace {
 
@@ -13,243 +14,99 @@ struct Step {
     int columns = 0;
     int rows = 0;
 };
-constexpr std::uint32_t look_again = 4;
-constexpr std::uint32_t begin_again = 5;
-constexpr std::array<Step, 4> steps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
-
-// The first time in begin..end at which `value` (0 at most, say) has changed its sign. Pre: it
-// does.
-template <typename Real, typename Value>
-Real change_of_sign(Value&& value, Real begin, Real end) {
-    for (int i = 0; i < 200; ++i) {
-        const Real middle = begin + (end - begin) * Real(0.5);
-        if (!(begin < middle) || !(middle < end)) break;
-        if (value(middle) < Real{})
-            end = middle;
-        else
-            begin = middle;
-    }
-    return end;
-}
+constexpr std::array<Step, cell_transfer::sides> steps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
 }  // namespace
 
-// The order of events: time, kind, lower id, higher id; then whose event it is.
+// Whether the ball's first collision can be known however far ahead, if the balls around it fly
+// too. One-way edges are tested whenever all is predicted anew, so that must happen at every cell.
 template <typename Real>
-bool EventEngine<Real>::comes_first(std::uint32_t ball_a, const Event& a, std::uint32_t ball_b,
-                                    const Event& b) const {
-    if (a.kind == Kind::none || b.kind == Kind::none)
-        return b.kind == Kind::none && (a.kind != Kind::none || ball_a < ball_b);
-    if (!(a.time == b.time)) return a.time < b.time;
-    if (a.kind != b.kind) return a.kind < b.kind;
-    const auto low = [](std::uint32_t ball, const Event& e) {
-        return e.kind == Kind::ball_ball ? std::min(ball, e.other) : ball;
-    };
-    const auto high = [](std::uint32_t ball, const Event& e) {
-        return e.kind == Kind::ball_ball ? std::max(ball, e.other) : e.other;
-    };
-    if (low(ball_a, a) != low(ball_b, b)) return low(ball_a, a) < low(ball_b, b);
-    if (high(ball_a, a) != high(ball_b, b)) return high(ball_a, a) < high(ball_b, b);
-    return ball_a < ball_b;
+bool Predictor<Real>::can_foresee(std::uint32_t ball) const {
+    return is_flying(ball) && space_.cells().oversized().empty() && !scene_.world->model.one_way;
 }
 
 template <typename Real>
-double EventEngine<Real>::queue_time(std::uint32_t ball) const {
-    const Event next = balls_.plan(ball).coming();
-    return next.kind == Kind::none ? EventQueue::never : static_cast<double>(next.time);
-}
-
-template <typename Real>
-void EventEngine<Real>::build_queue() {
-    coming_.fill({});
-    queue_.build(
-        balls_.size(), [this](std::uint32_t ball) { return queue_time(ball); },
-        [this](std::uint32_t a, std::uint32_t b) {
-            return comes_first(a, balls_.plan(a).coming(), b, balls_.plan(b).coming());
-        });
-}
-
-// The ball's event has changed.
-template <typename Real>
-void EventEngine<Real>::reorder(std::uint32_t ball) {
-    queue_.update(ball, queue_time(ball), [this](std::uint32_t a, std::uint32_t b) {
-        return comes_first(a, balls_.plan(a).coming(), b, balls_.plan(b).coming());
-    });
-}
-
-template <typename Real>
-bool EventEngine<Real>::is_flying(std::uint32_t ball) const {
-    return balls_[ball].line.motion == Motion::free && !field_.has_drag;
-}
-
-// All anew: after its path has changed, or another's that it was to meet.
-//
-// Balls that fly move in straight lines as seen from one another, so whom such a ball meets first
-// is known however far ahead, and stays known from cell to cell: only the new neighbours are looked
-// at there. The paths of others are looked at no further than the next event. One-way edges are
-// looked at whenever all is predicted anew, which happens at every cell then.
-template <typename Real>
-void EventEngine<Real>::predict(std::uint32_t ball) {
-    Event meeting;
-    bool is_known = is_foreseen(ball);
-    if (is_known && world_->model.ball_ball)
-        cells_.for_each_near(balls_, ball, [&](std::uint32_t other, int across, int along) {
+void Predictor<Real>::predict(std::uint32_t ball) {
+    BallEvent<Real> collision;
+    bool is_known = can_foresee(ball);
+    if (is_known && scene_.world->model.ball_ball)
+        space_.cells().for_each_near(balls_, ball, [&](std::uint32_t other, int across, int along) {
             is_known = is_known && is_flying(other);
-            if (is_known) meet_flying(ball, other, across, along, meeting);
+            if (is_known) meet_flying(ball, other, across, along, collision);
         });
-    if (!is_known) meeting.kind = Kind::unknown;
-    balls_.plan(ball).set_meeting(meeting);
+    if (!is_known) collision.kind = EventKind::unknown;
+    balls_.plan(ball).set_collision(collision);
     choose_next(ball);
 }
 
-// The same for a ball that an impact has changed just now, from what was seen around it then.
 template <typename Real>
-void EventEngine<Real>::predict_after(const Body& body) {
-    const std::uint32_t ball = body.ball;
-    if (!is_near_valid_ || !body.is_scanned || !is_foreseen(ball)) return predict(ball);
+void Predictor<Real>::predict_among(std::uint32_t ball,
+                                    std::span<const Neighbour<Real>> neighbours) {
+    if (!can_foresee(ball)) return predict(ball);
     const Vector<Real> velocity = balls_[ball].line.velocity;
-    const bool has_gravity = world_->model.gravity.has_value();
-    const bool is_filtered = world_->model.filtered;
-    const EventBall<Real>* const balls = balls_.data();
-    const Real now = now_;
-    const Near* const near = near_.data() + body.first_near;
-    const auto line_to = [&](const Near& other) {
-        const EventLine<Real>& path = balls[other.other].line;
+    const bool has_gravity = scene_.world->model.gravity.has_value();
+    const bool is_filtered = scene_.world->model.filtered;
+    const BallRecord<Real>* const balls = balls_.data();
+    const Real now = scene_.now;
+    const Neighbour<Real>* const near = neighbours.data();
+    const auto count = static_cast<std::uint32_t>(neighbours.size());
+    const auto approach_to = [&](const Neighbour<Real>& other) {
+        const LinearPart<Real>& path = balls[other.other].line;
         Vector<Real> relative = velocity - path.velocity;
-        if (has_gravity) relative += field_.gravity * -(now - path.time);
-        return LineMeeting<Real>(other.offset, relative, other.reach);
+        if (has_gravity) relative += scene_.field.gravity * -(now - path.time);
+        return StraightApproach<Real>(other.offset, relative, other.reach);
     };
-    // First who of them may be met, and who has a new path too: nobody can foretell that.
-    which_near_.resize(std::max<std::size_t>(which_near_.size(), 2 * std::size_t{body.near}));
-    std::uint32_t* const approached = which_near_.data();
-    std::uint32_t* const begun = which_near_.data() + body.near;
+    // First selects, without branches, the neighbours that may be met, and those whose trajectories
+    // have started now too: their offsets may have changed.
+    selected_.resize(std::max<std::size_t>(selected_.size(), 2 * std::size_t{count}));
+    std::uint32_t* const approached = selected_.data();
+    std::uint32_t* const started = selected_.data() + count;
     std::size_t approached_count = 0;
-    std::size_t begun_count = 0;
+    std::size_t started_count = 0;
     int are_free = 1;
-    for (std::uint32_t i = 0; i < body.near; ++i) {
-        const EventLine<Real>& path = balls[near[i].other].line;
-        const auto has_begun = static_cast<int>(path.time == now);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const LinearPart<Real>& path = balls[near[i].other].line;
+        const auto has_started = static_cast<int>(path.time == now);
         are_free &= static_cast<int>(path.motion == Motion::free);
-        approached[approached_count] = begun[begun_count] = i;
-        approached_count +=
-            static_cast<std::size_t>(static_cast<int>(line_to(near[i]).is_one()) & ~has_begun);
-        begun_count += static_cast<std::size_t>(has_begun);
+        approached[approached_count] = started[started_count] = i;
+        approached_count += static_cast<std::size_t>(
+            static_cast<int>(approach_to(near[i]).is_impact()) & ~has_started);
+        started_count += static_cast<std::size_t>(has_started);
     }
     const bool is_known = are_free != 0;
-    Event meeting;
+    BallEvent<Real> collision;
     if (is_known) {
-        for (std::size_t i = 0; i < begun_count; ++i) {
-            const Near& other = near[begun[i]];
-            meet_flying(ball, other.other, other.across, other.along, meeting);
+        for (std::size_t i = 0; i < started_count; ++i) {
+            const Neighbour<Real>& other = near[started[i]];
+            meet_flying(ball, other.other, other.across, other.along, collision);
         }
         for (std::size_t i = 0; i < approached_count; ++i) {
-            const Near& other = near[approached[i]];
-            if (is_filtered && !balls_meet(ball, other.other)) continue;
-            meet_at(ball, other.other, other.across, other.along, line_to(other), now, other.offset,
-                    meeting);
+            const Neighbour<Real>& other = near[approached[i]];
+            if (is_filtered && !scene_.balls_collide(ball, other.other)) continue;
+            meet(ball, other.other, other.across, other.along, approach_to(other), now,
+                 other.offset, collision);
         }
     }
-    if (!is_known) meeting.kind = Kind::unknown;
-    balls_.plan(ball).set_meeting(meeting);
+    if (!is_known) collision.kind = EventKind::unknown;
+    balls_.plan(ball).set_collision(collision);
     choose_next(ball);
 }
 
-// Whether it can be known whom the ball meets first, if those around it fly too.
 template <typename Real>
-bool EventEngine<Real>::is_foreseen(std::uint32_t ball) const {
-    return is_flying(ball) && cells_.giants().empty() && !world_->model.one_way;
-}
-
-// The first of all that can happen to the ball, from now on.
-template <typename Real>
-void EventEngine<Real>::choose_next(std::uint32_t ball) {
-    if (balls_[ball].line.motion == Motion::still && hands_.empty())
-        return look_for_the_moving(ball);
-    search_.begin_at(now_);
-    const bool is_known = balls_.plan(ball).meeting().kind != Kind::unknown;
-    const bool is_line = is_known && !world_->model.gravity;
-    Event best;
-    best.time = Real(std::numeric_limits<double>::infinity());
-    // How far to look where it takes longer the further one looks.
-    if (!is_line || !hands_.empty())
-        best = {now_ + Real(16.0 / world_->rate), Kind::crossing, 0, 0, look_again, 0};
-    if (is_known) consider(ball, balls_.plan(ball).meeting(), best);
-    if (is_line)
-        predict_crossing_of_line(ball, best);
-    else
-        predict_crossing(ball, best);
-    if (world_->model.wrap) predict_far_round(ball, best);
-    predict_own(ball, best);
-    if (!is_known && world_->model.ball_ball) predict_balls(ball, best);
-    if (world_->model.ball_edge && balls_[ball].line.motion != Motion::resting)
-        predict_edges(ball, best);
-    go_on_searching(ball, best);
-    balls_.plan(ball).set_coming(best);
-}
-
-// Searches that were left off: before anything that comes later, they begin again.
-template <typename Real>
-void EventEngine<Real>::go_on_searching(std::uint32_t ball, Event& best) const {
-    if (search_.reached)
-        consider(ball, {*search_.reached, Kind::crossing, 0, 0, look_again, 0}, best);
-}
-
-// On a torus a ball that meets nobody goes round and round: before its path leads too far from the
-// frame for the images to be counted, it begins anew. When that is depends on the path alone, so
-// that it does not show where the cells are, nor when somebody asked.
-template <typename Real>
-void EventEngine<Real>::predict_far_round(std::uint32_t ball, Event& best) const {
-    constexpr double most_tori = 50.0;
-    const EventLine<Real>& line = balls_[ball].line;
-    if (line.motion != Motion::free && !is_on_cloth(line)) return;
-    const EventPath<Real> path = balls_.path(ball);
-    const Real far(most_tori * std::min(torus_.x, torus_.y));
-    // Roughly first: nearly all do something else before.
-    const auto sum_of_parts = [](const Vector<Real>& v) { return absolute(v.x) + absolute(v.y); };
-    const Real since = best.time - path.time;
-    const Real most = sum_of_parts(path.velocity) + sum_of_parts(path.acceleration) * since;
-    if (most * since < far) return;
-    // |velocity| s + |acceleration| s^2 / 2 = far, which no drag makes longer, by the root without
-    // cancellation.
-    const Real speed = length(path.velocity);
-    const Real pull = length(path.acceleration);
-    const Real root = speed + square_root(speed * speed + Real(2.0) * pull * far);
-    if (!(root > Real{})) return;
-    const Real time = path.time + Real(2.0) * far / root;
-    consider(ball, {time < now_ ? now_ : time, Kind::crossing, 0, 0, begin_again, 0}, best);
-}
-
-template <typename Real>
-void EventEngine<Real>::begin_in_frame(std::uint32_t ball) {
-    const std::uint32_t quick = balls_[ball].line.quick;
-    const BallState<Real> state = state_at(balls_.path(ball), field_, now_);
-    const Vector<Real> roll = world_->model.cloth ? roll_at(ball, now_) : Vector<Real>{};
-    start_path(ball, now_, state.position, state.velocity);
-    balls_[ball].line.quick = quick;
-    if (!world_->model.cloth) return;
-    balls_.bend(ball).center = roll;
-    begin_phase(ball);
-}
-
-template <typename Real>
-void EventEngine<Real>::enter_next_cell(std::uint32_t ball, std::uint32_t direction) {
-    if (direction == begin_again) {
-        begin_in_frame(ball);
-        predict(ball);
-        return;
-    }
-    bool is_known = balls_.plan(ball).meeting().kind != Kind::unknown;
-    if (direction < steps.size()) {
-        const auto [columns, rows] = steps[direction];
-        cells_.step(balls_, ball, columns, rows);
-        if (is_known && world_->model.ball_ball) {
-            Event meeting = balls_.plan(ball).meeting();
-            cells_.for_each_new(balls_, ball, columns, rows,
-                                [&](std::uint32_t other, int across, int along) {
-                                    is_known = is_known && is_flying(other);
-                                    if (is_known) meet_flying(ball, other, across, along, meeting);
-                                });
-            balls_.plan(ball).set_meeting(meeting);
+void Predictor<Real>::transfer(std::uint32_t ball, std::uint32_t side) {
+    bool is_known = balls_.plan(ball).collision().kind != EventKind::unknown;
+    if (side < cell_transfer::sides) {
+        const auto [columns, rows] = steps[side];
+        space_.cells().step(balls_, ball, columns, rows);
+        if (is_known && scene_.world->model.ball_ball) {
+            BallEvent<Real> collision = balls_.plan(ball).collision();
+            space_.cells().for_each_new(balls_, ball, columns, rows,
+                                        [&](std::uint32_t other, int across, int along) {
+                                            is_known = is_known && is_flying(other);
+                                            if (is_known)
+                                                meet_flying(ball, other, across, along, collision);
+                                        });
+            balls_.plan(ball).set_collision(collision);
         }
     }
     if (is_known)
@@ -258,309 +115,178 @@ void EventEngine<Real>::enter_next_cell(std::uint32_t ball, std::uint32_t direct
         predict(ball);
 }
 
-// One more neighbour of a ball that flies, which flies too.
+// The first of all that can happen to the ball from now on, its collision being predicted.
 template <typename Real>
-void EventEngine<Real>::meet_flying(std::uint32_t ball, std::uint32_t other, int across, int along,
-                                    Event& best) {
-    if (!balls_meet(ball, other)) return;
-    const EventBall<Real>& us = balls_[ball];
-    const EventBall<Real>& them = balls_[other];
-    const StraightPair<Real> pair(us.line, them.line, field_.gravity, torus_shift(across, along));
-    const LineMeeting<Real> line(pair.offset, pair.velocity, us.radius + them.radius);
-    if (line.is_one()) meet_at(ball, other, across, along, line, pair.begin, pair.offset, best);
-}
-
-// The two are going to meet: takes that for the event, if it comes before.
-template <typename Real>
-void EventEngine<Real>::meet_at(std::uint32_t ball, std::uint32_t other, int across, int along,
-                                const LineMeeting<Real>& meeting, const Real& begin,
-                                const Vector<Real>& offset, Event& best) {
-    const EventBall<Real>& us = balls_[ball];
-    const EventBall<Real>& them = balls_[other];
-    const Real small = us.radius < them.radius ? us.radius : them.radius;
-    // As seen from the one with the lower number, whoever asks: the same bits.
-    auto time = meeting_time(meeting, balls_[std::min(ball, other)].line,
-                             balls_[std::max(ball, other)].line, begin, offset, field_.gravity,
-                             us.radius + them.radius, small, field_);
-    if (!time) return;
-    if (*time < now_) time = now_;
-    consider(ball,
-             {*time, Kind::ball_ball, static_cast<std::int8_t>(across),
-              static_cast<std::int8_t>(along), other, them.version},
-             best);
-}
-
-// The same as the next function for a straight line, which crosses only what lies ahead. Nobody can
-// foretell which way that is, nor which of two borders comes first.
-template <typename Real>
-void EventEngine<Real>::predict_crossing_of_line(std::uint32_t ball, Event& best) const {
-    const EventLine<Real>& path = balls_[ball].line;
-    const EventPlace& own = balls_.plan(ball).place;
-    const CellFrame& frame = cells_.frame();
-    const Real zero{};
-    const Real never(std::numeric_limits<double>::infinity());
-    const auto crossing = [&](const Real& from, const Real& speed, int place, int count,
-                              double origin, double width) {
-        const int border = place + static_cast<int>(speed > zero);
-        if (speed == zero || (!frame.wraps && (border <= 0 || border >= count))) return never;
-        const Real time = path.time + (Real(origin + width * border) - from) / speed;
-        return time < now_ ? now_ : time;
-    };
-    const Real x = crossing(path.position.x, path.velocity.x, own.column, frame.columns,
-                            frame.origin.x, frame.cell.x);
-    const Real y = crossing(path.position.y, path.velocity.y, own.row, frame.rows, frame.origin.y,
-                            frame.cell.y);
-    const bool is_y = y < x;
-    Real time = x;
-    assign_if(is_y, time, y);
-    if (!(time < never)) return;
-    const auto to_x = static_cast<std::uint32_t>(!(path.velocity.x > zero));
-    const auto to_y = static_cast<std::uint32_t>(!(path.velocity.y > zero));
-    consider(ball, {time, Kind::crossing, 0, 0, select(is_y, 2 + to_y, to_x), 0}, best);
-}
-
-// When the centre comes to a border of its cell. This is bookkeeping: it never changes a path.
-template <typename Real>
-void EventEngine<Real>::predict_crossing(std::uint32_t ball, Event& best) const {
-    const EventPath<Real> path = balls_.path(ball);
-    if (cells_.is_giant(balls_, ball) || path.motion == Motion::resting ||
-        path.motion == Motion::still)
-        return;
-    const CellFrame& frame = cells_.frame();
-    const BallState<Real> now = state_at(path, field_, now_);
-    const bool is_simple = is_parabola(path, field_);
-    const bool is_straight = is_simple && path.acceleration == Vector<Real>{};
-    const Real last = path.motion == Motion::turning ? piece_end(path, field_) : best.time;
-    for (std::uint32_t direction = 0; direction < steps.size(); ++direction) {
-        const auto [columns, rows] = steps[direction];
-        const int place =
-            columns != 0 ? balls_.plan(ball).place.column : balls_.plan(ball).place.row;
-        const int count = columns != 0 ? frame.columns : frame.rows;
-        const int way = columns + rows;
-        if (!frame.wraps && (way > 0 ? place >= count - 1 : place <= 0)) continue;
-        const double origin = columns != 0 ? frame.origin.x : frame.origin.y;
-        const double width = columns != 0 ? frame.cell.x : frame.cell.y;
-        const Real border(origin + width * (way > 0 ? place + 1 : place));
-        const Real sign(static_cast<double>(way));
-        const auto along = [is_column = columns != 0](const Vector<Real>& v) {
-            return is_column ? v.x : v.y;
-        };
-        // A straight line crosses only what lies ahead.
-        if (is_straight && !(along(now.velocity) * sign > Real{})) continue;
-        std::optional<Real> time;
-        const ClosingTolerance<Real> exact{};
-        if (is_simple) {
-            const auto since = quadratic_closing<Real>(
-                {(border - along(now.position)) * sign, -along(now.velocity) * sign,
-                 -along(path.acceleration) * sign},
-                exact);
-            if (since) time = now_ + *since;
-        } else {
-            // Not exact: when it may have come a hair past the border, which is not too late, since
-            // a cell is a little wider than it need be, and so is what is near it. So who has
-            // crossed is past the border he would have to cross to come back, by all of that hair.
-            const Real hair(std::min(1e-3 * width, 0.5 * (near_edges - 1.0) * cells_.largest()));
-            const Real most = most_acceleration(path, field_, now_);
-            const auto since = quadratic_closing<Real>(
-                {(border - along(now.position)) * sign + hair, -along(now.velocity) * sign, -most},
-                exact);
-            if (since) {
-                const Real crossing = now_ + *since;
-                if (!(crossing < last)) continue;
-                if ((border - along(state_at(path, field_, crossing).position)) * sign <= Real{})
-                    time = crossing;
-                else  // look again then
-                    consider(ball, {crossing, Kind::crossing, 0, 0, look_again, 0}, best);
-            }
-        }
-        if (time) consider(ball, {*time, Kind::crossing, 0, 0, direction, 0}, best);
-    }
-}
-
-// The end of the side along which the ball slides, of a piece of its turn, of a phase on cloth.
-template <typename Real>
-void EventEngine<Real>::predict_own(std::uint32_t ball, Event& best) {
-    const Motion motion = balls_[ball].line.motion;
-    if (motion == Motion::free || motion == Motion::held) return;
-    const EventPath<Real> path = balls_.path(ball);
-    if (is_on_cloth(path)) {
-        if (const auto time = end_of_phase(ball))
-            consider(ball, {*time < now_ ? now_ : *time, Kind::own, 0, 0, 0, 0}, best);
-        return;
-    }
-    if (path.motion == Motion::turning) {
-        if (const auto time = end_of_turn(ball))
-            consider(ball, {*time, Kind::own, 0, 0, 0, 0}, best);
-        return;
-    }
-    if (path.motion == Motion::resting && path.support.by == PathSupport::By::nothing)
-        consider(ball, {path.time + fall_time(ball) * Real(0.25), Kind::own, 0, 0, 0, 0}, best);
-    if (world_->model.spin)
-        if (auto time = end_of_slip(ball, best.time)) {
-            if (*time < now_) time = now_;
-            consider(ball, {*time, Kind::own, 0, 0, 0, 0}, best);
-        }
-    if (path.motion != Motion::sliding) return;
-    const auto capsule = index_of(*world_, CapsuleId{path.support.number});
-    const Edge<Real> edge(world_->capsules.shape[*capsule],
-                          Vec2(torus_shift(path.support.across, path.support.along)));
-    const Vector<Real> span = edge.end - edge.start;
-    const Real whole = length(span);
-    const Vector<Real> along = span / whole;
-    const Real place = dot(along, path.position - edge.start);
-    const Real rate = dot(along, path.velocity);
-    const Real bend = dot(along, path.acceleration);
-    const ClosingTolerance<Real> exact{};
-    for (const bool to_end : {false, true}) {
-        const Gap<Real> gap =
-            to_end ? Gap<Real>{whole - place, -rate, -bend} : Gap<Real>{place, rate, bend};
-        std::optional<Real> time;
-        if (is_parabola(path, field_)) {
-            const auto since = quadratic_closing<Real>(gap, exact);
-            if (since) time = path.time + *since;
-        } else {
-            const Real horizon = best.time;
-            const Real pull = most_acceleration(path, field_, path.time);
-            time = first_closing<Real>(
-                [&](const Real& when) -> Gap<Real> {
-                    const BallState<Real> state = state_at(path, field_, when);
-                    const Real there = dot(along, state.position - edge.start);
-                    const Real speed = dot(along, state.velocity);
-                    return to_end ? Gap<Real>{whole - there, -speed, Real{}}
-                                  : Gap<Real>{there, speed, Real{}};
-                },
-                path.time, horizon, pull, {rounding_at(path.position, whole), Real{}}, search_);
-        }
-        if (time) consider(ball, {*time, Kind::own, 0, 0, 0, 0}, best);
-    }
-}
-
-// A turn ends where its piece does, or before: where it turns back, where nothing presses it on any
-// more, or where the side of an edge begins.
-template <typename Real>
-std::optional<Real> EventEngine<Real>::end_of_turn(std::uint32_t ball) const {
-    const EventPath<Real> path = balls_.path(ball);
-    Real last = piece_end(path, field_);
-    const Turn<Real> first = turn_at(path, field_, path.time);
-    const auto shorten = [&](auto&& value) {
-        if (!(value(last) < Real{})) return;
-        last = change_of_sign<Real>(value, path.time, last);
-    };
-    const Real zero{};
-    if (!(first.speed == zero))
-        shorten([&](const Real& time) {
-            const Real speed = turn_at(path, field_, time).speed;
-            return first.speed < zero ? -speed : speed;
+void Predictor<Real>::choose_next(std::uint32_t ball) {
+    const Model& model = scene_.world->model;
+    const bool has_kinematic_edges = !kinematic_.edges().empty();
+    if (balls_[ball].line.motion == Motion::still && !has_kinematic_edges)
+        return choose_next_of_still(ball);
+    search_.begin_at(scene_.now);
+    const bool is_known = balls_.plan(ball).collision().kind != EventKind::unknown;
+    const bool is_uniform = is_known && !model.gravity;
+    BallEvent<Real> best;
+    best.time = Real(std::numeric_limits<double>::infinity());
+    if (!is_uniform || has_kinematic_edges)
+        best = {scene_.now + Real(search_horizon_ticks / scene_.world->rate),
+                EventKind::cell_transfer,
+                0,
+                0,
+                cell_transfer::predict_again,
+                0};
+    if (is_known) keep_earlier(ball, balls_.plan(ball).collision(), best);
+    if (is_uniform)
+        transfers_.predict_uniform(ball, best);
+    else
+        transfers_.predict(ball, best);
+    if (model.wrap) transfers_.predict_restart(ball, best);
+    transitions_.predict(ball, best);
+    if (!is_known && model.ball_ball)
+        space_.for_each_ball_near(ball, [&](std::uint32_t other, int across, int along) {
+            predict_pair(ball, other, across, along, best);
         });
-    shorten([&](const Real& time) { return turn_at(path, field_, time).press; });
-    if (path.support.by != PathSupport::By::edge) return last;
-    const bool is_left_turn = !(turn_at(path, field_, last).speed < zero);
-    for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int, int) {
-        const Edge<Real> edge(world_->capsules.shape[capsule], shift);
-        if (edge.is_point() || !(edge.start == path.center || edge.end == path.center)) return;
-        const Vector<Real> side = perpendicular(edge.end - edge.start);
-        for (const Vector<Real>& normal : {side, -side}) {
-            // Which way the side lies, as seen from the ball.
-            const auto before = [&](const Vector<Real>& there) {
-                return is_left_turn ? cross(there, normal) : cross(normal, there);
-            };
-            // A side that begins here is behind, or it would carry the ball now.
-            const Real here = Real(2.0 * touching) * radius(ball) / first.radius;
-            if (!(before(first.normal) > here) || !(dot(first.normal, normal) > zero)) continue;
-            shorten([&](const Real& time) { return before(turn_at(path, field_, time).normal); });
-        }
-    });
-    return last;
+    if (model.ball_edge && balls_[ball].line.motion != Motion::resting) predict_edges(ball, best);
+    resume_searches(ball, best);
+    balls_.plan(ball).set_next_event(best);
 }
 
+// A ball that lies still on cloth is met by moving balls, or by nothing. Each of those predicts
+// again at its own next event, so this looks no further than that.
 template <typename Real>
-void EventEngine<Real>::predict_balls(std::uint32_t ball, Event& best) {
-    for_each_ball_near(ball, [&](std::uint32_t other, int across, int along) {
-        predict_pair(ball, other, across, along, best);
-    });
+void Predictor<Real>::choose_next_of_still(std::uint32_t ball) {
+    BallEvent<Real> best;
+    search_.begin_at(scene_.now);
+    if (scene_.world->model.ball_ball)
+        space_.for_each_ball_near(ball, [&](std::uint32_t other, int across, int along) {
+            const BallEvent<Real> theirs = balls_.plan(other).next_event();
+            if (theirs.kind == EventKind::none) return;
+            BallEvent<Real> impact;
+            impact.time = theirs.time;
+            predict_pair(ball, other, across, along, impact);
+            if (impact.kind != EventKind::none) keep_earlier(ball, impact, best);
+        });
+    resume_searches(ball, best);
+    balls_.plan(ball).set_next_event(best);
 }
 
+// Suspended searches are repeated before anything that comes later than they have looked.
 template <typename Real>
-void EventEngine<Real>::predict_pair(std::uint32_t ball, std::uint32_t other, int across, int along,
-                                     Event& best) {
-    if (world_->model.filtered && !balls_meet(ball, other)) return;
-    const Motion motion = balls_[ball].line.motion;
-    const bool may_stay =
-        motion == Motion::held || motion == Motion::resting || motion == Motion::still;
-    if (may_stay && balls_[other].line.motion == motion) return;
-    const EventPath<Real> ours = balls_.path(ball);
-    const EventPath<Real> theirs = balls_.path(other);
-    const auto rests_on = [this](const EventPath<Real>& path, std::uint32_t support) {
-        const auto id = number(world_->balls.id[support]);
-        return (path.support.by == PathSupport::By::ball && path.support.number == id) ||
-               (path.second_support.by == PathSupport::By::ball &&
-                path.second_support.number == id);
+void Predictor<Real>::resume_searches(std::uint32_t ball, BallEvent<Real>& best) const {
+    if (!search_.resume_time) return;
+    keep_earlier(
+        ball,
+        {*search_.resume_time, EventKind::cell_transfer, 0, 0, cell_transfer::predict_again, 0},
+        best);
+}
+
+// Both balls fly.
+template <typename Real>
+void Predictor<Real>::meet_flying(std::uint32_t ball, std::uint32_t other, int across, int along,
+                                  BallEvent<Real>& best) {
+    if (!scene_.balls_collide(ball, other)) return;
+    const BallRecord<Real>& us = balls_[ball];
+    const BallRecord<Real>& them = balls_[other];
+    const StraightPair<Real> pair(us.line, them.line, scene_.field.gravity,
+                                  scene_.image_shift(across, along));
+    const StraightApproach<Real> approach(pair.offset, pair.velocity, us.radius + them.radius);
+    if (approach.is_impact())
+        meet(ball, other, across, along, approach, pair.begin, pair.offset, best);
+}
+
+// The two fly and are going to meet. As seen from the lower ball, so that both find the same bits.
+template <typename Real>
+void Predictor<Real>::meet(std::uint32_t ball, std::uint32_t other, int across, int along,
+                           const StraightApproach<Real>& approach, const Real& begin,
+                           const Vector<Real>& offset, BallEvent<Real>& best) {
+    const BallRecord<Real>& us = balls_[ball];
+    const BallRecord<Real>& them = balls_[other];
+    const Real small = us.radius < them.radius ? us.radius : them.radius;
+    auto time = straight_time_of_impact(
+        approach, balls_[std::min(ball, other)].line, balls_[std::max(ball, other)].line, begin,
+        offset, scene_.field.gravity, us.radius + them.radius, small, scene_.field);
+    if (!time) return;
+    if (*time < scene_.now) time = scene_.now;
+    keep_earlier(ball,
+                 {*time, EventKind::ball_ball, static_cast<std::int8_t>(across),
+                  static_cast<std::int8_t>(along), other, them.version},
+                 best);
+}
+
+// Whether the two may have an impact: not if neither moves, or if one rests on the other.
+template <typename Real>
+bool Predictor<Real>::may_meet(std::uint32_t ball, std::uint32_t other) const {
+    if (scene_.world->model.filtered && !scene_.balls_collide(ball, other)) return false;
+    const Motion ours = balls_[ball].line.motion;
+    const Motion theirs = balls_[other].line.motion;
+    const bool may_stay = ours == Motion::held || ours == Motion::resting || ours == Motion::still;
+    if (may_stay && theirs == ours) return false;
+    const auto rests_on = [this](std::uint32_t upper, std::uint32_t lower) {
+        const auto id = number(scene_.world->balls.id[lower]);
+        const AccelerationPart<Real>& curve = balls_.curve(upper);
+        return (curve.support.by == PathSupport::By::ball && curve.support.number == id) ||
+               (curve.second_support.by == PathSupport::By::ball &&
+                curve.second_support.number == id);
     };
-    if (ours.motion != Motion::free && rests_on(ours, other)) return;
-    if (theirs.motion != Motion::free && rests_on(theirs, ball)) return;
-    const Real our_radius = radius(ball);
-    const Real their_radius = radius(other);
-    // As seen from the one with the lower number, whoever asks: the same bits.
+    if (!balls_.may_curve()) return true;
+    return !(ours != Motion::free && rests_on(ball, other)) &&
+           !(theirs != Motion::free && rests_on(other, ball));
+}
+
+template <typename Real>
+void Predictor<Real>::predict_pair(std::uint32_t ball, std::uint32_t other, int across, int along,
+                                   BallEvent<Real>& best) {
+    if (!may_meet(ball, other)) return;
+    const Trajectory<Real> ours = balls_.path(ball);
+    const Trajectory<Real> theirs = balls_.path(other);
+    const Real our_radius = balls_.radius(ball);
+    const Real their_radius = balls_.radius(other);
+    // As seen from the lower ball, so that both find the same bits.
     const Real reach = our_radius + their_radius;
     const Real small = our_radius < their_radius ? our_radius : their_radius;
-    auto time = ball < other ? ball_closing(ours, theirs, torus_shift(across, along), reach, small,
-                                            field_, best.time, search_)
-                             : ball_closing(theirs, ours, torus_shift(-across, -along), reach,
-                                            small, field_, best.time, search_);
+    auto time = ball < other
+                    ? ball_time_of_impact(ours, theirs, scene_.image_shift(across, along), reach,
+                                          small, scene_.field, best.time, search_)
+                    : ball_time_of_impact(theirs, ours, scene_.image_shift(-across, -along), reach,
+                                          small, scene_.field, best.time, search_);
     if (!time) return;
-    if (*time < now_) time = now_;
-    consider(ball,
-             {*time, Kind::ball_ball, static_cast<std::int8_t>(across),
-              static_cast<std::int8_t>(along), other, balls_[other].version},
-             best);
-}
-
-template <typename Real>
-bool EventEngine<Real>::is_solid_for(std::uint32_t capsule, const Vector<Real>& position,
-                                     Vec2 shift) const {
-    if (!world_->model.one_way) return true;
-    return is_on_solid_side(world_->capsules.shape[capsule], world_->capsules.side[capsule],
-                            Vec2(position) - shift);
-}
-
-template <typename Real>
-bool EventEngine<Real>::rests_on_edge(const EventPath<Real>& path, std::uint32_t capsule,
-                                      int across, int along) const {
-    const auto is = [&](const PathSupport& support) {
-        return support.by == PathSupport::By::edge && support.across == across &&
-               support.along == along && support.number == number(world_->capsules.id[capsule]);
-    };
-    return path.motion != Motion::free && (is(path.support) || is(path.second_support));
-}
-
-template <typename Real>
-void EventEngine<Real>::predict_edges(std::uint32_t ball, Event& best) {
-    const EventPath<Real> path = balls_.path(ball);
-    for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int across, int along) {
-        if (rests_on_edge(path, capsule, across, along)) return;
-        const Edge<Real> edge(world_->capsules.shape[capsule], shift);
-        auto time = edge_closing(path, edge, radius(ball), field_, best.time, search_);
-        if (!time) return;
-        if (*time < now_) time = now_;
-        if (!is_solid_for(capsule, state_at(path, field_, *time).position, shift)) return;
-        consider(ball,
-                 {*time, Kind::ball_edge, static_cast<std::int8_t>(across),
-                  static_cast<std::int8_t>(along), capsule, 0},
+    if (*time < scene_.now) time = scene_.now;
+    keep_earlier(ball,
+                 {*time, EventKind::ball_ball, static_cast<std::int8_t>(across),
+                  static_cast<std::int8_t>(along), other, balls_[other].version},
                  best);
+}
+
+template <typename Real>
+void Predictor<Real>::predict_edges(std::uint32_t ball, BallEvent<Real>& best) {
+    const Trajectory<Real> path = balls_.path(ball);
+    space_.for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int across, int along) {
+        if (scene_.is_supported_by(path, capsule, across, along)) return;
+        const Edge<Real> edge(scene_.world->capsules.shape[capsule], shift);
+        auto time =
+            edge_time_of_impact(path, edge, balls_.radius(ball), scene_.field, best.time, search_);
+        if (!time) return;
+        if (*time < scene_.now) time = scene_.now;
+        if (!scene_.is_solid(capsule, state_at(path, scene_.field, *time).position, shift)) return;
+        keep_earlier(ball,
+                     {*time, EventKind::ball_edge, static_cast<std::int8_t>(across),
+                      static_cast<std::int8_t>(along), capsule, 0},
+                     best);
     });
-    for (std::uint32_t i = 0; i < hands_.size(); ++i) {
-        if (!ball_meets(ball, hands_[i].capsule)) continue;
-        const Real horizon = end_ < best.time ? end_ : best.time;
-        const Real begin = path.time < now_ ? now_ : path.time;
-        const auto time =
-            hand_closing(path, hands_[i].edge, radius(ball), field_, begin, horizon, search_);
+    for (std::uint32_t i = 0; i < kinematic_.edges().size(); ++i) {
+        const KinematicEdge<Real>& edge = kinematic_.edges()[i];
+        if (!scene_.ball_collides_with(ball, edge.capsule)) continue;
+        const Real horizon = scene_.end < best.time ? scene_.end : best.time;
+        const Real begin = path.time < scene_.now ? scene_.now : path.time;
+        const auto time = moving_edge_time_of_impact(path, edge.edge, balls_.radius(ball),
+                                                     scene_.field, begin, horizon, search_);
         if (!time) continue;
-        if (!is_solid_for(hands_[i].capsule, state_at(path, field_, *time).position, {})) continue;
-        consider(ball, {*time, Kind::hand, 0, 0, i, 0}, best);
+        if (!scene_.is_solid(edge.capsule, state_at(path, scene_.field, *time).position, {}))
+            continue;
+        keep_earlier(ball, {*time, EventKind::kinematic_edge, 0, 0, i, 0}, best);
     }
 }
 
-template class EventEngine<double>;
-template class EventEngine<Wide>;
+template class Predictor<double>;
+template class Predictor<DoubleDouble>;
 
 }  // namespace carom

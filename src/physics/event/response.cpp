@@ -1,332 +1,256 @@
+#include "physics/event/response.h"
+
 #include <algorithm>
 #include <array>
 
-#include "physics/event/engine.h"
+#include "physics/event/tolerances.h"
 #include "physics/laws/bounce.h"
 
-// What an impact does.
 namespace carom {
 
-// What the pair's restitution is worth here: see the rules in event_engine.h.
 template <typename Real>
-double EventEngine<Real>::restitution_of(const Touch& touch, bool is_alone) {
-    const Body& body = bodies_[touch.contact.a];
-    const std::uint32_t ball = body.ball;
-    const Real approach = approach_of<Real>(touch.contact, impact_bodies_);
-    const double speed = static_cast<double>(approach);
-    double restitution = 1.0;
-    const EventPath<Real> path = balls_.path(ball);
-    if (touch.kind == Kind::ball_ball) {
-        const EventPath<Real> theirs = balls_.path(touch.other);
-        if (world_->model.lossy)
-            restitution =
-                std::min(world_->balls.restitution[ball], world_->balls.restitution[touch.other]);
-        const bool is_pushed = impact_bodies_[touch.contact.a].inverse_mass == Real{} ||
-                               impact_bodies_[touch.contact.b].inverse_mass == Real{};
-        if (is_pushed && (path.motion == Motion::held || theirs.motion == Motion::held))
-            return hand_restitution;
-        if (restitution < 1.0 && path.quick > most_quick && theirs.quick > most_quick) return 0.0;
-        if (!is_alone || !world_->model.gravity) return restitution;
-        const Real press = -dot(path.acceleration - theirs.acceleration, touch.contact.normal);
-        if (!(press > Real{})) return restitution;
-        const Real rebound = approach * Real(restitution);
-        const Real small = std::min(radius(ball), radius(touch.other));
-        const Real rise = rebound * rebound / (Real(2.0) * press);
-        const bool one_rests = body.was_resting || bodies_[touch.contact.b].was_resting;
-        if (one_rests) return is_alone && rise < Real(resting_rise) * small ? 0.0 : restitution;
-        return rise < Real(lively_rise) * small ? 1.0 : restitution;
-    }
-    const Material& material = world_->materials[world_->capsules.material[touch.other]];
-    if (world_->model.lossy) restitution = restitution_at(material, std::max(0.0, speed));
-    if (touch.is_driven && approach > Real{})
-        return driven_restitution(restitution, static_cast<double>(touch.contact.surface), speed);
-    if (touch.kind == Kind::hand && touch.contact.surface > Real{}) {
-        // As bounce_off, as a share of the approach.
-        Vec2 velocity(impact_bodies_[touch.contact.a].velocity);
-        const Vec2 normal(touch.contact.normal);
-        const double surface = static_cast<double>(touch.contact.surface);
-        const Exchange done = bounce_off(velocity, 1.0, normal, surface, restitution);
-        return done.approach > 0.0
-                   ? std::max(0.0, (dot(velocity, normal) - surface) / done.approach)
-                   : 0.0;
-    }
-    if (restitution < 1.0 && path.quick > most_quick && !world_->model.gravity) return 0.0;
-    if (!is_alone || !world_->model.gravity) return restitution;
-    const Real press = -dot(path.acceleration, touch.contact.normal);
-    if (!(press > Real{})) return restitution;
-    const Real rebound = approach * Real(restitution);
-    return rebound * rebound < Real(2.0 * resting_rise) * press * radius(ball) ? 0.0 : restitution;
+Response<Real>::Response(const Parts& parts)
+    : scene_(parts.scene),
+      balls_(parts.balls),
+      space_(parts.space),
+      trajectories_(parts.trajectories),
+      kinematic_(parts.kinematic),
+      cluster_(parts.cluster),
+      rest_(parts.rest),
+      guard_(parts.guard),
+      work_(parts.work),
+      scatter_counts_(parts.scatter_counts),
+      restitution_(parts.scene, parts.balls, parts.cluster),
+      friction_(parts.scene, parts.cluster, parts.friction),
+      correction_(parts.scene, parts.balls, parts.space, parts.cluster) {}
+
+template <typename Real>
+const std::vector<std::uint32_t>& Response<Real>::resolve(std::uint32_t ball,
+                                                          const BallEvent<Real>& event,
+                                                          const ImpactRecord& record) {
+    cluster_.begin(ball, event);
+    const bool is_jammed = run_rounds(record.contacts);
+    const bool stops_kinematic = is_squeezed(is_jammed);
+    correction_.apply();
+    start_trajectories(record.touched);
+    for (const std::uint32_t each : changed_)
+        rest_.settle(each);
+    for (const std::uint32_t each : changed_)
+        guard_.freeze_if_due(each, is_jammed);
+    if (stops_kinematic) kinematic_.stop();
+    return changed_;
 }
 
+// Passes impulses until nothing approaches. Whether the balls are jammed.
 template <typename Real>
-void EventEngine<Real>::pass_impulses(const std::vector<std::uint32_t>& which, bool is_alone,
-                                      std::vector<Contact>& contacts) {
-    std::vector<ImpactContact<Real>>& group = group_;
-    std::vector<Real>& approach = approach_;
-    group.clear();
-    approach.clear();
-    for (const std::uint32_t index : which) {
-        Touch& touch = touches_[index];
-        const double restitution = restitution_of(touch, is_alone);
-        touch.contact.restitution = Real(
-            world_->model.cloth ? restitution_on_cloth(touch, is_alone, restitution) : restitution);
-        group.push_back(touch.contact);
-        if (touch.kind == Kind::ball_edge && world_->model.scatter && is_alone) {
-            const std::uint32_t ball = bodies_[touch.contact.a].ball;
-            const Vec2 velocity(impact_bodies_[touch.contact.a].velocity);
-            if (touch.contact.restitution > Real{})
-                group.back().normal = Vector<Real>(
-                    scattered_normal(*world_, world_->balls.id[ball], edge_contacts_[ball]++,
-                                     Vec2(touch.contact.normal), velocity,
-                                     static_cast<double>(touch.contact.restitution)));
-        }
-        approach.push_back(approach_of<Real>(group.back(), impact_bodies_));
-    }
-    // A ball at rest that is met so softly that the other comes to rest on it does not wake.
-    std::array<Real, 2> masses{};
-    const bool is_soft = is_alone && touches_[which[0]].kind == Kind::ball_ball &&
-                         group[0].restitution == Real{} && world_->model.gravity;
-    if (is_soft) {
-        masses = {impact_bodies_[group[0].a].inverse_mass, impact_bodies_[group[0].b].inverse_mass};
-        for (const std::uint32_t body : {group[0].a, group[0].b}) {
-            const bool both = bodies_[group[0].a].was_resting && bodies_[group[0].b].was_resting;
-            if (bodies_[body].was_resting && !both) impact_bodies_[body].inverse_mass = Real{};
-        }
-    }
-    std::pmr::vector<Real>& passed = passed_;
-    if (group.size() == 1)
-        passed.assign(1, reflect_alone<Real>(impact_bodies_, group[0]));
-    else
-        passed = reflect<Real>(impact_bodies_, group, &reflections_);
-    if (world_->model.spin) rub_contacts(which, passed);
-    if (is_soft) {
-        impact_bodies_[group[0].a].inverse_mass = masses[0];
-        impact_bodies_[group[0].b].inverse_mass = masses[1];
-    }
-    for (std::size_t i = 0; i < which.size(); ++i) {
-        const Touch& touch = touches_[which[i]];
-        if (!(passed[i] > Real{})) continue;
-        const std::uint32_t ball = bodies_[touch.contact.a].ball;
-        const bool on_ball = touch.kind == Kind::ball_ball;
-        const bool swapped = on_ball && touch.other < ball;
-        const Real size = radius(ball);
-        for (const std::uint32_t body : {touch.contact.a, touch.contact.b})
-            if (body != ImpactContact<Real>::fixed && !(is_soft && bodies_[body].was_resting))
-                bodies_[body].is_changed = true;
-        const Vec2 point(bodies_[touch.contact.a].position - touch.contact.normal * size);
-        const Vec2 normal(group[i].normal);
-        if (world_->model.kicks && touch.kind != Kind::ball_ball)
-            impact_bodies_[touch.contact.a].velocity +=
-                group[i].normal *
-                Real(kick_at(world_->materials[world_->capsules.material[touch.other]],
-                             world_->capsules.shape[touch.other], point,
-                             static_cast<double>(approach[i])));
-        contacts.push_back(
-            {.time = static_cast<double>(now_),
-             .kind = on_ball ? ContactKind::ball_ball : ContactKind::ball_edge,
-             .a = swapped ? touch.other : ball,
-             .b = swapped ? ball : touch.other,
-             .point = world_->model.wrap ? wrapped(point, *world_->model.wrap) : point,
-             .normal = swapped ? -normal : normal,
-             .approach = static_cast<double>(approach[i]),
-             .impulse = static_cast<double>(passed[i])});
-    }
-}
-
-template <typename Real>
-void EventEngine<Real>::impact(std::uint32_t ball, const Event& event,
-                               std::vector<Contact>& contacts, std::vector<std::uint8_t>& touched) {
-    bodies_.clear();
-    impact_bodies_.clear();
-    body_spins_.clear();
-    body_rolls_.clear();
-    touches_.clear();
-    near_count_ = 0;
-    is_near_valid_ = true;
-    // Seen from the lower number, whoever's event it is: the other may not know of it yet.
-    const bool is_pair = event.kind == Kind::ball_ball;
-    const bool is_swapped = is_pair && event.other < ball;
-    const std::uint32_t body = body_of(select(is_swapped, event.other, ball));
-    const int side = 1 - 2 * static_cast<int>(is_swapped);
-    if (is_pair)
-        add_ball_touch(body, select(is_swapped, ball, event.other), side * event.across,
-                       side * event.along, true);
-    else if (event.kind == Kind::hand)
-        add_hand_touch(body, hands_[event.other], true);
-    else
-        add_edge_touch(body, event.other, event.across, event.along, true);
-    const bool has_pair = touches_.front().contact.b != ImpactContact<Real>::fixed;
-    bodies_[body].is_changed = true;
-    if (has_pair && !bodies_[touches_.front().contact.b].was_resting)
-        bodies_[touches_.front().contact.b].is_changed = true;
-    scan(body);
-    if (has_pair) scan(touches_.front().contact.b);
-
-    const std::size_t most_rounds = 200;
-    std::vector<std::uint32_t>& approaching = approaching_;
-    bool is_shut_in = false;
+bool Response<Real>::run_rounds(std::vector<Contact>& contacts) {
+    bool is_jammed = false;
     for (std::size_t round = 0;; ++round) {
-        approaching.clear();
-        for (std::uint32_t i = 0; i < touches_.size(); ++i) {
-            const Touch& touch = touches_[i];
-            Real speeds = bodies_[touch.contact.a].fastest + absolute(touch.contact.surface);
-            Real inverse = impact_bodies_[touch.contact.a].inverse_mass;
-            if (touch.contact.b != ImpactContact<Real>::fixed) {
-                speeds += bodies_[touch.contact.b].fastest;
-                inverse += impact_bodies_[touch.contact.b].inverse_mass;
-            }
-            if (!(inverse > Real{})) continue;
-            Real rounding = Real(approach_noise<Real>) * speeds;
-            if (field_.pressing > Real{}) {
-                const Real small =
-                    touch.kind == Kind::ball_ball
-                        ? std::min(radius(bodies_[touch.contact.a].ball), radius(touch.other))
-                        : radius(bodies_[touch.contact.a].ball);
-                rounding += Real(0.125 * pressing_noise) * square_root(field_.pressing * small);
-            }
-            const Real slow = round == 0 && i == 0 ? Real{} : pressing_speed(touch);
-            if (approach_of<Real>(touch.contact, impact_bodies_) > std::max(rounding, slow))
-                approaching.push_back(i);
-        }
-        if (approaching.empty()) break;
-        if (round > 0) more_rounds_ += 1 + approaching.size() * approaching.size();
-        // Many rounds: losing contacts that are shut in. From here on they stop, all at once.
-        if (round > most_rounds + 8 * touches_.size()) break;
-        if (round > most_rounds / 2 + 4 * touches_.size()) {
-            if (!is_shut_in) hold_the_tired();
-            is_shut_in = true;
-            approaching.clear();
-            for (std::uint32_t i = 0; i < touches_.size(); ++i)
-                approaching.push_back(i);
-            std::erase_if(approaching, [&](std::uint32_t i) {
-                const auto& contact = touches_[i].contact;
-                Real inverse = impact_bodies_[contact.a].inverse_mass;
-                if (contact.b != ImpactContact<Real>::fixed)
-                    inverse += impact_bodies_[contact.b].inverse_mass;
-                return !(inverse > Real{});
-            });
-            group_.clear();
-            for (const std::uint32_t i : approaching) {
-                group_.push_back(touches_[i].contact);
-                group_.back().restitution = Real{};
-            }
-            reflect<Real>(impact_bodies_, group_, &reflections_);
-            for (Body& each : bodies_)
-                each.is_changed = true;
+        find_approaching(round == 0);
+        if (approaching_.empty()) break;
+        if (round > 0) work_.count_rounds(1 + approaching_.size() * approaching_.size());
+        const std::size_t points = cluster_.contacts().size();
+        if (round > most_impact_rounds + impact_rounds_per_contact * points) break;
+        if (round > most_impact_rounds / 2 + impact_rounds_per_contact / 2 * points) {
+            if (!is_jammed) hold_frozen();
+            is_jammed = true;
+            stop_all();
         } else {
-            pass_impulses(approaching, round == 0 && approaching.size() == 1, contacts);
+            pass_impulses(round == 0 && approaching_.size() == 1, contacts);
         }
-        note_speeds(is_shut_in);
-        const std::size_t count = bodies_.size();
+        cluster_.note_speeds(is_jammed);
+        const std::size_t count = cluster_.bodies().size();
         for (std::uint32_t i = 0; i < count; ++i)
-            if (bodies_[i].is_changed) scan(i);
+            if (cluster_.bodies()[i].is_changed) cluster_.scan(i);
     }
+    return is_jammed;
+}
+
+template <typename Real>
+void Response<Real>::find_approaching(bool is_first_round) {
+    approaching_.clear();
+    const std::vector<ContactPoint<Real>>& points = cluster_.contacts();
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        const ContactPoint<Real>& point = points[i];
+        if (!(cluster_.compliance(point) > Real{})) continue;
+        const Real least = least_approach_of(point, is_first_round && i == 0);
+        if (approach_of<Real>(point.contact, cluster_.motion()) > least) approaching_.push_back(i);
+    }
+}
+
+// Slower approaches are rounding or, but for the contact of the event, rest.
+template <typename Real>
+Real Response<Real>::least_approach_of(const ContactPoint<Real>& point, bool is_of_event) const {
+    const std::vector<ClusterBody<Real>>& bodies = cluster_.bodies();
+    Real speeds = bodies[point.contact.a].fastest + absolute(point.contact.surface);
+    if (point.contact.b != ImpactContact<Real>::fixed) speeds += bodies[point.contact.b].fastest;
+    Real rounding = Real(residual_rounding<Real>) * speeds;
+    if (scene_.field.pressing > Real{})
+        rounding += Real(pressed_residual * pressed_rounding) *
+                    square_root(scene_.field.pressing * cluster_.smaller_radius(point));
+    return std::max(rounding, is_of_event ? Real{} : pressing_speed(point));
+}
+
+// Bodies that gravity may press together are not separated again and again by approaches that are
+// too slow for an impact of their own.
+template <typename Real>
+Real Response<Real>::pressing_speed(const ContactPoint<Real>& point) const {
+    if (!scene_.world->model.gravity || !scene_.world->model.lossy) return Real{};
+    double height = rest_height;
+    if (point.kind == EventKind::ball_ball && !cluster_.bodies()[point.contact.a].was_resting &&
+        !cluster_.bodies()[point.contact.b].was_resting)
+        height = moving_rest_height;
+    return square_root(Real(2.0 * height) * length(scene_.field.gravity) *
+                       cluster_.smaller_radius(point));
+}
+
+// The approaching contact points with their restitution, as a group for the simultaneous impact.
+template <typename Real>
+void Response<Real>::prepare_group(bool is_alone) {
+    const World& world = *scene_.world;
+    group_.clear();
+    approach_.clear();
+    for (const std::uint32_t index : approaching_) {
+        ContactPoint<Real>& point = cluster_.contacts()[index];
+        const double restitution = restitution_.of(point, is_alone);
+        point.contact.restitution = Real(restitution);
+        group_.push_back(point.contact);
+        if (point.kind == EventKind::ball_edge && world.model.scatter && is_alone &&
+            point.contact.restitution > Real{}) {
+            const std::uint32_t ball = cluster_.bodies()[point.contact.a].ball;
+            const Vec2 velocity(cluster_.motion()[point.contact.a].velocity);
+            group_.back().normal =
+                Vector<Real>(scattered_normal(world, world.balls.id[ball], scatter_counts_[ball]++,
+                                              Vec2(point.contact.normal), velocity, restitution));
+        }
+        approach_.push_back(approach_of<Real>(group_.back(), cluster_.motion()));
+    }
+}
+
+template <typename Real>
+void Response<Real>::pass_impulses(bool is_alone, std::vector<Contact>& contacts) {
+    prepare_group(is_alone);
+    std::vector<ClusterBody<Real>>& bodies = cluster_.bodies();
+    std::vector<ImpactBody<Real>>& motion = cluster_.motion();
+    // A resting ball does not wake if another comes to rest on it: it counts as immovable.
+    const bool is_soft = is_alone &&
+                         cluster_.contacts()[approaching_[0]].kind == EventKind::ball_ball &&
+                         group_[0].restitution == Real{} && scene_.world->model.gravity;
+    std::array<Real, 2> masses{};
+    if (is_soft) {
+        masses = {motion[group_[0].a].inverse_mass, motion[group_[0].b].inverse_mass};
+        const bool both = bodies[group_[0].a].was_resting && bodies[group_[0].b].was_resting;
+        for (const std::uint32_t body : {group_[0].a, group_[0].b})
+            if (bodies[body].was_resting && !both) motion[body].inverse_mass = Real{};
+    }
+    if (group_.size() == 1)
+        passed_.assign(1, reflect_alone<Real>(motion, group_[0]));
+    else
+        passed_ = reflect<Real>(motion, group_, &memory_);
+    if (scene_.world->model.spin) friction_.apply(approaching_, passed_);
+    if (is_soft) {
+        motion[group_[0].a].inverse_mass = masses[0];
+        motion[group_[0].b].inverse_mass = masses[1];
+    }
+    for (std::size_t at = 0; at < approaching_.size(); ++at) {
+        if (!(passed_[at] > Real{})) continue;
+        const ContactPoint<Real>& point = cluster_.contacts()[approaching_[at]];
+        for (const std::uint32_t body : {point.contact.a, point.contact.b})
+            if (body != ImpactContact<Real>::fixed && !(is_soft && bodies[body].was_resting))
+                bodies[body].is_changed = true;
+        record_contact(at, contacts);
+    }
+}
+
+// One of the group has passed its impulse: the kick of an edge that kicks, and the record of it.
+template <typename Real>
+void Response<Real>::record_contact(std::size_t at, std::vector<Contact>& contacts) {
+    const World& world = *scene_.world;
+    const ContactPoint<Real>& point = cluster_.contacts()[approaching_[at]];
+    const ClusterBody<Real>& body = cluster_.bodies()[point.contact.a];
+    const bool on_ball = point.kind == EventKind::ball_ball;
+    const bool is_swapped = on_ball && point.other < body.ball;
+    const Vec2 place(body.position - point.contact.normal * balls_.radius(body.ball));
+    const Vec2 normal(group_[at].normal);
+    const double approach = static_cast<double>(approach_[at]);
+    if (world.model.kicks && !on_ball)
+        cluster_.motion()[point.contact.a].velocity +=
+            group_[at].normal * Real(kick_at(world.materials[world.capsules.material[point.other]],
+                                             world.capsules.shape[point.other], place, approach));
+    contacts.push_back({.time = static_cast<double>(scene_.now),
+                        .kind = on_ball ? ContactKind::ball_ball : ContactKind::ball_edge,
+                        .a = is_swapped ? point.other : body.ball,
+                        .b = is_swapped ? body.ball : point.other,
+                        .point = world.model.wrap ? wrapped(place, *world.model.wrap) : place,
+                        .normal = is_swapped ? -normal : normal,
+                        .approach = approach,
+                        .impulse = static_cast<double>(passed_[at])});
+}
+
+// All contact points that can give way pass impulses without restitution, at once.
+template <typename Real>
+void Response<Real>::stop_all() {
+    group_.clear();
+    for (const ContactPoint<Real>& point : cluster_.contacts()) {
+        if (!(cluster_.compliance(point) > Real{})) continue;
+        group_.push_back(point.contact);
+        group_.back().restitution = Real{};
+    }
+    reflect<Real>(cluster_.motion(), group_, &memory_);
+    for (ClusterBody<Real>& each : cluster_.bodies())
+        each.is_changed = true;
+}
+
+// A frozen ball would be frozen again at once, and the jammed balls would meet it anew: it stops
+// them.
+template <typename Real>
+void Response<Real>::hold_frozen() {
+    for (std::size_t i = 0; i < cluster_.bodies().size(); ++i)
+        if (guard_.is_frozen(balls_.path(cluster_.bodies()[i].ball)))
+            cluster_.motion()[i] = {{}, Real{}};
+}
+
+// Whether kinematic bodies must stop: one that cannot be held back from what bars it, or one whose
+// collisions do not terminate.
+template <typename Real>
+bool Response<Real>::is_squeezed(bool is_jammed) {
     bool squeezed = false;
-    for (std::uint32_t i = 0; i < bodies_.size(); ++i)
-        if (balls_[bodies_[i].ball].line.motion == Motion::held && !hold_back(i)) squeezed = true;
-    for (const Touch& touch : touches_) {
-        const std::uint32_t held = bodies_[touch.contact.a].ball;
-        if (touch.kind == Kind::ball_ball) continue;
-        if (touch.kind == Kind::hand && (is_shut_in || balls_[held].line.quick > most_quick))
-            squeezed = true;
+    const auto is_held = [&](std::uint32_t ball) {
+        return balls_[ball].line.motion == Motion::held;
+    };
+    for (std::uint32_t i = 0; i < cluster_.bodies().size(); ++i)
+        if (is_held(cluster_.bodies()[i].ball) && !hold_back(i)) squeezed = true;
+    for (const ContactPoint<Real>& point : cluster_.contacts()) {
+        const std::uint32_t ball = cluster_.bodies()[point.contact.a].ball;
+        const bool is_endless =
+            is_jammed || balls_[ball].line.recent_collisions > most_collisions_in_place;
+        const bool is_kinematic =
+            point.kind == EventKind::kinematic_edge ||
+            (point.kind == EventKind::ball_ball && (is_held(ball) || is_held(point.other)));
+        squeezed = squeezed || (is_endless && is_kinematic);
     }
-    for (const Touch& touch : touches_)
-        if (touch.kind == Kind::ball_ball &&
-            (is_shut_in || balls_[bodies_[touch.contact.a].ball].line.quick > most_quick) &&
-            (balls_[bodies_[touch.contact.a].ball].line.motion == Motion::held ||
-             balls_[touch.other].line.motion == Motion::held))
-            squeezed = true;
-
-    part_pressed();
-    std::vector<std::uint32_t>& changed = changed_;
-    changed.clear();
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        const Body& each = bodies_[i];
-        touched[each.ball] |= each.is_changed;
-        if (!each.is_changed) continue;
-        const EventPath<Real> before = balls_.path(each.ball);
-        const Real way = length(each.position - before.position);
-        if (each.is_moved) cells_.leave(balls_, each.ball);
-        start_path(each.ball, now_, each.position, impact_bodies_[i].velocity);
-        if (each.is_moved) cells_.enter(balls_, each.ball, Vec2(balls_[each.ball].line.position));
-        if (world_->model.spin) spins_[each.ball].spin = body_spins_[i];
-        if (world_->model.cloth) balls_.bend(each.ball).center = body_rolls_[i];
-        EventLine<Real>& line = balls_[each.ball].line;
-        line.quick = world_->model.gravity
-                         ? tiredness(each.ball, before)
-                         : (way < Real(touching) * radius(each.ball) ? one_more(before.quick) : 0);
-        if (before.motion == Motion::held) hold(each.ball);
-        if (line.quick > crowding) note_crowded(i);
-        changed.push_back(each.ball);
-    }
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-        if (bodies_[i].is_changed && bodies_[i].was_resting)
-            release_what_rests_on(bodies_[i].ball, changed);
-    std::sort(changed.begin(), changed.end());
-    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-    for (const std::uint32_t each : changed)
-        settle(each);
-    for (const std::uint32_t each : changed)
-        lie_down_if_tired(each, is_shut_in);
-    if (squeezed) stop_hands();
-    bool is_predicted = false;
-    for (const std::uint32_t each : changed) {
-        is_predicted = static_cast<int>(is_predicted) | static_cast<int>(each == ball);
-        const std::uint32_t index = balls_.body(each);
-        if (index != EventBall<Real>::none)
-            predict_after(bodies_[index]);
-        else
-            predict(each);
-        reorder(each);
-    }
-    for (const Body& each : bodies_)
-        balls_.body(each.ball) = EventBall<Real>::none;
-    if (is_predicted) return;
-    predict(ball);
-    reorder(ball);
+    return squeezed;
 }
 
-// Balls that lie still since they are tired would lie down again at once, and what has been stopped
-// with them would meet them anew: it is stopped by them.
+// A held ball goes no further against an edge that bars it, but along it; if that leads against
+// another edge that it touches, along that one; else it stops. False: an edge comes at it even
+// then.
 template <typename Real>
-void EventEngine<Real>::hold_the_tired() {
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        const EventPath<Real> path = balls_.path(bodies_[i].ball);
-        if (path.motion == Motion::resting && path.support.by == PathSupport::By::nothing)
-            impact_bodies_[i] = {{}, Real{}};
-    }
-}
-
-// After a round of an impact. What is left of a speed that was stopped is rounding, and none.
-template <typename Real>
-void EventEngine<Real>::note_speeds(bool is_shut_in) {
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        Vector<Real>& velocity = impact_bodies_[i].velocity;
-        const Real speed = length(velocity);
-        if (bodies_[i].fastest < speed) bodies_[i].fastest = speed;
-        if (is_shut_in && !(speed > Real(approach_noise<Real>) * bodies_[i].fastest)) velocity = {};
-    }
-}
-
-// A held ball goes no further against what cannot give way, but along it; and where that leads
-// against something else that it touches, along that, or not at all. False: something comes at it
-// even then.
-template <typename Real>
-bool EventEngine<Real>::hold_back(std::uint32_t body) {
+bool Response<Real>::hold_back(std::uint32_t body) {
     const auto for_each_bar = [&](auto&& visit) {
-        for (const Touch& touch : touches_)
-            if (touch.kind != Kind::ball_ball && touch.contact.a == body) visit(touch.contact);
+        for (const ContactPoint<Real>& point : cluster_.contacts())
+            if (point.kind != EventKind::ball_ball && point.contact.a == body) visit(point.contact);
     };
     const auto is_free = [&](const Vector<Real>& velocity) {
         bool is = true;
         for_each_bar([&](const ImpactContact<Real>& bar) {
             const Real speeds = length(velocity) + absolute(bar.surface);
-            is = is &&
-                 !(bar.surface - dot(velocity, bar.normal) > Real(approach_noise<Real>) * speeds);
+            is = is && !(bar.surface - dot(velocity, bar.normal) >
+                         Real(residual_rounding<Real>) * speeds);
         });
         return is;
     };
-    Vector<Real>& velocity = impact_bodies_[body].velocity;
+    Vector<Real>& velocity = cluster_.motion()[body].velocity;
     const Vector<Real> wanted = velocity;
     const auto along = [](const Vector<Real>& way, const ImpactContact<Real>& bar) {
         const Real into = bar.surface - dot(way, bar.normal);
@@ -342,68 +266,36 @@ bool EventEngine<Real>::hold_back(std::uint32_t body) {
     return is_free(velocity);
 }
 
-// Balls that move and are pressed together sink in by a hair before they meet again: they are taken
-// apart to touch, the free ones of them, by their masses.
+// Gives every changed body its new trajectory, and free flight to what it supported.
 template <typename Real>
-void EventEngine<Real>::part_pressed() {
-    const bool on_cloth = world_->model.cloth.has_value();
-    if (!(world_->model.gravity && world_->model.lossy) && !on_cloth) return;
-    const Real deep(on_cloth ? 2.0 * pushing_rise : 0.5 * lively_rise);
-    for (const Touch& touch : touches_) {
-        if (touch.kind != Kind::ball_ball) continue;
-        Body& a = bodies_[touch.contact.a];
-        Body& b = bodies_[touch.contact.b];
-        const Real small = std::min(radius(a.ball), radius(b.ball));
-        if (!(touch.gap < -deep * small)) continue;
-        // By no more than what cannot take a ball past an edge unseen, even where one has been put
-        // into another.
-        const Real depth = std::min(-touch.gap, Real(0.5) * small);
-        const auto share = [&](const Body& body, std::uint32_t index, const Vector<Real>& way) {
-            const EventPath<Real> path = balls_.path(body.ball);
-            const bool may_give_way = path.motion == Motion::free || is_on_cloth(path);
-            if (!body.is_changed || !may_give_way) return Real{};
-            const Vector<Real> there = body.position + way * depth;
-            bool is_barred = false;  // never into an edge
-            const auto bar = [&](std::uint32_t capsule, Vec2 shift, int, int) {
-                const Edge<Real> edge(world_->capsules.shape[capsule], shift);
-                const Real size = radius(body.ball);
-                const Real gap = contact_with(edge, there, size).gap;
-                is_barred = is_barred ||
-                            (gap < Real{} && gap < contact_with(edge, body.position, size).gap);
-            };
-            for_each_edge_around(body.ball, cells_.spot_of(Vec2(there)), bar);
-            if (is_barred) return Real{};
-            return impact_bodies_[index].inverse_mass;
-        };
-        const Real ours = share(a, touch.contact.a, touch.contact.normal);
-        const Real theirs = share(b, touch.contact.b, -touch.contact.normal);
-        if (!(ours + theirs > Real{})) continue;
-        const Vector<Real> way = touch.contact.normal * (depth / (ours + theirs));
-        a.position += way * ours;
-        b.position -= way * theirs;
-        a.is_moved = b.is_moved = true;
-        is_near_valid_ = false;
+void Response<Real>::start_trajectories(std::vector<std::uint8_t>& touched) {
+    const Model& model = scene_.world->model;
+    const std::vector<ClusterBody<Real>>& bodies = cluster_.bodies();
+    changed_.clear();
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+        const ClusterBody<Real>& each = bodies[i];
+        touched[each.ball] |= each.is_changed;
+        if (!each.is_changed) continue;
+        const Trajectory<Real> before = balls_.path(each.ball);
+        if (each.is_moved) space_.cells().leave(balls_, each.ball);
+        trajectories_.start(each.ball, scene_.now, each.position, cluster_.motion()[i].velocity);
+        LinearPart<Real>& line = balls_[each.ball].line;
+        if (each.is_moved) space_.cells().enter(balls_, each.ball, Vec2(line.position));
+        if (model.spin) trajectories_.spin(each.ball).spin = each.spin;
+        if (model.cloth) balls_.curve(each.ball).center = each.roll;
+        line.recent_collisions = guard_.count(each.ball, before, each.position);
+        if (before.motion == Motion::held) trajectories_.hold(each.ball);
+        if (line.recent_collisions > dense_collisions && cluster_.touches_ball(i))
+            guard_.note_dense(each.ball);
+        changed_.push_back(each.ball);
     }
+    for (const ClusterBody<Real>& each : bodies)
+        if (each.is_changed && each.was_resting) rest_.release_supported(each.ball, changed_);
+    std::sort(changed_.begin(), changed_.end());
+    changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
 }
 
-// A hand that would squeeze a ball stops for the rest of the tick.
-template <typename Real>
-void EventEngine<Real>::stop_hands() {
-    for (Hand& hand : hands_) {
-        if (!(now_ < hand.edge.stop)) continue;
-        hand.edge.stop = now_;
-        hand_stopped_ = true;
-    }
-    for (std::uint32_t i = 0; i < balls_.size(); ++i) {
-        const EventLine<Real>& line = balls_[i].line;
-        if (line.motion != Motion::held || line.velocity == Vector<Real>{}) continue;
-        start_path(i, now_, state_at(balls_.path(i), field_, now_).position, {});
-        hold(i);
-        hand_stopped_ = true;
-    }
-}
-
-template class EventEngine<double>;
-template class EventEngine<Wide>;
+template class Response<double>;
+template class Response<DoubleDouble>;
 
 }  // namespace carom

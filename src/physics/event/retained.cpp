@@ -2,96 +2,108 @@
 #include <array>
 #include <cmath>
 
-#include "physics/event/engine.h"
+#include "physics/event/stored_trajectory.h"
+#include "physics/event/time_of_impact.h"
+#include "physics/event/tolerances.h"
+#include "physics/event/world_sync.h"
 
-// Which of the paths that the world remembers, or for other numbers this engine, still hold when a
-// tick begins anew.
+// Which trajectories that were stored still hold when a tick rebuilds.
 namespace carom {
 
+// Whether the trajectory leads through the state that the world shows now.
 template <typename Real>
-bool EventEngine<Real>::leads_through(const EventPath<Real>& path, std::size_t ball) const {
-    if (path.motion == Motion::held || path.time > now_) return false;
-    if (path.motion == Motion::turning && piece_end(path, field_) < now_) return false;
-    if (!is_path_on_cloth(path)) return false;
-    const BallState<Real> state = state_at(path, field_, now_);
-    return shown_position(path, now_) == world_->balls.position[ball] &&
-           Vec2(state.velocity) == world_->balls.velocity[ball] &&
+bool WorldSync<Real>::leads_through(const Trajectory<Real>& path, std::size_t ball) const {
+    if (path.motion == Motion::held || path.time > scene_.now) return false;
+    if (path.motion == Motion::turning && piece_end(path, scene_.field) < scene_.now) return false;
+    if (!cloth_.is_of_this_cloth(path)) return false;
+    const BallState<Real> state = state_at(path, scene_.field, scene_.now);
+    return trajectories_.shown_position(path, scene_.now) == scene_.world->balls.position[ball] &&
+           Vec2(state.velocity) == scene_.world->balls.velocity[ball] &&
            is_turn_left(static_cast<std::uint32_t>(ball));
 }
 
-// Whether the edges that carry the ball are still there, as they were.
+// Whether the edges that support the ball are still there, as they were.
 template <typename Real>
-bool EventEngine<Real>::are_carriers_left(const EventPath<Real>& path, std::uint32_t sum) const {
+bool WorldSync<Real>::are_carriers_left(const Trajectory<Real>& path, std::uint32_t sum) const {
     return path.motion == Motion::free ||
-           sum_of_carriers(*world_, path.support, path.second_support) == sum;
+           sum_of_carriers(*scene_.world, path.support, path.second_support) == sum;
 }
 
-// Whether the balls that carry the ball are still there.
+// Whether the balls that support the ball are still there.
 template <typename Real>
-bool EventEngine<Real>::has_support(const std::vector<std::uint8_t>& is_kept,
-                                    std::size_t ball) const {
-    const EventPath<Real> path = balls_.path(ball);
+bool WorldSync<Real>::has_support(std::size_t ball) const {
+    const Trajectory<Real> path = balls_.path(ball);
     for (const PathSupport& support : {path.support, path.second_support}) {
         if (support.by != PathSupport::By::ball) continue;
-        const auto index = index_of(*world_, BallId{support.number});
-        // It rests, so it is where it was.
-        if (!index || !is_kept[*index] || balls_[*index].line.motion != Motion::resting)
+        const auto index = index_of(*scene_.world, BallId{support.number});
+        // A ball that rests is where it was.
+        if (!index || !is_kept_[*index] || balls_[*index].line.motion != Motion::resting)
             return false;
     }
     return true;
 }
 
-// Whether the path has met an edge before now: one that has come into its way only since. When that
-// shows must not depend on where a solver looks for edges. No ball is further from where its path
-// began than its speed and the largest acceleration allow.
+// Whether an impact with an edge lies in the trajectory's past: an edge that was put there since.
+// When that shows must not depend on where a solver looks for edges, so all edges are tested that
+// the ball can have reached by its speed and largest acceleration.
 template <typename Real>
-bool EventEngine<Real>::has_passed_an_edge(std::uint32_t ball) {
-    const EventPath<Real> path = balls_.path(ball);
+bool WorldSync<Real>::has_passed_an_edge(std::uint32_t ball) {
+    const Trajectory<Real> path = balls_.path(ball);
     const bool stays = path.motion == Motion::held || path.motion == Motion::resting ||
                        path.motion == Motion::still;
-    if (!world_->model.ball_edge || stays || !(path.time < now_)) return false;
-    const auto since = static_cast<double>(now_ - path.time);
-    const auto pull = static_cast<double>(most_acceleration(path, field_, path.time));
+    if (!scene_.world->model.ball_edge || stays || !(path.time < scene_.now)) return false;
+    const auto since = static_cast<double>(scene_.now - path.time);
+    const auto pull = static_cast<double>(most_acceleration(path, scene_.field, path.time));
     const Vec2 begin(path.position);
     const double way = (length(Vec2(path.velocity)) + 0.5 * pull * since) * since;
-    search_.begin_at(now_);
-    const bool wraps = world_->model.wrap.has_value();
-    // Too long a way to be gone through for this: the path may begin anew.
-    constexpr double most_tori = 4.0;
-    if (wraps && !(way < most_tori * std::min(torus_.x, torus_.y))) return true;
-    // From where to where images of an edge lie within reach, in tori.
-    const auto images = [wraps](double at, double low, double high, double reach, double torus) {
+    search_.begin_at(scene_.now);
+    const bool wraps = scene_.world->model.wrap.has_value();
+    // Too long a way to check: the trajectory starts anew.
+    if (wraps && !(way < most_checked_periods * std::min(scene_.period.x, scene_.period.y)))
+        return true;
+    // The first and last periodic image of an edge that lies within reach.
+    const auto images = [wraps](double at, double low, double high, double reach, double period) {
         if (!wraps) return std::array<int, 2>{0, 0};
-        return std::array<int, 2>{static_cast<int>(std::floor((at - reach - high) / torus)) + 1,
-                                  static_cast<int>(std::ceil((at + reach - low) / torus)) - 1};
+        return std::array<int, 2>{static_cast<int>(std::floor((at - reach - high) / period)) + 1,
+                                  static_cast<int>(std::ceil((at + reach - low) / period)) - 1};
     };
-    const Capsules& capsules = world_->capsules;
+    const Capsules& capsules = scene_.world->capsules;
     for (std::uint32_t i = 0; i < capsules.size(); ++i) {
-        if (is_held(*world_, capsules.id[i]) || !ball_meets(ball, i)) continue;
+        if (is_held(*scene_.world, capsules.id[i]) || !scene_.ball_collides_with(ball, i)) continue;
         const Capsule& shape = capsules.shape[i];
-        const double reach = 1.01 * (way + static_cast<double>(radius(ball)) + shape.radius);
+        const double reach = 1.01 * (way + static_cast<double>(balls_.radius(ball)) + shape.radius);
         const auto [left, right] = std::minmax(shape.start.x, shape.end.x);
         const auto [low, high] = std::minmax(shape.start.y, shape.end.y);
         if (!wraps && (begin.x + reach < left || begin.x - reach > right || begin.y + reach < low ||
                        begin.y - reach > high))
             continue;
-        const auto [first_across, last_across] = images(begin.x, left, right, reach, torus_.x);
-        const auto [first_along, last_along] = images(begin.y, low, high, reach, torus_.y);
+        const auto [first_across, last_across] =
+            images(begin.x, left, right, reach, scene_.period.x);
+        const auto [first_along, last_along] = images(begin.y, low, high, reach, scene_.period.y);
         for (int across = first_across; across <= last_across; ++across)
             for (int along = first_along; along <= last_along; ++along) {
-                if (rests_on_edge(path, i, across, along)) continue;
-                const Vec2 shift{torus_.x * across, torus_.y * along};
-                const auto time = edge_closing(path, Edge<Real>(shape, shift), radius(ball), field_,
-                                               now_, search_);
-                if (time && *time < now_ &&
-                    is_solid_for(i, state_at(path, field_, *time).position, shift))
+                if (scene_.is_supported_by(path, i, across, along)) continue;
+                const Vec2 shift{scene_.period.x * across, scene_.period.y * along};
+                const auto time =
+                    edge_time_of_impact(path, Edge<Real>(shape, shift), balls_.radius(ball),
+                                        scene_.field, scene_.now, search_);
+                if (time && *time < scene_.now &&
+                    scene_.is_solid(i, state_at(path, scene_.field, *time).position, shift))
                     return true;
             }
     }
     return false;
 }
 
-template class EventEngine<double>;
-template class EventEngine<Wide>;
+template bool WorldSync<double>::leads_through(const Trajectory<double>&, std::size_t) const;
+template bool WorldSync<DoubleDouble>::leads_through(const Trajectory<DoubleDouble>&,
+                                                     std::size_t) const;
+template bool WorldSync<double>::are_carriers_left(const Trajectory<double>&, std::uint32_t) const;
+template bool WorldSync<DoubleDouble>::are_carriers_left(const Trajectory<DoubleDouble>&,
+                                                         std::uint32_t) const;
+template bool WorldSync<double>::has_support(std::size_t) const;
+template bool WorldSync<DoubleDouble>::has_support(std::size_t) const;
+template bool WorldSync<double>::has_passed_an_edge(std::uint32_t);
+template bool WorldSync<DoubleDouble>::has_passed_an_edge(std::uint32_t);
 
 }  // namespace carom

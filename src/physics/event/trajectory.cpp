@@ -1,15 +1,14 @@
 #include "physics/event/trajectory.h"
 
 #include <array>
-#include <bit>
 
 #include "geometry/elementary.h"
-#include "physics/broad_phase/capsule_cells.h"
+#include "physics/event/tolerances.h"
 
 namespace carom {
 namespace {
 
-// Of a step of s seconds under drag k: e^-ks, (1 - e^-ks) / ks and what is left of 1 over ks.
+// Under drag k for s seconds: e^-ks, (1 - e^-ks) / ks, and (1 - mean) / ks.
 template <typename Real>
 struct Decay {
     Real all;
@@ -21,28 +20,28 @@ Decay<double> decay_over(double exponent) {
     return {exponential(-exponent), mean_decay(exponent), mean_decay_ramp(exponent)};
 }
 
-Decay<Wide> decay_over(const Wide& exponent) {
-    if (exponent < Wide(0.5)) {
+Decay<DoubleDouble> decay_over(const DoubleDouble& exponent) {
+    if (exponent < DoubleDouble(0.5)) {
         // ramp = sum of (-x)^n / (n + 2)!
-        Wide term(0.5);
-        Wide ramp(0.5);
+        DoubleDouble term(0.5);
+        DoubleDouble ramp(0.5);
         for (int n = 1; n < 30; ++n) {
-            term = term * -exponent / Wide(n + 2.0);
+            term = term * -exponent / DoubleDouble(n + 2.0);
             ramp += term;
         }
-        const Wide mean = Wide(1.0) - exponent * ramp;
-        return {Wide(1.0) - exponent * mean, mean, ramp};
+        const DoubleDouble mean = DoubleDouble(1.0) - exponent * ramp;
+        return {DoubleDouble(1.0) - exponent * mean, mean, ramp};
     }
-    const Decay<Wide> half = decay_over(exponent * Wide(0.5));
-    const Wide all = half.all * half.all;
-    const Wide mean = (Wide(1.0) - all) / exponent;
-    return {all, mean, (Wide(1.0) - mean) / exponent};
+    const Decay<DoubleDouble> half = decay_over(exponent * DoubleDouble(0.5));
+    const DoubleDouble all = half.all * half.all;
+    const DoubleDouble mean = (DoubleDouble(1.0) - all) / exponent;
+    return {all, mean, (DoubleDouble(1.0) - mean) / exponent};
 }
 
 template <typename Real>
 constexpr int series_length = 15;
 template <>
-constexpr int series_length<Wide> = 28;
+constexpr int series_length<DoubleDouble> = 28;
 
 // Sine and cosine of a small angle.
 template <typename Real>
@@ -68,8 +67,8 @@ struct AngleAndRate {
     Real rate{};
 };
 
-// angle' = rate, rate' = along - drag rate, along' = -outward rate, outward' = along rate, where
-// along and outward are gravity's parts over the radius.
+// The Taylor series of a pendulum: angle' = rate, rate' = along - drag rate, along' = -outward
+// rate, outward' = along rate, with along and outward the components of gravity over the radius.
 template <typename Real>
 AngleAndRate<Real> swing(Real rate, Real along, Real outward, const Real& drag, const Real& since) {
     constexpr int length = series_length<Real>;
@@ -98,93 +97,26 @@ AngleAndRate<Real> swing(Real rate, Real along, Real outward, const Real& drag, 
 
 }  // namespace
 
-EventPath<double> path_from(const BallPath& stored, const PathBend& bend) {
-    EventPath<double> path;
-    path.time = stored.time;
-    path.position = Vector<double>(stored.position);
-    path.velocity = Vector<double>(stored.velocity);
-    path.acceleration = Vector<double>(bend.acceleration);
-    path.center = Vector<double>(bend.center);
-    path.motion = stored.motion;
-    path.support = bend.support;
-    path.second_support = bend.second_support;
-    path.quick = stored.quick;
-    return path;
-}
-
-PathBend stored_bend(const World& world, const EventPath<double>& path) {
-    return {.acceleration = Vec2(path.acceleration),
-            .center = Vec2(path.center),
-            .support = path.support,
-            .second_support = path.second_support,
-            .carriers = path.motion == Motion::free
-                            ? 0
-                            : sum_of_carriers(world, path.support, path.second_support)};
-}
-
-namespace {
-
-std::uint64_t stirred_edge(std::uint64_t sum, const World& world, std::size_t index) {
-    const Capsule& shape = world.capsules.shape[index];
-    const Side side = world.model.one_way ? world.capsules.side[index] : Side::both;
-    // 0 and -0 are the same place.
-    const Vec2 start = shape.start + Vec2{};
-    const Vec2 end = shape.end + Vec2{};
-    sum = stirred(stirred(stirred(sum, start), end), shape.radius);
-    return stirred(sum, static_cast<std::uint64_t>(side));
-}
-
-}  // namespace
-
-std::uint32_t sum_of_carriers(const World& world, const PathSupport& support,
-                              const PathSupport& second) {
-    std::uint64_t sum = 0;
-    for (const PathSupport& by : {support, second}) {
-        if (by.by != PathSupport::By::edge) continue;
-        sum = stirred(sum, std::uint64_t{by.number});
-        const auto index = index_of(world, CapsuleId{by.number});
-        if (!index || is_held(world, CapsuleId{by.number})) continue;
-        sum = stirred_edge(sum, world, *index);
-    }
-    return static_cast<std::uint32_t>(sum >> 32);
-}
-
-std::uint64_t sum_of_obstacles(const World& world) {
-    std::uint64_t sum = static_cast<std::uint64_t>(world.model.ball_edge);
-    for (std::size_t i = 0; i < world.capsules.size(); ++i) {
-        if (is_held(world, world.capsules.id[i])) continue;
-        sum = stirred(stirred_edge(sum, world, i), std::uint64_t{world.capsules.material[i]});
-    }
-    for (const double radius : world.balls.radius)
-        sum = stirred(sum, radius);
-    if (world.model.filtered)
-        for (const std::uint8_t meets : world.meets)
-            sum = stirred(sum, std::uint64_t{meets});
-    return sum | 1;
-}
-
-std::uint64_t sum_of(const BallPath& path, const PathBend& bend) {
-    std::uint64_t sum = sum_of(path);
-    if (path.motion == Motion::free) return sum;
-    sum = stirred(stirred(sum, bend.center), bend.acceleration);
-    for (const PathSupport& by : {bend.support, bend.second_support})
-        sum = stirred(sum, static_cast<std::uint64_t>(by.by) |
-                               std::uint64_t{static_cast<std::uint8_t>(by.across)} << 8 |
-                               std::uint64_t{static_cast<std::uint8_t>(by.along)} << 16 |
-                               std::uint64_t{by.number} << 32);
-    return stirred(sum, std::uint64_t{bend.carriers});
+template <typename Real>
+Field<Real> field_of(const Model& model) {
+    Field<Real> field;
+    field.gravity = Vector<Real>(model.gravity.value_or(Vec2{}) + Vec2{});  // + 0 clears -0
+    field.has_drag = model.drag.has_value();
+    field.drag = Real(model.drag.value_or(0.0));
+    if (model.lossy) field.pressing = length(field.gravity);
+    return field;
 }
 
 template <typename Real>
-Turn<Real> turn_at(const EventPath<Real>& path, const Field<Real>& field, const Real& time) {
-    const Vector<Real> arm = path.position - path.center;
+Turn<Real> turn_at(const Trajectory<Real>& trajectory, const Field<Real>& field, const Real& time) {
+    const Vector<Real> arm = trajectory.position - trajectory.center;
     const Real radius = length(arm);
     const Vector<Real> normal = arm / radius;
     const Vector<Real> along = perpendicular(normal);
     const auto [angle, rate] =
-        swing(dot(along, path.velocity) / radius, dot(along, field.gravity) / radius,
+        swing(dot(along, trajectory.velocity) / radius, dot(along, field.gravity) / radius,
               dot(normal, field.gravity) / radius, field.has_drag ? field.drag : Real{},
-              time - path.time);
+              time - trajectory.time);
     const Vector<Real> turned = cos_sin(angle);
     Turn<Real> turn;
     turn.radius = radius;
@@ -195,58 +127,66 @@ Turn<Real> turn_at(const EventPath<Real>& path, const Field<Real>& field, const 
 }
 
 template <typename Real>
-Real piece_end(const EventPath<Real>& path, const Field<Real>& field) {
-    // |rate| s + pull s^2 / 2 = 0.05, by the root without cancellation.
-    const Real most(0.05);
-    const Real radius = length(path.position - path.center);
-    const Real rate = length(path.velocity) / radius;
+Real piece_end(const Trajectory<Real>& trajectory, const Field<Real>& field) {
+    // |rate| s + pull s^2 / 2 = most_piece_angle, by the root without cancellation.
+    const Real most(most_piece_angle);
+    const Real radius = length(trajectory.position - trajectory.center);
+    const Real rate = length(trajectory.velocity) / radius;
     const Real pull = length(field.gravity) / radius;
-    return path.time +
+    return trajectory.time +
            Real(2.0) * most / (rate + square_root(rate * rate + Real(2.0) * pull * most));
 }
 
 template <typename Real>
-BallState<Real> state_at(const EventPath<Real>& path, const Field<Real>& field, const Real& time) {
-    const Real since = time - path.time;
-    if (path.motion == Motion::turning) {
-        const Turn<Real> turn = turn_at(path, field, time);
-        return {path.center + turn.normal * turn.radius, perpendicular(turn.normal) * turn.speed};
+BallState<Real> state_at(const Trajectory<Real>& trajectory, const Field<Real>& field,
+                         const Real& time) {
+    const Real since = time - trajectory.time;
+    if (trajectory.motion == Motion::turning) {
+        const Turn<Real> turn = turn_at(trajectory, field, time);
+        return {trajectory.center + turn.normal * turn.radius,
+                perpendicular(turn.normal) * turn.speed};
     }
-    if (field.has_drag && path.motion != Motion::held) {
+    if (field.has_drag && trajectory.motion != Motion::held) {
         const Decay<Real> decay = decay_over(field.drag * since);
-        return {path.position + path.velocity * (since * decay.mean) +
-                    path.acceleration * (since * since * decay.ramp),
-                path.velocity * decay.all + path.acceleration * (since * decay.mean)};
+        return {trajectory.position + trajectory.velocity * (since * decay.mean) +
+                    trajectory.acceleration * (since * since * decay.ramp),
+                trajectory.velocity * decay.all + trajectory.acceleration * (since * decay.mean)};
     }
-    return {parabola_at(path, time), path.velocity + path.acceleration * since};
+    return {parabola_at(trajectory, time), trajectory.velocity + trajectory.acceleration * since};
 }
 
 template <typename Real>
-Real most_acceleration(const EventPath<Real>& path, const Field<Real>& field, const Real& time) {
-    if (path.motion == Motion::turning) {
-        const Turn<Real> now = turn_at(path, field, time);
+Real most_acceleration(const Trajectory<Real>& trajectory, const Field<Real>& field,
+                       const Real& time) {
+    if (trajectory.motion == Motion::turning) {
+        const Turn<Real> now = turn_at(trajectory, field, time);
         const Real speed =
-            absolute(now.speed) + length(field.gravity) * (piece_end(path, field) - time);
+            absolute(now.speed) + length(field.gravity) * (piece_end(trajectory, field) - time);
         Real most = length(field.gravity) + speed * speed / now.radius;
         if (field.has_drag) most += field.drag * speed;
         return most;
     }
-    Real most = length(path.acceleration);
-    if (field.has_drag && path.motion != Motion::held) {
-        const Real speed = length(state_at(path, field, time).velocity);
+    Real most = length(trajectory.acceleration);
+    if (field.has_drag && trajectory.motion != Motion::held) {
+        const Real speed = length(state_at(trajectory, field, time).velocity);
         const Real limit = most / field.drag;
         most += field.drag * (speed > limit ? speed : limit);
     }
     return most;
 }
 
-template BallState<double> state_at(const EventPath<double>&, const Field<double>&, const double&);
-template BallState<Wide> state_at(const EventPath<Wide>&, const Field<Wide>&, const Wide&);
-template double most_acceleration(const EventPath<double>&, const Field<double>&, const double&);
-template Wide most_acceleration(const EventPath<Wide>&, const Field<Wide>&, const Wide&);
-template Turn<double> turn_at(const EventPath<double>&, const Field<double>&, const double&);
-template Turn<Wide> turn_at(const EventPath<Wide>&, const Field<Wide>&, const Wide&);
-template double piece_end(const EventPath<double>&, const Field<double>&);
-template Wide piece_end(const EventPath<Wide>&, const Field<Wide>&);
+template Field<double> field_of(const Model&);
+template Field<DoubleDouble> field_of(const Model&);
+template BallState<double> state_at(const Trajectory<double>&, const Field<double>&, const double&);
+template BallState<DoubleDouble> state_at(const Trajectory<DoubleDouble>&,
+                                          const Field<DoubleDouble>&, const DoubleDouble&);
+template double most_acceleration(const Trajectory<double>&, const Field<double>&, const double&);
+template DoubleDouble most_acceleration(const Trajectory<DoubleDouble>&, const Field<DoubleDouble>&,
+                                        const DoubleDouble&);
+template Turn<double> turn_at(const Trajectory<double>&, const Field<double>&, const double&);
+template Turn<DoubleDouble> turn_at(const Trajectory<DoubleDouble>&, const Field<DoubleDouble>&,
+                                    const DoubleDouble&);
+template double piece_end(const Trajectory<double>&, const Field<double>&);
+template DoubleDouble piece_end(const Trajectory<DoubleDouble>&, const Field<DoubleDouble>&);
 
 }  // namespace carom

@@ -1,23 +1,26 @@
+#include "physics/event/world_sync.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <type_traits>
 
 #include "geometry/f64x2.h"
-#include "physics/event/engine.h"
+#include "physics/event/stored_trajectory.h"
 #include "physics/laws/free_motion.h"
+#include "physics/memory/prefetch.h"
 #include "physics/world/same_bits.h"
 
-// What a tick leaves in the world, and whether the next one goes on from there.
 namespace carom {
 namespace {
 
 template <typename Real>
-Vec2 place_on(const EventLine<Real>& line, const Real& time) {
+Vec2 place_on(const LinearPart<Real>& line, const Real& time) {
     return Vec2(line.position + line.velocity * (time - line.time));
 }
 
-// visit(i) from `first` to before `last`, of `count` in all; where so many are not all in the
-// cache, fetch(i) some way ahead of it.
+// visit(i) from `first` to before `last`, of `count` in all. Where so many do not fit into the
+// cache, fetch(i) is called some way ahead.
 template <typename Visit, typename Fetch>
 void go_through(std::size_t first, std::size_t last, std::size_t count, Visit&& visit,
                 Fetch&& fetch) {
@@ -32,8 +35,8 @@ void go_through(std::size_t first, std::size_t last, std::size_t count, Visit&& 
         visit(i);
 }
 
-TwoBits bits_of(const Vec2& v) {
-    return std::bit_cast<TwoBits>(Two{v.x, v.y});
+U64x2 bits_of(const Vec2& v) {
+    return std::bit_cast<U64x2>(F64x2{v.x, v.y});
 }
 
 bool are_same(const Capsules& a, const Capsules& b) {
@@ -42,9 +45,10 @@ bool are_same(const Capsules& a, const Capsules& b) {
 
 }  // namespace
 
+// Whether the world is, but for positions, velocities and turns, as the last tick left it.
 template <typename Real>
-bool EventEngine<Real>::is_continued(const World& world) const {
-    // The sum stands for the paths, which are too many to be compared one by one in every tick.
+bool WorldSync<Real>::is_continued(const World& world) const {
+    // The sum stands for the trajectories, which are too many to compare in every tick.
     if (std::is_same_v<Real, double> &&
         (world.paths.size() != balls_.size() || world.paths_sum != left_.paths_sum))
         return false;
@@ -56,10 +60,10 @@ bool EventEngine<Real>::is_continued(const World& world) const {
            are_same(left_.capsules, world.capsules);
 }
 
-// Bit by bit; lines that are too many to be gone through for that, by their sums. Pre:
-// is_continued.
+// Whether positions and velocities are as the last tick left them, bit by bit; of many balls on
+// lines, by sums. Pre: is_continued.
 template <typename Real>
-bool EventEngine<Real>::are_left(const World& world) const {
+bool WorldSync<Real>::are_left(const World& world) const {
     if (!left_.on_lines)
         return have_same_bits(left_.velocities, world.balls.velocity) &&
                have_same_bits(left_.positions, world.balls.position);
@@ -74,35 +78,36 @@ bool EventEngine<Real>::are_left(const World& world) const {
         }
         return position_sum == left_.position_sum && velocity_sum == left_.velocity_sum;
     }
-    TwoBits differ{};
+    U64x2 differ{};
     for (std::size_t i = 0; i < balls_.size(); ++i) {
-        const EventLine<Real>& line = balls_[i].line;
-        differ |= bits_of(place_on(line, now_)) ^ bits_of(positions[i]);
+        const LinearPart<Real>& line = balls_[i].line;
+        differ |= bits_of(place_on(line, scene_.now)) ^ bits_of(positions[i]);
         differ |= bits_of(Vec2(line.velocity)) ^ bits_of(velocities[i]);
     }
     return (differ[0] | differ[1]) == 0;
 }
 
 template <typename Real>
-bool EventEngine<Real>::is_position_left(std::uint32_t ball) const {
-    const Vec2& now = world_->balls.position[ball];
-    return left_.on_lines ? place_on(balls_[ball].line, now_) == now : left_.positions[ball] == now;
+bool WorldSync<Real>::is_position_left(std::uint32_t ball) const {
+    const Vec2& now = scene_.world->balls.position[ball];
+    return left_.on_lines ? place_on(balls_[ball].line, scene_.now) == now
+                          : left_.positions[ball] == now;
 }
 
 template <typename Real>
-bool EventEngine<Real>::is_velocity_left(std::uint32_t ball) const {
-    const Vec2& now = world_->balls.velocity[ball];
+bool WorldSync<Real>::is_velocity_left(std::uint32_t ball) const {
+    const Vec2& now = scene_.world->balls.velocity[ball];
     return left_.on_lines ? Vec2(balls_[ball].line.velocity) == now : left_.velocities[ball] == now;
 }
 
-// A velocity that was there when the tick began, and a path, only where a path has begun. Some
-// balls at a time, so that they are still in the cache then.
+// Balls on lines. A velocity that was there when the tick began is written only where a trajectory
+// started; some balls at a time, so that they are still in the cache.
 template <typename Real>
-void EventEngine<Real>::write_lines(World& world) {
+void WorldSync<Real>::write_lines(World& world) {
     Balls& balls = world.balls;
     const std::size_t count = balls_.size();
     const Real began(world.time());
-    const bool are_all = is_begun_anew_ || !std::is_same_v<Real, double>;
+    const bool are_all = is_rebuilt_ || !std::is_same_v<Real, double>;
     if (are_all) clear_paths(world);
     std::array<std::uint32_t, 4096> begun;
     const bool is_summed = this->is_summed();
@@ -112,22 +117,22 @@ void EventEngine<Real>::write_lines(World& world) {
         const std::size_t last = std::min(first + begun.size(), count);
         std::size_t begun_count = 0;
         const auto write = [&](std::size_t i) {
-            const EventLine<Real>& line = balls_[i].line;
-            const Vec2 place = place_on(line, end_);
+            const LinearPart<Real>& line = balls_[i].line;
+            const Vec2 place = place_on(line, scene_.end);
             balls.position[i] = place;
             if (is_summed) {
                 position_sum.add(bits_of(place));
                 velocity_sum.add(bits_of(Vec2(line.velocity)));
             }
-            // Which ones nobody can foretell.
+            // Without a branch: no processor can predict which.
             begun[begun_count] = static_cast<std::uint32_t>(i);
             begun_count += static_cast<std::size_t>(are_all || !(line.time < began));
         };
         go_through(first, last, count, write, [&](std::size_t soon) {
-            balls_.fetch_neighbour(soon);
+            balls_.prefetch_neighbour(soon);
             fetch_early(&balls.position[soon]);
         });
-        if (!is_all_left_)
+        if (!is_unchanged_)
             for (std::size_t i = first; i < last; ++i)
                 balls.velocity[i] = Vec2(balls_[i].line.velocity);
         write_begun(world, {begun.data(), begun_count});
@@ -136,8 +141,9 @@ void EventEngine<Real>::write_lines(World& world) {
     left_.velocity_sum = velocity_sum;
 }
 
+// The trajectories of balls on lines that started in this tick.
 template <typename Real>
-void EventEngine<Real>::write_begun(World& world, std::span<const std::uint32_t> begun) {
+void WorldSync<Real>::write_begun(World& world, std::span<const std::uint32_t> begun) {
     for (std::size_t at = 0; at < begun.size(); ++at) {
         const std::uint32_t i = begun[at];
         world.balls.velocity[i] = Vec2(balls_[i].line.velocity);
@@ -147,34 +153,33 @@ void EventEngine<Real>::write_begun(World& world, std::span<const std::uint32_t>
             fetch_early(&soon.velocity);
             BallPath& stored = world.paths[i];
             world.paths_sum -= sum_of(stored);
-            stored = stored_line(is_begun_anew_ ? world.balls.id[i] : stored.id, balls_[i].line);
+            stored = stored_line(is_rebuilt_ ? world.balls.id[i] : stored.id, balls_[i].line);
             world.paths_sum += sum_of(stored);
         }
     }
 }
 
 template <typename Real>
-void EventEngine<Real>::write_paths(World& world) {
+void WorldSync<Real>::write_paths(World& world) {
     Balls& balls = world.balls;
-    const bool is_coasting = !world.model.gravity && !field_.has_drag;
+    const bool is_coasting = !world.model.gravity && !scene_.field.has_drag;
     const std::size_t count = balls_.size();
     left_.positions.resize(count);
     left_.velocities.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-        const EventLine<Real>& line = balls_[i].line;
+        const LinearPart<Real>& line = balls_[i].line;
         Vec2 position;
         Vec2 velocity;
         if (is_coasting && line.motion == Motion::free) {
-            position = place_on(line, end_);
+            position = place_on(line, scene_.end);
             velocity = Vec2(line.velocity);
         } else {
-            const BallState<Real> state = state_at(balls_.path(i), field_, end_);
+            const BallState<Real> state = state_at(balls_.path(i), scene_.field, scene_.end);
             position = Vec2(state.position);
             velocity = line.motion == Motion::held ? Vec2{} : Vec2(state.velocity);
         }
         if (world.model.wrap) position = wrapped(position, *world.model.wrap);
-        // What the paths say: a velocity that is limited below differs from it, and begins a new
-        // path.
+        // As the trajectory says: a velocity that is limited below differs, and starts a new one.
         balls.position[i] = left_.positions[i] = position;
         balls.velocity[i] = left_.velocities[i] = velocity;
     }
@@ -183,30 +188,30 @@ void EventEngine<Real>::write_paths(World& world) {
             velocity = limited(velocity, *world.model.speed_limit);
 }
 
-// To be stored all of them.
+// Makes room for all trajectories to be stored anew.
 template <typename Real>
-void EventEngine<Real>::clear_paths(World& world) {
+void WorldSync<Real>::clear_paths(World& world) {
     if constexpr (std::is_same_v<Real, double>) {
         world.paths.assign(balls_.size(), {});
-        world.path_bends.assign(balls_.may_bend() ? balls_.size() : 0, {});
+        world.path_bends.assign(balls_.may_curve() ? balls_.size() : 0, {});
         world.paths_sum = balls_.size() * sum_of(BallPath{});
     } else {
         left_.carriers.assign(balls_.size(), 0);
     }
 }
 
-// Those that began in this tick: the others are there already.
+// Stores the trajectories that started in this tick, or all.
 template <typename Real>
-void EventEngine<Real>::store_paths(World& world) {
+void WorldSync<Real>::store_paths(World& world) {
     const auto store = [&](std::uint32_t i) {
-        const EventPath<Real> path = balls_.path(i);
+        const Trajectory<Real> path = balls_.path(i);
         if constexpr (!std::is_same_v<Real, double>) {
             left_.carriers[i] = sum_of_carriers(world, path.support, path.second_support);
         } else {
             BallPath& stored = world.paths[i];
             const BallPath before = stored;
             stored = stored_line(world.balls.id[i], path);
-            if (!balls_.may_bend()) {
+            if (!balls_.may_curve()) {
                 world.paths_sum += sum_of(stored) - sum_of(before);
                 return;
             }
@@ -216,10 +221,10 @@ void EventEngine<Real>::store_paths(World& world) {
             world.paths_sum += sum_of(stored, bend);
         }
     };
-    const bool are_all =
-        is_begun_anew_ || begun_.size() >= balls_.size() || !std::is_same_v<Real, double>;
+    const bool are_all = is_rebuilt_ || trajectories_.started().size() >= balls_.size() ||
+                         !std::is_same_v<Real, double>;
     if (!are_all) {
-        for (const std::uint32_t i : begun_)
+        for (const std::uint32_t i : trajectories_.started())
             store(i);
         return;
     }
@@ -229,7 +234,8 @@ void EventEngine<Real>::store_paths(World& world) {
 }
 
 template <typename Real>
-void EventEngine<Real>::write(World& world) {
+void WorldSync<Real>::write(World& world, bool has_stopped) {
+    is_rebuilt_ = is_rebuilt_ || has_stopped;
     Balls& balls = world.balls;
     left_.on_lines = leaves_lines();
     if (left_.on_lines) {
@@ -238,24 +244,24 @@ void EventEngine<Real>::write(World& world) {
         write_paths(world);
         store_paths(world);
     }
-    balls.edge_contacts = edge_contacts_;
+    balls.edge_contacts = scatter_counts_;
     if (world.model.spin) write_spins(world);
-    for (const Hand& hand : hands_) {
-        const Edge<Real> shape = hand.edge.at(end_);
-        world.capsules.shape[hand.capsule].start = Vec2(shape.start);
-        world.capsules.shape[hand.capsule].end = Vec2(shape.end);
+    for (const KinematicEdge<Real>& moved : kinematic_.edges()) {
+        const Edge<Real> shape = moved.edge.at(scene_.end);
+        world.capsules.shape[moved.capsule].start = Vec2(shape.start);
+        world.capsules.shape[moved.capsule].end = Vec2(shape.end);
     }
     if constexpr (std::is_same_v<Real, double>) {
         left_.paths_sum = world.paths_sum;
-        write_crowded(world);
+        write_dense(world);
         world.paths_gravity = world.model.gravity.value_or(Vec2{});
         world.paths_drag = world.model.drag.value_or(0.0);
     }
     left_.tick = world.tick + 1;
     left_.rate = world.rate;
-    left_.had_hands = !world.held_balls.empty() || !hands_.empty();
-    if (is_begun_anew_) {
-        world.paths_obstacles = hands_.empty() ? sum_of_obstacles(world) : 0;
+    left_.had_hands = !world.held_balls.empty() || !kinematic_.edges().empty();
+    if (is_rebuilt_) {
+        world.paths_obstacles = kinematic_.edges().empty() ? sum_of_obstacles(world) : 0;
         left_.model = world.model;
         left_.ids.keep(balls.id);
         left_.radii.keep(balls.radius);
@@ -263,10 +269,67 @@ void EventEngine<Real>::write(World& world) {
         left_.meets = world.meets;
         left_.capsules = world.capsules;
     }
-    left_.is_valid = true;
+    left_.is_valid = !has_stopped;
 }
 
-template class EventEngine<double>;
-template class EventEngine<Wide>;
+template <typename Real>
+bool WorldSync<Real>::are_spins_left(const World& world) const {
+    if (!world.model.spin) return true;
+    if constexpr (std::is_same_v<Real, double>) {
+        if (world.spin_paths.size() != trajectories_.spins().size()) return false;
+        for (std::uint32_t i = 0; i < trajectories_.spins().size(); ++i) {
+            const SpinPath& path = world.spin_paths[i];
+            if (path.time != trajectories_.spin(i).time ||
+                path.spin != trajectories_.spin(i).spin ||
+                path.rate != trajectories_.spin(i).rate ||
+                path.rolls != trajectories_.spin(i).rolls)
+                return false;
+        }
+    }
+    return true;
+}
+
+template <typename Real>
+bool WorldSync<Real>::is_spin_left(std::uint32_t ball) const {
+    return !scene_.world->model.spin || static_cast<double>(trajectories_.spin_at(
+                                            ball, scene_.now)) == scene_.world->balls.spin[ball];
+}
+
+template <typename Real>
+void WorldSync<Real>::write_spins(World& world) {
+    for (std::uint32_t i = 0; i < trajectories_.spins().size(); ++i)
+        world.balls.spin[i] = balls_[i].line.motion == Motion::held
+                                  ? 0.0
+                                  : static_cast<double>(trajectories_.spin_at(i, scene_.end));
+    if constexpr (std::is_same_v<Real, double>) {
+        world.spin_paths.clear();
+        for (const SpinTrajectory<Real>& turn : trajectories_.spins())
+            world.spin_paths.push_back({turn.time, turn.spin, turn.rate, turn.rolls});
+    }
+    if (world.model.cloth) write_rolls(world);
+}
+
+template <typename Real>
+bool WorldSync<Real>::is_roll_left(std::uint32_t ball) const {
+    return !scene_.world->model.cloth ||
+           Vec2(trajectories_.roll_at(ball, scene_.now)) == scene_.world->balls.roll[ball];
+}
+
+template <typename Real>
+void WorldSync<Real>::write_rolls(World& world) const {
+    for (std::uint32_t i = 0; i < balls_.size(); ++i)
+        world.balls.roll[i] = Vec2(trajectories_.roll_at(i, scene_.end));
+}
+
+// The balls in dense clusters, for the hybrid step.
+template <typename Real>
+void WorldSync<Real>::write_dense(World& world) {
+    world.heaped.clear();
+    for (const std::uint32_t ball : guard_.dense())
+        world.heaped.push_back(world.balls.id[ball]);
+}
+
+template class WorldSync<double>;
+template class WorldSync<DoubleDouble>;
 
 }  // namespace carom

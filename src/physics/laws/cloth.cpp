@@ -1,6 +1,6 @@
 #include "physics/laws/cloth.h"
 
-#include "geometry/wide.h"
+#include "geometry/double_double.h"
 
 namespace carom {
 
@@ -63,11 +63,11 @@ ClothState<Real> cloth_state_after(const Cloth& cloth, double inertia, ClothStat
 
 template ClothPhase<double> cloth_phase(const Cloth&, double, const Vector<double>&,
                                         const Vector<double>&);
-template ClothPhase<Wide> cloth_phase(const Cloth&, double, const Vector<Wide>&,
-                                      const Vector<Wide>&);
+template ClothPhase<DoubleDouble> cloth_phase(const Cloth&, double, const Vector<DoubleDouble>&,
+                                      const Vector<DoubleDouble>&);
 template double cloth_spin_after(const Cloth&, const double&, const double&);
-template Wide cloth_spin_after(const Cloth&, const Wide&, const Wide&);
+template DoubleDouble cloth_spin_after(const Cloth&, const DoubleDouble&, const DoubleDouble&);
 template ClothState<double> cloth_state_after(const Cloth&, double, ClothState<double>, double);
-template ClothState<Wide> cloth_state_after(const Cloth&, double, ClothState<Wide>, Wide);
+template ClothState<DoubleDouble> cloth_state_after(const Cloth&, double, ClothState<DoubleDouble>, DoubleDouble);
 
 }  // namespace carom

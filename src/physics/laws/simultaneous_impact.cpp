@@ -276,8 +276,8 @@ std::pmr::vector<Real> reflect(std::span<ImpactBody<Real>> bodies,
 template std::pmr::vector<double> reflect(std::span<ImpactBody<double>>,
                                           std::span<const ImpactContact<double>>,
                                           std::pmr::memory_resource*);
-template std::pmr::vector<Wide> reflect(std::span<ImpactBody<Wide>>,
-                                        std::span<const ImpactContact<Wide>>,
+template std::pmr::vector<DoubleDouble> reflect(std::span<ImpactBody<DoubleDouble>>,
+                                        std::span<const ImpactContact<DoubleDouble>>,
                                         std::pmr::memory_resource*);
 
 }  // namespace carom

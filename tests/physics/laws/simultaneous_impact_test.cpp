@@ -246,24 +246,24 @@ TEST_CASE("reflection: with 32 digits it is the same rule, and closer") {
     for (std::uint64_t who = 0; who < 200; ++who) {
         CAPTURE(who);
         Scene scene = clump(who, 2 + who % 9, 1.0, who % 2 == 0, 1.0);
-        std::vector<ImpactBody<Wide>> bodies;
-        std::vector<ImpactContact<Wide>> contacts;
+        std::vector<ImpactBody<DoubleDouble>> bodies;
+        std::vector<ImpactContact<DoubleDouble>> contacts;
         for (const Body& body : scene.bodies)
             bodies.push_back(
-                {{Wide(body.velocity.x), Wide(body.velocity.y)}, Wide(body.inverse_mass)});
+                {{DoubleDouble(body.velocity.x), DoubleDouble(body.velocity.y)}, DoubleDouble(body.inverse_mass)});
         for (const Touch& contact : scene.contacts) {
-            const Vector<Wide> normal{Wide(contact.normal.x), Wide(contact.normal.y)};
-            const Wide size = square_root(dot(normal, normal));
+            const Vector<DoubleDouble> normal{DoubleDouble(contact.normal.x), DoubleDouble(contact.normal.y)};
+            const DoubleDouble size = square_root(dot(normal, normal));
             contacts.push_back({.a = contact.a, .b = contact.b, .normal = normal / size});
         }
         const auto energy_of = [&] {
-            Wide sum;
+            DoubleDouble sum;
             for (const auto& body : bodies)
                 sum += length_squared(body.velocity) / body.inverse_mass;
             return sum;
         };
-        const Wide before = energy_of();
-        reflect<Wide>(bodies, contacts);
+        const DoubleDouble before = energy_of();
+        reflect<DoubleDouble>(bodies, contacts);
         reflect<double>(scene.bodies, scene.contacts);
         CHECK(std::fabs(((energy_of() - before) / before).high) < 1e-27);
         for (std::size_t i = 0; i < bodies.size(); ++i)

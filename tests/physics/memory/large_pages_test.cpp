@@ -19,11 +19,11 @@ TEST_CASE("an array keeps what it holds while it grows into large pages and out 
 }
 
 TEST_CASE("a small array is aligned as its type asks") {
-    struct alignas(128) Wide {
+    struct alignas(128) DoubleDouble {
         char content[128];
     };
     for (std::size_t count = 1; count < 50; ++count) {
-        const LargeVector<Wide> wide(count);
+        const LargeVector<DoubleDouble> wide(count);
         CHECK(reinterpret_cast<std::uintptr_t>(wide.data()) % 128 == 0);
     }
 }

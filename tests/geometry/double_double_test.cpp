@@ -1,4 +1,4 @@
-#include "geometry/wide.h"
+#include "geometry/double_double.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ class Draws {
         const double value = std::ldexp(between(1.0, 2.0), static_cast<int>(between(low, high)));
         return bits() % 2 == 0 ? value : -value;
     }
-    Wide wide(int low, int high) {
+    DoubleDouble wide(int low, int high) {
         const double value = sized(low, high);
         return exact_sum_of_ordered(value, value * 0x1p-54 * between(-1.0, 1.0));
     }
@@ -45,11 +45,11 @@ __extension__ using SignedWhole = __int128;
 constexpr int rounds = 20'000;
 constexpr double unit = 0x1p-102;  // the error that the header states
 
-bool is_normal(const Wide& a) {
+bool is_normal(const DoubleDouble& a) {
     return a.high == a.high + a.low;
 }
 // Whether they are the same but for `units` of rounding, of the size of `scale`.
-bool are_near(const Wide& a, const Wide& b, double units, double scale) {
+bool are_near(const DoubleDouble& a, const DoubleDouble& b, double units, double scale) {
     return std::fabs((a - b).high) <= units * unit * std::fabs(scale);
 }
 
@@ -60,12 +60,12 @@ TEST_CASE("wide: the sum of two doubles and its error are exact") {
     for (int i = 0; i < rounds; ++i) {
         const double a = draws.sized(-40, 40);
         const double b = draws.sized(-40, 40);
-        const Wide sum = exact_sum(a, b);
+        const DoubleDouble sum = exact_sum(a, b);
         CHECK(sum.high == a + b);
         CHECK(is_normal(sum));
         // Taking away what was added leaves nothing: the doubles in between are exact.
-        CHECK(sum - Wide(a) == Wide(b));
-        CHECK(sum - Wide(b) == Wide(a));
+        CHECK(sum - DoubleDouble(a) == DoubleDouble(b));
+        CHECK(sum - DoubleDouble(b) == DoubleDouble(a));
         CHECK(sum == exact_sum(b, a));
         if (std::fabs(a) >= std::fabs(b)) CHECK(exact_sum_of_ordered(a, b) == sum);
     }
@@ -78,7 +78,7 @@ TEST_CASE("wide: the product of two doubles and its error are exact") {
         const double a = std::floor(draws.between(0x1p51, 0x1p52)) + 0x1p52;
         const double b = std::floor(draws.between(0x1p51, 0x1p52)) + 0x1p52;
         const auto whole = static_cast<Whole>(a) * static_cast<Whole>(b);
-        const Wide product = exact_product(a, b);
+        const DoubleDouble product = exact_product(a, b);
         CHECK(product.high == a * b);
         const auto back =
             static_cast<SignedWhole>(product.high) + static_cast<SignedWhole>(product.low);
@@ -91,26 +91,26 @@ TEST_CASE("wide: the product of two doubles and its error are exact") {
 TEST_CASE("wide: identities hold to 102 bits") {
     Draws draws(3);
     for (int i = 0; i < rounds; ++i) {
-        const Wide a = draws.wide(-30, 30);
-        const Wide b = draws.wide(-30, 30);
-        const Wide c = draws.wide(-30, 30);
+        const DoubleDouble a = draws.wide(-30, 30);
+        const DoubleDouble b = draws.wide(-30, 30);
+        const DoubleDouble c = draws.wide(-30, 30);
         const double size = std::max(std::fabs(a.high), std::fabs(b.high));
         CHECK(is_normal(a + b));
         CHECK(is_normal(a * b));
         CHECK(is_normal(a / b));
         CHECK(a + b == b + a);
         CHECK(a * b == b * a);
-        CHECK(a - a == Wide());
+        CHECK(a - a == DoubleDouble());
         CHECK(are_near((a + b) - a, b, 2, size));
         CHECK(are_near(a * b / b, a, 3, a.high));
         CHECK(are_near(a / b * b, a, 3, a.high));
         CHECK(are_near(a * (b + c), a * b + a * c, 6,
                        a.high * (std::fabs(b.high) + std::fabs(c.high))));
         CHECK(are_near((a + b) * (a - b), a * a - b * b, 8, size * size));
-        CHECK(a / a == Wide(1.0));
-        const Wide positive = absolute(a);
+        CHECK(a / a == DoubleDouble(1.0));
+        const DoubleDouble positive = absolute(a);
         CHECK(positive.high > 0.0);
-        const Wide root = square_root(positive);
+        const DoubleDouble root = square_root(positive);
         CHECK(is_normal(root));
         CHECK(are_near(root * root, positive, 3, positive.high));
         CHECK(are_near(square_root(positive * positive), positive, 3, positive.high));
@@ -122,19 +122,20 @@ TEST_CASE("wide: exact where the result is a double") {
     for (int i = 0; i < rounds; ++i) {
         const double a = std::floor(draws.between(1.0, 0x1p26));
         const double b = std::floor(draws.between(1.0, 0x1p26));
-        CHECK(Wide(a) * Wide(b) == Wide(a * b));
-        CHECK(Wide(a * b) / Wide(b) == Wide(a));
-        CHECK(are_near(square_root(Wide(a * a)), Wide(a), 1, a));
+        CHECK(DoubleDouble(a) * DoubleDouble(b) == DoubleDouble(a * b));
+        CHECK(DoubleDouble(a * b) / DoubleDouble(b) == DoubleDouble(a));
+        CHECK(are_near(square_root(DoubleDouble(a * a)), DoubleDouble(a), 1, a));
     }
-    CHECK(square_root(Wide()) == Wide());
+    CHECK(square_root(DoubleDouble()) == DoubleDouble());
     CHECK(square_root(2.25) == 1.5);
 }
 
 TEST_CASE("wide: order is that of the sums") {
     Draws draws(5);
     for (int i = 0; i < rounds; ++i) {
-        const Wide a = draws.wide(-3, 3);
-        const Wide near = a + Wide(std::ldexp(a.high, -80) * draws.between(-1.0, 1.0));
+        const DoubleDouble a = draws.wide(-3, 3);
+        const DoubleDouble near =
+            a + DoubleDouble(std::ldexp(a.high, -80) * draws.between(-1.0, 1.0));
         const double difference = (near - a).high;
         CHECK((near > a) == (difference > 0.0));
         CHECK((near < a) == (difference < 0.0));
@@ -142,16 +143,16 @@ TEST_CASE("wide: order is that of the sums") {
         CHECK((near <= a) == (difference <= 0.0));
         CHECK(absolute(-a) == absolute(a));
     }
-    CHECK(absolute(Wide(0.0, -1e-30)) == Wide(0.0, 1e-30));
+    CHECK(absolute(DoubleDouble(0.0, -1e-30)) == DoubleDouble(0.0, 1e-30));
 }
 
 TEST_CASE("wide: the root of two has 31 right digits") {
     // sqrt(2) = 1.41421356237309504880168872420969807856967...; the double nearest to it, and what
     // is left, which is known to 16 digits of its own.
-    const Wide root = square_root(Wide(2.0));
+    const DoubleDouble root = square_root(DoubleDouble(2.0));
     CHECK(root.high == 1.4142135623730951);
     CHECK(root.low == doctest::Approx(-9.667293313452913e-17).epsilon(1e-14));
     // A third of one, and back.
-    const Wide third = Wide(1.0) / Wide(3.0);
-    CHECK(std::fabs((third * Wide(3.0) - Wide(1.0)).high) <= unit);
+    const DoubleDouble third = DoubleDouble(1.0) / DoubleDouble(3.0);
+    CHECK(std::fabs((third * DoubleDouble(3.0) - DoubleDouble(1.0)).high) <= unit);
 }

@@ -1,0 +1,185 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "geometry/double_double.h"
+
+/// Every threshold of the solver `event`, in one table: what each one decides, its unit, how it
+/// relates to the others, and what breaks when it is ten times as large or as small.
+///
+/// Four families, each in increasing order:
+///
+///   rounding   approach_rounding, residual_rounding, pressed_rounding, *_rounding: how much of a
+///              computed quantity is rounding. They scale with the precision of the number type,
+///              but for `pressed_rounding`, which guards against errors of positions.
+///   heights    unpressed_rest_height < rest_height < cloth_rest_height < moving_rest_height: a
+///              rebound that rises less than this share of the smaller radius is none. All of the
+///              energy that the solver removes by choice is removed below these heights, by the
+///              collapse guard, or when a kinematic body squeezes a ball.
+///   counts     of collisions: when the collapse guard acts.
+///   costs      limits of work. They never change what is found, only when it is found.
+///
+/// `contact_slop` < rest_height: two bodies that count as touching must be nearer than the lowest
+/// hop that is still a bounce.
+namespace carom {
+
+// --- Contact --------------------------------------------------------------------------------
+
+/// Bodies touch within this share of the smaller radius. x10: a hop as high as `rest_height` is
+/// lost in a contact; /10: rounding at coordinates of 1e5 radii separates resting bodies.
+inline constexpr double contact_slop = 1e-10;
+
+/// Rounding of a gap that is measured anew, in roundings of one evaluation (`rounding_at`).
+/// x10: distant coordinates make touching bodies of near ones; /10: contacts at an instant are
+/// missed, and simultaneous impacts come one by one.
+inline constexpr double gap_roundings = 16.0;
+
+// --- Heights of a rebound, as shares of the smaller radius ------------------------------------
+
+/// Balls on cloth that touch and that nothing presses together: approaches below the speed of a
+/// fall through this height, with the whole relative acceleration, are no impacts.
+/// x10: slow rolls stop short of what they touch; /10: impacts of rounding's making.
+inline constexpr double unpressed_rest_height = 1e-11;
+
+/// A ball that gravity presses on an edge or on a resting ball comes to rest on it once its rebound
+/// would rise less. x10: the bouncing ball rests visibly early (error 1e-8 of a radius); /10: the
+/// rebound drowns in the rounding of positions and rest comes at a wrong instant.
+inline constexpr double rest_height = 1e-9;
+
+/// Balls of which cloth drives one towards the other: lower rebounds lose no energy, so that one
+/// pushes the other in finitely many impacts. x10: pushed balls rattle visibly; /10: ten times the
+/// impacts.
+inline constexpr double cloth_rest_height = 1e-7;
+
+/// Two moving balls that gravity presses together: lower rebounds lose no energy, and the pair may
+/// sink in by this much before it meets again. Inelastic collapse stays finite by it. x10: heaps
+/// overlap visibly; /10: three times the impacts in a heap that settles.
+inline constexpr double moving_rest_height = 1e-5;
+
+/// How far beyond `rest_height` the speed of a ball may lie that two supports hold, or that leans
+/// on a barrier: energies of so many rest heights. x10: balls stop in wedges early; /10: a ball in
+/// a wedge bounces between its sides for ever.
+inline constexpr double wedge_rest_heights = 8.0;
+
+// --- Rounding of speeds ---------------------------------------------------------------------
+
+/// Approaches below this share of the speeds are rounding, and no impacts. x10: grazing impacts
+/// are missed; /10: an impact that has been resolved is found again, and time stands still.
+template <typename Real>
+inline constexpr double approach_rounding = 1024.0 * precision<Real>;
+
+/// What an impact may leave of an approach, as a share of the speeds. It must be well below
+/// `approach_rounding`, or the solver finds its own remainder.
+template <typename Real>
+inline constexpr double residual_rounding = 0.125 * approach_rounding<Real>;
+
+/// The rounding of an approach where bodies are pressed together, as a share of the speed that
+/// gravity gives in a fall through a radius. It covers errors of the position, hence the same for
+/// every number type. Its square over two, a height of 3.2e-19 radii, is far below `rest_height`.
+inline constexpr double pressed_rounding = 8e-10;
+
+/// The same of what an impact may leave, as a share of `pressed_rounding`.
+inline constexpr double pressed_residual = 0.125;
+
+/// Slower approaches are none, length/s: shares of them would be lost among subnormal numbers.
+inline constexpr double least_approach = 1e-280;
+
+/// The part of gravity, or of a velocity, along a direction below which it is rounding: a share of
+/// the whole. x10: shallow slopes of 1e-12 rad hold a ball; /10: level floors let it slide.
+template <typename Real>
+inline constexpr double component_rounding = 256.0 * precision<Real>;
+
+/// Slip that is left at the end of a slip, as a share of the speeds, and what gravity adds to it,
+/// as a share of pull times time. x10: rolling begins early; /10: a rolling ball slips again.
+template <typename Real>
+inline constexpr double slip_rounding = 1e6 * precision<Real>;
+template <typename Real>
+inline constexpr double slip_time_rounding = 64.0 * precision<Real>;
+
+/// Two supports whose normals enclose a smaller sine than this hold nothing between them.
+inline constexpr double parallel_supports = 1e-9;
+
+/// An acceleration presses a ball on a barrier, or rolls it off a wedge, from this share of itself.
+inline constexpr double pressing_share = 1e-9;
+
+// --- The inelastic-collapse guard and dense clusters ------------------------------------------
+
+/// So many collisions in a row without moving (no gravity), or in quick succession where impacts do
+/// not terminate: impulses pass without restitution, kinematic bodies that squeeze a ball stop.
+/// x10: collapses take ten times the impacts; /10: long cradles lose energy.
+inline constexpr std::uint32_t most_collisions_in_place = 64;
+
+/// So many in quick succession, and a slow ball is frozen for a while. x10: heaps take ten times as
+/// long; /10: balls that merely rattle are frozen. Above `dense_collisions`, so that `contact`
+/// takes a heap first.
+inline constexpr std::uint32_t most_collisions_before_freezing = 256;
+
+/// Collisions that a ball is taken to have had when it is frozen: soon frozen again.
+inline constexpr std::uint32_t collisions_after_freezing = most_collisions_before_freezing / 4 * 3;
+
+/// More than so many in quick succession, the last with a ball: a dense cluster, which `contact`
+/// takes over at the end of the tick (README.md, hybrid step). x10: heaps cost ten times as much
+/// before they are handed over; /10: a lively bounce is taken for a heap.
+inline constexpr std::uint32_t dense_collisions = 64;
+
+/// "Quick succession": within this share of the time of a fall through the radius. x10: bouncing
+/// balls count as a heap; /10: slow heaps are never noticed.
+inline constexpr double quick_succession = 1.0 / 64.0;
+
+/// How long a ball stays frozen: a share of the time of a fall through its radius.
+inline constexpr double frozen_share = 0.25;
+
+/// Position correction takes balls apart that overlap by more than these many rest heights
+/// (`moving_rest_height`, on cloth `cloth_rest_height`), by at most this share of the radius at
+/// once. A larger share could carry a ball past a thin edge.
+inline constexpr double overlap_heights = 0.5;
+inline constexpr double overlap_heights_on_cloth = 2.0;
+inline constexpr double most_correction = 0.5;
+
+// --- Costs: limits of work, which change nothing that is found --------------------------------
+
+/// Events of one tick, after which time stands still for its rest (EventOutcome::too_dense).
+inline constexpr std::uint64_t most_events = 100'000'000;
+
+/// Events between two looks at the cancellation token, and iterations of a search that take as long
+/// as an event.
+inline constexpr std::uint64_t events_between_polls = 4096;
+inline constexpr std::uint64_t iterations_per_event = 8;
+
+/// Rounds of a simultaneous impact before restitution is dropped, and before it is broken off: so
+/// many, plus so many for each contact point.
+inline constexpr std::size_t most_impact_rounds = 200;
+inline constexpr std::size_t impact_rounds_per_contact = 8;
+
+/// Rounds of impact friction where several contacts share a body.
+inline constexpr int most_friction_rounds = 64;
+
+/// The reach of edges into cells, in largest radii, and how late a curved trajectory may leave a
+/// cell, in cell widths: the second must stay within what the first gives, or an edge is missed.
+inline constexpr double edge_reach = 1.01;
+inline constexpr double most_transfer_delay = 1e-3;
+
+/// How far ahead searches look whose cost grows with their horizon, in ticks.
+inline constexpr double search_horizon_ticks = 16.0;
+
+/// A trajectory on a torus starts again inside of the frame after so many periods: image indices
+/// have 8 bits. A kept trajectory is not checked against edges over more than a few.
+inline constexpr double most_periods = 50.0;
+inline constexpr double most_checked_periods = 4.0;
+
+/// The angle, rad, through which one piece of a pendulum's series may lead: the series is exact to
+/// rounding up to here. x10: it is not; /10: ten times the events of a ball on a round end.
+inline constexpr double most_piece_angle = 0.05;
+
+/// Under drag, rolling friction is constant for this share of drag's time constant. x10: the
+/// rolling ball slips by 1e-5 of its speed; /10: ten times the events.
+inline constexpr double rolling_piece = 1.0 / 1024.0;
+
+/// Balls, from which on memory is prefetched.
+inline constexpr std::size_t balls_worth_prefetching = 4096;
+
+/// Balls much larger than the rest, which stand in no cell.
+inline constexpr std::size_t most_oversized = 8;
+
+}  // namespace carom

@@ -1,0 +1,138 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "physics/event/ball_table.h"
+#include "physics/event/cloth_phases.h"
+#include "physics/event/collapse_guard.h"
+#include "physics/event/kinematic_bodies.h"
+#include "physics/event/resting_contact.h"
+#include "physics/event/scene.h"
+#include "physics/event/spatial_index.h"
+#include "physics/event/trajectories.h"
+#include "physics/event/uniform_motion.h"
+#include "physics/event/work_meter.h"
+#include "physics/world/same_bits.h"
+
+namespace carom {
+
+/// What the solver takes from the world when a tick begins, and what it leaves there when it ends.
+///
+/// A tick that finds the world as the last one left it continues: trajectories, cells and queue
+/// stay. Balls that somebody has moved or pushed start new trajectories (`apply_changes`), if they
+/// are few. Anything else rebuilds all. The world stores the trajectories, so that a copy of it
+/// goes on with the same bits: a rebuild keeps every stored trajectory that still leads through
+/// where the ball is shown, whose supports are in place, and that no edge bars since.
+template <typename Real>
+class WorldSync {
+  public:
+    enum class Begun : std::uint8_t {
+        continued,  ///< nothing has changed
+        changed,    ///< `changed()` have new trajectories, to be predicted
+        rebuilt,    ///< everything has to be predicted
+    };
+
+    struct Parts {
+        const EventScene<Real>& scene;
+        BallTable<Real>& balls;
+        SpatialIndex<Real>& space;
+        Trajectories<Real>& trajectories;
+        KinematicBodies<Real>& kinematic;
+        RestingContact<Real>& rest;
+        const ClothPhases<Real>& cloth;
+        CollapseGuard<Real>& guard;
+        const UniformMotion<Real>& uniform;
+        ToiSearch<Real>& search;
+        std::vector<std::uint32_t>& scatter_counts;
+    };
+    explicit WorldSync(const Parts& parts);
+
+    /// Takes the scene's world. What the last tick left no longer counts until `write`.
+    Begun begin();
+    const std::vector<std::uint32_t>& changed() const { return changed_; }
+
+    /// Writes the state at the end of the tick. `has_stopped`: time stood still from some event on,
+    /// so that all trajectories are new, and the next tick rebuilds.
+    void write(World& world, bool has_stopped);
+
+  private:
+    /// The world as the last tick left it.
+    struct Left {
+        bool is_valid = false;
+        std::uint64_t tick = 0;
+        double rate = 0.0;
+        Model model;
+        /// All balls flew straight and are where their trajectories say: there are no copies.
+        bool on_lines = false;
+        KeptIds<BallId> ids;
+        SumOfBits position_sum;  ///< where they are on lines, and many
+        SumOfBits velocity_sum;
+        std::vector<Vec2> positions;  ///< where they are not on lines
+        std::vector<Vec2> velocities;
+        KeptBits<double> radii;
+        KeptBits<double> inverse_masses;
+        std::vector<std::uint8_t> meets;
+        Capsules capsules;
+        std::uint64_t paths_sum = 0;
+        /// By ball, PathBend::carriers; empty for doubles, whose trajectories are in the world.
+        std::vector<std::uint32_t> carriers;
+        bool had_hands = false;
+    };
+
+    // world_begin.cpp
+    Begun begin_from(const World& world);
+    void apply_changes(const World& world);
+    void rebuild(const World& world);
+    void take_stored(const World& world, const BallTable<Real>& before);
+    void take_spins(const World& world);
+    void drop_unsupported();
+    void start_or_shift(const World& world, std::uint32_t ball);
+    // retained.cpp: which stored trajectories still hold
+    bool leads_through(const Trajectory<Real>& path, std::size_t ball) const;
+    bool are_carriers_left(const Trajectory<Real>& path, std::uint32_t sum) const;
+    bool has_support(std::size_t ball) const;
+    bool has_passed_an_edge(std::uint32_t ball);
+    // world_sync.cpp
+    bool is_continued(const World& world) const;
+    bool are_left(const World& world) const;
+    bool is_position_left(std::uint32_t ball) const;
+    bool is_velocity_left(std::uint32_t ball) const;
+    bool are_spins_left(const World& world) const;
+    bool is_spin_left(std::uint32_t ball) const;
+    bool is_roll_left(std::uint32_t ball) const;
+    bool is_turn_left(std::uint32_t ball) const { return is_spin_left(ball) && is_roll_left(ball); }
+    bool leaves_lines() const {
+        return trajectories_.are_all_straight() && !scene_.world->model.speed_limit;
+    }
+    bool is_summed() const { return balls_.size() >= too_many_to_cache; }
+    void write_lines(World& world);
+    void write_begun(World& world, std::span<const std::uint32_t> begun);
+    void write_paths(World& world);
+    void clear_paths(World& world);
+    void store_paths(World& world);
+    void write_spins(World& world);
+    void write_rolls(World& world) const;
+    void write_dense(World& world);
+
+    const EventScene<Real>& scene_;
+    BallTable<Real>& balls_;
+    SpatialIndex<Real>& space_;
+    Trajectories<Real>& trajectories_;
+    KinematicBodies<Real>& kinematic_;
+    RestingContact<Real>& rest_;
+    const ClothPhases<Real>& cloth_;
+    CollapseGuard<Real>& guard_;
+    const UniformMotion<Real>& uniform_;
+    ToiSearch<Real>& search_;
+    std::vector<std::uint32_t>& scatter_counts_;
+    Left left_;
+    bool is_rebuilt_ = false;
+    bool is_unchanged_ = false;  ///< positions and velocities are as the last tick left them
+    std::vector<std::uint32_t> changed_;
+    std::vector<std::uint8_t> is_kept_;    ///< by ball: its stored trajectory holds
+    std::vector<std::int64_t> spin_from_;  ///< by ball: index of its stored spin; -1: none
+};
+
+}  // namespace carom
