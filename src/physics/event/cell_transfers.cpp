@@ -26,21 +26,10 @@ BallEvent<Real> transfer_at(const Real& time, std::uint32_t what) {
 }  // namespace
 
 template <typename Real>
-void CellTransfers<Real>::predict(std::uint32_t ball, BallEvent<Real>& best) const {
-    const Trajectory<Real> path = balls_.path(ball);
-    if (cells_.is_oversized(balls_, ball) || path.motion == Motion::resting ||
-        path.motion == Motion::still)
-        return;
-    const BallState<Real> now = state_at(path, scene_.field, scene_.now);
-    const Real last = path.motion == Motion::turning ? piece_end(path, scene_.field) : best.time;
-    for (std::uint32_t side = 0; side < steps.size(); ++side)
-        predict_through(side, ball, path, now, last, best);
-}
-
-template <typename Real>
-void CellTransfers<Real>::predict_through(std::uint32_t side, std::uint32_t ball,
-                                          const Trajectory<Real>& path, const BallState<Real>& now,
-                                          const Real& last, BallEvent<Real>& best) const {
+inline void CellTransfers<Real>::predict_through(std::uint32_t side, std::uint32_t ball,
+                                                 const Trajectory<Real>& path, bool is_simple,
+                                                 const BallState<Real>& now, const Real& last,
+                                                 BallEvent<Real>& best) const {
     const CellFrame& frame = cells_.frame();
     const auto [columns, rows] = steps[side];
     const bool is_column = columns != 0;
@@ -54,7 +43,7 @@ void CellTransfers<Real>::predict_through(std::uint32_t side, std::uint32_t ball
     const Real sign(static_cast<double>(way));
     const auto along = [is_column](const Vector<Real>& v) { return is_column ? v.x : v.y; };
     const ToiTolerance<Real> exact{};
-    if (is_parabola(path, scene_.field)) {
+    if (is_simple) {
         const bool is_straight = path.acceleration == Vector<Real>{};
         if (is_straight && !(along(now.velocity) * sign > Real{})) return;
         const auto since = quadratic_time_of_impact<Real>(
@@ -77,6 +66,19 @@ void CellTransfers<Real>::predict_through(std::uint32_t side, std::uint32_t ball
     const Vector<Real> there = state_at(path, scene_.field, time).position;
     const bool has_crossed = (border - along(there)) * sign <= Real{};
     keep_earlier(ball, transfer_at(time, has_crossed ? side : cell_transfer::predict_again), best);
+}
+
+template <typename Real>
+void CellTransfers<Real>::predict(std::uint32_t ball, BallEvent<Real>& best) const {
+    const Trajectory<Real> path = balls_.path(ball);
+    if (cells_.is_oversized(balls_, ball) || path.motion == Motion::resting ||
+        path.motion == Motion::still)
+        return;
+    const BallState<Real> now = state_at(path, scene_.field, scene_.now);
+    const bool is_simple = is_parabola(path, scene_.field);
+    const Real last = path.motion == Motion::turning ? piece_end(path, scene_.field) : best.time;
+    for (std::uint32_t side = 0; side < steps.size(); ++side)
+        predict_through(side, ball, path, is_simple, now, last, best);
 }
 
 template <typename Real>

@@ -28,8 +28,11 @@ class CellTransfers {
     void predict_restart(std::uint32_t ball, BallEvent<Real>& best) const;
 
   private:
-    void predict_through(std::uint32_t side, std::uint32_t ball, const Trajectory<Real>& path,
-                         const BallState<Real>& now, const Real& last, BallEvent<Real>& best) const;
+    /// Inlined, so that each side is compiled by itself.
+    [[gnu::always_inline]] void predict_through(std::uint32_t side, std::uint32_t ball,
+                                                const Trajectory<Real>& path, bool is_simple,
+                                                const BallState<Real>& now, const Real& last,
+                                                BallEvent<Real>& best) const;
 
     const EventScene<Real>& scene_;
     const BallTable<Real>& balls_;

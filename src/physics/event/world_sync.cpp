@@ -164,6 +164,8 @@ void WorldSync<Real>::write_paths(World& world) {
     Balls& balls = world.balls;
     const bool is_coasting = !world.model.gravity && !scene_.field.has_drag;
     const std::size_t count = balls_.size();
+    const Field<Real>& field = scene_.field;
+    const Real end = scene_.end;
     left_.positions.resize(count);
     left_.velocities.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -171,10 +173,10 @@ void WorldSync<Real>::write_paths(World& world) {
         Vec2 position;
         Vec2 velocity;
         if (is_coasting && line.motion == Motion::free) {
-            position = place_on(line, scene_.end);
+            position = place_on(line, end);
             velocity = Vec2(line.velocity);
         } else {
-            const BallState<Real> state = state_at(balls_.path(i), scene_.field, scene_.end);
+            const BallState<Real> state = state_at(balls_.path(i), field, end);
             position = Vec2(state.position);
             velocity = line.motion == Motion::held ? Vec2{} : Vec2(state.velocity);
         }

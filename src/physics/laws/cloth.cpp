@@ -64,10 +64,11 @@ ClothState<Real> cloth_state_after(const Cloth& cloth, double inertia, ClothStat
 template ClothPhase<double> cloth_phase(const Cloth&, double, const Vector<double>&,
                                         const Vector<double>&);
 template ClothPhase<DoubleDouble> cloth_phase(const Cloth&, double, const Vector<DoubleDouble>&,
-                                      const Vector<DoubleDouble>&);
+                                              const Vector<DoubleDouble>&);
 template double cloth_spin_after(const Cloth&, const double&, const double&);
 template DoubleDouble cloth_spin_after(const Cloth&, const DoubleDouble&, const DoubleDouble&);
 template ClothState<double> cloth_state_after(const Cloth&, double, ClothState<double>, double);
-template ClothState<DoubleDouble> cloth_state_after(const Cloth&, double, ClothState<DoubleDouble>, DoubleDouble);
+template ClothState<DoubleDouble> cloth_state_after(const Cloth&, double, ClothState<DoubleDouble>,
+                                                    DoubleDouble);
 
 }  // namespace carom

@@ -277,7 +277,7 @@ template std::pmr::vector<double> reflect(std::span<ImpactBody<double>>,
                                           std::span<const ImpactContact<double>>,
                                           std::pmr::memory_resource*);
 template std::pmr::vector<DoubleDouble> reflect(std::span<ImpactBody<DoubleDouble>>,
-                                        std::span<const ImpactContact<DoubleDouble>>,
-                                        std::pmr::memory_resource*);
+                                                std::span<const ImpactContact<DoubleDouble>>,
+                                                std::pmr::memory_resource*);
 
 }  // namespace carom

@@ -15,8 +15,8 @@ struct SolverSettings {
     /// contact: parts that a tick is cut into, 1..1000; where nothing can press no more than these
     /// (contact_flights.h).
     int contact_substeps = 4;
-    /// event: computed with about 32 digits (geometry/double_double.h), as the reference for itself and the
-    /// others. About 5 times slower in a gas. Its paths are not part of the world, so only one
+    /// event: computed with about 32 digits (geometry/double_double.h), as a reference for itself
+    /// and others. About 5 times slower in a gas. Its paths are not part of the world, so only one
     /// solver object that ticks without interruption has all the digits. It hands no heaps over.
     bool extended = false;
 

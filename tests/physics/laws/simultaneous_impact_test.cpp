@@ -249,10 +249,11 @@ TEST_CASE("reflection: with 32 digits it is the same rule, and closer") {
         std::vector<ImpactBody<DoubleDouble>> bodies;
         std::vector<ImpactContact<DoubleDouble>> contacts;
         for (const Body& body : scene.bodies)
-            bodies.push_back(
-                {{DoubleDouble(body.velocity.x), DoubleDouble(body.velocity.y)}, DoubleDouble(body.inverse_mass)});
+            bodies.push_back({{DoubleDouble(body.velocity.x), DoubleDouble(body.velocity.y)},
+                              DoubleDouble(body.inverse_mass)});
         for (const Touch& contact : scene.contacts) {
-            const Vector<DoubleDouble> normal{DoubleDouble(contact.normal.x), DoubleDouble(contact.normal.y)};
+            const Vector<DoubleDouble> normal{DoubleDouble(contact.normal.x),
+                                              DoubleDouble(contact.normal.y)};
             const DoubleDouble size = square_root(dot(normal, normal));
             contacts.push_back({.a = contact.a, .b = contact.b, .normal = normal / size});
         }
