@@ -30,8 +30,8 @@ std::span<const SolverKind> solvers_available();
 /// cloth.
 bool supports(SolverKind kind, const Model& model);
 
-/// Whether the solver hands heaps that are too dense for it over to `contact` (handover.h): where
-/// gravity acts, balls meet, and impacts lose energy.
+/// Whether the solver hands heaps that are too dense for it over to `contact` (hybrid_step.h):
+/// where gravity acts, balls meet, and impacts lose energy.
 bool hands_heaps_over(const Model& model, const SolverSettings& settings);
 
 /// What `auto` picks for a world, and the reason in one sentence. Depends on the world alone.

@@ -120,7 +120,7 @@ class EventMethod final : public SolverMethod {
   private:
     EventEngine<double> event_;
     ContactSolver contact_;
-    Handover hybrid_;
+    HybridStep hybrid_;
 };
 
 class ExtendedEventMethod final : public SolverMethod {

@@ -16,50 +16,51 @@ Vec2 torus_of(const World& world) {
     return world.model.wrap ? size(*world.model.wrap) : Vec2{};
 }
 
-Vec2 way_between(const World& world, Vec2 from, Vec2 to) {
+Vec2 displacement(const World& world, Vec2 from, Vec2 to) {
     return world.model.wrap ? nearest_image(to - from, torus_of(world)) : to - from;
 }
 
 }  // namespace
 
-EventOutcome Handover::tick(World& world, EventEngine<double>& event, ContactSolver& contact,
-                            std::vector<Contact>& contacts, std::vector<std::uint8_t>& touched,
-                            const std::function<bool()>& keep_going) {
+EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactSolver& contact,
+                              std::vector<Contact>& contacts, std::vector<std::uint8_t>& touched,
+                              const std::function<bool()>& keep_going) {
     find_reach(world);
-    find_heap(world);
-    if (std::ranges::find(is_heap_, 1) == is_heap_.end()) {
-        // They are gone.
+    find_cluster(world);
+    if (std::ranges::find(is_clustered_, 1) == is_clustered_.end()) {
+        // The balls of the cluster no longer exist.
         const EventOutcome outcome = event.tick(world, contacts, touched, keep_going);
         if (outcome != EventOutcome::cancelled) world.pressed.clear();
         return outcome;
     }
     for (int attempt = 1;; ++attempt) {
-        const bool is_all = std::ranges::find(is_heap_, 0) == is_heap_.end();
+        const bool is_all = std::ranges::find(is_clustered_, 0) == is_clustered_.end();
         if (is_all || attempt > most_attempts) {
             contact.tick(world, substeps_for(world), contacts, touched);
             forget_paths(world);
-            find_who_stays(world, world.heaped);
+            find_staying(world, world.heaped);
             return EventOutcome::done;
         }
         take_part(world, false, free_);
         const EventOutcome outcome =
             event.tick(free_.world, free_.contacts, free_.touched, keep_going);
         if (outcome == EventOutcome::cancelled) return outcome;
-        take_part(world, true, heap_);
-        contact.tick(heap_.world, substeps_for(heap_.world), heap_.contacts, heap_.touched);
-        const bool free_went_further = note_ways(world, free_);
-        if (note_ways(world, heap_) || free_went_further) {
-            was_heap_ = is_heap_;
-            find_heap(world);
-            if (is_heap_ != was_heap_) continue;
+        take_part(world, true, cluster_);
+        contact.tick(cluster_.world, substeps_for(cluster_.world), cluster_.contacts,
+                     cluster_.touched);
+        const bool free_went_further = widen_reaches(world, free_);
+        if (widen_reaches(world, cluster_) || free_went_further) {
+            was_clustered_ = is_clustered_;
+            find_cluster(world);
+            if (is_clustered_ != was_clustered_) continue;
         }
-        put_back(world, free_, touched);
-        put_back(world, heap_, touched);
+        write_back(world, free_, touched);
+        write_back(world, cluster_, touched);
         for (std::size_t h = 0; h < world.held_capsules.size(); ++h) {
             const auto index = index_of(world, world.held_capsules[h].id);
             if (!index) continue;
-            const bool is_heap = is_heap_[world.balls.size() + h];
-            const World& part = is_heap ? heap_.world : free_.world;
+            const bool is_clustered = is_clustered_[world.balls.size() + h];
+            const World& part = is_clustered ? cluster_.world : free_.world;
             world.capsules.shape[*index] = part.capsules.shape[*index];
         }
         merge_contacts(contacts);
@@ -70,25 +71,25 @@ EventOutcome Handover::tick(World& world, EventEngine<double>& event, ContactSol
         world.paths_obstacles = world.held_capsules.empty() ? free_.world.paths_obstacles : 0;
         world.paths_gravity = free_.world.paths_gravity;
         world.paths_drag = free_.world.paths_drag;
-        world.pressed.swap(heap_.world.pressed);
-        find_who_stays(heap_.world, world.heaped);
-        const std::vector<BallId>& crowded = free_.world.heaped;
-        world.heaped.insert(world.heaped.end(), crowded.begin(), crowded.end());
+        world.pressed.swap(cluster_.world.pressed);
+        find_staying(cluster_.world, world.heaped);
+        const std::vector<BallId>& dense = free_.world.heaped;
+        world.heaped.insert(world.heaped.end(), dense.begin(), dense.end());
         std::ranges::sort(world.heaped);
         return outcome;
     }
 }
 
-const std::vector<BallId>& Handover::heap_of(const World& world) {
+const std::vector<BallId>& HybridStep::cluster_of(const World& world) {
     find_reach(world);
-    find_heap(world);
+    find_cluster(world);
     ids_.clear();
     for (std::size_t i = 0; i < world.balls.size(); ++i)
-        if (is_heap_[i]) ids_.push_back(world.balls.id[i]);
+        if (is_clustered_[i]) ids_.push_back(world.balls.id[i]);
     return ids_;
 }
 
-void Handover::find_reach(const World& world) {
+void HybridStep::find_reach(const World& world) {
     const Balls& balls = world.balls;
     const double duration = world.tick_length();
     const double fall = length(world.model.gravity.value_or(Vec2{})) * duration * duration;
@@ -97,27 +98,27 @@ void Handover::find_reach(const World& world) {
         reach_[i] = length(balls.velocity[i]) * duration + fall;
     for (const HeldBall& held : world.held_balls)
         if (const auto index = index_of(world, held.id))
-            reach_[*index] = length(way_between(world, balls.position[*index], held.target));
+            reach_[*index] = length(displacement(world, balls.position[*index], held.target));
 }
 
-void Handover::find_heap(const World& world) {
+void HybridStep::find_cluster(const World& world) {
     const std::size_t count = world.balls.size();
     parent_.resize(count + world.held_capsules.size());
     std::iota(parent_.begin(), parent_.end(), 0u);
     near_.find(world, reach_, order_);
     for (const NearPair& pair : near_.pairs())
         if (pair.edge == NearPair::no_edge) unite(order_[pair.a], order_[pair.b]);
-    join_what_hands_meet(world);
-    is_heap_.assign(parent_.size(), 0);
+    unite_held_capsules(world);
+    is_clustered_.assign(parent_.size(), 0);
     for (const BallId id : world.heaped)
         if (const auto index = index_of(world, id))
-            is_heap_[root_of(static_cast<std::uint32_t>(*index))] = 1;
-    // A root is the lowest of its tree.
+            is_clustered_[root_of(static_cast<std::uint32_t>(*index))] = 1;
+    // A root is the lowest node of its tree.
     for (std::uint32_t i = 0; i < parent_.size(); ++i)
-        is_heap_[i] = is_heap_[root_of(i)];
+        is_clustered_[i] = is_clustered_[root_of(i)];
 }
 
-void Handover::join_what_hands_meet(const World& world) {
+void HybridStep::unite_held_capsules(const World& world) {
     const Balls& balls = world.balls;
     for (std::size_t h = 0; h < world.held_capsules.size(); ++h) {
         const HeldCapsule& held = world.held_capsules[h];
@@ -134,24 +135,24 @@ void Handover::join_what_hands_meet(const World& world) {
     }
 }
 
-std::uint32_t Handover::root_of(std::uint32_t node) {
+std::uint32_t HybridStep::root_of(std::uint32_t node) {
     while (parent_[node] != node)
         node = parent_[node] = parent_[parent_[node]];
     return node;
 }
 
-void Handover::unite(std::uint32_t a, std::uint32_t b) {
+void HybridStep::unite(std::uint32_t a, std::uint32_t b) {
     a = root_of(a);
     b = root_of(b);
     parent_[std::max(a, b)] = std::min(a, b);
 }
 
-// The heap, or all but it. Nothing of a world is left out that a solver looks at in a tick.
-void Handover::take_part(const World& world, bool of_heap, Part& part) const {
+// The cluster, or all but it, with everything of the world that a solver reads in a tick.
+void HybridStep::take_part(const World& world, bool of_cluster, Part& part) const {
     const std::size_t count = world.balls.size();
     part.ball.clear();
     for (std::uint32_t i = 0; i < count; ++i)
-        if ((is_heap_[i] != 0) == of_heap) part.ball.push_back(i);
+        if ((is_clustered_[i] != 0) == of_cluster) part.ball.push_back(i);
     part.contacts.clear();
     part.touched.assign(part.ball.size(), 0);
     World& some = part.world;
@@ -169,13 +170,13 @@ void Handover::take_part(const World& world, bool of_heap, Part& part) const {
         if (index_of(some, held.id)) some.held_balls.push_back(held);
     some.held_capsules.clear();
     for (std::size_t h = 0; h < world.held_capsules.size(); ++h)
-        if ((is_heap_[count + h] != 0) == of_heap)
+        if ((is_clustered_[count + h] != 0) == of_cluster)
             some.held_capsules.push_back(world.held_capsules[h]);
     some.heaped.clear();
     some.pressed.clear();
     some.homes.clear();
     forget_paths(some);
-    if (of_heap) {
+    if (of_cluster) {
         some.pressed = world.pressed;
         return;
     }
@@ -188,8 +189,8 @@ void Handover::take_part(const World& world, bool of_heap, Part& part) const {
     some.paths_drag = world.paths_drag;
 }
 
-// Whether somebody has been further away than its reach, which is so far then.
-bool Handover::note_ways(const World& world, const Part& part) {
+// Widens the reach of every ball that got further. Whether there is one.
+bool HybridStep::widen_reaches(const World& world, const Part& part) {
     bool went_further = false;
     for (std::size_t i = 0; i < part.ball.size(); ++i)
         went_further |= widen_to(world, part.ball[i], part.world.balls.position[i]);
@@ -198,7 +199,7 @@ bool Handover::note_ways(const World& world, const Part& part) {
     return went_further;
 }
 
-bool Handover::widen(const World& world, const Contact& contact, const Part& part) {
+bool HybridStep::widen(const World& world, const Contact& contact, const Part& part) {
     const std::vector<double>& radius = part.world.balls.radius;
     bool went_further =
         widen_to(world, part.ball[contact.a], contact.point + contact.normal * radius[contact.a]);
@@ -208,60 +209,61 @@ bool Handover::widen(const World& world, const Contact& contact, const Part& par
     return went_further;
 }
 
-bool Handover::widen_to(const World& world, std::uint32_t ball, Vec2 place) {
-    const double way = length(way_between(world, world.balls.position[ball], place));
+bool HybridStep::widen_to(const World& world, std::uint32_t ball, Vec2 place) {
+    const double way = length(displacement(world, world.balls.position[ball], place));
     const double rounding = 1e-6 * world.balls.radius[ball];
     if (way <= reach_[ball] + rounding) return false;
     reach_[ball] = 2.0 * way;
     return true;
 }
 
-void Handover::put_back(World& world, const Part& part, std::vector<std::uint8_t>& touched) const {
+void HybridStep::write_back(World& world, const Part& part,
+                            std::vector<std::uint8_t>& touched) const {
     write_rows(part.world.balls, part.ball, world.balls);
     for (std::size_t i = 0; i < part.ball.size(); ++i)
         touched[part.ball[i]] = part.touched[i];
 }
 
-// In the order of time.
-void Handover::merge_contacts(std::vector<Contact>& contacts) {
-    for (Part* const part : {&free_, &heap_})
+// By time.
+void HybridStep::merge_contacts(std::vector<Contact>& contacts) {
+    for (Part* const part : {&free_, &cluster_})
         for (Contact& contact : part->contacts) {
             contact.a = part->ball[contact.a];
             if (contact.kind == ContactKind::ball_ball) contact.b = part->ball[contact.b];
         }
-    std::ranges::merge(free_.contacts, heap_.contacts, std::back_inserter(contacts), {},
+    std::ranges::merge(free_.contacts, cluster_.contacts, std::back_inserter(contacts), {},
                        &Contact::time, &Contact::time);
 }
 
-// What is pressed overlaps by about as much as it would fall in a substep, times the balls above.
-int Handover::substeps_for(const World& heap) {
-    const std::vector<double>& radius = heap.balls.radius;
+// Balls under pressure overlap by about the fall of a substep, times the number of balls above.
+int HybridStep::substeps_for(const World& cluster) {
+    const std::vector<double>& radius = cluster.balls.radius;
     const double smallest = *std::ranges::min_element(radius);
-    const double duration = heap.tick_length();
-    const double fall = 0.5 * length(heap.model.gravity.value_or(Vec2{})) * duration * duration;
+    const double duration = cluster.tick_length();
+    const double fall = 0.5 * length(cluster.model.gravity.value_or(Vec2{})) * duration * duration;
     int substeps = least_substeps;
-    while (substeps < most_substeps && fall > still_fall * smallest * substeps * substeps)
+    while (substeps < most_substeps && fall > most_fall * smallest * substeps * substeps)
         substeps *= 2;
     return substeps;
 }
 
-void Handover::find_who_stays(const World& heap, std::vector<BallId>& heaped) {
-    const Balls& balls = heap.balls;
-    const Vec2 torus = torus_of(heap);
+void HybridStep::find_staying(const World& cluster, std::vector<BallId>& heaped) {
+    const Balls& balls = cluster.balls;
+    const Vec2 torus = torus_of(cluster);
     stays_.assign(balls.size(), 0);
-    for (const PressedPair& pair : heap.pressed) {
+    for (const PressedPair& pair : cluster.pressed) {
         if (pair.kind != ContactKind::ball_ball) continue;
         for (const BallId id : {pair.ball, BallId{pair.other}})
-            if (const auto index = index_of(heap, id)) stays_[*index] = 1;
+            if (const auto index = index_of(cluster, id)) stays_[*index] = 1;
     }
     const auto is_sunk = [&](std::uint32_t ball, Vec2 at, std::size_t edge) {
         const double radius = balls.radius[ball];
-        const Capsule& shape = heap.capsules.shape[edge];
+        const Capsule& shape = cluster.capsules.shape[edge];
         return separation(Disc{at, radius}, shape) < -sunk * radius &&
-               (!heap.model.one_way || is_on_solid_side(shape, heap.capsules.side[edge], at));
+               (!cluster.model.one_way || is_on_solid_side(shape, cluster.capsules.side[edge], at));
     };
     margin_.assign(balls.size(), 0.0);
-    near_.find(heap, margin_, order_);
+    near_.find(cluster, margin_, order_);
     for (const NearPair& pair : near_.pairs()) {
         const std::uint32_t a = order_[pair.a];
         if (pair.edge != NearPair::no_edge) {
@@ -270,12 +272,12 @@ void Handover::find_who_stays(const World& heap, std::vector<BallId>& heaped) {
             continue;
         }
         const std::uint32_t b = order_[pair.b];
-        const double away = length(way_between(heap, balls.position[a], balls.position[b]));
+        const double away = length(displacement(cluster, balls.position[a], balls.position[b]));
         const double gap = away - balls.radius[a] - balls.radius[b];
         if (gap < -sunk * std::min(balls.radius[a], balls.radius[b])) stays_[a] = stays_[b] = 1;
     }
-    for (const HeldCapsule& held : heap.held_capsules)
-        if (const auto index = index_of(heap, held.id))
+    for (const HeldCapsule& held : cluster.held_capsules)
+        if (const auto index = index_of(cluster, held.id))
             for (std::uint32_t i = 0; i < balls.size(); ++i)
                 stays_[i] |= is_sunk(i, balls.position[i], *index);
     heaped.clear();

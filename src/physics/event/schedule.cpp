@@ -27,7 +27,7 @@ void Schedule<Real>::update(std::uint32_t ball) {
 // balls around both. Until the last time no step branches on what cannot be predicted.
 template <typename Real>
 void Schedule<Real>::prefetch() {
-    const std::optional<std::uint32_t> found = queue_.scout();
+    const std::optional<std::uint32_t> found = queue_.next_to_prefetch();
     if (!found) return;
     const auto earlier = [this](std::uint32_t by) -> Upcoming& {
         return upcoming_[(last_upcoming_ - by) % upcoming_.size()];
@@ -45,7 +45,7 @@ void Schedule<Real>::prefetch() {
     second.cell = cells_.next_cell(plan.place.cell, second.direction);
     cells_.prefetch_heads(second.cell);
     balls_.prefetch(second.partner);
-    queue_.fetch(second.partner);
+    queue_.prefetch(second.partner);
 
     Upcoming& third = earlier(4);
     third.partner_cell = balls_.plan(third.partner).place.cell;

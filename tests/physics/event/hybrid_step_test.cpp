@@ -140,8 +140,8 @@ TEST_CASE("event: the heap is what is crowded, and all that could meet it within
         for (std::size_t i = 0; i < row.x.size(); ++i)
             add_ball(world, {.position = {row.x[i], 0.0}, .velocity = {row.speed[i], 0.0}});
         world.heaped = row.heaped;
-        Handover handover;
-        CHECK(handover.heap_of(world) == row.heap);
+        HybridStep hybrid;
+        CHECK(hybrid.cluster_of(world) == row.heap);
     }
 
     // Across the seam of a torus; only those that meet one another; through a hand.
@@ -150,8 +150,8 @@ TEST_CASE("event: the heap is what is crowded, and all that could meet it within
     for (const double x : {0.4, 19.4, 10.0})
         add_ball(torus, {.position = {x, 5.0}, .velocity = {}});
     torus.heaped = balls({0});
-    Handover handover;
-    CHECK(handover.heap_of(torus) == balls({0, 1}));
+    HybridStep hybrid;
+    CHECK(hybrid.cluster_of(torus) == balls({0, 1}));
 
     World layers = open_air(0.5);
     layers.kinds.push_back(layers.kinds[0]);
@@ -160,16 +160,16 @@ TEST_CASE("event: the heap is what is crowded, and all that could meet it within
     add_ball(layers, {.kind = 0, .position = {0.0, 0.0}, .velocity = {}});
     add_ball(layers, {.kind = 1, .position = {0.5, 0.0}, .velocity = {}});
     layers.heaped = balls({0});
-    CHECK(handover.heap_of(layers) == balls({0}));
+    CHECK(hybrid.cluster_of(layers) == balls({0}));
 
     World hand = open_air(0.5);
     const CapsuleId blade = add_capsule(hand, {{0.0, 1.0}, {9.0, 1.0}, 0.1}, 0);
     for (const double x : {0.0, 4.0, 8.0, 20.0})
         add_ball(hand, {.position = {x, 0.0}, .velocity = {}});
     hand.heaped = balls({0});
-    CHECK(handover.heap_of(hand) == balls({0}));
+    CHECK(hybrid.cluster_of(hand) == balls({0}));
     hand.held_capsules.push_back({blade, {0.0, 0.5}, {9.0, 0.5}});
-    CHECK(handover.heap_of(hand) == balls({0, 1, 2}));
+    CHECK(hybrid.cluster_of(hand) == balls({0, 1, 2}));
 }
 
 TEST_CASE("event: a ball comes back when nothing presses it on another and it overlaps nothing") {
@@ -494,9 +494,9 @@ TEST_CASE("event: who goes over does not depend on the order of the balls") {
     turned.heaped.clear();
     for (std::size_t i = world.heaped.size(); i-- > 0;)
         turned.heaped.push_back(number_there(world.heaped[i]));
-    Handover handover;
-    std::vector<BallId> heap = handover.heap_of(world);
-    const std::vector<BallId> heap_there = handover.heap_of(turned);
+    HybridStep hybrid;
+    std::vector<BallId> heap = hybrid.cluster_of(world);
+    const std::vector<BallId> heap_there = hybrid.cluster_of(turned);
     std::ranges::reverse(heap);
     std::ranges::transform(heap, heap.begin(), number_there);
     CHECK(heap == heap_there);
@@ -548,8 +548,8 @@ TEST_CASE("event: fast balls that reach a heap by an impact of the same tick do 
     const BallId slow = add_ball(world, {.position = {-7.0, 0.5}, .velocity = {}});
     add_ball(world, {.position = {-9.5, 0.5}, .velocity = {50.0, 0.0}, .mass = 100.0});
     world.heaped = balls({0, 1, 2, 3, 4, 5});
-    Handover handover;
-    REQUIRE(handover.heap_of(world) == balls({0, 1, 2, 3, 4, 5}));
+    HybridStep hybrid;
+    REQUIRE(hybrid.cluster_of(world) == balls({0, 1, 2, 3, 4, 5}));
     Solver solver({.kind = SolverKind::event});
     solver.tick(world);
     // It has met the row.

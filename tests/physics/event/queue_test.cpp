@@ -11,7 +11,7 @@ using namespace carom;
 
 namespace {
 
-// Numbers as good as random, the same everywhere.
+// Pseudo-random numbers that are the same on every machine.
 class Dice {
   public:
     explicit Dice(std::uint64_t seed) : state_(seed) {}
@@ -27,7 +27,7 @@ class Dice {
     std::uint64_t state_;
 };
 
-// The same by looking at all of them.
+// The reference: looks at all balls.
 class SlowQueue {
   public:
     explicit SlowQueue(std::vector<double> times) : times_(std::move(times)) {}
@@ -48,7 +48,7 @@ const auto by_number = [](std::uint32_t a, std::uint32_t b) { return a < b; };
 }  // namespace
 
 TEST_CASE("event queue: the first is the first, however the times lie") {
-    // How long after the first event a ball's next one is.
+    // How long after the first event a ball has its next one.
     const auto wait = [](int kind, Dice& dice) {
         const double unit = dice.unit();
         switch (kind) {
@@ -58,9 +58,9 @@ TEST_CASE("event queue: the first is the first, however the times lie") {
                 return static_cast<double>(static_cast<int>(4.0 * unit));
             case 2:  // over twelve orders of magnitude
                 return 1e-9 / (1e-12 + unit * unit * unit * unit);
-            case 3:  // some never again
+            case 3:  // some balls never again
                 return unit < 0.25 ? EventQueue::never : unit;
-            default:  // none of it takes any time
+            default:  // all at the same time
                 return 0.0;
         }
     };
@@ -119,8 +119,8 @@ TEST_CASE("event queue: it follows events that become rare, and frequent again")
     }
 }
 
-// More balls than there are lists of slices, for long enough that events come from further ahead
-// than any bag of a block; and more events replaced than there is room for.
+// More balls than there are lists, for long enough that far events move up; and more replaced
+// events than there is capacity for.
 TEST_CASE("event queue: many balls, many of whose events are replaced long before they come") {
     constexpr std::size_t count = 6'000;
     using Timed = std::pair<double, std::uint32_t>;
@@ -151,7 +151,7 @@ TEST_CASE("event queue: many balls, many of whose events are replaced long befor
     }
 }
 
-TEST_CASE("event queue: the scout tells nearly everybody, each some events before its turn") {
+TEST_CASE("event queue: the prefetch cursor names nearly every ball some events before its turn") {
     constexpr std::size_t count = 3'000;
     Dice dice(1);
     std::vector<double> times(count);
@@ -166,7 +166,7 @@ TEST_CASE("event queue: the scout tells nearly everybody, each some events befor
     int tellings = 0;
     int in_time = 0;
     for (int i = 0; i < events; ++i) {
-        if (const auto ball = queue.scout()) {
+        if (const auto ball = queue.next_to_prefetch()) {
             REQUIRE(*ball < count);
             told[*ball] = i;
             ++tellings;
@@ -178,7 +178,7 @@ TEST_CASE("event queue: the scout tells nearly everybody, each some events befor
         told[*first] = never_told;
         times[*first] += 2.0 * dice.unit();
         queue.update(*first, times[*first], by_number);
-        // Some other's event is another then.
+        // The event of another ball changes too.
         const std::uint32_t other = dice.below(count);
         times[other] = times[*first];
         queue.update(other, times[other], by_number);
@@ -187,8 +187,8 @@ TEST_CASE("event queue: the scout tells nearly everybody, each some events befor
     CHECK(tellings < events * 12 / 10);
 }
 
-// All can be predicted anew in the middle of a tick, and one of them once more before anybody asks
-// who is first: that one came first then, though it was not.
+// A rebuild in the middle of a tick was once followed by a wrong first ball, if another ball's
+// event was replaced before the first query.
 TEST_CASE("event queue: built again, an event replaced before the first is asked for waits") {
     EventQueue queue;
     std::vector<double> times{100.0, 200.0, 300.0};
@@ -206,7 +206,7 @@ TEST_CASE("event queue: without balls, and without events") {
     queue.build(
         0, [](std::uint32_t) { return 0.0; }, by_number);
     CHECK(!queue.first(by_number));
-    CHECK(!queue.scout());
+    CHECK(!queue.next_to_prefetch());
     queue.build(
         3, [](std::uint32_t) { return EventQueue::never; }, by_number);
     CHECK(!queue.first(by_number));
