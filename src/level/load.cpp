@@ -9,7 +9,8 @@
 namespace carom {
 namespace {
 
-// FNV-1a, 64 bits, over texts with their lengths between them.
+// A 64-bit FNV-1a hash of texts. It takes their lengths in too, so that it tells "ab","c" from
+// "a","bc".
 class TextHash {
   public:
     void add(std::string_view text) {
@@ -32,7 +33,7 @@ struct FoundInclude {
     std::string file;
 };
 
-// The caller's resolver, which also notes what it has found.
+// Wraps the caller's resolver so that it also records each file that it finds.
 IncludeResolver noting(const IncludeResolver& resolver, std::vector<FoundInclude>& found) {
     if (!resolver) return {};
     return [&](std::string_view from, std::string_view path) {
@@ -42,7 +43,8 @@ IncludeResolver noting(const IncludeResolver& resolver, std::vector<FoundInclude
     };
 }
 
-// Includes that are carried out again and again, as in a `repeat`, are one.
+// The recorded includes, by index of file. An include that ran several times, as in a `repeat`, is
+// listed once.
 std::vector<Include> links(const std::vector<FoundInclude>& found,
                            const std::vector<std::string>& files) {
     const auto index = [&](const std::string& name) {

@@ -48,7 +48,7 @@ class Assembly {
   private:
     double rate() const { return options_.rate.value_or(own_rate()); }
 
-    // Flippers ask for short ticks: pinball has them where the level says nothing else.
+    // Flippers need short ticks, so a game of pinball has a higher default rate.
     double own_rate() const {
         constexpr double pinball_rate = 1000.0;
         return ir_.settings.rate.value_or(ir_.settings.table.is_game ? pinball_rate : World{}.rate);
@@ -83,7 +83,7 @@ class Assembly {
         return defaults;
     }
 
-    // In the order of the file. Fills come to stand last, around all else.
+    // Collects all balls in the order of the file. Fills are placed around everything else.
     void collect_balls() {
         std::vector<StartingBall> placed;
         for (const BallIr& spec : ir_.balls) {
@@ -96,7 +96,7 @@ class Assembly {
             return;
         }
         if (context_.reporter.has_errors()) {
-            balls_ = std::move(placed);  // where a fill would stand depends on what is in error
+            balls_ = std::move(placed);  // the place of a fill depends on items that have errors
             return;
         }
         Obstacles obstacles;
@@ -118,29 +118,29 @@ class Assembly {
             balls_.push_back(placed[taken++]);
     }
 
-    // Those of the obstacles that a ball of this kind may not start inside. Pre: all of them stand
-    // in the order of ir_.capsules, and of `owners`.
+    // The obstacles that a ball of this kind must not overlap. `all` has the capsules in the order
+    // of ir_.capsules, and the discs in the order of `owners`, their kinds.
     Obstacles solid_to(ClassIndex kind, const Obstacles& all,
                        const std::vector<ClassIndex>& owners) const {
         Obstacles solid;
         if (ir_.settings.may_overlap) return {{}, {}, false};
-        solid.each_other = names_.kinds_meet(kind, kind);
+        solid.each_other = names_.kinds_collide(kind, kind);
         for (std::size_t i = 0; i < all.discs.size(); ++i) {
-            if (names_.kinds_meet(kind, owners[i])) solid.discs.push_back(all.discs[i]);
+            if (names_.kinds_collide(kind, owners[i])) solid.discs.push_back(all.discs[i]);
         }
         for (std::size_t i = 0; i < all.capsules.size(); ++i) {
-            if (names_.kind_meets_material(kind, material_of(ir_.capsules[i]))) {
+            if (names_.kind_collides_with(kind, material_of(ir_.capsules[i]))) {
                 solid.capsules.push_back(all.capsules[i]);
             }
         }
         return solid;
     }
 
-    // `owners`: the kinds of the obstacles' discs.
+    // `owners` has the kinds of the discs among the obstacles.
     void add_fill(const FillIr& fill, ClassIndex kind, Obstacles& obstacles,
                   std::vector<ClassIndex>& owners) {
         FillObstacles around{obstacles, {}};
-        if (ir_.settings.may_overlap || !names_.all_meet()) {
+        if (ir_.settings.may_overlap || !names_.all_collide()) {
             around.solid = [&] { return solid_to(kind, obstacles, owners); };
         }
         const auto filled = place_fill(fill, defaults_of(kind), around, context_);
@@ -168,7 +168,7 @@ class Assembly {
         world.kinds = names_.kinds;
         world.materials = names_.materials;
         make_model(world.model);
-        if (world.model.filtered) world.meets = names_.meets;
+        if (world.model.filtered) world.meets = names_.collision_matrix;
         for (const StartingBall& ball : balls_) {
             add_ball(world, {.kind = ball.kind,
                              .position = ball.position,
@@ -218,9 +218,9 @@ class Assembly {
         model.lossy = is_lossy();
         model.one_way = std::ranges::any_of(
             ir_.devices, [](const DeviceIr& d) { return d.device.kind == DeviceKind::droptarget; });
-        model.filtered = !names_.all_meet();
-        model.ball_ball = names_.some_balls_meet();
-        model.ball_edge = names_.some_edges_meet();
+        model.filtered = !names_.all_collide();
+        model.ball_ball = names_.some_balls_collide();
+        model.ball_edge = names_.some_edges_collide();
     }
 
     bool is_lossy() const {
@@ -247,7 +247,7 @@ class Assembly {
             scene_.outlines.push_back(std::move(capsules));
     }
 
-    // The world as declared, else the bounds of all that is drawn, never without extent.
+    // The box that the level declares as its world, else the bounds of everything; never empty.
     Box view() const {
         if (ir_.settings.world) return *ir_.settings.world;
         std::optional<Box> all;

@@ -2,10 +2,10 @@
 
 #include "level/ir/context.h"
 
-/// The last stage: a draft to a scene.
+/// The last stage of loading: intermediate representation to scene.
 namespace carom {
 
-/// A ball at its start, in the order of the file.
+/// A ball at its start. Balls are in the order of the file.
 struct StartingBall {
     Vec2 position;
     Vec2 velocity;
@@ -15,12 +15,12 @@ struct StartingBall {
     double spin = 0.0;  ///< rad/s
     std::optional<Vec2> roll;
     ClassIndex kind = 0;
-    int binding = -1;  ///< index into LevelIr::ball_bindings; -1: a fill's
+    int binding = -1;  ///< index into LevelIr::ball_bindings; -1: placed by a fill
     Origin origin;
 };
 
-/// Looks up names, places fills, checks physical sense and, if there is no error, fills in the
-/// scene's world and all that refers to it.
+/// Resolves names, places the balls of fills, checks the physics (checks.h) and, if there is no
+/// error, builds the world and the rest of the scene.
 void assemble(const LoadOptions& options, Scene& scene, Context& context);
 
 }  // namespace carom

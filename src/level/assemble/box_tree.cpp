@@ -14,7 +14,7 @@ BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxe
     if (boxes_.empty()) return;
     std::iota(order_.begin(), order_.end(), 0u);
     nodes_.push_back({{}, 0, static_cast<std::uint32_t>(boxes_.size())});
-    // Children come behind their parents, so this visits every node, and the depth is no matter.
+    // Children follow their parents in nodes_, so this loop splits every node without recursion.
     for (std::uint32_t i = 0; i < nodes_.size(); ++i)
         split(i);
 }
@@ -28,8 +28,8 @@ void BoxTree::split(std::uint32_t index) {
     nodes_[index].box = around;
     if (count <= leaf_size) return;
 
-    // At the median centre along the longer side; ties by index, so the tree is a function of the
-    // boxes alone.
+    // Split at the median centre along the longer side. Ties go by index, so that the tree depends
+    // on the boxes alone.
     const bool along_x = size(around).x >= size(around).y;
     const auto key = [&](std::uint32_t i) {
         const Vec2 middle = center(boxes_[i]);

@@ -5,16 +5,17 @@
 
 #include "geometry/shapes.h"
 
-/// Which of many boxes overlap a box: a static tree, whatever the sizes of the boxes.
+/// A static bounding-volume hierarchy: finds which of many boxes overlap a box.
 namespace carom {
 
-/// Building takes n log n, a query log n for each box found, unless the boxes are long and cross.
+/// Building takes O(n log n). A query takes O(log n) for each box found, and more where long boxes
+/// cross.
 class BoxTree {
   public:
     explicit BoxTree(std::vector<Box> boxes);
 
-    /// Calls `visit(index)` for the boxes that overlap `box`, in a fixed order, until it returns
-    /// false.
+    /// Calls `visit(index)` for each box that overlaps `box`, until a call returns false. The order
+    /// depends on the boxes alone.
     template <typename Visit>
     void query(const Box& box, Visit visit) const {
         if (nodes_.empty()) return;
@@ -38,8 +39,9 @@ class BoxTree {
   private:
     struct Node {
         Box box;
-        std::uint32_t first = 0;  ///< of its entries in order_, or of its two children
-        std::uint32_t count = 0;  ///< 0: it has children
+        std::uint32_t first =
+            0;  ///< index of its entries in order_, or of its two children in nodes_
+        std::uint32_t count = 0;  ///< entries; 0: an inner node
     };
     void split(std::uint32_t node);
 

@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-constexpr std::uint64_t most_pairs = 4'000'000;  // a warning is not worth more than that
+constexpr std::uint64_t most_pairs = 4'000'000;  // bounds the work for a mere warning
 
 bool cross_each_other(const Capsule& a, const Capsule& b) {
     const Vec2 along_a = a.end - a.start;
@@ -24,7 +24,7 @@ bool cross_each_other(const Capsule& a, const Capsule& b) {
            sides_differ(cross(along_b, a.start - b.start), cross(along_b, a.end - b.start));
 }
 
-// Between the rims; 0 or less where they touch.
+// The distance between the surfaces of two capsules; 0 or less if they touch.
 double gap_between(const Capsule& a, const Capsule& b) {
     if (cross_each_other(a, b)) return 0.0;
     const double nearest = std::min({distance(a.start, closest_point(b.start, b.end, a.start)),
@@ -34,7 +34,7 @@ double gap_between(const Capsule& a, const Capsule& b) {
     return nearest - a.radius - b.radius;
 }
 
-// Edges that hang together, piece by piece: what is near on the same one is a corner, not a gap.
+// Union-find over edges that touch. Two edges of one set that come close form a corner, not a gap.
 class DisjointSets {
   public:
     explicit DisjointSets(std::size_t count) : parent_(count) {
@@ -100,7 +100,7 @@ void check_gaps(const std::vector<StartingBall>& balls, const ResolvedNames& nam
             }
             if (layer_of(edges[i]) != layer_of(edges[k])) return ++pairs < most_pairs;
             const double gap = gap_between(edges[i].shape, edges[k].shape);
-            // What an author computed to touch, and rounding parted, is no gap.
+            // Edges that the author made to touch, and that rounding separates, have no gap.
             if (gap <= 1e-9 * diameter) {
                 connected.join(i, k);
             } else if (gap < diameter * (1.0 - 1e-9)) {

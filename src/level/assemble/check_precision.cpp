@@ -10,16 +10,18 @@
 namespace carom {
 namespace {
 
-// The distance from this number to the next larger one.
+// The distance from a number to the next larger double.
 double spacing_at(double coordinate) {
     const double size = std::abs(coordinate);
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(size) + 1) - size;
 }
 
-// A tick's way along one axis is lost in rounding, and is no mere remnant of arithmetic itself.
+// Whether rounding loses the motion of a tick along one axis. A velocity that is itself a rounding
+// error does not count.
 bool is_lost(double coordinate, double velocity, double speed, double tick) {
-    constexpr double remnant = 1e-6;
-    return std::abs(velocity) > remnant * speed && coordinate + velocity * tick == coordinate;
+    constexpr double rounding_error = 1e-6;
+    return std::abs(velocity) > rounding_error * speed &&
+           coordinate + velocity * tick == coordinate;
 }
 
 }  // namespace

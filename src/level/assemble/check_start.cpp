@@ -13,7 +13,7 @@
 namespace carom {
 namespace {
 
-// A depth that rounding explains: authors compute touching places, and 0.1*3 is not 0.3.
+// The depth of overlap that rounding explains: authors compute touching places, and 0.1*3 != 0.3.
 double rounding(Vec2 at, double reach) {
     return 1e-9 * reach + 1e-14 * (std::abs(at.x) + std::abs(at.y));
 }
@@ -34,7 +34,7 @@ class StartCheck {
         const BoxTree edges = edge_tree();
         check_edges(edges);
         check_emitters(edges);
-        if (names_.some_balls_meet()) check_balls();
+        if (names_.some_balls_collide()) check_balls();
     }
 
   private:
@@ -82,14 +82,15 @@ class StartCheck {
         return BoxTree(std::move(boxes));
     }
 
-    // Whether the edge pushes a ball with this centre at all.
+    // Whether the edge is solid to a ball with this centre. One-sided edges are solid on one side.
     static bool pushes(const CapsuleIr& edge, Vec2 center) {
         if (edge.side == Side::both) return true;
         const double side = cross(edge.shape.end - edge.shape.start, center - edge.shape.start);
         return edge.side == Side::left ? side > 0.0 : side < 0.0;
     }
 
-    // The edge that a ball of this kind would be in, and how deep. `span`: where the ball is said.
+    // The first edge that a ball of this kind overlaps, and the depth. `span` is the place of the
+    // ball in the file.
     std::optional<std::pair<const CapsuleIr*, double>> edge_around(const BoxTree& tree,
                                                                    const Disc& disc,
                                                                    ClassIndex kind,
@@ -101,7 +102,7 @@ class StartCheck {
             const ResolvedEdges& binding = names_.edges[static_cast<std::size_t>(edge.binding)];
             const double gap = separation(disc, edge.shape);
             if (gap >= -rounding(disc.center, disc.radius + edge.shape.radius)) return true;
-            if (!binding.is_valid || !names_.kind_meets_material(kind, binding.material))
+            if (!binding.is_valid || !names_.kind_collides_with(kind, binding.material))
                 return true;
             if (!pushes(edge, disc.center)) return true;
             found = {&edge, -gap};
@@ -110,7 +111,7 @@ class StartCheck {
         return found;
     }
 
-    // The work is bounded: a million balls in one place that never meet are n^2 pairs.
+    // Bounds the work: a million balls in one place that do not collide make n^2 pairs.
     bool has_time(const Span& span) {
         constexpr std::uint64_t most_pairs = 50'000'000;
         if (++pairs_ <= most_pairs) return true;
@@ -122,7 +123,7 @@ class StartCheck {
         return false;
     }
 
-    // A fill keeps clear of all that stands.
+    // Balls of a fill overlap nothing by construction.
     static bool is_filled(const StartingBall& ball) { return ball.binding < 0; }
 
     void check_edges(const BoxTree& tree) {
@@ -175,7 +176,8 @@ class StartCheck {
 
     static Disc disc_of(const StartingBall& ball) { return {ball.position, ball.radius}; }
 
-    // On a torus, where else the ball is: its place, and beyond each side that it hangs over.
+    // The periodic images of a ball that reach into the world: the ball itself, and one beyond each
+    // side that it crosses.
     std::vector<Vec2> images_of(const StartingBall& ball) const {
         std::vector<Vec2> images{ball.position};
         if (!ir_.settings.wrap || !ir_.settings.world) return images;
@@ -204,7 +206,7 @@ class StartCheck {
             if (reported_.contains({i, k}) || reported_.contains({k, i})) return true;
             const double gap = separation(disc, disc_of(other));
             if (gap >= -rounding(at, disc.radius + other.radius)) return true;
-            if (!names_.kinds_meet(ball.kind, other.kind)) return true;
+            if (!names_.kinds_collide(ball.kind, other.kind)) return true;
             reported_.emplace(i, k);
             const StartingBall& later = i > k ? ball : other;
             const StartingBall& earlier = i > k ? other : ball;
@@ -222,7 +224,7 @@ class StartCheck {
     Context& context_;
     const LevelIr& ir_;
     std::uint64_t pairs_ = 0;
-    std::vector<std::uint32_t> checked_;  ///< balls, by their entry in the tree
+    std::vector<std::uint32_t> checked_;  ///< index of the ball for each box of the tree
     std::set<std::pair<std::uint32_t, std::uint32_t>> reported_;
 };
 

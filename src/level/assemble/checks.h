@@ -3,26 +3,27 @@
 #include "level/assemble/assemble.h"
 #include "level/assemble/resolve_names.h"
 
-/// Physical sense: what no author can have meant.
+/// Checks of the physics: starts and values that no author can have intended.
 namespace carom {
 
-/// Errors: balls that start inside one another or inside an edge (unless they never meet, or
-/// `use overlap`), balls outside a torus, spawns outside the world or inside an edge, a torus too
-/// small for its balls.
-/// Each ball is told once, and each statement once for each statement that it collides with.
+/// Reports as errors: balls that overlap each other or an edge at the start, unless they do not
+/// collide or the level says `use overlap`; balls outside a torus, or too large for it; spawns
+/// outside the world or inside an edge. Each ball is reported once. Bounded work: gives up with a
+/// warning after 50 million pairs.
 void check_start(const std::vector<StartingBall>& balls, const ResolvedNames& names,
                  Context& context);
 
-/// An error for each value that needs a term which the level does not use.
+/// Reports an error for each value that needs a term (`use spin`, `use cloth`) that the level
+/// lacks.
 void check_terms(Context& context);
 
-/// An error where numbers are too coarse for a ball: at its place their spacing is more than 1/64
-/// of its radius. A warning where they are for its way: what it travels in a tick is lost in
-/// rounding. One message for the level. `rate`: ticks a second.
+/// Reports an error if doubles are too coarse at the place of a ball: their spacing exceeds 1/64 of
+/// its radius. Warns if its motion in a tick is lost in rounding. One report for the level. `rate`
+/// is in ticks a second.
 void check_precision(const std::vector<StartingBall>& balls, double rate, Context& context);
 
-/// Warnings: gaps between edges that do not touch, too narrow for the smallest ball. None where
-/// there are no balls.
+/// Warns of gaps between edges that are too narrow for the smallest ball. A level without balls has
+/// no such gaps. Bounded work: gives up with a warning after 4 million pairs.
 void check_gaps(const std::vector<StartingBall>& balls, const ResolvedNames& names,
                 Context& context);
 

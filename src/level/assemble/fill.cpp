@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint32_t attempts = 300;
 constexpr std::uint64_t max_fill_tests = 200'000'000;
 
-// What a draw is for: each has numbers of its own.
+// What a random number is for: each purpose has a stream of its own.
 enum class Purpose : std::uint64_t { mass = 1, radius, place, shift, direction, speed, gaussian };
 
 class FillRandom {
@@ -27,7 +27,7 @@ class FillRandom {
     FillRandom(std::uint64_t seed, int fill)
         : seed_(seed), fill_(static_cast<std::uint64_t>(fill)) {}
 
-    /// Uniform in [0, 1): the `draw`th for ball `ball`.
+    /// Uniform in [0, 1): number `draw` of this purpose for a ball.
     double unit(Purpose purpose, std::uint64_t ball, std::uint64_t draw = 0) const {
         return random_unit(seed_, RandomStream::fill,
                            fill_ << 8 | static_cast<std::uint64_t>(purpose), ball << 24 | draw);
@@ -42,7 +42,7 @@ class FillRandom {
     std::uint64_t fill_;
 };
 
-// A unit vector: a point of the disc, drawn by rejection, and pushed out to its rim.
+// A random unit vector: a point of the disc, by rejection sampling, normalised.
 Vec2 random_direction(const FillRandom& chance, std::uint64_t ball) {
     for (std::uint64_t draw = 0;; draw += 2) {
         const Vec2 v{2.0 * chance.unit(Purpose::direction, ball, draw) - 1.0,
@@ -52,7 +52,7 @@ Vec2 random_direction(const FillRandom& chance, std::uint64_t ball) {
     }
 }
 
-// By rejection under the bell curve, between -8 and 8: six draws on average.
+// A standard Gaussian cut at -8 and 8, by rejection sampling.
 double gaussian(const FillRandom& chance, std::uint64_t ball, std::uint64_t component) {
     for (std::uint64_t draw = component;; draw += 4) {
         const double x = 16.0 * chance.unit(Purpose::gaussian, ball, draw) - 8.0;
@@ -112,7 +112,7 @@ void draw_velocities(const FillIr& fill, const FillRandom& chance, std::vector<F
 
 class FillPlacer {
   public:
-    /// `looks`: Context::fill_tests.
+    /// `tests` counts tests of obstacles over all fills (Context::fill_tests).
     FillPlacer(const FillIr& fill, const Obstacles& obstacles, const FillRandom& chance,
                std::vector<FilledBall>& balls, std::uint64_t& tests)
         : fill_(fill),
@@ -121,18 +121,18 @@ class FillPlacer {
           tests_(tests),
           keeps_apart_(obstacles.each_other),
           tree_(boxes_near(obstacles, fill.box)) {
-        // The tree numbers only what is near the box, so its entries are kept beside it.
+        // The tree has the obstacles that overlap the box: first the discs, then the capsules.
         for (const Disc& disc : obstacles.discs) {
             if (overlaps(bounds(disc), fill.box)) near_discs_.push_back(disc);
         }
         for (const Capsule& capsule : obstacles.capsules) {
             if (overlaps(bounds(capsule), fill.box)) near_capsules_.push_back(capsule);
         }
-        constexpr std::uint64_t looks_to_plant = 20;  // what an entry of a tree costs, about
-        tests_ += looks_to_plant * (near_discs_.size() + near_capsules_.size());
+        constexpr std::uint64_t cost_of_entry = 20;  // of building the tree, in tests
+        tests_ += cost_of_entry * (near_discs_.size() + near_capsules_.size());
     }
 
-    /// Places all at random, else on a lattice; or says how many found a place.
+    /// Places all balls at random, else on a lattice. Gives how many found a place.
     std::uint32_t place() {
         const std::uint32_t placed = at_random();
         if (placed == fill_.count || is_exhausted()) return placed;
@@ -140,7 +140,7 @@ class FillPlacer {
     }
 
   private:
-    /// How many were placed: all, or those before the first that found no place.
+    /// Gives how many balls were placed before one found no place.
     std::uint32_t at_random() {
         std::vector<std::uint32_t> order(balls_.size());
         std::iota(order.begin(), order.end(), 0u);
@@ -159,7 +159,7 @@ class FillPlacer {
         return placed;
     }
 
-    /// Places all on a lattice, or says how many sites the densest one has.
+    /// Places all balls on a lattice, or gives the number of sites of the densest lattice.
     std::uint32_t on_lattice() {
         double largest = 0.0;
         for (const FilledBall& ball : balls_)
@@ -220,9 +220,11 @@ class FillPlacer {
         return false;
     }
 
-    // Somewhere within the site's own room, if nothing stands there.
+    // A random place around the site, within its cell and the box; the site itself if that place is
+    // not free.
     Vec2 shifted(Vec2 site, double radius, double pitch, std::uint32_t i) {
-        const double room = (0.5 * pitch - radius) * 0.7;  // the square inside the circle
+        const double room =
+            (0.5 * pitch - radius) * 0.7;  // a square inside the circle of that radius
         if (room <= 0.0) return site;
         const Vec2 place = site + Vec2{random_.between(-room, room, Purpose::shift, i, 0),
                                        random_.between(-room, room, Purpose::shift, i, 1)};
@@ -245,7 +247,7 @@ class FillPlacer {
 std::optional<std::vector<FilledBall>> place_fill(const FillIr& fill, const FillDefaults& defaults,
                                                   const FillObstacles& obstacles,
                                                   Context& context) {
-    if (context.fill_tests > max_fill_tests) return std::nullopt;  // told already
+    if (context.fill_tests > max_fill_tests) return std::nullopt;  // already reported
     const FillRandom chance(context.seed, fill.number);
     std::vector<FilledBall> balls(fill.count);
     if (!draw_sizes(fill, defaults, chance, balls, context)) return std::nullopt;

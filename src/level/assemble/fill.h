@@ -7,7 +7,7 @@
 #include "level/assemble/box_tree.h"
 #include "level/ir/context.h"
 
-/// Balls placed by chance: `fill`.
+/// Places the balls of `fill` statements at random.
 namespace carom {
 
 struct FilledBall {
@@ -17,39 +17,39 @@ struct FilledBall {
     double mass = 1.0;
 };
 
-/// What the balls of a fill keep clear of.
+/// Shapes that the balls of a fill must not overlap.
 struct Obstacles {
     std::vector<Disc> discs;
     std::vector<Capsule> capsules;
-    bool each_other = true;
+    bool each_other = true;  ///< nor may they overlap each other
 };
 
 struct FillObstacles {
-    /// All that stands there.
+    /// Everything that is already in the level.
     const Obstacles& all;
-    /// Makes those of them that the balls may not overlap: what they meet, by `collide`. Absent:
-    /// they are all.
+    /// Makes the part of `all` that collides with the balls. Absent: all of it does.
     std::function<Obstacles()> solid;
 };
 
-/// What a fill takes from its kind where it says nothing itself.
+/// Defaults of a fill, from the kind of its balls.
 struct FillDefaults {
     double radius = 1.0;
     std::optional<double> mass;
     double density = 1.0;
 };
 
-/// Places the balls of a fill: wholly inside its box, overlapping neither each other nor the
-/// obstacles. When they do not fit, only what is solid to them is in their way; when they still do
-/// not, none, and a message.
+/// Places the balls of a fill inside its box, so that they overlap neither each other nor the
+/// obstacles. If they do not fit, tries again with the solid obstacles alone. None: they still do
+/// not fit, which is reported.
 ///
-/// The larger balls are placed first, each at the first free of 300 random places. When one finds
-/// none (from a packing of about 0.5 on), all stand on a lattice instead, shifted at random as far
-/// as it leaves room: so it never hangs, and fails only where the densest lattice fails too, or
-/// where all fills together have looked at obstacles 200 million times.
-/// Ball number i of a fill draws from the seed, the number of the fill and i alone. Speeds come
-/// either of one size in a random direction, or (rms=) from a Gaussian, cut at 8 standard
-/// deviations, and then scaled so that their root mean square is exactly the one given.
+/// Larger balls come first; each takes the first free one of 300 random places. If a ball finds
+/// none (packings above about 0.5), all balls go on a lattice instead, with random shifts as far as
+/// there is room. Placement fails only if the densest lattice has too few sites, or if all fills
+/// together have tested obstacles 200 million times.
+///
+/// The random numbers of ball i depend on the seed, the number of the fill and i alone. A velocity
+/// has a speed from a range and a random direction. With rms=, velocities are Gaussian, cut at 8
+/// standard deviations, and scaled so that their root mean square is exactly the one given.
 ///
 /// 1,000,000 balls at a packing of 0.3 take about a second.
 std::optional<std::vector<FilledBall>> place_fill(const FillIr& fill, const FillDefaults& defaults,

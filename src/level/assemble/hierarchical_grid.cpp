@@ -20,7 +20,7 @@ HierarchicalGrid::HierarchicalGrid(const Box& box, const std::vector<double>& ra
         const std::size_t first = i;
         while (i < radii.size() && radii[i] > 0.5 * grid.largest)
             ++i;
-        // No more than a few cells for each disc, however large the box.
+        // Limit the cells to a few for each disc, however large the box.
         const double most = 4.0 * static_cast<double>(i - first) + 16.0;
         const Vec2 extent = size(box);
         grid.cell = 2.0 * grid.largest;

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double half_sqrt_3 = 0.86602540378443865;
 
-// Sites that fit on a length, the first and the last `radius` from its ends. A hair of rounding
-// must not cost a site: 10 discs of radius 1 do fit on a length of 20.
+// The number of sites along a length, the first and the last `radius` from its ends. Rounding must
+// not cost a site: 10 discs of radius 1 fit on a length of 20.
 double sites_along(double length, double radius, double pitch) {
     const double room = length - 2.0 * radius;
     return room < 0.0 ? 0.0 : std::floor(room / pitch * (1.0 + 1e-12)) + 1.0;
@@ -53,7 +53,7 @@ Lattice widest_lattice(const Box& box, double radius, std::size_t count,
     const double closest = 2.0 * radius;
     const auto wanted = static_cast<double>(count);
     const double widest = size(box).x + size(box).y;
-    const double most = 4.0 * wanted + 1000.0;  // sites that are looked at; bounds the work
+    const double most = 4.0 * wanted + 1000.0;  // bounds the work
     Lattice best;
     for (const bool is_hexagonal : {true, false}) {
         if (site_count(box, radius, closest, is_hexagonal) < wanted) continue;
@@ -61,7 +61,7 @@ Lattice widest_lattice(const Box& box, double radius, std::size_t count,
         while (pitch < widest && site_count(box, radius, pitch * step, is_hexagonal) >= wanted) {
             pitch *= step;
         }
-        // Obstacles may close sites that the count above took for open.
+        // Obstacles may close sites, so a closer pitch may be needed than the count suggests.
         while (true) {
             std::vector<Vec2> sites = make_sites(box, radius, pitch, is_hexagonal, is_open);
             if (sites.size() >= count) {

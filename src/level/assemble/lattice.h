@@ -6,7 +6,7 @@
 
 #include "geometry/shapes.h"
 
-/// Regular places for many discs in a box.
+/// Regular lattices of discs in a box.
 namespace carom {
 
 struct Lattice {
@@ -14,10 +14,10 @@ struct Lattice {
     double pitch = 0.0;  ///< distance between neighbouring sites
 };
 
-/// The lattice, square or hexagonal, of the widest pitch (within 2 %) that has at least `count`
-/// sites that are open, each with room for a disc of `radius` inside the box. Looks at no more than
-/// 4 count + 1000 sites at once. If none has enough, the one of pitch 2 radius with more sites, or
-/// none at all. Pre: radius > 0.
+/// The square or hexagonal lattice of widest pitch (within 2 %) with at least `count` open sites. A
+/// disc of `radius` at a site lies in the box; `is_open` tells whether a site may be used. Examines
+/// at most 4 count + 1000 sites at a time. If no lattice has enough sites, gives the one of pitch
+/// 2 radius that has more; it may have none. Pre: radius > 0.
 Lattice widest_lattice(const Box& box, double radius, std::size_t count,
                        const std::function<bool(Vec2)>& is_open);
 

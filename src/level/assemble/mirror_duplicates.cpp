@@ -8,7 +8,8 @@
 namespace carom {
 namespace {
 
-// Where a thing is and how it moves; an edge's ends in a fixed order.
+// The position and motion of an item, for exact comparison. The ends of an edge are in a fixed
+// order.
 using Spot = std::array<double, 6>;
 
 struct Item {
@@ -25,9 +26,9 @@ Spot place_of(const Capsule& shape) {
     return {a.first, a.second, b.first, b.second, shape.radius};
 }
 
-// Which of the items to drop.
-std::vector<bool> twins_among(std::vector<Item> items) {
-    std::vector<bool> is_twin(items.size(), false);
+// For each item, by index, whether it is a duplicate.
+std::vector<bool> find_duplicates(std::vector<Item> items) {
+    std::vector<bool> is_duplicate(items.size(), false);
     const auto key = [](const Item& item) { return std::tuple(item.statement, item.place); };
     std::ranges::sort(items, [&](const Item& a, const Item& b) {
         return std::tuple(key(a), a.index) < std::tuple(key(b), b.index);
@@ -35,19 +36,19 @@ std::vector<bool> twins_among(std::vector<Item> items) {
     for (std::size_t i = 0; i < items.size();) {
         std::size_t end = i + 1;
         while (end < items.size() && key(items[end]) == key(items[i])) {
-            is_twin[items[end].index] = items[end].image != items[i].image;
+            is_duplicate[items[end].index] = items[end].image != items[i].image;
             ++end;
         }
         i = end;
     }
-    return is_twin;
+    return is_duplicate;
 }
 
 template <typename T>
-void drop(std::vector<T>& items, const std::vector<bool>& is_dropped) {
+void remove_marked(std::vector<T>& items, const std::vector<bool>& is_removed) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < items.size(); ++i) {
-        if (is_dropped[i]) continue;
+        if (is_removed[i]) continue;
         if (kept != i) items[kept] = std::move(items[i]);
         ++kept;
     }
@@ -55,7 +56,7 @@ void drop(std::vector<T>& items, const std::vector<bool>& is_dropped) {
 }
 
 template <typename T, typename PlaceOf>
-void drop_twins(std::vector<T>& items, PlaceOf place, std::vector<FillIr>* fills = nullptr) {
+void remove_duplicates(std::vector<T>& items, PlaceOf place, std::vector<FillIr>* fills = nullptr) {
     const auto is_copy = [](const T& item) { return item.origin.image != 0; };
     if (std::ranges::none_of(items, is_copy)) return;
     std::vector<Item> all;
@@ -66,31 +67,31 @@ void drop_twins(std::vector<T>& items, PlaceOf place, std::vector<FillIr>* fills
                        items[i].origin.image,
                        i});
     }
-    const std::vector<bool> is_twin = twins_among(std::move(all));
+    const std::vector<bool> is_duplicate = find_duplicates(std::move(all));
     if (fills) {
         std::vector<std::size_t> kept_before(items.size() + 1, 0);
         for (std::size_t i = 0; i < items.size(); ++i) {
-            kept_before[i + 1] = kept_before[i] + (is_twin[i] ? 0 : 1);
+            kept_before[i + 1] = kept_before[i] + (is_duplicate[i] ? 0 : 1);
         }
         for (FillIr& fill : *fills)
             fill.balls_before = kept_before[fill.balls_before];
     }
-    drop(items, is_twin);
+    remove_marked(items, is_duplicate);
 }
 
 }  // namespace
 
 void remove_mirror_duplicates(LevelIr& ir) {
-    drop_twins(ir.capsules, [](const CapsuleIr& c) { return place_of(c.shape); });
-    drop_twins(ir.zones, [](const ZoneIr& z) { return place_of(z.zone.shape); });
-    drop_twins(
+    remove_duplicates(ir.capsules, [](const CapsuleIr& c) { return place_of(c.shape); });
+    remove_duplicates(ir.zones, [](const ZoneIr& z) { return place_of(z.zone.shape); });
+    remove_duplicates(
         ir.balls,
         [](const BallIr& b) {
             return Spot{b.position.x, b.position.y,           b.velocity.x,
                         b.velocity.y, b.radius.value_or(0.0), b.spin};
         },
         &ir.fills);
-    drop_twins(ir.emitters, [](const EmitterIr& e) {
+    remove_duplicates(ir.emitters, [](const EmitterIr& e) {
         return Spot{e.emitter.at.x, e.emitter.at.y, e.emitter.velocity.x, e.emitter.velocity.y,
                     0.0};
     });

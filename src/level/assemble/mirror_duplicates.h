@@ -4,10 +4,9 @@
 
 namespace carom {
 
-/// What lies on a mirror's line is its own image: a peg on it, a ball, an edge that runs along it.
-/// Such an image is not made a second time. Removes every item that coincides exactly with an
-/// earlier one from the same statement, but from another image of it. Counts what fills precede
-/// anew.
+/// Removes mirror duplicates. An item on the line of a mirror, such as a peg or an edge along it,
+/// coincides with its own image. Every item that coincides exactly with an earlier item of the same
+/// statement, but of another mirror image, is removed. FillIr::balls_before is adjusted.
 void remove_mirror_duplicates(LevelIr& ir);
 
 }  // namespace carom

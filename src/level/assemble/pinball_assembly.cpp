@@ -31,21 +31,22 @@ std::string PinballAssembly::name_of(const DeviceIr& device) const {
     return name.empty() ? std::string(traits(device.device.kind).name) : name;
 }
 
-// Those that something is drawn for, in the order of the file. A lamp is drawn for itself.
+// Collects the devices that have a capsule or a zone, and all lamps, in the order of the file.
 void PinballAssembly::collect_devices() {
     std::vector<bool> is_drawn(ir_.devices.size(), false);
     for (const CapsuleIr& capsule : ir_.capsules)
         if (capsule.device >= 0) is_drawn[static_cast<std::size_t>(capsule.device)] = true;
     for (const ZoneIr& zone : ir_.zones)
         if (zone.device >= 0) is_drawn[static_cast<std::size_t>(zone.device)] = true;
-    device_of_spec_.assign(ir_.devices.size(), -1);
+    scene_device_.assign(ir_.devices.size(), -1);
     for (std::size_t i = 0; i < ir_.devices.size(); ++i) {
         const DeviceIr& spec = ir_.devices[i];
         const bool is_lamp = spec.device.kind == DeviceKind::lamp;
-        const bool is_twin = is_lamp && std::ranges::any_of(table_.devices, [&](const Device& d) {
-                                 return d.kind == DeviceKind::lamp && d.place == spec.device.place;
-                             });
-        if (is_lamp ? is_twin : !is_drawn[i]) continue;
+        const bool is_duplicate =
+            is_lamp && std::ranges::any_of(table_.devices, [&](const Device& d) {
+                return d.kind == DeviceKind::lamp && d.place == spec.device.place;
+            });
+        if (is_lamp ? is_duplicate : !is_drawn[i]) continue;
         check_layers(spec);
         const std::string name = name_of(spec);
         const auto [found, is_new] =
@@ -60,7 +61,7 @@ void PinballAssembly::collect_devices() {
                 "give each of them a name of its own");
             continue;
         }
-        device_of_spec_[i] = static_cast<int>(table_.devices.size());
+        scene_device_[i] = static_cast<int>(table_.devices.size());
         group.devices.push_back(static_cast<std::uint32_t>(table_.devices.size()));
         table_.devices.push_back(spec.device);
         table_.devices.back().group = found->second;
@@ -75,7 +76,7 @@ void PinballAssembly::check_layers(const DeviceIr& ramp) {
         fmt::format("say which material does: material rail layer={}", highest));
 }
 
-// A group of devices, or, for what is hit, the edges of that name: together they are one device.
+// Finds a group of devices by name. If `may_be_edge`, the edges of that name become one device.
 std::optional<std::uint32_t> PinballAssembly::group_named(const Word& name, bool may_be_edge) {
     if (const auto found = groups_.find(name.text); found != groups_.end()) return found->second;
     const auto is_edge = [&](const CapsuleIr& capsule) {
@@ -166,7 +167,7 @@ void PinballAssembly::check(bool has_balls) {
     collect_devices();
     for (const RuleIr& rule : ir_.rules)
         resolve_rule(rule);
-    // What is in error may be what is missing.
+    // A missing part may be one that has an error.
     if (!context_.reporter.has_errors()) check_game(has_balls);
 }
 
@@ -186,7 +187,7 @@ void PinballAssembly::fill_in(Scene& scene, const std::vector<std::uint32_t>& wo
         int device = -1;
         if (spec.device >= 0) {
             const DeviceIr& from = ir_.devices[static_cast<std::size_t>(spec.device)];
-            device = device_of_spec_[static_cast<std::size_t>(spec.device)];
+            device = scene_device_[static_cast<std::size_t>(spec.device)];
             if (from.flipper) {
                 world.flippers.push_back(*from.flipper);
                 world.flippers.back().capsule = id;
@@ -206,7 +207,7 @@ void PinballAssembly::fill_in(Scene& scene, const std::vector<std::uint32_t>& wo
     }
     for (std::size_t i = 0; i < ir_.zones.size(); ++i) {
         if (ir_.zones[i].device < 0) continue;
-        const int device = device_of_spec_[static_cast<std::size_t>(ir_.zones[i].device)];
+        const int device = scene_device_[static_cast<std::size_t>(ir_.zones[i].device)];
         if (device < 0) continue;
         Device& made = table_.devices[static_cast<std::size_t>(device)];
         const Capsule& shape = ir_.zones[i].zone.shape;

@@ -7,20 +7,20 @@
 #include "level/assemble/resolve_names.h"
 #include "level/scene/scene.h"
 
-/// What stands on a pinball table: devices in groups, and the rules' names looked up.
+/// Assembles a pinball table: groups its devices by name, and resolves the names in its rules.
 namespace carom {
 
 class PinballAssembly {
   public:
-    /// Pre: the names are those of the context's draft.
+    /// Pre: `names` resolves the names of the context.
     PinballAssembly(const ResolvedNames& names, Context& context)
         : names_(names), context_(context), ir_(context.ir) {}
 
-    /// Reports what is wrong with groups and rules. `has_balls`: one starts on the table.
+    /// Reports errors in groups and rules. `has_balls`: whether a ball starts on the table.
     void check(bool has_balls);
 
-    /// Pre: checked, without errors; the scene's world has all capsules and zones. `world_zones`:
-    /// by LevelIr::zones, the index into World::zones.
+    /// Sets Scene::table and World::flippers. `world_zones` has the index into World::zones for
+    /// each of LevelIr::zones. Pre: checked without errors; the world has all capsules and zones.
     void fill_in(Scene& scene, const std::vector<std::uint32_t>& world_zones);
 
   private:
@@ -36,7 +36,7 @@ class PinballAssembly {
     Context& context_;
     LevelIr& ir_;
     PinballTable table_;
-    std::vector<int> device_of_spec_;  ///< by LevelIr::devices; -1: a twin
+    std::vector<int> scene_device_;  ///< for each of LevelIr::devices; -1: a duplicate
     std::map<std::string, std::uint32_t, std::less<>> groups_;
 };
 

@@ -26,7 +26,7 @@ bool are_same(const Material& a, const Material& b) {
            a.kicks_in_the_middle == b.kicks_in_the_middle;
 }
 
-// The kinds or the materials of a level, found by name.
+// Finds the kinds or the materials of a level by name, and records which are used.
 class Classes {
   public:
     explicit Classes(const std::vector<std::string_view>& names) : used_(names.size(), false) {
@@ -41,18 +41,18 @@ class Classes {
         return static_cast<ClassIndex>(found->second);
     }
     bool has(std::string_view name) const { return index_.contains(name); }
-    /// The one that stands for those without a name.
-    ClassIndex unnamed() {
-        is_unnamed_used_ = true;
+    /// The default class, of balls or edges that name none.
+    ClassIndex default_class() {
+        is_default_used_ = true;
         return static_cast<ClassIndex>(used_.size());
     }
-    bool is_unnamed_used() const { return is_unnamed_used_; }
+    bool is_default_used() const { return is_default_used_; }
     bool is_used(std::size_t i) const { return used_[i]; }
 
   private:
     std::map<std::string_view, std::size_t> index_;
     std::vector<bool> used_;
-    bool is_unnamed_used_ = false;
+    bool is_default_used_ = false;
 };
 
 class Resolver {
@@ -78,14 +78,14 @@ class Resolver {
             result_.emitters.push_back(resolve_kind(emitter.kind));
         }
         make_classes();
-        make_parts();
-        make_meetings();
+        make_device_materials();
+        make_collision_matrix();
         warn_unused();
         return std::move(result_);
     }
 
   private:
-    // Nobody reads the hundredth remedy, and to look for it takes time.
+    // Searching for a similar name takes time, so it is done only for the first messages.
     std::string remedy(const Word& word, const std::vector<std::string_view>& known,
                        std::string otherwise) const {
         if (context_.reporter.errors() > 10 * max_diagnostics) return otherwise;
@@ -93,7 +93,7 @@ class Resolver {
     }
 
     ResolvedBalls resolve_kind(const std::optional<Word>& name) {
-        if (!name) return {kinds_.unnamed(), true};
+        if (!name) return {kinds_.default_class(), true};
         if (const auto kind = kinds_.find(name->text)) {
             return {*kind, ir_.kinds[*kind].is_valid};
         }
@@ -125,14 +125,14 @@ class Resolver {
             edges.is_valid = found.has_value();
             edges.material = found.value_or(ClassIndex{0});
         } else if (binding.makes_edges && !binding.device_material) {
-            edges.material = materials_.unnamed();
+            edges.material = materials_.default_class();
         }
         if (binding.device_material) is_of_own_material_.push_back(!material);
         if (!words.empty()) take_name(words[0], binding.may_begin_with_material, edges);
         return edges;
     }
 
-    // One word before the points may be a misspelt material: that is worth a warning.
+    // Takes a word before the points as a name, and warns if it resembles a material.
     void take_name(const Word& word, bool may_be_material, ResolvedEdges& edges) {
         if (!is_identifier(word.text)) {
             context_.reporter.error("not-a-name", word.span(),
@@ -168,11 +168,11 @@ class Resolver {
             result_.material_layers.push_back(spec.layer);
             result_.layers = std::max<std::size_t>(result_.layers, spec.layer + 1u);
         }
-        if (kinds_.is_unnamed_used() || result_.kinds.empty()) {
+        if (kinds_.is_default_used() || result_.kinds.empty()) {
             result_.kinds.emplace_back();
             result_.kind_names.emplace_back("ball");
         }
-        if (materials_.is_unnamed_used() || result_.materials.empty()) {
+        if (materials_.is_default_used() || result_.materials.empty()) {
             result_.materials.emplace_back();
             result_.material_names.emplace_back("edge");
             result_.material_layers.push_back(0);
@@ -186,9 +186,9 @@ class Resolver {
         }
     }
 
-    // Parts are made of materials of their own: what they are usually made of, or the named one
-    // with their kick.
-    void make_parts() {
+    // Gives pinball devices materials of their own: the default material of the device, or the
+    // named one, with the kick of the device.
+    void make_device_materials() {
         const std::size_t first = result_.materials.size();
         std::size_t part = 0;
         for (std::size_t i = 0; i < ir_.edge_bindings.size(); ++i) {
@@ -208,13 +208,14 @@ class Resolver {
             }
             const std::string name(is_own ? binding.node->statement->name
                                           : result_.material_names[edges.material]);
-            edges.material = part_material(made, name, first, binding.node->keyword().span());
+            edges.material =
+                find_or_add_material(made, name, first, binding.node->keyword().span());
             result_.material_layers.resize(result_.materials.size(), layer);
         }
     }
 
-    ClassIndex part_material(const Material& made, const std::string& name, std::size_t first,
-                             const Span& at) {
+    ClassIndex find_or_add_material(const Material& made, const std::string& name,
+                                    std::size_t first, const Span& at) {
         for (std::size_t i = first; i < result_.materials.size(); ++i) {
             if (result_.material_names[i] == name && are_same(result_.materials[i], made))
                 return static_cast<ClassIndex>(i);
@@ -231,7 +232,7 @@ class Resolver {
         return static_cast<ClassIndex>(result_.materials.size() - 1);
     }
 
-    // A kind may be called ball, as long as nobody has to guess which balls are meant.
+    // Whether "ball" or "edge" in `collide` is both the name of one class and the word for all.
     bool is_ambiguous(const Word& word, std::string_view all, std::string_view name,
                       std::size_t of_its_sort) {
         if (word.text != all || name != all || of_its_sort == 1) return false;
@@ -243,7 +244,7 @@ class Resolver {
         return true;
     }
 
-    // The classes that a word of `collide` stands for; empty: reported.
+    // The classes that a word of `collide` stands for; empty: an error, which is reported.
     const std::vector<std::size_t>& classes_of(const Word& word) {
         std::vector<std::size_t>& known = classes_[word.text];
         if (known.empty()) known = find_classes(word);
@@ -276,24 +277,24 @@ class Resolver {
         return {};
     }
 
-    void make_meetings() {
+    void make_collision_matrix() {
         if (ir_.collides.empty() && result_.layers == 1) return;
         const std::size_t kinds = result_.kinds.size();
         const std::size_t classes = kinds + result_.materials.size();
-        result_.meets.assign(classes * classes, ir_.collides.empty() ? 1 : 0);
-        make_declared_meetings();
+        result_.collision_matrix.assign(classes * classes, ir_.collides.empty() ? 1 : 0);
+        add_declared_collisions();
         const auto layer_of = [&](std::size_t i) {
             return i < kinds ? result_.kinds[i].layer : result_.material_layers[i - kinds];
         };
         for (std::size_t i = 0; i < classes; ++i)
             for (std::size_t k = 0; k < classes; ++k)
-                if (layer_of(i) != layer_of(k)) result_.meets[i * classes + k] = 0;
+                if (layer_of(i) != layer_of(k)) result_.collision_matrix[i * classes + k] = 0;
     }
 
-    void make_declared_meetings() {
+    void add_declared_collisions() {
         const std::size_t kinds = result_.kinds.size();
         const std::size_t classes = kinds + result_.materials.size();
-        // Each pair of words once: `ball ball` alone can be a million pairs of kinds.
+        // Handle each pair of words once: `ball ball` alone can be a million pairs of kinds.
         std::set<std::pair<std::string_view, std::string_view>> done;
         for (const CollideIr& collide : ir_.collides) {
             if (!done.emplace(collide.a.text, collide.b.text).second) continue;
@@ -301,7 +302,8 @@ class Resolver {
             const std::vector<std::size_t>& b = classes_of(collide.b);
             for (const std::size_t i : a) {
                 for (const std::size_t k : b) {
-                    result_.meets[i * classes + k] = result_.meets[k * classes + i] = 1;
+                    result_.collision_matrix[i * classes + k] =
+                        result_.collision_matrix[k * classes + i] = 1;
                 }
             }
             const auto is_edge = [&](std::size_t i) { return i >= kinds; };
@@ -315,7 +317,7 @@ class Resolver {
     }
 
     void warn_unused() {
-        // What is in error may be what would have used it.
+        // A statement with an error may be the one that uses the name.
         if (context_.reporter.has_errors()) return;
         const auto warn = [&](const Word& name, std::string_view what) {
             if (!name.source->included_from.empty() || name.source->name == "--set") return;
@@ -344,35 +346,37 @@ class Resolver {
     Classes kinds_;
     Classes materials_;
     std::size_t kinds_of_a_layer_ = 0;
-    std::vector<bool> is_of_own_material_;                          ///< by binding of a part
-    std::map<std::string_view, std::vector<std::size_t>> classes_;  ///< by a word of `collide`
+    std::vector<bool> is_of_own_material_;  ///< for each binding of a device
+    std::map<std::string_view, std::vector<std::size_t>> classes_;  ///< for each word of `collide`
     ResolvedNames result_;
 };
 
 }  // namespace
 
-bool ResolvedNames::kinds_meet(ClassIndex a, ClassIndex b) const {
-    return meets.empty() || meets[a * (kinds.size() + materials.size()) + b] != 0;
+bool ResolvedNames::kinds_collide(ClassIndex a, ClassIndex b) const {
+    return collision_matrix.empty() ||
+           collision_matrix[a * (kinds.size() + materials.size()) + b] != 0;
 }
 
-bool ResolvedNames::kind_meets_material(ClassIndex kind, ClassIndex material) const {
-    return meets.empty() ||
-           meets[kind * (kinds.size() + materials.size()) + kinds.size() + material] != 0;
+bool ResolvedNames::kind_collides_with(ClassIndex kind, ClassIndex material) const {
+    return collision_matrix.empty() ||
+           collision_matrix[kind * (kinds.size() + materials.size()) + kinds.size() + material] !=
+               0;
 }
 
-bool ResolvedNames::some_balls_meet() const {
+bool ResolvedNames::some_balls_collide() const {
     for (std::size_t a = 0; a < kinds.size(); ++a) {
         for (std::size_t b = 0; b < kinds.size(); ++b) {
-            if (kinds_meet(static_cast<ClassIndex>(a), static_cast<ClassIndex>(b))) return true;
+            if (kinds_collide(static_cast<ClassIndex>(a), static_cast<ClassIndex>(b))) return true;
         }
     }
     return false;
 }
 
-bool ResolvedNames::some_edges_meet() const {
+bool ResolvedNames::some_edges_collide() const {
     for (std::size_t a = 0; a < kinds.size(); ++a) {
         for (std::size_t m = 0; m < materials.size(); ++m) {
-            if (kind_meets_material(static_cast<ClassIndex>(a), static_cast<ClassIndex>(m))) {
+            if (kind_collides_with(static_cast<ClassIndex>(a), static_cast<ClassIndex>(m))) {
                 return true;
             }
         }
@@ -380,11 +384,12 @@ bool ResolvedNames::some_edges_meet() const {
     return false;
 }
 
-bool ResolvedNames::all_meet() const {
-    // Edges do not meet edges, whatever the table says of them.
+bool ResolvedNames::all_collide() const {
+    // The entries for two materials do not count: edges do not collide with edges.
     const std::size_t classes = kinds.size() + materials.size();
-    for (std::size_t i = 0; i < meets.size(); ++i) {
-        if (meets[i] == 0 && (i / classes < kinds.size() || i % classes < kinds.size())) {
+    for (std::size_t i = 0; i < collision_matrix.size(); ++i) {
+        if (collision_matrix[i] == 0 &&
+            (i / classes < kinds.size() || i % classes < kinds.size())) {
             return false;
         }
     }

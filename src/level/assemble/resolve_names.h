@@ -5,14 +5,15 @@
 
 #include "level/ir/context.h"
 
-/// Names looked up, once the whole file is known: kinds, materials, and who meets whom.
+/// Resolves the names of kinds and materials, once the whole file is read, and which of them
+/// collide.
 namespace carom {
 
 struct ResolvedEdges {
     ClassIndex material = 0;
-    std::string name;  ///< empty: none
+    std::string name;  ///< empty: the edges have none
     Span name_at;
-    bool is_valid = true;  ///< false: its material is not known, told already
+    bool is_valid = true;  ///< false: its material is unknown, which is reported
 };
 
 struct ResolvedBalls {
@@ -21,28 +22,29 @@ struct ResolvedBalls {
 };
 
 struct ResolvedNames {
-    std::vector<ResolvedEdges> edges;     ///< by LevelIr::edge_bindings
-    std::vector<ResolvedBalls> balls;     ///< by LevelIr::ball_bindings
-    std::vector<ResolvedBalls> fills;     ///< by LevelIr::fills
-    std::vector<ResolvedBalls> emitters;  ///< by LevelIr::emitters
+    std::vector<ResolvedEdges> edges;     ///< for each of LevelIr::edge_bindings
+    std::vector<ResolvedBalls> balls;     ///< for each of LevelIr::ball_bindings
+    std::vector<ResolvedBalls> fills;     ///< for each of LevelIr::fills
+    std::vector<ResolvedBalls> emitters;  ///< for each of LevelIr::emitters
     std::vector<Kind> kinds;
     std::vector<std::string> kind_names;
     std::vector<Material> materials;
     std::vector<std::string> material_names;
-    std::vector<std::uint8_t> material_layers;  ///< by `materials`
-    std::size_t layers = 1;                     ///< `kinds` has each kind once a layer
-    /// As World::meets; empty: all meet.
-    std::vector<std::uint8_t> meets;
+    std::vector<std::uint8_t> material_layers;  ///< for each of `materials`
+    std::size_t layers = 1;                     ///< `kinds` has each kind once for each layer
+    /// The collision matrix of kinds and materials, like World::meets; empty: all collide.
+    std::vector<std::uint8_t> collision_matrix;
 
-    bool kinds_meet(ClassIndex a, ClassIndex b) const;
-    bool kind_meets_material(ClassIndex kind, ClassIndex material) const;
-    bool some_balls_meet() const;
-    bool some_edges_meet() const;
-    bool all_meet() const;
+    bool kinds_collide(ClassIndex a, ClassIndex b) const;
+    bool kind_collides_with(ClassIndex kind, ClassIndex material) const;
+    bool some_balls_collide() const;
+    bool some_edges_collide() const;
+    bool all_collide() const;
 };
 
-/// Reports unknown names, and warns of unused ones. The kind "ball" and the material "edge" stand
-/// for those that the level does not name; they are there when they are used, or nothing else is.
+/// Reports unknown names, and warns of unused ones. Balls without a kind have the kind "ball", and
+/// edges without a material the material "edge"; each is there if it is used, or if the level
+/// declares no other.
 ResolvedNames resolve_names(Context& context);
 
 }  // namespace carom

@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-// "name(inside)" taken apart; none when the word is not of that form.
+// The parts of "name(inside)"; none: the word is not of that form.
 struct Call {
     Word name;
     Word inside;

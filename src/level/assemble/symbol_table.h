@@ -3,7 +3,7 @@
 #include "level/assemble/assemble.h"
 #include "level/assemble/resolve_names.h"
 
-/// Names that people give to balls, edges and bins, and what refers to them.
+/// The symbol table: the names of balls, edges and bins, and the statements that refer to them.
 namespace carom {
 
 class SymbolTable {
@@ -11,18 +11,18 @@ class SymbolTable {
     SymbolTable(const LevelIr& ir, const ResolvedNames& names, Context& context)
         : ir_(ir), names_(names), context_(context) {}
 
-    /// Gives each named ball its own name: the first of a statement the plain one, its copies
-    /// NAME.2, NAME.3 ...; a cradle's balls NAME.1, NAME.2 ... Reports names that are taken.
+    /// Names the balls: the first ball of a statement NAME gets NAME, and its copies NAME.2, NAME.3
+    /// ...; the balls of a cradle or a rack get NAME.1, NAME.2 ... Reports names that are taken.
     void name_balls(const std::vector<StartingBall>& balls);
 
-    /// Reports what `show` and `expect` say wrong, without a world.
+    /// Reports unknown names in `show` and `expect`; needs no world.
     void check_references();
 
-    /// Pre: the scene's world has all balls and capsules. Fills in names, groups, zones, counters,
-    /// shows and expects.
+    /// Sets the names, groups, zones, counters, shows and expects of the scene. Pre: its world has
+    /// all balls and capsules.
     void fill_in(Scene& scene);
 
-    /// By LevelIr::zones, the index into World::zones. Pre: filled in.
+    /// The index into World::zones for each of LevelIr::zones. Pre: filled in.
     const std::vector<std::uint32_t>& world_zones() const { return world_zones_; }
 
   private:

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t max_included_bytes = 16u << 20;
 
-// Why a path is refused; empty when it is not.
+// The reason for which a path is refused; empty: it is accepted.
 std::string_view refusal(std::string_view path) {
     if (path.empty()) return "the path is empty";
     if (path.find('\\') != std::string_view::npos) return "the path has a '\\'";

@@ -66,7 +66,7 @@ bool Interpreter::count_step(const Node& node) {
     return false;
 }
 
-// `stands_at`: the place in the file, also where an override is run in its stead.
+// `stands_at` is the place in the file, also if `node` is an override that replaces the statement.
 void Interpreter::run_statement(const Node& node, const Frame& frame, const Span& stands_at) {
     const Statement& statement = *node.statement;
     if (!is_first_of_its_kind(statement, stands_at)) return;

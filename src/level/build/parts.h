@@ -8,7 +8,7 @@
 
 #include "level/ir/arguments.h"
 
-/// What `part` has defined, and what `place` asks of it.
+/// The parts that a level defines with `part` and uses with `place`.
 namespace carom {
 
 using Names = std::map<std::string, Variable, std::less<>>;
@@ -17,24 +17,27 @@ class Parts {
   public:
     explicit Parts(Context& context) : context_(context) {}
 
-    /// Carries out a `part`: its defaults are evaluated here and now.
+    /// Defines a part. Its defaults are evaluated now, in `scope`.
     void define(const Arguments& arguments, const Scope& scope);
 
-    /// What a `place` puts down: a body, and the values of the part's keys.
+    /// A use of a part: its body, and the values of its keys.
     struct Placed {
         const Node* node = nullptr;
         Names names;
     };
-    /// None: reported.
+    /// Binds the keys of a part to the values that `place` gives, or to their defaults. None:
+    /// reported.
     std::optional<Placed> bind(const Arguments& arguments, const Scope& scope);
 
+    /// Warns of parts that are never placed, but for those of included files.
     void warn_unplaced();
 
   private:
     struct Part {
         const Node* node = nullptr;
         Span span;
-        std::vector<std::pair<Word, std::optional<Variable>>> keys;  ///< none: must be given
+        std::vector<std::pair<Word, std::optional<Variable>>>
+            keys;  ///< with their defaults; none: `place` must give it
         bool is_placed = false;
     };
     Part* find(const Word& name);

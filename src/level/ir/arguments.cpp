@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-// Sorts the words of one statement into what they are.
+// Parses the words of one statement.
 class Reading {
   public:
     Reading(const Node& node, const Scope& scope, Context& context)
@@ -39,7 +39,7 @@ class Reading {
         result_.is_valid = false;
     }
 
-    // "a = 1" and "W / 2": one mistake, though it makes several odd words.
+    // Reports the first lone sign of "a = 1" or "W / 2", and not the words around it as well.
     bool check_spaces(const std::vector<Word>& words) {
         if (statement().takes_lone_signs) return true;
         for (const Word& word : words) {
@@ -53,7 +53,7 @@ class Reading {
         return true;
     }
 
-    // Names come first: what stands behind a point or a key is a flag, misspelt, or a mistake.
+    // Plain words come first. After a point or a key, a word that is no flag is an error.
     void read_plain(const Word& word) {
         if (result_.points.empty() && result_.values.empty() && result_.own_keys.empty()) {
             result_.plain.push_back(word);
@@ -193,7 +193,7 @@ class Reading {
         return true;
     }
 
-    // Whether the level says `use spin` is known when all of it is read.
+    // Records a value that needs `use spin`, which may come later in the file (check_terms).
     void note_need(const KeyRule& key, const Word& value) {
         if (!key.needs_spin) return;
         if (context_.spin_needs_seen.insert(value.text.data()).second)

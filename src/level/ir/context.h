@@ -13,37 +13,37 @@
 #include "level/text/reporter.h"
 #include "level/values/expression.h"
 
-/// What the stages of loading share.
+/// State that the stages of loading share.
 namespace carom {
 
-/// A `let`, told by where it stands: unrolled a thousand times it is still one.
+/// Whether a `let` is used. One in a block counts once, however often the block runs.
 struct LetUse {
     Span span;
     std::string name;
     bool is_used = false;
 };
 
-/// A statement, and a word of it: the same each time that the statement is unrolled. Only looked
-/// up, never walked through, so that no order depends on addresses.
+/// A statement and one of its words: the same key each time that the statement runs. Keys are
+/// looked up but never iterated over, so no result depends on the order of addresses.
 using BindingKey = std::pair<const Node*, const char*>;
 
 struct Context {
     Reporter reporter;
     LevelIr ir;
     LengthUnit unit = LengthUnit::natural;
-    /// The `units` line had a mistake: nothing is concluded from units.
+    /// The line `units` had an error, so numbers are not checked for their units.
     bool is_unit_unknown = false;
-    /// Top-level lets and their lines, known before the unrolling.
+    /// The lets of the top level and their lines, known before any statement runs.
     std::map<std::string, int, std::less<>> top_level_lets;
     std::map<const char*, LetUse> lets;
     std::map<BindingKey, std::size_t> edge_binding_index;
     std::map<BindingKey, std::size_t> ball_binding_index;
-    /// Values of LevelIr::spin_needs: unrolled a thousand times, one is still one. Only looked up.
+    /// The values in LevelIr::spin_needs, so that a repeated statement adds each of them once.
     std::set<const char*> spin_needs_seen;
     std::uint64_t seed = 0;
-    /// How often fills have looked at an obstacle: bounds the work.
+    /// Obstacles that fills have tested so far: bounds the work.
     std::uint64_t fill_tests = 0;
-    /// Too many balls or edges: no more are unrolled.
+    /// There are too many balls or edges: the interpreter stops.
     bool is_at_limit = false;
 
     ExpressionRules rules() const {

@@ -2,15 +2,15 @@
 
 #include "level/ir/context.h"
 
-/// The ways into the draft, which keep the limits on how much a level makes. Shapes are in the
-/// frame's coordinates.
+/// Functions that add to the intermediate representation and enforce its limits. Shapes are given
+/// in the coordinates of the frame.
 namespace carom {
 
-/// False when the level has too many balls; told once.
+/// Counts balls to come. False: the level has too many, which is reported once.
 bool reserve_balls(std::uint64_t count, const Span& at, Context& context);
-/// Starts a chain of capsules.
+/// Starts a chain: capsules that are pieces of one edge. Gives its index.
 int begin_chain(bool is_closed, Context& context);
-/// False when the level has too many edges; told once.
+/// Adds a capsule. False: the level has too many, which is reported once.
 bool emit_capsule(const Capsule& shape, Side side, int binding, int chain, const Span& at,
                   const Frame& frame, Context& context);
 int bind_edges(EdgeBinding binding, Context& context);

@@ -9,9 +9,10 @@
 #include "level/scene/scene.h"
 #include "level/values/expression.h"
 
-/// A level with its arithmetic done and its blocks unrolled, but its names not yet looked up:
-/// order in the file is free, so kinds and materials may come last. All numbers are the world's
-/// (SI or natural; radians).
+/// The intermediate representation (IR) of a level: its arithmetic is done and its blocks are
+/// expanded, but its names are not resolved, since a kind or a material may be declared after its
+/// use. An XIr is the IR of an X of the scene. All numbers are in the units of the world (SI or
+/// natural, radians).
 namespace carom {
 
 struct KindIr {
@@ -21,39 +22,39 @@ struct KindIr {
     std::optional<double> density;
     std::optional<double> restitution;
     double friction = 0.0;
-    bool is_valid = true;  ///< false: it had a mistake, so nothing is concluded from it
+    bool is_valid = true;  ///< false: its statement had an error
 };
 
 struct MaterialIr {
     Word name;
     Material values;
-    std::uint8_t layer = 0;  ///< on which its edges stand
+    std::uint8_t layer = 0;  ///< the layer of its edges
 };
 
-/// What a statement calls the edges that it draws. The words say no more than that: whether the
-/// first of `plain` is a material or a name is decided when all materials are known.
+/// Binds the edges of a statement to a material and a name. Whether the first of `plain` is a
+/// material or a name is known when all materials are.
 struct EdgeBinding {
     const Node* node = nullptr;
     std::vector<Word> plain;
     bool may_begin_with_material = false;
-    std::optional<Word> material{};  ///< of a key material=
-    bool makes_edges = true;         ///< false: only zones, which have no material
-    /// Of a part: what it is made of where no material is named, and its kick in any case.
+    std::optional<Word> material{};  ///< the value of material=
+    bool makes_edges = true;         ///< false: the statement makes zones, which have no material
+    /// A pinball device: its material where the author names none; its kick in any case.
     std::optional<Material> device_material{};
 };
 
-/// What a statement calls its balls, and of which kind they are.
+/// Binds the balls of a statement to a name and a kind.
 struct BallBinding {
     const Node* node = nullptr;
     std::optional<Word> name;
     std::optional<Word> kind;
-    bool is_numbered = false;  ///< also the first has a suffix: a cradle's
+    bool is_numbered = false;  ///< the first ball has a suffix too, as in a cradle
 };
 
-/// Where something comes from: for messages, and to tell copies made by `mirror`.
+/// The source of an item: its place in the file, and which mirror image it is.
 struct Origin {
     Span span;
-    int image = 0;  ///< which image, of any mirror; 0: the original
+    int image = 0;  ///< a number for each image of each mirror; 0: the original
 };
 
 struct BallIr {
@@ -64,7 +65,7 @@ struct BallIr {
     std::optional<double> restitution;
     double spin = 0.0;  ///< rad/s
     std::optional<Vec2> roll;
-    /// Of a rack: how far from `position`, in diameters and gaps.
+    /// In a rack: the offset from `position`, in units of a diameter plus the gap.
     Vec2 racked;
     double gap = 0.0;
     int binding = 0;  ///< index into LevelIr::ball_bindings
@@ -75,14 +76,14 @@ struct CapsuleIr {
     Capsule shape;
     Side side = Side::both;
     int binding = 0;  ///< index into LevelIr::edge_bindings
-    int chain = 0;    ///< pieces of one edge, arc or box share it
+    int chain = 0;    ///< index into LevelIr::chains; pieces of one edge share it
     Origin origin;
     int device = -1;  ///< index into LevelIr::devices; -1: none
 };
 
 struct ChainIr {
     bool is_closed = false;
-    bool has_gaps = true;  ///< false: no ball comes to its ends, so gaps there are no mistake
+    bool has_gaps = true;  ///< false: gaps at its ends are intended
 };
 
 struct ZoneIr {
@@ -93,17 +94,17 @@ struct ZoneIr {
     bool is_pocket = false;
 };
 
-/// A device, but for what it is drawn as: the capsules and zones that refer to it. One to which
-/// nothing refers (the twin of another in a mirror) is no device, but for a lamp.
+/// A pinball device. Its shapes are the capsules and zones that refer to it. A device without
+/// shapes is a mirror duplicate, and dropped, unless it is a lamp.
 struct DeviceIr {
     Device device;
     int binding = 0;  ///< index into LevelIr::edge_bindings
     std::optional<Flipper> flipper{};
-    Button button = Button::left_flipper;  ///< of the flipper
+    Button button = Button::left_flipper;  ///< moves the flipper
     Origin origin{};
 };
 
-/// An action and a rule, before their names are looked up.
+/// An action of a rule, and a rule, with unresolved names.
 struct RuleActionIr {
     RuleAction action;
     std::optional<Word> group;
@@ -120,7 +121,7 @@ struct RuleIr {
     std::vector<RuleActionIr> actions;
 };
 
-/// Where balls are racked; the balls themselves are drafts of their own.
+/// The place of a rack. Its balls are among LevelIr::balls.
 struct RackIr {
     Rack::Shape shape = Rack::Shape::eight;
     Vec2 foot;
@@ -140,16 +141,16 @@ struct EmitterIr {
     Origin origin;
 };
 
-/// Balls to be placed by chance, once all else stands.
+/// Balls that assembly places at random, after everything else.
 struct FillIr {
     std::optional<Word> kind;
     std::uint32_t count = 0;
     Box box;
-    double least_radius = 0.0;  ///< 0: the kind's
+    double least_radius = 0.0;  ///< 0: that of the kind
     double most_radius = 0.0;
-    std::optional<Word> radius_of_mass;  ///< r= where it is an expression of the mass m
-    Scope scope;                         ///< what has a value in it
-    double least_mass = 0.0;             ///< 0: the kind's
+    std::optional<Word> radius_of_mass;  ///< r=, if it is an expression of the mass m
+    Scope scope;                         ///< the variables that radius_of_mass uses
+    double least_mass = 0.0;             ///< 0: that of the kind
     double most_mass = 0.0;
     std::optional<double> density;
     std::optional<double> restitution;
@@ -157,8 +158,8 @@ struct FillIr {
     double least_speed = 0.0;
     double most_speed = 0.0;
     double rms_speed = 0.0;
-    std::size_t balls_before = 0;  ///< LevelIr::balls that precede it in the file
-    int number = 0;                ///< its own stream of chance
+    std::size_t balls_before = 0;  ///< how many LevelIr::balls precede it in the file
+    int number = 0;                ///< index of its random stream
     Origin origin;
 };
 
@@ -181,7 +182,7 @@ struct ExpectIr {
     std::optional<double> at;
 };
 
-/// A value other than 0 that means something only under `use spin`.
+/// A value other than 0 that has an effect only under `use spin`.
 struct SpinNeed {
     std::string_view key;
     Word value;
@@ -194,7 +195,7 @@ struct LevelSettings {
     std::optional<double> speed_limit;
     std::optional<double> scatter;  ///< radians
     std::optional<double> spin;     ///< moment of inertia / (m r^2)
-    std::optional<double> inertia;  ///< the same, where the level says it
+    std::optional<double> inertia;  ///< of `use spin inertia=`
     std::optional<Cloth> cloth;
     std::optional<Span> cloth_at;
     std::optional<Span> wrap;
@@ -205,12 +206,12 @@ struct LevelSettings {
     std::optional<std::uint64_t> seed;
     std::optional<std::string> game;
     std::optional<Span> game_at;
-    PinballTable table;      ///< its settings, of `game pinball`
-    std::uint32_t race = 0;  ///< of a game of pool, and so is the clock
-    double clock = 0.0;
+    PinballTable table;      ///< the settings of `game pinball`; no devices
+    std::uint32_t race = 0;  ///< of a game of pool
+    double clock = 0.0;      ///< of a game of pool, s
 };
 
-/// What a letter of a map stands for.
+/// The meaning of a letter of a map.
 struct LegendIr {
     enum class What { ball, peg, solid };
     What what = What::ball;
@@ -238,19 +239,20 @@ struct LevelIr {
     std::vector<RuleIr> rules;
     std::vector<CollideIr> collides;
     std::vector<SpinNeed> spin_needs;
-    std::optional<Span> needs_cloth;  ///< the first value that means nothing without it
+    std::optional<Span> needs_cloth;  ///< the first value that needs `use cloth`
     std::vector<ShowIr> shows;
     std::vector<ExpectIr> expects;
     std::map<std::string, LegendIr, std::less<>> legends;  ///< by letter
-    /// Names of balls, edges and bins whose statements had a mistake: they exist all the same.
+    /// Names of balls, edges and bins that stand for error values: their statements had errors, so
+    /// references to them are not reported.
     std::vector<std::string> error_names;
-    std::uint64_t balls_reserved = 0;  ///< balls, fills and emitters together
+    std::uint64_t balls_reserved = 0;  ///< balls of all statements, fills and emitters
 };
 
-/// Most kinds and materials together.
+/// The most kinds and materials together.
 inline constexpr std::size_t max_classes = 1000;
 
-/// Most balls, most edges and most statements that a level may unroll to.
+/// The most balls, the most edges, and the most statements that a level may run.
 inline constexpr std::uint64_t max_items = 1'000'000;
 
 }  // namespace carom

@@ -11,11 +11,11 @@
 namespace carom {
 namespace {
 
-// Beyond these, squares and fourth powers in the physics would overflow or vanish.
+// Beyond these bounds, squares and fourth powers in the physics would overflow or underflow.
 constexpr double largest_quantity = 1e18;
 constexpr double smallest_positive = 1e-18;
 
-// "r=", "rate ", or nothing.
+// The text of a label before its number: "r=", "rate ", or nothing.
 std::string lead_of(const Label& label) {
     return label.name.empty() || label.joint.empty() ? ""
                                                      : fmt::format("{}{}", label.name, label.joint);
@@ -26,7 +26,7 @@ std::string remedy_for(const Label& label, Measure measure, const Context& conte
                        sample(measure, context.unit));
 }
 
-// The world's number, or a message that names both what is there and what is wanted.
+// Converts a value to the units of the world, or reports a wrong dimension.
 std::optional<double> converted(const Word& word, const Value& value, const Label& label,
                                 Measure measure, Context& context) {
     if (context.is_unit_unknown) return value.number;
@@ -108,7 +108,7 @@ std::string_view demand(Bound bound) {
     return "";
 }
 
-// Every number of a level passes here. The remedy shows the author's own number, mended.
+// Checks the bounds of a number. A remedy shows the number that the author wrote, corrected.
 std::optional<double> bounded(const Word& word, double number, const Label& label, Measure measure,
                               Bound bound, Context& context) {
     const std::string subject(label.name.empty() ? described(measure) : std::string(label.name));
@@ -153,7 +153,7 @@ std::string numbers_wanted(std::size_t there, int wanted) {
                        there == 1 ? "number stands" : "numbers stand", wanted);
 }
 
-// An open bracket hides the commas behind it: that is the mistake, not their number.
+// Reports an open bracket, which hides the commas behind it, in place of a wrong count of numbers.
 bool are_brackets_closed(const Word& word, Reporter& reporter) {
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < word.text.size(); ++i) {

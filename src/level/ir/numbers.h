@@ -8,30 +8,30 @@
 #include "level/ir/context.h"
 #include "level/language/statement.h"
 
-/// Words to numbers: evaluated, in the world's units (angles in degrees), within bounds. Where
-/// there is no number, the mistake has been reported, or something that the word uses is poisoned.
+/// Evaluates words to numbers in the units of the world (angles in degrees), and checks dimensions
+/// and bounds. No result: an error, which is reported, or the use of an error value.
 namespace carom {
 
-/// What a message calls a number, and how its remedy writes it: r=2, rate 120, or just 2.
+/// The name of a number in messages, and how a remedy writes it: r=2, rate 120, or 2 alone.
 struct Label {
     std::string_view name;
     std::string_view joint = "=";  ///< empty: the remedy shows the number alone
 };
 
-/// One number, in the world's units (angles in degrees), within bounds. None: reported, or poison.
+/// A number.
 std::optional<double> read_number(const Word& word, const Label& label, Measure measure,
                                   Bound bound, const Scope& scope, Context& context);
 
-/// "x" or "a..b": the two ends, in order.
+/// A range "a..b", or "a", which stands for "a..a": its ends, the smaller first.
 std::optional<std::pair<double, double>> read_range(const Word& word, const Label& label,
                                                     Measure measure, Bound bound,
                                                     const Scope& scope, Context& context);
 
-/// "x,y".
+/// A pair "x,y".
 std::optional<Vec2> read_pair(const Word& word, std::string_view name, Measure measure, Bound bound,
                               const Scope& scope, Context& context);
 
-/// "x0,y0,x1,y1", lower left corner first.
+/// A box "x0,y0,x1,y1", lower left corner first.
 std::optional<std::array<double, 4>> read_box(const Word& word, std::string_view name,
                                               Measure measure, const Scope& scope,
                                               Context& context);

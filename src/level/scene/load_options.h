@@ -17,11 +17,13 @@ struct IncludedFile {
     std::string text;
 };
 
-/// Finds `path`, as written in the level `from`. The loader has already refused absolute and upward
-/// paths. None: there is no such file.
+/// Finds the file `path`, as written in the level `from`. The loader has already refused absolute
+/// paths and paths that lead upward. None: there is no such file.
 using IncludeResolver =
     std::function<std::optional<IncludedFile>(std::string_view from, std::string_view path)>;
 
+/// What the caller of the loader sets. The seed, the rate and the solver outrank those of the
+/// level.
 struct LoadOptions {
     IncludeResolver resolve_include;     ///< absent: every include is an error
     std::vector<std::string> overrides;  ///< statements that replace the file's, from --set

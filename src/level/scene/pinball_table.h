@@ -15,21 +15,21 @@
 namespace carom {
 
 enum class DeviceKind : std::uint8_t {
-    edge,        ///< an edge, arc, peg or box that rules speak of
+    edge,        ///< an edge, arc, peg or box that a rule names
     flipper,     ///< World::flippers moves it
     bumper,      ///< kicks: Material::kick
     slingshot,   ///< kicks
-    plunger,     ///< sends balls that lie on it
+    plunger,     ///< launches balls that rest on it
     gate,        ///< a one-way edge
-    droptarget,  ///< an edge that steps aside when it is hit
-    target,      ///< an edge that stays
+    droptarget,  ///< an edge that drops when a ball hits it
+    target,      ///< a standing target: an edge that stays up
     rollover,    ///< a zone
-    spinner,     ///< a zone whose vane a ball sets turning
-    kickback,    ///< a zone that, while lit, sends balls back
-    drain,       ///< a zone that swallows balls
+    spinner,     ///< a zone with a vane that a passing ball spins
+    kickback,    ///< a zone that sends balls back while it is lit
+    drain,       ///< a zone that removes balls from play
     lamp,        ///< a light, and nothing else
-    hole,        ///< a zone that keeps a ball for a while, and then sends it on
-    ramp         ///< a zone that takes balls which pass it to another layer
+    hole,        ///< a saucer: a zone that holds a ball for a time, then ejects it
+    ramp         ///< a zone that moves passing balls to another layer
 };
 
 /// What a kind of device can do, for the statements and the rules of a level.
@@ -75,18 +75,18 @@ struct Device {
     double least_speed = 0.0;  ///< plunger: hardly pulled, length/s
     double most_speed = 0.0;   ///< plunger: pulled all the way; kickback, hole: always
     double hold = 0.0;         ///< hole: s
-    std::uint8_t from = 0;     ///< ramp: the layer before it
-    std::uint8_t to = 0;       ///< and behind it
+    std::uint8_t from = 0;     ///< ramp: the layer that a ball leaves
+    std::uint8_t to = 0;       ///< ramp: the layer that it enters
 };
 
-/// Devices that share a name, in the order in which they are drawn.
+/// Devices that share a name, in the order of the file.
 struct DeviceGroup {
     std::string name;
     DeviceKind kind = DeviceKind::edge;
     std::vector<std::uint32_t> devices;
 };
 
-/// What a player can press. A nudge sends the balls on the table that way.
+/// The buttons of a table. A nudge pushes the balls on the table in its direction.
 enum class Button : std::uint8_t {
     left_flipper,
     right_flipper,
@@ -100,21 +100,21 @@ inline constexpr int button_count = 6;
 struct RuleAction {
     enum class What : std::uint8_t {
         score,       ///< adds `amount`
-        bonus,       ///< adds it, or sets to it
-        multiplier,  ///< of the bonus: the same
-        multiball,   ///< so many balls in play
-        save,        ///< a drained ball comes back, for `seconds`
-        extraball,   ///< the same player plays once more
-        reset,       ///< lights of `group` off, its targets up
+        bonus,       ///< adds `amount` to the bonus, or sets it
+        multiplier,  ///< adds `amount` to the multiplier of the bonus, or sets it
+        multiball,   ///< `amount` balls in play
+        save,        ///< drained balls return to play for `seconds`
+        extraball,   ///< the player gets another ball
+        reset,       ///< lights of `group` off, its drop targets up
         light,       ///< lights of `group` on
-        unlight,     ///< and off
-        advance,     ///< the next light of `group` on
-        message      ///< `text` is shown
+        unlight,     ///< lights of `group` off
+        advance,     ///< the first unlit light of `group` on
+        message      ///< shows `text`
     };
     What what = What::score;
     std::int64_t amount = 0;
     bool adds = false;     ///< bonus, multiplier
-    double seconds = 0.0;  ///< save; light: 0 is for good
+    double seconds = 0.0;  ///< save: how long; light: how long, or 0 until it is put out
     std::uint32_t group = 0;
     std::string text;
 };
@@ -123,14 +123,14 @@ struct RuleAction {
 struct Rule {
     enum class When : std::uint8_t {
         hit,    ///< a ball hits one of the group
-        all,    ///< all of the group are lit, for the first time since they were reset
-        enter,  ///< a ball comes into one of the group's zones
+        all,    ///< the whole group is lit, for the first time since its reset
+        enter,  ///< a ball enters one of the group's zones
     };
     std::uint32_t group = 0;
     When when = When::hit;
     struct Need {
-        std::optional<std::uint32_t> group;  ///< all of it are lit; none: there is multiball
-        bool is_not = false;                 ///< the rule holds unless it is so
+        std::optional<std::uint32_t> group;  ///< needs all of this group lit; none: needs multiball
+        bool is_not = false;                 ///< `unless`: the need is negated
     };
     std::vector<Need> needs;
     std::vector<RuleAction> actions;
@@ -140,16 +140,16 @@ struct PinballTable {
     std::vector<Device> devices;
     std::vector<DeviceGroup> groups;
     std::vector<std::int32_t>
-        device_of_capsule;                ///< by number of the capsule at the start; -1: none
+        device_of_capsule;                ///< by index of the capsule at the start; -1: no device
     std::vector<Button> flipper_buttons;  ///< by World::flippers
     std::vector<Rule> rules;
 
-    bool is_game = false;          ///< `game pinball`: balls are counted, and rules hold
-    std::uint32_t balls = 3;       ///< a game's
-    double save = 10.0;            ///< s after the start in which a drained ball comes back
-    std::uint32_t warnings = 3;    ///< before the tilt
-    std::int64_t bonus = 1000;     ///< what one of the bonus is worth
-    std::uint32_t highscores = 5;  ///< lines of the table of honour
+    bool is_game = false;     ///< the level says `game pinball`: balls are counted, and rules run
+    std::uint32_t balls = 3;  ///< of a game
+    double save = 10.0;       ///< ball saver at the start of a ball, s
+    std::uint32_t warnings = 3;    ///< nudges before the tilt
+    std::int64_t bonus = 1000;     ///< points for one of the bonus
+    std::uint32_t highscores = 5;  ///< rows in the table of high scores
 
     bool is_empty() const { return devices.empty() && !is_game; }
 };

@@ -12,28 +12,29 @@
 #include "physics/solver.h"
 #include "physics/world/world.h"
 
-/// A level, loaded: the world at its start, and all that is about the world but not in it.
+/// The result of loading a level: the world at its start, and what belongs to the level but not to
+/// the world, such as names, views and experiments.
 namespace carom {
 
-/// The unit of bare lengths in the level's text. Inside, everything is SI; `natural` has no units
-/// at all.
+/// The unit of lengths that the level writes without one. The scene itself is in SI units, or, for
+/// `natural`, in the level's own.
 enum class LengthUnit : std::uint8_t { natural, millimetre, centimetre, metre, inch };
 
-/// What a level wants drawn beside the world.
+/// A panel that the level wants beside the world.
 struct Show {
     enum class What : std::uint8_t { histogram, energy };
     What what = What::histogram;
-    /// Histogram: of which group of zones, as indices into World::counters, left to right.
+    /// Histogram: its bins from left to right, as indices into World::counters.
     std::vector<std::uint32_t> counters;
     std::string of;
-    /// Histogram: the expected share of each counter; empty: no curve.
+    /// Histogram: the expected share of each bin; empty: no curve.
     std::vector<double> expected;
     std::string against;
 };
 
-/// An experiment with a number to check.
+/// An experiment: a quantity of the run, and the value that the level expects.
 struct Expect {
-    std::string quantity;  ///< as the level says it
+    std::string quantity;  ///< as the level writes it
     Quantity what;
     double value = 0.0;
     double tolerance = 0.0;
@@ -41,7 +42,7 @@ struct Expect {
     int line = 0;
 };
 
-/// A name that stands for balls, edges or zones.
+/// Balls, edges and zones that share a name.
 struct Group {
     std::string name;
     std::vector<BallId> balls;
@@ -49,7 +50,8 @@ struct Group {
     std::vector<std::uint32_t> counters;
 };
 
-/// That `path`, as an include in one file says it, is another file. Both by Scene::files.
+/// An include of one file in another, both as indices into Scene::files. `path` is what the include
+/// says.
 struct Include {
     std::size_t from = 0;
     std::size_t file = 0;
@@ -60,14 +62,14 @@ struct Include {
 
 struct Scene {
     std::string file;
-    std::string title;  ///< printable, as the comment is
-    /// The comment that opens the file, without the marks and the blanks that all of its lines
-    /// begin with: what it shows and what to try.
+    std::string title;  ///< fit for a terminal, like the comment
+    /// The comment at the top of the file, without its marks and common indentation. It says what
+    /// the level shows and what to try.
     std::vector<std::string> comment;
     World world;
-    Box view;  ///< what the camera shows
+    Box view;  ///< the part of the world that the camera shows
     LengthUnit unit = LengthUnit::natural;
-    /// The solver that the level (or an override) names; none: carom picks.
+    /// The solver that the level or an option names; none: pick_solver decides.
     std::optional<SolverSettings> solver;
 
     std::vector<std::string> ball_names;      ///< by ball number; empty where a ball has none
@@ -76,18 +78,20 @@ struct Scene {
     std::vector<std::string> zone_names;      ///< by World::zones
     std::vector<std::string> counter_names;   ///< by World::counters
     std::vector<Group> groups;
-    /// Capsules of each closed edge and box, in order: what `escaped` means.
+    /// The capsules of each closed edge and box, in order. A ball outside the outline in which it
+    /// started has escaped.
     std::vector<std::vector<CapsuleId>> outlines;
     std::vector<Show> shows;
     std::vector<Expect> expects;
-    /// The level's text and all that was included, for hashes, for --watch and for recordings.
+    /// The level's file and the files that it includes, for hashes, --watch and recordings.
     std::vector<std::string> files;
-    std::vector<std::string> texts;  ///< by `files`
-    std::vector<Include> includes;   ///< in the order in which they were first met
+    std::vector<std::string> texts;  ///< by index of `files`
+    std::vector<Include> includes;   ///< in the order of first use
     std::uint64_t text_hash = 0;
-    /// There is an override, or options changed solver, rate or seed: `expect` is not judged.
+    /// An override, or an option for the solver, rate or seed, changes what the level says, so its
+    /// `expect` statements are not judged.
     bool overridden = false;
-    /// What is played: "sandbox" where the level does not say.
+    /// The game to play; "sandbox" where the level names none.
     std::string game = "sandbox";
     PoolTable pool;
     PinballTable table;

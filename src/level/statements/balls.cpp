@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t max_fills = 1000;  // each looks at all that stands already
+constexpr std::size_t max_fills = 1000;  // each tests all items before it
 
 BallBinding ball_binding(const Arguments& arguments, bool is_numbered) {
     BallBinding binding;
@@ -35,7 +35,7 @@ Vec2 absolute(Vec2 v) {
     return {std::abs(v.x), std::abs(v.y)};
 }
 
-// What an expression that is evaluated later will ask for.
+// Copies the variables that an expression uses, so that it can be evaluated later.
 Scope names_in(const Word& expression, const Scope& scope) {
     Scope asked;
     const std::string_view text = expression.text;
@@ -51,7 +51,7 @@ Scope names_in(const Word& expression, const Scope& scope) {
     return asked;
 }
 
-// r= may be a range, or, beside m=, an expression of the ball's mass, such as sqrt(m)*0.8.
+// Reads r=, which is a range, or, with m=, an expression of the mass such as sqrt(m)*0.8.
 bool read_radius(const Arguments& arguments, const Frame& frame, FillIr& fill, Context& context) {
     const Word expression = *arguments.word("r");
     bool uses_mass = false;
@@ -178,7 +178,7 @@ void build_cradle(const Arguments& arguments, const Frame& frame, Context& conte
         ball.velocity = {is_moving ? arguments.number_or("v", 0.0) : 0.0, 0.0};
         emit_ball(ball, frame, context);
     }
-    // The walls leave each end of the row twice the swing: what goes out comes back.
+    // The walls stand twice the swing from the ends of the row, and send the outer balls back.
     const double wall = half + radius + 2.0 * swing;
     EdgeBinding binding{arguments.node, {}, false, arguments.word("material")};
     const int edges = bind_edges(std::move(binding), context);

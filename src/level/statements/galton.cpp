@@ -84,8 +84,8 @@ void build_bins(const Arguments& arguments, const Frame& frame, Context& context
                      begin_chain(false, context), span, frame, context);
     }
     for (std::uint32_t i = 0; i < count; ++i) {
-        // A census covers the bin, up to its corners where no walls keep balls out of them; a sink
-        // lies below it, deep enough that no ball jumps over it.
+        // The zone of a census is the bin itself; without walls, it reaches into the corners at the
+        // top. The zone of a sink lies below the bin, and is too deep for a ball to jump over.
         const double x = x_of(i + 0.5);
         const double rim = is_open ? at.y : std::max(floor, at.y - 0.5 * width);
         const double top = is_sink ? floor : rim;
@@ -98,8 +98,7 @@ void build_bins(const Arguments& arguments, const Frame& frame, Context& context
     }
 }
 
-// One bin alone, as bins are made of: a capsule that counts the balls in it. Zones of one name
-// count as bins of that name.
+// Makes a single zone that counts balls. Zones with the same name form a group of bins.
 void build_zone(const Arguments& arguments, const Frame& frame, Context& context) {
     if (context.ir.zones.size() >= max_items) {
         context.reporter.error("too-many-zones", arguments.node->keyword().span(),

@@ -23,7 +23,7 @@ bool is_quoted(std::string_view text) {
     return text.size() >= 2 && text.front() == '"' && text.back() == '"';
 }
 
-// The version in a line such as `carom 1`, or none when it is not one that this carom reads.
+// Whether a line such as `carom 1` has a version that this program reads; reports it if not.
 bool check_version(const Word& word, std::string_view what, int own, Reporter& reporter) {
     int version = 0;
     const char* end = word.text.data() + word.text.size();
@@ -53,7 +53,7 @@ void read_title_line(const Node& node, Scene& scene, Reporter& reporter) {
     }
     if (!check_version(words[0], "carom", format_version, reporter)) return;
     if (!is_quoted(words[1].text)) {
-        // A missing quote has been told already.
+        // A missing closing quote has been reported already.
         if (words[1].text[0] != '"') {
             reporter.error("title-without-quotes", words[1].span(), "the title stands in quotes",
                            usage);
@@ -63,8 +63,7 @@ void read_title_line(const Node& node, Scene& scene, Reporter& reporter) {
     scene.title = printable(unquoted(words[1].text));
 }
 
-// Takes away blanks at the ends, empty lines below, and as many blanks on the left as all have:
-// what one line is indented against another stays.
+// Removes trailing blanks, empty lines at the end, and the indentation that all lines share.
 void trim(std::vector<std::string>& lines) {
     std::size_t margin = std::string::npos;
     for (std::string& line : lines) {
@@ -77,7 +76,7 @@ void trim(std::vector<std::string>& lines) {
         lines.pop_back();
 }
 
-// Lines that begin with '#' at the top of the file, or right below its first statement.
+// The block of comment lines at the top of the file, or else directly below its first statement.
 std::vector<std::string> opening_comment(const SourceText& source, int first_statement_line) {
     std::vector<std::string> comment;
     const auto mark = [](std::string_view line) {

@@ -2,19 +2,20 @@
 
 #include "level/ir/context.h"
 
-/// What a level says of itself before anything else is understood: format, title, opening comment,
-/// version of the physics, units.
+/// The header of a level: format, title, opening comment, version of the physics, and units. It is
+/// read before any statement runs, since all numbers depend on the units.
 namespace carom {
 
 inline constexpr int format_version = 1;
 inline constexpr int physics_version = 1;
 
-/// Of the level itself. Fills the scene's title, comment and unit, and the context's unit and
-/// top_level_lets.
+/// Reads the header of the level itself. Sets the title, comment and unit of the scene, and the
+/// unit and top_level_lets of the context.
 void read_header(const std::vector<Node>& nodes, const SourceText& source, Scene& scene,
                  Context& context);
 
-/// Of an included file: it may have a line `carom` and must not have other units.
+/// Checks the header of an included file: it may have a line `carom`, and must have the units of
+/// the level if it has units.
 void read_fragment_header(const std::vector<Node>& nodes, Context& context);
 
 }  // namespace carom

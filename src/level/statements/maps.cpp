@@ -9,9 +9,9 @@
 namespace carom {
 namespace {
 
-constexpr double peg_share = 0.25;  // radius of a peg without r=, in cells
+constexpr double peg_share = 0.25;  // default radius of a peg, in cells
 
-// The characters of a drawing, one a cell.
+// The cells of a drawing: one character each.
 class Drawing {
   public:
     explicit Drawing(const std::vector<Word>& lines) : lines_(lines) {
@@ -31,7 +31,7 @@ class Drawing {
 
     int rows() const { return static_cast<int>(cells_.size()); }
     int columns() const { return columns_; }
-    /// Blank outside of the drawing. Rows from the top.
+    /// The character of a cell; blank outside of the drawing. Rows count from the top.
     std::string_view at(int row, int column) const {
         if (row < 0 || row >= rows() || column < 0) return " ";
         const auto& line = cells_[static_cast<std::size_t>(row)];
@@ -77,7 +77,7 @@ class MapBuilder {
     }
 
   private:
-    // A letter that the author's legend does not explain keeps its meaning.
+    // A built-in letter keeps its meaning unless a legend of the level redefines it.
     void add_default(std::string_view letter, LegendIr::What what) {
         LegendIr legend;
         legend.what = what;
@@ -93,7 +93,7 @@ class MapBuilder {
         return is_line(c) || is_joint(c);
     }
 
-    // Draws nothing by itself, but lines beside it meet in its middle.
+    // A joint draws nothing, but lines that run into it meet in its middle.
     bool is_joint(std::string_view c) const { return c == "+" && !legends_.contains(c); }
 
     bool check_letters() {
@@ -118,7 +118,7 @@ class MapBuilder {
         return is_valid;
     }
 
-    // The corner of a cell: (0, 0) is the lower left one of the drawing's lowest row.
+    // The upper left corner of the cell in this row and column, in the coordinates of the frame.
     Vec2 point(double row, double column) const {
         return corner_ + Vec2{column * cell_, (drawing_.rows() - row) * cell_};
     }
@@ -141,16 +141,18 @@ class MapBuilder {
         }
     }
 
-    // From the first cell of a run to its last, at these places (row, column) inside of them.
+    // Draws a run of equal line characters as one edge. `from` and `to` are places (row, column)
+    // within the first and the last cell.
     void build_run(int row, int column, int down, int right, Vec2 from, Vec2 to) {
         const std::string_view c = drawing_.at(row, column);
-        if (drawing_.at(row - down, column - right) == c) return;  // the run began before
+        if (drawing_.at(row - down, column - right) == c) return;  // not the first cell of its run
         int length = 1;
         while (drawing_.at(row + length * down, column + length * right) == c)
             ++length;
         const int last_row = row + (length - 1) * down;
         const int last_column = column + (length - 1) * right;
-        // A line that runs into the cell of another one goes on to its middle: so they join.
+        // A line that ends at a cell of another line extends to the middle of that cell and joins
+        // it.
         const Vec2 half{0.5 * down, 0.5 * right};
         if (joins(row - down, column - right)) from -= half;
         if (joins(last_row + down, last_column + right)) to += half;
@@ -177,13 +179,13 @@ class MapBuilder {
         return &found->second;
     }
 
-    // The edge between the cells a and b of a solid's rim: the solid one's legend. None: no rim.
+    // The legend of the edge between two cells of which exactly one is solid; null: no edge.
     static const LegendIr* rim(const LegendIr* a, const LegendIr* b) {
         if ((a == nullptr) == (b == nullptr)) return nullptr;
         return a ? a : b;
     }
 
-    // The rim above row `row`, joined to runs of the same legend.
+    // Draws the edges between row - 1 and row. Adjacent edges of one legend become one edge.
     void outline_row(int row) {
         const auto rim_at = [&](int column) {
             return rim(solid_at(row - 1, column), solid_at(row, column));

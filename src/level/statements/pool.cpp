@@ -17,8 +17,8 @@ namespace {
 
 constexpr double row_height = 0.86602540378443865;  // sqrt(3)/2: equal gaps all around
 
-// Where the balls of a rack stand, row by row, apex first: along the rows' way and to its left, in
-// pitches.
+// The places of a rack, row by row from the apex, in units of the distance between neighbours: x
+// away from the apex, y to the left.
 std::vector<Vec2> places_of(Rack::Shape shape) {
     const std::vector<int> rows =
         shape == Rack::Shape::nine ? std::vector{1, 2, 3, 2, 1} : std::vector{1, 2, 3, 4, 5};
@@ -29,7 +29,8 @@ std::vector<Vec2> places_of(Rack::Shape shape) {
     return places;
 }
 
-// Numbers from 1, shuffled by the seed, but for those that the rules put somewhere.
+// The number of the ball at each place: shuffled by the seed, but for the places that the rules
+// prescribe.
 std::vector<int> numbers_of(Rack::Shape shape, std::uint64_t seed) {
     std::vector<int> numbers(shape == Rack::Shape::nine ? 9 : 15);
     std::iota(numbers.begin(), numbers.end(), 1);
@@ -51,7 +52,7 @@ std::vector<int> numbers_of(Rack::Shape shape, std::uint64_t seed) {
     constexpr std::size_t left = 10;
     constexpr std::size_t right = 14;
     put(8, middle);
-    // One of each group in the rear corners.
+    // The rules want a solid and a stripe in the back corners.
     if ((numbers[left] < 8) == (numbers[right] < 8)) {
         const bool wants_solid = numbers[left] > 8;
         for (std::size_t i = 0; i < right; ++i) {
@@ -99,7 +100,7 @@ void build_rack(Rack::Shape shape, const Arguments& arguments, const Frame& fram
         const auto place =
             static_cast<std::size_t>(std::ranges::find(numbers, number) - numbers.begin());
         BallIr ball;
-        // No two come nearer than half of the gap.
+        // Random shifts leave at least half of the gap between any two balls.
         const auto shake = [&](std::uint64_t draw) {
             return is_shaken ? random_between(-0.25, 0.25, seed, RandomStream::rack,
                                               static_cast<std::uint64_t>(number), draw) *

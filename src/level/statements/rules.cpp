@@ -10,7 +10,7 @@ namespace {
 
 using What = RuleAction::What;
 
-/// What an action takes behind its name.
+// The value that an action takes after its name.
 enum class Takes { points, sum, count, time, name, name_and_time, text, nothing };
 
 struct ActionShape {

@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-// Arcs become straight pieces that stay within this share of the radius.
+// The largest distance of a chord from its arc, in radii.
 constexpr double arc_tolerance = 1e-3;
 
 Side side_of(const Arguments& arguments) {
@@ -33,14 +33,14 @@ EdgeBinding shape_binding(const Arguments& arguments) {
     return {arguments.node, arguments.plain, true, std::nullopt};
 }
 
-// A polyline on its way to capsules: each piece ends at a point and knows where to complain.
+// A vertex of a polyline, and the span for messages about the piece that ends there.
 struct Corner {
     Vec2 point;
     Span span;
 };
 
-// Appends the arc from `from` to `to` (unit vectors, less than a half turn apart) about `center`,
-// without `from` itself: halved until each chord is within tolerance.
+// Appends the arc about `center` from direction `from` to `to` (unit vectors, less than a half turn
+// apart), without its first point. Bisects the arc until each chord is within tolerance.
 void append_arc(Vec2 center, double radius, Vec2 from, Vec2 to, const Span& span,
                 std::vector<Corner>& out) {
     // The sagitta of a chord is 1 - cos(half its angle), and cos = |from + to| / 2.
@@ -55,7 +55,7 @@ void append_arc(Vec2 center, double radius, Vec2 from, Vec2 to, const Span& span
     out.push_back({center + to * radius, span});
 }
 
-// How far from the corner its fillet begins on both edges.
+// The distance from a corner to the points where its fillet touches the two edges.
 double tangent_length(Vec2 before, Vec2 corner, Vec2 after, double radius) {
     const double cosine = dot(unit(before - corner), unit(after - corner));
     return radius * std::sqrt((1.0 + cosine) / (1.0 - cosine));
@@ -67,7 +67,7 @@ bool is_straight(Vec2 before, Vec2 corner, Vec2 after) {
     return std::abs(cross(in, out)) < 1e-12;
 }
 
-// Replaces a corner by an arc that both edges touch.
+// Appends the arc that is tangent to both edges of a corner, in place of the corner.
 void append_fillet(Vec2 before, const Corner& corner, Vec2 after, double radius,
                    std::vector<Corner>& out) {
     const Vec2 back = unit(before - corner.point);
@@ -95,7 +95,7 @@ bool fillets_fit(const std::vector<Corner>& corners, bool is_closed, double radi
     for (std::size_t i = 0; i + (is_closed ? 0 : 1) < n; ++i) {
         const std::size_t next = (i + 1) % n;
         const double room = distance(corners[i].point, corners[next].point);
-        // A rounding more than the room is still a fit: two arcs may share a whole side.
+        // Two arcs may share a whole side, so rounding must not make them too long for it.
         if (reach_at(i) + reach_at(next) <= room * (1.0 + 1e-9)) continue;
         context.reporter.error("fillet-does-not-fit", corners[next].span,
                                "the fillet does not fit between these points",
@@ -199,7 +199,7 @@ void build_arc(const Arguments& arguments, const Frame& frame, Context& context)
     }
     const Vec2 center = arguments.pair_or("at", {});
     const double radius = arguments.number_or("radius", 0.0);
-    // A chord of angle a leaves its circle by less than a^2/8 of the radius.
+    // The chord of an arc of angle a is less than a^2/8 radii away from it.
     const double widest = 2.0 * std::sqrt(2.0 * arc_tolerance) * 180.0 / pi;
     const int pieces = static_cast<int>(std::ceil(std::abs(sweep) / widest));
     const Span span = arguments.node->keyword().span();

@@ -9,16 +9,16 @@
 namespace carom {
 namespace {
 
-constexpr int widest = 100;  // characters of a source line that are shown
+constexpr int widest = 100;  // most characters of a source line that are shown
 
-// U+0080 to U+009F are control characters too: two bytes, the first 0xc2, the second below 0xa0.
+// The C0 and C1 control characters. U+0080 to U+009F have two bytes: 0xc2, and one below 0xa0.
 bool is_control(std::string_view character) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
     if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7f;
     return character.size() == 2 && byte(0) == 0xc2 && byte(1) < 0xa0;
 }
 
-// One string a character, fit for a terminal: a caret below the nth stands under the nth.
+// One printable string for each character, so that a caret in column n stands below character n.
 std::vector<std::string> printable_characters(std::string_view text) {
     std::vector<std::string> result;
     for (std::size_t i = 0; i < text.size();) {
@@ -46,7 +46,7 @@ std::string render(const Diagnostic& d) {
     const int caret = std::clamp(d.column - 1, 0, size);
     const int span = std::clamp(d.length, 1, std::max(1, size - caret));
 
-    // The window of a long line: the span with some of what stands before it.
+    // A long line is cut to a window that begins some characters before the span.
     const int first = size <= widest ? 0 : std::clamp(caret - widest / 3, 0, size - widest);
     const int last = std::min(size, first + widest);
     std::string text = first > 0 ? "..." : "";

@@ -5,7 +5,7 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t most_kept = 1000;  // bounds the memory that a hopeless file can cost
+constexpr std::size_t most_kept = 1000;  // bounds the memory that a file full of errors can take
 
 std::tuple<int, int, int, Severity> rank(int order, const Diagnostic& d) {
     return {order, d.line, d.column, d.severity};

@@ -7,23 +7,25 @@
 
 #include "level/text/text.h"
 
-/// Collects what is wrong with a level: one message a place, whatever the order of finding.
+/// Collects the diagnostics of a load, at most one of each severity a place.
 namespace carom {
 
 inline constexpr std::size_t max_diagnostics = 20;
 
-/// Invariant: at most one error and one warning stand at the same line and column, so a statement
-/// that is unrolled a thousand times complains once.
+/// Invariant: there is at most one error and one warning for a line and column, so an error in a
+/// statement that is repeated a thousand times is reported once.
 class Reporter {
   public:
     void error(FaultCode code, const Span& at, std::string message, std::string remedy = {});
     void warning(FaultCode code, const Span& at, std::string message, std::string remedy = {});
 
     bool has_errors() const { return errors_ > 0; }
-    /// Errors so far: a caller that sees it grow knows that something it called has complained.
+    /// Calls of error() so far. A caller that sees it grow knows that a function that it called has
+    /// reported an error.
     std::size_t errors() const { return errors_; }
 
-    /// The first max_diagnostics in order of source, line and column; warnings give way to errors.
+    /// The first max_diagnostics, ordered by source, line and column. Where there are more, errors
+    /// come before warnings.
     std::vector<Diagnostic> diagnostics() const;
 
   private:

@@ -7,7 +7,7 @@
 namespace carom {
 
 int edit_distance(std::string_view a, std::string_view b) {
-    // Three rows of the table of optimal string alignment.
+    // The dynamic programme needs only the last three rows of its table.
     std::vector<int> before(b.size() + 1);
     std::vector<int> last(b.size() + 1);
     std::vector<int> row(b.size() + 1);
@@ -30,7 +30,7 @@ int edit_distance(std::string_view a, std::string_view b) {
 
 std::optional<std::string_view> nearest_word(std::string_view word,
                                              const std::vector<std::string_view>& candidates) {
-    constexpr std::size_t longest = 64;  // nobody misspells a word that long; bounds the work
+    constexpr std::size_t longest = 64;  // bounds the work
     std::size_t tried = 0;
     if (word.empty() || word.size() > longest) return std::nullopt;
     std::optional<std::string_view> best;

@@ -6,17 +6,18 @@
 #include <string_view>
 #include <vector>
 
-/// "did you mean": the nearest of the words that would have been right.
+/// Suggestions for misspelt words: "did you mean".
 namespace carom {
 
-/// Letters to insert, drop, change or swap with their neighbour to turn one word into the other.
+/// The edit distance of two words (optimal string alignment): the fewest letters to insert, delete,
+/// replace or swap with a neighbour that turn one into the other. O(|a| |b|).
 int edit_distance(std::string_view a, std::string_view b);
 
-/// More candidates than these are not looked at.
+/// Only the first of this many candidates are compared.
 inline constexpr std::size_t max_candidates = 1000;
 
-/// The candidate nearest to `word`, if no further than a third of its letters (at least one); the
-/// first of equals.
+/// The candidate with the least edit distance to `word`, the first of equals. None: all distances
+/// exceed a third of its letters (and 1).
 std::optional<std::string_view> nearest_word(std::string_view word,
                                              const std::vector<std::string_view>& candidates);
 

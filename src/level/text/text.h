@@ -8,17 +8,17 @@
 
 #include "level/text/diagnostic.h"
 
-/// A level's text, and places in it. Columns count characters (code points), not bytes.
+/// The text of a level, and places in it. Columns count characters (code points), not bytes.
 namespace carom {
 
-/// One file, an include, or a statement of --set. Words and spans point into it, so it must neither
-/// move nor change while they live.
+/// A file, an include, or a statement of --set. Words and spans point into it, so it must not move
+/// or change while they are in use.
 struct SourceText {
     std::string name;
     std::string text;
     std::vector<std::string_view> lines;      ///< without their ends (LF or CR LF)
     std::vector<IncludedFrom> included_from;  ///< innermost first
-    int order = 0;                            ///< messages of lower orders come first
+    int order = 0;                            ///< diagnostics are sorted by it first
 };
 
 /// A place in a source. Line and column from 1.
@@ -32,7 +32,7 @@ struct Span {
 /// Splits `text` into lines. A byte order mark at the start belongs to no line.
 std::vector<std::string_view> split_lines(std::string_view text);
 
-/// Why a text cannot be read at all.
+/// The reason why a text cannot be read at all.
 struct TextFault {
     FaultCode code;
     int line = 1;
@@ -44,7 +44,8 @@ struct TextFault {
 inline constexpr std::size_t max_file_bytes = 4u << 20;
 inline constexpr std::size_t max_line_bytes = 4096;
 
-/// The first fault: over 4 MiB, a NUL byte, not UTF-8, a line over 4,096 bytes.
+/// The first fault of a text: more than 4 MiB, a line of more than 4,096 bytes, a NUL byte, or
+/// bytes that are not UTF-8. None: the text can be read.
 std::optional<TextFault> find_fault(std::string_view text);
 
 /// The text with each byte that is not part of a valid UTF-8 character replaced by '?'.

@@ -8,11 +8,12 @@
 #include "level/text/text.h"
 #include "level/text/utf8.h"
 
-/// Lines of words: comments dropped, lines that end in a backslash joined to the next.
+/// Splits a source into lines of words. Comments are dropped, and a line that ends in a backslash
+/// continues on the next.
 namespace carom {
 
-/// What stands between blanks; a text in quotes is one word, quotes included. Never empty, never
-/// runs over the end of a line.
+/// Characters between blanks, or a text in quotes, quotes included. A word is never empty and lies
+/// within one line.
 struct Word {
     std::string_view text;
     const SourceText* source = nullptr;
@@ -20,7 +21,7 @@ struct Word {
     int column = 1;
 
     Span span() const { return {source, line, column, characters(text)}; }
-    /// The piece of `count` bytes from byte `offset` on. Pre: offset <= text.size().
+    /// The part of `count` bytes that begins at byte `offset`. Pre: offset <= text.size().
     Word part(std::size_t offset, std::size_t count = std::string_view::npos) const;
 };
 
@@ -30,13 +31,13 @@ class LineReader {
     LineReader(const SourceText& source, Reporter& reporter)
         : source_(&source), reporter_(&reporter) {}
 
-    /// The words of the next line that has any; empty at the end of the source.
+    /// The words of the next line that has words; empty at the end of the source.
     std::vector<Word> next();
-    /// The next line as it stands (for drawings); none at the end of the source.
+    /// The next line, verbatim (for drawings); none at the end of the source.
     std::optional<Word> next_verbatim();
 
   private:
-    /// Adds the words of one line; true when the line goes on.
+    /// Adds the words of one line; true when a backslash continues it.
     bool split(std::string_view line, int number, std::vector<Word>& words);
 
     const SourceText* source_;
@@ -44,7 +45,8 @@ class LineReader {
     std::size_t line_ = 0;
 };
 
-/// A letter or '_', then letters, digits and '_'. Letters beyond ASCII count as letters.
+/// Whether the text is a name: a letter or '_', then letters, digits and '_'. Every character
+/// beyond ASCII counts as a letter.
 bool is_identifier(std::string_view text);
 bool starts_identifier(char c);
 bool continues_identifier(char c);

@@ -7,10 +7,10 @@
 
 #include "level/scene/scene.h"
 
-/// What a number measures, and the units that it may be written in.
+/// Physical dimensions, and the units of the level language.
 namespace carom {
 
-/// Exponents. All zero: a bare number, which is whatever it is used for.
+/// Exponents of the base dimensions. All zero: a bare number, which takes the dimension of its use.
 struct Dimension {
     int length = 0;
     int mass = 0;
@@ -27,7 +27,8 @@ constexpr Dimension operator/(const Dimension& a, const Dimension& b) {
     return {a.length - b.length, a.mass - b.mass, a.time - b.time, a.angle - b.angle};
 }
 
-/// SI, but for angles, which are in degrees until they are used: so right angles stay exact.
+/// A number with a dimension, in SI units. Angles are in degrees until they are used, so that right
+/// angles stay exact.
 struct Value {
     double number = 0.0;
     Dimension dimension;
@@ -35,16 +36,17 @@ struct Value {
     bool is_bare() const { return dimension == Dimension{}; }
 };
 
-/// Bare lengths times this are metres; 1 for natural units.
+/// Metres in the unit; 1 for natural units.
 double scale(LengthUnit unit);
 /// "mm", "cm", "m", "in"; empty for natural units.
 std::string_view symbol(LengthUnit unit);
-/// None when a level may not be written in it.
+/// None: a level cannot use this unit.
 std::optional<LengthUnit> length_unit_named(std::string_view name);
-/// What `units` may say.
+/// The units that the statement `units` takes.
 std::vector<std::string_view> length_unit_names();
 
-/// A unit without fractions, such as mm, kg, ms or deg: its size (SI, degrees) and its dimension.
+/// A unit that is not a quotient, such as mm, kg, ms or deg, with its size (in SI units or
+/// degrees).
 struct Unit {
     std::string_view name;
     double size = 1.0;
@@ -53,12 +55,12 @@ struct Unit {
 const Unit* unit_named(std::string_view name);
 std::vector<std::string_view> unit_names();
 
-/// "a length", "a speed", ...; "a quantity in m2/s" where there is no word for it.
+/// "a length", "a speed", ...; "a quantity in m2/s" for a dimension without a name.
 std::string described(const Dimension& dimension);
 /// "m/s2", "kg"; empty for a bare number; degrees for angles.
 std::string si_symbol(const Dimension& dimension);
 
-/// What a statement wants in a place.
+/// The kind of number that a statement expects.
 enum class Measure {
     number,
     whole,  ///< a number without a fraction
@@ -68,21 +70,21 @@ enum class Measure {
     mass,
     speed,
     acceleration,
-    rate,                  ///< 1/s, carries its unit
-    frequency,             ///< 1/s, bare also where the level has units
+    rate,                  ///< 1/s; needs its unit in a level with units
+    frequency,             ///< 1/s; may be bare in a level with units
     density,               ///< mass/length^2
-    soften,                ///< s/length, bare: s/m
-    angular_speed,         ///< rad/s; bare, where the level has no units, rad/s too
-    angular_acceleration,  ///< rad/s2, as angular_speed
-    result                 ///< whatever an experiment yields: bare, or SI
+    soften,                ///< s/length; a bare number is in s/m
+    angular_speed,         ///< rad/s; a bare number in a level without units is in rad/s
+    angular_acceleration,  ///< rad/s2; bare numbers like angular_speed
+    result                 ///< the value of an experiment: bare, or with any unit
 };
 
 Dimension dimension_of(Measure measure);
 /// "a length", "a whole number", ...
 std::string described(Measure measure);
-/// A fit value as it may be written in a level of these units: "2", "0.8m/s".
+/// An example value, as a level with these units writes it: "2", "0.8m/s".
 std::string_view sample(Measure measure, LengthUnit unit);
-/// A value as the author would write it, to 6 digits: -0.2, 0.003kg.
+/// `number`, in the units of the world, as the level would write it, to 6 digits: -0.2, 0.003kg.
 std::string written(double number, Measure measure, LengthUnit unit);
 
 }  // namespace carom

@@ -13,8 +13,8 @@
 namespace carom {
 namespace {
 
-// Recursive descent over one word. `nothing` is both a mistake and poison; the mistake has been
-// reported where it was found, so callers just pass it on.
+// A recursive-descent parser of one word, which evaluates as it parses. An empty result is an error
+// that has been reported, or the use of an error value; callers pass it on.
 class Parser {
   public:
     Parser(const Word& word, const Scope& scope, const ExpressionRules& rules, Reporter& reporter)
@@ -107,7 +107,7 @@ class Parser {
         return left;
     }
 
-    // The sign binds looser than ^: -2^2 is -4, as on paper.
+    // A sign binds looser than ^: -2^2 is -4.
     Result power() {
         if (peek() == '-' || peek() == '+') {
             const bool is_negative = peek() == '-';
@@ -135,7 +135,7 @@ class Parser {
         return settled(start, raised(*base, *exponent));
     }
 
-    // What the arithmetic made of the text since `start`.
+    // The result of an operation on the text since `start`, or a report of its fault.
     Result settled(std::size_t start, const Outcome& outcome) {
         if (outcome.fault.empty()) return finite(start, outcome.value);
         return mistake(outcome.code, start, at_ - start, outcome.fault, outcome.remedy);
@@ -208,7 +208,7 @@ class Parser {
                            did_you_mean(name, function_names(),
                                         "there are sqrt sin cos tan abs min max floor ceil round"));
         }
-        // What the author names comes before what carom names.
+        // A variable hides a constant or a function of the same name.
         const Variable* variable = scope_.find(name);
         if (!variable && name == "pi") return Value{pi, {}};
         if (!variable && function) {

@@ -9,19 +9,19 @@
 #include "level/text/words.h"
 #include "level/values/dimension.h"
 
-/// Arithmetic wherever a number may stand: + - * / ^, brackets, let names, pi and functions. A let
-/// may be called pi or floor too, and then comes first.
+/// Expressions: + - * / ^, brackets, names of variables, pi and functions. A variable may be called
+/// pi or floor, and then hides the constant or the function.
 namespace carom {
 
-/// A name that has a value. Without one it is poisoned: its own mistake has been told already, and
-/// whatever uses it fails in silence.
+/// A name with a value. A variable without a value is an error value: its definition had an error,
+/// which has been reported, so uses of it fail without another report.
 struct Variable {
     std::optional<Value> value;
     Span defined_at;
-    bool* used = nullptr;  ///< set when the variable is read; may be null
+    bool* used = nullptr;  ///< set to true when the variable is read; may be null
 };
 
-/// Names that hold here, and through `outer` those that hold around.
+/// The names in scope: those of a block, and through `outer` those of the blocks around it.
 struct Scope {
     std::map<std::string, Variable, std::less<>> names;
     Scope* outer = nullptr;
@@ -31,22 +31,24 @@ struct Scope {
 
 struct ExpressionRules {
     LengthUnit unit = LengthUnit::natural;
-    /// Names that get a value later in the file, for the remedy.
+    /// Names that the file defines somewhere at top level, with their lines: for the message about
+    /// a use before the definition.
     const std::map<std::string, int, std::less<>>* defined_later = nullptr;
 };
 
-/// Deepest brackets.
+/// The deepest nesting of brackets, signs and powers.
 inline constexpr int max_nesting = 32;
 
-/// The value of a whole word. None: a mistake, reported here or (poison) where it was made.
+/// The value of a whole word. None: the word has an error, which is reported, or uses an error
+/// value.
 ///
-/// `sin`, `cos` and `tan` take degrees. `^` wants a whole exponent, or 0.5. A bare number added to
-/// a length or an angle is one (of the level's unit, of degrees). Numbers beyond 1e300, and results
-/// that are not finite, are mistakes.
+/// `sin`, `cos` and `tan` take degrees. `^` takes a whole exponent, or 0.5. A bare number added to
+/// a length has the unit of the level, and one added to an angle is in degrees. Numbers beyond
+/// 1e300, and results that are not finite, are errors.
 std::optional<Value> evaluate(const Word& word, const Scope& scope, const ExpressionRules& rules,
                               Reporter& reporter);
 
-/// Where `text` splits at `separator` outside of brackets: the pieces' offsets and lengths.
+/// Splits a word at each `separator` that is outside of brackets.
 std::vector<Word> split_outside_brackets(const Word& word, std::string_view separator);
 
 }  // namespace carom

@@ -54,7 +54,7 @@ class LiteralReader {
             ++at_;
     }
 
-    // Digits with at most one point and an exponent.
+    // Reads digits with at most one point and an exponent.
     bool read_number() {
         skip_digits();
         if (peek() == '.' && text_.substr(at_, 2) != "..") {

@@ -7,10 +7,10 @@
 #include "level/text/diagnostic.h"
 #include "level/values/dimension.h"
 
-/// Arithmetic with quantities: what the operators and functions of an expression do.
+/// The operators and functions of expressions, on values with dimensions.
 namespace carom {
 
-/// A value, or why there is none.
+/// A value, or the fault for which there is none.
 struct Outcome {
     Value value;
     FaultCode code;
@@ -18,17 +18,17 @@ struct Outcome {
     std::string remedy;
 };
 
-/// Gives both the same dimension where a bare number stands beside a length (it is one, of the
-/// level's unit), an angle (of degrees), or, in natural units, a time; 0 goes with everything.
-/// False: they differ.
+/// Makes two values comparable. A bare number takes the dimension of the other value if that is a
+/// length (in the unit of the level), an angle (in degrees) or, in natural units, a time; 0 takes
+/// any dimension. False: the dimensions differ.
 bool match(Value& a, Value& b, LengthUnit unit);
 
-/// Exponents below 100: beyond, nothing has a use for it, and in the end they would overflow.
+/// Whether all exponents are below 100, which keeps them from overflowing.
 bool is_sensible(const Dimension& dimension);
 
-/// Whole, from -1024 to 1024, or 0.5.
+/// Whether the value is a bare whole number from -1024 to 1024, or 0.5.
 bool can_be_exponent(const Value& value);
-/// Pre: can_be_exponent(exponent), is_sensible(base.dimension).
+/// `base` to the power `exponent`. Pre: can_be_exponent(exponent), is_sensible(base.dimension).
 Outcome raised(const Value& base, const Value& exponent);
 
 enum class Function { sqrt, sin, cos, tan, abs, min, max, floor, ceil, round };
@@ -38,12 +38,12 @@ struct FunctionFacts {
     Function function;
     std::size_t arguments;
 };
-/// Null when there is none of that name.
+/// Null: there is no function of that name.
 const FunctionFacts* function_named(std::string_view name);
 std::vector<std::string_view> function_names();
 
-/// `b` counts for min and max alone. Angles are in degrees; floor, ceil and round take bare
-/// numbers.
+/// The function of `a`, or, for min and max, of `a` and `b`. Angles are in degrees; floor, ceil and
+/// round take bare numbers.
 Outcome applied(Function function, Value a, Value b, LengthUnit unit);
 
 }  // namespace carom
