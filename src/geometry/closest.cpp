@@ -18,7 +18,7 @@ bool is_inside(const Capsule& capsule, Vec2 point) {
            capsule.radius * capsule.radius;
 }
 
-// To the larger coordinate first, so that the squares are representable.
+// Scaling by the larger coordinate keeps the squares from over- and underflowing.
 Vec2 direction_by_scale(Vec2 v, Vec2 otherwise) {
     const double scale = std::max(std::fabs(v.x), std::fabs(v.y));
     if (!(scale > 0.0) || !std::isfinite(scale)) return otherwise;

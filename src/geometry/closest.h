@@ -2,11 +2,11 @@
 
 #include "geometry/shapes.h"
 
-/// Closest points, and what is inside what.
+/// Closest points, distances and containment.
 namespace carom {
 
-/// Where on the segment start..end the point nearest `point` lies: 0 at the start, 1 at the end. 0
-/// for a segment without length.
+/// The parameter of the point of the segment nearest `point`: 0 at `start`, 1 at `end`. 0 for a
+/// segment without length.
 inline double closest_parameter(Vec2 start, Vec2 end, Vec2 point) {
     const Vec2 span = end - start;
     const double along = dot(point - start, span);
@@ -21,17 +21,17 @@ inline Vec2 closest_point(Vec2 start, Vec2 end, Vec2 point) {
     return t == 1.0 ? end : start + (end - start) * t;
 }
 
-/// How far `disc` and `other` are apart, a length; negative is the depth of the overlap.
+/// The distance between the surfaces of two bodies, a length; negative by the depth of an overlap.
 double separation(const Disc& disc, const Disc& other);
 double separation(const Disc& disc, const Capsule& capsule);
 
-/// Whether `point` lies in the capsule or on its rim.
+/// Whether `point` lies in the capsule or on its boundary.
 bool is_inside(const Capsule& capsule, Vec2 point);
 
-/// The same as `direction`, also of what is tiny or huge.
+/// The slow path of direction(): scales the vector first, so that tiny and huge ones work too.
 Vec2 direction_by_scale(Vec2 v, Vec2 otherwise);
 
-/// The unit vector along `v`; `otherwise` when v has no length (or one that under- or overflows).
+/// The unit vector along `v`; `otherwise` if v is zero or not finite.
 inline Vec2 direction(Vec2 v, Vec2 otherwise) {
     const double size = length(v);
     return size > 1e-150 && size < 1e150 ? v / size : direction_by_scale(v, otherwise);

@@ -8,16 +8,17 @@
 namespace carom {
 namespace {
 
-// pi/2 in three parts of at most 33 bits, so that their products with a whole number below 2^20 are
-// exact.
+// pi/2 in three parts of at most 33 bits, so that products with integers below 2^20 are exact
+// (Cody-Waite argument reduction).
 constexpr double half_pi_high = 0x1.921fb544p+0;
 constexpr double half_pi_middle = 0x1.0b4611a6p-34;
 constexpr double half_pi_low = 0x1.3198a2e037073p-69;
 
-constexpr double ln2_high = 0x1.62e42feep-1;  // 32 bits: exact times any exponent of a double
+constexpr double ln2_high =
+    0x1.62e42feep-1;  // 32 bits: its product with the exponent of a double is exact
 constexpr double ln2_low = 0x1.a39ef35793c76p-33;
 
-// The Taylor polynomials for |x| <= pi/4, where the first term left out is below 1e-19.
+// Taylor polynomials for |x| <= pi/4; the first omitted term is below 1e-19.
 SinCos near_zero(double x) {
     const double y = x * x;
     double sine = 0.0;
@@ -29,7 +30,7 @@ SinCos near_zero(double x) {
     return {x + x * sine, 1.0 + cosine};
 }
 
-// Turns by whole quarters, exactly.
+// Adds a whole number of right angles, exactly.
 SinCos quarter_turns(SinCos a, std::int64_t quarters) {
     switch (quarters & 3) {
         case 0:
@@ -55,8 +56,8 @@ SinCos sin_cos(double radians) {
         return {nan, nan};
     }
     double x = radians;
-    // Far out the argument's own rounding dominates: whole turns of the double nearest 2 pi will
-    // do.
+    // For large arguments their own rounding dominates, so reducing by the double nearest 2 pi is
+    // good enough.
     if (std::fabs(x) > 1e6) x = std::fmod(x, 4 * (half_pi_high + half_pi_middle));
     const double quarters = std::floor(x * (2.0 / pi) + 0.5);
     const double rest =
@@ -70,7 +71,7 @@ SinCos sin_cos_degrees(double degrees) {
     const double quarters = std::floor(turn / 90.0 + 0.5);
     const double rest = (turn - 90.0 * quarters) * (pi / 180.0);
     SinCos result = quarter_turns(near_zero(rest), static_cast<std::int64_t>(quarters));
-    result.sin += 0.0;  // no negative zeros: they would show in what is printed
+    result.sin += 0.0;  // turns -0 into 0, which prints without a sign
     result.cos += 0.0;
     return result;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The elementary functions that the deterministic core needs, made of + - * / and comparisons
-/// only: libm's differ between libraries and machines, these do not.
+/// The elementary functions of the deterministic core. They use + - * / and comparisons only, so
+/// their results have the same bits everywhere; those of libm differ between libraries.
 namespace carom {
 
 inline constexpr double pi = 3.14159265358979323846;
@@ -12,10 +12,10 @@ struct SinCos {
 };
 
 /// Error: at most 1 unit in the last place of 1 (2.3e-16) for |radians| <= 1e5; beyond that the
-/// argument's own rounding dominates. Not finite in, not a number out.
+/// argument's own rounding dominates. Gives NaN for an argument that is not finite.
 SinCos sin_cos(double radians);
 
-/// As sin_cos(degrees * pi / 180), but exact at every multiple of 90 degrees.
+/// Sine and cosine of an angle in degrees; exact at multiples of 90 degrees.
 SinCos sin_cos_degrees(double degrees);
 
 /// e^x with a relative error of at most 4e-16 for -700 <= x <= 700; 0 below, infinity above.
@@ -25,8 +25,8 @@ double exponential(double x);
 /// x >= 0. Relative error at most 1e-15.
 double mean_decay(double x);
 
-/// (1 - mean_decay(x)) / x without cancellation: 1/2 at x = 0. What a constant force adds to the
-/// travel under drag. Pre: x >= 0. Relative error at most 2e-15.
+/// (1 - mean_decay(x)) / x without cancellation; 1/2 at x = 0. The displacement that a constant
+/// force adds under drag is proportional to it. Pre: x >= 0. Relative error at most 2e-15.
 double mean_decay_ramp(double x);
 
 }  // namespace carom

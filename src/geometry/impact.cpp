@@ -8,7 +8,8 @@
 namespace carom {
 namespace {
 
-// When a point at `offset` from a fixed centre, moving at `velocity`, first comes within `reach`.
+// The time at which a point at `offset` from a fixed centre, with constant `velocity`, first comes
+// within `reach` of it.
 std::optional<double> time_to_reach(Vec2 offset, Vec2 velocity, double reach, double horizon) {
     const double closing = -dot(offset, velocity);
     if (!(closing > 0.0)) return std::nullopt;
@@ -26,8 +27,8 @@ std::optional<double> time_to_reach(Vec2 offset, Vec2 velocity, double reach, do
     return time;
 }
 
-// The impact with the long sides of a capsule that has length: none where the path meets an end
-// first. The caller says whether they touch, so that rounding cannot make a gap of a touch.
+// The impact with the long sides of a capsule with length; none if the path meets an end first. The
+// caller decides whether they touch, so that rounding cannot turn contact into a gap.
 std::optional<Impact> side_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
                                   bool touching, double horizon) {
     const Vec2 span = capsule.end - capsule.start;
@@ -49,7 +50,7 @@ std::optional<Impact> side_impact(const Disc& disc, Vec2 velocity, const Capsule
     return Impact{time, perpendicular(along) * up};
 }
 
-// Whether a disc beside a capsule does not approach the line through its spine.
+// Whether a disc beside a capsule does not approach the line through the spine.
 bool is_leaving(const Disc& disc, Vec2 velocity, const Capsule& capsule) {
     const Vec2 span = capsule.end - capsule.start;
     return cross(span, disc.center - capsule.start) * cross(span, velocity) >= 0.0;
@@ -99,12 +100,12 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsul
     if (!(fastest > 0.0)) return std::nullopt;
     const double reach = disc.radius + capsule.radius;
     const double near = 1e-12 * (reach + fastest * horizon);
-    struct Look {
+    struct Separation {
         double gap;
-        double closing;
+        double approach;
         Vec2 normal;
     };
-    const auto look = [&](double time) -> Look {
+    const auto separation_at = [&](double time) -> Separation {
         const Vec2 start = capsule.start + start_velocity * time;
         const Vec2 end = capsule.end + end_velocity * time;
         const Vec2 center = disc.center + velocity * time;
@@ -117,13 +118,13 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsul
     double before = 0.0;
     double time = 0.0;
     while (true) {
-        Look now = look(time);
-        if (now.gap < -near && time > before && look(before).gap > near) {
-            // The least step has gone in too deep: back to where the two touch.
+        Separation now = separation_at(time);
+        if (now.gap < -near && time > before && separation_at(before).gap > near) {
+            // The minimum step overshot: bisect back to the contact.
             double outside = before;
             for (int i = 0; i < 60 && now.gap < -near; ++i) {
                 const double middle = outside + (time - outside) / 2;
-                const Look there = look(middle);
+                const Separation there = separation_at(middle);
                 if (there.gap > near) {
                     outside = middle;
                 } else {
@@ -132,9 +133,9 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsul
                 }
             }
         }
-        if (now.gap <= near && now.closing > 1e-14 * fastest) return Impact{time, now.normal};
-        // No point of the capsule comes nearer faster than `fastest`: the gap takes this long to
-        // close.
+        if (now.gap <= near && now.approach > 1e-14 * fastest) return Impact{time, now.normal};
+        // Conservative advancement: no point of the capsule approaches faster than `fastest`, so
+        // the gap stays open for at least gap / fastest.
         before = time;
         time += now.gap > near ? std::max(now.gap / fastest, 1e-4 * horizon) : 1e-3 * horizon;
         if (!(time <= horizon)) return std::nullopt;

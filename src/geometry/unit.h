@@ -4,7 +4,7 @@
 
 namespace carom {
 
-/// `v` at length 1. Pre: its length is neither 0 nor infinite.
+/// The unit vector along `v`. Pre: the length of `v` neither is 0 nor over- or underflows.
 inline Vec2 unit(Vec2 v) {
     return v / length(v);
 }

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-/// The plane: x is right, y is up.
+/// Vectors of the plane. x points right, y points up.
 ///
-/// Every operation is built from + - * / and sqrt only, which IEEE 754 defines exactly, so a result
-/// has the same bits on every machine.
+/// All operations use + - * / and sqrt only, which IEEE 754 defines exactly, so results have the
+/// same bits on every machine.
 namespace carom {
 
 /// A point or a free vector. Units: those of whatever it stands for (length, length/s, ...).
@@ -59,7 +59,7 @@ constexpr double cross(Vec2 a, Vec2 b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// `a` turned by a quarter to the left (counter-clockwise).
+/// `a` rotated by 90 degrees counter-clockwise.
 constexpr Vec2 perpendicular(Vec2 a) {
     return {-a.y, a.x};
 }

@@ -3,8 +3,8 @@
 #include "geometry/double_double.h"
 #include "geometry/vec2.h"
 
-/// Vec2 over any number type: what the solver `event` computes with, so that the same code runs
-/// with doubles and with more digits. The operations are those of vec2.h.
+/// A Vec2 over any number type, with the operations of vec2.h. The solver `event` computes with it,
+/// so that the same code runs with doubles and in higher precision.
 namespace carom {
 
 template <typename Real>

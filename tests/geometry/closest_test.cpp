@@ -4,7 +4,7 @@
 
 using namespace carom;
 
-TEST_CASE("the closest point of a segment") {
+TEST_CASE("the closest point of a segment may be an end or between") {
     const Vec2 a{1.0, 1.0};
     const Vec2 b{5.0, 1.0};
     CHECK(closest_point(a, b, {3.0, 7.0}) == Vec2{3.0, 1.0});
@@ -14,7 +14,7 @@ TEST_CASE("the closest point of a segment") {
     CHECK(closest_parameter(a, a, {9.0, -2.0}) == 0.0);
 }
 
-TEST_CASE("separation is negative by the depth of the overlap") {
+TEST_CASE("separation is negative for an overlap, by its depth") {
     CHECK(separation(Disc{{0, 0}, 1}, Disc{{3, 0}, 1}) == 1.0);
     CHECK(separation(Disc{{0, 0}, 1}, Disc{{0, 0}, 2}) == -3.0);
     CHECK(separation(Disc{{2, 3}, 1}, Capsule{{0, 0}, {4, 0}, 0.5}) == 1.5);
@@ -22,7 +22,7 @@ TEST_CASE("separation is negative by the depth of the overlap") {
     CHECK_FALSE(is_inside({{0, 0}, {4, 0}, 0.5}, {4.51, 0}));
 }
 
-TEST_CASE("a direction is a unit vector, whatever the size") {
+TEST_CASE("direction gives a unit vector for tiny and huge vectors") {
     for (const double size : {1e-300, 1e-200, 1.0, 1e200, 1e300}) {
         const Vec2 d = direction({3 * size, -4 * size}, {});
         CHECK(d.x == doctest::Approx(0.6).epsilon(1e-15));

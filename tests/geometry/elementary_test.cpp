@@ -9,7 +9,7 @@ using namespace carom;
 
 namespace {
 
-// The oracle is libm in extended precision: not the same everywhere, but far more exact than the
+// The oracle is libm in extended precision. It differs between machines, but by far less than the
 // bounds.
 double error_of_sine(double x) {
     const auto [sine, cosine] = sin_cos(x);
@@ -33,7 +33,7 @@ TEST_CASE("sine and cosine keep their stated bound") {
     CHECK(worst <= 2.3e-16);
 }
 
-TEST_CASE("degrees are exact at quarters and close elsewhere") {
+TEST_CASE("sine and cosine of degrees are exact at right angles") {
     for (int turn = -3; turn <= 3; ++turn) {
         CHECK(sin_cos_degrees(turn * 360.0).sin == 0.0);
         CHECK(sin_cos_degrees(turn * 360.0).cos == 1.0);
@@ -59,7 +59,7 @@ TEST_CASE("the exponential keeps its stated bound") {
     CHECK(exponential(1e6) == std::numeric_limits<double>::infinity());
 }
 
-TEST_CASE("the decay functions of drag keep their stated bounds, down to no drag at all") {
+TEST_CASE("the decay functions keep their stated bounds, down to 0") {
     double worst_mean = 0.0;
     double worst_ramp = 0.0;
     for (double x = 1e-9; x < 600.0; x *= 1.01) {
@@ -81,7 +81,7 @@ TEST_CASE("the decay functions of drag keep their stated bounds, down to no drag
     CHECK(mean_decay_ramp(0.0) == 0.5);
 }
 
-TEST_CASE("what is not finite does not become a number") {
+TEST_CASE("non-finite arguments give NaN") {
     const double infinity = std::numeric_limits<double>::infinity();
     CHECK(std::isnan(sin_cos(infinity).sin));
     CHECK(std::isnan(sin_cos_degrees(infinity).cos));

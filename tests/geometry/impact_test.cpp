@@ -16,7 +16,7 @@ double uniform(std::mt19937_64& engine, double low, double high) {
     return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53;
 }
 
-// The slow oracle: the first of many small steps at which the bodies overlap, refined by bisection.
+// A slow oracle: the first of many small steps at which the bodies overlap, refined by bisection.
 template <typename Shape>
 std::optional<double> first_overlap(const Disc& disc, Vec2 velocity, const Shape& other,
                                     double horizon) {
@@ -39,30 +39,30 @@ std::optional<double> first_overlap(const Disc& disc, Vec2 velocity, const Shape
 
 }  // namespace
 
-TEST_CASE("a disc that runs straight at another") {
+TEST_CASE("a head-on impact of two discs") {
     const auto impact = first_impact(Disc{{0, 0}, 1}, {2, 0}, Disc{{10, 0}, 2}, 100.0);
     REQUIRE(impact);
     CHECK(impact->time == 3.5);
     CHECK(impact->normal == Vec2{-1, 0});
 }
 
-TEST_CASE("the degenerate cases of disc and disc") {
+TEST_CASE("degenerate cases of disc and disc") {
     const Disc other{{3, 0}, 1};
     CHECK(first_impact(Disc{{1, 0}, 1}, {1, 0}, other, 1)->time == 0.0);    // touching
     CHECK(first_impact(Disc{{1.5, 0}, 1}, {1, 0}, other, 1)->time == 0.0);  // overlapping
-    CHECK_FALSE(first_impact(Disc{{1.5, 0}, 1}, {-1, 0}, other, 1));        // parting
-    CHECK_FALSE(first_impact(Disc{{1, 0}, 1}, {0, 1}, other, 1));           // sliding by
+    CHECK_FALSE(first_impact(Disc{{1.5, 0}, 1}, {-1, 0}, other, 1));        // separating
+    CHECK_FALSE(first_impact(Disc{{1, 0}, 1}, {0, 1}, other, 1));           // sliding past
     CHECK_FALSE(first_impact(Disc{{0, 2}, 1}, {1, 0}, other, 100));         // grazing
     CHECK_FALSE(first_impact(Disc{{0, 0}, 1}, {0, 0}, other, 100));         // at rest
     CHECK_FALSE(first_impact(Disc{{0, 0}, 1}, {1, 0}, other, 0.999));       // too late
     CHECK_FALSE(first_impact(Disc{{3, 0}, 1}, {0, 5}, other, 1));           // same centre
 }
 
-TEST_CASE("the degenerate cases of disc and capsule") {
+TEST_CASE("degenerate cases of disc and capsule") {
     const Capsule wall{{0, 0}, {10, 0}, 0.5};
     CHECK(first_impact(Disc{{5, 1.5}, 1}, {1, -1}, wall, 1)->time == 0.0);  // touching
     CHECK(first_impact(Disc{{5, 1}, 1}, {1, -1}, wall, 1)->time == 0.0);    // overlapping
-    CHECK_FALSE(first_impact(Disc{{5, 1}, 1}, {1, 1}, wall, 1));            // parting
+    CHECK_FALSE(first_impact(Disc{{5, 1}, 1}, {1, 1}, wall, 1));            // separating
     CHECK_FALSE(first_impact(Disc{{5, 1.5}, 1}, {1, 0}, wall, 100));        // sliding along
     CHECK_FALSE(first_impact(Disc{{5, 9}, 1}, {0, 0}, wall, 100));          // at rest
     CHECK_FALSE(first_impact(Disc{{-5, 1.5}, 1}, {1, 0}, wall, 100));       // grazing
@@ -76,7 +76,7 @@ TEST_CASE("the degenerate cases of disc and capsule") {
     CHECK(first_impact(Disc{{5, 3}, 1}, {0, -1}, line, 10)->time == 2.0);
 }
 
-TEST_CASE("after the bounce there is no second impact") {
+TEST_CASE("an impact that was resolved is not found again") {
     std::mt19937_64 engine(7);
     for (int i = 0; i < 20'000; ++i) {
         const Capsule wall{{uniform(engine, -5, 5), uniform(engine, -5, 5)},
@@ -93,9 +93,9 @@ TEST_CASE("after the bounce there is no second impact") {
     }
 }
 
-TEST_CASE("a disc that touches a capsule and presses on meets it now, whatever the rounding") {
-    // A ball that slid down a ramp went through it: one way of computing the distance said that
-    // they touched, the other that there was a gap of 1e-16.
+TEST_CASE("a disc that touches a capsule and approaches has an impact at time 0") {
+    // Regression: a ball that slid down a ramp fell through it. Two ways of computing the distance
+    // disagreed: one said contact, the other a gap of 1e-16.
     std::mt19937_64 engine(17);
     for (int i = 0; i < 20'000; ++i) {
         CAPTURE(i);
@@ -130,7 +130,7 @@ TEST_CASE("impacts agree with a slow oracle") {
         if (separation(disc, wall) <= 0.0) continue;
         const auto slow = first_overlap(disc, velocity, wall, 4.0);
         const auto fast = first_impact(disc, velocity, wall, 4.0);
-        if (!slow) continue;  // the oracle may step over a graze
+        if (!slow) continue;  // the oracle may miss a grazing impact
         ++found;
         REQUIRE(fast);
         CHECK(fast->time == doctest::Approx(*slow).epsilon(1e-9));
@@ -138,8 +138,8 @@ TEST_CASE("impacts agree with a slow oracle") {
     CHECK(found > 100);
 }
 
-// The gap is convex in time, so its least value is found by parting the time in three.
-TEST_CASE("what certainly stays apart has no impact") {
+// The gap is convex in time, so ternary search finds its minimum.
+TEST_CASE("bodies that stay apart by the quick test have no impact") {
     std::mt19937_64 engine(17);
     int apart = 0;
     int met = 0;
@@ -173,7 +173,7 @@ TEST_CASE("what certainly stays apart has no impact") {
             CHECK(gap > 0.0);
         }
         met += gap < 0.0;
-        // Larger or smaller, so that it just touches.
+        // Change the radius so that the disc just touches.
         if (disc.radius + gap > 0.0) {
             disc.radius += gap + 1e-9;
             ++grazed;
@@ -190,8 +190,8 @@ TEST_CASE("what certainly stays apart has no impact") {
     CHECK_FALSE(stays_apart({3, 0}, {0, 1}, 1.0, std::numeric_limits<double>::infinity()));
 }
 
-TEST_CASE("grazing at 1e-8 rad is found, and on the near side") {
-    // A disc skims along a wall and comes down on it at an angle of 1e-8.
+TEST_CASE("an impact at a grazing angle of 1e-8 rad is found, on the near side") {
+    // A disc approaches a wall at an angle of 1e-8 rad.
     const Capsule wall{{-1e6, 0}, {1e6, 0}, 0.0};
     const auto impact = first_impact(Disc{{0, 1 + 1e-6}, 1}, {1, -1e-8}, wall, 1e9);
     REQUIRE(impact);
@@ -199,7 +199,7 @@ TEST_CASE("grazing at 1e-8 rad is found, and on the near side") {
     CHECK(impact->normal == Vec2{0, 1});
 }
 
-TEST_CASE("a capsule whose ends move agrees with a resting one seen from it") {
+TEST_CASE("a translating capsule gives the same impact as a resting one in its frame") {
     std::mt19937_64 engine(13);
     int found = 0;
     for (int i = 0; i < 500; ++i) {
@@ -218,11 +218,11 @@ TEST_CASE("a capsule whose ends move agrees with a resting one seen from it") {
     CHECK(found > 50);
 }
 
-TEST_CASE("a turning capsule strikes a resting disc") {
-    // The far end sweeps from (4,0) to (0,4) in a second; the disc stands in its way.
+TEST_CASE("a rotating capsule hits a resting disc") {
+    // The far end sweeps from (4,0) to (0,4) in a second, past the disc.
     const auto impact = first_impact(Disc{{2.5, 2.5}, 0.5}, {0, 0}, Capsule{{0, 0}, {4, 0}, 0.1},
                                      {0, 0}, {-4, 4}, 1.0);
-    CHECK_FALSE(impact);  // the straight way of the end cuts the corner: 2.83 - 0.6 short of it
+    CHECK_FALSE(impact);  // the end moves straight and misses the disc: it passes at 2.83, not 4
     const auto nearer = first_impact(Disc{{1.5, 1.5}, 0.5}, {0, 0}, Capsule{{0, 0}, {4, 0}, 0.1},
                                      {0, 0}, {-4, 4}, 1.0);
     REQUIRE(nearer);

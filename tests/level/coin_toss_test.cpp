@@ -11,7 +11,7 @@
 using namespace carom;
 
 TEST_SUITE("long") {
-    TEST_CASE("event: the coin-toss board tosses fair coins, over several seeds") {
+    TEST_CASE("event: the coin-toss board is fair over several seeds") {
         const std::string text =
             test::read_file(std::filesystem::path(CAROM_SOURCE_DIR) / "levels/coin-toss.level");
         for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
@@ -30,7 +30,7 @@ TEST_SUITE("long") {
             double mean = 0.0;
             double squares = 0.0;
             double chi_square = 0.0;
-            double share = 1.0 / 4096.0;  // of 12 tosses, all on one side
+            double share = 1.0 / 4096.0;  // of 12 equal tosses
             for (std::size_t i = 0; i < bins.size(); ++i) {
                 const double place = static_cast<double>(i);
                 const double found = static_cast<double>(bins[i]);

@@ -11,7 +11,7 @@ using namespace carom::test;
 
 namespace {
 
-// Seeded, so that a failure comes back.
+// Seeded, so that a failure can be reproduced.
 class Dice {
   public:
     explicit Dice(std::uint64_t seed) : seed_(seed) {}
@@ -24,7 +24,7 @@ class Dice {
     std::uint64_t next_ = 0;
 };
 
-// Whatever the bytes: it comes back, with a scene or an error, and messages that render.
+// The loader returns a scene or an error, whatever the bytes, and its diagnostics render.
 void check_survives(const std::string& text, const LoadOptions& options) {
     const LoadResult result = load_level(text, "fuzz.level", options);
     bool has_error = false;
@@ -45,7 +45,7 @@ std::vector<std::string> seeds() {
     std::vector<std::string> texts;
     for (const auto& folder : {root / "levels", root / "tests/level/broken"}) {
         for (const auto& file : level_files(folder)) {
-            // Nothing that takes long when it is right: thousands of mutants of it would.
+            // Leave out levels that take long to load: thousands of mutants would too.
             const std::string text = read_file(file);
             if (text.size() < 6000 && text.find("0000") == std::string::npos) texts.push_back(text);
         }
@@ -84,7 +84,7 @@ std::vector<std::string> soup_words() {
 
 }  // namespace
 
-TEST_CASE("random bytes") {
+TEST_CASE("the loader survives random bytes") {
     Dice dice(1);
     for (int i = 0; i < 3000; ++i) {
         std::string text = dice.below(2) == 0 ? "carom 1 \"A\"\n" : "";
@@ -95,7 +95,7 @@ TEST_CASE("random bytes") {
     }
 }
 
-TEST_CASE("token soup") {
+TEST_CASE("the loader survives random words") {
     Dice dice(2);
     const std::vector<std::string> words = soup_words();
     for (int i = 0; i < 5000; ++i) {
@@ -109,7 +109,7 @@ TEST_CASE("token soup") {
     }
 }
 
-TEST_CASE("mutated levels") {
+TEST_CASE("the loader survives mutated levels") {
     Dice dice(3);
     const std::vector<std::string> texts = seeds();
     const std::vector<std::string> words = soup_words();

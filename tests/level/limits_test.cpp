@@ -14,7 +14,7 @@ std::string repeated(std::string_view text, int count) {
     return result;
 }
 
-// Exactly one error, and it says this.
+// Checks for exactly one error, with these words.
 void check_refused(const LoadResult& result, std::string_view words) {
     CAPTURE(words);
     CHECK_FALSE(result.scene);
@@ -24,7 +24,7 @@ void check_refused(const LoadResult& result, std::string_view words) {
 
 }  // namespace
 
-TEST_CASE("a million balls load, one more does not") {
+TEST_CASE("a million balls load, and one more is an error") {
     const LoadResult most = load_lines("fill count=1e6 box=0,0,3300,3300 r=1\n");
     REQUIRE(most.scene);
     CHECK(most.scene->world.balls.size() == 1'000'000);
@@ -35,7 +35,7 @@ TEST_CASE("a million balls load, one more does not") {
                   "more than 1000000 balls");
 }
 
-TEST_CASE("bombs go off harmlessly") {
+TEST_CASE("short levels that expand without bound are refused") {
     check_refused(load_lines("repeat 1e9\nend\n"), "more than 1000000 statements");
     check_refused(
         load_lines(repeated("repeat 100\n", 30) + "peg at=0,0 r=1\n" + repeated("end\n", 30)),
@@ -61,12 +61,12 @@ TEST_CASE("bombs go off harmlessly") {
                   "more than 1000 fills");
 }
 
-TEST_CASE("a million copies of one mistake are one message") {
+TEST_CASE("a million copies of one error give one message") {
     const LoadResult result = load_lines("repeat 900000\n peg at=0,W r=1\nend\n");
     check_refused(result, "'W' is not known");
 }
 
-TEST_CASE("nesting ends at 32, of blocks, brackets and includes") {
+TEST_CASE("blocks, brackets and includes nest up to 32 deep") {
     const auto nested = [](int depth) {
         return repeated("mirror x=0\n", depth) + "peg at=0,0 r=1\n" + repeated("end\n", depth);
     };
@@ -90,14 +90,14 @@ TEST_CASE("nesting ends at 32, of blocks, brackets and includes") {
     CHECK(number <= 33);
 }
 
-// Images were numbered by powers of four once, which overflowed.
-TEST_CASE("mirrors within mirrors, as deep as it goes") {
+// Regression: image numbers were powers of four, which overflowed.
+TEST_CASE("nested mirrors reach the limit without overflow") {
     const LoadResult result =
         load_lines(repeated("mirror x=0 y=0\n", 32) + "peg at=0,0 r=1\n" + repeated("end\n", 32));
     check_refused(result, "more than 1000000 statements");
 }
 
-TEST_CASE("files and lines have their size") {
+TEST_CASE("files and lines have a largest size") {
     const std::string head = "carom 1 \"A\"\n";
     const auto load = [](const std::string& text) { return load_level(text, "a.level"); };
     CHECK(load(head + repeated("# 123456789\n", 300'000)).scene);
@@ -106,8 +106,8 @@ TEST_CASE("files and lines have their size") {
     check_refused(load(head + "#" + repeated("x", 4096)), "more than 4096");
 }
 
-TEST_CASE("overlaps among a million balls are found without looking at all pairs") {
-    // A grid of touching balls, and one that sits a tenth too low on its last.
+TEST_CASE("an overlap among 250,000 balls is found without testing all pairs") {
+    // A grid of touching balls, and one ball that overlaps the last by a tenth.
     const LoadResult result = load_lines(
         "repeat 500 step=0,2\n repeat 500 step=2,0\n  ball at=0,0 r=1\n end\nend\n"
         "ball at=998,999.9 r=1\n");
@@ -115,9 +115,9 @@ TEST_CASE("overlaps among a million balls are found without looking at all pairs
     CHECK(result.diagnostics[0].line == 7);
 }
 
-TEST_CASE("a crowd that never meets is no work") {
+TEST_CASE("many balls in one place that do not collide load quickly") {
     CHECK(load_lines("collide ball edge\nrepeat 100000\n ball at=0,0\nend\n").scene);
-    // Red and blue meet, red and red do not: all pairs are near. The check gives up, and says so.
+    // Red collides with blue only, but all pairs are near: the check gives up with a warning.
     const LoadResult result = load_lines(
         "kind red\nkind blue\ncollide red blue\n"
         "repeat 50000\n ball at=0,0 kind=red\nend\nball at=9,9 kind=blue\n");
@@ -126,8 +126,8 @@ TEST_CASE("a crowd that never meets is no work") {
     CHECK(result.diagnostics[0].severity == Severity::warning);
 }
 
-// Each of these once took minutes: what lies in one place is near to all else that lies there.
-TEST_CASE("crowds of things that never meet, or hardly, are no endless work") {
+// Regression: each of these took minutes, since all items in one place are near each other.
+TEST_CASE("crowds of items that hardly collide load in bounded time") {
     const std::string edges = "repeat 100000\n edge -1,0 1,0\nend\n";
     const LoadResult ghosts = load_lines(
         "kind red\nkind blue\ncollide red blue\nball at=9,9 kind=blue\n"
@@ -146,7 +146,7 @@ TEST_CASE("crowds of things that never meet, or hardly, are no endless work") {
                   "too crowded for this fill");
 }
 
-TEST_CASE("a thousand kinds, and a line of the file for each pair that meets, or for none") {
+TEST_CASE("a thousand kinds with a collide statement for each pair load") {
     std::string kinds;
     for (int i = 0; i < 1000; ++i)
         kinds += "kind k" + std::to_string(i) + "\n";

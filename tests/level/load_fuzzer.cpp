@@ -7,8 +7,8 @@
 #include "physics/solver.h"
 #include "physics/world/fingerprint.h"
 
-/// Bytes that libFuzzer invents, as a level; and what loads and is small enough, for a few ticks.
-/// It starts from the levels that ship and the broken ones. With clang++:
+/// Loads bytes from libFuzzer as a level, and runs a level that loads and is small for a few ticks.
+/// The corpus is the shipped and the broken levels. With clang++:
 ///
 ///     cmake -B build/fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo
 ///     \

@@ -20,7 +20,7 @@ const Capsule& edge(const Scene& scene, std::size_t i) {
 
 }  // namespace
 
-TEST_CASE("the smallest level") {
+TEST_CASE("a level of one line loads, with defaults") {
     const Scene scene = load_clean(
         "use gravity 0,-9.81\n"
         "material wood e=0.8\n"
@@ -49,7 +49,7 @@ TEST_CASE("the smallest level") {
     CHECK(scene.view == Box{{-1, -1}, {101, 81}});
 }
 
-TEST_CASE("the Galton board of the format's page") {
+TEST_CASE("a Galton board loads with its emitter, bins and experiment") {
     const Scene scene = load_clean(
         "units mm\n"
         "seed 1873\n"
@@ -86,7 +86,7 @@ TEST_CASE("the Galton board of the format's page") {
     CHECK(scene.unit == LengthUnit::millimetre);
 }
 
-TEST_CASE("a level without use has elastic, weightless balls and no terms") {
+TEST_CASE("a level without use has elastic balls and no terms") {
     const Scene scene = load_clean("ball a at=0,0\nedge 0,9 9,9\n");
     CHECK(scene.world.model == Model{});
     CHECK(scene.world.balls.radius[0] == 1.0);
@@ -95,7 +95,7 @@ TEST_CASE("a level without use has elastic, weightless balls and no terms") {
     CHECK(scene.material_names == std::vector<std::string>{"edge"});
 }
 
-TEST_CASE("every term of use reaches the model") {
+TEST_CASE("each use statement sets its term of the model") {
     const Scene scene = load_clean(
         "world -10,-10 10,10\nuse gravity 1,-2\nuse drag 0.5\nuse stop 0.1\nuse limit 30\n"
         "use scatter 90\nuse wrap\nball a at=0,0\n");
@@ -109,13 +109,13 @@ TEST_CASE("every term of use reaches the model") {
     CHECK(scene.view == Box{{-10, -10}, {10, 10}});
 }
 
-TEST_CASE("a term of 0 is the term left out") {
+TEST_CASE("a term of 0 is off") {
     const Scene scene =
         load_clean("use gravity 0,0\nuse drag 0\nuse stop 0\nuse scatter 0\nball a at=0,0\n");
     CHECK(scene.world.model == Model{});
 }
 
-TEST_CASE("masses come from the ball, the kind, or the area") {
+TEST_CASE("a mass comes from the ball, else its kind, else its area") {
     const Scene scene = load_clean(
         "kind heavy r=2 m=5\nkind dense r=2 density=3\nkind plain r=2\n"
         "ball a kind=heavy at=0,0\nball b kind=heavy r=3 at=10,0\nball c kind=heavy m=7 at=20,0\n"
@@ -129,13 +129,13 @@ TEST_CASE("masses come from the ball, the kind, or the area") {
     CHECK(mass(5) == doctest::Approx(4 * pi));
 }
 
-TEST_CASE("a ball that bounces fully in a level that does not keeps its own restitution") {
+TEST_CASE("a ball keeps its own restitution in an inelastic level") {
     const Scene scene =
         load_clean("kind dull e=0.5\nball a kind=dull e=1 at=0,0\nball b kind=dull at=9,0\n");
     CHECK(scene.world.balls.restitution == std::vector<double>{1.0, 0.5});
 }
 
-TEST_CASE("units turn into SI") {
+TEST_CASE("values with units are converted to SI") {
     const Scene scene = load_clean(
         "units mm\nkind pool r=28.575 m=170g\nball a kind=pool at=1cm,-2in v=0.5m/s,20mm/s\n"
         "use gravity 0,-981cm/s2\nuse drag 30/min\nrate 1kHz\nlet W=5\npeg at=W,W+1cm r=W/2\n"
@@ -155,7 +155,7 @@ TEST_CASE("units turn into SI") {
     CHECK(world.materials[0].soften == 0.4);
 }
 
-TEST_CASE("mirror makes images, but not of what is its own image") {
+TEST_CASE("mirror makes images, but no duplicates on its line") {
     const Scene scene = load_clean(
         "mirror x=0 y=0\n"
         "  peg at=3,4 r=1\n"
@@ -189,7 +189,7 @@ TEST_CASE("repeat shifts, counts and nests") {
     CHECK(edge(scene, 5).start == Vec2{22, 5});
 }
 
-TEST_CASE("parts are placed, turned and flipped, exactly for right angles") {
+TEST_CASE("parts are translated, rotated and flipped, exactly for right angles") {
     const Scene scene = load_clean(
         "let gap=1\n"
         "part wing size=3 lift=\n"
@@ -205,7 +205,7 @@ TEST_CASE("parts are placed, turned and flipped, exactly for right angles") {
     CHECK(edge(scene, 3).end == Vec2{13, 24});
 }
 
-TEST_CASE("a part sees the names of the level, not those of where it is placed") {
+TEST_CASE("a part sees the names of the level, not those at its place statement") {
     const LoadResult result =
         load_lines("part a\n peg at=i,0 r=1\nend\nrepeat 2 i step=5,0\n place a at=0,0\nend\n");
     REQUIRE(result.diagnostics.size() == 1);
@@ -213,7 +213,7 @@ TEST_CASE("a part sees the names of the level, not those of where it is placed")
     CHECK(result.diagnostics[0].column == 9);
 }
 
-TEST_CASE("arcs pass through their ends and stay within a thousandth of the radius") {
+TEST_CASE("arcs pass through their ends, within 1/1000 of the radius") {
     const Scene scene = load_clean("arc at=5,7 radius=100 from=180 to=0 r=2\n");
     const auto& shapes = scene.world.capsules.shape;
     CHECK(shapes.front().start == Vec2{-95, 7});
@@ -225,11 +225,11 @@ TEST_CASE("arcs pass through their ends and stay within a thousandth of the radi
         CHECK(distance(middle, {5, 7}) > 99.9);
         highest = std::max(highest, middle.y);
     }
-    CHECK(highest > 106.0);  // from 180 to 0 it passes 90, not 270
+    CHECK(highest > 106.0);  // an arc from 180 to 0 passes 90, not 270
     CHECK(load_clean("arc at=0,0 radius=1\n").outlines.size() == 1);
 }
 
-TEST_CASE("fillets touch both edges and stay within their corner") {
+TEST_CASE("fillets are tangent to both edges") {
     const Scene scene = load_clean("edge 0,0 10,0 10,10 fillet=4\n");
     const auto& shapes = scene.world.capsules.shape;
     CHECK(shapes.size() > 8);
@@ -244,7 +244,7 @@ TEST_CASE("fillets touch both edges and stay within their corner") {
         CHECK(distance(piece.start, {5, 5}) == doctest::Approx(5));
 }
 
-TEST_CASE("pegs stand in triangles and grids") {
+TEST_CASE("pegs form triangles and grids") {
     const Scene triangle = load_clean("pegs triangle at=0,0 rows=3 pitch=2 row=1 r=0.1\n");
     REQUIRE(triangle.world.capsules.size() == 6);
     CHECK(edge(triangle, 0).start == Vec2{0, 0});
@@ -259,7 +259,7 @@ TEST_CASE("pegs stand in triangles and grids") {
     CHECK(edge(stagger, 4).start == Vec2{-2, -1});
 }
 
-TEST_CASE("bins have walls, a floor, and a zone that covers the inside of each") {
+TEST_CASE("bins have walls, a floor, and a zone each") {
     const Scene scene = load_clean("bins tray at=10,0 count=4 width=5 depth=20 wall=1\n");
     const World& world = scene.world;
     CHECK(world.capsules.size() == 6);
@@ -273,7 +273,7 @@ TEST_CASE("bins have walls, a floor, and a zone that covers the inside of each")
     CHECK(scene.counter_names[3] == "tray.4");
 }
 
-TEST_CASE("open bins count and have no walls") {
+TEST_CASE("open bins have zones but no walls") {
     const Scene scene = load_clean("bins slices at=0,10 count=2 width=4 depth=10 open\n");
     CHECK(scene.world.capsules.size() == 0);
     REQUIRE(scene.world.zones.size() == 2);
@@ -283,7 +283,7 @@ TEST_CASE("open bins count and have no walls") {
     CHECK_FALSE(is_inside(scene.world.zones[0].shape, {0.1, 5}));
 }
 
-TEST_CASE("a cradle is a row with some balls swung out") {
+TEST_CASE("a cradle is a row of balls, some of them swung out") {
     const Scene scene = load_clean("cradle row at=0,0 count=5 in=2 v=3 r=1 gap=0.5 swing=4\n");
     const World& world = scene.world;
     REQUIRE(world.balls.size() == 5);
@@ -297,7 +297,7 @@ TEST_CASE("a cradle is a row with some balls swung out") {
     CHECK(scene.ball_names[4] == "row.5");
 }
 
-TEST_CASE("a drawing becomes edges, balls and pegs") {
+TEST_CASE("a map becomes edges, balls and pegs") {
     const Scene scene = load_clean(
         "kind red r=0.2\n"
         "legend ball x kind=red v=1,0\n"
@@ -327,7 +327,7 @@ TEST_CASE("a drawing becomes edges, balls and pegs") {
     CHECK(has({{-4, 2}, {0, 2}, 0}));     // its floor
 }
 
-TEST_CASE("lines of a drawing meet in the cells that they run into") {
+TEST_CASE("lines of a map join in the cells that they run into") {
     const Scene scene = load_clean(
         "map cell=2\n"
         "+--\n"
@@ -343,7 +343,7 @@ TEST_CASE("lines of a drawing meet in the cells that they run into") {
     CHECK(has({{6, 4}, {3, 1}, 0}));  // / to the middle of the - below it on the left
 }
 
-TEST_CASE("collide says who meets") {
+TEST_CASE("collide sets the collision matrix") {
     const Scene scene = load_clean(
         "kind red\nkind blue\nmaterial wood e=0.5\n"
         "collide red blue\ncollide red edge\ncollide wood red\n"
@@ -360,22 +360,22 @@ TEST_CASE("collide says who meets") {
     CHECK(world.model.ball_ball);
 }
 
-TEST_CASE("balls that never meet may start in one place") {
+TEST_CASE("balls that do not collide may start in one place") {
     CHECK(rendered(load_lines("collide ball edge\nball a at=0,0\nball b at=0,0\n")) == "");
     CHECK(rendered(load_lines("use overlap\nball a at=0,0\nball b at=0,0\nedge 0,0 9,0\n")) == "");
 }
 
-TEST_CASE("touching within rounding is no overlap") {
+TEST_CASE("contact within rounding is no overlap") {
     CHECK(rendered(load_lines("ball a at=0.1*3,0 r=0.1\nball b at=0.5,0 r=0.1\n"
                               "edge 0,-0.1 9,-0.1\n")) == "");
 }
 
-TEST_CASE("one-way edges hold only the balls of their side") {
+TEST_CASE("a one-way edge is solid on one side") {
     CHECK(rendered(load_lines("edge 0,0 10,0 side=left\nball a at=5,-0.5\n")) == "");
     CHECK(load_lines("edge 0,0 10,0 side=left\nball a at=5,0.5\n").diagnostics.size() == 1);
 }
 
-TEST_CASE("expect knows its quantity") {
+TEST_CASE("expect resolves its quantity") {
     const Scene scene = load_clean(
         "ball a at=5,9\nbins at=0,0 count=3 width=5 depth=5\n"
         "expect collisions 10 within 0\nexpect a.vx 1.5 within 1e-9 at=2\n"
@@ -392,7 +392,7 @@ TEST_CASE("expect knows its quantity") {
     CHECK_FALSE(scene.overridden);
 }
 
-TEST_CASE("solver, rate, seed and game") {
+TEST_CASE("solver, rate, seed and game reach the scene") {
     const Scene scene = load_clean(
         "solver substep updates=8 steps=5\nrate 240\nseed 18446744073709551615\n"
         "game galton\nphysics 1\n");
@@ -403,14 +403,14 @@ TEST_CASE("solver, rate, seed and game") {
     CHECK(scene.game == "galton");
 }
 
-TEST_CASE("substeps are those of the solver that has them") {
+TEST_CASE("substeps= sets the substeps of the named solver") {
     CHECK(load_lines("solver contact\n").scene->solver->contact_substeps == 4);
     CHECK(load_lines("solver contact substeps=9\n").scene->solver->contact_substeps == 9);
     CHECK(load_lines("solver swept substeps=9\n").scene->solver->substeps == 9);
     CHECK(load_lines("solver event substeps=9\n").diagnostics.size() == 1);
 }
 
-TEST_CASE("the comment that opens the file") {
+TEST_CASE("the opening comment keeps its relative indentation") {
     const auto comment = [](std::string_view text) {
         return load_level(text, "a.level").scene.value().comment;
     };
@@ -419,14 +419,14 @@ TEST_CASE("the comment that opens the file") {
     CHECK(
         comment("carom 1 \"A\"  # beside\n\n#   Shows this. \r\n#\t Try that.\n#\nball at=0,0\n") ==
         std::vector<std::string>{"Shows this.", "Try that."});
-    // What is set against the margin, such as the second line of a list, stays so.
+    // Indentation relative to the margin stays, as in the second line of a list.
     const std::vector<std::string> list{"Try: one", "     two", "", "End"};
     CHECK(comment("carom 1 \"A\"\n# Try: one\n#      two\n#\n# End\n#\n") == list);
     CHECK(comment("carom 1 \"A\"\nball at=0,0\n# late\n").empty());
 }
 
-// The title and the comment are shown in menus and printed: a level must not steer the terminal.
-TEST_CASE("control characters of the title and the comment are not shown") {
+// Menus show the title and the comment, so a level must not send control characters to a terminal.
+TEST_CASE("control characters of the title and the comment are replaced") {
     const Scene scene =
         load_level("carom 1 \"A\x1b[31mB\"\n# \x1b]0;x\x07\nball at=0,0\n", "a.level")
             .scene.value();
@@ -434,7 +434,7 @@ TEST_CASE("control characters of the title and the comment are not shown") {
     CHECK(scene.comment == std::vector<std::string>{"?]0;x?"});
 }
 
-TEST_CASE("lines may end in CR LF, begin with a byte order mark, and go on") {
+TEST_CASE("CR LF, a byte order mark and continued lines are read") {
     const LoadResult result = load_level(
         "\xef\xbb\xbf"
         "carom 1 \"A\"\r\nball a \\\r\n  at=1,2 \\  # on and on\r\n  r=3\r\n",
@@ -465,7 +465,7 @@ TEST_CASE("includes share names and settings, and are read once") {
     CHECK(scene.includes == std::vector<Include>{{0, 1, "lib.level"}});
 }
 
-TEST_CASE("a file that is included from two places is one text, and every path to it is known") {
+TEST_CASE("a file that is included twice is read once, and both paths are known") {
     LoadOptions options;
     options.resolve_include = [&](std::string_view, std::string_view path) {
         return std::optional(IncludedFile{

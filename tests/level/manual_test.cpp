@@ -20,7 +20,7 @@ std::string manual() {
     return read_file(std::filesystem::path(CAROM_SOURCE_DIR) / "docs/levels.md");
 }
 
-// The blocks that are fenced with ```KIND.
+// The code blocks of the manual with the fence ```KIND.
 std::vector<Example> examples(std::string_view kind) {
     const std::string text = manual();
     std::vector<Example> found;
@@ -52,7 +52,7 @@ LoadOptions with_walls() {
 
 }  // namespace
 
-TEST_CASE("every example of the manual loads without a word") {
+TEST_CASE("every example of the manual loads without a diagnostic") {
     const auto all = examples("carom");
     CHECK(all.size() > 15);
     for (const Example& example : all) {
@@ -65,7 +65,7 @@ TEST_CASE("every example of the manual loads without a word") {
     }
 }
 
-TEST_CASE("the manual has an example of every statement, and of every key") {
+TEST_CASE("the manual has an example of every statement, key and flag") {
     std::string all;
     for (const Example& example : examples("carom"))
         all += example.text;
@@ -82,7 +82,7 @@ TEST_CASE("the manual has an example of every statement, and of every key") {
     }
 }
 
-TEST_CASE("the grammar of the manual is that of the loader") {
+TEST_CASE("the grammar of the manual equals that of the statement table") {
     const auto blocks = examples("grammar");
     REQUIRE(blocks.size() == 1);
     CHECK(blocks[0].text == all_statements().grammar());

@@ -36,7 +36,7 @@ bool is_solid(int number) {
 
 }  // namespace
 
-TEST_CASE("8-ball: a table of 2.54 m, 16 balls, six pockets, a cue") {
+TEST_CASE("the 8-ball table has 16 balls, six pockets and a cue") {
     const Scene scene = shipped("eight-ball");
     CHECK(scene.game == "eightball");
     CHECK(scene.world.model.cloth);
@@ -50,7 +50,7 @@ TEST_CASE("8-ball: a table of 2.54 m, 16 balls, six pockets, a cue") {
     CHECK(scene.ball_names[number(scene.pool.racks.front().balls[7])] == "rack.8");
 }
 
-TEST_CASE("a match may have an end, and a shot a time") {
+TEST_CASE("race and clock set the length of a match and the shot clock") {
     const auto loaded = [](const std::string& statement) {
         const auto folder = std::filesystem::path(CAROM_SOURCE_DIR) / "levels";
         LoadOptions options = options_for(folder);
@@ -67,7 +67,7 @@ TEST_CASE("a match may have an end, and a shot a time") {
     CHECK(loaded("game nineball race=7 clock=0.5min").clock == 30.0);
 }
 
-TEST_CASE("a rack of 8-ball: the 8 in the middle, one of each group in the rear corners") {
+TEST_CASE("an 8-ball rack has the 8 in the middle and a solid and a stripe in the back corners") {
     std::set<int> behind_the_apex;
     for (int seed = 0; seed < 40; ++seed) {
         CAPTURE(seed);
@@ -87,7 +87,7 @@ TEST_CASE("a rack of 8-ball: the 8 in the middle, one of each group in the rear 
     CHECK(behind_the_apex.size() > 8);
 }
 
-TEST_CASE("a rack of 9-ball: the 1 in front, the 9 in the middle") {
+TEST_CASE("a 9-ball rack has the 1 at the apex and the 9 in the middle") {
     for (int seed = 0; seed < 10; ++seed) {
         const Scene scene =
             load_clean("rack nine at=5,5 toward=north seed=" + std::to_string(seed));
@@ -113,7 +113,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("pool tables keep their balls: what is broken hard ends on the table or in a pocket") {
+TEST_CASE("after a hard break, every ball is on the table or in a pocket") {
     for (const std::string_view name : {"eight-ball", "nine-ball", "pool-table"}) {
         CAPTURE(name);
         const Scene scene = shipped(name);

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <set>
 
 #include "geometry/elementary.h"
+#include "level/assemble/class_names.h"
+#include "level/assemble/collision_matrix.h"
 #include "level/text/spelling.h"
 
 namespace carom {
@@ -25,35 +25,6 @@ bool are_same(const Material& a, const Material& b) {
            a.kick == b.kick && a.kick_from == b.kick_from &&
            a.kicks_in_the_middle == b.kicks_in_the_middle;
 }
-
-// Finds the kinds or the materials of a level by name, and records which are used.
-class Classes {
-  public:
-    explicit Classes(const std::vector<std::string_view>& names) : used_(names.size(), false) {
-        for (std::size_t i = 0; i < names.size(); ++i)
-            index_.emplace(names[i], i);
-    }
-
-    std::optional<ClassIndex> find(std::string_view name) {
-        const auto found = index_.find(name);
-        if (found == index_.end()) return std::nullopt;
-        used_[found->second] = true;
-        return static_cast<ClassIndex>(found->second);
-    }
-    bool has(std::string_view name) const { return index_.contains(name); }
-    /// The default class, of balls or edges that name none.
-    ClassIndex default_class() {
-        is_default_used_ = true;
-        return static_cast<ClassIndex>(used_.size());
-    }
-    bool is_default_used() const { return is_default_used_; }
-    bool is_used(std::size_t i) const { return used_[i]; }
-
-  private:
-    std::map<std::string_view, std::size_t> index_;
-    std::vector<bool> used_;
-    bool is_default_used_ = false;
-};
 
 class Resolver {
   public:
@@ -79,19 +50,13 @@ class Resolver {
         }
         make_classes();
         make_device_materials();
-        make_collision_matrix();
+        result_.collision_matrix = make_collision_matrix(ir_, result_, kinds_of_a_layer_, kinds_,
+                                                         materials_, context_.reporter);
         warn_unused();
         return std::move(result_);
     }
 
   private:
-    // Searching for a similar name takes time, so it is done only for the first messages.
-    std::string remedy(const Word& word, const std::vector<std::string_view>& known,
-                       std::string otherwise) const {
-        if (context_.reporter.errors() > 10 * max_diagnostics) return otherwise;
-        return did_you_mean(word.text, known, std::move(otherwise));
-    }
-
     ResolvedBalls resolve_kind(const std::optional<Word>& name) {
         if (!name) return {kinds_.default_class(), true};
         if (const auto kind = kinds_.find(name->text)) {
@@ -99,7 +64,8 @@ class Resolver {
         }
         context_.reporter.error(
             "unknown-kind", name->span(), fmt::format("there is no kind '{}'", name->text),
-            remedy(*name, kind_names_, fmt::format("define it: kind {} r=...", name->text)));
+            suggestion(name->text, kind_names_, fmt::format("define it: kind {} r=...", name->text),
+                       context_.reporter));
         return {0, false};
     }
 
@@ -107,7 +73,8 @@ class Resolver {
         if (const auto material = materials_.find(name.text)) return material;
         context_.reporter.error(
             "unknown-material", name.span(), fmt::format("there is no material '{}'", name.text),
-            remedy(name, material_names_, fmt::format("define it: material {} e=...", name.text)));
+            suggestion(name.text, material_names_,
+                       fmt::format("define it: material {} e=...", name.text), context_.reporter));
         return std::nullopt;
     }
 
@@ -232,90 +199,6 @@ class Resolver {
         return static_cast<ClassIndex>(result_.materials.size() - 1);
     }
 
-    // Whether "ball" or "edge" in `collide` is both the name of one class and the word for all.
-    bool is_ambiguous(const Word& word, std::string_view all, std::string_view name,
-                      std::size_t of_its_sort) {
-        if (word.text != all || name != all || of_its_sort == 1) return false;
-        const bool is_declared = kinds_.has(all) || materials_.has(all);
-        if (!is_declared) return false;
-        context_.reporter.error("ambiguous-class", word.span(),
-                                fmt::format("'{}' is the name of one, and the word for all", all),
-                                fmt::format("call that one something else than {}", all));
-        return true;
-    }
-
-    // The classes that a word of `collide` stands for; empty: an error, which is reported.
-    const std::vector<std::size_t>& classes_of(const Word& word) {
-        std::vector<std::size_t>& known = classes_[word.text];
-        if (known.empty()) known = find_classes(word);
-        return known;
-    }
-
-    std::vector<std::size_t> find_classes(const Word& word) {
-        std::vector<std::size_t> classes;
-        const std::size_t kinds = result_.kinds.size();
-        for (std::size_t i = 0; i < kinds + result_.materials.size(); ++i) {
-            const bool is_kind = i < kinds;
-            const std::string& name =
-                is_kind ? result_.kind_names[i] : result_.material_names[i - kinds];
-            const std::string_view all = is_kind ? "ball" : "edge";
-            if (is_ambiguous(word, all, name,
-                             is_kind ? kinds_of_a_layer_ : result_.materials.size()))
-                return {};
-            if (word.text == all || word.text == name) classes.push_back(i);
-        }
-        kinds_.find(word.text);
-        materials_.find(word.text);
-        if (!classes.empty()) return classes;
-        std::vector<std::string_view> known{"ball", "edge"};
-        known.insert(known.end(), kind_names_.begin(), kind_names_.end());
-        known.insert(known.end(), material_names_.begin(), material_names_.end());
-        context_.reporter.error(
-            "unknown-class", word.span(),
-            fmt::format("'{}' is neither a kind nor a material", word.text),
-            remedy(word, known, "name kinds, materials, or the words ball and edge"));
-        return {};
-    }
-
-    void make_collision_matrix() {
-        if (ir_.collides.empty() && result_.layers == 1) return;
-        const std::size_t kinds = result_.kinds.size();
-        const std::size_t classes = kinds + result_.materials.size();
-        result_.collision_matrix.assign(classes * classes, ir_.collides.empty() ? 1 : 0);
-        add_declared_collisions();
-        const auto layer_of = [&](std::size_t i) {
-            return i < kinds ? result_.kinds[i].layer : result_.material_layers[i - kinds];
-        };
-        for (std::size_t i = 0; i < classes; ++i)
-            for (std::size_t k = 0; k < classes; ++k)
-                if (layer_of(i) != layer_of(k)) result_.collision_matrix[i * classes + k] = 0;
-    }
-
-    void add_declared_collisions() {
-        const std::size_t kinds = result_.kinds.size();
-        const std::size_t classes = kinds + result_.materials.size();
-        // Handle each pair of words once: `ball ball` alone can be a million pairs of kinds.
-        std::set<std::pair<std::string_view, std::string_view>> done;
-        for (const CollideIr& collide : ir_.collides) {
-            if (!done.emplace(collide.a.text, collide.b.text).second) continue;
-            const std::vector<std::size_t>& a = classes_of(collide.a);
-            const std::vector<std::size_t>& b = classes_of(collide.b);
-            for (const std::size_t i : a) {
-                for (const std::size_t k : b) {
-                    result_.collision_matrix[i * classes + k] =
-                        result_.collision_matrix[k * classes + i] = 1;
-                }
-            }
-            const auto is_edge = [&](std::size_t i) { return i >= kinds; };
-            if (!a.empty() && !b.empty() && std::ranges::all_of(a, is_edge) &&
-                std::ranges::all_of(b, is_edge)) {
-                context_.reporter.error("edges-with-edges", collide.b.span(),
-                                        "edges do not meet edges",
-                                        "name a kind of ball, or the word ball");
-            }
-        }
-    }
-
     void warn_unused() {
         // A statement with an error may be the one that uses the name.
         if (context_.reporter.has_errors()) return;
@@ -343,58 +226,14 @@ class Resolver {
     LevelIr& ir_;
     std::vector<std::string_view> kind_names_;
     std::vector<std::string_view> material_names_;
-    Classes kinds_;
-    Classes materials_;
+    ClassNames kinds_;
+    ClassNames materials_;
     std::size_t kinds_of_a_layer_ = 0;
     std::vector<bool> is_of_own_material_;  ///< for each binding of a device
-    std::map<std::string_view, std::vector<std::size_t>> classes_;  ///< for each word of `collide`
     ResolvedNames result_;
 };
 
 }  // namespace
-
-bool ResolvedNames::kinds_collide(ClassIndex a, ClassIndex b) const {
-    return collision_matrix.empty() ||
-           collision_matrix[a * (kinds.size() + materials.size()) + b] != 0;
-}
-
-bool ResolvedNames::kind_collides_with(ClassIndex kind, ClassIndex material) const {
-    return collision_matrix.empty() ||
-           collision_matrix[kind * (kinds.size() + materials.size()) + kinds.size() + material] !=
-               0;
-}
-
-bool ResolvedNames::some_balls_collide() const {
-    for (std::size_t a = 0; a < kinds.size(); ++a) {
-        for (std::size_t b = 0; b < kinds.size(); ++b) {
-            if (kinds_collide(static_cast<ClassIndex>(a), static_cast<ClassIndex>(b))) return true;
-        }
-    }
-    return false;
-}
-
-bool ResolvedNames::some_edges_collide() const {
-    for (std::size_t a = 0; a < kinds.size(); ++a) {
-        for (std::size_t m = 0; m < materials.size(); ++m) {
-            if (kind_collides_with(static_cast<ClassIndex>(a), static_cast<ClassIndex>(m))) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
-bool ResolvedNames::all_collide() const {
-    // The entries for two materials do not count: edges do not collide with edges.
-    const std::size_t classes = kinds.size() + materials.size();
-    for (std::size_t i = 0; i < collision_matrix.size(); ++i) {
-        if (collision_matrix[i] == 0 &&
-            (i / classes < kinds.size() || i % classes < kinds.size())) {
-            return false;
-        }
-    }
-    return true;
-}
 
 ResolvedNames resolve_names(Context& context) {
     return Resolver(context).resolve();

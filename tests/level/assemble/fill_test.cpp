@@ -46,7 +46,7 @@ void check_inside(const World& world, const Box& box) {
 
 }  // namespace
 
-TEST_CASE("fills are seeded, inside their box, and free of what stands there") {
+TEST_CASE("fills are seeded, inside their box, and clear of obstacles") {
     const std::string lines =
         "peg at=50,50 r=20\nedge 0,80 100,90 r=2\nball big at=20,20 r=10\n"
         "fill count=100 box=0,0,100,100 r=1..3\n";
@@ -60,7 +60,7 @@ TEST_CASE("fills are seeded, inside their box, and free of what stands there") {
     CHECK(a.balls.radius[0] == 10.0);
 }
 
-TEST_CASE("a ball of a fill does not depend on how many follow, in size and speed") {
+TEST_CASE("size and speed of a ball do not depend on how many follow") {
     const auto world = [](std::string_view count) {
         return load_clean("fill count=" + std::string(count) +
                           " box=0,0,300,300 r=1..3 speed=1..2\n")
@@ -72,7 +72,7 @@ TEST_CASE("a ball of a fill does not depend on how many follow, in size and spee
     CHECK(few.balls.velocity[9] == more.balls.velocity[9]);
 }
 
-TEST_CASE("fills stand in the order of the file") {
+TEST_CASE("the balls of fills are in the order of the file") {
     const World world = load_clean(
                             "ball at=-5,0 r=0.5\nfill count=3 box=0,0,9,9 r=0.5\n"
                             "ball at=-9,0 r=0.25\nfill count=2 box=20,0,29,9 r=0.5\n")
@@ -80,7 +80,7 @@ TEST_CASE("fills stand in the order of the file") {
     CHECK(world.balls.radius == std::vector<double>{0.5, 0.5, 0.5, 0.5, 0.25, 0.5, 0.5});
 }
 
-TEST_CASE("packings from thin to dense") {
+TEST_CASE("fills reach packings from thin to dense") {
     for (const char* count : {"1", "10", "3000", "5000", "8000"}) {
         CAPTURE(count);
         // 8,000 balls of radius 1 in a square of 175: a packing of 0.82.
@@ -90,7 +90,7 @@ TEST_CASE("packings from thin to dense") {
     }
 }
 
-TEST_CASE("boxes that just fit") {
+TEST_CASE("balls fill a box that they just fit") {
     CHECK(load_clean("fill count=25 box=0,0,10,10 r=1\n").world.balls.size() == 25);
     CHECK(load_clean("fill count=1 box=0,0,2,2 r=1\n").world.balls.position[0] == Vec2{1, 1});
     CHECK(load_clean("fill count=50 box=0,0,100,2 r=1\n").world.balls.size() == 50);
@@ -99,7 +99,7 @@ TEST_CASE("boxes that just fit") {
           1);
 }
 
-TEST_CASE("sizes over six powers of ten") {
+TEST_CASE("fills take radii over six powers of ten") {
     const World world = load_clean(
                             "fill count=20000 box=0,0,1000,1000 r=0.0001..3\n"
                             "fill count=1 box=2000,0,4000,2000 r=900\n"
@@ -109,7 +109,7 @@ TEST_CASE("sizes over six powers of ten") {
     check_clear(world);
 }
 
-TEST_CASE("speeds: one size in every direction, a range, or Gaussian with an exact mean square") {
+TEST_CASE("speeds are fixed, from a range, or Gaussian with an exact mean square") {
     const World fixed = load_clean("fill count=2000 box=0,0,300,300 r=0.5 speed=3 v=10,0\n").world;
     Vec2 sum;
     for (const Vec2 v : fixed.balls.velocity) {
@@ -127,7 +127,7 @@ TEST_CASE("speeds: one size in every direction, a range, or Gaussian with an exa
         fourth += length_squared(v) * length_squared(v);
     }
     CHECK(std::sqrt(square / 20000) == doctest::Approx(7).epsilon(1e-12));
-    // Of two Gaussian components: <v^4> = 2 <v^2>^2, here with a spread of 0.014 of it.
+    // Two Gaussian components have <v^4> = 2 <v^2>^2; the standard error here is 0.014 of that.
     CHECK(fourth / 20000 == doctest::Approx(2 * 49 * 49).epsilon(0.07));
 }
 
@@ -147,8 +147,8 @@ TEST_CASE("the radius may be an expression of the mass") {
     CHECK(load_lines("fill count=5 box=0,0,99,99 m=1..6 r=m-3\n").diagnostics.size() == 1);
 }
 
-// A fill once refused to overlap what its balls never meet.
-TEST_CASE("a fill that does not fit may overlap what its balls never meet") {
+// Regression: a fill refused to overlap obstacles that do not collide with its balls.
+TEST_CASE("a fill that does not fit may overlap obstacles that do not collide with it") {
     const auto count = [](const std::string& lines) {
         const LoadResult result = load_lines(lines);
         CAPTURE(lines);
@@ -161,14 +161,14 @@ TEST_CASE("a fill that does not fit may overlap what its balls never meet") {
     CHECK(count("kind ghost\ncollide ghost ghost\ncollide ball edge\n" + full +
                 "fill ghost count=50 box=0,0,10,10 r=0.5\n") == 51);
     CHECK(count("use overlap\n" + full + "fill count=500 box=0,0,10,10 r=1\n") == 501);
-    // Those that meet each other keep apart, and all keep out of the edges that they meet.
+    // Balls that collide are apart, and clear of edges that collide with them.
     const auto is_refused = [](const std::string& lines) { return !load_lines(lines).scene; };
     CHECK(is_refused("kind ghost\ncollide ghost ghost\ncollide ball edge\n" + full +
                      "fill ghost count=500 box=0,0,10,10 r=1\n"));
     CHECK(
         is_refused("kind ghost\ncollide ghost edge\nedge 0,5 10,5 r=4\n"
                    "fill ghost count=5 box=0,0,10,10 r=1\n"));
-    // Where there is room, they keep clear of everything.
+    // With enough room, they are clear of everything.
     const World world = load_clean(
                             "kind ghost r=0.5\ncollide ghost edge\nbox 0,0 40,40\n"
                             "fill ghost count=100 box=0,0,40,40\n")

@@ -44,13 +44,13 @@ TEST_CASE("--set sees the lets above the statement that it replaces") {
     CHECK(result.scene->world.model.gravity == Vec2{0, -10});
 }
 
-TEST_CASE("--set of 0 turns a term off") {
+TEST_CASE("--set to 0 turns a term off") {
     const LoadResult result = with("use drag 3\n", {"use drag 0"});
     REQUIRE(result.scene);
     CHECK_FALSE(result.scene->world.model.drag);
 }
 
-TEST_CASE("messages about --set stand under its name") {
+TEST_CASE("diagnostics name --set as their source") {
     CHECK(rendered(with("let width=3\nedge 0,0 width,0\n", {"let widht=4"})) ==
           "--set:1:5: error: the level has no let 'widht'\n"
           "    1 | let widht=4\n"
@@ -70,7 +70,7 @@ TEST_CASE("messages about --set stand under its name") {
     CHECK(with("", {"rate 5\nrate 6"}).diagnostics.size() == 1);
 }
 
-TEST_CASE("options outrank the file, and are noticed where they differ") {
+TEST_CASE("options outrank the file, and count as overrides where they differ") {
     const auto overridden = [](const LoadOptions& options) {
         return load_lines("rate 60\nseed 5\nsolver discrete\n", options).scene.value().overridden;
     };

@@ -6,7 +6,7 @@
 
 using namespace carom;
 
-TEST_CASE("every quantity has its own name") {
+TEST_CASE("quantities have unique names") {
     std::set<std::string_view> names;
     for (const QuantityKind kind : quantity_kinds())
         CHECK(names.insert(name(kind)).second);
@@ -19,7 +19,7 @@ TEST_CASE("every quantity has its own name") {
     CHECK(is_of_bins(QuantityKind::count));
 }
 
-TEST_CASE("binomial shares") {
+TEST_CASE("binomial shares sum to 1 and have the right mean") {
     CHECK(binomial_shares(2, 0.5) == std::vector<double>{0.25, 0.5, 0.25});
     CHECK(binomial_shares(0, 0.5) == std::vector<double>{1.0});
     CHECK(binomial_shares(3, 0.0) == std::vector<double>{1, 0, 0, 0});

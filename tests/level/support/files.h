@@ -10,22 +10,22 @@
 /// Files for the tests of the loader, which itself opens none.
 namespace carom::test {
 
-/// Empty where there is no such file.
+/// The content of a file; empty if there is no such file.
 std::string read_file(const std::filesystem::path& path);
 
 /// The *.level files of a folder, sorted.
 std::vector<std::filesystem::path> level_files(const std::filesystem::path& folder);
 
-/// Includes are looked for in `folder`, by the includer's own folder within it.
+/// Options that resolve includes in `folder`, relative to the file that includes.
 LoadOptions options_for(const std::filesystem::path& folder);
 
-/// All messages as people read them, one after the other.
+/// All diagnostics, rendered.
 std::string rendered(const LoadResult& result);
 
-/// A level of these lines, with the first line already there. Its messages, if any.
+/// Loads a level of these lines, below a first line `carom 1 "Test"`.
 LoadResult load_lines(std::string_view lines, const LoadOptions& options = {});
 
-/// Fails the test, with the messages, when there is no scene or any message.
+/// Loads a level; the test fails if there is a diagnostic or no scene.
 Scene load_clean(std::string_view lines, const LoadOptions& options = {});
 
 }  // namespace carom::test

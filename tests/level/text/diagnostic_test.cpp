@@ -6,7 +6,7 @@
 
 using namespace carom;
 
-TEST_CASE("a message as people read it") {
+TEST_CASE("a diagnostic renders with line, caret, remedy and includes") {
     Diagnostic d;
     d.file = "levels/canyon.level";
     d.line = 12;
@@ -32,7 +32,7 @@ TEST_CASE("a message as people read it") {
           "        included from outer.level:9\n");
 }
 
-TEST_CASE("nothing of a message steers the terminal, or is half a character") {
+TEST_CASE("rendering replaces control characters and invalid UTF-8") {
     Diagnostic d;
     d.file = "a\x1b[2J";
     d.message = "'\x1b[31m' is \xff";
@@ -49,7 +49,7 @@ TEST_CASE("nothing of a message steers the terminal, or is half a character") {
           "      included from b?:3\n");
 }
 
-TEST_CASE("control characters cannot reach the terminal") {
+TEST_CASE("control characters of the source line are replaced") {
     Diagnostic d;
     d.file = "a";
     d.message = "m";
@@ -83,7 +83,7 @@ TEST_CASE("carets count characters, and long lines are cut around the span") {
     CHECK(!render(d).empty());
 }
 
-TEST_CASE("did you mean") {
+TEST_CASE("did_you_mean suggests the nearest word") {
     CHECK(edit_distance("bumper", "bumper") == 0);
     CHECK(edit_distance("bmuper", "bumper") == 1);
     CHECK(edit_distance("", "abc") == 3);

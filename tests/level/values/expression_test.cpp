@@ -14,10 +14,10 @@ std::optional<Value> value_of(const std::string& text, LengthUnit unit = LengthU
     source.lines = {source.text};
     Scope scope;
     scope.names["W"] = {Value{10.0, {}}, {}, nullptr};
-    scope.names["poison"] = {std::nullopt, {}, nullptr};
+    scope.names["faulty"] = {std::nullopt, {}, nullptr};
     Reporter reporter;
     const auto value = evaluate({source.text, &source, 1, 1}, scope, {unit, nullptr}, reporter);
-    CHECK((value.has_value() || reporter.has_errors() || text.find("poison") != text.npos));
+    CHECK((value.has_value() || reporter.has_errors() || text.find("faulty") != text.npos));
     return value;
 }
 
@@ -30,7 +30,7 @@ double number(const std::string& text, LengthUnit unit = LengthUnit::natural) {
 
 }  // namespace
 
-TEST_CASE("arithmetic as on paper") {
+TEST_CASE("operators have the usual precedence") {
     CHECK(number("1+2*3") == 7.0);
     CHECK(number("(1+2)*3") == 9.0);
     CHECK(number("10-4-3") == 3.0);
@@ -50,7 +50,7 @@ TEST_CASE("arithmetic as on paper") {
     CHECK(number("0.1") == 0.1);
 }
 
-TEST_CASE("functions; angles are in degrees, right angles exact") {
+TEST_CASE("functions take degrees, and are exact at right angles") {
     CHECK(number("sqrt(16)") == 4.0);
     CHECK(number("sin(90)") == 1.0);
     CHECK(number("cos(90)") == 0.0);
@@ -64,7 +64,7 @@ TEST_CASE("functions; angles are in degrees, right angles exact") {
     CHECK(number("pi") == pi);
 }
 
-TEST_CASE("units, in a level that has them") {
+TEST_CASE("units convert and combine in a level with units") {
     using enum LengthUnit;
     CHECK(number("3cm", millimetre) == doctest::Approx(0.03));
     CHECK(number("3mm+2", millimetre) == doctest::Approx(0.005));
@@ -95,24 +95,24 @@ TEST_CASE("a let named s hides the unit after a bare number, and only there") {
     CHECK(evaluate(all.part(5), scope, rules, reporter)->dimension == Dimension{1, 0, -1, 0});
 }
 
-TEST_CASE("exponents of units end somewhere") {
+TEST_CASE("exponents of units are bounded") {
     CHECK(value_of("(1m)^99", LengthUnit::metre));
     CHECK_FALSE(value_of("(1m)^100", LengthUnit::metre));
     CHECK_FALSE(value_of("(((1m)^99)^1000)^1000", LengthUnit::metre));
 }
 
-TEST_CASE("poison is silent") {
+TEST_CASE("the use of an error value is not reported") {
     SourceText source;
-    source.text = "poison*2";
+    source.text = "faulty*2";
     source.lines = {source.text};
     Scope scope;
-    scope.names["poison"] = {std::nullopt, {}, nullptr};
+    scope.names["faulty"] = {std::nullopt, {}, nullptr};
     Reporter reporter;
     CHECK_FALSE(evaluate({source.text, &source, 1, 1}, scope, {}, reporter));
     CHECK_FALSE(reporter.has_errors());
 }
 
-TEST_CASE("splitting leaves brackets alone") {
+TEST_CASE("splitting ignores separators inside brackets") {
     SourceText source;
     source.text = "min(1,2),3";
     source.lines = {source.text};
