@@ -190,6 +190,23 @@ void build_cradle(const Arguments& arguments, const Frame& frame, Context& conte
     }
 }
 
+constexpr KeyRule velocity{"v", KeyShape::pair, Measure::speed};
+constexpr KeyRule count{"count", KeyShape::scalar, Measure::whole, Bound::positive, true};
+
+std::vector<KeyRule> fill_keys() {
+    using enum KeyShape;
+    using enum Bound;
+    return {count,
+            {"box", box, Measure::length, any, true},
+            {"r", deferred, Measure::length, positive},
+            {"m", range, Measure::mass, positive},
+            {"density", scalar, Measure::density, positive},
+            keys::restitution,
+            velocity,
+            {"speed", range, Measure::speed, not_negative},
+            {"rms", scalar, Measure::speed, not_negative}};
+}
+
 }  // namespace
 
 std::vector<Statement> ball_statements() {
@@ -198,8 +215,6 @@ std::vector<Statement> ball_statements() {
     constexpr auto length = Measure::length;
     constexpr auto speed = Measure::speed;
     constexpr auto whole = Measure::whole;
-    const KeyRule velocity{"v", pair, speed};
-    const KeyRule count{"count", scalar, whole, positive, true};
     return {
         {.name = "ball",
          .usage = "ball [NAME] at=X,Y [kind=] [v=VX,VY] [r=] [m=] [e=] [w=] [roll=VX,VY]",
@@ -231,15 +246,7 @@ std::vector<Statement> ball_statements() {
                   "[v=VX,VY] [speed=A..B] [rms=]",
          .action = build_fill,
          .plain_most = 1,
-         .keys = {count,
-                  {"box", KeyShape::box, length, any, true},
-                  {"r", deferred, length, positive},
-                  {"m", range, Measure::mass, positive},
-                  {"density", scalar, Measure::density, positive},
-                  keys::restitution,
-                  velocity,
-                  {"speed", range, speed, not_negative},
-                  {"rms", scalar, speed, not_negative}},
+         .keys = fill_keys(),
          .binds_names = true},
         {.name = "cradle",
          .usage = "cradle [NAME] at=X,Y count=N v=SPEED [in=N] [gap=] [swing=] [r=] [m=] [e=] "

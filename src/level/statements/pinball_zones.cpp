@@ -113,44 +113,39 @@ void build_drain(const Arguments& arguments, const Frame& frame, Context& contex
                      arguments.point_words[0].span(), frame, context);
 }
 
+constexpr KeyRule radius{"r", KeyShape::scalar, Measure::length, Bound::positive};
+
+// The row of a device that stands at each at=.
+Statement placed_device(std::string_view name, std::string_view usage, StatementAction action,
+                        const std::vector<KeyRule>& other_keys) {
+    std::vector<KeyRule> all{keys::places};
+    all.insert(all.end(), other_keys.begin(), other_keys.end());
+    return {.name = name,
+            .usage = usage,
+            .action = action,
+            .plain_most = 1,
+            .keys = std::move(all),
+            .binds_names = true};
+}
+
 }  // namespace
 
 std::vector<Statement> pinball_zone_statements() {
     using enum KeyShape;
     using enum Bound;
     constexpr auto number = Measure::number;
-    constexpr auto speed = Measure::speed;
-    const KeyRule radius{"r", scalar, Measure::length, positive};
-    const KeyRule required_speed{"speed", scalar, speed, positive, true};
+    const KeyRule required_speed{"speed", scalar, Measure::speed, positive, true};
     return {
-        {.name = "rollover",
-         .usage = "rollover [NAME] at=X,Y ... [r=]",
-         .action = build_rollover,
-         .plain_most = 1,
-         .keys = {keys::places, radius},
-         .binds_names = true},
-        {.name = "spinner",
-         .usage = "spinner [NAME] at=X,Y ... [r=]",
-         .action = build_spinner,
-         .plain_most = 1,
-         .keys = {keys::places, radius},
-         .binds_names = true},
-        {.name = "kickback",
-         .usage = "kickback [NAME] at=X,Y ... dir=up|down|left|right speed= [r=]",
-         .action = build_kickback,
-         .plain_most = 1,
-         .keys = {keys::places, {"dir", word, number, any, true}, required_speed, radius},
-         .binds_names = true},
-        {.name = "hole",
-         .usage = "hole [NAME] at=X,Y ... toward=X,Y speed= [hold=TIME] [r=]",
-         .action = build_hole,
-         .plain_most = 1,
-         .keys = {keys::places,
-                  {"toward", pair, Measure::length, any, true},
-                  required_speed,
-                  {"hold", scalar, Measure::time, positive},
-                  radius},
-         .binds_names = true},
+        placed_device("rollover", "rollover [NAME] at=X,Y ... [r=]", build_rollover, {radius}),
+        placed_device("spinner", "spinner [NAME] at=X,Y ... [r=]", build_spinner, {radius}),
+        placed_device("kickback", "kickback [NAME] at=X,Y ... dir=up|down|left|right speed= [r=]",
+                      build_kickback, {{"dir", word, number, any, true}, required_speed, radius}),
+        placed_device("hole", "hole [NAME] at=X,Y ... toward=X,Y speed= [hold=TIME] [r=]",
+                      build_hole,
+                      {{"toward", pair, Measure::length, any, true},
+                       required_speed,
+                       {"hold", scalar, Measure::time, positive},
+                       radius}),
         {.name = "ramp",
          .usage = "ramp [NAME] X,Y X,Y pass=up|down|left|right layer=0..3 [from=0..3] [r=]",
          .action = build_ramp,
@@ -162,12 +157,7 @@ std::vector<Statement> pinball_zone_statements() {
                   {"from", scalar, Measure::whole, layer},
                   radius},
          .binds_names = true},
-        {.name = "lamp",
-         .usage = "lamp [NAME] at=X,Y ...",
-         .action = build_lamp,
-         .plain_most = 1,
-         .keys = {keys::places},
-         .binds_names = true},
+        placed_device("lamp", "lamp [NAME] at=X,Y ...", build_lamp, {}),
         {.name = "drain",
          .usage = "drain [NAME] X,Y X,Y [r=]",
          .action = build_drain,
