@@ -44,7 +44,7 @@ void run_let(const Arguments& arguments, const Frame& frame, Context& context) {
         define_variable(name, expression, frame, context);
 }
 
-// The body as it stands, then its reflections; each reflection has an image number of its own.
+// Runs the body, then its reflections. Each reflection has an image number of its own.
 void run_mirror(const Arguments& arguments, const Frame& frame, Context& context) {
     if (!arguments.has("x") && !arguments.has("y")) {
         context.reporter.error("mirror-without-axis", arguments.node->keyword().span(),

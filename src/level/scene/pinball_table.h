@@ -59,6 +59,12 @@ inline constexpr std::array device_traits{
     DeviceTraits{DeviceKind::hole, "hole", true},
     DeviceTraits{DeviceKind::ramp, "ramp", true}};
 
+static_assert([] {
+    for (std::size_t i = 0; i < device_traits.size(); ++i)
+        if (device_traits[i].kind != static_cast<DeviceKind>(i)) return false;
+    return true;
+}());
+
 constexpr const DeviceTraits& traits(DeviceKind kind) {
     return device_traits[static_cast<std::size_t>(kind)];
 }
@@ -67,14 +73,13 @@ constexpr const DeviceTraits& traits(DeviceKind kind) {
 struct Device {
     DeviceKind kind = DeviceKind::edge;
     std::uint32_t group = 0;            ///< index into PinballTable::groups
-    std::vector<CapsuleId> capsules;    ///< what is hit, if anything
+    std::vector<CapsuleId> capsules;    ///< its solid shapes, which balls hit
     std::optional<std::uint32_t> zone;  ///< index into World::zones, if it has one
-    Vec2 place;                         ///< its middle
-    Vec2 direction;            ///< plunger, kickback, hole: unit, where balls are sent; ramp:
-                               ///< where they pass
-    double least_speed = 0.0;  ///< plunger: hardly pulled, length/s
-    double most_speed = 0.0;   ///< plunger: pulled all the way; kickback, hole: always
-    double hold = 0.0;         ///< hole: s
+    Vec2 place;                         ///< its centre
+    Vec2 direction;            ///< unit: the launch of a plunger, kickback or hole; across a ramp
+    double least_speed = 0.0;  ///< plunger: launch speed of a light pull, length/s
+    double most_speed = 0.0;   ///< plunger: of a full pull; kickback, hole: launch speed
+    double hold = 0.0;         ///< hole: how long it holds a ball, s
     std::uint8_t from = 0;     ///< ramp: the layer that a ball leaves
     std::uint8_t to = 0;       ///< ramp: the layer that it enters
 };

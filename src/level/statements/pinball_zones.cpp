@@ -115,7 +115,7 @@ void build_drain(const Arguments& arguments, const Frame& frame, Context& contex
 
 constexpr KeyRule radius{"r", KeyShape::scalar, Measure::length, Bound::positive};
 
-// The row of a device that stands at each at=.
+// The row of a statement that makes a device for each at=.
 Statement placed_device(std::string_view name, std::string_view usage, StatementAction action,
                         const std::vector<KeyRule>& other_keys) {
     std::vector<KeyRule> all{keys::places};

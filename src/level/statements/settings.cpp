@@ -160,7 +160,7 @@ void set_seed(const Arguments& arguments, const Frame& frame, Context& context) 
     if (number) context.ir.settings.seed = static_cast<std::uint64_t>(*number);
 }
 
-// All settings stand at the top of a level, once, and --set replaces them whole.
+// A setting is a unique statement of the top level, which --set replaces whole.
 Statement setting(Statement row) {
     row.place = Place::top;
     row.is_unique = true;
