@@ -24,8 +24,8 @@
 
 #include "bits/kept_outputs.h"
 #include "bits/level_writer.h"
-#include "bits/random.h"
 #include "bits/recording_writer.h"
+#include "bits/scene_random.h"
 
 namespace fs = std::filesystem;
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bits/level_writer.h"
-#include "bits/random.h"
+#include "bits/scene_random.h"
 
 /// A random level as it grows: its text so far, its scales, and where things already lie.
 namespace carom::bits {

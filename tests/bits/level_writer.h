@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "bits/random.h"
+#include "bits/scene_random.h"
 
 /// Writes random levels: small scenes which between them use every term of the model, every solver
 /// and its settings, ready-made parts, and radii, masses and speeds over orders of magnitude.

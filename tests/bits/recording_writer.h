@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bits/level_writer.h"
-#include "bits/random.h"
+#include "bits/scene_random.h"
 
 /// Writes recordings of players who take, throw, place, add and remove balls and edges, press
 /// buttons, and change gravity and the solver, all at random: see src/game/replay/replay_text.h.

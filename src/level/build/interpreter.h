@@ -54,7 +54,8 @@ class Interpreter {
     Context& context_;
     Scope globals_;
     Parts parts_;
-    std::map<std::string_view, Span> unique_;  ///< the places of statements with Statement::is_unique
+    std::map<std::string_view, Span>
+        unique_;  ///< the places of statements with Statement::is_unique
     int images_ = 0;
     std::uint64_t steps_ = 0;
     std::uint64_t characters_ = 0;
