@@ -107,6 +107,7 @@ const std::vector<std::string> rooms{
     "physics/broad_phase",
     "physics/laws",
     "physics/tick",
+    "physics/ccd",
     "physics/discrete",
     "physics/contact",
     "physics/swept",

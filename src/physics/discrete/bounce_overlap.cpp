@@ -2,8 +2,8 @@
 
 #include "geometry/closest.h"
 #include "physics/discrete/solver.h"
-#include "physics/laws/bounce.h"
 #include "physics/laws/cloth_contact.h"
+#include "physics/laws/contact_material.h"
 
 // What the solvers `discrete` and `substep` do to the velocities of bodies that overlapped.
 namespace carom {
@@ -12,23 +12,8 @@ void OverlapSolver::exchange_momentum(World& world, double time, std::vector<Con
     with_terms(terms_of(world), [&]<Terms terms>() { bounce_pairs<terms>(world, time, contacts); });
 }
 
-// How fast a hand or a coil moves the edge at this point. A hand's counts only along the edge
-// (friction), since what is in its way is pushed out; what is driven throws as well.
-Vec2 OverlapSolver::hand_velocity(const World& world, std::uint32_t capsule, Vec2 point) const {
-    const Capsule& shape = world.capsules.shape[capsule];
-    for (std::size_t i = 0; i < world.held_capsules.size(); ++i)
-        if (world.held_capsules[i].id == world.capsules.id[capsule])
-            return hands_[i].start + (hands_[i].end - hands_[i].start) *
-                                         closest_parameter(shape.start, shape.end, point);
-    return {};
-}
-
-bool OverlapSolver::is_driven(const World& world, std::uint32_t capsule) const {
-    return std::ranges::any_of(world.held_capsules, [&](const HeldCapsule& held) {
-        return held.is_driven && held.id == world.capsules.id[capsule];
-    });
-}
-
+// A held edge acts only along its surface (friction), since balls in its way are pushed out; a
+// driven edge throws as well.
 template <Terms terms>
 void OverlapSolver::bounce_pairs(World& world, double time, std::vector<Contact>& contacts) {
     Balls& balls = world.balls;
@@ -42,14 +27,11 @@ void OverlapSolver::bounce_pairs(World& world, double time, std::vector<Contact>
             Vec2 normal = direction(offset, when_coincident);
             if (!(dot(balls.velocity[i] - balls.velocity[j], normal) < 0.0)) continue;
             if (terms.special() && inverse_mass_[i] == 0.0 && inverse_mass_[j] == 0.0) continue;
-            const double restitution =
-                terms.lossy() ? std::min(balls.restitution[i], balls.restitution[j]) : 1.0;
+            const double restitution = restitution_of_balls(world, i, j);
             const Exchange done = bounce(balls.velocity[i], inverse_mass_[i], balls.velocity[j],
                                          inverse_mass_[j], normal, restitution);
             if (terms.spin()) {
-                const Kind& kind_i = world.kinds[balls.kind[i]];
-                const Kind& kind_j = world.kinds[balls.kind[j]];
-                const Friction friction{friction_between(kind_i, kind_j), *world.model.spin};
+                const Friction friction{friction_of_balls(world, i, j), *world.model.spin};
                 if (world.model.cloth)
                     rub_on_cloth(balls.velocity[i], roller(balls, i), inverse_mass_[i],
                                  balls.velocity[j], roller(balls, j), inverse_mass_[j], normal,
@@ -71,23 +53,24 @@ void OverlapSolver::bounce_pairs(World& world, double time, std::vector<Contact>
         shape.end += pair.shift;
         const Vec2 nearest = closest_point(shape.start, shape.end, balls.position[i]);
         Vec2 normal = direction(balls.position[i] - nearest, when_coincident);
-        const Vec2 surface = terms.special() ? hand_velocity(world, pair.other, nearest) : Vec2{};
-        const bool driven = terms.special() && is_driven(world, pair.other);
+        const HeldEdge* edge = nullptr;
+        if (terms.special())
+            edge = find_edge(std::span<const HeldEdge>(kinematic_edges_), pair.other);
+        const Vec2 surface =
+            edge ? surface_velocity(*edge, world.capsules.shape[pair.other], nearest) : Vec2{};
+        const bool driven = edge && edge->is_driven;
         const double throwing = driven ? dot(surface, normal) : 0.0;
         const double speed = throwing - dot(balls.velocity[i], normal);
         if (!(speed > 0.0)) continue;
-        const Material& material = world.materials[world.capsules.material[pair.other]];
-        const double restitution = terms.lossy() ? restitution_at(material, speed) : 1.0;
+        const double restitution = restitution_of_edge(world, pair.other, speed);
         const Vec2 flat = normal;
-        if (terms.special() && world.model.scatter)
-            normal = scattered_normal(world, balls.id[i], balls.edge_contacts[i]++, normal,
-                                      balls.velocity[i], restitution);
+        normal = bounce_normal(world, i, normal, balls.velocity[i], restitution);
         const Exchange done =
             bounce_off(balls.velocity[i], inverse_mass_[i], normal, throwing, restitution, driven);
         if (terms.special() && world.model.kicks)
-            balls.velocity[i] += normal * kick_at(material, shape, nearest, speed);
+            balls.velocity[i] += normal * kick_of_edge(world, pair.other, shape, nearest, speed);
         if (terms.spin()) {
-            const Friction friction{material.friction, *world.model.spin};
+            const Friction friction{friction_of_edge(world, pair.other), *world.model.spin};
             if (world.model.cloth)
                 rub_edge_on_cloth(balls.velocity[i], roller(balls, i), inverse_mass_[i], flat,
                                   surface, done.impulse, friction);

@@ -4,14 +4,13 @@
 #include "geometry/closest.h"
 #include "physics/discrete/solver.h"
 #include "physics/laws/bounce.h"
-#include "physics/memory/prefetch.h"
 
-// How the solvers `discrete` and `substep` part what overlaps when all have moved.
+// How the solvers `discrete` and `substep` separate bodies that overlap once all have moved.
 namespace carom {
 namespace {
 
-// Marks a ball that was pushed further than its neighbours know edges.
-constexpr std::uint8_t strayed = 2;
+// Marks a ball that was pushed beyond the place for which its edges are known.
+constexpr std::uint8_t escaped = 2;
 
 template <Terms terms>
 bool overlap(const World& world, const BallPair& pair) {
@@ -24,19 +23,19 @@ bool overlap(const World& world, const BallPair& pair) {
 
 }  // namespace
 
-void OverlapSolver::part_bodies(World& world) {
+void OverlapSolver::separate_bodies(World& world) {
     with_terms(terms_of(world), [&]<Terms terms>() {
         if (is_first_step_)
-            part_overlapping<terms>(world, neighbours_.pairs());
+            separate_overlapping<terms>(world, neighbours_.pairs());
         else
-            part_active<terms>(world);
+            separate_active<terms>(world);
         push_out_of_edges<terms>(world);
     });
 }
 
-// The way of a ball that has moved in this step and has not been pushed yet.
-Vec2 OverlapSolver::way_of(const World& world, std::uint32_t ball) const {
-    if (keeps_ways_) return way_[ball];
+// The displacement of a ball that has moved in this step and has not been pushed yet.
+Vec2 OverlapSolver::displacement_of(const World& world, std::uint32_t ball) const {
+    if (keeps_displacements_) return displacement_[ball];
     return world.balls.velocity[ball] * (is_first_step_ ? duration_ : left_[ball]) + Vec2{};
 }
 
@@ -46,7 +45,7 @@ void OverlapSolver::note_push(const World& world, std::uint32_t ball) {
     is_pushed_[ball] = 1;
     const Vec2 position = world.balls.position[ball];
     if (keeps_time_ && (is_first_step_ || is_active_[ball])) {
-        const Vec2 way = way_of(world, ball);
+        const Vec2 way = displacement_of(world, ball);
         pushed_.push_back({ball, length(way), position - way});
     } else {
         pushed_.push_back({ball, 0.0, position});
@@ -54,13 +53,13 @@ void OverlapSolver::note_push(const World& world, std::uint32_t ball) {
 }
 
 template <Terms terms>
-void OverlapSolver::part_active(World& world) {
+void OverlapSolver::separate_active(World& world) {
     neighbours_.list_by_ball();
     near_active_.clear();
     for (const std::uint32_t i : active_)
         for (const std::uint32_t j : neighbours_.of(i))
             if (j > i || !is_active_[j]) near_active_.push_back({i, j});
-    part_overlapping<terms>(world, near_active_);
+    separate_overlapping<terms>(world, near_active_);
 }
 
 // Whether the two would overlap if they were as large as the largest ball.
@@ -71,48 +70,23 @@ bool OverlapSolver::are_near(const World& world, const BallPair& pair) const {
     return length_squared(offset) < widest_ * widest_;
 }
 
-// Which of the pairs overlap is settled before any is parted. The balls of a pair lie anywhere in
-// the world's arrays: where they are many they are asked for in time, radii only of those that are
-// near.
+// Which of the pairs overlap is decided before any is separated.
 template <Terms terms>
-void OverlapSolver::part_overlapping(World& world, std::span<const BallPair> pairs) {
-    const Balls& balls = world.balls;
-    const bool are_many = balls.size() >= too_many_to_cache;
+void OverlapSolver::separate_overlapping(World& world, std::span<const BallPair> pairs) {
     overlapping_.clear();
-    const std::size_t ahead = are_many ? 24 : pairs.size();
-    for (std::size_t p = 0; p < pairs.size(); ++p) {
-        if (p + ahead < pairs.size()) {
-            fetch_early(&balls.position[pairs[p + ahead].first]);
-            fetch_early(&balls.position[pairs[p + ahead].second]);
-        }
-        if (!are_near<terms>(world, pairs[p])) continue;
-        overlapping_.push_back(pairs[p]);
-        if (!are_many || are_alike_) continue;
-        fetch_early(&balls.radius[pairs[p].first]);
-        fetch_early(&balls.radius[pairs[p].second]);
-    }
+    for (const BallPair& pair : pairs)
+        if (are_near<terms>(world, pair)) overlapping_.push_back(pair);
     if (!are_alike_)
         std::erase_if(overlapping_,
                       [&](const BallPair& pair) { return !overlap<terms>(world, pair); });
-    order_.sort(overlapping_, balls.size());
-    const std::size_t few = are_many ? 8 : overlapping_.size();
-    for (std::size_t p = 0; p < overlapping_.size(); ++p) {
-        if (p + few < overlapping_.size()) {
-            const BallPair& next = overlapping_[p + few];
-            for (const std::uint32_t ball : {next.first, next.second}) {
-                fetch_early(&balls.position[ball]);
-                fetch_early(&balls.velocity[ball]);
-                fetch_early(&balls.radius[ball]);
-                fetch_early(&inverse_mass_[ball]);
-            }
-        }
-        part<terms>(world, overlapping_[p].first, overlapping_[p].second);
-    }
+    order_.sort(overlapping_, world.balls.size());
+    for (const BallPair& pair : overlapping_)
+        separate<terms>(world, pair.first, pair.second);
 }
 
-// The pair overlapped when all had moved; others may have parted it since.
+// The pair overlapped when all had moved. Other pairs may have separated it since.
 template <Terms terms>
-void OverlapSolver::part(World& world, std::uint32_t i, std::uint32_t j) {
+void OverlapSolver::separate(World& world, std::uint32_t i, std::uint32_t j) {
     Balls& balls = world.balls;
     Vec2 offset = balls.position[i] - balls.position[j];
     if (terms.wrap()) offset = nearest_image(offset, size(*world.model.wrap));
@@ -143,8 +117,8 @@ void OverlapSolver::part(World& world, std::uint32_t i, std::uint32_t j) {
     pairs_.push_back({i, j, ContactKind::ball_ball, {}});
 }
 
-// Those that moved: in the first step all, then the active ones, and in every step those that were
-// pushed. The neighbours know the edges of all that did not stray.
+// Balls that moved are checked: in the first step all, later the active ones, and in every step
+// those that were pushed. The neighbour list has the edges of all balls that did not.
 template <Terms terms>
 void OverlapSolver::push_out_of_edges(World& world) {
     if (!world.model.ball_edge) return;
@@ -155,15 +129,15 @@ void OverlapSolver::push_out_of_edges(World& world) {
     };
     for (const Pushed& pushed : pushed_) {
         if (knows_edges(world, pushed)) continue;
-        is_pushed_[pushed.ball] = strayed;
+        is_pushed_[pushed.ball] = escaped;
         neighbours_.for_each_edge_at(pushed.ball, world.balls.position[pushed.ball], note);
     }
     if (is_first_step_) {
         for (const EdgePair& pair : neighbours_.edges())
-            if (is_pushed_[pair.ball] != strayed) note(pair);
+            if (is_pushed_[pair.ball] != escaped) note(pair);
     } else {
         const auto look = [&](std::uint32_t ball) {
-            if (is_pushed_[ball] != strayed)
+            if (is_pushed_[ball] != escaped)
                 for (const EdgePair& pair : neighbours_.edges_of(ball))
                     note(pair);
         };
@@ -183,7 +157,7 @@ void OverlapSolver::push_out_of_edges(World& world) {
         push_out_of_edge<terms>(world, pair);
 }
 
-// Whether the neighbours that were noted tell which edges the ball may touch where it is now.
+// Whether the neighbour list has all edges that the ball may touch where it is now.
 bool OverlapSolver::knows_edges(const World& world, const Pushed& pushed) const {
     const Vec2 position = world.balls.position[pushed.ball];
     if (margin_ > 0.0) return neighbours_.covers(pushed.ball, position);

@@ -7,12 +7,12 @@
 
 #include "physics/laws/cloth.h"
 
-// How the solvers `discrete` and `substep` move balls and hands, and what becomes of the time of
-// those whose way was cut short.
+// How the solvers `discrete` and `substep` move balls and kinematic bodies, and what time is left
+// to balls whose way was cut short.
 namespace carom {
 namespace {
 
-// Seldom; it costs more to write a velocity of which nothing changes than to see that.
+// Seldom true. Checking costs less than writing back a velocity that does not change.
 bool has_negative_zero(Vec2 v) {
     const auto is_negative_zero = [](double x) {
         return std::bit_cast<std::uint64_t>(x) == std::uint64_t{1} << 63;
@@ -40,26 +40,25 @@ void OverlapSolver::tick(World& world, int updates, int steps, std::vector<Conta
     inverse_mass_ = world.balls.inverse_mass;
     if (!world.held_balls.empty()) {
         with_held_balls_ = world.balls.inverse_mass;
-        for (const HeldBall& held : world.held_balls)
-            if (const auto index = index_of(world, held.id)) with_held_balls_[*index] = 0.0;
+        make_held_balls_immovable(world, with_held_balls_);
         inverse_mass_ = with_held_balls_;
     }
     keeps_time_ = steps > 1;
-    looks_around_ = updates > 1 || steps > 1;
+    shares_neighbours_ = updates > 1 || steps > 1;
     is_pushed_.resize(count, 0);
     if (world.model.cloth) before_.resize(count);
-    keeps_ways_ = keeps_time_ && (world.model.gravity || world.model.drag ||
-                                  world.model.speed_limit || world.model.cloth);
-    if (keeps_ways_) way_.resize(count);
+    keeps_displacements_ = keeps_time_ && (world.model.gravity || world.model.drag ||
+                                           world.model.speed_limit || world.model.cloth);
+    if (keeps_displacements_) displacement_.resize(count);
     if (keeps_time_) {
         is_active_.resize(count, 0);
         left_.resize(count);
     }
     duration_ = duration;
-    has_asked_all_ = false;
+    has_checked_all_ = false;
     const auto first = static_cast<std::ptrdiff_t>(contacts.size());
     for (int i = 0; i < updates && !patience.is_out(); ++i) {
-        move_hands(world, 1.0 / (updates - i));
+        move_kinematic(world, 1.0 / (updates - i));
         with_terms(terms_of(world), [&]<Terms terms>() {
             update<terms>(world, updates, steps, start + duration * (i + 1), contacts, patience);
         });
@@ -70,29 +69,27 @@ void OverlapSolver::tick(World& world, int updates, int steps, std::vector<Conta
     }
 }
 
-// Hands go `share` of what is left of their way, whatever is in it; balls are pushed out of it
-// afterwards.
-void OverlapSolver::move_hands(World& world, double share) {
-    hands_way_ = 0.0;
+// Kinematic bodies go `share` of what is left of their way, whatever is in it. Balls are pushed out
+// of it afterwards.
+void OverlapSolver::move_kinematic(World& world, double share) {
+    kinematic_way_ = 0.0;
     for (const HeldBall& held : world.held_balls) {
         const auto index = index_of(world, held.id);
         if (!index) continue;
         Vec2& position = world.balls.position[*index];
-        Vec2 way = held.target - position;
-        if (world.model.wrap) way = nearest_image(way, size(*world.model.wrap));
+        const Vec2 way = rest_of_way(world, held, position);
         position += way * share;
-        hands_way_ = std::max(hands_way_, length(way * share));
+        kinematic_way_ = std::max(kinematic_way_, length(way * share));
         world.balls.velocity[*index] = {};
     }
-    hands_.assign(world.held_capsules.size(), {});
-    for (std::size_t i = 0; i < world.held_capsules.size(); ++i) {
-        const HeldCapsule& held = world.held_capsules[i];
-        const auto index = index_of(world, held.id);
-        if (!index) continue;
-        Capsule& shape = world.capsules.shape[*index];
+    list_kinematic_edges(world, kinematic_edges_);
+    for (HeldEdge& edge : kinematic_edges_) {
+        const HeldCapsule& held = world.held_capsules[edge.held];
+        Capsule& shape = world.capsules.shape[edge.capsule];
         const Vec2 start = (held.start_target - shape.start) * share;
         const Vec2 end = (held.end_target - shape.end) * share;
-        hands_[i] = {start / duration_, end / duration_};
+        edge.start_velocity = start / duration_;
+        edge.end_velocity = end / duration_;
         shape.start += start;
         shape.end += end;
     }
@@ -109,13 +106,13 @@ void OverlapSolver::update(World& world, int updates, int steps, double end_time
         if (is_first_step_) {
             const double way =
                 is_forced ? move_all<terms, true>(world) : move_all<terms, false>(world);
-            if (!still_cover(world, way)) look(world, way * updates);
+            if (!neighbours_are_valid(world, way)) find_neighbours(world, way * updates);
         } else {
             is_forced ? move_active<terms, true>(world) : move_active<terms, false>(world);
-            if (has_strayed_) neighbours_.look(world, margin_);
+            if (has_escaped_) neighbours_.look(world, margin_);
         }
-        has_strayed_ = false;
-        part_bodies(world);
+        has_escaped_ = false;
+        separate_bodies(world);
         if (keeps_time_) keep_time(world);
         exchange_momentum(world, end_time, contacts);
         end_step(world);
@@ -132,7 +129,7 @@ Vec2 OverlapSolver::move(World& world, std::uint32_t i, const Flight& flight) {
     if (terms.spin() && world.model.cloth) {
         way = move_on_cloth(world, i, flight.duration);
     } else if constexpr (!forced) {
-        // No -0 is left, as none is where a gravity is added.
+        // Adding 0 turns -0 into 0, as adding a gravity does.
         way = balls.velocity[i] * flight.duration + Vec2{};
         if (has_negative_zero(balls.velocity[i])) balls.velocity[i] += Vec2{};
     } else {
@@ -155,7 +152,7 @@ Vec2 OverlapSolver::move(World& world, std::uint32_t i, const Flight& flight) {
     return way;
 }
 
-// How far the ball goes on cloth in `duration`; its state becomes that at the end.
+// The displacement on cloth in `duration`. The ball takes on its state at the end.
 Vec2 OverlapSolver::move_on_cloth(World& world, std::uint32_t ball, double duration) {
     before_[ball] = state_on_cloth(world.balls, ball);
     const auto after =
@@ -172,8 +169,8 @@ double OverlapSolver::move_all(World& world) {
     for (std::uint32_t i = 0; i < count; ++i) {
         const Vec2 before = world.balls.position[i];
         const Vec2 way = move<terms, forced>(world, i, flight);
-        if (keeps_ways_) way_[i] = way;
-        if (!looks_around_) continue;
+        if (keeps_displacements_) displacement_[i] = way;
+        if (!shares_neighbours_) continue;
         Vec2 gone = world.balls.position[i] - before;
         if (terms.wrap()) gone = nearest_image(gone, size(*world.model.wrap));
         longest = std::max(longest, length_squared(gone));
@@ -181,14 +178,14 @@ double OverlapSolver::move_all(World& world) {
     return std::sqrt(longest);
 }
 
-// How far around itself each ball looks for others at once, so that the steps of a tick can share
-// the answer: at least what the fastest goes in the tick (`way`), unless that is a large part of
-// the mean ball. One of a few values, so that the cells seldom change.
-void OverlapSolver::look(const World& world, double way) {
+// Builds the neighbour list with a margin that lets the steps of a tick share it: at least what the
+// fastest ball goes in the tick (`way`), unless that is a large part of the mean radius. The margin
+// takes one of a few values, so that the cells seldom change.
+void OverlapSolver::find_neighbours(const World& world, double way) {
     margin_ = 0.0;
     widest_ = std::numeric_limits<double>::infinity();
     are_alike_ = false;
-    if (looks_around_ && world.balls.size() > 0) {
+    if (shares_neighbours_ && world.balls.size() > 0) {
         double sum = 0.0;
         double smallest = world.balls.radius[0];
         double largest = smallest;
@@ -206,12 +203,11 @@ void OverlapSolver::look(const World& world, double way) {
     neighbours_.look(world, margin_);
 }
 
-// Whether the neighbours are still those that count when all have moved, none further than `way`.
-// Once in a tick every ball is asked where it is; then it is enough how far any of them has gone
-// since.
-bool OverlapSolver::still_cover(const World& world, double way) {
-    if (has_asked_all_) return neighbours_.cover_after(way + hands_way_);
-    has_asked_all_ = true;
+// Whether the neighbour list still holds now that all balls have moved, none further than `way`.
+// Once a tick every ball is checked; after that the longest displacements since add up.
+bool OverlapSolver::neighbours_are_valid(const World& world, double way) {
+    if (has_checked_all_) return neighbours_.cover_after(way + kinematic_way_);
+    has_checked_all_ = true;
     return neighbours_.cover(world);
 }
 
@@ -221,12 +217,12 @@ void OverlapSolver::move_active(World& world) {
     for (const std::uint32_t i : active_) {
         if (flight.duration != left_[i]) flight = flight_over(world.model.drag, left_[i]);
         const Vec2 way = move<terms, forced>(world, i, flight);
-        if (keeps_ways_) way_[i] = way;
-        has_strayed_ = !neighbours_.note_place(i, world.balls.position[i]) || has_strayed_;
+        if (keeps_displacements_) displacement_[i] = way;
+        has_escaped_ = !neighbours_.note_place(i, world.balls.position[i]) || has_escaped_;
     }
 }
 
-// What each ball that was pushed has left of its time; the others are done.
+// The time that each pushed ball has left; all other balls are done.
 void OverlapSolver::keep_time(World& world) {
     Balls& balls = world.balls;
     for (const std::uint32_t i : active_)
@@ -256,8 +252,8 @@ void OverlapSolver::keep_time(World& world) {
 void OverlapSolver::end_step(const World& world) {
     for (const Pushed& pushed : pushed_) {
         is_pushed_[pushed.ball] = 0;
-        has_strayed_ =
-            !neighbours_.note_place(pushed.ball, world.balls.position[pushed.ball]) || has_strayed_;
+        has_escaped_ =
+            !neighbours_.note_place(pushed.ball, world.balls.position[pushed.ball]) || has_escaped_;
     }
     pushed_.clear();
     pairs_.clear();

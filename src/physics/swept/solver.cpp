@@ -17,14 +17,13 @@ void SweptSolver::tick(World& world, int substeps, std::vector<Contact>& contact
     const double start = world.time();
     flight_ = flight_over(world.model.drag, duration);
     duration_ = duration;
-    resting_speed_ =
+    rest_speed_ =
         world.model.gravity ? resting_approach * length(*world.model.gravity) * duration : 0.0;
     slides_first_ = world.model.cloth.has_value();
     keeps_energy_ = is_flight_only(world);
     torus_ = world.model.wrap ? size(*world.model.wrap) : Vec2{};
     inverse_mass_ = world.balls.inverse_mass;
-    for (const HeldBall& held : world.held_balls)
-        if (const auto index = index_of(world, held.id)) inverse_mass_[*index] = 0.0;
+    make_held_balls_immovable(world, inverse_mass_);
     for (int i = 0; i < count; ++i) {
         begin_paths(world, 1.0 / (count - i));
         if (!patience.lasts(world.balls.size())) return;
@@ -38,33 +37,25 @@ void SweptSolver::begin_paths(World& world, double share_of_way) {
     const Balls& balls = world.balls;
     gravity_ = world.model.gravity.value_or(Vec2{});
     paths_.resize(balls.size());
-    bearings_.resize(world.model.gravity ? balls.size() : 0);
+    resting_.resize(world.model.gravity ? balls.size() : 0);
     for (std::size_t i = 0; i < balls.size(); ++i) {
         Vec2 velocity = balls.velocity[i];
         if (world.model.speed_limit) velocity = limited(velocity, *world.model.speed_limit);
         paths_[i] = Path{.position = balls.position[i], .start_velocity = velocity};
-        paths_[i].velocity =
-            world.model.cloth ? chord(world, static_cast<std::uint32_t>(i), velocity, gravity_, 0.0)
-                              : travel(flight_, velocity, gravity_) / duration_;
+        paths_[i].velocity = world.model.cloth ? mean_velocity(world, static_cast<std::uint32_t>(i),
+                                                               velocity, gravity_, 0.0)
+                                               : travel(flight_, velocity, gravity_) / duration_;
     }
     for (const HeldBall& held : world.held_balls) {
         const auto index = index_of(world, held.id);
         if (!index) continue;
-        Vec2 way = held.target - balls.position[*index];
-        if (world.model.wrap) way = nearest_image(way, torus_);
-        paths_[*index].velocity = way * (share_of_way / duration_);
+        paths_[*index].velocity =
+            rest_of_way(world, held, balls.position[*index]) * (share_of_way / duration_);
     }
     spin_rate_.assign(world.model.spin ? balls.size() : 0, 0.0);
-    hands_.clear();
-    for (const HeldCapsule& held : world.held_capsules) {
-        const auto index = index_of(world, held.id);
-        if (!index) continue;
-        const Capsule& shape = world.capsules.shape[*index];
-        hands_.push_back({static_cast<std::uint32_t>(*index),
-                          (held.start_target - shape.start) * (share_of_way / duration_),
-                          (held.end_target - shape.end) * (share_of_way / duration_),
-                          held.is_driven});
-    }
+    list_kinematic_edges(world, kinematic_edges_);
+    for (HeldEdge& edge : kinematic_edges_)
+        aim(edge, world, share_of_way / duration_);
 }
 
 void SweptSolver::finish_paths(World& world) {
@@ -76,10 +67,10 @@ void SweptSolver::finish_paths(World& world) {
         if (world.model.wrap) position = wrapped(position, *world.model.wrap);
         balls.position[i] = position;
         if (world.model.spin)
-            balls.spin[i] = (path.still && !keeps_energy_) || is_held_ball(ball)
+            balls.spin[i] = (path.is_frozen && !keeps_energy_) || is_held_ball(ball)
                                 ? 0.0
                                 : balls.spin[i] + spin_rate_[i] * (duration_ - path.time);
-        if (path.still || is_held_ball(ball)) {
+        if (path.is_frozen || is_held_ball(ball)) {
             balls.velocity[i] = is_held_ball(ball) ? Vec2{} : path.start_velocity;
             if (world.model.cloth) balls.roll[i] = {};
             continue;
@@ -97,28 +88,17 @@ void SweptSolver::finish_paths(World& world) {
         if (world.model.speed_limit) velocity = limited(velocity, *world.model.speed_limit);
         balls.velocity[i] = velocity;
     }
-    for (const Hand& hand : hands_)
-        world.capsules.shape[hand.index] = shape_at(world, hand.index, duration_);
-}
-
-const SweptSolver::Hand* SweptSolver::hand_of(std::uint32_t capsule) const {
-    for (const Hand& hand : hands_)
-        if (hand.index == capsule) return &hand;
-    return nullptr;
+    for (const HeldEdge& edge : kinematic_edges_)
+        world.capsules.shape[edge.capsule] = carom::shape_at(edge, world, duration_);
 }
 
 Capsule SweptSolver::shape_at(const World& world, std::uint32_t capsule, double now) const {
-    Capsule shape = world.capsules.shape[capsule];
-    if (const Hand* hand = hand_of(capsule)) {
-        const double moved = hand->stopped_at >= 0.0 ? std::min(now, hand->stopped_at) : now;
-        shape.start += hand->start_velocity * moved;
-        shape.end += hand->end_velocity * moved;
-    }
-    return shape;
+    const HeldEdge* const edge = kinematic_edge(capsule);
+    return edge ? carom::shape_at(*edge, world, now) : world.capsules.shape[capsule];
 }
 
-// What the ball can touch from now to the end lies in it.
-Disc SweptSolver::around_path(const World& world, std::uint32_t ball, double now) const {
+// All that the ball can touch from now to the end of the substep lies in this disc.
+Disc SweptSolver::bounding_disc(const World& world, std::uint32_t ball, double now) const {
     const Vec2 half = paths_[ball].velocity * (0.5 * (duration_ - now));
     const Vec2 center = position_at(ball, now) + half;
     // Wider by more than rounding takes.
@@ -127,7 +107,7 @@ Disc SweptSolver::around_path(const World& world, std::uint32_t ball, double now
     return {center, world.balls.radius[ball] + length(half) + hair * size};
 }
 
-Box SweptSolver::box_of_path(const World& world, std::uint32_t ball, double now) const {
+Box SweptSolver::bounding_box(const World& world, std::uint32_t ball, double now) const {
     const Vec2 from = position_at(ball, now);
     const Vec2 to = from + paths_[ball].velocity * (duration_ - now);
     return grow(join({from, from}, {to, to}), world.balls.radius[ball]);
