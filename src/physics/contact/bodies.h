@@ -1,123 +1,121 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "geometry/vec2.h"
 #include "physics/broad_phase/fat_pairs.h"
+#include "physics/laws/free_motion.h"
+#include "physics/world/world.h"
 
-/// What the solver `contact` knows of its bodies in a substep, and of what is between them: what
-/// presses, and the paths on which others come.
+/// What the parts of the solver `contact` share: the constants of a substep, the bodies and the
+/// pairs. Plain records; README.md says which part writes what.
 namespace carom {
 
+/// How a constraint that overlaps is softened: a damped spring, solved implicitly.
+struct ContactSoftness {
+    double push = 0.0;           ///< separating speed for each unit of overlap, 1/s
+    double mass_share = 1.0;     ///< of a rigid contact's impulse
+    double impulse_share = 0.0;  ///< of the accumulated impulse that is given back
+};
+
+/// Constants of a substep. All follow from the world and the number of substeps.
+struct ContactSubstep {
+    double duration = 0.0;    ///< s
+    double start_time = 0.0;  ///< s since the start of the simulation
+    Flight flight;            ///< over the substep
+    Vec2 gravity;
+    std::optional<double> drag;
+    Vec2 torus;  ///< width and height; 0 on a plane
+    bool wraps = false;
+    bool spins = false;
+    double rest_speed = 0.0;  ///< a slower approach does not bounce, length/s
+    double fall = 0.0;        ///< bound of what gravity adds to a displacement, length
+    ContactSoftness softness;
+    double spin_ease = 2.0;            ///< m r^2 / inertia
+    double friction_mass = 1.0 / 3.0;  ///< mass that friction moves, of a contact's mass
+};
+
+/// The constants for a tick of `world` in `count` substeps.
+ContactSubstep contact_substep(const World& world, int count);
+
 /// What an impulse changes.
-struct ContactMover {
+struct ContactBody {
     Vec2 velocity;
-    double rim = 0.0;  ///< spin * radius, length/s
-    double inverse_mass = 0.0;
+    double surface_speed = 0.0;  ///< spin * radius, length/s
+    double inverse_mass = 0.0;   ///< 0: kinematic or fixed
+};
+
+/// The bodies of a tick, in arrays. Balls come first, in the order of the broad phase's cells;
+/// `fixed` is a body that nothing moves; behind it stands one for each pair of a ball and a
+/// kinematic edge, for the point of the edge that is nearest to the ball.
+struct ContactBodies {
+    std::uint32_t fixed = 0;  ///< also the number of balls
+    double smallest_radius = 0.0;
+    std::vector<std::uint32_t> ball;  ///< index in the world
+    std::vector<Vec2> position;
+    std::vector<Vec2> reference;  ///< Verlet reference position
+    std::vector<double> skin;     ///< how far the centre may be from there
+    std::vector<double> radius;
+    std::vector<Vec2> start_velocity;         ///< at the start of the substep
+    std::vector<double> start_surface_speed;  ///< empty where balls do not turn
+    std::vector<Vec2> displacement;           ///< over the substep
+    std::vector<ContactBody> body;
+
+    bool is_ball(std::uint32_t b) const { return b < fixed; }
+    bool is_kinematic(std::uint32_t b) const { return body[b].inverse_mass == 0.0; }
+
+    /// Everything anew, from World and its reference positions. Pre: `ball` is filled in.
+    void load(const World& world);
+    /// Positions and velocities alone. False, and the bodies are of no use: radii, masses,
+    /// reference positions or skins are not those of the last tick.
+    bool reload(const World& world);
+    /// Positions, velocities and spins go back to the world.
+    void store(World& world) const;
+    /// Applies gravity and drag to the velocities, and notes what they were.
+    void integrate_velocities(const World& world, const ContactSubstep& step);
 };
 
 /// What a pair is in a substep.
-enum class ContactState : std::uint8_t { idle, pressed, flying };
+enum class ContactState : std::uint8_t {
+    idle,
+    constraint,  ///< touches without bouncing: held apart by an impulse
+    ccd          ///< may collide: its impact is found in time
+};
 
-/// Two bodies that could meet in the tick.
+/// Two bodies that could meet in the tick: a persistent contact, which carries its impulses from
+/// substep to substep.
 struct ContactPair {
-    std::uint32_t a = 0;
-    std::uint32_t b = 0;  ///< a body; for an edge a body that nothing moves
-    Vec2 normal;          ///< from b to a
-    double gap = 0.0;
-    double mass = 0.0;  ///< 1 / sum of inverse masses
-    double impulse = 0.0;
-    double rub = 0.0;  ///< impulse along perpendicular(normal)
+    std::uint32_t a = 0;      ///< a ball
+    std::uint32_t b = 0;      ///< a ball, or for an edge `fixed` or a kinematic point behind it
+    Vec2 normal;              ///< unit, from b to a
+    double separation = 0.0;  ///< negative: they overlap
+    double mass = 0.0;        ///< effective mass, 1 / sum of inverse masses; 0: both kinematic
+    double impulse = 0.0;     ///< along the normal
+    double tangential_impulse = 0.0;  ///< along perpendicular(normal)
     double friction = 0.0;
     std::uint32_t edge = NearPair::no_edge;
-    std::int8_t across = 0;
+    std::int8_t across = 0;  ///< which image of the edge on a torus
     std::int8_t along = 0;
     ContactState state = ContactState::idle;
-    bool bounces : 1 = false;  ///< restitution above 0
-    bool damped : 1 = false;   ///< and below 1
-    bool by_hand : 1 = false;  ///< the edge is held
-    bool is_new : 1 = true;    ///< did not press yet
-    bool settled : 1 = false;  ///< in this substep: has come to rest at an impact
+    bool bounces : 1 = false;       ///< restitution above 0
+    bool is_inelastic : 1 = false;  ///< restitution above 0 and below 1
+    bool is_kinematic : 1 = false;  ///< one of the bodies is
+    bool is_new : 1 = true;         ///< did not press yet: no contact has been reported
+    bool has_settled : 1 = false;   ///< came to rest at an impact in this substep
+
+    bool is_on_edge() const { return edge != NearPair::no_edge; }
 };
 
-/// A pressed pair in a substep: what the rounds need, one after another in their order.
-struct ContactPress {
-    std::uint32_t a = 0;
-    std::uint32_t b = 0;
-    std::uint32_t pair = 0;
-    bool lasts = false;      ///< pressed in the last substep too
-    bool with_next = false;  ///< this press and the next one are neighbours: take_back_throws
-    Vec2 normal;
-    double target = 0.0;  ///< speed at which they may close (positive) or must part, length/s
-    double mass = 0.0;    ///< of a rigid contact
-    double impulse = 0.0;
-    double rub = 0.0;
-    double friction = 0.0;
-};
+/// The smaller radius of a pair; an edge counts as large.
+inline double smaller_radius(const ContactBodies& bodies, const ContactPair& pair) {
+    const double radius = bodies.radius[pair.a];
+    if (!bodies.is_ball(pair.b)) return radius;
+    return bodies.radius[pair.b] < radius ? bodies.radius[pair.b] : radius;
+}
 
-/// How pressed pairs that overlap are held apart.
-struct ContactSoftness {
-    double push = 0.0;  ///< speed apart for each unit of overlap, 1/s
-    double mass = 1.0;  ///< share of a rigid contact's impulse
-    double impulse = 0.0;
-};
-
-/// How fast the upper of two bodies goes up from the lower one, and what changes that.
-struct ContactThrow {
-    double speed = 0.0;
-    double inverse_mass = 0.0;
-};
-
-/// A ball in a substep with impacts: at `position` at `time`, since then on a parabola if it is
-/// free, else straight on at `chord` while its velocity changes evenly by `pull` and its rim's
-/// by `turn`. It stands from `end` on.
-struct ContactPath {
-    Vec2 position;
-    Vec2 velocity;
-    Vec2 chord;          ///< to where it will be at the end, length/s
-    Vec2 pull;           ///< length/s^2
-    double rim = 0.0;    ///< spin * radius, length/s
-    double turn = 0.0;   ///< length/s^2
-    double given = 1.0;  ///< share of what pressing gives in the substep
-    double time = 0.0;
-    double end = 0.0;
-    std::uint32_t version = 0;
-    std::uint16_t impacts = 0;
-    std::uint16_t pushes = 0;  ///< impacts with hands that moved towards it
-    bool free = false;
-    bool stands = false;
-    bool is_surrounded = false;  ///< all that the ball could meet have paths
-    std::uint32_t body = 0;
-};
-
-/// What comes next in a substep with impacts, as far as one body can tell.
-struct ContactEvent {
-    static constexpr std::uint8_t ball = 0;
-    static constexpr std::uint8_t edge = 1;
-    static constexpr std::uint8_t stands = 2;  ///< the body's path ends
-
-    double time = 0.0;
-    std::uint8_t kind = ball;
-    std::uint32_t low = 0;  ///< the bodies' indices in the world
-    std::uint32_t high = 0;
-    std::uint32_t body = 0;  ///< whose prediction this is
-    std::uint32_t pair = 0;
-    std::uint32_t body_version = 0;
-    std::uint32_t other_version = 0;
-};
-
-/// A hand that holds a ball or an edge.
-struct ContactHand {
-    std::uint32_t index = 0;  ///< of the capsule; of a held ball the body
-    std::uint32_t held = 0;   ///< index into World::held_capsules or held_balls
-    bool is_ball = false;
-    bool is_driven = false;  ///< throws what it meets
-    Vec2 start_velocity;
-    Vec2 end_velocity;
-    double share = 1.0;        ///< of its way that it can go in this substep
-    double shortened = 1.0;    ///< to this, of what the share was
-    double stopped_at = -1.0;  ///< s in the substep; negative: moves
-    std::uint32_t version = 0;
-};
+/// The overlap at which two bodies stop, however hard they are pressed together.
+double overlap_bound(const ContactBodies& bodies, const ContactPair& pair);
 
 }  // namespace carom

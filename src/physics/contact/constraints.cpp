@@ -1,139 +1,181 @@
+#include "physics/contact/constraints.h"
+
 #include <algorithm>
 
-#include "geometry/closest.h"
-#include "physics/contact/solver.h"
-#include "physics/laws/bounce.h"
+#include "physics/contact/change_impulse.h"
+#include "physics/contact/tolerances.h"
 
-// Pressed pairs: which pairs those are in a substep, and the impulses that hold them apart.
 namespace carom {
 
-// The way from b to a, and the gap between them.
-template <Terms terms>
-inline void ContactSolver::measure(const World& world, Pair& pair) {
-    Vec2 offset;
-    double reach = radius_[pair.a];
-    if (pair.edge == NearPair::no_edge) {
-        offset = position_[pair.a] - position_[pair.b];
-        if (terms.wrap()) offset = nearest_image(offset, torus_);
-        reach += radius_[pair.b];
-    } else {
-        Vec2 at = position_[pair.a];
-        if (terms.wrap()) at -= Vec2{pair.across * torus_.x, pair.along * torus_.y};
-        const Capsule& shape = world.capsules.shape[pair.edge];
-        offset = at - closest_point(shape.start, shape.end, at);
-        reach += shape.radius;
-        if (terms.special() && pair.b > still_)
-            before_[pair.b] = mover_[pair.b].velocity =
-                surface_velocity(*hand_of(pair.edge), shape, at);
+using namespace contact_tolerance;
+
+// The impulses of the last substep, in one go.
+template <bool spin>
+inline void ContactConstraints::apply(const ContactConstraint& constraint) {
+    ContactBody& a = bodies_.body[constraint.a];
+    ContactBody& b = bodies_.body[constraint.b];
+    Vec2 push = constraint.normal * constraint.impulse;
+    if constexpr (spin) {
+        const double tangential = constraint.tangential_impulse;
+        push += perpendicular(constraint.normal) * tangential;
+        a.surface_speed -= tangential * a.inverse_mass * step_.spin_ease;
+        if (constraint.b != bodies_.fixed)
+            b.surface_speed -= tangential * b.inverse_mass * step_.spin_ease;
     }
-    const double away = length(offset);
-    pair.gap = away - reach;
-    if (away > 1e-150)
-        pair.normal = offset * (1.0 / away);
-    else
-        pair.normal = direction(-gravity_, {0.0, 1.0});
+    a.velocity += push * a.inverse_mass;
+    if (constraint.b != bodies_.fixed) b.velocity -= push * b.inverse_mass;
 }
 
-// Whether the hand pushes the ball on faster than it would bounce off a still one.
-bool ContactSolver::is_pushed(const World& world, const Pair& pair, double approach) const {
-    if (pair.b > still_ && hand_of(pair.edge)->is_driven) return false;
-    const bool by_a = pair.b < still_ && is_held_body(pair.a);
-    const std::uint32_t hand = by_a ? pair.a : pair.b;
-    const std::uint32_t ball = by_a ? pair.b : pair.a;
-    const Vec2 normal = by_a ? -pair.normal : pair.normal;
-    const double surface = dot(before_[hand], normal);
-    if (!(surface > 0.0)) return false;
-    const double speed = dot(before_[ball], normal);
-    return -restitution_of(world, pair, std::max(0.0, approach)) * speed <= surface;
-}
-
-// On each body, at the end of the last substep: the impulses say so.
-void ContactSolver::count_presses() {
-    presses_on_.clear();
-    if (!any_damped_ || gravity_ == Vec2{}) return;
-    presses_on_.assign(mover_.size(), 0);
-    const auto count = [&](const Pair& pair) {
-        if (!(pair.impulse > 0.0)) return;
-        for (const std::uint32_t body : {pair.a, pair.b})
-            if (presses_on_[body] < bedded) ++presses_on_[body];
-    };
-    if (is_loaded_anew_)
-        for (const Pair& pair : pairs_)
-            count(pair);
-    else
-        for (const std::uint32_t p : pressed_)
-            count(pairs_[p]);
-}
-
-// Whether the two have no room to bounce.
-bool ContactSolver::is_bedded(const Pair& pair) const {
-    if (!pair.damped || presses_on_.empty()) return false;
-    return presses_on_[pair.a] >= bedded && (pair.b >= still_ || presses_on_[pair.b] >= bedded);
-}
-
-template <Terms terms>
-inline ContactSolver::State ContactSolver::state_of(const World& world, const Pair& pair) const {
-    Vec2 relative = before_[pair.a] - before_[pair.b];
-    const Vec2 without_fall = relative;
-    if (mover_[pair.b].inverse_mass == 0.0) relative += gravity_ * duration_;
-    if (terms.special() && is_held_body(pair.a)) relative -= gravity_ * duration_;
-    const double approach = -dot(relative, pair.normal);
-    if (pair.gap - approach * duration_ > guard_) return State::idle;
-    if (terms.special() && pair.mass == 0.0) return approach > 0.0 ? State::flying : State::idle;
-    const double radius =
-        pair.b < still_ ? std::min(radius_[pair.a], radius_[pair.b]) : radius_[pair.a];
-    const double most = 0.25 * radius / duration_;
-    const bool pushed = terms.special() && pair.by_hand && is_pushed(world, pair, approach);
-    // A hand that touches goes on pushing, however far its target: it can be held back.
-    const bool is_fast = length_squared(relative) > most * most && !(pushed && pair.gap <= 0.0);
-    if (approach > 0.0 && is_fast) return State::flying;
-    if (pair.bounces && !pushed) {
-        if (resting_speed_ == 0.0) return approach > 0.0 ? State::flying : State::idle;
-        // Bodies that overlap meet at once, before gravity has made the approach any faster.
-        const bool is_held = pair.gap < 0.0 && (pair.impulse > 0.0 ||
-                                                -dot(without_fall, pair.normal) < resting_speed_);
-        if (approach >= resting_speed_ && !is_held && !is_bedded(pair)) return State::flying;
-    }
-    if (terms.special() && world.model.one_way && pair.edge != NearPair::no_edge) {
-        const bool engaged = pair.impulse > 0.0 || pair.gap > -0.5 * radius;
-        if (!engaged || !is_on_solid_side(world.capsules.shape[pair.edge],
-                                          world.capsules.side[pair.edge], position_[pair.a]))
-            return State::idle;
-    }
-    return State::pressed;
-}
-
-template <Terms terms>
-void ContactSolver::sort_pairs(const World& world) {
-    pressed_.clear();
+template <bool spin>
+void ContactConstraints::begin_all() {
+    const std::span<const std::uint32_t> indices = classification_.constraints();
+    constraints_.resize(indices.size());
     new_.clear();
-    flying_.clear();
-    any_uneven_ = false;
-    deepest_ = 0.0;
-    for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
-        Pair& pair = pairs_[p];
-        measure<terms>(world, pair);
-        pair.state = state_of<terms>(world, pair);
-        pair.settled = false;
-        if (pair.state != State::pressed) {
-            pair.impulse = pair.rub = 0.0;
-            if (pair.state == State::flying) flying_.push_back(p);
-            continue;
+    const double per_substep = 1.0 / step_.duration;
+    for (std::uint32_t k = 0; k < indices.size(); ++k) {
+        const ContactPair& pair = pairs_[indices[k]];
+        const double gap = pair.separation;
+        const double stiffer =
+            std::min(-gap * (0.5 * stiffening / overlap_bound(bodies_, pair)), most_stiffening);
+        if (pair.is_new) new_.push_back(k);
+        constraints_[k] = {
+            .a = pair.a,
+            .b = pair.b,
+            .pair = indices[k],
+            .is_persistent = pair.impulse > 0.0,
+            .normal = pair.normal,
+            .target = gap * (gap > 0.0 ? per_substep : (1.0 + stiffer) * step_.softness.push),
+            .mass = pair.mass,
+            .impulse = pair.impulse,
+            .tangential_impulse = pair.tangential_impulse,
+            .friction = pair.friction};
+        apply<spin>(constraints_[k]);
+    }
+    for (std::size_t k = 0; k + 1 < constraints_.size(); k += constraints_[k].has_neighbour ? 2 : 1)
+        constraints_[k].has_neighbour = !share_body(constraints_[k], constraints_[k + 1]);
+}
+
+bool ContactConstraints::share_body(const ContactConstraint& one,
+                                    const ContactConstraint& other) const {
+    return one.a == other.a || one.a == other.b || one.b == other.a ||
+           (one.b == other.b && one.b != bodies_.fixed);
+}
+
+template <bool spin>
+inline void ContactConstraints::solve(ContactConstraint& constraint) {
+    const bool is_open = constraint.target > 0.0;
+    const double mass = is_open ? constraint.mass : step_.softness.mass_share * constraint.mass;
+    const double given_back = is_open ? 0.0 : step_.softness.impulse_share;
+    const double change =
+        mass * (separating_speed(constraint) + constraint.target) + given_back * constraint.impulse;
+    change_impulse<spin>(constraint, std::max(constraint.impulse - change, 0.0));
+}
+
+// A gap that nothing has pressed on may close in the next substep, and no more. What pressed before
+// is over-relaxed, since its neighbours take a part back.
+template <bool spin>
+inline void ContactConstraints::relax(ContactConstraint& constraint) {
+    const double room = constraint.impulse == 0.0 ? std::max(constraint.target, 0.0) : 0.0;
+    const double speed = separating_speed(constraint) + room;
+    const double most = constraint.is_persistent ? over_relaxation * step_.rest_speed : 0.0;
+    const double more = std::max(std::min(over_relaxation * speed, most), -most);
+    const double change = constraint.mass * (speed + more);
+    change_impulse<spin>(constraint, std::max(constraint.impulse - change, 0.0));
+}
+
+// A ball that has just bounced presses on no pair that is about to bounce itself.
+bool ContactConstraints::is_about_to_bounce(const ContactConstraint& constraint) const {
+    return pairs_[constraint.pair].bounces && -separating_speed(constraint) > step_.rest_speed;
+}
+
+template <bool spin>
+void ContactConstraints::solve_all(bool downwards) {
+    if (downwards)
+        for (std::size_t k = constraints_.size(); k-- > 0;)
+            solve<spin>(constraints_[k]);
+    else
+        for (ContactConstraint& constraint : constraints_)
+            solve<spin>(constraint);
+}
+
+template <bool spin>
+void ContactConstraints::relax_all() {
+    for (std::size_t k = constraints_.size(); k-- > 0;)
+        if (!had_impacts_ || !is_about_to_bounce(constraints_[k])) relax<spin>(constraints_[k]);
+}
+
+void ContactConstraints::solve(bool downwards) {
+    step_.spins ? solve_all<true>(downwards) : solve_all<false>(downwards);
+}
+
+void ContactConstraints::begin() {
+    had_impacts_ = false;
+    step_.spins ? begin_all<true>() : begin_all<false>();
+    find_loaded();
+    if (has_excess()) step_.spins ? take_back_excess<true>() : take_back_excess<false>();
+    solve(false);
+    for (int iteration = 1; iteration < loaded_iterations; ++iteration)
+        for (const std::uint32_t k : loaded_)
+            step_.spins ? solve<true>(constraints_[k]) : solve<false>(constraints_[k]);
+}
+
+void ContactConstraints::relax(double most_push, bool had_impacts) {
+    had_impacts_ = had_impacts;
+    if (most_push > most_excess * step_.rest_speed * step_.duration)
+        step_.spins ? take_back_excess<true>() : take_back_excess<false>();
+    step_.spins ? relax_all<true>() : relax_all<false>();
+    for (int iteration = 1; iteration < loaded_iterations; ++iteration) {
+        for (std::size_t k = loaded_.size(); k-- > 0;) {
+            ContactConstraint& constraint = constraints_[loaded_[k]];
+            if (had_impacts_ && is_about_to_bounce(constraint)) continue;
+            step_.spins ? relax<true>(constraint) : relax<false>(constraint);
         }
-        pressed_.push_back(p);
-        any_uneven_ = any_uneven_ || is_uneven(pair);
-        deepest_ = std::min(deepest_, pair.gap);
+    }
+    store_impulses();
+}
+
+void ContactConstraints::store_impulses() {
+    for (const ContactConstraint& constraint : constraints_) {
+        pairs_[constraint.pair].impulse = constraint.impulse;
+        pairs_[constraint.pair].tangential_impulse = constraint.tangential_impulse;
     }
 }
 
-void ContactSolver::prepare(const World& world, Terms terms) {
-    with_terms(terms, [&]<Terms set>() { sort_pairs<set>(world); });
+// From the top down: what supports a ball that is loaded is loaded too.
+void ContactConstraints::find_loaded() {
+    loaded_.clear();
+    if (!classification_.any_high_mass_ratio()) return;
+    is_loaded_.assign(bodies_.body.size(), 0);
+    for (auto k = static_cast<std::uint32_t>(constraints_.size()); k-- > 0;) {
+        const ContactPair& pair = pairs_[constraints_[k].pair];
+        if (!is_loaded_[pair.a] && !is_loaded_[pair.b] &&
+            !classification_.has_high_mass_ratio(pair))
+            continue;
+        if (!bodies_.is_kinematic(pair.a)) is_loaded_[pair.a] = 1;
+        if (!bodies_.is_kinematic(pair.b)) is_loaded_[pair.b] = 1;
+        loaded_.push_back(k);
+    }
+    std::reverse(loaded_.begin(), loaded_.end());
 }
 
-bool ContactSolver::is_uneven(const Pair& pair) const {
-    const double a = mover_[pair.a].inverse_mass;
-    const double b = mover_[pair.b].inverse_mass;
-    return a > 0.0 && b > 0.0 && std::max(a, b) >= uneven * std::min(a, b);
+void ContactConstraints::report_new(std::vector<Contact>& contacts) {
+    for (const std::uint32_t k : new_) {
+        ContactPair& pair = pairs_[constraints_[k].pair];
+        const double impulse = constraints_[k].impulse;
+        if (!(impulse > 0.0)) continue;
+        pair.is_new = false;
+        const bool on_edge = pair.is_on_edge();
+        const double approach = impulse / pair.mass;
+        contacts.push_back(
+            {.time = step_.start_time,
+             .kind = on_edge ? ContactKind::ball_edge : ContactKind::ball_ball,
+             .a = bodies_.ball[pair.a],
+             .b = on_edge ? pair.edge : bodies_.ball[pair.b],
+             .point = bodies_.position[pair.a] - pair.normal * bodies_.radius[pair.a],
+             .normal = pair.normal,
+             .approach = approach,
+             .impulse = impulse});
+    }
 }
 
 }  // namespace carom

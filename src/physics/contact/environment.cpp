@@ -27,7 +27,7 @@ std::uint64_t sum_of(const std::vector<PressedPair>& pairs) {
 
 }  // namespace
 
-void ContactScenery::note(const World& world) {
+void ContactEnvironment::note(const World& world) {
     model_ = world.model;
     kinds_ = world.kinds;
     materials_ = world.materials;
@@ -39,12 +39,12 @@ void ContactScenery::note(const World& world) {
     material_ = world.capsules.material;
 }
 
-void ContactScenery::note_impulses(const World& world) {
+void ContactEnvironment::note_impulses(const World& world) {
     pressed_ = world.pressed.size();
     impulses_ = sum_of(world.pressed);
 }
 
-bool ContactScenery::is_that_of(const World& world) const {
+bool ContactEnvironment::is_unchanged(const World& world) const {
     const Capsules& capsules = world.capsules;
     return model_ == world.model && kinds_ == world.kinds && materials_ == world.materials &&
            meets_ == world.meets && kind_ == world.balls.kind &&

@@ -7,16 +7,18 @@
 
 namespace carom {
 
-/// What the pairs of the solver `contact` depend on besides where the balls were when they were
-/// found, and besides their radii and masses: kept, and compared with the world of the next tick,
-/// so that only pairs that would be found again are gone on with.
-class ContactScenery {
+/// What the pairs of the solver `contact` depend on besides the balls' reference positions, radii
+/// and masses: model, classes, edges, and the impulses of the last tick. Noted at the end of a tick
+/// and compared at the start of the next one, so that a solver goes on with its pairs only where it
+/// would find the same ones again.
+class ContactEnvironment {
   public:
+    /// Notes everything but the impulses.
     void note(const World& world);
-    /// World::pressed, as the solver leaves it.
+    /// Notes World::pressed, as the solver leaves it.
     void note_impulses(const World& world);
-    /// Whether all is as it was noted.
-    bool is_that_of(const World& world) const;
+    /// Whether everything is as it was noted.
+    bool is_unchanged(const World& world) const;
 
   private:
     Model model_;

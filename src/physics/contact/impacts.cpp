@@ -1,59 +1,103 @@
+#include "physics/contact/impacts.h"
+
 #include <algorithm>
-#include <tuple>
+#include <cmath>
 
-#include "physics/contact/path.h"
-#include "physics/contact/solver.h"
+#include "geometry/impact.h"
+#include "physics/contact/tolerances.h"
 #include "physics/laws/bounce.h"
-#include "physics/memory/prefetch.h"
 
-// Impacts within a substep of the solver `contact`: found along the paths of the balls, and dealt
-// with in the order (time, kind, lower number, higher number).
 namespace carom {
 
-// Which pairs may meet in this substep. How far two bodies close is at most what they close along
-// the line between them at first, for the distance along straight paths is convex.
-void ContactSolver::find_hits() {
-    hits_.clear();
-    const auto shrinks = [&](const Pair& pair) {
-        if (pair.b <= still_) return -dot(way_[pair.a] - way_[pair.b], pair.normal);
-        const Hand& hand = *hand_of(pair.edge);
+using namespace contact_tolerance;
+
+// A ball that no impulse has changed flies on its exact path; any other one goes straight on.
+void ContactImpacts::find_displacements() {
+    const Flight& flight = step_.flight;
+    const Vec2 fall = step_.gravity * flight.velocity_per_gravity;
+    const Vec2 drop = step_.gravity * flight.travel_per_gravity;
+    escaped_.clear();
+    double most = 0.0;
+    for (std::uint32_t i = 0; i < bodies_.fixed; ++i) {
+        const Vec2 velocity = bodies_.body[i].velocity;
+        const Vec2 before = bodies_.start_velocity[i];
+        const Vec2 change = velocity - (before * flight.decay + fall);
+        Vec2& displacement = bodies_.displacement[i];
+        if (change == Vec2{}) {
+            displacement = before * flight.travel_per_velocity + drop;
+        } else {
+            displacement = velocity * step_.duration;
+            most = std::max(most, length_squared(change));
+        }
+        const Vec2 away = bodies_.position[i] + displacement - bodies_.reference[i];
+        if (length_squared(away) > bodies_.skin[i] * bodies_.skin[i]) escaped_.push_back(i);
+    }
+    kinematics_.set_displacements(bodies_, step_);
+    most_push_ = std::sqrt(most) * step_.duration;
+}
+
+// Distance under uniform motion is convex in time, so the approach along the initial normal bounds
+// how far the gap can shrink.
+void ContactImpacts::find_candidates() {
+    candidates_.clear();
+    const auto shrinks = [&](const ContactPair& pair) {
+        if (pair.b <= bodies_.fixed)
+            return -dot(bodies_.displacement[pair.a] - bodies_.displacement[pair.b], pair.normal);
+        const HeldEdge& edge = kinematics_.edge_of(pair);
         const double fastest =
-            std::max(length(hand.start_velocity), length(hand.end_velocity)) * hand.share;
-        return length(way_[pair.a]) + fastest * duration_;
+            std::max(length(edge.start_velocity), length(edge.end_velocity)) * edge.share;
+        return length(bodies_.displacement[pair.a]) + fastest * step_.duration;
     };
-    for (const std::uint32_t p : flying_)
-        if (shrinks(pairs_[p]) > pairs_[p].gap) hits_.push_back(p);
-    // Others only where pressed pairs have pushed somebody far, or lie deep in one another.
-    if (2.0 * most_push_ <= guard_ && deepest_ >= -0.25 * smallest_) return;
+    for (const std::uint32_t p : classification_.ccd())
+        if (shrinks(pairs_[p]) > pairs_[p].separation) candidates_.push_back(p);
+    // Other pairs may collide only where constraints have pushed a ball far, or overlap deeply.
+    if (2.0 * most_push_ <= closing_gap(bodies_) &&
+        classification_.deepest() >= -deep_overlap * bodies_.smallest_radius)
+        return;
     for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
-        const Pair& pair = pairs_[p];
-        if (pair.state == State::flying) continue;
-        const double deep = pair.state == State::pressed ? core(pair) : 0.0;
-        if (shrinks(pair) > pair.gap + deep) hits_.push_back(p);
+        const ContactPair& pair = pairs_[p];
+        if (pair.state == ContactState::ccd) continue;
+        const double allowed =
+            pair.state == ContactState::constraint ? overlap_bound(bodies_, pair) : 0.0;
+        if (shrinks(pair) > pair.separation + allowed) candidates_.push_back(p);
     }
 }
 
-void ContactSolver::run_impacts(World& world, std::vector<Contact>& contacts) {
-    begin_paths();
+bool ContactImpacts::find() {
+    find_displacements();
+    find_candidates();
+    return !candidates_.empty() || !escaped_.empty();
+}
+
+void ContactImpacts::push_freeze(std::uint32_t body, std::optional<double> time) {
+    if (!time) return;
+    queue_.push({.time = *time,
+                 .kind = ContactEvent::Kind::freeze,
+                 .low = bodies_.ball[body],
+                 .high = bodies_.ball[body],
+                 .body = body,
+                 .body_version = paths_[body].version});
+}
+
+void ContactImpacts::run(World& world, std::span<ContactConstraint> constraints,
+                         std::vector<Contact>& contacts) {
+    paths_.begin();
+    kinematics_.for_each_held_ball([&](std::uint32_t body) { paths_.add(body); });
     queue_.clear();
-    for (const std::uint32_t stray : strays_) {
-        begin_path(stray);
-        end_path_at_border(stray, 0.0);
+    for (const std::uint32_t body : escaped_) {
+        paths_.add(body);
+        push_freeze(body, paths_.end_at_skin(body, 0.0));
     }
-    for (std::size_t hit = 0; hit < hits_.size(); ++hit) {
-        if (still_ >= too_many_to_cache) look_ahead(hit);
-        const std::uint32_t body = pairs_[hits_[hit]].a;
-        begin_path(body);
-        if (!path_of(body).is_surrounded) predict(world, body, 0.0);
+    for (const std::uint32_t p : candidates_) {
+        const std::uint32_t body = pairs_[p].a;
+        paths_.add(body);
+        if (!paths_[body].is_surrounded) predict(world, body, 0.0);
     }
-    while (!queue_.empty()) {
-        std::pop_heap(queue_.begin(), queue_.end(),
-                      [](const Event& a, const Event& b) { return is_earlier(b, a); });
-        const Event event = queue_.back();
-        queue_.pop_back();
-        if (event.body_version != path_of(event.body).version) continue;
-        if (event.kind == Event::stands) {
-            stand(event.body, event.time);
+    while (!queue_.is_empty()) {
+        const ContactEvent event = queue_.pop();
+        if (event.body_version != paths_[event.body].version) continue;
+        if (event.kind == ContactEvent::Kind::freeze) {
+            paths_.freeze(event.body, event.time);
             predict(world, event.body, event.time);
         } else if (is_void(event)) {
             predict(world, event.body, event.time);
@@ -61,144 +105,107 @@ void ContactSolver::run_impacts(World& world, std::vector<Contact>& contacts) {
             collide(world, event, contacts);
         }
     }
-    finish_paths(world);
+    paths_.finish(world, constraints);
 }
 
-// Fetches from memory what the hits to come are going to need: first the pair, then its bodies,
-// then the pairs of these, then their bodies.
-void ContactSolver::look_ahead(std::size_t hit) const {
-    const auto coming = [&](std::size_t by) -> const Pair* {
-        return hit + by < hits_.size() ? &pairs_[hits_[hit + by]] : nullptr;
-    };
-    const auto fetch_body = [&](std::uint32_t body) {
-        fetch_early(&place_of_path_[body]);
-        fetch_early(&position_[body]);
-        fetch_early(&way_[body]);
-        fetch_early(&before_[body]);
-        fetch_early(&mover_[body]);
-    };
-    const auto for_each_pair = [&](const Pair& pair, auto&& visit) {
-        for (std::uint32_t k = pairs_begin_[pair.a]; k < pairs_begin_[pair.a + 1]; ++k)
-            visit(pairs_[pairs_of_[k]]);
-    };
-    if (hit + 24 < hits_.size()) fetch_early(&pairs_[hits_[hit + 24]]);
-    if (const Pair* const pair = coming(16)) {
-        fetch_early(&pairs_begin_[pair->a]);
-        fetch_body(pair->a);
-        if (pair->b < still_) fetch_body(pair->b);
-    }
-    if (const Pair* const pair = coming(12)) fetch_early(&pairs_of_[pairs_begin_[pair->a]]);
-    if (const Pair* const pair = coming(8))
-        for_each_pair(*pair, [&](const Pair& near) { fetch_early(&near); });
-    if (const Pair* const pair = coming(4))
-        for_each_pair(*pair, [&](const Pair& near) {
-            const std::uint32_t other = near.a == pair->a ? near.b : near.a;
-            if (other < still_) fetch_body(other);
-        });
-}
-
-bool ContactSolver::is_void(const Event& event) const {
-    const Pair& pair = pairs_[event.pair];
-    if (pair.b > still_) return hand_of(pair.edge)->version != event.other_version;
-    if (pair.b == still_) return false;
+// Whether the other body has changed its path since the prediction.
+bool ContactImpacts::is_void(const ContactEvent& event) const {
+    const ContactPair& pair = pairs_[event.pair];
+    if (pair.b > bodies_.fixed) return kinematics_.edge_of(pair).version != event.other_version;
+    if (pair.b == bodies_.fixed) return false;
     const std::uint32_t other = pair.a == event.body ? pair.b : pair.a;
-    return path_of(other).version != event.other_version;
+    return paths_[other].version != event.other_version;
 }
 
-// The edge of a pair, as the ball sees it.
-Capsule ContactSolver::edge_at(const World& world, const Pair& pair, double now) const {
-    if (pair.b > still_) return shape_of(world, *hand_of(pair.edge), now);
+// The edge of a pair, where the ball sees it.
+Capsule ContactImpacts::edge_at(const World& world, const ContactPair& pair, double now) const {
+    if (pair.b > bodies_.fixed) return shape_at(kinematics_.edge_of(pair), world, now);
     Capsule shape = world.capsules.shape[pair.edge];
-    if (wraps_) {
-        const Vec2 shift{pair.across * torus_.x, pair.along * torus_.y};
+    if (step_.wraps) {
+        const Vec2 shift{pair.across * step_.torus.x, pair.along * step_.torus.y};
         shape.start += shift;
         shape.end += shift;
     }
     return shape;
 }
 
-// When the pair meets from now on. Pressed pairs that rest on one another meet where their cores
-// do; and so do those that would not bounce, while they are no deeper in one another than a hand
-// goes: what the rounds have left of their approach is for the rounds of the next substep. Impact
-// by impact a heap that falls together would never be done.
-std::optional<double> ContactSolver::meeting(const World& world, const Pair& pair,
-                                             double now) const {
-    const Path& path = path_of(pair.a);
-    const double left = duration_ - now;
-    const Vec2 at = chord_position(pair.a, now);
+// Whether the pair may overlap up to its bound before it meets. A constraint that rests may; one
+// that would not bounce may too, unless it overlaps deeply already: what the iterations have left
+// of its approach is for those of the next substep. Impact by impact, a pile that falls together
+// would never be done.
+bool ContactImpacts::is_soft(const ContactPair& pair, Vec2 other_velocity, double now) const {
+    if (pair.has_settled) return true;
+    if (pair.state != ContactState::constraint) return false;
+    if ((!pair.bounces || classification_.is_enclosed(pair)) &&
+        pair.separation > -soft_overlap * overlap_bound(bodies_, pair))
+        return true;
+    return -dot(paths_.velocity_at(pair.a, now) - other_velocity, pair.normal) <= step_.rest_speed;
+}
+
+std::optional<double> ContactImpacts::time_of_impact(const World& world, const ContactPair& pair,
+                                                     double now) const {
+    const ContactPath& path = paths_[pair.a];
+    const double left = step_.duration - now;
+    const Vec2 at = paths_.chord_position(pair.a, now);
     const Vec2 chord = now < path.end ? path.chord : Vec2{};
-    const auto is_soft = [&](Vec2 other) {
-        if (pair.settled) return true;
-        if (pair.state != State::pressed) return false;
-        if ((!pair.bounces || is_bedded(pair)) && pair.gap > -0.2 * core(pair)) return true;
-        return -dot(velocity_at(world, pair.a, now) - other, pair.normal) <= resting_speed_;
-    };
-    double radius = radius_[pair.a];
+    double radius = bodies_.radius[pair.a];
     std::optional<Impact> impact;
-    if (pair.b < still_) {
-        const Path& other = path_of(pair.b);
-        Vec2 offset = at - chord_position(pair.b, now);
-        if (wraps_) offset = nearest_image(offset, torus_);
+    if (bodies_.is_ball(pair.b)) {
+        const ContactPath& other = paths_[pair.b];
+        Vec2 offset = at - paths_.chord_position(pair.b, now);
+        if (step_.wraps) offset = nearest_image(offset, step_.torus);
         const Vec2 relative = chord - (now < other.end ? other.chord : Vec2{});
-        if (stays_apart(offset, relative, radius + radius_[pair.b], left)) return std::nullopt;
-        if (is_soft(velocity_at(world, pair.b, now))) radius -= core(pair);
-        const double reach = radius + radius_[pair.b];
+        if (stays_apart(offset, relative, radius + bodies_.radius[pair.b], left))
+            return std::nullopt;
+        if (is_soft(pair, paths_.velocity_at(pair.b, now), now))
+            radius -= overlap_bound(bodies_, pair);
+        const double reach = radius + bodies_.radius[pair.b];
         impact = first_impact(Disc{offset, reach}, relative, Disc{{}, 0.0}, left);
-    } else if (pair.b == still_) {
+    } else if (pair.b == bodies_.fixed) {
         const Capsule shape = edge_at(world, pair, now);
-        if (is_soft({})) radius -= core(pair);
+        if (is_soft(pair, {}, now)) radius -= overlap_bound(bodies_, pair);
         impact = first_impact(Disc{at, radius}, chord, shape, left);
         if (impact && world.model.one_way &&
             !is_on_solid_side(shape, world.capsules.side[pair.edge], at + chord * impact->time))
             return std::nullopt;
     } else {
-        const Hand& hand = *hand_of(pair.edge);
+        const HeldEdge& edge = kinematics_.edge_of(pair);
         const Capsule shape = edge_at(world, pair, now);
-        if (is_soft(mover_[pair.b].velocity)) radius -= core(pair);
-        const double share = hand.stopped_at >= 0.0 ? 0.0 : hand.share;
-        impact = first_impact(Disc{at, radius}, chord, shape, hand.start_velocity * share,
-                              hand.end_velocity * share, left);
+        if (is_soft(pair, bodies_.body[pair.b].velocity, now))
+            radius -= overlap_bound(bodies_, pair);
+        const double share = edge.is_stopped() ? 0.0 : edge.share;
+        impact = first_impact(Disc{at, radius}, chord, shape, edge.start_velocity * share,
+                              edge.end_velocity * share, left);
     }
     if (!impact) return std::nullopt;
     return now + impact->time;
 }
 
 // Puts the first impact of a body from now on into the queue.
-void ContactSolver::predict(const World& world, std::uint32_t body, double now) {
-    begin_paths_around(body);
-    const Path& path = path_of(body);
-    std::optional<Event> best;
-    for (std::uint32_t k = pairs_begin_[body]; k < pairs_begin_[body + 1]; ++k) {
-        const std::uint32_t p = pairs_of_[k];
-        const Pair& pair = pairs_[p];
-        const auto time = meeting(world, pair, now);
-        if (!time || !(*time < duration_)) continue;
-        const bool on_ball = pair.b < still_;
+void ContactImpacts::predict(const World& world, std::uint32_t body, double now) {
+    paths_.add_around(body);
+    const ContactPath& path = paths_[body];
+    std::optional<ContactEvent> best;
+    for (const std::uint32_t p : pairs_.of_body(body)) {
+        const ContactPair& pair = pairs_[p];
+        const auto time = time_of_impact(world, pair, now);
+        if (!time || !(*time < step_.duration)) continue;
+        const bool on_ball = bodies_.is_ball(pair.b);
         const std::uint32_t other = pair.a == body ? pair.b : pair.a;
-        const Event event{
+        const ContactEvent event{
             .time = *time,
-            .kind = on_ball ? Event::ball : Event::edge,
-            .low = ball_[pair.a],
-            .high = on_ball ? ball_[pair.b] : pair.edge,
+            .kind = on_ball ? ContactEvent::Kind::ball : ContactEvent::Kind::edge,
+            .low = bodies_.ball[pair.a],
+            .high = on_ball ? bodies_.ball[pair.b] : pair.edge,
             .body = body,
             .pair = p,
             .body_version = path.version,
-            .other_version = on_ball ? path_of(other).version
-                                     : (pair.b > still_ ? hand_of(pair.edge)->version : 0)};
+            .other_version = on_ball                  ? paths_[other].version
+                             : pair.b > bodies_.fixed ? kinematics_.edge_of(pair).version
+                                                      : 0};
         if (!best || is_earlier(event, *best)) best = event;
     }
-    if (best) push(*best);
-}
-
-bool ContactSolver::is_earlier(const Event& a, const Event& b) {
-    if (a.time != b.time) return a.time < b.time;
-    return std::tuple(a.kind, a.low, a.high, a.body) < std::tuple(b.kind, b.low, b.high, b.body);
-}
-
-void ContactSolver::push(const Event& event) {
-    queue_.push_back(event);
-    std::push_heap(queue_.begin(), queue_.end(),
-                   [](const Event& a, const Event& b) { return is_earlier(b, a); });
+    if (best) queue_.push(*best);
 }
 
 }  // namespace carom

@@ -1,124 +1,115 @@
-#include <algorithm>
+#include "physics/contact/paths.h"
+
 #include <cmath>
 
-#include "physics/contact/path.h"
-#include "physics/contact/solver.h"
+#include "physics/contact/tolerances.h"
 
-// The paths of the balls in a substep of the solver `contact` that has impacts: how they begin,
-// what an impact makes of them, where they end, and what the balls have of them afterwards.
 namespace carom {
 
-void ContactSolver::begin_paths() {
-    if (!has_pairs_of_bodies_) list_pairs_of_bodies();
+using namespace contact_tolerance;
+
+void ContactPaths::begin() {
+    pairs_.list_by_body(bodies_);
     paths_.clear();
-    place_of_path_.resize(still_, none);
-    for (const Hand& hand : hands_)
-        if (hand.is_ball) begin_path(hand.index);
+    place_.resize(bodies_.fixed, none);
 }
 
-// From the near pairs, which take less memory than what has become of them.
-void ContactSolver::list_pairs_of_bodies() {
-    has_pairs_of_bodies_ = true;
-    pairs_begin_.assign(still_ + 2, 0);
-    const std::vector<NearPair>& near = near_.pairs();
-    for (const NearPair& pair : near) {
-        ++pairs_begin_[pair.a + 2];
-        if (pair.b < still_) ++pairs_begin_[pair.b + 2];
-    }
-    for (std::size_t i = 2; i < pairs_begin_.size(); ++i)
-        pairs_begin_[i] += pairs_begin_[i - 1];
-    pairs_of_.resize(pairs_begin_.back());
-    for (std::uint32_t p = 0; p < near.size(); ++p) {
-        const NearPair& pair = near[turn_.empty() ? p : turn_[p]];
-        pairs_of_[pairs_begin_[pair.a + 1]++] = p;
-        if (pair.b < still_) pairs_of_[pairs_begin_[pair.b + 1]++] = p;
-    }
-}
-
-// Only balls that could meet something, and those that these could meet, need paths.
-void ContactSolver::begin_path(std::uint32_t body) {
-    if (place_of_path_[body] != none) return;
-    place_of_path_[body] = static_cast<std::uint32_t>(paths_.size());
-    const Vec2 before = before_[body];
-    const Vec2 after = mover_[body].velocity;
-    Path& path = paths_.emplace_back();
+void ContactPaths::add(std::uint32_t body) {
+    if (place_[body] != none) return;
+    place_[body] = static_cast<std::uint32_t>(paths_.size());
+    const Vec2 before = bodies_.start_velocity[body];
+    const ContactBody& after = bodies_.body[body];
+    ContactPath& path = paths_.emplace_back();
     path.body = body;
-    path.position = position_[body];
-    path.chord = way_[body] / duration_;
-    path.rim = rim_before_.empty() ? 0.0 : rim_before_[body];
-    path.turn = (mover_[body].rim - path.rim) / duration_;
-    path.end = duration_;
-    if (is_held_body(body)) {
+    path.position = bodies_.position[body];
+    path.chord = bodies_.displacement[body] / step_.duration;
+    path.surface_speed =
+        bodies_.start_surface_speed.empty() ? 0.0 : bodies_.start_surface_speed[body];
+    path.turn = (after.surface_speed - path.surface_speed) / step_.duration;
+    path.end = step_.duration;
+    if (bodies_.is_kinematic(body)) {
         path.velocity = path.chord;
         return;
     }
     path.velocity = before;
-    path.pull = (after - before) / duration_;
-    path.free = after == before * flight_.decay + gravity_ * flight_.velocity_per_gravity;
+    path.pull = (after.velocity - before) / step_.duration;
+    path.is_free = after.velocity ==
+                   before * step_.flight.decay + step_.gravity * step_.flight.velocity_per_gravity;
 }
 
-// The paths of the body and of all balls in its pairs. Whoever holds a path finds it elsewhere
-// then.
-void ContactSolver::begin_paths_around(std::uint32_t body) {
-    begin_path(body);
-    if (path_of(body).is_surrounded) return;
-    path_of(body).is_surrounded = true;
-    for (std::uint32_t k = pairs_begin_[body]; k < pairs_begin_[body + 1]; ++k) {
-        const Pair& pair = pairs_[pairs_of_[k]];
-        begin_path(pair.a);
-        if (pair.b < still_) begin_path(pair.b);
+void ContactPaths::add_around(std::uint32_t body) {
+    add(body);
+    if ((*this)[body].is_surrounded) return;
+    (*this)[body].is_surrounded = true;
+    for (const std::uint32_t p : pairs_.of_body(body)) {
+        add(pairs_[p].a);
+        if (bodies_.is_ball(pairs_[p].b)) add(pairs_[p].b);
     }
 }
 
-// The path ends that the ball was on at the start of the substep.
-void ContactSolver::leave(Path& path, double now) const {
-    if (path.version == 0 && !path.free) path.given = std::min(now, path.end) / duration_;
+Vec2 ContactPaths::chord_position(std::uint32_t body, double now) const {
+    const ContactPath& path = (*this)[body];
+    return path.position + path.chord * (std::min(now, path.end) - path.time);
 }
 
-// From now on the ball flies freely from where it is, at first at `velocity`, and turns evenly.
-void ContactSolver::take_path(const World& world, std::uint32_t body, double now, Vec2 velocity,
-                              double rim) {
-    Path& path = path_of(body);
-    leave(path, now);
-    path.position = position_at(world, body, now);
+Vec2 ContactPaths::position_at(std::uint32_t body, double now) const {
+    const ContactPath& path = (*this)[body];
+    const double since = std::min(now, path.end) - path.time;
+    if (!path.is_free) return path.position + path.chord * since;
+    return path.position + travel(flight_over(step_.drag, since), path.velocity, step_.gravity);
+}
+
+Vec2 ContactPaths::velocity_at(std::uint32_t body, double now) const {
+    const ContactPath& path = (*this)[body];
+    const double since = std::min(now, path.end) - path.time;
+    if (!path.is_free) return path.velocity + path.pull * since;
+    return velocity_after(flight_over(step_.drag, since), path.velocity, step_.gravity);
+}
+
+double ContactPaths::surface_speed_at(std::uint32_t body, double now) const {
+    const ContactPath& path = (*this)[body];
+    return path.surface_speed + path.turn * (std::min(now, path.end) - path.time);
+}
+
+// The ball leaves the path on which it began the substep.
+void ContactPaths::note_given(ContactPath& path, double now) const {
+    if (path.version == 0 && !path.is_free) path.given = std::min(now, path.end) / step_.duration;
+}
+
+std::optional<double> ContactPaths::redirect(std::uint32_t body, double now, Vec2 velocity,
+                                             double surface_speed) {
+    ContactPath& path = (*this)[body];
+    note_given(path, now);
+    path.position = position_at(body, now);
     path.time = now;
     path.velocity = velocity;
     path.pull = {};
-    path.rim = rim;
+    path.surface_speed = surface_speed;
     path.turn = 0.0;
     ++path.version;
-    if (path.stands) return;
+    if (path.is_frozen) return std::nullopt;
     if (++path.impacts >= most_impacts) {
-        stand(body, now);
-        return;
+        freeze(body, now);
+        return std::nullopt;
     }
-    if (is_held_body(body)) {
+    if (bodies_.is_kinematic(body)) {
         path.chord = velocity;
-        return;
+        return std::nullopt;
     }
-    const double left = duration_ - now;
-    path.free = true;
-    path.chord = left > 0.0 ? travel(flight_over(world.model.drag, left), velocity, gravity_) / left
+    const double left = step_.duration - now;
+    path.is_free = true;
+    path.chord = left > 0.0 ? travel(flight_over(step_.drag, left), velocity, step_.gravity) / left
                             : velocity;
-    path.end = duration_;
-    end_path_at_border(body, now);
+    path.end = step_.duration;
+    return end_at_skin(body, now);
 }
 
-// What hands push to and fro comes to lie still.
-void ContactSolver::count_push(std::uint32_t body, double now) {
-    Path& path = path_of(body);
-    if (++path.pushes < most_pushes) return;
-    if (!path.stands) stand(body, now);
-    path.velocity = {};
-}
-
-// Where the path leads out of the region in which the ball was compared with others, it ends there.
-void ContactSolver::end_path_at_border(std::uint32_t body, double now) {
-    Path& path = path_of(body);
-    const Vec2 away = path.position - home_[body];
-    const double room = margin_[body] * margin_[body];
-    const double left = duration_ - now;
-    if (length_squared(away + path.chord * left) <= room) return;
+std::optional<double> ContactPaths::end_at_skin(std::uint32_t body, double now) {
+    ContactPath& path = (*this)[body];
+    const Vec2 away = path.position - bodies_.reference[body];
+    const double room = bodies_.skin[body] * bodies_.skin[body];
+    const double left = step_.duration - now;
+    if (length_squared(away + path.chord * left) <= room) return std::nullopt;
     // |away + chord t|^2 = room
     const double a = length_squared(path.chord);
     const double b = dot(away, path.chord);
@@ -129,96 +120,98 @@ void ContactSolver::end_path_at_border(std::uint32_t body, double now) {
         time = -c / (b + root);
     else if (a > 0.0)
         time = (root - b) / a;
-    path.end = std::clamp(now + time, now, duration_);
-    push({.time = path.end,
-          .kind = Event::stands,
-          .low = ball_[body],
-          .high = ball_[body],
-          .body = body,
-          .body_version = path.version});
+    path.end = std::clamp(now + time, now, step_.duration);
+    return path.end;
 }
 
-void ContactSolver::stand(std::uint32_t body, double now) {
-    Path& path = path_of(body);
-    leave(path, now);
+void ContactPaths::count_push(std::uint32_t body, double now) {
+    ContactPath& path = (*this)[body];
+    if (++path.pushes < most_pushes) return;
+    if (!path.is_frozen) freeze(body, now);
+    path.velocity = {};
+}
+
+void ContactPaths::freeze(std::uint32_t body, double now) {
+    ContactPath& path = (*this)[body];
+    note_given(path, now);
     const double since = std::min(now, path.end) - path.time;
-    const Flight flight = flight_over(drag_, since);
-    if (path.free) {
-        path.position += travel(flight, path.velocity, gravity_);
-        path.velocity = velocity_after(flight, path.velocity, gravity_);
+    const Flight flight = flight_over(step_.drag, since);
+    if (path.is_free) {
+        path.position += travel(flight, path.velocity, step_.gravity);
+        path.velocity = velocity_after(flight, path.velocity, step_.gravity);
     } else {
         path.position += path.chord * since;
         path.velocity += path.pull * since;
     }
-    path.rim += path.turn * since;
+    path.surface_speed += path.turn * since;
     path.chord = path.pull = {};
     path.turn = 0.0;
     path.time = now;
-    path.end = duration_;
-    path.free = false;
-    path.stands = true;
+    path.end = step_.duration;
+    path.is_free = false;
+    path.is_frozen = true;
     ++path.version;
 }
 
-// What runs into a body that stands, or into an edge, though it comes no faster, would meet it
-// again at once and for ever: it waits there. `normal` points from there to the body.
-void ContactSolver::wait_behind(std::uint32_t other, std::uint32_t body, Vec2 normal, double now) {
-    if (path_of(other).stands) wait_at(body, normal, now);
+void ContactPaths::freeze_behind(std::uint32_t other, std::uint32_t body, Vec2 normal, double now) {
+    if ((*this)[other].is_frozen) freeze_at(body, normal, now);
 }
 
-void ContactSolver::wait_at(std::uint32_t body, Vec2 normal, double now) {
-    if (path_of(body).stands || is_held_body(body)) return;
-    if (dot(path_of(body).chord, normal) < 0.0) stand(body, now);
+void ContactPaths::freeze_at(std::uint32_t body, Vec2 normal, double now) {
+    if ((*this)[body].is_frozen || bodies_.is_kinematic(body)) return;
+    if (dot((*this)[body].chord, normal) < 0.0) freeze(body, now);
 }
 
-// Friction may take back what it has given to both, and no more: else it would speed up slip. And a
-// body that waits has not felt what pushed the other one away from it: where the two part faster
-// than what rests does, that would push it again in the next substep. Where they do not, it is a
-// load that one of them still carries.
-void ContactSolver::forget_what_was_not_given(const World& world) {
+// Friction may take back only what both balls have felt: else it would speed up slip. A frozen ball
+// has not felt what pushed the other one away from it: where the two separate faster than resting
+// contact does, that impulse would push again in the next substep. Where they do not, it is a load
+// that one of them still carries.
+void ContactPaths::take_back_what_was_not_given(std::span<ContactConstraint> constraints) const {
     struct Share {
-        double rub = 1.0;
+        double friction = 1.0;
         double impulse = 1.0;
     };
     const auto given = [&](std::uint32_t body) -> Share {
-        if (body >= still_ || place_of_path_[body] == none) return {};
-        const Path& path = path_of(body);
-        return {.rub = path.given, .impulse = path.stands ? path.given : 1.0};
+        if (!has_path(body)) return {};
+        const ContactPath& path = (*this)[body];
+        return {.friction = path.given, .impulse = path.is_frozen ? path.given : 1.0};
     };
     const auto velocity_then = [&](std::uint32_t body) {
-        const bool has_path = body < still_ && place_of_path_[body] != none;
-        return has_path ? velocity_at(world, body, duration_) : mover_[body].velocity;
+        return has_path(body) ? velocity_at(body, step_.duration) : bodies_.body[body].velocity;
     };
-    for (Press& press : presses_) {
-        const Share a = given(press.a);
-        const Share b = given(press.b);
-        const double impulse = std::min(a.impulse, b.impulse);
-        if (impulse < 1.0 && dot(velocity_then(press.a) - velocity_then(press.b), press.normal) >
-                                 most_throw * resting_speed_)
-            press.impulse *= impulse;
-        press.rub *= std::min(a.rub, b.rub);
+    for (ContactConstraint& constraint : constraints) {
+        const Share a = given(constraint.a);
+        const Share b = given(constraint.b);
+        const double share = std::min(a.impulse, b.impulse);
+        if (share < 1.0) {
+            const Vec2 relative = velocity_then(constraint.a) - velocity_then(constraint.b);
+            if (dot(relative, constraint.normal) > most_excess * step_.rest_speed)
+                constraint.impulse *= share;
+        }
+        constraint.tangential_impulse *= std::min(a.friction, b.friction);
     }
 }
 
-void ContactSolver::finish_paths(const World& world) {
-    forget_what_was_not_given(world);
-    for (std::uint32_t i = 0; i < still_; ++i)
-        if (place_of_path_[i] == none || path_of(i).version == 0) position_[i] += way_[i];
-    for (const Path& path : paths_) {
-        const std::uint32_t body = path.body;
+void ContactPaths::finish(const World& world, std::span<ContactConstraint> constraints) {
+    take_back_what_was_not_given(constraints);
+    for (std::uint32_t i = 0; i < bodies_.fixed; ++i)
+        if (!has_path(i) || (*this)[i].version == 0) bodies_.position[i] += bodies_.displacement[i];
+    for (const ContactPath& path : paths_) {
+        const std::uint32_t i = path.body;
+        ContactBody& body = bodies_.body[i];
         if (path.version > 0) {
-            const Vec2 after = position_at(world, body, duration_);
-            way_[body] = after - position_[body];
-            position_[body] = after;
-            mover_[body].velocity = velocity_at(world, body, duration_);
-            mover_[body].rim = rim_at(body, duration_);
+            const Vec2 after = position_at(i, step_.duration);
+            bodies_.displacement[i] = after - bodies_.position[i];
+            bodies_.position[i] = after;
+            body.velocity = velocity_at(i, step_.duration);
+            body.surface_speed = surface_speed_at(i, step_.duration);
         }
-        if (is_held_body(body)) mover_[body].velocity = path.chord;
-        place_of_path_[body] = none;
+        if (bodies_.is_kinematic(i)) body.velocity = path.chord;
+        place_[i] = none;
     }
     if (!world.model.speed_limit) return;
-    for (std::uint32_t i = 0; i < still_; ++i)
-        mover_[i].velocity = limited(mover_[i].velocity, *world.model.speed_limit);
+    for (std::uint32_t i = 0; i < bodies_.fixed; ++i)
+        bodies_.body[i].velocity = limited(bodies_.body[i].velocity, *world.model.speed_limit);
 }
 
 }  // namespace carom

@@ -1,8 +1,7 @@
 #include "physics/contact/solver.h"
 
-#include <algorithm>
-#include <cmath>
-
+#include "physics/contact/reference_positions.h"
+#include "physics/contact/tolerances.h"
 #include "physics/tick/emitters_and_sinks.h"
 
 namespace carom {
@@ -10,115 +9,77 @@ namespace carom {
 void ContactSolver::tick(World& world, int substeps, std::vector<Contact>& contacts,
                          std::vector<std::uint8_t>& touched) {
     const int count = substeps_needed(world, substeps);
-    duration_ = world.tick_length() / count;
-    flight_ = flight_over(world.model.drag, duration_);
-    gravity_ = world.model.gravity.value_or(Vec2{});
-    fall_ = length(gravity_) * duration_ * duration_;
-    resting_speed_ = resting_approach * length(gravity_) * duration_;
-    wraps_ = world.model.wrap.has_value();
-    torus_ = wraps_ ? size(*world.model.wrap) : Vec2{};
-    softness_ = softness_of(world);
-    drag_ = world.model.drag;
-    if (world.model.spin) {
-        spin_ease_ = 1.0 / *world.model.spin;
-        spin_mass_ = 1.0 / (1.0 + spin_ease_);
-    }
-    was_held_back_.clear();
+    step_ = contact_substep(world, count);
+    kinematics_.begin_tick();
     for (int i = 0; i < count; ++i) {
-        is_loaded_anew_ = true;
+        is_reloaded_ = true;
         if (i == 0) {
             begin(world);
-        } else if (!is_at_home()) {
+        } else if (!are_within_skins(bodies_, step_)) {
             store(world, touched);
-            find_homes(world);
+            set_reference_positions(world, step_);
             load(world);
         } else {
-            is_loaded_anew_ = false;
+            is_reloaded_ = false;
         }
-        start_time_ = world.time() + duration_ * i;
+        step_.start_time = world.time() + step_.duration * i;
         substep(world, 1.0 / (count - i), contacts);
     }
     store(world, touched);
 }
 
-// Only what loses energy is pushed apart: nothing pays for the lift of elastic balls.
-ContactSolver::Softness ContactSolver::softness_of(const World& world) const {
-    if (!world.model.lossy) return {.push = 0.0, .mass = 1.0, .impulse = 0.0};
-    constexpr double turn = 6.283185307179586 * stiffness;  // rad a substep
-    constexpr double first = 2.0 * damping + turn;
-    constexpr double second = turn * first;
-    return {.push = turn / first / duration_,
-            .mass = second / (1.0 + second),
-            .impulse = 1.0 / (1.0 + second)};
+// Goes on with the pairs of the last tick where `load` would find the same ones.
+void ContactSolver::begin(World& world) {
+    if (!has_valid_reference_positions(world, step_))
+        set_reference_positions(world, step_);
+    else if (kinematics_.is_empty() && environment_.is_unchanged(world) && bodies_.reload(world))
+        return;
+    load(world);
+}
+
+void ContactSolver::load(const World& world) {
+    pairs_.sort(world, bodies_);
+    bodies_.load(world);
+    pairs_.find(world, bodies_);
+    kinematics_.load(world, bodies_);
+    pairs_.load(world, step_, bodies_, kinematics_.edges());
+    environment_.note(world);
+}
+
+void ContactSolver::store(World& world, std::vector<std::uint8_t>& touched) {
+    bodies_.store(world);
+    kinematics_.stop_held_balls(world, bodies_);
+    pairs_.store_impulses(world, bodies_, touched);
+    environment_.note_impulses(world);
 }
 
 void ContactSolver::substep(World& world, double share_of_way, std::vector<Contact>& contacts) {
-    take_hands(world, share_of_way);
-    kick(world);
-    count_presses();
-    had_impacts_ = false;
-    prepare(world, terms_of(world));
-    press_with_loads(world.model.spin.has_value());
-    note_new_contacts(contacts);
-    hold_hands_back(world.model.spin.has_value());
-    find_ways();
-    find_hits();
-    had_impacts_ = !hits_.empty() || !strays_.empty();
-    if (had_impacts_)
-        run_impacts(world, contacts);
+    kinematics_.begin_substep(world, step_, bodies_, share_of_way);
+    bodies_.integrate_velocities(world, step_);
+    kinematics_.set_velocities(bodies_);
+    classification_.count_contacts(is_reloaded_);
+    classification_.classify(world);
+    constraints_.begin();
+    constraints_.report_new(contacts);
+    for (int round = 0; round < contact_tolerance::most_holds && !pairs_.kinematic().empty() &&
+                        kinematics_.hold_back(pairs_, bodies_, step_);
+         ++round)
+        constraints_.solve(round % 2 == 0);
+    const bool has_impacts = impacts_.find();
+    if (has_impacts)
+        impacts_.run(world, constraints_.all(), contacts);
     else
-        go(world);
-    relax_with_loads(world.model.spin.has_value());
-    if (!hands_.empty()) settle_jams();
-    move_hands(world);
+        advance_positions(world);
+    constraints_.relax(impacts_.most_push(), has_impacts);
+    if (!kinematics_.is_empty()) kinematics_.settle_jams(pairs_, bodies_, step_);
+    kinematics_.end_substep(world, step_);
 }
 
-void ContactSolver::kick(const World& world) {
-    const Vec2 fall = gravity_ * flight_.velocity_per_gravity;
+void ContactSolver::advance_positions(const World& world) {
     const std::optional<double> limit = world.model.speed_limit;
-    rim_before_.clear();
-    if (world.model.spin)
-        for (std::uint32_t i = 0; i < still_; ++i)
-            rim_before_.push_back(mover_[i].rim);
-    for (std::uint32_t i = 0; i < still_; ++i) {
-        Vec2 velocity = mover_[i].velocity;
-        if (limit) velocity = limited(velocity, *limit);
-        before_[i] = velocity;
-        mover_[i].velocity = velocity * flight_.decay + fall;
-    }
-    for (const Hand& hand : hands_)
-        if (hand.is_ball) before_[hand.index] = mover_[hand.index].velocity = hand.start_velocity;
-}
-
-// A ball that no impulse has changed flies on its exact path; a pressed one goes straight on.
-void ContactSolver::find_ways() {
-    const Vec2 fall = gravity_ * flight_.velocity_per_gravity;
-    const Vec2 drop = gravity_ * flight_.travel_per_gravity;
-    strays_.clear();
-    most_push_ = 0.0;
-    for (std::uint32_t i = 0; i < still_; ++i) {
-        const Vec2 velocity = mover_[i].velocity;
-        const Vec2 free = before_[i] * flight_.decay + fall;
-        const Vec2 change = velocity - free;
-        if (change == Vec2{}) {
-            way_[i] = before_[i] * flight_.travel_per_velocity + drop;
-        } else {
-            way_[i] = velocity * duration_;
-            most_push_ = std::max(most_push_, length_squared(change));
-        }
-        if (length_squared(position_[i] + way_[i] - home_[i]) > margin_[i] * margin_[i])
-            strays_.push_back(i);
-    }
-    for (const Hand& hand : hands_)
-        if (hand.is_ball) way_[hand.index] = hand.start_velocity * (hand.share * duration_);
-    most_push_ = std::sqrt(most_push_) * duration_;
-}
-
-void ContactSolver::go(const World& world) {
-    const std::optional<double> limit = world.model.speed_limit;
-    for (std::uint32_t i = 0; i < still_; ++i) {
-        position_[i] += way_[i];
-        if (limit) mover_[i].velocity = limited(mover_[i].velocity, *limit);
+    for (std::uint32_t i = 0; i < bodies_.fixed; ++i) {
+        bodies_.position[i] += bodies_.displacement[i];
+        if (limit) bodies_.body[i].velocity = limited(bodies_.body[i].velocity, *limit);
     }
 }
 

@@ -1,0 +1,118 @@
+#include "physics/contact/bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "physics/contact/tolerances.h"
+
+namespace carom {
+namespace {
+
+using namespace contact_tolerance;
+
+// Only a scene that loses energy pushes overlaps apart: nothing pays for the lift of elastic balls.
+ContactSoftness softness_of(const World& world, double duration) {
+    if (!world.model.lossy) return {.push = 0.0, .mass_share = 1.0, .impulse_share = 0.0};
+    constexpr double turn = 6.283185307179586 * stiffness;  // rad a substep
+    constexpr double first = 2.0 * damping + turn;
+    constexpr double second = turn * first;
+    return {.push = turn / first / duration,
+            .mass_share = second / (1.0 + second),
+            .impulse_share = 1.0 / (1.0 + second)};
+}
+
+}  // namespace
+
+ContactSubstep contact_substep(const World& world, int count) {
+    ContactSubstep step;
+    step.duration = world.tick_length() / count;
+    step.flight = flight_over(world.model.drag, step.duration);
+    step.gravity = world.model.gravity.value_or(Vec2{});
+    step.drag = world.model.drag;
+    step.wraps = world.model.wrap.has_value();
+    step.torus = step.wraps ? size(*world.model.wrap) : Vec2{};
+    step.fall = length(step.gravity) * step.duration * step.duration;
+    step.rest_speed = rest_speed_factor * length(step.gravity) * step.duration;
+    step.softness = softness_of(world, step.duration);
+    step.spins = world.model.spin.has_value();
+    if (step.spins) {
+        step.spin_ease = 1.0 / *world.model.spin;
+        step.friction_mass = 1.0 / (1.0 + step.spin_ease);
+    }
+    return step;
+}
+
+void ContactBodies::load(const World& world) {
+    const Balls& balls = world.balls;
+    const std::size_t count = balls.size();
+    fixed = static_cast<std::uint32_t>(count);
+    position.resize(count);
+    reference.resize(count);
+    radius.resize(count);
+    skin.resize(count);
+    start_velocity.resize(count + 1);
+    displacement.resize(count + 1);
+    body.resize(count + 1);
+    smallest_radius = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < fixed; ++i) {
+        const std::uint32_t index = ball[i];
+        position[i] = balls.position[index];
+        radius[i] = balls.radius[index];
+        smallest_radius = std::min(smallest_radius, radius[i]);
+        reference[i] = world.homes.place[index];
+        skin[i] = world.homes.margin[index];
+        body[i] = {balls.velocity[index], 0.0, balls.inverse_mass[index]};
+        if (world.model.spin) body[i].surface_speed = balls.spin[index] * balls.radius[index];
+    }
+    start_velocity[fixed] = displacement[fixed] = {};
+    body[fixed] = {};
+}
+
+bool ContactBodies::reload(const World& world) {
+    const Balls& balls = world.balls;
+    if (fixed != balls.size()) return false;
+    for (std::uint32_t i = 0; i < fixed; ++i) {
+        const std::uint32_t index = ball[i];
+        const bool is_same =
+            reference[i] == world.homes.place[index] && skin[i] == world.homes.margin[index] &&
+            radius[i] == balls.radius[index] && body[i].inverse_mass == balls.inverse_mass[index];
+        if (!is_same) return false;
+        position[i] = balls.position[index];
+        body[i].velocity = balls.velocity[index];
+        if (world.model.spin) body[i].surface_speed = balls.spin[index] * balls.radius[index];
+    }
+    return true;
+}
+
+void ContactBodies::store(World& world) const {
+    Balls& balls = world.balls;
+    for (std::uint32_t i = 0; i < fixed; ++i) {
+        const std::uint32_t index = ball[i];
+        balls.position[index] =
+            world.model.wrap ? wrapped(position[i], *world.model.wrap) : position[i];
+        balls.velocity[index] = body[i].velocity;
+        if (world.model.spin) balls.spin[index] = body[i].surface_speed / balls.radius[index];
+    }
+}
+
+void ContactBodies::integrate_velocities(const World& world, const ContactSubstep& step) {
+    const Vec2 fall = step.gravity * step.flight.velocity_per_gravity;
+    const std::optional<double> limit = world.model.speed_limit;
+    start_surface_speed.clear();
+    if (step.spins)
+        for (std::uint32_t i = 0; i < fixed; ++i)
+            start_surface_speed.push_back(body[i].surface_speed);
+    for (std::uint32_t i = 0; i < fixed; ++i) {
+        Vec2 velocity = body[i].velocity;
+        if (limit) velocity = limited(velocity, *limit);
+        start_velocity[i] = velocity;
+        body[i].velocity = velocity * step.flight.decay + fall;
+    }
+}
+
+double overlap_bound(const ContactBodies& bodies, const ContactPair& pair) {
+    return overlap_limit * smaller_radius(bodies, pair);
+}
+
+}  // namespace carom

@@ -1,0 +1,154 @@
+#include "physics/contact/classification.h"
+
+#include <algorithm>
+
+#include "geometry/closest.h"
+#include "physics/contact/tolerances.h"
+#include "physics/laws/contact_material.h"
+
+namespace carom {
+
+using namespace contact_tolerance;
+
+double restitution_of(const World& world, const ContactBodies& bodies, const ContactPair& pair,
+                      double approach) {
+    if (pair.is_on_edge()) return restitution_of_edge(world, pair.edge, approach);
+    return restitution_of_balls(world, bodies.ball[pair.a], bodies.ball[pair.b]);
+}
+
+double closing_gap(const ContactBodies& bodies) {
+    return closing_margin * bodies.smallest_radius;
+}
+
+// The normal and the separation. Where the centres coincide any normal does: up, by choice.
+template <Terms terms>
+inline void ContactClassification::measure(const World& world, ContactPair& pair) {
+    Vec2 offset;
+    double reach = bodies_.radius[pair.a];
+    if (!pair.is_on_edge()) {
+        offset = bodies_.position[pair.a] - bodies_.position[pair.b];
+        if (terms.wrap()) offset = nearest_image(offset, step_.torus);
+        reach += bodies_.radius[pair.b];
+    } else {
+        Vec2 at = bodies_.position[pair.a];
+        if (terms.wrap()) at -= Vec2{pair.across * step_.torus.x, pair.along * step_.torus.y};
+        const Capsule& shape = world.capsules.shape[pair.edge];
+        offset = at - closest_point(shape.start, shape.end, at);
+        reach += shape.radius;
+        if (terms.special() && pair.b > bodies_.fixed)
+            bodies_.start_velocity[pair.b] = bodies_.body[pair.b].velocity =
+                surface_velocity(kinematics_.edge_of(pair), shape, at);
+    }
+    const double away = length(offset);
+    pair.separation = away - reach;
+    if (away > 1e-150)
+        pair.normal = offset * (1.0 / away);
+    else
+        pair.normal = direction(-step_.gravity, {0.0, 1.0});
+}
+
+// Whether a kinematic body pushes the ball faster than it would bounce off a fixed one.
+bool ContactClassification::is_pushed(const World& world, const ContactPair& pair,
+                                      double approach) const {
+    if (pair.b > bodies_.fixed && kinematics_.edge_of(pair).is_driven) return false;
+    const bool by_a = bodies_.is_ball(pair.b) && bodies_.is_kinematic(pair.a);
+    const std::uint32_t pusher = by_a ? pair.a : pair.b;
+    const std::uint32_t ball = by_a ? pair.b : pair.a;
+    const Vec2 normal = by_a ? -pair.normal : pair.normal;
+    const double surface = dot(bodies_.start_velocity[pusher], normal);
+    if (!(surface > 0.0)) return false;
+    const double speed = dot(bodies_.start_velocity[ball], normal);
+    return -restitution_of(world, bodies_, pair, std::max(0.0, approach)) * speed <= surface;
+}
+
+void ContactClassification::count_contacts(bool is_reloaded) {
+    contacts_on_.clear();
+    if (!pairs_.any_inelastic() || step_.gravity == Vec2{}) return;
+    contacts_on_.assign(bodies_.body.size(), 0);
+    const auto count = [&](const ContactPair& pair) {
+        if (!(pair.impulse > 0.0)) return;
+        for (const std::uint32_t body : {pair.a, pair.b})
+            if (contacts_on_[body] < enclosed_contacts) ++contacts_on_[body];
+    };
+    if (is_reloaded)
+        for (const ContactPair& pair : pairs_.all())
+            count(pair);
+    else
+        for (const std::uint32_t p : constraints_)
+            count(pairs_[p]);
+}
+
+bool ContactClassification::is_enclosed(const ContactPair& pair) const {
+    if (!pair.is_inelastic || contacts_on_.empty()) return false;
+    return contacts_on_[pair.a] >= enclosed_contacts &&
+           (!bodies_.is_ball(pair.b) || contacts_on_[pair.b] >= enclosed_contacts);
+}
+
+bool ContactClassification::has_high_mass_ratio(const ContactPair& pair) const {
+    const double a = bodies_.body[pair.a].inverse_mass;
+    const double b = bodies_.body[pair.b].inverse_mass;
+    return a > 0.0 && b > 0.0 && std::max(a, b) >= high_mass_ratio * std::min(a, b);
+}
+
+template <Terms terms>
+inline ContactState ContactClassification::state_of(const World& world,
+                                                    const ContactPair& pair) const {
+    using enum ContactState;
+    Vec2 relative = bodies_.start_velocity[pair.a] - bodies_.start_velocity[pair.b];
+    const Vec2 without_fall = relative;
+    if (bodies_.is_kinematic(pair.b)) relative += step_.gravity * step_.duration;
+    if (terms.special() && bodies_.is_kinematic(pair.a)) relative -= step_.gravity * step_.duration;
+    const double approach = -dot(relative, pair.normal);
+    if (pair.separation - approach * step_.duration > closing_gap(bodies_)) return idle;
+    if (terms.special() && pair.mass == 0.0) return approach > 0.0 ? ccd : idle;
+    const double radius = smaller_radius(bodies_, pair);
+    const double most = most_travel * radius / step_.duration;
+    const bool pushed = terms.special() && pair.is_kinematic && is_pushed(world, pair, approach);
+    // A kinematic body that touches goes on pushing, however far its target: it can be held back.
+    const bool is_fast =
+        length_squared(relative) > most * most && !(pushed && pair.separation <= 0.0);
+    if (approach > 0.0 && is_fast) return ccd;
+    if (pair.bounces && !pushed) {
+        if (step_.rest_speed == 0.0) return approach > 0.0 ? ccd : idle;
+        // Bodies that overlap meet at once, before gravity has made the approach any faster.
+        const bool stays =
+            pair.separation < 0.0 &&
+            (pair.impulse > 0.0 || -dot(without_fall, pair.normal) < step_.rest_speed);
+        if (approach >= step_.rest_speed && !stays && !is_enclosed(pair)) return ccd;
+    }
+    if (terms.special() && world.model.one_way && pair.is_on_edge()) {
+        const bool engaged = pair.impulse > 0.0 || pair.separation > -0.5 * radius;
+        if (!engaged || !is_on_solid_side(world.capsules.shape[pair.edge],
+                                          world.capsules.side[pair.edge], bodies_.position[pair.a]))
+            return idle;
+    }
+    return constraint;
+}
+
+template <Terms terms>
+void ContactClassification::classify_all(const World& world) {
+    constraints_.clear();
+    ccd_.clear();
+    any_high_mass_ratio_ = false;
+    deepest_ = 0.0;
+    for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
+        ContactPair& pair = pairs_[p];
+        measure<terms>(world, pair);
+        pair.state = state_of<terms>(world, pair);
+        pair.has_settled = false;
+        if (pair.state != ContactState::constraint) {
+            pair.impulse = pair.tangential_impulse = 0.0;
+            if (pair.state == ContactState::ccd) ccd_.push_back(p);
+            continue;
+        }
+        constraints_.push_back(p);
+        any_high_mass_ratio_ = any_high_mass_ratio_ || has_high_mass_ratio(pair);
+        deepest_ = std::min(deepest_, pair.separation);
+    }
+}
+
+void ContactClassification::classify(const World& world) {
+    with_terms(terms_of(world), [&]<Terms terms>() { classify_all<terms>(world); });
+}
+
+}  // namespace carom

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "physics/contact/kinematics.h"
+#include "physics/contact/pairs.h"
+#include "physics/world/terms.h"
+
+namespace carom {
+
+/// Decides what each pair of the solver `contact` is in a substep: a constraint, a candidate for
+/// continuous collision, or idle.
+///
+/// A pair is a constraint if it could touch in the substep, moves less than `most_travel` radii,
+/// and one of these holds:
+///   - it approaches slower than the rest speed, or its restitution is 0
+///   - it overlaps, and was a constraint or would not bounce without gravity's share of this
+///     substep: else a ball that gravity lets fall anew in every substep would sink in
+///   - it is enclosed: each of its balls has `enclosed_contacts` pressing contacts
+///   - a kinematic body pushes the ball faster than it would bounce off
+/// Any other pair that approaches is a candidate for continuous collision.
+class ContactClassification {
+  public:
+    ContactClassification(const ContactSubstep& step, ContactBodies& bodies, ContactPairs& pairs,
+                          const ContactKinematics& kinematics)
+        : step_(step), bodies_(bodies), pairs_(pairs), kinematics_(kinematics) {}
+
+    /// Counts the pressing contacts of each ball at the end of the last substep. `is_reloaded`: the
+    /// pairs are not those of the last `classify`.
+    void count_contacts(bool is_reloaded);
+    /// Measures all pairs and sets their states. What is no constraint forgets its impulses.
+    void classify(const World& world);
+
+    /// Indices of the pairs, in their order.
+    std::span<const std::uint32_t> constraints() const { return constraints_; }
+    std::span<const std::uint32_t> ccd() const { return ccd_; }
+    bool any_high_mass_ratio() const { return any_high_mass_ratio_; }
+    /// Smallest separation of the constraints, 0 at most.
+    double deepest() const { return deepest_; }
+
+    /// Whether the two have no room to bounce.
+    bool is_enclosed(const ContactPair& pair) const;
+    /// Whether the masses of the two balls are far apart.
+    bool has_high_mass_ratio(const ContactPair& pair) const;
+
+  private:
+    template <Terms terms>
+    void classify_all(const World& world);
+    template <Terms terms>
+    void measure(const World& world, ContactPair& pair);
+    template <Terms terms>
+    ContactState state_of(const World& world, const ContactPair& pair) const;
+    bool is_pushed(const World& world, const ContactPair& pair, double approach) const;
+
+    const ContactSubstep& step_;
+    ContactBodies& bodies_;
+    ContactPairs& pairs_;
+    const ContactKinematics& kinematics_;
+    std::vector<std::uint32_t> constraints_;
+    std::vector<std::uint32_t> ccd_;
+    std::vector<std::uint8_t> contacts_on_;  // by body, counted up to enclosed_contacts; or empty
+    bool any_high_mass_ratio_ = false;
+    double deepest_ = 0.0;
+};
+
+/// Restitution of the pair at this speed of approach.
+double restitution_of(const World& world, const ContactBodies& bodies, const ContactPair& pair,
+                      double approach);
+
+/// A gap that constraints may close for other pairs in a substep, length.
+double closing_gap(const ContactBodies& bodies);
+
+}  // namespace carom

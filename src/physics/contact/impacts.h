@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "physics/ccd/impact_queue.h"
+#include "physics/contact/classification.h"
+#include "physics/contact/kinematics.h"
+#include "physics/contact/paths.h"
+
+namespace carom {
+
+/// What comes next in a substep with impacts, as far as one body can tell.
+struct ContactEvent {
+    enum class Kind : std::uint8_t { ball, edge, freeze };
+
+    double time = 0.0;
+    Kind kind = Kind::ball;
+    std::uint32_t low = 0;  ///< indices in the world of the two bodies
+    std::uint32_t high = 0;
+    std::uint32_t body = 0;  ///< whose prediction this is
+    std::uint32_t pair = 0;
+    std::uint32_t body_version = 0;
+    std::uint32_t other_version = 0;
+
+    auto tie_break() const { return std::tuple(kind, low, high, body); }
+};
+
+/// Continuous collision within a substep of the solver `contact`: finds the impacts along the
+/// paths of the balls, and deals with them in the order of time (see ccd/impact_queue.h).
+///
+/// An impact above the rest speed bounces; any other one, and the second one of a pair, takes the
+/// approach away and lets the pair settle. Settled pairs and constraints meet again only where they
+/// reach `overlap_bound`. So no body passes through another, and a pile that falls together is left
+/// to the constraints.
+class ContactImpacts {
+  public:
+    ContactImpacts(const ContactSubstep& step, ContactBodies& bodies, ContactPairs& pairs,
+                   ContactKinematics& kinematics, const ContactClassification& classification)
+        : step_(step),
+          bodies_(bodies),
+          pairs_(pairs),
+          kinematics_(kinematics),
+          classification_(classification),
+          paths_(step, bodies, pairs) {}
+
+    /// Finds the displacement of each ball, and whether anything may collide or leave its skin in
+    /// the substep. If not, positions may simply advance.
+    bool find();
+    /// Moves the balls along their paths, with all impacts. Pre: `find` found something.
+    void run(World& world, std::span<ContactConstraint> constraints,
+             std::vector<Contact>& contacts);
+
+    /// Longest displacement that impulses gave in the substep.
+    double most_push() const { return most_push_; }
+
+  private:
+    void find_displacements();
+    void find_candidates();
+    void predict(const World& world, std::uint32_t body, double now);
+    std::optional<double> time_of_impact(const World& world, const ContactPair& pair,
+                                         double now) const;
+    bool is_soft(const ContactPair& pair, Vec2 other_velocity, double now) const;
+    Capsule edge_at(const World& world, const ContactPair& pair, double now) const;
+    bool is_void(const ContactEvent& event) const;
+    void push_freeze(std::uint32_t body, std::optional<double> time);
+    void redirect(std::uint32_t body, double now, Vec2 velocity, double surface_speed) {
+        push_freeze(body, paths_.redirect(body, now, velocity, surface_speed));
+    }
+
+    // What impacts do: response.cpp.
+    void collide(World& world, const ContactEvent& event, std::vector<Contact>& contacts);
+    std::optional<Contact> collide_balls(World& world, ContactPair& pair, double now);
+    std::optional<Contact> collide_edge(World& world, ContactPair& pair, double now);
+    void stop_edge(const World& world, const ContactPair& pair, double now);
+
+    const ContactSubstep& step_;
+    ContactBodies& bodies_;
+    ContactPairs& pairs_;
+    ContactKinematics& kinematics_;
+    const ContactClassification& classification_;
+    ContactPaths paths_;
+    ImpactQueue<ContactEvent> queue_;
+    std::vector<std::uint32_t> candidates_;  // pairs that may collide in the substep
+    std::vector<std::uint32_t> escaped_;     // bodies whose displacement leads out of their skins
+    double most_push_ = 0.0;
+};
+
+}  // namespace carom

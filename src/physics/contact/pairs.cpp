@@ -1,0 +1,188 @@
+#include "physics/contact/pairs.h"
+
+#include <algorithm>
+
+#include "physics/contact/reference_positions.h"
+#include "physics/laws/contact_material.h"
+
+namespace carom {
+
+void ContactPairs::sort(const World& world, ContactBodies& bodies) {
+    near_.sort(world, world.homes.place, world.homes.margin, bodies.ball);
+}
+
+void ContactPairs::find(const World& world, const ContactBodies& bodies) {
+    near_.find(world, {.ball = bodies.ball,
+                       .center = bodies.reference,
+                       .radius = bodies.radius,
+                       .margin = bodies.skin});
+}
+
+void ContactPairs::load(const World& world, const ContactSubstep& step, ContactBodies& bodies,
+                        std::span<const HeldEdge> edges) {
+    any_inelastic_ = false;
+    is_listed_by_body_ = false;
+    std::vector<NearPair>& near = near_.pairs();
+    if (!world.held_balls.empty())
+        std::erase_if(near, [&](const NearPair& pair) {
+            return bodies.is_ball(pair.b) && bodies.is_kinematic(pair.a) &&
+                   bodies.is_kinematic(pair.b);
+        });
+    for (const HeldEdge& edge : edges)
+        add_pairs_of_edge(world, bodies, edge);
+    if (pairs_.capacity() < near.size()) pairs_.reserve(near.size() + near.size() / 8);
+    pairs_.resize(near.size());
+    index_impulses(world, bodies);
+    order_.arrange(near, bodies.reference, step.gravity);
+    kinematic_.clear();
+    for (std::uint32_t p = 0; p < near.size(); ++p) {
+        pairs_[p] = pair_of(world, bodies, near[order_[p]]);
+        any_inelastic_ = any_inelastic_ || pairs_[p].is_inelastic;
+        if (pairs_[p].is_kinematic) kinematic_.push_back(p);
+    }
+}
+
+ContactPair ContactPairs::pair_of(const World& world, const ContactBodies& bodies,
+                                  const NearPair& near) const {
+    const std::uint32_t ball = bodies.ball[near.a];
+    const std::uint32_t b = near.b;
+    const double inverse = bodies.body[near.a].inverse_mass + bodies.body[b].inverse_mass;
+    ContactPair pair{.a = near.a,
+                     .b = b,
+                     .mass = inverse > 0.0 ? 1.0 / inverse : 0.0,
+                     .edge = near.edge,
+                     .across = near.across,
+                     .along = near.along,
+                     .is_kinematic = b > bodies.fixed || bodies.is_kinematic(near.a) ||
+                                     (bodies.is_ball(b) && bodies.is_kinematic(b))};
+    if (pair.is_on_edge()) {
+        const Material& material = world.materials[world.capsules.material[near.edge]];
+        pair.bounces = material.restitution > 0.0 || world.model.scatter || material.kick > 0.0;
+        pair.is_inelastic = pair.bounces && world.model.lossy && !(material.kick > 0.0) &&
+                            (material.restitution < 1.0 || material.soften > 0.0);
+        if (world.model.spin) pair.friction = friction_of_edge(world, near.edge);
+    } else {
+        const std::uint32_t other = bodies.ball[b];
+        const double restitution = restitution_of_balls(world, ball, other);
+        pair.bounces = restitution > 0.0;
+        pair.is_inelastic = pair.bounces && restitution < 1.0;
+        if (world.model.spin) pair.friction = friction_of_balls(world, ball, other);
+    }
+    if (const PressedPair* const then = last_impulse(world, bodies, pair)) {
+        pair.impulse = then->impulse;
+        pair.tangential_impulse = then->rub;
+        pair.is_new = false;
+    }
+    return pair;
+}
+
+// Every ball that could be where the edge goes in the tick. Each pair has a body of its own, since
+// the points of an edge that turns differ in velocity.
+void ContactPairs::add_pairs_of_edge(const World& world, ContactBodies& bodies,
+                                     const HeldEdge& edge) {
+    const HeldCapsule& held = world.held_capsules[edge.held];
+    const Capsule& shape = world.capsules.shape[edge.capsule];
+    const Box box = join(bounds(shape), bounds({held.start_target, held.end_target, shape.radius}));
+    for (std::uint32_t i = 0; i < bodies.fixed; ++i) {
+        const Vec2 at = bodies.position[i];
+        if (!overlaps(grow({at, at}, bodies.radius[i] + bodies.skin[i]), box)) continue;
+        if (!kind_meets_material(world, world.balls.kind[bodies.ball[i]],
+                                 world.capsules.material[edge.capsule]))
+            continue;
+        near_.pairs().push_back(
+            {.a = i, .b = static_cast<std::uint32_t>(bodies.body.size()), .edge = edge.capsule});
+        bodies.body.push_back({});
+        bodies.start_velocity.push_back({});
+        bodies.displacement.push_back({});
+    }
+}
+
+// By index of a ball: where its impulses of the last tick begin.
+void ContactPairs::index_impulses(const World& world, const ContactBodies& bodies) {
+    const std::vector<PressedPair>& pressed = world.pressed;
+    if (pressed.empty()) return;
+    first_impulse_.resize(bodies.fixed + 1);
+    std::uint32_t at = 0;
+    for (std::uint32_t ball = 0; ball < bodies.fixed; ++ball) {
+        while (at < pressed.size() && pressed[at].ball < world.balls.id[ball])
+            ++at;
+        first_impulse_[ball] = at;
+    }
+    first_impulse_[bodies.fixed] = static_cast<std::uint32_t>(pressed.size());
+}
+
+// The impulses at the end of the last tick, found by the numbers of the bodies; null if none.
+const PressedPair* ContactPairs::last_impulse(const World& world, const ContactBodies& bodies,
+                                              const ContactPair& pair) const {
+    if (world.pressed.empty()) return nullptr;
+    const std::vector<BallId>& ids = world.balls.id;
+    const std::uint32_t ball = bodies.ball[pair.a];
+    const std::uint32_t other =
+        pair.is_on_edge() ? number(world.capsules.id[pair.edge]) : number(ids[bodies.ball[pair.b]]);
+    const ContactKind kind = pair.is_on_edge() ? ContactKind::ball_edge : ContactKind::ball_ball;
+    for (std::uint32_t k = first_impulse_[ball]; k < first_impulse_[ball + 1]; ++k) {
+        const PressedPair& then = world.pressed[k];
+        if (then.ball != ids[ball]) break;
+        if (then.other == other && then.kind == kind && then.across == pair.across &&
+            then.along == pair.along)
+            return &then;
+    }
+    return nullptr;
+}
+
+void ContactPairs::store_impulses(World& world, const ContactBodies& bodies,
+                                  std::vector<std::uint8_t>& touched) {
+    if (is_pair_order_irrelevant(world)) {
+        world.pressed.clear();
+        return;
+    }
+    first_impulse_.assign(bodies.fixed + 1, 0);
+    for (ContactPair& pair : pairs_) {
+        pair.is_new = !(pair.impulse > 0.0);
+        if (pair.is_new) {
+            pair.impulse = pair.tangential_impulse = 0.0;
+            continue;
+        }
+        ++first_impulse_[bodies.ball[pair.a] + 1];
+        touched[bodies.ball[pair.a]] = 1;
+        if (bodies.is_ball(pair.b)) touched[bodies.ball[pair.b]] = 1;
+    }
+    for (std::uint32_t i = 1; i <= bodies.fixed; ++i)
+        first_impulse_[i] += first_impulse_[i - 1];
+    world.pressed.resize(first_impulse_[bodies.fixed]);
+    for (const ContactPair& pair : pairs_) {
+        if (pair.is_new) continue;
+        const std::uint32_t ball = bodies.ball[pair.a];
+        world.pressed[first_impulse_[ball]++] = {
+            .ball = world.balls.id[ball],
+            .other = pair.is_on_edge() ? number(world.capsules.id[pair.edge])
+                                       : number(world.balls.id[bodies.ball[pair.b]]),
+            .kind = pair.is_on_edge() ? ContactKind::ball_edge : ContactKind::ball_ball,
+            .across = pair.across,
+            .along = pair.along,
+            .impulse = pair.impulse,
+            .rub = pair.tangential_impulse};
+    }
+}
+
+// From the near pairs, which take less memory than the pairs themselves.
+void ContactPairs::list_by_body(const ContactBodies& bodies) {
+    if (is_listed_by_body_) return;
+    is_listed_by_body_ = true;
+    begin_.assign(bodies.fixed + 2, 0);
+    const std::vector<NearPair>& near = near_.pairs();
+    for (const NearPair& pair : near) {
+        ++begin_[pair.a + 2];
+        if (bodies.is_ball(pair.b)) ++begin_[pair.b + 2];
+    }
+    for (std::size_t i = 2; i < begin_.size(); ++i)
+        begin_[i] += begin_[i - 1];
+    by_body_.resize(begin_.back());
+    for (std::uint32_t p = 0; p < near.size(); ++p) {
+        const NearPair& pair = near[order_[p]];
+        by_body_[begin_[pair.a + 1]++] = p;
+        if (bodies.is_ball(pair.b)) by_body_[begin_[pair.b + 1]++] = p;
+    }
+}
+
+}  // namespace carom

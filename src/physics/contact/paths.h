@@ -1,0 +1,95 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "physics/contact/constraints.h"
+#include "physics/contact/pairs.h"
+
+namespace carom {
+
+/// The path of a ball in a substep that has impacts: at `position` at `time`. After an impact, or
+/// where no constraint presses on it, the ball is `free`: on its parabola, which impacts are
+/// searched along the chord of. Else it goes straight at `chord`, while its velocity changes evenly
+/// by `pull` and its surface speed by `turn`. From `end` on it stands still.
+struct ContactPath {
+    Vec2 position;
+    Vec2 velocity;
+    Vec2 chord;                  ///< displacement per second to where it will be at the end
+    Vec2 pull;                   ///< length/s^2
+    double surface_speed = 0.0;  ///< length/s
+    double turn = 0.0;           ///< length/s^2
+    double given = 1.0;          ///< share of the constraints' impulses that the ball has felt
+    double time = 0.0;           ///< s in the substep
+    double end = 0.0;
+    std::uint32_t version = 0;
+    std::uint16_t impacts = 0;
+    std::uint16_t pushes = 0;  ///< impacts with kinematic bodies that moved towards it
+    bool is_free = false;
+    bool is_frozen = false;      ///< for the rest of the substep; it keeps its velocity
+    bool is_surrounded = false;  ///< all balls in its pairs have paths
+    std::uint32_t body = 0;
+};
+
+/// The paths of the balls that could meet something in a substep, made when they are asked for.
+///
+/// A ball freezes after `most_impacts` impacts, and where its path leads out of its skin, since its
+/// pairs are known only within it. A frozen ball loses time, never energy.
+class ContactPaths {
+  public:
+    ContactPaths(const ContactSubstep& step, ContactBodies& bodies, ContactPairs& pairs)
+        : step_(step), bodies_(bodies), pairs_(pairs) {}
+
+    /// Begins a substep: only held balls have paths.
+    void begin();
+    /// Ends it: balls are where their paths lead. `constraints` keep only impulses that their balls
+    /// have felt.
+    void finish(const World& world, std::span<ContactConstraint> constraints);
+
+    void add(std::uint32_t body);
+    /// Adds the body and all balls in its pairs. References to paths become invalid.
+    void add_around(std::uint32_t body);
+    ContactPath& operator[](std::uint32_t body) { return paths_[place_[body]]; }
+    const ContactPath& operator[](std::uint32_t body) const { return paths_[place_[body]]; }
+
+    Vec2 position_at(std::uint32_t body, double now) const;
+    Vec2 velocity_at(std::uint32_t body, double now) const;
+    double surface_speed_at(std::uint32_t body, double now) const;
+    /// Where it is along the chord.
+    Vec2 chord_position(std::uint32_t body, double now) const;
+
+    /// From `now` on the ball flies freely from where it is. When it leaves its skin before the
+    /// substep ends, and so freezes: the time.
+    std::optional<double> redirect(std::uint32_t body, double now, Vec2 velocity,
+                                   double surface_speed);
+    /// Shortens the path to where it leaves the skin, and says when.
+    std::optional<double> end_at_skin(std::uint32_t body, double now);
+    /// The ball has been pushed by a kinematic body; after `most_pushes` it stops.
+    void count_push(std::uint32_t body, double now);
+    void freeze(std::uint32_t body, double now);
+    /// The body, which is no faster along `normal` than what it ran into, would meet it again at
+    /// once and for ever: it freezes. `normal` points to the body.
+    void freeze_at(std::uint32_t body, Vec2 normal, double now);
+    /// The same, if the body that it ran into is frozen.
+    void freeze_behind(std::uint32_t other, std::uint32_t body, Vec2 normal, double now);
+
+  private:
+    static constexpr std::uint32_t none = 0xffffffffu;
+
+    bool has_path(std::uint32_t body) const {
+        return bodies_.is_ball(body) && place_[body] != none;
+    }
+    void note_given(ContactPath& path, double now) const;
+    void take_back_what_was_not_given(std::span<ContactConstraint> constraints) const;
+
+    const ContactSubstep& step_;
+    ContactBodies& bodies_;
+    ContactPairs& pairs_;
+    std::vector<ContactPath> paths_;
+    std::vector<std::uint32_t> place_;  // by body, in paths_
+};
+
+}  // namespace carom

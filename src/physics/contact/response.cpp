@@ -1,0 +1,144 @@
+#include <algorithm>
+
+#include "geometry/closest.h"
+#include "physics/ccd/response.h"
+#include "physics/contact/impacts.h"
+#include "physics/contact/tolerances.h"
+#include "physics/laws/contact_material.h"
+
+// What an impact within a substep of the solver `contact` does to the two bodies that meet.
+namespace carom {
+
+using namespace contact_tolerance;
+
+void ContactImpacts::collide(World& world, const ContactEvent& event,
+                             std::vector<Contact>& contacts) {
+    ContactPair& pair = pairs_[event.pair];
+    const std::uint32_t a = pair.a;
+    const std::uint32_t b = pair.b;
+    const double now = event.time;
+    if (b > bodies_.fixed && paths_[a].is_frozen) {
+        stop_edge(world, pair, now);
+        return;
+    }
+    const bool on_ball = bodies_.is_ball(b);
+    const auto contact = on_ball ? collide_balls(world, pair, now) : collide_edge(world, pair, now);
+    if (contact) {
+        pair.is_new = false;
+        contacts.push_back(*contact);
+        contacts.back().time += step_.start_time;
+    }
+    predict(world, a, now);
+    if (on_ball) predict(world, b, now);
+}
+
+std::optional<Contact> ContactImpacts::collide_balls(World& world, ContactPair& pair, double now) {
+    const std::uint32_t a = pair.a;
+    const std::uint32_t b = pair.b;
+    Vec2 offset = paths_.position_at(a, now) - paths_.position_at(b, now);
+    if (step_.wraps) offset = nearest_image(offset, step_.torus);
+    const Vec2 normal = direction(offset, pair.normal);
+    Vec2 velocity_a = paths_.velocity_at(a, now);
+    Vec2 velocity_b = paths_.velocity_at(b, now);
+    double surface_a = paths_.surface_speed_at(a, now);
+    double surface_b = paths_.surface_speed_at(b, now);
+    const ImpactBody first{velocity_a, bodies_.body[a].inverse_mass, bodies_.is_kinematic(a)};
+    const ImpactBody second{velocity_b, bodies_.body[b].inverse_mass, bodies_.is_kinematic(b)};
+    const double approach = -dot(velocity_a - velocity_b, normal);
+    const double noise = rounding * (length(velocity_a) + length(velocity_b));
+    const bool meets_again = pair.has_settled;
+    const bool bounces = approach > std::max(noise, step_.rest_speed) && !meets_again &&
+                         !classification_.is_enclosed(pair);
+    pair.has_settled = !bounces;
+    const double restitution = bounces ? restitution_of(world, bodies_, pair, approach) : 0.0;
+    Exchange done{0.0, approach};
+    if (first.is_kinematic || second.is_kinematic || approach > 0.0)
+        done = bounce_balls(first, second, normal, restitution);
+    if (step_.spins)
+        rub(velocity_a, {surface_a, 1.0}, first.inverse_mass, velocity_b, {surface_b, 1.0},
+            second.inverse_mass, normal, done.impulse, {pair.friction, *world.model.spin});
+    redirect(a, now, velocity_a, surface_a);
+    redirect(b, now, velocity_b, surface_b);
+    if (first.is_kinematic) paths_.count_push(b, now);
+    if (second.is_kinematic) paths_.count_push(a, now);
+    if (!(approach > noise)) {
+        if (meets_again) {
+            paths_.freeze_behind(a, b, -normal, now);
+            paths_.freeze_behind(b, a, normal, now);
+        }
+        return std::nullopt;
+    }
+    return Contact{.time = now,
+                   .kind = ContactKind::ball_ball,
+                   .a = bodies_.ball[a],
+                   .b = bodies_.ball[b],
+                   .point = paths_[b].position + normal * bodies_.radius[b],
+                   .normal = normal,
+                   .approach = done.approach,
+                   .impulse = done.impulse};
+}
+
+std::optional<Contact> ContactImpacts::collide_edge(World& world, ContactPair& pair, double now) {
+    const std::uint32_t a = pair.a;
+    const Vec2 position = paths_.position_at(a, now);
+    const Capsule shape = edge_at(world, pair, now);
+    const Vec2 normal =
+        direction(position - closest_point(shape.start, shape.end, position), pair.normal);
+    const HeldEdge* const edge = pair.b > bodies_.fixed ? &kinematics_.edge_of(pair) : nullptr;
+    const Vec2 surface = edge ? surface_velocity(*edge, shape, position) : Vec2{};
+    const bool is_driven = edge && edge->is_driven;
+    const double along_normal = dot(surface, normal);
+    Vec2 velocity = paths_.velocity_at(a, now);
+    double surface_speed = paths_.surface_speed_at(a, now);
+    const double approach = along_normal - dot(velocity, normal);
+    const double noise = rounding * (length(velocity) + length(surface));
+    if (bodies_.is_kinematic(a)) {
+        // A held ball goes no further than the edge lets it.
+        pair.has_settled = true;
+        redirect(a, now, velocity + normal * std::max(0.0, approach), surface_speed);
+        return std::nullopt;
+    }
+    const double inverse_mass = bodies_.body[a].inverse_mass;
+    const double least = std::max(noise, along_normal > 0.0 ? 0.0 : step_.rest_speed);
+    const bool meets_again = pair.has_settled;
+    const bool bounces = approach > least && !meets_again && !classification_.is_enclosed(pair);
+    pair.has_settled = !bounces;
+    Vec2 along = normal;
+    Exchange done{0.0, approach};
+    if (approach > 0.0) {
+        const double restitution = bounces ? restitution_of(world, bodies_, pair, approach) : 0.0;
+        if (bounces) along = bounce_normal(world, bodies_.ball[a], normal, velocity, restitution);
+        done =
+            bounce_off(velocity, inverse_mass, along, dot(surface, along), restitution, is_driven);
+        if (bounces && world.model.kicks)
+            velocity += along * kick_of_edge(world, pair.edge, shape, position, approach);
+        if (step_.spins)
+            rub_on(velocity, {surface_speed, 1.0}, inverse_mass, along, surface, done.impulse,
+                   {pair.friction, *world.model.spin});
+    }
+    redirect(a, now, velocity, surface_speed);
+    if (along_normal > 0.0 && !is_driven) paths_.count_push(a, now);
+    if (!(approach > noise)) {
+        if (meets_again && !edge) paths_.freeze_at(a, normal, now);
+        return std::nullopt;
+    }
+    return Contact{.time = now,
+                   .kind = ContactKind::ball_edge,
+                   .a = bodies_.ball[a],
+                   .b = pair.edge,
+                   .point = position - normal * bodies_.radius[a],
+                   .normal = along,
+                   .approach = done.approach,
+                   .impulse = done.impulse};
+}
+
+// A frozen ball is in the way of a kinematic edge, which stops for the rest of the substep.
+void ContactImpacts::stop_edge(const World& world, const ContactPair& pair, double now) {
+    HeldEdge& edge = kinematics_.edge_of(pair);
+    edge.stopped_at = now;
+    ++edge.version;
+    for (const std::uint32_t p : pairs_.kinematic())
+        if (pairs_[p].edge == pair.edge) predict(world, pairs_[p].a, now);
+}
+
+}  // namespace carom

@@ -1,0 +1,90 @@
+#pragma once
+
+/// Every threshold of the solver `contact`, in one table. README.md in this folder names the
+/// invariants that they serve.
+///
+/// | constant                | value | unit                        | ten times larger / smaller |
+/// |-------------------------|-------|-----------------------------|----------------------------|
+/// | rest_speed_factor       | 1.5   | g h (gravity over a substep)| piles never bounce / piles
+/// boil | | most_travel             | 0.25  | radii a substep             | tunnelling through
+/// constraints / all is CCD, slow | | stiffness               | 0.22  | cycles a substep | piles
+/// ring and gain energy / overlap grows a hundredfold | | damping                 | 10    | of
+/// critical damping         | overlaps close too slowly / piles ring | | stiffening              |
+/// 5     | per radius of overlap       | piles tremble / loads sink in deeper | | most_stiffening
+/// | 0.5   | share                       | piles throw up what lands on them / as `stiffening` | |
+/// over_relaxation         | 0.6   | share                       | iterations gain energy (from 1)
+/// / high piles swing for minutes | | high_mass_ratio         | 4     | masses | heavy on light
+/// rocks for ever / most pairs cost four rounds | | loaded_iterations       | 4     | iterations |
+/// slower / heavy on light rocks | | most_excess             | 4     | rest speeds | landings are
+/// thrown back up / falling piles overlap more | | enclosed_contacts       | 3     | contacts on a
+/// ball          | lively piles boil / no ball bounces in a pile | | overlap_limit           | 0.5
+/// | smaller radius              | balls pass through one another / pressed pairs become CCD | |
+/// soft_overlap            | 0.2   | of overlap_limit            | deep pairs are left to the
+/// constraints / falling piles never finish | | kinematic_overlap       | 0.1   | ball's radius |
+/// held edges sink into balls / they stutter | | deep_overlap            | 0.25  | smallest radius
+/// | overlap goes unnoticed by CCD / every pair is searched | | closing_margin          | 0.02  |
+/// smallest radius             | more idle constraints / pushed balls reach others late | |
+/// most_impacts            | 64    | impacts of a ball a substep | jams cost more / fast balls
+/// freeze early | | most_pushes             | 8     | pushes by kinematic bodies  | jams rattle
+/// longer / freeze early | | most_holds              | 8     | rounds of holding back      | slower
+/// / balls between two hands keep their speed | | rounding                | 1e-14 | share of the
+/// speeds         | slow contacts are lost / noise counts as contact |
+namespace carom::contact_tolerance {
+
+/// A pair that approaches slower than this many times the speed that gravity gives in a substep
+/// does not bounce.
+inline constexpr double rest_speed_factor = 1.5;
+/// A pair is a constraint only while it moves less than this share of a radius in a substep.
+inline constexpr double most_travel = 0.25;
+
+/// Constraints are springs of this many cycles a substep. A pile of 2,000 without friction comes to
+/// rest at 0.22 (speeds of 1e-12), and at 0.25 never (0.01).
+inline constexpr double stiffness = 0.22;
+/// Damping ratio of these springs.
+inline constexpr double damping = 10.0;
+/// The speed that closes an overlap of x grows by the factor 1 + stiffening x / radius, with the
+/// smaller radius: loads sink in less, and lightly loaded pairs stay soft.
+inline constexpr double stiffening = 5.0;
+/// Bound of that growth, without which piles throw up what lands hard on them.
+inline constexpr double most_stiffening = 0.5;
+
+/// Relaxing takes back this share more of a speed (successive over-relaxation), up to this share of
+/// the rest speed, where the pair already pressed in the last substep.
+inline constexpr double over_relaxation = 0.6;
+
+/// Two balls whose masses are this many times apart have a high mass ratio: all constraints below
+/// them are solved `loaded_iterations` times. With one iteration 400 on balls of mass 1 rocks for
+/// ever; with two it rests after a minute, with four after some seconds.
+inline constexpr double high_mass_ratio = 4.0;
+inline constexpr int loaded_iterations = 4;
+
+/// An impulse that lets the upper body leave the lower one at this many rest speeds has stopped an
+/// impact. It is no load to warm start from, and the excess is taken back.
+inline constexpr double most_excess = 4.0;
+/// A ball with this many pressing contacts is enclosed: it has no room to bounce.
+inline constexpr int enclosed_contacts = 3;
+
+/// Two bodies stop where they overlap by this share of the smaller radius, however hard they are
+/// pressed: their minimum separation.
+inline constexpr double overlap_limit = 0.5;
+/// A constraint that does not bounce is left to the next substep while it overlaps by less than
+/// this share of the limit.
+inline constexpr double soft_overlap = 0.2;
+/// A kinematic body goes no further into a ball than this share of the ball's radius.
+inline constexpr double kinematic_overlap = 0.1;
+/// A constraint that overlaps by more than this share of the smallest radius makes the solver look
+/// for impacts of all pairs, not only of the fast ones.
+inline constexpr double deep_overlap = 0.25;
+/// A gap, as a share of the smallest radius, that pressed pairs may close for others in a substep.
+inline constexpr double closing_margin = 0.02;
+
+/// A ball freezes after this many impacts in a substep.
+inline constexpr int most_impacts = 64;
+/// A ball stops after kinematic bodies have pushed it this often in a substep.
+inline constexpr int most_pushes = 8;
+/// Rounds in which kinematic bodies give way to what they press against each other.
+inline constexpr int most_holds = 8;
+/// An approach slower than this share of the speeds of both bodies is rounding.
+inline constexpr double rounding = 1e-14;
+
+}  // namespace carom::contact_tolerance
