@@ -47,10 +47,8 @@ Marks marks_of(const PlayContext& play) {
     if (selected && index_of(world, *selected)) marks.selected_ball = selected;
     if (play.pointer.shows_cursor) marks.cursor = play.pointer.at;
     play.controller->mark(play, marks);
-    if (play.view.options.broad_phase && world.balls.size() > 0) {
-        const CellFrame frame = frame_around(world, 2.0 * largest_radius(world.balls));
-        marks.broad_phase = CellGrid{frame.origin, frame.cell.x};
-    }
+    const CellFrame& cells = play.session.cells();
+    if (!(cells == CellFrame{})) marks.broad_phase = CellGrid{cells.origin, cells.cell.x};
     play.companion.mark(marks);
     return marks;
 }

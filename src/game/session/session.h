@@ -47,6 +47,10 @@ class Session {
     /// Contacts of the last tick; empty at the start and after a restart.
     std::span<const Contact> contacts() const { return contacts_; }
 
+    /// The cells in which the solver looked for neighbours in the tick that it computed last.
+    /// Before the first one, a single cell of side 1: CellFrame{}.
+    const CellFrame& cells() const { return solver_.cells(); }
+
     /// Applies at once, before the next tick; logged with the present tick. Commands about what
     /// does not exist, and balls or edges that would overlap others, are refused with a sentence
     /// that says why. When the present is behind latest(), the future is forgotten first, and what

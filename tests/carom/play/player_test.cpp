@@ -545,3 +545,21 @@ TEST_CASE("a key ends a long tick, the motion of the mouse does not") {
     event.kind = InputEvent::Kind::hangup;
     CHECK(ends_tick(event, keys));
 }
+
+TEST_CASE("the overlay of the broad phase shows the cells that the solver used") {
+    Person person;
+    person.window = Canvas(160, 60);
+    const auto picture = [&] {
+        const std::string text = person.look();
+        return text.substr(0, text.find("Busy box"));
+    };
+    person.key(U' ');
+    const std::string before = picture();
+    person.key(U'3');
+    CHECK(picture() == before);  // nothing has been computed yet
+    person.key(U'.');
+    CHECK_FALSE(person.player.session().cells() == CellFrame{});
+    const std::string with_cells = picture();
+    person.key(U'3');
+    CHECK(with_cells != picture());
+}
