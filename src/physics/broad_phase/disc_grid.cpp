@@ -16,7 +16,7 @@ constexpr std::size_t most_levels = 32;
 // neighbouring cells; and what is looked for in cells is looked for this much further.
 constexpr double slack = 1e-9;
 
-struct Range {
+struct AxisRange {
     double low = 0.0;
     double high = 0.0;
 };
@@ -28,7 +28,7 @@ int exponent_of(double value) {
 
 // The part of `whole` in which most are: the middle four fifths of a sample, with as much again on
 // either side. A few that went far away must not make all cells large.
-Range most_of(std::span<const Vec2> centers, double Vec2::*axis, Range whole) {
+AxisRange most_of(std::span<const Vec2> centers, double Vec2::*axis, AxisRange whole) {
     constexpr std::size_t most_samples = 64;
     std::array<double, most_samples> sample{};
     const std::size_t count = std::min(most_samples, centers.size());
@@ -41,13 +41,13 @@ Range most_of(std::span<const Vec2> centers, double Vec2::*axis, Range whole) {
     const double low = *low_place;
     std::nth_element(low_place, high_place, end);
     const double high = *high_place;
-    const Range range{std::max(whole.low, low - (high - low)),
-                      std::min(whole.high, high + (high - low))};
-    return range.low <= range.high ? range : Range{};
+    const AxisRange range{std::max(whole.low, low - (high - low)),
+                          std::min(whole.high, high + (high - low))};
+    return range.low <= range.high ? range : AxisRange{};
 }
 
 // Outwards to a lattice, so that it seldom changes while the discs move about.
-Range snapped(Range range) {
+AxisRange snapped(AxisRange range) {
     const double extent = range.high - range.low;
     if (!(extent > std::numeric_limits<double>::min()) || !std::isfinite(extent))
         return {range.low, range.low + 1.0};
@@ -63,8 +63,8 @@ Box where_most_are(std::span<const Vec2> centers) {
         low = {center.x < low.x ? center.x : low.x, center.y < low.y ? center.y : low.y};
         high = {center.x > high.x ? center.x : high.x, center.y > high.y ? center.y : high.y};
     }
-    const Range across = snapped(most_of(centers, &Vec2::x, {low.x, high.x}));
-    const Range along = snapped(most_of(centers, &Vec2::y, {low.y, high.y}));
+    const AxisRange across = snapped(most_of(centers, &Vec2::x, {low.x, high.x}));
+    const AxisRange along = snapped(most_of(centers, &Vec2::y, {low.y, high.y}));
     return {{across.low, along.low}, {across.high, along.high}};
 }
 

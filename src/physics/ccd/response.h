@@ -7,7 +7,7 @@
 namespace carom {
 
 /// A ball in an impact. A kinematic ball keeps its velocity and pushes: see bounce_off.
-struct ImpactBody {
+struct ImpactBall {
     Vec2& velocity;
     double inverse_mass = 0.0;
     bool is_kinematic = false;
@@ -15,7 +15,7 @@ struct ImpactBody {
 
 /// Bounce of two balls. `normal` points from b to a. Pre: they approach, unless one is kinematic;
 /// not both have an inverse mass of 0.
-inline Exchange bounce_balls(const ImpactBody& a, const ImpactBody& b, Vec2 normal,
+inline Exchange bounce_balls(const ImpactBall& a, const ImpactBall& b, Vec2 normal,
                              double restitution) {
     if (a.is_kinematic)
         return bounce_off(b.velocity, b.inverse_mass, -normal, dot(a.velocity, -normal),

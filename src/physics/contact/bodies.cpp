@@ -9,13 +9,11 @@
 namespace carom {
 namespace {
 
-using namespace contact_tolerance;
-
 // Only a scene that loses energy pushes overlaps apart: nothing pays for the lift of elastic balls.
 ContactSoftness softness_of(const World& world, double duration) {
     if (!world.model.lossy) return {.push = 0.0, .mass_share = 1.0, .impulse_share = 0.0};
-    constexpr double turn = 6.283185307179586 * stiffness;  // rad a substep
-    constexpr double first = 2.0 * damping + turn;
+    constexpr double turn = 6.283185307179586 * contact_tolerance::stiffness;  // rad a substep
+    constexpr double first = 2.0 * contact_tolerance::damping + turn;
     constexpr double second = turn * first;
     return {.push = turn / first / duration,
             .mass_share = second / (1.0 + second),
@@ -33,7 +31,7 @@ ContactSubstep contact_substep(const World& world, int count) {
     step.wraps = world.model.wrap.has_value();
     step.torus = step.wraps ? size(*world.model.wrap) : Vec2{};
     step.fall = length(step.gravity) * step.duration * step.duration;
-    step.rest_speed = rest_speed_factor * length(step.gravity) * step.duration;
+    step.rest_speed = contact_tolerance::rest_speed_factor * length(step.gravity) * step.duration;
     step.softness = softness_of(world, step.duration);
     step.spins = world.model.spin.has_value();
     if (step.spins) {
@@ -112,7 +110,7 @@ void ContactBodies::integrate_velocities(const World& world, const ContactSubste
 }
 
 double overlap_bound(const ContactBodies& bodies, const ContactPair& pair) {
-    return overlap_limit * smaller_radius(bodies, pair);
+    return contact_tolerance::overlap_limit * smaller_radius(bodies, pair);
 }
 
 }  // namespace carom

@@ -8,8 +8,6 @@
 
 namespace carom {
 
-using namespace contact_tolerance;
-
 double restitution_of(const World& world, const ContactBodies& bodies, const ContactPair& pair,
                       double approach) {
     if (pair.is_on_edge()) return restitution_of_edge(world, pair.edge, approach);
@@ -17,7 +15,7 @@ double restitution_of(const World& world, const ContactBodies& bodies, const Con
 }
 
 double closing_gap(const ContactBodies& bodies) {
-    return closing_margin * bodies.smallest_radius;
+    return contact_tolerance::closing_margin * bodies.smallest_radius;
 }
 
 // The normal and the separation. Where the centres coincide any normal does: up, by choice.
@@ -68,7 +66,7 @@ void ContactClassification::count_contacts(bool is_reloaded) {
     const auto count = [&](const ContactPair& pair) {
         if (!(pair.impulse > 0.0)) return;
         for (const std::uint32_t body : {pair.a, pair.b})
-            if (contacts_on_[body] < enclosed_contacts) ++contacts_on_[body];
+            if (contacts_on_[body] < contact_tolerance::enclosed_contacts) ++contacts_on_[body];
     };
     if (is_reloaded)
         for (const ContactPair& pair : pairs_.all())
@@ -80,14 +78,16 @@ void ContactClassification::count_contacts(bool is_reloaded) {
 
 bool ContactClassification::is_enclosed(const ContactPair& pair) const {
     if (!pair.is_inelastic || contacts_on_.empty()) return false;
-    return contacts_on_[pair.a] >= enclosed_contacts &&
-           (!bodies_.is_ball(pair.b) || contacts_on_[pair.b] >= enclosed_contacts);
+    return contacts_on_[pair.a] >= contact_tolerance::enclosed_contacts &&
+           (!bodies_.is_ball(pair.b) ||
+            contacts_on_[pair.b] >= contact_tolerance::enclosed_contacts);
 }
 
 bool ContactClassification::has_high_mass_ratio(const ContactPair& pair) const {
     const double a = bodies_.body[pair.a].inverse_mass;
     const double b = bodies_.body[pair.b].inverse_mass;
-    return a > 0.0 && b > 0.0 && std::max(a, b) >= high_mass_ratio * std::min(a, b);
+    return a > 0.0 && b > 0.0 &&
+           std::max(a, b) >= contact_tolerance::high_mass_ratio * std::min(a, b);
 }
 
 template <Terms terms>
@@ -102,7 +102,7 @@ inline ContactState ContactClassification::state_of(const World& world,
     if (pair.separation - approach * step_.duration > closing_gap(bodies_)) return idle;
     if (terms.special() && pair.mass == 0.0) return approach > 0.0 ? ccd : idle;
     const double radius = smaller_radius(bodies_, pair);
-    const double most = most_travel * radius / step_.duration;
+    const double most = contact_tolerance::most_travel * radius / step_.duration;
     const bool pushed = terms.special() && pair.is_kinematic && is_pushed(world, pair, approach);
     // A kinematic body that touches goes on pushing, however far its target: it can be held back.
     const bool is_fast =

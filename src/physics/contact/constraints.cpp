@@ -7,8 +7,6 @@
 
 namespace carom {
 
-using namespace contact_tolerance;
-
 // The impulses of the last substep, in one go.
 template <bool spin>
 inline void ContactConstraints::apply(const ContactConstraint& constraint) {
@@ -36,7 +34,8 @@ void ContactConstraints::begin_all() {
         const ContactPair& pair = pairs_[indices[k]];
         const double gap = pair.separation;
         const double stiffer =
-            std::min(-gap * (0.5 * stiffening / overlap_bound(bodies_, pair)), most_stiffening);
+            std::min(-gap * (0.5 * contact_tolerance::stiffening / overlap_bound(bodies_, pair)),
+                     contact_tolerance::most_stiffening);
         if (pair.is_new) new_.push_back(k);
         constraints_[k] = {
             .a = pair.a,
@@ -77,8 +76,9 @@ template <bool spin>
 inline void ContactConstraints::relax(ContactConstraint& constraint) {
     const double room = constraint.impulse == 0.0 ? std::max(constraint.target, 0.0) : 0.0;
     const double speed = separating_speed(constraint) + room;
-    const double most = constraint.is_persistent ? over_relaxation * step_.rest_speed : 0.0;
-    const double more = std::max(std::min(over_relaxation * speed, most), -most);
+    const double most =
+        constraint.is_persistent ? contact_tolerance::over_relaxation * step_.rest_speed : 0.0;
+    const double more = std::max(std::min(contact_tolerance::over_relaxation * speed, most), -most);
     const double change = constraint.mass * (speed + more);
     change_impulse<spin>(constraint, std::max(constraint.impulse - change, 0.0));
 }
@@ -114,17 +114,17 @@ void ContactConstraints::begin() {
     find_loaded();
     if (has_excess()) step_.spins ? take_back_excess<true>() : take_back_excess<false>();
     solve(false);
-    for (int iteration = 1; iteration < loaded_iterations; ++iteration)
+    for (int iteration = 1; iteration < contact_tolerance::loaded_iterations; ++iteration)
         for (const std::uint32_t k : loaded_)
             step_.spins ? solve<true>(constraints_[k]) : solve<false>(constraints_[k]);
 }
 
 void ContactConstraints::relax(double most_push, bool had_impacts) {
     had_impacts_ = had_impacts;
-    if (most_push > most_excess * step_.rest_speed * step_.duration)
+    if (most_push > contact_tolerance::most_excess * step_.rest_speed * step_.duration)
         step_.spins ? take_back_excess<true>() : take_back_excess<false>();
     step_.spins ? relax_all<true>() : relax_all<false>();
-    for (int iteration = 1; iteration < loaded_iterations; ++iteration) {
+    for (int iteration = 1; iteration < contact_tolerance::loaded_iterations; ++iteration) {
         for (std::size_t k = loaded_.size(); k-- > 0;) {
             ContactConstraint& constraint = constraints_[loaded_[k]];
             if (had_impacts_ && is_about_to_bounce(constraint)) continue;

@@ -7,11 +7,9 @@
 // Excess impulses: see ContactConstraints.
 namespace carom {
 
-using namespace contact_tolerance;
-
 // Whether the impulses of the last substep change a speed by more than any load does.
 bool ContactConstraints::has_excess() const {
-    const double bound = most_excess * step_.rest_speed;
+    const double bound = contact_tolerance::most_excess * step_.rest_speed;
     double most = 0.0;
     for (std::uint32_t i = 0; i < bodies_.fixed; ++i)
         most = std::max(most, length_squared(bodies_.body[i].velocity - bodies_.start_velocity[i]));
@@ -38,7 +36,7 @@ ContactConstraints::Excess ContactConstraints::excess_of(const ContactConstraint
 // The impulse without its excess; none where there is none.
 std::optional<double> ContactConstraints::without_excess(const ContactConstraint& constraint,
                                                          Vec2 up) const {
-    const double bound = most_excess * step_.rest_speed;
+    const double bound = contact_tolerance::most_excess * step_.rest_speed;
     if (!(constraint.impulse > 0.0) || !(separating_speed(constraint) > bound)) return std::nullopt;
     const Excess excess = excess_of(constraint, up);
     if (!(excess.speed > bound) || !(excess.inverse_mass > 0.0)) return std::nullopt;

@@ -9,8 +9,6 @@
 
 namespace carom {
 
-using namespace contact_tolerance;
-
 // A ball that no impulse has changed flies on its exact path; any other one goes straight on.
 void ContactImpacts::find_displacements() {
     const Flight& flight = step_.flight;
@@ -52,7 +50,7 @@ void ContactImpacts::find_candidates() {
         if (shrinks(pairs_[p]) > pairs_[p].separation) candidates_.push_back(p);
     // Other pairs may collide only where constraints have pushed a ball far, or overlap deeply.
     if (2.0 * most_push_ <= closing_gap(bodies_) &&
-        classification_.deepest() >= -deep_overlap * bodies_.smallest_radius)
+        classification_.deepest() >= -contact_tolerance::deep_overlap * bodies_.smallest_radius)
         return;
     for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
         const ContactPair& pair = pairs_[p];
@@ -137,7 +135,7 @@ bool ContactImpacts::is_soft(const ContactPair& pair, Vec2 other_velocity, doubl
     if (pair.has_settled) return true;
     if (pair.state != ContactState::constraint) return false;
     if ((!pair.bounces || classification_.is_enclosed(pair)) &&
-        pair.separation > -soft_overlap * overlap_bound(bodies_, pair))
+        pair.separation > -contact_tolerance::soft_overlap * overlap_bound(bodies_, pair))
         return true;
     return -dot(paths_.velocity_at(pair.a, now) - other_velocity, pair.normal) <= step_.rest_speed;
 }

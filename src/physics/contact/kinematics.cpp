@@ -7,8 +7,6 @@
 
 namespace carom {
 
-using namespace contact_tolerance;
-
 void ContactKinematics::load(const World& world, ContactBodies& bodies) {
     balls_.clear();
     for (std::uint32_t h = 0; h < world.held_balls.size(); ++h) {
@@ -91,9 +89,9 @@ bool ContactKinematics::hold_back(const ContactPairs& pairs, ContactBodies& bodi
         const Vec2 normal = by_a ? -pair.normal : pair.normal;
         const double surface = dot(bodies.body[by_a ? pair.a : pair.b].velocity, normal);
         const double speed = dot(bodies.body[ball].velocity, normal);
-        const double room =
-            std::max(0.0, pair.separation + kinematic_overlap * bodies.radius[ball]) /
-            step.duration;
+        const double room = std::max(0.0, pair.separation + contact_tolerance::kinematic_overlap *
+                                                                bodies.radius[ball]) /
+                            step.duration;
         if (!(surface > 0.0) || surface - speed <= room) continue;
         double& shortened = shortened_[index_of_pair(pair, bodies)];
         shortened = std::min(shortened, std::max(0.0, (speed + room) / surface));
@@ -114,7 +112,7 @@ void ContactKinematics::settle_jams(ContactPairs& pairs, ContactBodies& bodies,
     jammed_.clear();
     is_jammed_.assign(bodies.fixed, 0);
     const auto jam = [&](const ContactPair& pair, std::uint32_t body) {
-        if (pair.separation > kinematic_overlap * smaller_radius(bodies, pair) ||
+        if (pair.separation > contact_tolerance::kinematic_overlap * smaller_radius(bodies, pair) ||
             bodies.is_kinematic(body) || is_jammed_[body])
             return;
         is_jammed_[body] = 1;

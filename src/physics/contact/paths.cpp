@@ -6,8 +6,6 @@
 
 namespace carom {
 
-using namespace contact_tolerance;
-
 void ContactPaths::begin() {
     pairs_.list_by_body(bodies_);
     paths_.clear();
@@ -88,7 +86,7 @@ std::optional<double> ContactPaths::redirect(std::uint32_t body, double now, Vec
     path.turn = 0.0;
     ++path.version;
     if (path.is_frozen) return std::nullopt;
-    if (++path.impacts >= most_impacts) {
+    if (++path.impacts >= contact_tolerance::most_impacts) {
         freeze(body, now);
         return std::nullopt;
     }
@@ -126,7 +124,7 @@ std::optional<double> ContactPaths::end_at_skin(std::uint32_t body, double now) 
 
 void ContactPaths::count_push(std::uint32_t body, double now) {
     ContactPath& path = (*this)[body];
-    if (++path.pushes < most_pushes) return;
+    if (++path.pushes < contact_tolerance::most_pushes) return;
     if (!path.is_frozen) freeze(body, now);
     path.velocity = {};
 }
@@ -185,7 +183,8 @@ void ContactPaths::take_back_what_was_not_given(std::span<ContactConstraint> con
         const double share = std::min(a.impulse, b.impulse);
         if (share < 1.0) {
             const Vec2 relative = velocity_then(constraint.a) - velocity_then(constraint.b);
-            if (dot(relative, constraint.normal) > most_excess * step_.rest_speed)
+            if (dot(relative, constraint.normal) >
+                contact_tolerance::most_excess * step_.rest_speed)
                 constraint.impulse *= share;
         }
         constraint.tangential_impulse *= std::min(a.friction, b.friction);

@@ -9,8 +9,6 @@
 // What an impact within a substep of the solver `contact` does to the two bodies that meet.
 namespace carom {
 
-using namespace contact_tolerance;
-
 void ContactImpacts::collide(World& world, const ContactEvent& event,
                              std::vector<Contact>& contacts) {
     ContactPair& pair = pairs_[event.pair];
@@ -42,10 +40,10 @@ std::optional<Contact> ContactImpacts::collide_balls(World& world, ContactPair& 
     Vec2 velocity_b = paths_.velocity_at(b, now);
     double surface_a = paths_.surface_speed_at(a, now);
     double surface_b = paths_.surface_speed_at(b, now);
-    const ImpactBody first{velocity_a, bodies_.body[a].inverse_mass, bodies_.is_kinematic(a)};
-    const ImpactBody second{velocity_b, bodies_.body[b].inverse_mass, bodies_.is_kinematic(b)};
+    const ImpactBall first{velocity_a, bodies_.body[a].inverse_mass, bodies_.is_kinematic(a)};
+    const ImpactBall second{velocity_b, bodies_.body[b].inverse_mass, bodies_.is_kinematic(b)};
     const double approach = -dot(velocity_a - velocity_b, normal);
-    const double noise = rounding * (length(velocity_a) + length(velocity_b));
+    const double noise = contact_tolerance::rounding * (length(velocity_a) + length(velocity_b));
     const bool meets_again = pair.has_settled;
     const bool bounces = approach > std::max(noise, step_.rest_speed) && !meets_again &&
                          !classification_.is_enclosed(pair);
@@ -91,7 +89,7 @@ std::optional<Contact> ContactImpacts::collide_edge(World& world, ContactPair& p
     Vec2 velocity = paths_.velocity_at(a, now);
     double surface_speed = paths_.surface_speed_at(a, now);
     const double approach = along_normal - dot(velocity, normal);
-    const double noise = rounding * (length(velocity) + length(surface));
+    const double noise = contact_tolerance::rounding * (length(velocity) + length(surface));
     if (bodies_.is_kinematic(a)) {
         // A held ball goes no further than the edge lets it.
         pair.has_settled = true;

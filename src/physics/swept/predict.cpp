@@ -24,7 +24,7 @@ constexpr std::size_t work_of_impact = 8;  // see tick/cancellation.h
 constexpr std::uint32_t none = 0xffffffffu;
 
 // Rounded up to a few binary digits, so that it seldom changes.
-double rounded_up(double value) {
+double rounded_to_few_bits(double value) {
     int exponent = 0;
     const double fraction = std::frexp(value, &exponent);
     return std::ldexp(std::ceil(fraction * 16.0) / 16.0, exponent);
@@ -133,8 +133,8 @@ void SweptSolver::find_neighbours(const World& world) {
     }
     neighbours_.look(world, centers_, reaches_);
     neighbours_.sort_pairs();
-    const CellFrame frame =
-        frame_around(world, count == 0 ? 1.0 : rounded_up(extent / static_cast<double>(count)));
+    const CellFrame frame = frame_around(
+        world, count == 0 ? 1.0 : rounded_to_few_bits(extent / static_cast<double>(count)));
     // Edges stay in their cells while those still fit fairly.
     are_all_in_cells_ = false;
     changed_paths_ = 0;
