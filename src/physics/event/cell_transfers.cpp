@@ -1,7 +1,6 @@
 #include "physics/event/cell_transfers.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <optional>
 
@@ -11,12 +10,6 @@
 
 namespace carom {
 namespace {
-
-struct Step {
-    int columns = 0;
-    int rows = 0;
-};
-constexpr std::array<Step, cell_transfer::sides> steps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
 template <typename Real>
 BallEvent<Real> transfer_at(const Real& time, std::uint32_t what) {
@@ -31,7 +24,7 @@ inline void CellTransfers<Real>::predict_through(std::uint32_t side, std::uint32
                                                  const BallState<Real>& now, const Real& last,
                                                  BallEvent<Real>& best) const {
     const CellFrame& frame = cells_.frame();
-    const auto [columns, rows] = steps[side];
+    const auto [columns, rows] = cell_transfer::steps[side];
     const bool is_column = columns != 0;
     const int place = is_column ? balls_.plan(ball).place.column : balls_.plan(ball).place.row;
     const int count = is_column ? frame.columns : frame.rows;
@@ -77,7 +70,7 @@ void CellTransfers<Real>::predict(std::uint32_t ball, BallEvent<Real>& best) con
     const BallState<Real> now = state_at(path, scene_.field, scene_.now);
     const bool is_simple = is_parabola(path, scene_.field);
     const Real last = path.motion == Motion::turning ? piece_end(path, scene_.field) : best.time;
-    for (std::uint32_t side = 0; side < steps.size(); ++side)
+    for (std::uint32_t side = 0; side < cell_transfer::sides; ++side)
         predict_through(side, ball, path, is_simple, now, last, best);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "physics/memory/prefetch.h"
@@ -26,6 +27,11 @@ inline constexpr std::uint32_t to_left = 1;
 inline constexpr std::uint32_t up = 2;
 inline constexpr std::uint32_t down = 3;
 inline constexpr std::uint32_t sides = 4;
+struct Step {
+    int columns = 0;
+    int rows = 0;
+};
+inline constexpr std::array<Step, sides> steps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 /// Nothing happens: a prediction that was cut short is to be made again.
 inline constexpr std::uint32_t predict_again = 4;
 /// The trajectory has led far from the frame of a torus, and starts again inside of it.

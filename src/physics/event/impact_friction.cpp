@@ -3,14 +3,6 @@
 #include "physics/event/tolerances.h"
 
 namespace carom {
-namespace {
-
-template <typename Real>
-Real clamped(const Real& value, const Real& most) {
-    return value < -most ? -most : (most < value ? most : value);
-}
-
-}  // namespace
 
 template <typename Real>
 void ImpactFriction<Real>::apply(const std::vector<std::uint32_t>& which,

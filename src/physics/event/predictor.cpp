@@ -1,22 +1,12 @@
 #include "physics/event/predictor.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "physics/event/time_of_impact.h"
 #include "physics/event/tolerances.h"
 
 namespace carom {
-namespace {
-
-struct Step {
-    int columns = 0;
-    int rows = 0;
-};
-constexpr std::array<Step, cell_transfer::sides> steps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
-
-}  // namespace
 
 // Whether the ball's first collision can be known however far ahead, if the balls around it fly
 // too. One-way edges are tested whenever all is predicted anew, so that must happen at every cell.
@@ -96,7 +86,7 @@ template <typename Real>
 void Predictor<Real>::transfer(std::uint32_t ball, std::uint32_t side) {
     bool is_known = balls_.plan(ball).collision().kind != EventKind::unknown;
     if (side < cell_transfer::sides) {
-        const auto [columns, rows] = steps[side];
+        const auto [columns, rows] = cell_transfer::steps[side];
         space_.cells().step(balls_, ball, columns, rows);
         if (is_known && scene_.world->model.ball_ball) {
             BallEvent<Real> collision = balls_.plan(ball).collision();

@@ -6,14 +6,6 @@
 #include "physics/laws/bounce.h"
 
 namespace carom {
-namespace {
-
-template <typename Real>
-Real clamped(const Real& value, const Real& most) {
-    return value < -most ? -most : (most < value ? most : value);
-}
-
-}  // namespace
 
 template <typename Real>
 Real SideFriction<Real>::coefficient(std::uint32_t ball, const PathSupport& support) const {

@@ -9,6 +9,12 @@
 
 namespace carom {
 
+/// `value`, but no further from 0 than `most` >= 0: Coulomb's limit.
+template <typename Real>
+Real clamped(const Real& value, const Real& most) {
+    return value < -most ? -most : (most < value ? most : value);
+}
+
 /// Friction between a ball and the side of an edge along which it slides or rolls, or between a
 /// resting ball and its supports. Pre of everything here: Model::spin, no cloth.
 ///

@@ -43,19 +43,22 @@ TEST_CASE("side friction: a disc that slides rolls after v / 3 mu g, at two thir
     CHECK(!parts.friction.end_of_slip(0, 100.0));
 }
 
-TEST_CASE("side friction: two supports brake a spin until it is gone") {
-    World world = sliding(0.0);
-    add_capsule(world, {{-0.5, 0.0}, {-0.5, 10.0}, 0.0}, 0);
-    world.materials[0].friction = coefficient;
-    world.balls.spin[0] = 1e-3;
-    EventParts parts(world);
-    parts.trajectories.put_to_rest(0, {}, {});
-    parts.friction.brake(0, 0.5);
-    // spin r I / friction.
-    const auto end = parts.friction.end_of_slip(0, 100.0);
-    REQUIRE(end);
-    CHECK(*end == doctest::Approx(parts.scene.now + 1e-3 * 0.5 * 0.5 / 0.5));
-    parts.scene.now = *end;
-    parts.friction.end_slip(0);
-    CHECK(parts.trajectories.spin(0).spin == 0.0);
+TEST_CASE("side friction: two supports brake a spin until it is gone, to the last bit") {
+    for (int i = 1; i <= 50; ++i) {
+        CAPTURE(i);
+        World world = sliding(0.0);
+        world.tick = 7;
+        const double spin = 0.1 * i;
+        world.balls.spin[0] = spin;
+        EventParts parts(world);
+        parts.trajectories.put_to_rest(0, {}, {});
+        parts.friction.brake(0, 0.7);
+        const auto end = parts.friction.end_of_slip(0, 100.0);
+        REQUIRE(end);
+        // Spin times radius and inertia, over friction.
+        CHECK(*end == doctest::Approx(parts.scene.now + spin * 0.5 * 0.5 / 0.7));
+        parts.scene.now = *end;
+        parts.friction.end_slip(0);
+        CHECK(parts.trajectories.spin(0).spin == 0.0);
+    }
 }
