@@ -7,7 +7,6 @@
 namespace carom {
 namespace {
 
-constexpr std::array<std::string_view, 5> names{"discrete", "substep", "swept", "contact", "event"};
 // Inside a solver bodies go by index; outside by id. Looked up one by one, the ids of many balls
 // would have to come from far away in memory.
 void name_bodies(World& world, std::span<Contact> contacts) {
@@ -30,16 +29,6 @@ void name_bodies(World& world, std::span<Contact> contacts) {
 
 }  // namespace
 
-std::string_view name(SolverKind kind) {
-    return names[static_cast<std::size_t>(kind)];
-}
-
-std::optional<SolverKind> solver_named(std::string_view name) {
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (names[i] == name) return static_cast<SolverKind>(i);
-    return std::nullopt;
-}
-
 std::span<const SolverKind> solvers_available() {
     static const std::vector<SolverKind> kinds = [] {
         std::vector<SolverKind> all;
@@ -57,15 +46,6 @@ bool supports(SolverKind kind, const Model& model) {
 bool hands_heaps_over(const Model& model, const SolverSettings& settings) {
     return settings.kind == SolverKind::event && !settings.extended && model.gravity &&
            model.lossy && model.ball_ball;
-}
-
-int substeps_of(const SolverSettings& settings) {
-    return settings.kind == SolverKind::contact ? settings.contact_substeps : settings.substeps;
-}
-
-void set_substeps(SolverSettings& settings, int substeps) {
-    (settings.kind == SolverKind::contact ? settings.contact_substeps : settings.substeps) =
-        substeps;
 }
 
 struct Solver::State {

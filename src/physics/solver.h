@@ -16,13 +16,6 @@
 /// what they get wrong (docs/physics.md).
 namespace carom {
 
-/// The substeps of its kind: those of `contact`, or those of `swept`.
-int substeps_of(const SolverSettings& settings);
-void set_substeps(SolverSettings& settings, int substeps);
-
-std::string_view name(SolverKind kind);
-/// By name, exactly; none when there is no such solver.
-std::optional<SolverKind> solver_named(std::string_view name);
 /// The solvers that this carom has, cheapest first.
 std::span<const SolverKind> solvers_available();
 

@@ -341,8 +341,6 @@ TEST_CASE("the picked solver is one that is there") {
               solvers_available().end());
         CHECK_FALSE(pick.reason.empty());
     }
-    CHECK(solver_named("swept") == SolverKind::swept);
-    CHECK_FALSE(solver_named("Swept"));
 }
 
 TEST_CASE("a zero without its sign goes on from a snapshot with the same bits") {

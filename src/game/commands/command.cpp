@@ -175,10 +175,7 @@ Refusal refused(const World& world, const SetSolver& set) {
         return fmt::format("this carom has no solver {}", name(set.settings.kind));
     if (!supports(set.settings.kind, world.model))
         return fmt::format("solver {} does not know cloth", name(set.settings.kind));
-    const auto in_range = [](int count) { return count >= 1 && count <= 1000; };
-    if (!in_range(set.settings.updates) || !in_range(set.settings.steps) ||
-        !in_range(substeps_of(set.settings)))
-        return "updates, steps and substeps must be in 1..1000";
+    if (!are_in_range(set.settings)) return "updates, steps and substeps must be in 1..1000";
     return std::nullopt;
 }
 

@@ -97,7 +97,9 @@ struct CommandText {
         return fmt::format("decide {}", choice_names[static_cast<std::size_t>(c.choice)]);
     }
     std::string operator()(const RackAgain&) const { return "rack"; }
-    std::string operator()(const SetSolver& c) const { return "solver " + replay_text(c.settings); }
+    std::string operator()(const SetSolver& c) const {
+        return "solver " + settings_text(c.settings, SettingsText::recorded);
+    }
 };
 
 BallId ball_of(Words& words) {
@@ -167,11 +169,6 @@ std::string replay_text(const Command& command) {
     return std::visit(CommandText{}, command);
 }
 
-std::string replay_text(const SolverSettings& settings) {
-    return fmt::format("{} updates={} steps={} substeps={}", name(settings.kind), settings.updates,
-                       settings.steps, substeps_of(settings));
-}
-
 std::string replay_text(const PoolStance& stance) {
     return fmt::format("{} {} {} {} {} {} {}", stance.bearing, stance.speed, stance.side,
                        stance.follow, aids_names[static_cast<std::size_t>(stance.aids)],
@@ -191,16 +188,10 @@ PoolStance read_stance(Words& words) {
 }
 
 SolverSettings read_solver(Words& words) {
-    SolverSettings settings;
-    const auto kind = solver_named(words.next().value_or(""));
-    if (!kind) words.fail();
-    settings.kind = kind.value_or(settings.kind);
-    settings.updates = words.setting("updates=");
-    settings.steps = words.setting("steps=");
-    set_substeps(settings, words.setting("substeps="));
-    for (const int count : {settings.updates, settings.steps, substeps_of(settings)})
-        if (count < 1 || count > 1000) words.fail();
-    return settings;
+    const std::string_view text = words.take_rest();
+    const auto settings = parse_solver_settings(text);
+    if (!settings || settings_text(*settings, SettingsText::recorded) != text) words.fail();
+    return settings.value_or(SolverSettings{});
 }
 
 std::optional<Command> read_command(Words& words) {

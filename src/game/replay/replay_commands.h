@@ -12,7 +12,6 @@
 namespace carom {
 
 std::string replay_text(const Command& command);
-std::string replay_text(const SolverSettings& settings);
 std::string replay_text(const PoolStance& stance);
 
 /// None: there is no such command. Wrong numbers make `words` fail.

@@ -32,8 +32,8 @@ std::string replay_text(const Replay& replay) {
     fmt::format_to(out, "hash {}\n", hexadecimal(replay.level_hash));
     for (const std::string& statement : replay.overrides)
         fmt::format_to(out, "set {}\n", statement);
-    fmt::format_to(out, "solver {}\nrate {}\nseed {}\n", replay_text(replay.solver), replay.rate,
-                   replay.seed);
+    fmt::format_to(out, "solver {}\nrate {}\nseed {}\n",
+                   settings_text(replay.solver, SettingsText::recorded), replay.rate, replay.seed);
     auto mark = replay.marks.begin();
     const auto marks_before = [&](std::uint64_t tick) {
         for (; mark != replay.marks.end() && mark->tick < tick; ++mark)

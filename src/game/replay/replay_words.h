@@ -55,11 +55,6 @@ class Words {
         if (!rest_.starts_with(key)) return std::nullopt;
         return real_of(next()->substr(key.size()));
     }
-    int setting(std::string_view key) {
-        if (!rest_.starts_with(key)) return failed<int>();
-        rest_.remove_prefix(key.size());
-        return integer<int>();
-    }
 
   private:
     template <typename T>

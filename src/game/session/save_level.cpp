@@ -90,23 +90,11 @@ class LevelWriter {
         if (has_units_) line("units m");
         line("rate {}", world_.rate);
         line("seed {}", world_.seed);
-        if (scene_.solver) solver(*scene_.solver);
+        if (scene_.solver) line("solver {}", settings_text(*scene_.solver, SettingsText::used));
         // A game of pool begins with a rack, which is written here as balls that lie somewhere.
         const bool is_pool = scene_.game == "eightball" || scene_.game == "nineball";
         if (scene_.game != "sandbox" && !is_pool) line("game {}", scene_.game);
         line("world {} {}", place(scene_.view.low), place(scene_.view.high));
-    }
-
-    void solver(const SolverSettings& settings) {
-        switch (settings.kind) {
-            case SolverKind::substep:
-                return line("solver substep updates={} steps={}", settings.updates, settings.steps);
-            case SolverKind::swept:
-            case SolverKind::contact:
-                return line("solver {} substeps={}", name(settings.kind), substeps_of(settings));
-            default:
-                return line("solver {}", name(settings.kind));
-        }
     }
 
     void model() {

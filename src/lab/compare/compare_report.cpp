@@ -12,7 +12,8 @@ namespace {
 using Layout = JsonWriter::Layout;
 
 std::string named(const Choice& choice) {
-    return fmt::format("{} at {:.6g} ticks a second", brief(choice.solver), choice.rate);
+    return fmt::format("{} at {:.6g} ticks a second",
+                       settings_text(choice.solver, SettingsText::unusual), choice.rate);
 }
 
 std::string name_of(const Scene& scene, std::uint32_t ball) {

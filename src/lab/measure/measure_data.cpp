@@ -122,8 +122,11 @@ std::string csv_number(const std::optional<double>& value) {
     return fmt::format("{}", *value);
 }
 
-std::string csv_setting(bool has_it, int value) {
-    return has_it ? fmt::format("{}", value) : std::string();
+// Empty where the solver does not use that count.
+std::string csv_count(const SolverSettings& solver, std::string_view name) {
+    for (const SolverCount& count : counts_of(solver.kind))
+        if (count.name == name) return fmt::format("{}", solver.*count.value);
+    return {};
 }
 
 }  // namespace
@@ -170,23 +173,19 @@ std::string measure_csv(const Measurement& measurement) {
     for (std::size_t i = 0; i < measurement.rows.size(); ++i) {
         const Measured& row = measurement.rows[i];
         const SolverSettings& solver = row.choice.solver;
-        const bool is_substep = solver.kind == SolverKind::substep;
-        const bool has_substeps =
-            solver.kind == SolverKind::swept || solver.kind == SolverKind::contact;
         for (std::size_t k = 0; k < row.errors.size(); ++k) {
             const ErrorAt& error = row.errors[k];
-            fmt::format_to(std::back_inserter(text),
-                           "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                           name(solver.kind), csv_setting(is_substep, solver.updates),
-                           csv_setting(is_substep, solver.steps),
-                           csv_setting(has_substeps, substeps_of(solver)), row.choice.rate,
-                           measurement.horizons[k], csv_number(error.rms), csv_number(error.max),
-                           error.unpaired, error.contacts.missed, error.contacts.extra,
-                           error.contacts.out_of_order, csv_number(row.energy_drift),
-                           csv_number(row.momentum_drift), csv_number(row.max_overlap), row.escaped,
-                           csv_number(ns_per_ball_second(row, row.cost.whole)),
-                           csv_number(ns_per_ball_second(row, row.cost.best)),
-                           seconds_per_level_tick(measurement, row), front[i] ? 1 : 0);
+            fmt::format_to(
+                std::back_inserter(text),
+                "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", name(solver.kind),
+                csv_count(solver, "updates"), csv_count(solver, "steps"),
+                csv_count(solver, "substeps"), row.choice.rate, measurement.horizons[k],
+                csv_number(error.rms), csv_number(error.max), error.unpaired, error.contacts.missed,
+                error.contacts.extra, error.contacts.out_of_order, csv_number(row.energy_drift),
+                csv_number(row.momentum_drift), csv_number(row.max_overlap), row.escaped,
+                csv_number(ns_per_ball_second(row, row.cost.whole)),
+                csv_number(ns_per_ball_second(row, row.cost.best)),
+                seconds_per_level_tick(measurement, row), front[i] ? 1 : 0);
         }
     }
     return text;

@@ -37,14 +37,17 @@ std::string milliseconds(double seconds) {
 }
 
 std::string named(const Choice& choice) {
-    return fmt::format("{} at {} ticks a second", brief(choice.solver), rate_text(choice.rate));
+    return fmt::format("{} at {} ticks a second",
+                       settings_text(choice.solver, SettingsText::unusual), rate_text(choice.rate));
 }
 
 // "event extended, checked by event, at 120 ticks a second".
 std::string reference_text(const Reference& reference) {
     if (reference.truth.rate != reference.check.rate)
         return fmt::format("{},\n  checked by {}", named(reference.truth), named(reference.check));
-    return fmt::format("{}, checked by {}", brief(reference.truth.solver), named(reference.check));
+    return fmt::format("{}, checked by {}",
+                       settings_text(reference.truth.solver, SettingsText::unusual),
+                       named(reference.check));
 }
 
 std::string believed(const Measurement& measurement) {
@@ -71,7 +74,7 @@ std::vector<std::string> first_cells(const Measurement& measurement, std::size_t
                                      const std::vector<bool>& front) {
     const Choice& choice = measurement.rows[row].choice;
     return {fmt::format("{}{}", front[row] ? 'P' : ' ', choice == measurement.own ? '*' : ' '),
-            brief(choice.solver), rate_text(choice.rate)};
+            settings_text(choice.solver, SettingsText::unusual), rate_text(choice.rate)};
 }
 
 std::string cost_table(const Measurement& measurement, const std::vector<bool>& front) {

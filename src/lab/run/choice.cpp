@@ -1,7 +1,5 @@
 #include "lab/run/choice.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,40 +33,10 @@ void add_variants(std::vector<Choice>& choices, SolverKind kind, double rate) {
 
 }  // namespace
 
-std::string written(const SolverSettings& solver) {
-    switch (solver.kind) {
-        case SolverKind::substep:
-            return fmt::format("substep updates={} steps={}", solver.updates, solver.steps);
-        case SolverKind::swept:
-        case SolverKind::contact:
-            return fmt::format("{} substeps={}", name(solver.kind), substeps_of(solver));
-        default:
-            return std::string(name(solver.kind));
-    }
-}
-
-std::string brief(const SolverSettings& solver) {
-    const SolverSettings usual{.kind = solver.kind};
-    std::string text(name(solver.kind));
-    if (solver.kind == SolverKind::substep && solver.updates != usual.updates)
-        text += fmt::format(" updates={}", solver.updates);
-    if (solver.kind == SolverKind::substep && solver.steps != usual.steps)
-        text += fmt::format(" steps={}", solver.steps);
-    if (substeps_of(solver) != substeps_of(usual))
-        text += fmt::format(" substeps={}", substeps_of(solver));
-    if (solver.kind == SolverKind::event && solver.extended) text += " extended";
-    return text;
-}
-
 void write_settings(JsonWriter& json, const SolverSettings& solver) {
     json.begin_object(JsonWriter::Layout::one_line);
-    if (solver.kind == SolverKind::substep) {
-        json.field("updates", static_cast<std::uint64_t>(solver.updates));
-        json.field("steps", static_cast<std::uint64_t>(solver.steps));
-    }
-    if (solver.kind == SolverKind::swept || solver.kind == SolverKind::contact) {
-        json.field("substeps", static_cast<std::uint64_t>(substeps_of(solver)));
-    }
+    for (const SolverCount& count : counts_of(solver.kind))
+        json.field(count.name, static_cast<std::uint64_t>(solver.*count.value));
     if (solver.kind == SolverKind::event) json.field("extended", solver.extended);
     json.end_object();
 }

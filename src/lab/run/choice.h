@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "lab/json.h"
@@ -19,12 +18,6 @@ struct Choice {
 
     friend bool operator==(const Choice&, const Choice&) = default;
 };
-
-/// "substep updates=4 steps=15", as a level would write it.
-std::string written(const SolverSettings& solver);
-
-/// The same without what is as it is anyway: "substep", "swept substeps=4", "event extended".
-std::string brief(const SolverSettings& solver);
 
 /// {"updates": 4, "steps": 15}: the settings that the solver has, as an object.
 void write_settings(JsonWriter& json, const SolverSettings& solver);

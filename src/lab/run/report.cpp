@@ -191,9 +191,9 @@ std::string summary(const Scene& scene, const World& world, const RunRecord& rec
         "overlap     {:.3g} at most\n"
         "fingerprint {}\n",
         scene.title.empty() ? scene.file : scene.title, world.time(), world.tick,
-        written(record.solver), seconds, world.balls.size(), world.removed.size(),
-        world.ball_ball_collisions, world.ball_edge_collisions, start, end, change_of(start, end),
-        record.max_overlap, hexadecimal(fingerprint(world)));
+        settings_text(record.solver, SettingsText::used), seconds, world.balls.size(),
+        world.removed.size(), world.ball_ball_collisions, world.ball_edge_collisions, start, end,
+        change_of(start, end), record.max_overlap, hexadecimal(fingerprint(world)));
 }
 
 std::string verdicts(const Scene& scene, const RunRecord& record, Verdict verdict) {
@@ -223,9 +223,10 @@ std::string explanation(const Model& model, double rate, const SolverPick& pick,
     const std::string model_text = terms.empty()
                                        ? "elastic, frictionless, weightless discs"
                                        : fmt::format("{}", fmt::join(terms, "\n        "));
-    const std::string picked = written(pick.settings);
+    const std::string picked = settings_text(pick.settings, SettingsText::used);
     const std::string solver_text =
-        asked_for ? fmt::format("{}: asked for\nauto    would take {}", written(*asked_for), picked)
+        asked_for ? fmt::format("{}: asked for\nauto    would take {}",
+                                settings_text(*asked_for, SettingsText::used), picked)
                   : fmt::format("{}: taken by auto", picked);
     const SolverSettings& solver = asked_for ? *asked_for : pick.settings;
     const std::string_view heaps =

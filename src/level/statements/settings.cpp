@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "level/ir/arguments.h"
@@ -97,11 +98,6 @@ void add_collide(const Arguments& arguments, const Frame&, Context& context) {
     context.ir.collides.push_back({arguments.plain[0], arguments.plain[1]});
 }
 
-bool has_setting(SolverKind solver, std::string_view key) {
-    if (key == "updates" || key == "steps") return solver == SolverKind::substep;
-    return key != "substeps" || solver == SolverKind::swept || solver == SolverKind::contact;
-}
-
 void set_solver(const Arguments& arguments, const Frame&, Context& context) {
     const Word& word = arguments.plain.front();
     const std::optional<SolverKind> kind = solver_named(word.text);
@@ -115,18 +111,17 @@ void set_solver(const Arguments& arguments, const Frame&, Context& context) {
                                did_you_mean(word.text, known, offer));
         return;
     }
+    const std::vector<SolverCount> counts = counts_of(*kind);
     for (const auto& [key, argument] : arguments.values) {
-        if (has_setting(*kind, key)) continue;
+        if (std::ranges::count(counts, key, &SolverCount::name) > 0) continue;
         context.reporter.error("solver-key-of-other-solver", argument.value.span(),
                                fmt::format("{} has no {}", word.text, key),
                                fmt::format("leave {}= out", key));
     }
-    SolverSettings settings;
-    settings.kind = *kind;
-    settings.updates = static_cast<int>(arguments.number_or("updates", settings.updates));
-    settings.steps = static_cast<int>(arguments.number_or("steps", settings.steps));
-    set_substeps(settings,
-                 static_cast<int>(arguments.number_or("substeps", substeps_of(settings))));
+    SolverSettings settings{.kind = *kind};
+    for (const SolverCount& count : counts)
+        settings.*count.value =
+            static_cast<int>(arguments.number_or(count.name, settings.*count.value));
     context.ir.settings.solver = settings;
 }
 

@@ -53,16 +53,6 @@ TEST_CASE("what is measured: each solver at each rate, nothing twice, the level'
         CHECK(choice.solver.kind == SolverKind::discrete);
 }
 
-TEST_CASE("the words for settings") {
-    CHECK(written({.kind = SolverKind::substep}) == "substep updates=4 steps=15");
-    CHECK(brief({.kind = SolverKind::substep}) == "substep");
-    CHECK(brief({.kind = SolverKind::substep, .updates = 8, .steps = 3}) ==
-          "substep updates=8 steps=3");
-    CHECK(brief({.kind = SolverKind::swept, .substeps = 4}) == "swept substeps=4");
-    CHECK(brief({.kind = SolverKind::discrete}) == "discrete");
-    CHECK(brief({.kind = SolverKind::event, .extended = true}) == "event extended");
-}
-
 TEST_CASE("the reference and its check are solvers that there are, and differ") {
     const Reference reference = reference_settings(120);
     for (const Choice& choice : {reference.truth, reference.check})
