@@ -9,6 +9,7 @@
 #include "game/ai/hand_error.h"
 #include "game/ai/pool_shots.h"
 #include "game/commands/aiming.h"
+#include "game/referees/referee.h"
 #include "geometry/elementary.h"
 
 namespace carom {
@@ -176,8 +177,7 @@ std::string PoolAim::next_pot(const Session& session, bool backwards) {
     has_aimed_ = true;
     setup_.side = setup_.follow = 0.0;
     const PoolPlay* game = play(session);
-    if (game && game->rules.game == PoolGame::eight_ball &&
-        game->rules.phase == PoolPhase::playing) {
+    if (game && may_call_shots(game->rules)) {
         setup_.intent = Intent::pocket;
         setup_.pocket = line.pocket;
     }

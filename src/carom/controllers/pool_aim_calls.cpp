@@ -2,15 +2,14 @@
 
 #include "carom/controllers/pool_aim.h"
 #include "game/commands/aiming.h"
+#include "game/referees/referee.h"
 
 /// What the next shot calls.
 namespace carom {
 
 bool PoolAim::call_pocket(const Session& session, Vec2 place) {
     const PoolPlay* game = play(session);
-    if (!game || game->rules.game != PoolGame::eight_ball ||
-        game->rules.phase != PoolPhase::playing)
-        return false;
+    if (!game || !may_call_shots(game->rules)) return false;
     const auto& pockets = session.scene().pool.pockets;
     for (std::size_t i = 0; i < pockets.size(); ++i) {
         const Capsule& shape = session.scene().world.zones[pockets[i]].shape;
@@ -25,11 +24,12 @@ bool PoolAim::call_pocket(const Session& session, Vec2 place) {
 std::string PoolAim::next_call(const Session& session) {
     const PoolPlay* game = play(session);
     if (!game || game->rules.phase != PoolPhase::playing) return "nothing is called now";
-    if (game->rules.game == PoolGame::nine_ball) {
-        if (!game->rules.may_push_out) return "in 9-ball nothing is called";
+    if (game->rules.may_push_out) {
         setup_.intent = setup_.intent == Intent::push_out ? Intent::automatic : Intent::push_out;
         return setup_.intent == Intent::push_out ? "push-out" : "no push-out";
     }
+    if (const auto why = game->rules.referee->why_no_call(game->rules); !why.empty())
+        return std::string(why);
     setup_.intent = setup_.intent == Intent::safety ? Intent::automatic : Intent::safety;
     return setup_.intent == Intent::safety
                ? "safety: the turn passes"
@@ -41,10 +41,9 @@ PoolCall PoolAim::call(const Session& session) const {
     const PoolPlay* game = play(session);
     if (!game || game->rules.phase != PoolPhase::playing) return {};
     const PoolState& rules = game->rules;
-    if (rules.game == PoolGame::nine_ball) {
-        const bool pushes = rules.may_push_out && setup_.intent == Intent::push_out;
-        return pushes ? PoolCall{PoolCall::Kind::push_out, 0, 0} : PoolCall{};
-    }
+    if (rules.may_push_out && setup_.intent == Intent::push_out)
+        return {PoolCall::Kind::push_out, 0, 0};
+    if (!may_call_shots(rules)) return {};
     if (setup_.intent == Intent::safety) return {PoolCall::Kind::safety, 0, 0};
     const auto* ahead = forecast_ ? std::get_if<PoolPlay>(&forecast_->game) : nullptr;
     if (ahead)

@@ -6,6 +6,7 @@
 
 #include "game/ai/pool_value.h"
 #include "game/commands/aiming.h"
+#include "game/referees/referee.h"
 #include "geometry/unit.h"
 #include "physics/world/random.h"
 
@@ -122,7 +123,7 @@ void PoolThinker::add_pot(const PotLine& line, std::optional<Vec2> place, Vec2 d
     thought.place = place;
     thought.ball = number_of(play_, line.object);
     thought.pocket = line.pocket;
-    if (play_.rules.game == PoolGame::eight_ball)
+    if (may_call_shots(play_.rules))
         thought.call = {PoolCall::Kind::pot, *thought.ball, line.pocket};
     thought.strike = {*play_.balls[cue_ball], direction * std::min(speed, most_speed_), side,
                       follow};
@@ -166,8 +167,8 @@ void PoolThinker::propose_hits(Vec2 from) {
         candidate.thought.ball = number_of(play_, object);
         candidates_.push_back(candidate);
     };
-    const bool is_eight = play_.rules.game == PoolGame::eight_ball;
-    const PoolCall safety{is_eight ? PoolCall::Kind::safety : PoolCall::Kind::none, 0, 0};
+    const bool calls = may_call_shots(play_.rules);
+    const PoolCall safety{calls ? PoolCall::Kind::safety : PoolCall::Kind::none, 0, 0};
     for (const BallId object : legal_balls(play_))
         for (const Vec2 way : hit_directions(scene_, world_, cloth_, cue, from, object))
             for (const double speed : {0.7, 1.2, 2.2}) {

@@ -5,6 +5,7 @@
 #include "game/ai/planner.h"
 #include "game/ai/pool_value.h"
 #include "game/pool/pool_words.h"
+#include "game/referees/referee.h"
 #include "physics/world/random.h"
 
 /// What a thought says, and what it does.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/referees/referee.h"
 #include "geometry/elementary.h"
 
 namespace carom {
@@ -11,21 +12,6 @@ namespace {
 constexpr double value_of_hand = 0.75;  ///< with the ball in hand
 constexpr double value_of_choosing = 0.5;
 constexpr double value_of_ball = 0.06;
-
-int left_of(const PoolState& rules, PoolGroup group) {
-    int left = 0;
-    for (int ball = 1; ball < 16; ++ball)
-        if (group_of(ball) == group && !is_down(rules, ball)) ++left;
-    return left;
-}
-
-// 8-ball: how far ahead the player is.
-double lead(const PoolState& rules) {
-    const auto group = group_of_player(rules, rules.player);
-    if (rules.game != PoolGame::eight_ball || !group) return 0.0;
-    const auto other = *group == PoolGroup::solids ? PoolGroup::stripes : PoolGroup::solids;
-    return value_of_ball * (left_of(rules, other) - left_of(rules, *group));
-}
 
 }  // namespace
 
@@ -49,7 +35,7 @@ Outlook outlook(const Scene& scene, const World& world, const PoolPlay& play, co
     const PoolState& rules = play.rules;
     if (rules.winner) return {*rules.winner == rules.player ? 1.0 : -1.0, std::nullopt, 0.0};
     if (rules.phase == PoolPhase::breaking) return {0.1, std::nullopt, 0.0};
-    const double ahead = lead(rules);
+    const double ahead = value_of_ball * rules.referee->lead(rules);
     const auto cue = play.balls[cue_ball];
     if (!cue || rules.in_hand != CueInHand::no)
         return {std::min(0.95, value_of_hand + ahead), std::nullopt, 0.0};

@@ -5,7 +5,7 @@
 #include <string>
 #include <variant>
 
-#include "game/referees/pool_rules.h"
+#include "game/referees/pool_state.h"
 #include "level/scene/pinball_table.h"
 #include "physics/solver.h"
 #include "physics/world/world.h"

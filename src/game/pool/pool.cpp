@@ -4,13 +4,14 @@
 #include <iterator>
 
 #include "game/fold.h"
+#include "game/referees/referee.h"
 #include "geometry/impact.h"
+#include "level/scene/games.h"
 
 namespace carom {
 
 const Rack& rack_of(const Scene& scene) {
-    const auto wanted = scene.game == "eightball" ? Rack::Shape::eight : Rack::Shape::nine;
-    return *std::ranges::find(scene.pool.racks, wanted, &Rack::shape);
+    return *std::ranges::find(scene.pool.racks, game_named(scene.game)->rack, &Rack::layout);
 }
 
 namespace {
@@ -180,7 +181,7 @@ std::uint64_t folded(std::uint64_t start, const PoolPlay& play) {
         }
     };
     const PoolState& rules = play.rules;
-    add(rules.game);
+    add(rules.referee->id());
     add(rules.options.nine_on_break_wins);
     add(rules.options.fouls_that_lose);
     add(rules.phase);
@@ -251,11 +252,11 @@ Vec2 head_spot(const Scene& scene) {
 }
 
 std::optional<PoolPlay> begin_pool(const Scene& scene, int breaker) {
-    if (scene.game != "eightball" && scene.game != "nineball") return std::nullopt;
+    const Referee* referee = referee_of(scene.game);
+    if (!referee) return std::nullopt;
     PoolPlay play;
     play.breaker = breaker;
-    play.rules =
-        begin_rack(scene.game == "eightball" ? PoolGame::eight_ball : PoolGame::nine_ball, breaker);
+    play.rules = begin_rack(*referee, breaker);
     const int count = static_cast<int>(rack_of(scene).balls.size());
     for (int ball = 0; ball <= count; ++ball)
         play.balls[static_cast<std::size_t>(ball)] = first_id(scene, ball);
@@ -292,7 +293,7 @@ void rack_again(const Scene& scene, World& world, PoolPlay& play) {
     if (match_winner(play)) play.frames = {};
     play.clock_from = world.tick;
     if (play.rules.phase == PoolPhase::over) play.breaker = 1 - play.breaker;
-    play.rules = begin_rack(play.rules.game, play.breaker, play.rules.options);
+    play.rules = begin_rack(*play.rules.referee, play.breaker, play.rules.options);
     play.call = {};
     play.shot = {};
     play.shooter.reset();

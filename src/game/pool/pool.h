@@ -7,7 +7,7 @@
 #include <string>
 
 #include "game/commands/command.h"
-#include "game/referees/pool_rules.h"
+#include "game/referees/pool_state.h"
 #include "level/scene/scene.h"
 #include "physics/world/contact.h"
 #include "physics/world/world.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "game/pool/pool.h"
+#include "game/referees/referee.h"
 
 /// What the rules of pool do not let a player do.
 namespace carom {
@@ -38,8 +39,8 @@ Refusal refused(const Scene& scene, const World&, const PoolPlay& play,
     if (call.call.kind == push_out)
         return play.rules.may_push_out ? Refusal{} : "a push-out is for the shot after the break";
     if (call.call.kind == none) return std::nullopt;
-    if (play.rules.game == PoolGame::nine_ball) return "in 9-ball nothing is called";
-    if (play.rules.phase == PoolPhase::breaking) return "nothing is called on the break";
+    if (const auto why = play.rules.referee->why_no_call(play.rules); !why.empty())
+        return std::string(why);
     if (call.call.kind == safety) return std::nullopt;
     const int last = static_cast<int>(rack_of(scene).balls.size());
     if (call.call.ball < 1 || call.call.ball > last ||

@@ -2,18 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "game/referees/referee.h"
+
 namespace carom {
 namespace {
 
 const std::string& name_of(const PlayerNames& names, int player) {
     return names[static_cast<std::size_t>(player)];
-}
-
-int balls_left(const PoolPlay& play, PoolGroup group) {
-    int left = 0;
-    for (int ball = 1; ball < 16; ++ball)
-        if (group_of(ball) == group && !is_down(play.rules, ball)) ++left;
-    return left;
 }
 
 // "you: wins the frame", and the match where that was its last.
@@ -25,16 +20,10 @@ std::string win_text(const PoolPlay& play, const PlayerNames& names) {
     return name_of(names, *play.rules.winner) + ": wins the frame";
 }
 
-// What the player plays for: "solids, 5 left", "on the 8", "on the 3".
-std::string target_text(const PoolPlay& play) {
-    const PoolState& rules = play.rules;
+// What the player plays for: ", solids, 5 left", ", on the 8", ", on the 3".
+std::string target_text(const PoolState& rules) {
     if (rules.phase == PoolPhase::breaking) return "";
-    if (rules.game == PoolGame::nine_ball) return fmt::format(", on the {}", lowest_ball(rules));
-    const auto group = group_of_player(rules, rules.player);
-    if (!group) return ", open table";
-    const int left = balls_left(play, *group);
-    if (left == 0) return ", on the 8";
-    return fmt::format(", {}, {} left", *group == PoolGroup::solids ? "solids" : "stripes", left);
+    return ", " + rules.referee->target_text(rules);
 }
 
 std::string task_text(const PoolPlay& play) {
@@ -129,7 +118,7 @@ std::string turn_text(const PoolPlay& play, const PlayerNames& names) {
     const std::string race = play.race > 0 ? fmt::format(" to {},", play.race) : "";
     const std::string frames = fmt::format("{}:{}{} ", play.frames[0], play.frames[1], race);
     if (rules.winner) return frames + win_text(play, names);
-    return frames + name_of(names, rules.player) + target_text(play) + ": " + task_text(play);
+    return frames + name_of(names, rules.player) + target_text(rules) + ": " + task_text(play);
 }
 
 std::string clock_text(const World& world, const PoolPlay& play) {

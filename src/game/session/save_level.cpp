@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 
+#include "game/referees/referee.h"
 #include "geometry/elementary.h"
 #include "physics/tick/totals.h"
 
@@ -92,8 +93,7 @@ class LevelWriter {
         line("seed {}", world_.seed);
         if (scene_.solver) line("solver {}", settings_text(*scene_.solver, SettingsText::used));
         // A game of pool begins with a rack, which is written here as balls that lie somewhere.
-        const bool is_pool = scene_.game == "eightball" || scene_.game == "nineball";
-        if (scene_.game != "sandbox" && !is_pool) line("game {}", scene_.game);
+        if (scene_.game != "sandbox" && !referee_of(scene_.game)) line("game {}", scene_.game);
         line("world {} {}", place(scene_.view.low), place(scene_.view.high));
     }
 

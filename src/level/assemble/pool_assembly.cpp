@@ -9,10 +9,6 @@
 namespace carom {
 namespace {
 
-bool is_pool_game(const LevelSettings& settings) {
-    return settings.game == "eightball" || settings.game == "nineball";
-}
-
 void check_cloth(const LoadOptions& options, Context& context) {
     const LevelSettings& settings = context.ir.settings;
     if (!settings.cloth) return;
@@ -46,18 +42,16 @@ void check_pockets(const std::vector<StartingBall>& balls, Context& context) {
 
 void check_game(Context& context) {
     const LevelIr& ir = context.ir;
-    if (!is_pool_game(ir.settings) || context.reporter.has_errors()) return;
-    const bool is_eight = ir.settings.game == "eightball";
-    const auto wanted = is_eight ? Rack::Shape::eight : Rack::Shape::nine;
+    const GameRow* game = ir.settings.game ? game_named(*ir.settings.game) : nullptr;
+    if (!game || !game->rack || context.reporter.has_errors()) return;
     const auto needs = [&](std::string_view what, std::string_view line) {
         context.reporter.error("game-lacks-part", *ir.settings.game_at,
-                               fmt::format("game {} needs {}", *ir.settings.game, what),
+                               fmt::format("game {} needs {}", game->name, what),
                                fmt::format("add a line such as: {}", line));
     };
-    const auto racks = std::ranges::count(ir.racks, wanted, &RackIr::shape);
-    if (racks != 1)
-        needs(is_eight ? "one rack eight" : "one rack nine",
-              is_eight ? "rack eight kind=pool at=635,0" : "rack nine kind=pool at=635,0");
+    if (std::ranges::count(ir.racks, game->rack, &RackIr::layout) != 1)
+        needs(fmt::format("one {}", game->rack->statement),
+              fmt::format("{} kind=pool at=635,0", game->rack->statement));
     if (ir.cues.size() != 1) needs("one cue", "cue ball=cue power=0..10m/s");
     if (std::ranges::none_of(ir.zones, &ZoneIr::is_pocket))
         needs("pockets", "pocket corner at=1299.5,664.5 r=62");
@@ -77,7 +71,7 @@ void fill_in_pool(const std::vector<StartingBall>& balls,
     const LevelIr& ir = context.ir;
     for (const RackIr& from : ir.racks) {
         Rack rack;
-        rack.shape = from.shape;
+        rack.layout = from.layout;
         rack.foot = from.foot;
         rack.toward = from.toward;
         for (std::size_t i = 0; i < balls.size(); ++i)

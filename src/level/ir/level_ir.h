@@ -123,7 +123,7 @@ struct RuleIr {
 
 /// The place of a rack. Its balls are among LevelIr::balls.
 struct RackIr {
-    Rack::Shape shape = Rack::Shape::eight;
+    const RackLayout* layout = nullptr;
     Vec2 foot;
     Vec2 toward;
     int binding = 0;  ///< index into LevelIr::ball_bindings

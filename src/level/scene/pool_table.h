@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/vec2.h"
+#include "level/scene/games.h"
 #include "physics/world/ids.h"
 
 /// The pool table of a level: its cue, racks, pockets, and the length of a match.
@@ -18,8 +19,7 @@ struct Cue {
 };
 
 struct Rack {
-    enum class Shape : std::uint8_t { eight, nine, triangle };
-    Shape shape = Shape::eight;
+    const RackLayout* layout = nullptr;
     /// Ball n is balls[n - 1]. The balls of a triangle are numbered row by row.
     std::vector<BallId> balls;
     Vec2 foot;    ///< the foot spot: the position of the apex ball

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "level/ir/arguments.h"
+#include "level/scene/games.h"
 #include "level/statements/families.h"
 #include "level/statements/rules.h"
 #include "level/text/spelling.h"
@@ -18,11 +19,12 @@ void set_pinball(const Arguments& arguments, PinballTable& table) {
 }
 
 void set_game(const Arguments& arguments, const Frame&, Context& context) {
+    using enum GameRow::Family;
     const Word& word = arguments.plain.front();
     context.ir.settings.game_at = word.span();
-    const bool is_pinball = word.text == "pinball";
-    const bool is_pool = word.text == "eightball" || word.text == "nineball";
-    if (!is_pinball && !is_pool && !arguments.values.empty()) {
+    const GameRow* game = game_named(word.text);
+    const GameRow::Family family = game ? game->family : none;
+    if (family == none && !arguments.values.empty()) {
         context.reporter.error("game-without-keys", word.span(),
                                fmt::format("game {} has no keys", word.text),
                                "balls=, save=, tilt= and the like belong to game pinball, race= "
@@ -31,24 +33,26 @@ void set_game(const Arguments& arguments, const Frame&, Context& context) {
     }
     for (const auto& [key, value] : arguments.values) {
         const bool is_of_pool = key == "race" || key == "clock";
-        if (is_of_pool == is_pool) continue;
+        if (is_of_pool == (family == pool)) continue;
         context.reporter.error("game-key-of-other-game", arguments.span_of(key),
                                fmt::format("game {} has no {}=", word.text, key),
-                               is_pool ? "a game of pool has race= and clock="
-                                       : "race= and clock= belong to games of pool");
+                               family == pool ? "a game of pool has race= and clock="
+                                              : "race= and clock= belong to games of pool");
         return;
     }
-    if (is_pinball || is_pool || word.text == "sandbox" || word.text == "galton") {
-        context.ir.settings.game = std::string(word.text);
-        if (is_pinball) set_pinball(arguments, context.ir.settings.table);
-        if (arguments.has("race")) context.ir.settings.race = arguments.count("race");
-        context.ir.settings.clock = arguments.number_or("clock", 0.0);
+    if (!game) {
+        std::vector<std::string_view> known;
+        for (const GameRow& row : game_rows())
+            known.push_back(row.name);
+        context.reporter.error(
+            "unknown-game", word.span(), fmt::format("there is no game '{}'", word.text),
+            did_you_mean(word.text, known, fmt::format("there are: {}", game_names(" "))));
         return;
     }
-    context.reporter.error(
-        "unknown-game", word.span(), fmt::format("there is no game '{}'", word.text),
-        did_you_mean(word.text, {"sandbox", "galton", "eightball", "nineball", "pinball"},
-                     "there are: sandbox galton eightball nineball pinball"));
+    context.ir.settings.game = std::string(word.text);
+    if (family == pinball) set_pinball(arguments, context.ir.settings.table);
+    if (arguments.has("race")) context.ir.settings.race = arguments.count("race");
+    context.ir.settings.clock = arguments.number_or("clock", 0.0);
 }
 
 }  // namespace
@@ -56,10 +60,12 @@ void set_game(const Arguments& arguments, const Frame&, Context& context) {
 std::vector<Statement> game_statements() {
     using enum KeyShape;
     using enum Bound;
+    static const std::string game_usage =
+        "game " + game_names("|") +
+        " [race=N] [clock=TIME] [balls=N] [save=TIME] [tilt=N] [bonus=N] [highscores=N]";
     return {
         {.name = "game",
-         .usage = "game sandbox|galton|eightball|nineball|pinball [race=N] [clock=TIME] [balls=N] "
-                  "[save=TIME] [tilt=N] [bonus=N] [highscores=N]",
+         .usage = game_usage,
          .action = set_game,
          .place = Place::top,
          .plain_least = 1,

@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 #include "geometry/elementary.h"
 #include "level/ir/arguments.h"
 #include "level/ir/emit.h"
+#include "level/scene/games.h"
 #include "level/statements/families.h"
 #include "level/statements/keys.h"
 #include "level/text/spelling.h"
@@ -19,48 +19,47 @@ constexpr double row_height = 0.86602540378443865;  // sqrt(3)/2: equal gaps all
 
 // The places of a rack, row by row from the apex, in units of the distance between neighbours: x
 // away from the apex, y to the left.
-std::vector<Vec2> places_of(Rack::Shape shape) {
-    const std::vector<int> rows =
-        shape == Rack::Shape::nine ? std::vector{1, 2, 3, 2, 1} : std::vector{1, 2, 3, 4, 5};
+std::vector<Vec2> places_of(const RackLayout& layout) {
     std::vector<Vec2> places;
-    for (std::size_t row = 0; row < rows.size(); ++row)
-        for (int i = 0; i < rows[row]; ++i)
-            places.push_back({static_cast<double>(row) * row_height, 0.5 * (rows[row] - 1.0) - i});
+    for (std::size_t row = 0; row < layout.rows.size(); ++row) {
+        const int count = layout.rows[row];
+        for (int i = 0; i < count; ++i)
+            places.push_back({static_cast<double>(row) * row_height, 0.5 * (count - 1.0) - i});
+    }
     return places;
+}
+
+// Puts one ball of each group into the rear corners, where both would be of one group.
+void part_groups(const RackLayout& layout, std::vector<int>& numbers) {
+    const std::size_t right = numbers.size() - 1;
+    const std::size_t left = numbers.size() - static_cast<std::size_t>(layout.rows.back());
+    const auto is_low = [&](std::size_t place) { return numbers[place] < layout.group_border; };
+    const auto is_placed = [&](std::size_t place) {
+        return std::ranges::count(layout.placed, static_cast<int>(place),
+                                  &RackLayout::Placed::place) > 0;
+    };
+    if (is_low(left) != is_low(right)) return;
+    const bool wants_low = !is_low(left);
+    for (std::size_t i = 0; i < right; ++i) {
+        if (i == left || is_placed(i) || is_low(i) != wants_low) continue;
+        return std::swap(numbers[i], numbers[right]);
+    }
 }
 
 // The number of the ball at each place: shuffled by the seed, but for the places that the rules
 // prescribe.
-std::vector<int> numbers_of(Rack::Shape shape, std::uint64_t seed) {
-    std::vector<int> numbers(shape == Rack::Shape::nine ? 9 : 15);
+std::vector<int> numbers_of(const RackLayout& layout, std::uint64_t seed) {
+    std::vector<int> numbers(static_cast<std::size_t>(layout.balls()));
     std::iota(numbers.begin(), numbers.end(), 1);
-    if (shape == Rack::Shape::triangle) return numbers;
+    if (!layout.is_shuffled) return numbers;
     for (std::size_t i = numbers.size(); i-- > 1;) {
         const std::uint64_t other = random_bits(seed, RandomStream::rack, 0, i) % (i + 1);
         std::swap(numbers[i], numbers[static_cast<std::size_t>(other)]);
     }
-    const auto put = [&](int number, std::size_t place) {
-        std::swap(*std::ranges::find(numbers, number), numbers[place]);
-    };
-    constexpr std::size_t apex = 0;
-    constexpr std::size_t middle = 4;
-    if (shape == Rack::Shape::nine) {
-        put(1, apex);
-        put(9, middle);
-        return numbers;
-    }
-    constexpr std::size_t left = 10;
-    constexpr std::size_t right = 14;
-    put(8, middle);
-    // The rules want a solid and a stripe in the back corners.
-    if ((numbers[left] < 8) == (numbers[right] < 8)) {
-        const bool wants_solid = numbers[left] > 8;
-        for (std::size_t i = 0; i < right; ++i) {
-            if (i == left || i == middle || (numbers[i] < 8) != wants_solid) continue;
-            std::swap(numbers[i], numbers[right]);
-            break;
-        }
-    }
+    for (const RackLayout::Placed& placed : layout.placed)
+        std::swap(*std::ranges::find(numbers, placed.ball),
+                  numbers[static_cast<std::size_t>(placed.place)]);
+    if (layout.group_border > 0) part_groups(layout, numbers);
     return numbers;
 }
 
@@ -77,10 +76,9 @@ std::optional<Vec2> toward_of(const Arguments& arguments, Context& context) {
     return std::nullopt;
 }
 
-void build_rack(Rack::Shape shape, const Arguments& arguments, const Frame& frame,
-                Context& context) {
+void build_rack(const Arguments& arguments, const Frame& frame, Context& context) {
     RackIr rack;
-    rack.shape = shape;
+    rack.layout = rack_layout(arguments.statement->name);
     const auto toward = toward_of(arguments, context);
     if (!toward) return;
     BallBinding binding;
@@ -91,9 +89,9 @@ void build_rack(Rack::Shape shape, const Arguments& arguments, const Frame& fram
     rack.binding = name_balls(binding, context);
     rack.foot = arguments.pair_or("at", {});
     rack.toward = *toward;
-    const std::vector<Vec2> places = places_of(rack.shape);
+    const std::vector<Vec2> places = places_of(*rack.layout);
     const auto seed = static_cast<std::uint64_t>(arguments.number_or("seed", 0.0));
-    const std::vector<int> numbers = numbers_of(rack.shape, seed);
+    const std::vector<int> numbers = numbers_of(*rack.layout, seed);
     const double gap = arguments.number_or("gap", 0.0);
     const bool is_shaken = arguments.has("seed");
     for (int number = 1; number <= static_cast<int>(numbers.size()); ++number) {
@@ -135,18 +133,30 @@ void add_cue(const Arguments& arguments, const Frame&, Context& context) {
     context.ir.cues.push_back({*arguments.word("ball"), power[0], power[1]});
 }
 
-Statement rack(std::string_view name, std::string_view usage, StatementAction action) {
-    return {.name = name,
-            .usage = usage,
-            .action = action,
-            .place = Place::top,
-            .plain_most = 1,
-            .keys = {keys::at,
-                     keys::kind,
-                     {"toward", KeyShape::word},
-                     {"gap", KeyShape::scalar, Measure::length, Bound::not_negative},
-                     {"seed", KeyShape::scalar, Measure::whole, Bound::not_negative}},
-            .binds_names = true};
+// One statement for each layout.
+std::vector<Statement> rack_statements() {
+    static const std::vector<std::string> usages = [] {
+        std::vector<std::string> lines;
+        for (const RackLayout& layout : rack_layouts())
+            lines.push_back(std::string(layout.statement) +
+                            " [NAME] at=X,Y [kind=] [toward=east|west|north|south] [gap=] [seed=]");
+        return lines;
+    }();
+    std::vector<Statement> statements;
+    for (const RackLayout& layout : rack_layouts())
+        statements.push_back(
+            {.name = layout.statement,
+             .usage = usages[statements.size()],
+             .action = build_rack,
+             .place = Place::top,
+             .plain_most = 1,
+             .keys = {keys::at,
+                      keys::kind,
+                      {"toward", KeyShape::word},
+                      {"gap", KeyShape::scalar, Measure::length, Bound::not_negative},
+                      {"seed", KeyShape::scalar, Measure::whole, Bound::not_negative}},
+             .binds_names = true});
+    return statements;
 }
 
 }  // namespace
@@ -154,22 +164,8 @@ Statement rack(std::string_view name, std::string_view usage, StatementAction ac
 std::vector<Statement> pool_statements() {
     using enum KeyShape;
     using enum Bound;
-    return {
-        rack("rack eight",
-             "rack eight [NAME] at=X,Y [kind=] [toward=east|west|north|south] [gap=] [seed=]",
-             [](const Arguments& arguments, const Frame& frame, Context& context) {
-                 build_rack(Rack::Shape::eight, arguments, frame, context);
-             }),
-        rack("rack nine",
-             "rack nine [NAME] at=X,Y [kind=] [toward=east|west|north|south] [gap=] [seed=]",
-             [](const Arguments& arguments, const Frame& frame, Context& context) {
-                 build_rack(Rack::Shape::nine, arguments, frame, context);
-             }),
-        rack("rack triangle",
-             "rack triangle [NAME] at=X,Y [kind=] [toward=east|west|north|south] [gap=] [seed=]",
-             [](const Arguments& arguments, const Frame& frame, Context& context) {
-                 build_rack(Rack::Shape::triangle, arguments, frame, context);
-             }),
+    std::vector<Statement> statements = rack_statements();
+    const std::vector<Statement> others{
         {.name = "pocket",
          .usage = "pocket [NAME] at=X,Y r=",
          .action = build_pocket,
@@ -184,6 +180,8 @@ std::vector<Statement> pool_statements() {
                   {"power", range, Measure::speed, not_negative, true}},
          .is_unique = true},
     };
+    statements.insert(statements.end(), others.begin(), others.end());
+    return statements;
 }
 
 }  // namespace carom

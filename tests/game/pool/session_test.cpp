@@ -7,6 +7,7 @@
 #include "game/ai/pool_shots.h"
 #include "game/ai/pool_value.h"
 #include "game/pool/pool.h"
+#include "game/referees/referee.h"
 #include "game/replay/replay_text.h"
 #include "game/replay/replayer.h"
 #include "game/session/forecast.h"
@@ -56,7 +57,7 @@ void play_turn(Match& match) {
     }
     if (rules.phase == PoolPhase::breaking) return match.break_hard();
     const Session& session = match.session;
-    const bool is_eight = rules.game == PoolGame::eight_ball;
+    const bool calls = may_call_shots(rules);
     const Box cloth = *cloth_box(session.scene());
     const std::vector<BallId> balls = legal_balls(match.play());
     REQUIRE_FALSE(balls.empty());
@@ -68,20 +69,20 @@ void play_turn(Match& match) {
         for (const double speed : {1.5, 3.0}) {
             PoolPlay play = match.play();
             const int ball = *number_of(play, line.object);
-            if (is_eight) play.call = {PoolCall::Kind::pot, ball, line.pocket};
+            if (calls) play.call = {PoolCall::Kind::pot, ball, line.pocket};
             const command::Strike strike{match.cue(), line.direction * speed};
             const Forecast ahead = forecast(session.scene(), session.world(), play, solver, strike,
                                             60.0, Tracks::none);
             const PoolState& then = std::get<PoolPlay>(ahead.game).rules;
             const bool wins = then.winner == rules.player;
             if (!wins && (then.winner || then.player != rules.player)) continue;
-            if (is_eight) REQUIRE_FALSE(match.session.apply(command::CallShot{play.call}));
+            if (calls) REQUIRE_FALSE(match.session.apply(command::CallShot{play.call}));
             REQUIRE_FALSE(match.session.apply(strike));
             return match.wait();
         }
     const auto ways = hit_directions(session.scene(), session.world(), cloth, match.cue(),
                                      match.place_of(0), balls.front());
-    if (is_eight) REQUIRE_FALSE(match.session.apply(command::CallShot{{PoolCall::Kind::safety}}));
+    if (calls) REQUIRE_FALSE(match.session.apply(command::CallShot{{PoolCall::Kind::safety}}));
     const std::uint32_t shots = match.play().shots;
     const Vec2 way = ways.empty() ? Vec2{1.0, 0.2} : ways[shots % ways.size()];
     REQUIRE_FALSE(match.shoot(way * (1.2 + 0.4 * (shots % 7))));
