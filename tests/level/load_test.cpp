@@ -381,10 +381,10 @@ TEST_CASE("expect resolves its quantity") {
         "expect collisions 10 within 0\nexpect a.vx 1.5 within 1e-9 at=2\n"
         "expect variance_ratio(bins) 1 within 0.05\n");
     REQUIRE(scene.expects.size() == 3);
-    CHECK(scene.expects[0].what.kind == QuantityKind::collisions);
+    CHECK(scene.expects[0].what.kind == quantity_named("collisions"));
     CHECK(scene.expects[0].value == 10.0);
     CHECK_FALSE(scene.expects[0].at);
-    CHECK(scene.expects[1].what.kind == QuantityKind::vx);
+    CHECK(scene.expects[1].what.kind == quantity_named("vx"));
     CHECK(scene.expects[1].what.ball == scene.world.balls.id[0]);
     CHECK(*scene.expects[1].at == 2.0);
     CHECK(scene.expects[2].what.counters == std::vector<std::uint32_t>{0, 1, 2});

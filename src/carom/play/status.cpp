@@ -94,11 +94,10 @@ std::vector<HudCheck> checks_of(const PlayContext& play) {
     const Scene& scene = play.session.scene();
     if (scene.overridden) return checks;
     for (const Expect& expect : scene.expects) {
-        using enum QuantityKind;
-        if (expect.what.kind == escaped || expect.what.kind == overlap) continue;
+        if (expect.what.kind->scope == QuantityScope::run) continue;
         // The histogram says these.
         if (is_of_bins(expect.what.kind) && play.panels.is_histogram_drawn()) continue;
-        if (const auto measured = measure(expect.what, play.session.world(), {}))
+        if (const auto measured = measure(expect.what, play.session.world(), nullptr))
             checks.push_back({expect.quantity, *measured, expect.value, expect.tolerance});
     }
     return checks;

@@ -6,10 +6,7 @@
 
 #include "lab/measure/difference.h"
 #include "lab/measure/horizons.h"
-#include "lab/run/conservation.h"
-#include "lab/run/escape.h"
 #include "lab/run/run_record.h"
-#include "physics/tick/totals.h"
 
 namespace carom {
 namespace {
@@ -108,14 +105,23 @@ ErrorAt error_at(const Truth& truth, std::size_t horizon, const World& world,
             .contacts = order_faults(known.first(truth.met[horizon]), meetings)};
 }
 
+std::vector<std::optional<double>> measured_figures(const RunWatch& watch, const World& world,
+                                                    double radius) {
+    std::vector<std::optional<double>> values;
+    for (const Figure& figure : figures()) {
+        values.push_back(figure.is_in_measure ? watch.value(figure, world) : std::nullopt);
+        if (values.back() && figure.unit == Figure::Unit::length) *values.back() /= radius;
+    }
+    return values;
+}
+
 // The first run of a choice, in which everything is noted; its cost is that of the ticks alone.
 std::optional<Measured> observed(Bench& bench, const Choice& choice, const Truth& truth,
                                  double radius) {
     Measured row{.choice = choice};
     World world = started_at(bench.scene, choice.rate);
     Solver solver(choice.solver);
-    EscapeWatch escape(bench.scene);
-    ConservationWatch conservation(world);
+    RunWatch watch(bench.scene, RunWatch::Conservation::noted);
     std::vector<Meeting> meetings;
     std::uint64_t ball_ticks = 0;
     double seconds = 0.0;
@@ -127,9 +133,7 @@ std::optional<Measured> observed(Bench& bench, const Choice& choice, const Truth
         if (ticked.outcome == TickOutcome::too_dense) ++row.too_dense;
         seconds += ticked.seconds;
         ball_ticks += world.balls.size();
-        row.max_overlap = std::max(row.max_overlap, deepest_overlap(world) / radius);
-        escape.note_births(world);
-        conservation.note(world);
+        watch.note_tick(world);
         const std::size_t next = row.errors.size();
         if (next < truth.positions.size()) {
             note_meetings(meetings, solver.contacts());
@@ -139,9 +143,7 @@ std::optional<Measured> observed(Bench& bench, const Choice& choice, const Truth
     }
     row.cost = {seconds, seconds};
     row.ball_seconds = static_cast<double>(ball_ticks) / choice.rate;
-    row.energy_drift = conservation.energy_drift();
-    row.momentum_drift = conservation.momentum_drift();
-    row.escaped = escape.escaped(world);
+    row.figures = measured_figures(watch, world, radius);
     return row;
 }
 
@@ -252,6 +254,11 @@ std::optional<Measurement> measure(const Scene& scene, const MeasureSettings& se
     }
     measurement.headline = headline_of(measurement, settings.horizon);
     return measurement;
+}
+
+std::optional<double> figure_of(const Measured& row, std::string_view key) {
+    const auto figure = std::ranges::find(figures(), key, &Figure::key);
+    return row.figures[static_cast<std::size_t>(figure - figures().begin())];
 }
 
 std::optional<double> ns_per_ball_second(const Measured& row, double seconds) {

@@ -2,13 +2,14 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "lab/hooks.h"
 #include "lab/measure/contact_order.h"
 #include "lab/measure/pareto.h"
 #include "lab/run/choice.h"
+#include "lab/run/figures.h"
 #include "level/scene/scene.h"
 
 /// The trade between cost and error, measured: every solver at a range of rates against the
@@ -48,16 +49,9 @@ struct Measured {
     double ball_seconds = 0.0;    ///< balls that there were, each times how long it was there
     std::vector<ErrorAt> errors;  ///< by Measurement::horizons
     double good_for = 0.0;        ///< s: the last horizon up to which the error is tolerated
-    /// Largest change of the energy since the start, relative to the largest kinetic energy. Where
-    /// the scene itself takes energy away, only a rise counts, for which there is no excuse. None
-    /// where the scene brings energy.
-    std::optional<double> energy_drift;
-    /// Largest change of the momentum, relative to the largest sum of magnitudes. None where the
-    /// scene does not keep it.
-    std::optional<double> momentum_drift;
-    double max_overlap = 0.0;  ///< deepest at the end of any tick, radii
-    /// Balls outside the closed outline that they started in, at the end.
-    std::size_t escaped = 0;
+    /// By figures(), of the whole run, lengths in radii; none also where `carom measure` does not
+    /// have the figure.
+    std::vector<std::optional<double>> figures;
     std::uint64_t too_dense = 0;  ///< ticks in which time stood still (TickOutcome::too_dense)
 };
 
@@ -88,6 +82,9 @@ struct Measurement {
 /// has what was complete by then. Pre: settings are in range, and every solver of theirs is there.
 std::optional<Measurement> measure(const Scene& scene, const MeasureSettings& settings,
                                    const LabHooks& hooks);
+
+/// The figure with that key (figures.h) of a row. Pre: `carom measure` has it.
+std::optional<double> figure_of(const Measured& row, std::string_view key);
 
 /// Nanoseconds of the clock for a ball and a simulated second, of a cost in seconds of `row`; none
 /// where there was no ball.

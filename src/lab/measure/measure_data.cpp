@@ -75,10 +75,8 @@ void write_rows(JsonWriter& json, const Measurement& measurement) {
         write_choice(json, row.choice);
         json.field("own", row.choice == measurement.own);
         json.field("good_for", row.good_for);
-        write_optional(json, "energy_drift", row.energy_drift);
-        write_optional(json, "momentum_drift", row.momentum_drift);
-        json.field("max_overlap", row.max_overlap);
-        json.field("escaped", std::uint64_t{row.escaped});
+        for (std::size_t k = 0; k < figures().size(); ++k)
+            if (figures()[k].is_in_measure) write_figure(json, figures()[k], row.figures[k]);
         json.field("too_dense_ticks", row.too_dense);
         write_errors(json, measurement, row);
         write_cost(json, measurement, row, front[i]);
@@ -120,6 +118,15 @@ void write_picks(JsonWriter& json, const Measurement& measurement,
 std::string csv_number(const std::optional<double>& value) {
     if (!value || !std::isfinite(*value)) return {};
     return fmt::format("{}", *value);
+}
+
+// A cell and a comma for each figure.
+std::string csv_figures(const Measured& row) {
+    std::string cells;
+    for (std::size_t i = 0; i < figures().size(); ++i) {
+        if (figures()[i].is_in_measure) cells += csv_number(row.figures[i]) + ",";
+    }
+    return cells;
 }
 
 // Empty where the solver does not use that count.
@@ -167,25 +174,24 @@ std::string measure_json(std::string_view level, const Measurement& measurement,
 std::string measure_csv(const Measurement& measurement) {
     const std::vector<bool> front = pareto_front(tradeoffs(measurement));
     std::string text =
-        "solver,updates,steps,substeps,rate,time,rms,max,unpaired,missed,extra,out_of_order,"
-        "energy_drift,momentum_drift,max_overlap,escaped,ns_per_ball_second,"
-        "best_ns_per_ball_second,seconds_per_level_tick,pareto\n";
+        "solver,updates,steps,substeps,rate,time,rms,max,unpaired,missed,extra,out_of_order,";
+    for (const Figure& figure : figures())
+        if (figure.is_in_measure) text += fmt::format("{},", figure.key);
+    text += "ns_per_ball_second,best_ns_per_ball_second,seconds_per_level_tick,pareto\n";
     for (std::size_t i = 0; i < measurement.rows.size(); ++i) {
         const Measured& row = measurement.rows[i];
         const SolverSettings& solver = row.choice.solver;
         for (std::size_t k = 0; k < row.errors.size(); ++k) {
             const ErrorAt& error = row.errors[k];
-            fmt::format_to(
-                std::back_inserter(text),
-                "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", name(solver.kind),
-                csv_count(solver, "updates"), csv_count(solver, "steps"),
-                csv_count(solver, "substeps"), row.choice.rate, measurement.horizons[k],
-                csv_number(error.rms), csv_number(error.max), error.unpaired, error.contacts.missed,
-                error.contacts.extra, error.contacts.out_of_order, csv_number(row.energy_drift),
-                csv_number(row.momentum_drift), csv_number(row.max_overlap), row.escaped,
-                csv_number(ns_per_ball_second(row, row.cost.whole)),
-                csv_number(ns_per_ball_second(row, row.cost.best)),
-                seconds_per_level_tick(measurement, row), front[i] ? 1 : 0);
+            fmt::format_to(std::back_inserter(text),
+                           "{},{},{},{},{},{},{},{},{},{},{},{},{}{},{},{},{}\n", name(solver.kind),
+                           csv_count(solver, "updates"), csv_count(solver, "steps"),
+                           csv_count(solver, "substeps"), row.choice.rate, measurement.horizons[k],
+                           csv_number(error.rms), csv_number(error.max), error.unpaired,
+                           error.contacts.missed, error.contacts.extra, error.contacts.out_of_order,
+                           csv_figures(row), csv_number(ns_per_ball_second(row, row.cost.whole)),
+                           csv_number(ns_per_ball_second(row, row.cost.best)),
+                           seconds_per_level_tick(measurement, row), front[i] ? 1 : 0);
         }
     }
     return text;

@@ -94,15 +94,32 @@ std::string cost_table(const Measurement& measurement, const std::vector<bool>& 
     return table.text();
 }
 
+// The figures of the table of faults: those that are counts stand after the faults in the order of
+// contacts, the others before.
+template <class Use>
+void for_each_figure(bool is_count, const Use& use) {
+    for (std::size_t i = 0; i < figures().size(); ++i) {
+        const Figure& figure = figures()[i];
+        if (figure.is_in_measure && (figure.unit == Figure::Unit::count) == is_count)
+            use(figure, i);
+    }
+}
+
 std::string fault_table(const Measurement& measurement, const std::vector<bool>& front) {
-    Table table(
-        {"<", "<solver", "rate", "energy", "mom.", "overlap", "miss", "extra", "order", "out"});
+    std::vector<std::string> heads{"<", "<solver", "rate"};
+    const auto add_head = [&](const Figure& figure, std::size_t) {
+        heads.emplace_back(figure.head);
+    };
+    for_each_figure(false, add_head);
+    heads.insert(heads.end(), {"miss", "extra", "order"});
+    for_each_figure(true, add_head);
+    Table table(heads);
     for (std::size_t i = 0; i < measurement.rows.size(); ++i) {
         const Measured& row = measurement.rows[i];
         std::vector<std::string> cells = first_cells(measurement, i, front);
-        cells.push_back(small(row.energy_drift));
-        cells.push_back(small(row.momentum_drift));
-        cells.push_back(small(row.max_overlap));
+        for_each_figure(false, [&](const Figure&, std::size_t figure) {
+            cells.push_back(small(row.figures[figure]));
+        });
         if (measurement.headline) {
             const OrderFaults& faults = row.errors[*measurement.headline].contacts;
             for (const std::size_t count : {faults.missed, faults.extra, faults.out_of_order})
@@ -110,7 +127,9 @@ std::string fault_table(const Measurement& measurement, const std::vector<bool>&
         } else {
             cells.insert(cells.end(), 3, "-");
         }
-        cells.push_back(fmt::format("{}", row.escaped));
+        for_each_figure(true, [&](const Figure&, std::size_t figure) {
+            cells.push_back(fmt::format("{}", row.figures[figure].value_or(0.0)));
+        });
         table.add(std::move(cells));
     }
     return table.text();

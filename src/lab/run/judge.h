@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "lab/run/figures.h"
 #include "level/scene/quantities.h"
 #include "level/scene/scene.h"
 #include "physics/world/world.h"
@@ -11,15 +12,10 @@
 /// The experiments of a level: what an `expect` measures, and whether it holds.
 namespace carom {
 
-/// What of a run the world does not remember.
-struct RunFacts {
-    double max_overlap = 0.0;   ///< deepest at the end of any tick, a length
-    std::uint64_t escaped = 0;  ///< balls outside the closed outline that they started in
-};
-
 /// The quantity's value now. None where there is none: of a ball that is no longer there, of the
-/// mean of empty bins, of a ratio to a variance of 0. Units: those of the world.
-std::optional<double> measure(const Quantity& quantity, const World& world, const RunFacts& facts);
+/// mean of empty bins, of a ratio to a variance of 0, of a quantity of scope `run` without a watch.
+/// Units: those of the world.
+std::optional<double> measure(const Quantity& quantity, const World& world, const RunWatch* watch);
 
 enum class Verdict : std::uint8_t { holds, fails, not_judged };
 /// "holds", "fails", "not judged".
@@ -32,6 +28,6 @@ struct Judgement {
 };
 
 /// Holds when the value is there and within the tolerance, its ends included.
-Judgement judge(const Expect& expect, const World& world, const RunFacts& facts);
+Judgement judge(const Expect& expect, const World& world, const RunWatch& watch);
 
 }  // namespace carom

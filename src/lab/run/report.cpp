@@ -133,6 +133,16 @@ double energy(const Totals& sums) {
     return sums.kinetic_energy + sums.potential_energy;
 }
 
+std::string summary_of_figures(const RunRecord& record, const World& world) {
+    std::string lines;
+    for (const Figure& figure : figures()) {
+        const auto value = record.watch.value(figure, world);
+        if (!figure.summary.empty() && value)
+            lines += fmt::format(fmt::runtime(figure.summary), *value);
+    }
+    return lines;
+}
+
 // ", or +1.2e-13 of it": what is left of the drift when both numbers look the same.
 std::string change_of(double start, double end) {
     if (start == 0.0 || start == end) return {};
@@ -168,8 +178,8 @@ std::string report_json(std::string_view level, const Scene& scene, const World&
     json.field("ball_ball", world.ball_ball_collisions);
     json.field("ball_edge", world.ball_edge_collisions);
     json.end_object();
-    json.field("max_overlap", record.max_overlap);
-    json.field("escaped", std::uint64_t{record.escape.escaped(world)});
+    for (const Figure& figure : figures())
+        if (figure.is_in_run) write_figure(json, figure, record.watch.value(figure, world));
     write_counters(json, scene, world, record);
     write_expects(json, scene, record);
     write_cost(json, record, seconds);
@@ -188,12 +198,12 @@ std::string summary(const Scene& scene, const World& world, const RunRecord& rec
         "balls       {} now, {} removed\n"
         "collisions  {} of balls, {} with edges\n"
         "energy      {:.6g} at the start, {:.6g} now{}\n"
-        "overlap     {:.3g} at most\n"
+        "{}"
         "fingerprint {}\n",
         scene.title.empty() ? scene.file : scene.title, world.time(), world.tick,
         settings_text(record.solver, SettingsText::used), seconds, world.balls.size(),
         world.removed.size(), world.ball_ball_collisions, world.ball_edge_collisions, start, end,
-        change_of(start, end), record.max_overlap, hexadecimal(fingerprint(world)));
+        change_of(start, end), summary_of_figures(record, world), hexadecimal(fingerprint(world)));
 }
 
 std::string verdicts(const Scene& scene, const RunRecord& record, Verdict verdict) {

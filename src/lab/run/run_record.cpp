@@ -9,16 +9,12 @@ namespace {
 constexpr std::string_view overridden = "the level was changed from outside";
 constexpr std::string_view not_reached = "the run ended before its time";
 
-RunFacts facts_of(const RunRecord& record, const World& world) {
-    return {.max_overlap = record.max_overlap, .escaped = record.escape.escaped(world)};
-}
-
 void judge_due(RunRecord& record, const Scene& scene, const World& world) {
     if (scene.overridden) return;
     for (std::size_t i = 0; i < scene.expects.size(); ++i) {
         const std::optional<double> at = scene.expects[i].at;
         if (!at || std::round(*at * world.rate) != static_cast<double>(world.tick)) continue;
-        record.judgements[i] = judge(scene.expects[i], world, facts_of(record, world));
+        record.judgements[i] = judge(scene.expects[i], world, record.watch);
     }
 }
 
@@ -27,8 +23,7 @@ void judge_due(RunRecord& record, const Scene& scene, const World& world) {
 RunRecord begin_record(const Scene& scene, const SolverSettings& solver) {
     RunRecord record{.solver = solver,
                      .totals_start = totals(scene.world),
-                     .max_overlap = 0.0,
-                     .escape = EscapeWatch(scene),
+                     .watch = RunWatch(scene, RunWatch::Conservation::ignored),
                      .ball_ticks = 0,
                      .judgements = {}};
     const Judgement not_yet{.reason = scene.overridden ? overridden : not_reached};
@@ -38,8 +33,7 @@ RunRecord begin_record(const Scene& scene, const SolverSettings& solver) {
 }
 
 void note_tick(RunRecord& record, const Scene& scene, const World& world) {
-    record.max_overlap = std::max(record.max_overlap, deepest_overlap(world));
-    record.escape.note_births(world);
+    record.watch.note_tick(world);
     record.ball_ticks += world.balls.size();
     judge_due(record, scene, world);
 }
@@ -48,7 +42,7 @@ void note_end(RunRecord& record, const Scene& scene, const World& world) {
     if (scene.overridden) return;
     for (std::size_t i = 0; i < scene.expects.size(); ++i) {
         if (scene.expects[i].at) continue;
-        record.judgements[i] = judge(scene.expects[i], world, facts_of(record, world));
+        record.judgements[i] = judge(scene.expects[i], world, record.watch);
     }
 }
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lab/run/escape.h"
+#include "lab/run/figures.h"
 #include "lab/run/judge.h"
 #include "level/scene/scene.h"
 #include "physics/solver.h"
@@ -17,8 +17,7 @@ namespace carom {
 struct RunRecord {
     SolverSettings solver;
     Totals totals_start;
-    double max_overlap = 0.0;  ///< deepest at the end of any tick, a length
-    EscapeWatch escape;
+    RunWatch watch;
     std::uint64_t ball_ticks = 0;  ///< balls that there were, summed over the ticks
     /// By Scene::expects. An expectation with a time is judged after the tick nearest to it; one
     /// without, at the end.

@@ -1,55 +1,67 @@
 #include "level/scene/quantities.h"
 
+#include <algorithm>
 #include <array>
 
 namespace carom {
 namespace {
 
-constexpr std::array<std::string_view, 25> names{"collisions",
-                                                 "ball_ball",
-                                                 "ball_edge",
-                                                 "kinetic_energy",
-                                                 "potential_energy",
-                                                 "energy",
-                                                 "momentum_x",
-                                                 "momentum_y",
-                                                 "angular_momentum",
-                                                 "time",
-                                                 "escaped",
-                                                 "overlap",
-                                                 "balls",
-                                                 "removed",
-                                                 "x",
-                                                 "y",
-                                                 "vx",
-                                                 "vy",
-                                                 "speed",
-                                                 "w",
-                                                 "count",
-                                                 "mean",
-                                                 "variance",
-                                                 "variance_ratio",
-                                                 "chi_square"};
+using enum QuantityScope;
+
+// Energies, momenta and angular momentum are of all balls; the potential energy is 0 at the origin,
+// about which the angular momentum is taken.
+constexpr std::array<QuantityRow, 25> rows{{
+    {"collisions", world},  // of balls and with edges together
+    {"ball_ball", world},
+    {"ball_edge", world},
+    {"kinetic_energy", world},
+    {"potential_energy", world},
+    {"energy", world},
+    {"momentum_x", world},
+    {"momentum_y", world},
+    {"angular_momentum", world},
+    {"time", world},     // s since the start
+    {"escaped", run},    // balls outside the closed outline that they started in
+    {"overlap", run},    // the deepest at the end of any tick, a length
+    {"balls", world},    // that are there
+    {"removed", world},  // balls that are no longer there
+    {"x", ball},
+    {"y", ball},
+    {"vx", ball},
+    {"vy", ball},
+    {"speed", ball},
+    {"w", ball},               // spin, rad/s, counter-clockwise; 0 where balls do not turn
+    {"count", bins},           // balls in all bins
+    {"mean", bins},            // of the bins' numbers
+    {"variance", bins},        // of the bins' numbers (divided by the count)
+    {"variance_ratio", bins},  // variance over that of the expected shares
+    {"chi_square", bins},      // sum of (counted - expected)^2 / expected over the bins
+}};
 
 }  // namespace
 
 bool is_of_ball(QuantityKind kind) {
-    return kind >= QuantityKind::x && kind <= QuantityKind::w;
+    return kind->scope == ball;
 }
 
 bool is_of_bins(QuantityKind kind) {
-    return kind >= QuantityKind::count;
+    return kind->scope == bins;
 }
 
 std::string_view name(QuantityKind kind) {
-    return names[static_cast<std::size_t>(kind)];
+    return kind->name;
 }
 
 std::vector<QuantityKind> quantity_kinds() {
     std::vector<QuantityKind> kinds;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        kinds.push_back(static_cast<QuantityKind>(i));
+    for (const QuantityRow& row : rows)
+        kinds.push_back(&row);
     return kinds;
+}
+
+QuantityKind quantity_named(std::string_view name) {
+    const auto found = std::ranges::find(rows, name, &QuantityRow::name);
+    return found == rows.end() ? nullptr : &*found;
 }
 
 std::vector<double> binomial_shares(int n, double p) {

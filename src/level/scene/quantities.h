@@ -6,44 +6,28 @@
 
 #include "physics/world/ids.h"
 
-/// What an `expect` can measure.
+/// What an `expect` can measure. A new quantity is a row in quantities.cpp, and one where it is
+/// computed: in lab/run/figures.cpp, or in lab/run/judge.cpp where it is of a ball or of bins.
 namespace carom {
 
-enum class QuantityKind : std::uint8_t {
-    collisions,        ///< ball on ball and ball on edge together
-    ball_ball,         ///< collisions of ball and ball
-    ball_edge,         ///< collisions of ball and edge
-    kinetic_energy,    ///< of all balls
-    potential_energy,  ///< of all balls, under gravity, 0 at the origin
-    energy,            ///< both
-    momentum_x,        ///< of all balls
-    momentum_y,
-    angular_momentum,  ///< of all balls, about the origin
-    time,              ///< s since the start
-    escaped,           ///< balls outside the closed outline that they started in
-    overlap,           ///< the deepest at the end of any tick, a length
-    balls,             ///< balls that are there
-    removed,           ///< balls that are no longer there
-    // Of a named ball. It must still be there.
-    x,
-    y,
-    vx,
-    vy,
-    speed,
-    w,  ///< spin, rad/s, counter-clockwise; 0 where balls do not turn
-    // Of a group of bins, NAME in brackets, as in mean(bins). A ball counts as the number of its
-    // bin, 0 for the leftmost.
-    count,           ///< balls in all bins
-    mean,            ///< of the bins' numbers
-    variance,        ///< of the bins' numbers (divided by the count)
-    variance_ratio,  ///< variance over that of the expected shares
-    chi_square       ///< sum of (counted - expected)^2 / expected over the bins
+enum class QuantityScope : std::uint8_t {
+    world,  ///< read off the world, as in `expect energy`
+    run,    ///< of all ticks so far, or of the start too, as in `expect overlap`
+    ball,   ///< of a named ball that is still there, as in `expect cue.x`
+    bins,   ///< of a group of bins, as in `expect mean(bins)`; the leftmost bin counts as 0
 };
 
+struct QuantityRow {
+    std::string_view name;  ///< as levels write it
+    QuantityScope scope = QuantityScope::world;
+};
+/// A row of quantities(), never null in a level that was loaded.
+using QuantityKind = const QuantityRow*;
+
 struct Quantity {
-    QuantityKind kind = QuantityKind::collisions;
-    BallId ball{};  ///< for x, y, vx, vy, speed and w
-    /// For count to chi_square: indices into World::counters, from left to right ...
+    QuantityKind kind = nullptr;
+    BallId ball{};  ///< of scope `ball`
+    /// Of scope `bins`: indices into World::counters, from left to right ...
     std::vector<std::uint32_t> counters;
     /// ... and the share of each, for variance_ratio and chi_square: what the level's `show
     /// histogram` of the same bins says, else the binomial of fair tosses.
@@ -54,8 +38,10 @@ bool is_of_ball(QuantityKind kind);
 bool is_of_bins(QuantityKind kind);
 /// As a level writes it: "collisions", "x", "mean".
 std::string_view name(QuantityKind kind);
-/// All of them, in order.
+/// All of them, in the order in which messages list them.
 std::vector<QuantityKind> quantity_kinds();
+/// Null when there is no such quantity.
+QuantityKind quantity_named(std::string_view name);
 
 /// Shares of n tosses with probability p: k hits for k = 0..n. By recurrence from the likeliest
 /// one, so nothing over- or underflows that matters; they add up to 1 within rounding.

@@ -329,8 +329,8 @@ TEST_CASE("no drift in a closed box, and none is claimed while a hand is in it")
 
 TEST_CASE("the status line says what the level expects, and how it stands") {
     Scene scene = busy_box();
-    Expect balls{"balls", {QuantityKind::balls, {}, {}, {}}, 99.0, 0.0, {}, 1};
-    Expect deepest{"overlap", {QuantityKind::overlap, {}, {}, {}}, 0.0, 0.0, {}, 2};
+    Expect balls{"balls", {quantity_named("balls"), {}, {}, {}}, 99.0, 0.0, {}, 1};
+    Expect deepest{"overlap", {quantity_named("overlap"), {}, {}, {}}, 0.0, 0.0, {}, 2};
     scene.expects = {balls, deepest};
     const auto seen = [&] {
         Player player(Session(scene, {.kind = SolverKind::swept}), ascii_view(), KeyMap());

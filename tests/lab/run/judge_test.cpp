@@ -33,6 +33,10 @@ RunRecord run(const Scene& scene, std::uint64_t ticks) {
     return record;
 }
 
+RunWatch watch_of(const Scene& scene) {
+    return {scene, RunWatch::Conservation::ignored};
+}
+
 Quantity of_bins(QuantityKind kind, std::vector<double> expected) {
     Quantity quantity;
     quantity.kind = kind;
@@ -51,67 +55,66 @@ TEST_CASE("quantities of the world") {
         double value;
     };
     const Row rows[] = {
-        {QuantityKind::collisions, 0},
-        {QuantityKind::kinetic_energy, 25.5},
-        {QuantityKind::potential_energy, 24},
-        {QuantityKind::energy, 49.5},
-        {QuantityKind::momentum_x, 5},
-        {QuantityKind::momentum_y, 8},
-        {QuantityKind::time, 0},
-        {QuantityKind::escaped, 7},
-        {QuantityKind::overlap, 0.25},
-        {QuantityKind::balls, 2},
-        {QuantityKind::removed, 0},
-        {QuantityKind::x, 3},
-        {QuantityKind::y, 4},
-        {QuantityKind::vx, 3},
-        {QuantityKind::vy, 4},
-        {QuantityKind::speed, 5},
+        {quantity_named("collisions"), 0},
+        {quantity_named("kinetic_energy"), 25.5},
+        {quantity_named("potential_energy"), 24},
+        {quantity_named("energy"), 49.5},
+        {quantity_named("momentum_x"), 5},
+        {quantity_named("momentum_y"), 8},
+        {quantity_named("time"), 0},
+        {quantity_named("balls"), 2},
+        {quantity_named("removed"), 0},
+        {quantity_named("x"), 3},
+        {quantity_named("y"), 4},
+        {quantity_named("vx"), 3},
+        {quantity_named("vy"), 4},
+        {quantity_named("speed"), 5},
     };
     for (const Row& row : rows) {
         CAPTURE(name(row.kind));
         Quantity quantity;
         quantity.kind = row.kind;
         quantity.ball = scene.world.balls.id[0];
-        CHECK(measure(quantity, scene.world, {.max_overlap = 0.25, .escaped = 7}) == row.value);
+        CHECK(measure(quantity, scene.world, nullptr) == row.value);
     }
 }
 
 TEST_CASE("a ball that is gone has no place") {
     Scene scene = load("ball a at=3,4\nball b at=9,9\n");
     Quantity quantity;
-    quantity.kind = QuantityKind::x;
+    quantity.kind = quantity_named("x");
     quantity.ball = scene.world.balls.id[0];
     remove_ball(scene.world, quantity.ball);
-    CHECK_FALSE(measure(quantity, scene.world, {}).has_value());
+    CHECK_FALSE(measure(quantity, scene.world, nullptr).has_value());
     const Expect expect{.quantity = "a.x", .what = quantity, .value = 3.0, .tolerance = 1e9};
-    CHECK(judge(expect, scene.world, {}).verdict == Verdict::fails);
+    CHECK(judge(expect, scene.world, watch_of(scene)).verdict == Verdict::fails);
 }
 
 TEST_CASE("quantities of bins") {
     World world;
     world.counters = {1, 2, 1};
     const std::vector<double> fair{0.25, 0.5, 0.25};
-    CHECK(measure(of_bins(QuantityKind::count, fair), world, {}) == 4.0);
-    CHECK(measure(of_bins(QuantityKind::mean, fair), world, {}) == 1.0);
-    CHECK(measure(of_bins(QuantityKind::variance, fair), world, {}) == 0.5);
-    CHECK(measure(of_bins(QuantityKind::variance_ratio, fair), world, {}) == 1.0);
-    CHECK(measure(of_bins(QuantityKind::chi_square, fair), world, {}) == 0.0);
+    CHECK(measure(of_bins(quantity_named("count"), fair), world, nullptr) == 4.0);
+    CHECK(measure(of_bins(quantity_named("mean"), fair), world, nullptr) == 1.0);
+    CHECK(measure(of_bins(quantity_named("variance"), fair), world, nullptr) == 0.5);
+    CHECK(measure(of_bins(quantity_named("variance_ratio"), fair), world, nullptr) == 1.0);
+    CHECK(measure(of_bins(quantity_named("chi_square"), fair), world, nullptr) == 0.0);
 
     world.counters = {4, 0, 0};
-    CHECK(measure(of_bins(QuantityKind::mean, fair), world, {}) == 0.0);
-    CHECK(measure(of_bins(QuantityKind::variance, fair), world, {}) == 0.0);
+    CHECK(measure(of_bins(quantity_named("mean"), fair), world, nullptr) == 0.0);
+    CHECK(measure(of_bins(quantity_named("variance"), fair), world, nullptr) == 0.0);
     // (4-1)^2/1 + (0-2)^2/2 + (0-1)^2/1
-    CHECK(measure(of_bins(QuantityKind::chi_square, fair), world, {}) == 12.0);
-    CHECK(measure(of_bins(QuantityKind::chi_square, {1, 0, 0}), world, {}) == 0.0);
-    CHECK(measure(of_bins(QuantityKind::chi_square, {0, 0.5, 0.5}), world, {}) ==
+    CHECK(measure(of_bins(quantity_named("chi_square"), fair), world, nullptr) == 12.0);
+    CHECK(measure(of_bins(quantity_named("chi_square"), {1, 0, 0}), world, nullptr) == 0.0);
+    CHECK(measure(of_bins(quantity_named("chi_square"), {0, 0.5, 0.5}), world, nullptr) ==
           std::numeric_limits<double>::infinity());
-    CHECK_FALSE(measure(of_bins(QuantityKind::variance_ratio, {1, 0, 0}), world, {}).has_value());
+    CHECK_FALSE(
+        measure(of_bins(quantity_named("variance_ratio"), {1, 0, 0}), world, nullptr).has_value());
 
     world.counters = {0, 0, 0};
-    CHECK(measure(of_bins(QuantityKind::count, fair), world, {}) == 0.0);
-    CHECK_FALSE(measure(of_bins(QuantityKind::mean, fair), world, {}).has_value());
-    CHECK_FALSE(measure(of_bins(QuantityKind::chi_square, fair), world, {}).has_value());
+    CHECK(measure(of_bins(quantity_named("count"), fair), world, nullptr) == 0.0);
+    CHECK_FALSE(measure(of_bins(quantity_named("mean"), fair), world, nullptr).has_value());
+    CHECK_FALSE(measure(of_bins(quantity_named("chi_square"), fair), world, nullptr).has_value());
 }
 
 TEST_CASE("an expectation is judged at its time, or else at the end") {
@@ -142,4 +145,19 @@ TEST_CASE("nothing is judged where options changed the level") {
     CHECK(record.judgements[0].verdict == Verdict::not_judged);
     CHECK(record.judgements[1].verdict == Verdict::not_judged);
     CHECK_FALSE(has_failure(record));
+}
+
+TEST_CASE("every quantity that a level can expect is computed") {
+    const Scene scene = load("ball a at=3,4 v=1,0\nuse spin\n");
+    const RunWatch watch = watch_of(scene);
+    World world = scene.world;
+    world.counters = {1, 2, 1};
+    for (const QuantityKind kind : quantity_kinds()) {
+        CAPTURE(name(kind));
+        Quantity quantity = of_bins(kind, {0.25, 0.5, 0.25});
+        quantity.ball = world.balls.id[0];
+        CHECK(measure(quantity, world, &watch).has_value());
+        const bool needs_watch = kind->scope == QuantityScope::run;
+        CHECK(measure(quantity, world, nullptr).has_value() != needs_watch);
+    }
 }

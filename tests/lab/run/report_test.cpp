@@ -23,7 +23,7 @@ struct Finished {
 Finished run(const std::string& statements, std::uint64_t ticks) {
     Finished run{.scene = load(statements),
                  .world = {},
-                 .record = {.escape = EscapeWatch({})},
+                 .record = {.watch = {Scene{}, RunWatch::Conservation::ignored}},
                  .report = {}};
     run.world = run.scene.world;
     Solver solver(solver_for(run.scene));
@@ -129,7 +129,8 @@ TEST_CASE("where balls turn, the report and the trace say how fast") {
     Scene scene = load("use spin\nball a at=1,2 w=-2.5\nexpect a.w -2.5 within 0\n");
     CHECK(trace_header(scene.world) == "tick,time,id,x,y,vx,vy,w\n");
     CHECK(trace_rows(scene.world) == "0,0,0,1,2,0,0,-2.5\n");
-    CHECK(judge(scene.expects.at(0), scene.world, {}).verdict == Verdict::holds);
+    const RunWatch watch(scene, RunWatch::Conservation::ignored);
+    CHECK(judge(scene.expects.at(0), scene.world, watch).verdict == Verdict::holds);
 }
 
 TEST_CASE("the summary and the verdicts are for people") {

@@ -10,13 +10,13 @@ TEST_CASE("quantities have unique names") {
     std::set<std::string_view> names;
     for (const QuantityKind kind : quantity_kinds())
         CHECK(names.insert(name(kind)).second);
-    CHECK(name(QuantityKind::chi_square) == "chi_square");
-    CHECK(name(QuantityKind::x) == "x");
-    CHECK(name(QuantityKind::removed) == "removed");
-    CHECK_FALSE(is_of_ball(QuantityKind::removed));
-    CHECK(is_of_ball(QuantityKind::speed));
-    CHECK_FALSE(is_of_bins(QuantityKind::speed));
-    CHECK(is_of_bins(QuantityKind::count));
+    CHECK(name(quantity_named("chi_square")) == "chi_square");
+    CHECK(name(quantity_named("x")) == "x");
+    CHECK(name(quantity_named("removed")) == "removed");
+    CHECK_FALSE(is_of_ball(quantity_named("removed")));
+    CHECK(is_of_ball(quantity_named("speed")));
+    CHECK_FALSE(is_of_bins(quantity_named("speed")));
+    CHECK(is_of_bins(quantity_named("count")));
 }
 
 TEST_CASE("binomial shares sum to 1 and have the right mean") {
