@@ -5,21 +5,114 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <functional>
 
+#include "carom/options/option_values.h"
 #include "physics/solver.h"
 
 namespace carom {
 namespace {
 
-void add_set(CLI::App& command, TypedOptions& typed) {
-    command
-        .add_option("--set", typed.overrides,
-                    "A level statement that overrides the file's, as in 'use gravity 0,-1.6'; "
-                    "may stand several times")
-        ->type_name("STATEMENT")
-        ->expected(1)
-        ->allow_extra_args(false)
-        ->take_all();
+using Text = const std::string&;
+
+/// How an option is listed. `value` names what stands behind it; empty for a flag.
+struct Row {
+    const char* name;
+    const char* value;
+    std::string help;
+};
+
+/// Adds options to one command.
+class Command {
+  public:
+    explicit Command(CLI::App& app) : app_(app) {}
+    Command(CLI::App& app, const char* name, const char* help)
+        : app_(*app.add_subcommand(name, help)) {}
+
+    CLI::App& app() { return app_; }
+
+    /// The value is what `parse` makes of the option's name and of the text behind it.
+    template <class Target, class Parse>
+    void add(const Row& row, Target& target, const Parse& parse) {
+        const auto take = [&target, parse, option = row.name](Text text) {
+            target = parse(option, text);
+        };
+        app_.add_option_function<std::string>(row.name, take, row.help)->type_name(row.value);
+    }
+    void add(const Row& row, std::string& target) {
+        app_.add_option(row.name, target, row.help)->type_name(row.value);
+    }
+    void add(const Row& row, bool& target) { app_.add_flag(row.name, target, row.help); }
+
+    void add_level(std::string& level) {
+        app_.add_option("LEVEL", level, "A file, or the name of a level that ships")
+            ->type_name("")
+            ->required();
+    }
+    void add_file(std::string& file) {
+        app_.add_option("FILE", file, "A recording, as --record makes them")
+            ->type_name("")
+            ->required();
+    }
+    void add_overrides(std::vector<std::string>& overrides) {
+        app_.add_option("--set", overrides,
+                        "A level statement that overrides the file's, as in 'use gravity 0,-1.6'; "
+                        "may stand several times")
+            ->type_name("STATEMENT")
+            ->expected(1)
+            ->allow_extra_args(false)
+            ->take_all();
+    }
+    /// --rate, --seed and --set.
+    template <class Options>
+    void add_level_options(Options& options);
+    /// --solver, and those.
+    template <class Options>
+    void add_simulation_options(Options& options);
+
+  private:
+    CLI::App& app_;
+};
+
+auto number(double least, double most) {
+    return [=](std::string_view option, Text text) {
+        return number_in({least, most}, option, text);
+    };
+}
+
+// A whole number from `least` to `most`; `mistake` says so.
+auto count(std::uint64_t least, std::uint64_t most, const char* mistake) {
+    return [=](std::string_view option, Text text) {
+        const std::uint64_t value = whole_number(option, text);
+        if (value < least || value > most) throw BadValue(mistake);
+        return static_cast<int>(value);
+    };
+}
+
+auto rates(std::string_view option, Text text) {
+    return numbers_in(rate_range, option, text);
+}
+
+std::vector<SolverKind> solvers_of_measure(std::string_view option, Text text) {
+    std::vector<SolverKind> kinds;
+    for (const CompareOptions::Side& side : solver_list(option, text)) {
+        if (side.rate)
+            throw BadValue("--solvers of measure takes no rates: they come from --rates");
+        kinds.push_back(side.kind);
+    }
+    return kinds;
+}
+
+std::vector<CompareOptions::Side> two_solvers(std::string_view option, Text text) {
+    std::vector<CompareOptions::Side> sides = solver_list(option, text);
+    if (sides.size() != 2)
+        throw BadValue(
+            fmt::format("{} must name two, as in swept,discrete@480, but is '{}'", option, text));
+    return sides;
+}
+
+std::size_t bytes_of_mebibytes(std::string_view option, Text text) {
+    return static_cast<std::size_t>(number_in({0, 65536}, option, text) * 1048576.0);
 }
 
 // "discrete, substep, swept".
@@ -30,170 +123,150 @@ std::string solver_names() {
     return names;
 }
 
-void add_level(CLI::App& command, TypedOptions& typed) {
-    command.add_option("LEVEL", typed.level, "A file, or the name of a level that ships")
-        ->type_name("")
-        ->required();
+template <class Options>
+void Command::add_level_options(Options& options) {
+    add({"--rate", "HZ", "Ticks a second"}, options.rate,
+        number(rate_range.least, rate_range.most));
+    add({"--seed", "N", "Starts the level's random stream"}, options.seed, whole_number);
+    add_overrides(options.overrides);
 }
 
-void add_level_options(CLI::App& command, TypedOptions& typed) {
-    command.add_option("--rate", typed.rate, "Ticks a second")->type_name("HZ");
-    command.add_option("--seed", typed.seed, "Starts the level's random stream")->type_name("N");
-    add_set(command, typed);
+template <class Options>
+void Command::add_simulation_options(Options& options) {
+    add({"--solver", "NAME", solver_names() + ", or auto (the default)"}, options.solver,
+        solver_choice);
+    add_level_options(options);
 }
 
-void add_simulation_options(CLI::App& command, TypedOptions& typed) {
-    command.add_option("--solver", typed.solver, solver_names() + ", or auto (the default)")
-        ->type_name("NAME");
-    add_level_options(command, typed);
+void add_view_options(Command& command, PlayOptions& play) {
+    command.add({"--renderer", "NAME", "ascii, half, braille, or auto (the default)"},
+                play.renderer, renderer_choice);
+    command.add({"--colors", "N", "mono, 8, 16, 256, or auto (the default)"}, play.colors,
+                color_choice);
+    command.add({"--fps", "N", "Frames a second"}, play.fps, number(1, 1000));
+    command.app().add_flag_callback(
+        "--no-mouse", [&play] { play.mouse = false; }, "Leave the mouse to the terminal");
+    command.add({"--low-bandwidth", "", "15 frames a second, ASCII and no trails, for slow links"},
+                play.low_bandwidth);
+    command.add({"--paused", "", "Start paused"}, play.paused);
+    command.add({"--rewind", "MIB", "Most memory for stepping back, in MiB"}, play.rewind_bytes,
+                bytes_of_mebibytes);
+    command.add({"--cast", "FILE", "Film the screen, for asciinema play"}, play.cast);
 }
 
-void add_view_options(CLI::App& command, TypedOptions& typed) {
-    command.add_option("--renderer", typed.renderer, "ascii, half, braille, or auto (the default)")
-        ->type_name("NAME");
-    command.add_option("--colors", typed.colors, "mono, 8, 16, 256, or auto (the default)")
-        ->type_name("N");
-    command.add_option("--fps", typed.fps, "Frames a second")->type_name("N");
-    command.add_flag("--no-mouse", typed.no_mouse, "Leave the mouse to the terminal");
-    command.add_flag("--low-bandwidth", typed.low_bandwidth,
-                     "15 frames a second, ASCII and no trails, for slow links");
-    command.add_flag("--paused", typed.paused, "Start paused");
-    command.add_option("--rewind", typed.rewind, "Most memory for stepping back, in MiB")
-        ->type_name("MIB");
-    command.add_option("--cast", typed.cast, "Film the screen, for asciinema play")
-        ->type_name("FILE");
-}
-
-void add_play(CLI::App& app, TypedOptions& typed) {
-    CLI::App& play = *app.add_subcommand("play", "Play a level in the terminal");
-    play.add_option("LEVEL", typed.level,
+void add_play(CLI::App& app, PlayOptions& options) {
+    Command play(app, "play", "Play a level in the terminal");
+    play.app()
+        .add_option("LEVEL", options.level,
                     "A file, or the name of a level that ships; absent: the menu")
         ->type_name("");
-    add_simulation_options(play, typed);
-    add_view_options(play, typed);
-    play.add_option("--record", typed.record, "Keep a recording, for carom replay and verify")
-        ->type_name("FILE");
-    play.add_flag("--watch", typed.watch, "Load the level again whenever its file is saved");
-    play.add_option("--opponent", typed.opponent,
-                    "At pool, carom plays the second player, 1 (beginner) to 4 (master)")
-        ->type_name("N");
-    play.add_flag("--demo", typed.demo,
-                  "At pinball, carom plays until you press a button of the table");
-    play.add_flag("--resume", typed.resume, "Take up the session that was cut off or left");
+    play.add_simulation_options(options);
+    add_view_options(play, options);
+    play.add({"--record", "FILE", "Keep a recording, for carom replay and verify"}, options.record);
+    play.add({"--watch", "", "Load the level again whenever its file is saved"}, options.watch);
+    play.add(
+        {"--opponent", "N", "At pool, carom plays the second player, 1 (beginner) to 4 (master)"},
+        options.opponent, count(1, 4, "--opponent is 1, 2, 3 or 4"));
+    play.add({"--demo", "", "At pinball, carom plays until you press a button of the table"},
+             options.demo);
+    play.add({"--resume", "", "Take up the session that was cut off or left"}, options.resume);
 }
 
-void add_replay_and_verify(CLI::App& app, TypedOptions& typed) {
-    CLI::App& replay = *app.add_subcommand("replay", "Watch a recording in the terminal");
-    CLI::App& verify = *app.add_subcommand(
-        "verify",
-        "Play a recording without a screen and compare its fingerprints: exit code 0 or 1");
-    for (CLI::App* command : {&replay, &verify}) {
-        command->add_option("FILE", typed.replay, "A recording, as --record makes them")
-            ->type_name("")
-            ->required();
-    }
-    add_view_options(replay, typed);
+void add_run(CLI::App& app, RunOptions& options) {
+    Command run(app, "run", "Simulate a level without a screen");
+    run.add_level(options.level);
+    run.add({"--time", "S", "Simulated seconds, rounded to whole ticks; 10 where neither is given"},
+            options.time, number(0, 1e9));
+    run.add({"--ticks", "N", "Ticks to simulate"}, options.ticks, whole_number);
+    run.add_simulation_options(options);
+    run.add({"--report", "FILE", "What came of it, as one JSON object"}, options.report);
+    run.add({"--events", "FILE", "Every contact, one JSON object a line"}, options.events);
+    run.add({"--trace", "FILE", "Every ball at every tick, as CSV"}, options.trace);
+    run.add({"--record", "FILE", "A recording without commands, for carom verify"}, options.record);
+    run.add({"--explain", "", "Say which physics is in force, and which solver runs and why"},
+            options.explain);
+    run.app().footer("FILE may be -, standard output, for one of them.");
 }
 
-void add_run(CLI::App& app, TypedOptions& typed) {
-    CLI::App& run = *app.add_subcommand("run", "Simulate a level without a screen");
-    add_level(run, typed);
-    run.add_option("--time", typed.time,
-                   "Simulated seconds, rounded to whole ticks; 10 where neither is given")
-        ->type_name("S");
-    run.add_option("--ticks", typed.ticks, "Ticks to simulate")->type_name("N");
-    add_simulation_options(run, typed);
-    run.add_option("--report", typed.report, "What came of it, as one JSON object")
-        ->type_name("FILE");
-    run.add_option("--events", typed.events, "Every contact, one JSON object a line")
-        ->type_name("FILE");
-    run.add_option("--trace", typed.trace, "Every ball at every tick, as CSV")->type_name("FILE");
-    run.add_option("--record", typed.record, "A recording without commands, for carom verify")
-        ->type_name("FILE");
-    run.add_flag("--explain", typed.explain,
-                 "Say which physics is in force, and which solver runs and why");
-    run.footer("FILE may be -, standard output, for one of them.");
+void add_replay_and_verify(CLI::App& app, PlayOptions& play, VerifyOptions& options) {
+    Command replay(app, "replay", "Watch a recording in the terminal");
+    Command verify(app, "verify",
+                   "Play a recording without a screen and compare its fingerprints: exit code 0 "
+                   "or 1");
+    replay.add_file(play.replay);
+    verify.add_file(options.file);
+    add_view_options(replay, play);
 }
 
-void add_measure(CLI::App& app, TypedOptions& typed) {
-    CLI::App& measure = *app.add_subcommand(
-        "measure", "Measure what every solver costs on a level, and how far it is off");
-    add_level(measure, typed);
-    measure.add_option("--time", typed.time, "Simulated seconds; 2 where nothing is said")
-        ->type_name("S");
-    measure.add_option("--solvers", typed.solvers, "Those to try, of " + solver_names())
-        ->type_name("A,B...");
-    measure
-        .add_option("--rates", typed.rates,
-                    "Ticks a second to try; a quarter to four times the level's where nothing is "
-                    "said")
-        ->type_name("HZ,HZ...");
-    measure
-        .add_option("--repeats", typed.repeats,
-                    "Runs of each, for its cost; 3 where nothing is said")
-        ->type_name("N");
-    measure
-        .add_option("--horizon", typed.horizon, "When errors are compared, in simulated seconds")
-        ->type_name("S");
-    measure
-        .add_option("--tolerance", typed.tolerance,
-                    "Names the cheapest whose error is this or less, in ball radii")
-        ->type_name("R");
-    measure
-        .add_option("--budget", typed.budget,
-                    "Names the most accurate that takes this or less for a tick of the level, as "
-                    "in 2ms")
-        ->type_name("TIME");
-    add_level_options(measure, typed);
-    measure.add_option("--csv", typed.csv, "A row for each choice and horizon")->type_name("FILE");
-    measure.add_option("--json", typed.json, "All of it, as one JSON object")->type_name("FILE");
-    measure.footer("FILE may be -, standard output, for one of the two.");
+void add_measure(CLI::App& app, MeasureOptions& options) {
+    Command measure(app, "measure",
+                    "Measure what every solver costs on a level, and how far it is off");
+    measure.add_level(options.level);
+    measure.add({"--time", "S", "Simulated seconds; 2 where nothing is said"}, options.time,
+                number(1e-6, 1e6));
+    measure.add({"--solvers", "A,B...", "Those to try, of " + solver_names()}, options.solvers,
+                solvers_of_measure);
+    measure.add({"--rates", "HZ,HZ...",
+                 "Ticks a second to try; a quarter to four times the level's where nothing is "
+                 "said"},
+                options.rates, rates);
+    measure.add({"--repeats", "N", "Runs of each, for its cost; 3 where nothing is said"},
+                options.repeats, count(1, 1000, "--repeats must be from 1 to 1000"));
+    measure.add({"--horizon", "S", "When errors are compared, in simulated seconds"},
+                options.horizon, number(1e-6, 1e6));
+    measure.add(
+        {"--tolerance", "R", "Names the cheapest whose error is this or less, in ball radii"},
+        options.tolerance, number(1e-15, 1e3));
+    measure.add({"--budget", "TIME",
+                 "Names the most accurate that takes this or less for a tick of the level, as in "
+                 "2ms"},
+                options.budget, duration);
+    measure.add_level_options(options);
+    measure.add({"--csv", "FILE", "A row for each choice and horizon"}, options.csv);
+    measure.add({"--json", "FILE", "All of it, as one JSON object"}, options.json);
+    measure.app().footer("FILE may be -, standard output, for one of the two.");
 }
 
-void add_compare(CLI::App& app, TypedOptions& typed) {
-    CLI::App& compare =
-        *app.add_subcommand("compare", "Say when two solvers part, and how fast: exit code 0 or 1");
-    add_level(compare, typed);
-    compare
-        .add_option("--solvers", typed.solvers,
-                    "The two, of " + solver_names() + "; a rate may follow, as in swept@480")
-        ->type_name("A,B")
-        ->required();
-    compare.add_option("--time", typed.time, "Simulated seconds; 10 where nothing is said")
-        ->type_name("S");
-    compare
-        .add_option("--tolerance", typed.tolerance,
-                    "They part when a ball is further from its twin than this, in ball radii; "
-                    "1e-3 where nothing is said")
-        ->type_name("R");
-    compare
-        .add_option("--nudge", typed.nudge,
-                    "Starts every ball of the second this far from its twin, in ball radii")
-        ->type_name("R");
-    add_level_options(compare, typed);
-    compare.add_option("--json", typed.json, "All of it, as one JSON object; - is standard output")
-        ->type_name("FILE");
+void add_compare(CLI::App& app, CompareOptions& options) {
+    Command compare(app, "compare", "Say when two solvers part, and how fast: exit code 0 or 1");
+    compare.add_level(options.level);
+    compare.add({"--solvers", "A,B",
+                 "The two, of " + solver_names() + "; a rate may follow, as in swept@480"},
+                options.solvers, two_solvers);
+    compare.app().get_option("--solvers")->required();
+    compare.add({"--time", "S", "Simulated seconds; 10 where nothing is said"}, options.time,
+                number(1e-6, 1e9));
+    compare.add({"--tolerance", "R",
+                 "They part when a ball is further from its twin than this, in ball radii; 1e-3 "
+                 "where nothing is said"},
+                options.tolerance, number(1e-15, 1e3));
+    compare.add(
+        {"--nudge", "R", "Starts every ball of the second this far from its twin, in ball radii"},
+        options.nudge, number(0, 1));
+    compare.add_level_options(options);
+    compare.add({"--json", "FILE", "All of it, as one JSON object; - is standard output"},
+                options.json);
 }
 
-void add_check_and_list(CLI::App& app, TypedOptions& typed) {
-    CLI::App& check =
-        *app.add_subcommand("check", "Say all that is wrong with levels: exit code 0 or 2");
-    check.add_option("LEVEL", typed.levels, "Files, or names of levels that ship")
+void add_check_and_list(CLI::App& app, CheckOptions& options) {
+    Command check(app, "check", "Say all that is wrong with levels: exit code 0 or 2");
+    check.app()
+        .add_option("LEVEL", options.levels, "Files, or names of levels that ship")
         ->type_name("")
         ->required();
-    add_set(check, typed);
+    check.add_overrides(options.overrides);
     app.add_subcommand("list", "List the levels that ship");
 }
 
 }  // namespace
 
-void add_commands(CLI::App& app, TypedOptions& typed) {
-    add_play(app, typed);
-    add_run(app, typed);
-    add_replay_and_verify(app, typed);
-    add_measure(app, typed);
-    add_compare(app, typed);
-    add_check_and_list(app, typed);
+void add_commands(CLI::App& app, CommandOptions& options) {
+    add_play(app, options.play);
+    add_run(app, options.run);
+    add_replay_and_verify(app, options.play, options.verify);
+    add_measure(app, options.measure);
+    add_compare(app, options.compare);
+    add_check_and_list(app, options.check);
 }
 
 }  // namespace carom

@@ -1,29 +1,26 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include "carom/options/options.h"
 
 namespace CLI {
 class App;
 }
 
-/// Which commands and options there are, as `--help` lists them.
+/// Which commands and options there are, as `--help` lists them: one row an option, with the place
+/// that its value goes to.
 namespace carom {
 
-/// What was typed, before it is understood.
-struct TypedOptions {
-    std::string level;
-    std::vector<std::string> levels;
-    std::string solver, rate, seed;
-    std::vector<std::string> overrides;
-    std::string time, ticks, report, events, trace, record, replay, cast;
-    std::string solvers, rates, repeats, horizon, tolerance, budget, nudge, csv, json;
-    std::string renderer, colors, fps, rewind, opponent;
-    bool explain = false, no_mouse = false, low_bandwidth = false, watch = false, paused = false,
-         resume = false, demo = false;
+/// What each command is asked for. Only that of the command that was typed is filled in.
+struct CommandOptions {
+    PlayOptions play;  ///< also of `replay`, and without a command
+    RunOptions run;
+    MeasureOptions measure;
+    CompareOptions compare;
+    VerifyOptions verify;
+    CheckOptions check;
 };
 
-/// `typed` must outlive the parsing.
-void add_commands(CLI::App& app, TypedOptions& typed);
+/// `options` must outlive the parsing, which throws BadValue for a value that does not fit.
+void add_commands(CLI::App& app, CommandOptions& options);
 
 }  // namespace carom
