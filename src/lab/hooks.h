@@ -5,13 +5,13 @@
 
 namespace carom {
 
-/// Told, tick by tick and within long ticks, of the ticks done and of all that there are to do;
+/// Called tick by tick, and within long ticks, with the ticks done and the ticks to do. Returning
 /// false ends the work.
 using GoOn = std::function<bool(std::uint64_t done, std::uint64_t total)>;
 
-/// What the lab asks of its caller while it works.
+/// What the lab needs from its caller.
 struct LabHooks {
-    /// Seconds since any moment. The lab has no clock of its own.
+    /// Seconds since any fixed moment: the lab has no clock of its own.
     std::function<double()> clock;
     GoOn go_on;
 };

@@ -11,7 +11,7 @@ struct PlotPoint {
     double x = 0.0;  ///< > 0
     double y = 0.0;  ///< >= 0; what is not finite is left out
     char mark = '*';
-    bool on_front = false;  ///< drawn over the others, and joined to its neighbours on the front
+    bool on_front = false;  ///< drawn on top, and joined to its neighbours on the front
 };
 
 struct PlotFrame {

@@ -63,7 +63,7 @@ int compare_scene(const CompareOptions& options, const Scene& scene) {
         }
     }
     if (options.json != "-" && !print_out(compare_text(scene, comparison))) return 2;
-    return comparison.parting ? 1 : 0;
+    return comparison.divergence ? 1 : 0;
 }
 
 }  // namespace

@@ -137,7 +137,7 @@ double simulate(const Scene& scene, World& world, GameState& game, RunRecord& re
         if (outcome == TickOutcome::given_up) break;
         if (outcome == TickOutcome::too_dense && !std::exchange(is_told, true))
             tell_too_dense(world);
-        follow_rules(scene, world, game, solver.contacts());
+        update_game(scene, world, game, solver.contacts());
         note_tick(record, scene, world);
         if (world.tick % mark_interval(world.rate) == 0) mark(replay, world, game);
         outputs.write_tick(world, solver);

@@ -77,12 +77,12 @@ bool ComparisonRun::tick(const Session& session, const KeepGoing& keep_going) {
         if (world_.tick % History::spacing == 0) history_.keep(world_, solver_.settings(), game_);
         for (const TimedCommand& timed : commands_at(session, world_.tick))
             if (!refusal(session.scene(), world_, game_, timed.command))
-                obey(session.scene(), world_, game_, timed.command);
+                execute(session.scene(), world_, game_, timed.command);
         obeyed_ = world_.tick;
     }
     if (solver_.tick(world_, keep_going) == TickOutcome::given_up) return false;
     contacts_.assign(solver_.contacts().begin(), solver_.contacts().end());
-    follow_rules(session.scene(), world_, game_, contacts_);
+    update_game(session.scene(), world_, game_, contacts_);
     return true;
 }
 

@@ -6,7 +6,7 @@
 namespace carom {
 namespace {
 
-Butterfly butterfly_of(const World& start, const SolverSettings& solver) {
+WorldEnsemble butterfly_of(const World& start, const SolverSettings& solver) {
     return {start,
             solver,
             {.copies = Ensemble::copy_count,
@@ -32,7 +32,7 @@ bool Ensemble::follow(const Session& session, const MayGoOn& may_go_on,
     while (tick_ < lead.tick) {
         if (!is_within_tick_ && tick_ > start_.tick)
             for (const TimedCommand& timed : commands_at(session, tick_))
-                butterfly_.obey(timed.command);
+                butterfly_.execute(timed.command);
         is_within_tick_ = !butterfly_.step(may_go_on, keep_going);
         if (is_within_tick_) return false;
         ++tick_;

@@ -5,7 +5,7 @@
 
 #include "carom/context/playback_clock.h"
 #include "game/session/session.h"
-#include "lab/compare/butterfly.h"
+#include "lab/compare/world_ensemble.h"
 
 /// An ensemble: 200 copies of the game from slightly perturbed starts, which show how fast the game
 /// forgets where it started.
@@ -28,7 +28,7 @@ class Ensemble {
     bool is_behind(const Session& session) const { return tick_ != session.world().tick; }
 
     std::span<const World> copies() const { return butterfly_.copies(); }
-    /// See Butterfly::spread; in radii, of the last tick that all copies have completed.
+    /// See WorldEnsemble::spread; in radii, of the last tick that all copies have completed.
     double spread() const { return spread_; }
     /// When the spread first reached a radius, s of the game.
     const std::optional<double>& time_of_a_radius() const { return time_of_a_radius_; }
@@ -38,7 +38,7 @@ class Ensemble {
   private:
     World start_;
     SolverSettings start_solver_;
-    Butterfly butterfly_;
+    WorldEnsemble butterfly_;
     std::uint64_t tick_ = 0;  ///< that all copies have completed
     bool is_within_tick_ = false;
     double spread_ = 0.0;

@@ -23,22 +23,22 @@ bool PoolAi::think(const Session& session) {
         scene_ = &session.scene();
         lay_ = session.world().balls.position;
         rules_ = play.rules;
-        thinker_ = std::make_unique<PoolThinker>(session.scene(), session.world(), play,
-                                                 session.solver(), error_of(steadiness_),
+        thinker_ = std::make_unique<ShotPlanner>(session.scene(), session.world(), play,
+                                                 session.solver(), shot_noise(steadiness_),
                                                  decision_seed(session.world(), play));
     }
     thinker_->work(tries_a_frame);
     return thinker_->is_done();
 }
 
-const std::vector<PoolThought>& PoolAi::thoughts() const {
-    static const std::vector<PoolThought> none;
+const std::vector<CandidateShot>& PoolAi::thoughts() const {
+    static const std::vector<CandidateShot> none;
     return thinker_ ? thinker_->best() : none;
 }
 
 std::vector<Command> PoolAi::decision(const Session& session) const {
     const PoolPlay& play = play_of(session);
-    const HandError error = error_of(steadiness_);
+    const ShotNoise error = shot_noise(steadiness_);
     if (play.rules.phase == PoolPhase::choosing)
         return {command::Decide{choice_of(session.scene(), session.world(), play, error)}};
     return commands_of(session.scene(), play, thoughts().front(), error,

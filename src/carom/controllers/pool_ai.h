@@ -13,7 +13,7 @@ namespace carom {
 
 class PoolAi {
   public:
-    /// `steadiness`: how well it holds the cue, least_steadiness..most_steadiness.
+    /// `steadiness`: how well it holds the cue, least_skill..most_skill.
     explicit PoolAi(int steadiness) : steadiness_(steadiness) {}
 
     int steadiness() const { return steadiness_; }
@@ -22,7 +22,7 @@ class PoolAi {
     /// pool is played, the balls lie still, and a shot is due.
     bool think(const Session& session);
     /// The best shots, the best first; empty before it has decided.
-    const std::vector<PoolThought>& thoughts() const;
+    const std::vector<CandidateShot>& thoughts() const;
     /// Its thoughts are about the present position.
     bool is_about(const Session& session) const;
     void forget() { thinker_.reset(); }
@@ -33,7 +33,7 @@ class PoolAi {
 
   private:
     int steadiness_;
-    std::unique_ptr<PoolThinker> thinker_;  ///< null: none yet
+    std::unique_ptr<ShotPlanner> thinker_;  ///< null: none yet
     // The position that it thinks about.
     const Scene* scene_ = nullptr;
     std::vector<Vec2> lay_;

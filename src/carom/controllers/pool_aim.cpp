@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "game/ai/hand_error.h"
 #include "game/ai/pool_shots.h"
+#include "game/ai/shot_noise.h"
 #include "game/commands/aiming.h"
 #include "game/referees/referee.h"
 #include "geometry/elementary.h"
@@ -104,7 +104,7 @@ void PoolAim::aim_at_nearest(const Session& session) {
     if (nearest) setup_.bearing = bearing_of(*nearest);
 }
 
-void PoolAim::set_up(const Session& session, const PoolStance& setup) {
+void PoolAim::set_up(const Session& session, const ShotSetup& setup) {
     look(session);  // so that a turn that begins does not reset it
     setup_ = setup;
     has_aimed_ = true;
@@ -190,7 +190,7 @@ std::string PoolAim::next_pot(const Session& session, bool backwards) {
     return pot_text_;
 }
 
-void PoolAim::take(const Session& session, const PoolThought& thought) {
+void PoolAim::take(const Session& session, const CandidateShot& thought) {
     look(session);  // so that a turn that begins does not reset the aim
     const Vec2 velocity = thought.strike.velocity;
     setup_ = {.bearing = bearing_of(velocity),
@@ -262,8 +262,8 @@ bool PoolAim::has_work() const {
 
 bool PoolAim::work(const Session& session) {
     if (!has_work() || !may_aim(session)) return false;
-    const HandError usual;
-    const command::Strike off = with_error(strike(session), usual, most_speed(session),
+    const ShotNoise usual;
+    const command::Strike off = with_noise(strike(session), usual, most_speed(session),
                                            session.world().seed, cloud_shots_++);
     Solver solver(session.solver());
     const Forecast ahead = forecast(session.scene(), session.world(), session.game(), solver, off,

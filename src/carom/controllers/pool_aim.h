@@ -7,8 +7,8 @@
 
 #include "game/ai/planner.h"
 #include "game/pool/pool.h"
-#include "game/pool/pool_stance.h"
 #include "game/pool/pool_words.h"
+#include "game/pool/shot_setup.h"
 #include "game/session/forecast.h"
 #include "game/session/session.h"
 #include "terminal/canvas/palette.h"
@@ -43,7 +43,7 @@ class PoolAim {
     std::string next_pot(const Session& session, bool backwards);
 
     /// Aims as a proposed shot does; the cue ball stays where it is.
-    void take(const Session& session, const PoolThought& thought);
+    void take(const Session& session, const CandidateShot& thought);
 
     /// Calls the pocket that is there. False when there is none, or nothing is called.
     bool call_pocket(const Session& session, Vec2 place);
@@ -52,9 +52,9 @@ class PoolAim {
     std::string next_aids();
     Aids aids() const { return setup_.aids; }
 
-    const PoolStance& setup() const { return setup_; }
+    const ShotSetup& setup() const { return setup_; }
     /// Restores a shot setup in the present turn; what does not fit the level is replaced.
-    void set_up(const Session& session, const PoolStance& setup);
+    void set_up(const Session& session, const ShotSetup& setup);
 
     command::Strike strike(const Session& session) const;
     /// The call, where one is due, and the strike. Pre: may_aim().
@@ -73,7 +73,7 @@ class PoolAim {
     std::string line(const Session& session, const Look& look) const;
 
   private:
-    using Intent = PoolStance::Intent;
+    using Intent = ShotSetup::Intent;
 
     const PoolPlay* play(const Session& session) const;
     PoolCall call(const Session& session) const;
@@ -82,14 +82,14 @@ class PoolAim {
     void aim_at_nearest(const Session& session);
     double most_speed(const Session& session) const;
 
-    PoolStance setup_;
+    ShotSetup setup_;
     bool has_aimed_ = false;  ///< in this turn: the bearing is the player's
     std::size_t pot_ = 0;
     std::string pot_text_;
 
     // What the forecast was computed from, and the forecast.
     std::vector<Vec2> lay_;
-    PoolStance seen_setup_;
+    ShotSetup seen_setup_;
     bool is_seen_ = false;
     std::uint64_t turn_ = ~std::uint64_t{0};
     std::optional<Forecast> forecast_;

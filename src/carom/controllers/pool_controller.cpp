@@ -207,11 +207,11 @@ bool PoolController::set_opponent(const Session& session, int steadiness) {
 }
 
 void PoolController::next_opponent(PlayContext& play) {
-    const int next = (opponent() + 1) % (most_steadiness + 1);
+    const int next = (opponent() + 1) % (most_skill + 1);
     if (!set_opponent(play.session, next)) return say(play, "there is no game of pool here");
-    say(play, next > 0 ? fmt::format("against carom, {} of {}: {}", next, most_steadiness,
-                                     steadiness_text(next))
-                       : "two players");
+    say(play, next > 0
+                  ? fmt::format("against carom, {} of {}: {}", next, most_skill, skill_text(next))
+                  : "two players");
 }
 
 void PoolController::ask_coach(PlayContext& play) {
@@ -225,9 +225,9 @@ void PoolController::ask_coach(PlayContext& play) {
 void PoolController::hear_coach(PlayContext& play) {
     if (!coach_.is_asked()) return;
     if (!is_aiming(play)) return coach_.dismiss();
-    const PoolThought* const proposal = coach_.think(play.session);
+    const CandidateShot* const proposal = coach_.think(play.session);
     if (!proposal) return;
-    const PoolThought shot = *proposal;
+    const CandidateShot shot = *proposal;
     const std::string text = coach_.text(play.session.scene());
     if (shot.place) {
         const BallId ball = *aim_.cue_ball(play.session);

@@ -55,8 +55,8 @@ class PoolController : public FreeController {
     /// False where no game of pool is played.
     bool set_opponent(const Session& session, int steadiness);
     int opponent() const { return opponent_.steadiness(); }
-    const PoolStance& setup() const { return aim_.setup(); }
-    void set_up(const Session& session, const PoolStance& setup) { aim_.set_up(session, setup); }
+    const ShotSetup& setup() const { return aim_.setup(); }
+    void set_up(const Session& session, const ShotSetup& setup) { aim_.set_up(session, setup); }
 
   protected:
     bool take_press(PlayContext& play, const InputEvent& event) override;

@@ -41,7 +41,7 @@ void PoolOpponent::play(PlayContext& play, double seconds) {
     if (!chooses && !ai_->think(session)) return;
     if (seconds_left_ <= 0.0) {
         seconds_left_ = pause;
-        if (!chooses) says_ = "carom: " + thought_text(session.scene(), ai_->thoughts().front());
+        if (!chooses) says_ = "carom: " + candidate_text(session.scene(), ai_->thoughts().front());
         return;
     }
     seconds_left_ -= seconds;
@@ -56,7 +56,7 @@ std::string PoolOpponent::text() const {
     return says_.empty() ? "carom thinks" : says_;
 }
 
-const PoolThought* PoolCoach::think(const Session& session) {
+const CandidateShot* PoolCoach::think(const Session& session) {
     if (!ai_) ai_.emplace(coach_steadiness);
     const bool was_done = ai_->is_about(session) && !ai_->thoughts().empty();
     if (!ai_->think(session)) return nullptr;
@@ -67,7 +67,7 @@ const PoolThought* PoolCoach::think(const Session& session) {
 
 std::string PoolCoach::text(const Scene& scene) const {
     return fmt::format("{} of {}: {}", proposed_ + 1, ai_->thoughts().size(),
-                       thought_text(scene, ai_->thoughts()[proposed_]));
+                       candidate_text(scene, ai_->thoughts()[proposed_]));
 }
 
 }  // namespace carom

@@ -11,7 +11,7 @@ namespace carom {
 
 class PoolOpponent {
   public:
-    /// least_steadiness..most_steadiness; 0: a person plays the second player.
+    /// least_skill..most_skill; 0: a person plays the second player.
     void set_steadiness(int steadiness);
     int steadiness() const { return ai_ ? ai_->steadiness() : 0; }
 
@@ -39,7 +39,7 @@ class PoolCoach {
     bool is_asked() const { return is_asked_; }
     /// Thinks for a while. The shot that it proposes, once; none: it still thinks. Pre: is_asked(),
     /// and the player is to shoot.
-    const PoolThought* think(const Session& session);
+    const CandidateShot* think(const Session& session);
     /// "2 of 3: cut the 4 ...", of the last proposal.
     std::string text(const Scene& scene) const;
 

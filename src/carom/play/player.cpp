@@ -183,12 +183,12 @@ int Player::opponent() const {
     return pool ? pool->opponent() : 0;
 }
 
-std::optional<PoolStance> Player::shot_setup() const {
+std::optional<ShotSetup> Player::shot_setup() const {
     const auto* const pool = dynamic_cast<const PoolController*>(play_.controller.get());
     return pool ? std::optional(pool->setup()) : std::nullopt;
 }
 
-void Player::set_up(const PoolStance& setup) {
+void Player::set_up(const ShotSetup& setup) {
     auto* const pool = dynamic_cast<PoolController*>(play_.controller.get());
     if (pool) pool->set_up(play_.session, setup);
 }

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "carom/context/play_context.h"
-#include "game/pool/pool_stance.h"
+#include "game/pool/shot_setup.h"
 
 /// A game being played: takes what the player does, lets time pass, and draws. It knows no
 /// terminal, no files and no clock, so tests play it as a person would. What a key does stands in
@@ -60,8 +60,8 @@ class Player {
     bool set_opponent(int steadiness);
     int opponent() const;
     /// How the player is about to shoot at a pool table; none elsewhere.
-    std::optional<PoolStance> shot_setup() const;
-    void set_up(const PoolStance& setup);
+    std::optional<ShotSetup> shot_setup() const;
+    void set_up(const ShotSetup& setup);
 
     /// At a pinball table, the demonstration plays.
     void demonstrate();

@@ -22,7 +22,7 @@ struct RunningGame {
     std::optional<InterruptedGame> offer{};  ///< what the action "take-up" would resume
     std::uint64_t saved_tick = 0;
     std::size_t saved_commands = 0;
-    std::optional<PoolStance> saved_setup{};
+    std::optional<ShotSetup> saved_setup{};
     std::vector<FingerprintMark> expected{};  ///< of a recording that is watched
     std::size_t marks_compared = 0;
 

@@ -13,12 +13,12 @@
 namespace carom {
 namespace {
 
-/// A shot is followed so long, s.
+/// How far ahead a shot is simulated, s.
 constexpr double foresight = 40.0;
-/// For measuring how much a cut throws the object ball.
+/// How far ahead to measure the throw of a cut, s.
 constexpr double short_foresight = 1.6;
 
-constexpr std::size_t most_candidates = 150;
+constexpr std::size_t most_trials = 150;
 constexpr std::size_t most_finalists = 10;
 constexpr int rounds = 14;
 constexpr std::size_t most_lines = 8;
@@ -34,8 +34,8 @@ Vec2 turned(Vec2 v, Vec2 from, Vec2 to) {
 
 }  // namespace
 
-PoolThinker::PoolThinker(const Scene& scene, const World& world, const PoolPlay& play,
-                         const SolverSettings& solver, const HandError& error, std::uint64_t seed)
+ShotPlanner::ShotPlanner(const Scene& scene, const World& world, const PoolPlay& play,
+                         const SolverSettings& solver, const ShotNoise& error, std::uint64_t seed)
     : scene_(scene),
       world_(world),
       play_(play),
@@ -47,21 +47,21 @@ PoolThinker::PoolThinker(const Scene& scene, const World& world, const PoolPlay&
     propose();
 }
 
-World PoolThinker::world_with(const std::optional<Vec2>& place) const {
+World ShotPlanner::world_with(const std::optional<Vec2>& place) const {
     World world = world_;
     if (place) world.balls.position[*index_of(world, *play_.balls[cue_ball])] = *place;
     return world;
 }
 
-bool PoolThinker::may_place(Vec2 place) const {
+bool ShotPlanner::may_place(Vec2 place) const {
     return !refusal(scene_, world_, play_, command::PlaceBall{*play_.balls[cue_ball], place});
 }
 
-void PoolThinker::propose() {
+void ShotPlanner::propose() {
     const Vec2 from = world_.balls.position[*index_of(world_, *play_.balls[cue_ball])];
     if (play_.rules.phase == PoolPhase::breaking) return propose_break();
     if (play_.rules.in_hand != CueInHand::no) propose_placed();
-    if (play_.rules.in_hand == CueInHand::no || candidates_.empty()) {
+    if (play_.rules.in_hand == CueInHand::no || trials_.empty()) {
         const auto lines =
             pot_lines(scene_, world_, cloth_, *play_.balls[cue_ball], from, legal_balls(play_));
         propose_pots(std::nullopt, lines);
@@ -69,8 +69,8 @@ void PoolThinker::propose() {
     propose_hits(from);
 }
 
-// Full on the ball in front, from the middle and from the sides, or a little off it.
-void PoolThinker::propose_break() {
+// Full on the apex ball, with the cue ball in the middle or to the sides.
+void ShotPlanner::propose_break() {
     const BallId cue = *play_.balls[cue_ball];
     const Vec2 head = head_spot(scene_);
     const Vec2 across{0.0, size(cloth_).y * 0.25};
@@ -79,18 +79,18 @@ void PoolThinker::propose_break() {
         const Vec2 place = head + across * aside;
         if (!may_place(place)) continue;
         for (const double share : {0.95, 0.8}) {
-            Candidate candidate;
-            candidate.thought.kind = PoolThought::Kind::break_off;
-            candidate.thought.place = place;
-            candidate.thought.strike = {cue, unit(apex - place) * (most_speed_ * share)};
-            candidates_.push_back(candidate);
+            Trial trial;
+            trial.shot.kind = CandidateShot::Kind::break_off;
+            trial.shot.place = place;
+            trial.shot.strike = {cue, unit(apex - place) * (most_speed_ * share)};
+            trials_.push_back(trial);
         }
     }
 }
 
-// Friction between balls turns the object ball a little out of the line of centres: how much shows
-// a try, and the aim is turned back by it.
-Vec2 PoolThinker::corrected(const PotLine& line, std::optional<Vec2> place, double speed) {
+// Throw: friction between the balls turns the object ball a little off the line of centres. One
+// simulation measures the throw, and the aim is turned back by it.
+Vec2 ShotPlanner::corrected(const PotLine& line, std::optional<Vec2> place, double speed) {
     if (line.way != PotLine::Way::direct || line.cut_cosine > 0.9995) return line.direction;
     const World world = world_with(place);
     const BallId cue = *play_.balls[cue_ball];
@@ -110,28 +110,26 @@ Vec2 PoolThinker::corrected(const PotLine& line, std::optional<Vec2> place, doub
     return length(ghost - from) > 0.0 ? unit(ghost - from) : line.direction;
 }
 
-void PoolThinker::add_pot(const PotLine& line, std::optional<Vec2> place, Vec2 direction,
+void ShotPlanner::add_pot(const PotLine& line, std::optional<Vec2> place, Vec2 direction,
                           double speed, double side, double follow) {
-    if (candidates_.size() >= most_candidates) return;
-    Candidate candidate;
-    PoolThought& thought = candidate.thought;
-    using enum PoolThought::Kind;
-    thought.kind = line.way == PotLine::Way::bank   ? bank
-                   : line.way == PotLine::Way::kick ? kick
-                   : line.cut_cosine > 0.985        ? straight
-                                                    : cut;
-    thought.place = place;
-    thought.ball = number_of(play_, line.object);
-    thought.pocket = line.pocket;
-    if (may_call_shots(play_.rules))
-        thought.call = {PoolCall::Kind::pot, *thought.ball, line.pocket};
-    thought.strike = {*play_.balls[cue_ball], direction * std::min(speed, most_speed_), side,
-                      follow};
-    candidate.chance = pot_chance(line, error_.bearing);
-    candidates_.push_back(candidate);
+    if (trials_.size() >= most_trials) return;
+    Trial trial;
+    CandidateShot& shot = trial.shot;
+    using enum CandidateShot::Kind;
+    shot.kind = line.way == PotLine::Way::bank   ? bank
+                : line.way == PotLine::Way::kick ? kick
+                : line.cut_cosine > 0.985        ? straight
+                                                 : cut;
+    shot.place = place;
+    shot.ball = number_of(play_, line.object);
+    shot.pocket = line.pocket;
+    if (may_call_shots(play_.rules)) shot.call = {PoolCall::Kind::pot, *shot.ball, line.pocket};
+    shot.strike = {*play_.balls[cue_ball], direction * std::min(speed, most_speed_), side, follow};
+    trial.chance = pot_chance(line, error_.bearing);
+    trials_.push_back(trial);
 }
 
-void PoolThinker::propose_pots(std::optional<Vec2> place, std::span<const PotLine> lines) {
+void ShotPlanner::propose_pots(std::optional<Vec2> place, std::span<const PotLine> lines) {
     std::size_t direct = 0;
     std::size_t banks = 0;
     std::size_t kicks = 0;
@@ -144,7 +142,7 @@ void PoolThinker::propose_pots(std::optional<Vec2> place, std::span<const PotLin
             continue;
         }
         if (++direct > most_lines) continue;
-        // The thinner the cut and the longer the way, the more it takes.
+        // Thinner cuts and longer distances need more speed.
         const double usual = (0.9 + 0.6 * line.distance) / std::max(0.5, line.cut_cosine);
         const Vec2 direction = corrected(line, place, usual);
         for (const double factor : {1.0, 1.5, 0.75})
@@ -156,37 +154,37 @@ void PoolThinker::propose_pots(std::optional<Vec2> place, std::span<const PotLin
     }
 }
 
-void PoolThinker::propose_hits(Vec2 from) {
+void ShotPlanner::propose_hits(Vec2 from) {
     const BallId cue = *play_.balls[cue_ball];
-    const auto add = [&](PoolThought::Kind kind, PoolCall call, Vec2 velocity, BallId object) {
-        if (candidates_.size() >= most_candidates + 40) return;
-        Candidate candidate;
-        candidate.thought.kind = kind;
-        candidate.thought.call = call;
-        candidate.thought.strike = {cue, velocity};
-        candidate.thought.ball = number_of(play_, object);
-        candidates_.push_back(candidate);
+    const auto add = [&](CandidateShot::Kind kind, PoolCall call, Vec2 velocity, BallId object) {
+        if (trials_.size() >= most_trials + 40) return;
+        Trial trial;
+        trial.shot.kind = kind;
+        trial.shot.call = call;
+        trial.shot.strike = {cue, velocity};
+        trial.shot.ball = number_of(play_, object);
+        trials_.push_back(trial);
     };
     const bool calls = may_call_shots(play_.rules);
     const PoolCall safety{calls ? PoolCall::Kind::safety : PoolCall::Kind::none, 0, 0};
     for (const BallId object : legal_balls(play_))
         for (const Vec2 way : hit_directions(scene_, world_, cloth_, cue, from, object))
             for (const double speed : {0.7, 1.2, 2.2}) {
-                add(PoolThought::Kind::safety, safety, way * speed, object);
+                add(CandidateShot::Kind::safety, safety, way * speed, object);
                 if (play_.rules.may_push_out && speed < 1.0)
-                    add(PoolThought::Kind::push_out, {PoolCall::Kind::push_out, 0, 0}, way * speed,
-                        object);
+                    add(CandidateShot::Kind::push_out, {PoolCall::Kind::push_out, 0, 0},
+                        way * speed, object);
             }
-    if (!candidates_.empty()) return;
-    // Nothing can be met by a line that is seen: round the table in the hope of meeting something.
+    if (!trials_.empty()) return;
+    // No legal ball can be reached by a line that geometry finds: shoot round the table.
     for (const Vec2 way : {Vec2{1.0, 0.0}, Vec2{0.0, 1.0}, Vec2{-1.0, 0.0}, Vec2{0.0, -1.0},
                            Vec2{0.8, 0.6}, Vec2{-0.8, 0.6}, Vec2{-0.8, -0.6}, Vec2{0.8, -0.6}})
         for (const double speed : {2.0, 4.0})
-            add(PoolThought::Kind::kick, {}, way * std::min(speed, most_speed_), cue);
+            add(CandidateShot::Kind::kick, {}, way * std::min(speed, most_speed_), cue);
 }
 
-// The ball in hand: behind the line into a pocket, near enough, and a little aside for the angle.
-void PoolThinker::propose_placed() {
+// Ball in hand: places on the line to a pocket and a little beside it, for an angle.
+void ShotPlanner::propose_placed() {
     const BallId cue = *play_.balls[cue_ball];
     const double radius = world_.balls.radius[*index_of(world_, cue)];
     struct Placed {
@@ -219,26 +217,26 @@ void PoolThinker::propose_placed() {
         propose_pots(placed.place, std::span(&placed.line, 1));
 }
 
-Forecast PoolThinker::try_out(const Candidate& candidate, const command::Strike& strike) {
+Forecast ShotPlanner::try_out(const Trial& trial, const command::Strike& strike) {
     PoolPlay play = play_;
-    play.call = candidate.thought.call;
-    return forecast(scene_, world_with(candidate.thought.place), play, solver_, strike, foresight,
+    play.call = trial.shot.call;
+    return forecast(scene_, world_with(trial.shot.place), play, solver_, strike, foresight,
                     Tracks::none);
 }
 
-double PoolThinker::value_of(const Forecast& ahead) const {
+double ShotPlanner::value_of(const Forecast& ahead) const {
     const auto& play = std::get<PoolPlay>(ahead.game);
-    if (play.is_shooting) return 0.0;  // it did not come to rest
+    if (play.is_shooting) return 0.0;  // the balls did not come to rest in time
     return value_to(play_.rules.player, scene_, ahead.world, play, cloth_, error_.bearing);
 }
 
-bool PoolThinker::goes_on(const Forecast& ahead) const {
+bool ShotPlanner::goes_on(const Forecast& ahead) const {
     const auto& play = std::get<PoolPlay>(ahead.game);
     return play.rules.winner == std::optional(play_.rules.player) ||
            (!play.rules.winner && play.rules.player == play_.rules.player);
 }
 
-void PoolThinker::work(int tries) {
+void ShotPlanner::work(int tries) {
     for (; tries > 0 && stage_ != Stage::done; --tries) {
         if (stage_ == Stage::trying)
             try_next();
@@ -247,63 +245,59 @@ void PoolThinker::work(int tries) {
     }
 }
 
-// Each once, as it is meant. What geometry says of how likely it is counts, for here it cannot miss
-// by the hand's error.
-void PoolThinker::try_next() {
-    Candidate& candidate = candidates_[next_++];
-    const Forecast ahead = try_out(candidate, candidate.thought.strike);
+// Simulates the next shot once without noise. It cannot miss here, so its value is weighted by the
+// chance that geometry gives it.
+void ShotPlanner::try_next() {
+    Trial& trial = trials_[next_++];
+    const Forecast ahead = try_out(trial, trial.shot.strike);
     const double value = value_of(ahead);
-    const double chance = goes_on(ahead) ? candidate.chance : 1.0;
-    candidate.first_value = chance * value + (1.0 - chance) * value_of_miss;
+    const double chance = goes_on(ahead) ? trial.chance : 1.0;
+    trial.first_value = chance * value + (1.0 - chance) * value_of_miss;
     const auto& play = std::get<PoolPlay>(ahead.game);
     if (goes_on(ahead) && !play.rules.winner)
-        candidate.thought.leaves =
-            outlook(scene_, ahead.world, play, cloth_, error_.bearing).easiest;
-    if (next_ == candidates_.size()) begin_testing();
+        trial.shot.leaves = outlook(scene_, ahead.world, play, cloth_, error_.bearing).easiest;
+    if (next_ == trials_.size()) begin_testing();
 }
 
-// The best of them again and again, with the errors of the hand: the same errors for all.
-void PoolThinker::begin_testing() {
-    std::ranges::stable_sort(candidates_, [](const Candidate& a, const Candidate& b) {
-        return a.first_value > b.first_value;
-    });
-    if (candidates_.size() > most_finalists) candidates_.resize(most_finalists);
+// Keeps the best, to be simulated again and again with noise: the same noise for all.
+void ShotPlanner::begin_testing() {
+    std::ranges::stable_sort(
+        trials_, [](const Trial& a, const Trial& b) { return a.first_value > b.first_value; });
+    if (trials_.size() > most_finalists) trials_.resize(most_finalists);
     stage_ = Stage::testing;
     next_ = 0;
     round_ = 0;
 }
 
-void PoolThinker::test_next() {
-    Candidate& candidate = candidates_[next_];
-    const command::Strike off = with_error(candidate.thought.strike, error_, most_speed_, seed_,
+void ShotPlanner::test_next() {
+    Trial& trial = trials_[next_];
+    const command::Strike off = with_noise(trial.shot.strike, error_, most_speed_, seed_,
                                            static_cast<std::uint64_t>(round_));
-    const Forecast ahead = try_out(candidate, off);
-    candidate.sum += value_of(ahead);
-    if (goes_on(ahead)) ++candidate.went_on;
-    if (++next_ < candidates_.size()) return;
+    const Forecast ahead = try_out(trial, off);
+    trial.sum += value_of(ahead);
+    if (goes_on(ahead)) ++trial.went_on;
+    if (++next_ < trials_.size()) return;
     next_ = 0;
     if (++round_ == rounds) finish();
 }
 
-void PoolThinker::finish() {
+void ShotPlanner::finish() {
     stage_ = Stage::done;
-    for (Candidate& candidate : candidates_) {
-        candidate.thought.value = candidate.sum / rounds;
-        candidate.thought.success = static_cast<double>(candidate.went_on) / rounds;
+    for (Trial& trial : trials_) {
+        trial.shot.value = trial.sum / rounds;
+        trial.shot.success = static_cast<double>(trial.went_on) / rounds;
     }
-    std::ranges::stable_sort(candidates_, [](const Candidate& a, const Candidate& b) {
-        return a.thought.value > b.thought.value;
-    });
-    // Three that differ in more than speed and spin, where there are three.
-    for (const Candidate& candidate : candidates_) {
-        const auto is_same = [&](const PoolThought& other) {
-            return other.kind == candidate.thought.kind && other.ball == candidate.thought.ball &&
-                   other.pocket == candidate.thought.pocket;
+    std::ranges::stable_sort(
+        trials_, [](const Trial& a, const Trial& b) { return a.shot.value > b.shot.value; });
+    // Up to three that differ in more than speed and spin.
+    for (const Trial& trial : trials_) {
+        const auto is_same = [&](const CandidateShot& other) {
+            return other.kind == trial.shot.kind && other.ball == trial.shot.ball &&
+                   other.pocket == trial.shot.pocket;
         };
-        if (best_.size() < 3 && std::ranges::none_of(best_, is_same))
-            best_.push_back(candidate.thought);
+        if (best_.size() < 3 && std::ranges::none_of(best_, is_same)) best_.push_back(trial.shot);
     }
-    candidates_.clear();
+    trials_.clear();
 }
 
 }  // namespace carom

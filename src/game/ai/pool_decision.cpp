@@ -8,7 +8,7 @@
 #include "game/referees/referee.h"
 #include "physics/world/random.h"
 
-/// What a thought says, and what it does.
+/// What a shot says, and what it does.
 namespace carom {
 namespace {
 
@@ -16,30 +16,30 @@ constexpr std::array<double, 4> factors = {7.0, 3.5, 1.7, 0.5};
 constexpr std::array<std::string_view, 4> texts = {"a beginner's hand", "a fair hand",
                                                    "a good hand", "a master's hand"};
 
-std::size_t row_of(int steadiness) {
-    return static_cast<std::size_t>(steadiness - least_steadiness);
+std::size_t row_of(int skill) {
+    return static_cast<std::size_t>(skill - least_skill);
 }
 
-// The hand errs with draws of its own, which no try has seen.
+// The shot itself draws noise that no simulation has seen.
 constexpr std::uint64_t of_the_hand = 1u << 20;
 
 }  // namespace
 
-HandError error_of(int steadiness) {
-    return HandError{} * factors[row_of(steadiness)];
+ShotNoise shot_noise(int skill) {
+    return ShotNoise{} * factors[row_of(skill)];
 }
 
-std::string_view steadiness_text(int steadiness) {
-    return texts[row_of(steadiness)];
+std::string_view skill_text(int skill) {
+    return texts[row_of(skill)];
 }
 
-std::string thought_text(const Scene& scene, const PoolThought& thought) {
-    const double speed = length(thought.strike.velocity);
+std::string candidate_text(const Scene& scene, const CandidateShot& shot) {
+    const double speed = length(shot.strike.velocity);
     std::string text;
-    const std::string ball = thought.ball ? fmt::format("the {}", *thought.ball) : "the rack";
-    const auto into = [&] { return pocket_name(scene, thought.pocket); };
-    using enum PoolThought::Kind;
-    switch (thought.kind) {
+    const std::string ball = shot.ball ? fmt::format("the {}", *shot.ball) : "the rack";
+    const auto into = [&] { return pocket_name(scene, shot.pocket); };
+    using enum CandidateShot::Kind;
+    switch (shot.kind) {
         case break_off:
             text = "break";
             break;
@@ -53,8 +53,7 @@ std::string thought_text(const Scene& scene, const PoolThought& thought) {
             text = fmt::format("bank {} into the {}", ball, into());
             break;
         case kick:
-            text =
-                thought.ball ? fmt::format("kick {} into the {}", ball, into()) : "round the table";
+            text = shot.ball ? fmt::format("kick {} into the {}", ball, into()) : "round the table";
             break;
         case safety:
             text = fmt::format("safety on {}", ball);
@@ -64,17 +63,17 @@ std::string thought_text(const Scene& scene, const PoolThought& thought) {
             break;
     }
     text += fmt::format(", {:.1f} m/s", speed);
-    const double follow = thought.strike.follow;
-    const double side = thought.strike.side;
+    const double follow = shot.strike.follow;
+    const double side = shot.strike.side;
     if (follow != 0.0) text += fmt::format(", {}", follow > 0.0 ? "follow" : "draw");
     if (side != 0.0) text += fmt::format(", {} side", side > 0.0 ? "right" : "left");
-    text += fmt::format(": goes on {:.0f} %", 100.0 * thought.success);
-    if (thought.leaves) text += fmt::format(", then the {}", *thought.leaves);
+    text += fmt::format(": goes on {:.0f} %", 100.0 * shot.success);
+    if (shot.leaves) text += fmt::format(", then the {}", *shot.leaves);
     return text;
 }
 
 PoolChoice choice_of(const Scene& scene, const World& world, const PoolPlay& play,
-                     const HandError& error) {
+                     const ShotNoise& error) {
     const std::vector<PoolChoice>& choices = play.rules.choices;
     if (choices.front() != PoolChoice::take_table) return choices.front();
     PoolPlay taken = play;
@@ -85,13 +84,13 @@ PoolChoice choice_of(const Scene& scene, const World& world, const PoolPlay& pla
 }
 
 std::vector<Command> commands_of(const Scene& scene, const PoolPlay& play,
-                                 const PoolThought& thought, const HandError& error,
+                                 const CandidateShot& shot, const ShotNoise& error,
                                  std::uint64_t seed) {
     std::vector<Command> commands;
-    if (thought.place) commands.push_back(command::PlaceBall{thought.strike.ball, *thought.place});
-    if (!(thought.call == play.call)) commands.push_back(command::CallShot{thought.call});
+    if (shot.place) commands.push_back(command::PlaceBall{shot.strike.ball, *shot.place});
+    if (!(shot.call == play.call)) commands.push_back(command::CallShot{shot.call});
     commands.push_back(
-        with_error(thought.strike, error, scene.pool.cue->most_power, seed, of_the_hand));
+        with_noise(shot.strike, error, scene.pool.cue->most_power, seed, of_the_hand));
     return commands;
 }
 

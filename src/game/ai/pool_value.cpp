@@ -46,14 +46,14 @@ Outlook outlook(const Scene& scene, const World& world, const PoolPlay& play, co
     if (!lines.empty()) {
         result.chance = pot_chance(lines.front(), bearing_error);
         result.easiest = number_of(play, lines.front().object);
-        // A second ball to go to makes the first worth more.
+        // A second ball to play next makes the first one worth more.
         double second = 0.0;
         for (const PotLine& line : lines)
             if (line.object != lines.front().object)
                 second = std::max(second, pot_chance(line, bearing_error));
         result.value = result.chance * (0.6 + 0.3 * second);
     }
-    // Who chooses may also leave the shot to the other.
+    // A player who chooses may also leave the shot to the opponent.
     if (rules.phase == PoolPhase::choosing)
         result.value = rules.choices.front() == PoolChoice::take_table && rules.choices.size() == 2
                            ? std::abs(result.value)

@@ -5,28 +5,28 @@
 #include "geometry/vec2.h"
 #include "physics/world/world.h"
 
-/// The lines that help to aim a ball, by geometry alone: what the struck ball would meet on a
-/// straight line, and which ways the two would part. What really happens is game/forecast.h.
+/// Aiming lines by geometry alone: what the struck ball would hit on a straight line, and in which
+/// directions the two balls would leave. session/forecast.h says what really happens.
 namespace carom {
 
 struct AimLine {
-    Vec2 from;                     ///< the middle of the ball that is struck
-    Vec2 to;                       ///< where it is when it meets something, or far away
-    std::optional<BallId> object;  ///< the ball that it meets first; none: an edge, or nothing
-    /// With an object: the unit vector of its way, the line of centres.
+    Vec2 from;                     ///< the centre of the struck ball
+    Vec2 to;                       ///< its centre at the first hit, or far away
+    std::optional<BallId> object;  ///< the ball that it hits first; none: an edge, or nothing
+    /// With an object: its direction, a unit vector along the line of centres.
     Vec2 object_way;
-    /// With an object: the unit vector of the way of a ball that slides, at a right angle to it; 0
-    /// where the ball is met full.
+    /// With an object: the direction of a sliding cue ball, a unit vector at a right angle to the
+    /// line of centres; 0 for a full hit.
     Vec2 tangent;
-    /// With an object: cosine of the cut angle, 1 when the ball is met full.
+    /// With an object: cosine of the cut angle, 1 for a full hit.
     double cut_cosine = 0.0;
 };
 
-/// None when there is no such ball, or the direction is 0.
+/// None when the ball does not exist, or the direction is 0. Looks at all bodies once.
 std::optional<AimLine> aim_line(const World& world, BallId ball, Vec2 direction);
 
-/// Where the middle of a ball of this radius must be when it meets `object`, for the object to go
-/// towards `target`. Pre: object and target differ.
+/// The ghost ball: where the centre of a ball of this radius must be at the hit for `object` to
+/// leave towards `target`. Pre: object and target differ.
 Vec2 ghost_place(Vec2 object, double object_radius, double radius, Vec2 target);
 
 }  // namespace carom

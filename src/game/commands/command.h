@@ -10,13 +10,14 @@
 #include "physics/solver.h"
 #include "physics/world/world.h"
 
-/// What a player can do to the world. Lengths, speeds and masses are the world's.
+/// What a player can do to a world, as plain data. Lengths, speeds and masses are in the units of
+/// the world.
 namespace carom {
 
 namespace command {
-/// The cue: the ball gets this velocity. Where the tip meets it off its middle it also turns: by
-/// `side` to the right and `follow` up, both as shares of the radius. Side needs Model::spin,
-/// follow Model::cloth; `follow` = Model::spin makes it roll at once.
+/// A stroke of the cue: the ball gets this velocity. A tip that hits the ball off its centre also
+/// spins it: `side` to the right and `follow` up, both as shares of the radius. `side` needs
+/// Model::spin, `follow` needs Model::cloth; `follow` = Model::spin makes the ball roll at once.
 struct Strike {
     static constexpr double most_offset = 0.5;  ///< further out, a tip slips off
     BallId ball{};
@@ -24,7 +25,7 @@ struct Strike {
     double side = 0.0;
     double follow = 0.0;
 };
-/// Takes a ball, or moves the hand that has it.
+/// Takes hold of a ball, or moves the ball that is held.
 struct HoldBall {
     BallId ball{};
     Vec2 target;
@@ -32,7 +33,7 @@ struct HoldBall {
 struct DropBall {
     BallId ball{};
 };
-/// Takes an edge, or moves the hand that has it: where its two ends shall be.
+/// Takes hold of an edge, or moves the edge that is held: the targets of its two ends.
 struct HoldCapsule {
     CapsuleId capsule{};
     Vec2 start_target;
@@ -41,12 +42,12 @@ struct HoldCapsule {
 struct DropCapsule {
     CapsuleId capsule{};
 };
-/// Puts a ball down somewhere else at once; it keeps its velocity. For a world that stands still.
+/// Moves a ball at once; it keeps its velocity. For a world that is paused.
 struct PlaceBall {
     BallId ball{};
     Vec2 position;
 };
-/// Puts an edge down somewhere else at once.
+/// Moves an edge at once.
 struct PlaceCapsule {
     CapsuleId capsule{};
     Vec2 start;
@@ -77,20 +78,20 @@ struct Press {
     Button button = Button::left_flipper;
     bool is_down = false;
 };
-/// A hand has pulled the plunger so far, 0..1 of its way, and holds it there or lets go of it.
+/// Pulls the plunger to this share of its travel, 0..1, and holds it there or releases it.
 struct Pull {
     double share = 0.0;
     bool lets_go = false;
 };
-/// Pool: what the next shot shall do; the last call counts.
+/// Pool: the call for the next shot; the last call counts.
 struct CallShot {
     PoolCall call;
 };
-/// Pool: what the player whose turn it is decides.
+/// Pool: the decision of the player whose turn it is.
 struct Decide {
     PoolChoice choice = PoolChoice::take_table;
 };
-/// Pool: the next frame.
+/// Pool: begins the next frame.
 struct RackAgain {};
 }  // namespace command
 
@@ -107,28 +108,27 @@ struct TimedCommand {
     Command command;
 };
 
-/// Why a command cannot be obeyed, as a sentence for the player; none when it can. A command is
-/// refused when it is about what is not there, when a number in it is not finite or out of range,
-/// and when it would put a ball or an edge into another body that it meets. A world alone has no
-/// buttons and no referee: see game_state.h.
+/// Why a command cannot be carried out, as a sentence for the player; none when it can. A command
+/// is refused when it names a body that does not exist, when a number in it is not finite or out of
+/// range, and when it would make a ball or an edge overlap a body that it collides with. A world
+/// alone has no buttons and no referee: see game_state.h. Cost: linear in the bodies.
 std::optional<std::string> refusal(const World& world, const Command& command);
 
-/// Does to the world what the command says; SetSolver does nothing to it. What is added under
-/// Model::filtered, Model::wrap and the rest follows the rules of add_ball and add_capsule.
-/// Pre: the command is not refused.
-void obey(World& world, const Command& command);
+/// Carries out a command. SetSolver, and commands of games, leave the world as it is. Bodies are
+/// added by the rules of add_ball and add_capsule. Pre: the command is not refused.
+void execute(World& world, const Command& command);
 
-/// Whether `later`, coming right after `earlier`, goes on with its gesture: a drag, from taking to
-/// dropping, is one, and so are placings that follow each other, and a call with its shot. A
-/// gesture is undone as a whole.
+/// Whether `later`, right after `earlier`, belongs to the same gesture. A gesture is a drag from
+/// taking hold to letting go, a run of placings, or a call with its shot. Undo takes back a whole
+/// gesture.
 bool continues_gesture(const Command& earlier, const Command& later);
 
-/// Whether it moves an edge by hand. Edges do not hinder each other, so that two such commands of
-/// one tick may change places.
+/// Whether the command moves an edge by hand. Edges do not obstruct each other, so two such
+/// commands of one tick may change places.
 bool moves_capsule(const Command& command);
 
-/// Whether both move the same ball or edge by hand: of two such in one gesture and one tick only
-/// the later counts.
+/// Whether both commands move the same ball or edge by hand: of two such in one gesture and one
+/// tick only the later one counts.
 bool moves_same_hand(const Command& earlier, const Command& later);
 
 }  // namespace carom

@@ -96,7 +96,7 @@ void note_launch(Pinball game) {
     save_for(game, game.table().save);
 }
 
-void work_plunger(Pinball game) {
+void update_plunger(Pinball game) {
     PinballState& state = game.state;
     if (state.is_down[static_cast<std::size_t>(Button::plunger)])
         state.pull = std::min(1.0, state.pull + game.world.tick_length() / full_pull);
@@ -211,7 +211,7 @@ void count_drained(Pinball game) {
         const std::int32_t zone = game.world.removed[static_cast<std::size_t>(i)].zone;
         for (std::uint32_t d = 0; d < game.table().devices.size() && zone >= 0; ++d)
             if (game.table().devices[d].zone == static_cast<std::uint32_t>(zone))
-                tell_rules(game, d, Rule::When::enter);
+                apply_rules(game, d, Rule::When::enter);
     }
     state.removals_seen = game.world.removed.size();
     state.drained += gone;
@@ -240,20 +240,20 @@ PinballState begin_pinball(const Scene& scene) {
     return state;
 }
 
-void follow_pinball(const Scene& scene, World& world, PinballState& state,
+void update_pinball(const Scene& scene, World& world, PinballState& state,
                     std::span<const Contact> contacts) {
     const Pinball game{scene, world, state};
     hit_devices(game, contacts);
-    watch_lights(game);
+    expire_lights(game);
     visit_zones(game);
     cross_ramps(game);
-    work_holes(game);
-    turn_spinners(game);
+    update_holes(game);
+    update_spinners(game);
     count_drained(game);
     go_on_after_count(game);
     raise_targets(game);
     push_table(game);
-    work_plunger(game);
+    update_plunger(game);
     if (scene.table.is_game) {
         search_balls(game);
         serve(game);

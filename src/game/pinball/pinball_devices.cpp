@@ -77,7 +77,7 @@ void hit_devices(Pinball game, std::span<const Contact> contacts) {
         if (hit.kind == DeviceKind::bumper || hit.kind == DeviceKind::slingshot) {
             game.state.flash_until[device] = game.now() + game.ticks(flash);
         }
-        tell_rules(game, device, Rule::When::hit);
+        apply_rules(game, device, Rule::When::hit);
     }
 }
 
@@ -106,13 +106,13 @@ void visit_zones(Pinball game) {
                 std::max(game.state.turning[visit.device],
                          length(game.world.balls.velocity[ball]) / rim * half_turns_per_length);
         }
-        tell_rules(game, visit.device, Rule::When::enter);
+        apply_rules(game, visit.device, Rule::When::enter);
         if (place.kind == DeviceKind::kickback) kick_back(game, visit.device, ball);
         if (place.kind == DeviceKind::hole) take_into_hole(game, visit.device, visit.ball);
     }
 }
 
-void turn_spinners(Pinball game) {
+void update_spinners(Pinball game) {
     constexpr double slowing = 1.2;  // 1/s
     constexpr double slowest = 1.0;  // half turns a second
     const double step = game.world.tick_length();
@@ -123,7 +123,7 @@ void turn_spinners(Pinball game) {
         turned += turning * step;
         turning -= turning * std::min(1.0, slowing * step);
         for (; turned >= 1.0; turned -= 1.0)
-            tell_rules(game, device, Rule::When::hit);
+            apply_rules(game, device, Rule::When::hit);
         if (turning < slowest) turning = turned = 0.0;
     }
 }

@@ -122,14 +122,14 @@ void set_lit(Pinball game, std::uint32_t device, bool is_lit) {
     game.state.lit_until[device] = 0;
 }
 
-void watch_lights(Pinball game) {
+void expire_lights(Pinball game) {
     for (std::uint32_t device = 0; device < game.state.lit_until.size(); ++device) {
         const std::uint64_t until = game.state.lit_until[device];
         if (until > 0 && game.now() >= until) set_lit(game, device, false);
     }
 }
 
-void tell_rules(Pinball game, std::uint32_t device, Rule::When when) {
+void apply_rules(Pinball game, std::uint32_t device, Rule::When when) {
     if (!game.is_scoring()) return;
     const std::uint32_t group = game.table().devices[device].group;
     follow(game, group, when, 0);

@@ -64,39 +64,39 @@ void take_back(Pinball game, BallId ball) {
 
 void search_balls(Pinball game) {
     World& world = game.world;
-    std::vector<PinballState::Watch> watches;
+    std::vector<PinballState::Progress> progress;
     std::vector<BallId> given_up;
     for (std::size_t i = 0; i < world.balls.size(); ++i) {
         const BallId id = world.balls.id[i];
         const Vec2 at = world.balls.position[i];
         const auto known =
-            std::ranges::lower_bound(game.state.watches, id, {}, &PinballState::Watch::ball);
-        PinballState::Watch watch{id, at, game.now(), 0};
-        if (known != game.state.watches.end() && known->ball == id) watch = *known;
-        const bool gets_on = distance(at, watch.place) > world.balls.radius[i];
-        if (gets_on) watch = {id, at, game.now(), 0};
+            std::ranges::lower_bound(game.state.progress, id, {}, &PinballState::Progress::ball);
+        PinballState::Progress ball{id, at, game.now(), 0};
+        if (known != game.state.progress.end() && known->ball == id) ball = *known;
+        const bool gets_on = distance(at, ball.place) > world.balls.radius[i];
+        if (gets_on) ball = {id, at, game.now(), 0};
         if (is_off(game, i)) {
             given_up.push_back(id);
             continue;
         }
-        const bool is_due = game.now() >= watch.since + game.ticks(patience);
+        const bool is_due = game.now() >= ball.since + game.ticks(patience);
         if (is_due) {
             const bool may_stay =
                 is_cradled(game, i) || is_held(game.state, id) || is_on_plunger(game.scene, world);
-            watch.since = game.now();
-            if (!may_stay && watch.searches >= most_kicks) {
+            ball.since = game.now();
+            if (!may_stay && ball.searches >= most_kicks) {
                 given_up.push_back(id);
                 continue;
             }
             if (!may_stay) {
-                ++watch.searches;
+                ++ball.searches;
                 ++game.state.searches;
                 world.balls.velocity[i] += way_out(game, i) * (kick * world.balls.radius[i]);
             }
         }
-        watches.push_back(watch);
+        progress.push_back(ball);
     }
-    game.state.watches = std::move(watches);
+    game.state.progress = std::move(progress);
     for (const BallId id : given_up)
         take_back(game, id);
 }

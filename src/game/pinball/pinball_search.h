@@ -4,9 +4,10 @@
 
 namespace carom {
 
-/// The ball search of real tables: a ball that has not got on for a while is kicked away from what
-/// it is nearest to, a few times, and is then taken back to the plunger. A ball that lies on the
-/// plunger, or on a flipper that is held up, may stay. What has left the table is taken back too.
+/// The ball search of real tables. A ball that has made no progress for a while is kicked away from
+/// the nearest edge, a few times; then it is removed and served again. A ball on the plunger, in a
+/// hole, or on a flipper that is held up may stay. A ball that has left the table is served again
+/// too.
 void search_balls(Pinball game);
 
 }  // namespace carom

@@ -10,29 +10,29 @@
 
 namespace carom {
 
-/// A game of pinball, beside the world: everything that its rules remember. Times are ticks.
+/// The state of a game of pinball beside the world. Times are ticks.
 struct PinballState {
     enum class Phase : std::uint8_t {
         playing,
-        counting,  ///< the ball is lost, and its bonus has been counted
-        over       ///< the plunger begins another game
+        counting,  ///< the ball has drained, and its bonus is shown
+        over       ///< the plunger starts another game
     };
     Phase phase = Phase::playing;
     std::uint64_t phase_until = 0;  ///< counting
 
     std::int64_t score = 0;
-    std::uint32_t ball = 1;  ///< which of the game's
+    std::uint32_t ball = 1;  ///< number of the ball in play
     std::uint32_t extra_balls = 0;
     std::int64_t bonus = 0;
     std::int64_t multiplier = 1;  ///< of the bonus
     std::uint64_t games = 1;
 
-    /// The ball of this turn has been launched, so that the clock of its save runs.
+    /// The ball in play has been launched, so the ball saver runs.
     bool is_launched = false;
     std::uint64_t save_until = 0;
-    std::uint32_t to_serve = 0;   ///< balls that wait to come to the plunger
-    bool serves_itself = false;   ///< the table launches them
-    std::uint64_t launch_at = 0;  ///< by itself; 0: not
+    std::uint32_t to_serve = 0;   ///< balls that wait to be served to the plunger
+    bool serves_itself = false;   ///< the table launches them by itself
+    std::uint64_t launch_at = 0;  ///< of the launch by itself; 0: none
     double pull = 0.0;            ///< of the plunger, 0..1
 
     std::array<bool, button_count> is_down{};
@@ -44,19 +44,20 @@ struct PinballState {
 
     /// By PinballTable::devices.
     std::vector<std::uint8_t> is_lit;
-    /// What kicks shines for a moment: for the eye alone, and in no fingerprint.
+    /// Kickers flash for a moment: for the eye alone, and in no fingerprint.
     std::vector<std::uint64_t> flash_until;
-    std::vector<std::uint64_t> lit_until;  ///< 0: for good
-    std::vector<std::uint8_t> is_rising;   ///< drop targets that wait for a ball to go
-    std::vector<double> turning;           ///< spinners: half turns a second
-    std::vector<double> turned;            ///< spinners: of a half turn
+    std::vector<std::uint64_t> lit_until;  ///< 0: until something unlights it
+    std::vector<std::uint8_t>
+        is_rising;                ///< drop targets that wait to rise until no ball is in the way
+    std::vector<double> turning;  ///< spinners: half turns a second
+    std::vector<double> turned;   ///< spinners: of a half turn
 
     struct Visit {
         std::uint32_t device = 0;
         BallId ball{};
         friend auto operator<=>(const Visit&, const Visit&) = default;
     };
-    std::vector<Visit> visits;  ///< who is in which zone, ascending
+    std::vector<Visit> visits;  ///< which ball is in which zone, ascending
 
     /// A ball in a hole.
     struct Held {
@@ -66,20 +67,20 @@ struct PinballState {
     };
     std::vector<Held> held;
 
-    /// A ball and where it was when it last got on.
-    struct Watch {
+    /// Where and when a ball last made progress.
+    struct Progress {
         BallId ball{};
         Vec2 place;
         std::uint64_t since = 0;
         std::uint32_t searches = 0;
     };
-    std::vector<Watch> watches;  ///< ascending by ball
+    std::vector<Progress> progress;  ///< ascending by ball
 
     std::uint64_t removals_seen = 0;
     std::uint64_t drained = 0;   ///< balls, saved ones included
     std::uint64_t searches = 0;  ///< kicks that a ball search gave
-    std::uint64_t lost = 0;      ///< balls that were taken back since no search freed them, or that
-                                 ///< were off the table
+    std::uint64_t lost = 0;      ///< balls served again because no search freed them, or because
+                                 ///< they were off the table
 
     std::string message;
     std::uint64_t message_until = 0;

@@ -9,10 +9,10 @@
 #include "level/scene/scene.h"
 #include "physics/world/world.h"
 
-/// The parts of a game of pinball that its files share.
+/// What the files of pinball share.
 namespace carom {
 
-/// A table, the world that stands on it, and the state of the game, while a tick is followed.
+/// A table, its world, and the state of the game, while the rules are applied to a tick.
 struct Pinball {
     const Scene& scene;
     World& world;
@@ -20,12 +20,12 @@ struct Pinball {
 
     const PinballTable& table() const { return scene.table; }
     std::uint64_t now() const { return world.tick; }
-    /// At least one tick.
+    /// A time as whole ticks, at least one.
     std::uint64_t ticks(double seconds) const {
         const double ticks = seconds * world.rate + 0.5;
         return ticks < 1.0 ? 1 : static_cast<std::uint64_t>(ticks);
     }
-    /// Of the table's own ball: what speeds and lengths that no level states are measured by.
+    /// The radius of the table's first ball: the unit of speeds and lengths that no level states.
     double radius() const {
         return scene.world.balls.size() > 0 ? scene.world.balls.radius[0] : 1.0;
     }
@@ -38,31 +38,31 @@ struct Pinball {
     }
 };
 
-/// Lights that go on or off (pinball_rules.cpp).
+/// Switches a light on, until further notice, or off (pinball_rules.cpp).
 void set_lit(Pinball game, std::uint32_t device, bool is_lit);
 
-/// Lights whose time is over go off (pinball_rules.cpp).
-void watch_lights(Pinball game);
+/// Switches off lights whose time is over (pinball_rules.cpp).
+void expire_lights(Pinball game);
 
-/// What happened to a device, told to the rules (pinball_rules.cpp).
-void tell_rules(Pinball game, std::uint32_t device, Rule::When when);
+/// Applies the rules to what happened to a device (pinball_rules.cpp).
+void apply_rules(Pinball game, std::uint32_t device, Rule::When when);
 
-/// Targets that shall stand again do as soon as no ball is in the way (pinball_devices.cpp).
+/// Raises drop targets that are due, as soon as no ball is in the way (pinball_devices.cpp).
 void raise_targets(Pinball game);
 void hit_devices(Pinball game, std::span<const Contact> contacts);
 void visit_zones(Pinball game);
-void turn_spinners(Pinball game);
+void update_spinners(Pinball game);
 
-// pinball_ways.cpp
+// pinball_holes.cpp
 void take_into_hole(Pinball game, std::uint32_t device, BallId ball);
-void work_holes(Pinball game);
+void update_holes(Pinball game);
 bool is_held(const PinballState& state, BallId ball);
 void cross_ramps(Pinball game);
 
-/// Sends what lies on a plunger, with this share of its speed. False: nothing did.
+/// Launches the balls on a plunger with this share of its speed. False: there were none.
 bool launch(Pinball game, double pull);
 
-/// The saver is on for so long from now, at least.
+/// Extends the ball saver to at least this long from now.
 void save_for(Pinball game, double seconds);
 
 }  // namespace carom

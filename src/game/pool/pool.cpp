@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "game/fold.h"
+#include "game/digest.h"
 #include "game/referees/referee.h"
 #include "geometry/impact.h"
 #include "level/scene/games.h"
@@ -16,7 +16,7 @@ const Rack& rack_of(const Scene& scene) {
 
 namespace {
 
-// As the scene's ball of that id, but there, and at rest.
+// Adds a ball like the scene's ball `like`, at rest at `place`.
 BallId put_ball(const Scene& scene, World& world, BallId like, Vec2 place) {
     const Balls& balls = scene.world.balls;
     const std::size_t i = *index_of(scene.world, like);
@@ -40,7 +40,7 @@ bool is_free(const World& world, Vec2 place, double radius) {
     return true;
 }
 
-// The nearest free place from `spot` on, along `way`; where there is none, before it.
+// The nearest free place from `spot` along `way`; where there is none, in the other direction.
 Vec2 free_place(const World& world, Vec2 spot, Vec2 way, double radius) {
     constexpr int most_steps = 400;
     const double step = 0.05 * radius;
@@ -87,7 +87,7 @@ void carry_out(const Scene& scene, World& world, PoolPlay& play, const PoolRulin
         put_back(scene, world, play, cue_ball);
 }
 
-// Of a time in s, whole, and at least one where it is any time at all.
+// A time in s as whole ticks, rounded up.
 std::uint64_t ticks_of(double seconds, double rate) {
     constexpr double most = 1e15;
     const double ticks = std::min(seconds * rate, most);
@@ -135,7 +135,7 @@ void note_pocketed(const Scene& scene, const World& world, PoolPlay& play) {
 
 }  // namespace
 
-void obey(const Scene& scene, World& world, PoolPlay& play, const Command& command) {
+void execute(const Scene& scene, World& world, PoolPlay& play, const Command& command) {
     if (const auto* call = std::get_if<command::CallShot>(&command)) {
         play.call = call->call;
     } else if (const auto* decide = std::get_if<command::Decide>(&command)) {
@@ -143,7 +143,7 @@ void obey(const Scene& scene, World& world, PoolPlay& play, const Command& comma
     } else if (std::holds_alternative<command::RackAgain>(command)) {
         rack_again(scene, world, play);
     } else {
-        obey(world, command);
+        execute(world, command);
         if (std::holds_alternative<command::Strike>(command)) begin_shot(play);
     }
 }
@@ -165,10 +165,10 @@ bool lies_still(const World& world) {
            std::ranges::none_of(world.balls.roll, moves);
 }
 
-std::uint64_t folded(std::uint64_t start, const PoolPlay& play) {
-    Fold fold(start);
-    const auto add = [&fold](auto value) {
-        fold.add(static_cast<std::uint64_t>(static_cast<std::int64_t>(value)));
+std::uint64_t digest_of(std::uint64_t start, const PoolPlay& play) {
+    Digest digest(start);
+    const auto add = [&digest](auto value) {
+        digest.add(static_cast<std::uint64_t>(static_cast<std::int64_t>(value)));
     };
     const auto add_shot = [&](const PoolShot& shot) {
         add(shot.first_hit.value_or(-1));
@@ -211,10 +211,10 @@ std::uint64_t folded(std::uint64_t start, const PoolPlay& play) {
     add(play.frames[1]);
     if (play.race > 0) add(play.race);
     if (play.clock > 0) {
-        fold.add(play.clock);
-        fold.add(play.clock_from);
+        digest.add(play.clock);
+        digest.add(play.clock_from);
     }
-    return fold.state();
+    return digest.value();
 }
 
 std::size_t bytes_of(const PoolPlay& play) {
@@ -272,7 +272,7 @@ void begin_shot(PoolPlay& play) {
     ++play.shots;
 }
 
-void follow_pool(const Scene& scene, World& world, PoolPlay& play,
+void update_pool(const Scene& scene, World& world, PoolPlay& play,
                  std::span<const Contact> contacts) {
     if (!play.is_shooting) {
         if (time_left(world, play) == std::uint64_t{0}) run_out_of_time(scene, world, play);

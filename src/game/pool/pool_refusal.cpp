@@ -5,7 +5,7 @@
 #include "game/pool/pool.h"
 #include "game/referees/referee.h"
 
-/// What the rules of pool do not let a player do.
+/// Which commands the rules of pool refuse, and why.
 namespace carom {
 namespace {
 

@@ -7,12 +7,12 @@
 #include "game/pool/pool.h"
 #include "level/scene/scene.h"
 
-/// What a game of pool has to say, in plain English, for status lines and reports.
+/// A game of pool in words, for status lines and reports.
 namespace carom {
 
 using PlayerNames = std::array<std::string, 2>;
 
-/// "top left", "bottom middle": as the table is seen. Pre: a pocket of the scene.
+/// "top left", "bottom middle": as the table is drawn. Pre: a pocket of the scene.
 std::string pocket_name(const Scene& scene, int pocket);
 
 std::string_view foul_text(PoolFoul foul);  ///< empty for none
@@ -21,14 +21,14 @@ std::string_view choice_text(PoolChoice choice);
 /// "the 3 into the top left"; "safety"; empty when nothing is called.
 std::string call_text(const Scene& scene, const PoolCall& call);
 
-/// Whose turn it is, and for what: "1:0 player 1, solids, 5 left: ball in hand".
+/// Whose turn it is, and what to do: "1:0 player 1, solids, 5 left: ball in hand".
 std::string turn_text(const PoolPlay& play, const PlayerNames& names);
 
-/// What is left of the time for a shot, in whole seconds begun: "23 s". Empty where no clock runs.
+/// The time left for a shot, in seconds rounded up: "23 s". Empty where no clock is running.
 std::string clock_text(const World& world, const PoolPlay& play);
 
-/// What the last shot came to: "foul: the cue ball fell. player 2 has the ball in hand". Empty
-/// before the first shot of a frame, and while balls roll.
+/// The outcome of the last shot: "foul: the cue ball fell. player 2: ball in hand". Empty before
+/// the first shot of a frame, and while balls roll.
 std::string outcome_text(const PoolPlay& play, const PlayerNames& names);
 
 }  // namespace carom

@@ -20,7 +20,7 @@ static_assert(std::size(button_names) == button_count);
 constexpr std::string_view call_names[] = {"none", "pot", "safety", "push-out"};
 constexpr std::string_view choice_names[] = {"take-table", "break-again", "let-break", "spot-eight",
                                              "return-push"};
-/// How they say Aids and PoolStance::Intent.
+/// How they say Aids and ShotSetup::Intent.
 constexpr std::string_view aids_names[] = {"none", "ghost", "full", "cloud"};
 constexpr std::string_view intent_names[] = {"automatic", "pocket", "safety", "push-out"};
 
@@ -169,20 +169,20 @@ std::string replay_text(const Command& command) {
     return std::visit(CommandText{}, command);
 }
 
-std::string replay_text(const PoolStance& stance) {
+std::string replay_text(const ShotSetup& stance) {
     return fmt::format("{} {} {} {} {} {} {}", stance.bearing, stance.speed, stance.side,
                        stance.follow, aids_names[static_cast<std::size_t>(stance.aids)],
                        intent_names[static_cast<std::size_t>(stance.intent)], stance.pocket);
 }
 
-PoolStance read_stance(Words& words) {
-    PoolStance stance;
+ShotSetup read_shot_setup(Words& words) {
+    ShotSetup stance;
     stance.bearing = words.real();
     stance.speed = words.real();
     stance.side = words.real();
     stance.follow = words.real();
     stance.aids = value_of<Aids>(words, aids_names);
-    stance.intent = value_of<PoolStance::Intent>(words, intent_names);
+    stance.intent = value_of<ShotSetup::Intent>(words, intent_names);
     stance.pocket = words.integer<int>();
     return stance;
 }

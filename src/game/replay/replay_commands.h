@@ -4,7 +4,7 @@
 #include <string>
 
 #include "game/commands/command.h"
-#include "game/pool/pool_stance.h"
+#include "game/pool/shot_setup.h"
 #include "game/replay/replay_words.h"
 #include "physics/solver.h"
 
@@ -12,12 +12,12 @@
 namespace carom {
 
 std::string replay_text(const Command& command);
-std::string replay_text(const PoolStance& stance);
+std::string replay_text(const ShotSetup& stance);
 
 /// None: there is no such command. Wrong numbers make `words` fail.
 std::optional<Command> read_command(Words& words);
 /// What is wrong makes `words` fail.
 SolverSettings read_solver(Words& words);
-PoolStance read_stance(Words& words);
+ShotSetup read_shot_setup(Words& words);
 
 }  // namespace carom

@@ -114,7 +114,7 @@ class ReplayReader {
         } else if (keyword == "opponent") {
             wrong = opponent(words.integer<int>());
         } else if (keyword == "stance") {
-            replay_.stance = read_stance(words);
+            replay_.stance = read_shot_setup(words);
         } else if (keyword == "stands") {
             replay_.stands = words.integer<std::uint64_t>();
             has_stands_ = true;
@@ -168,10 +168,10 @@ class ReplayReader {
         return std::nullopt;
     }
 
-    Wrong opponent(int steadiness) {
-        if (steadiness < least_steadiness || steadiness > most_steadiness)
+    Wrong opponent(int skill) {
+        if (skill < least_skill || skill > most_skill)
             return Fault{"there is no such opponent", take_out};
-        replay_.opponent = steadiness;
+        replay_.opponent = skill;
         return std::nullopt;
     }
 

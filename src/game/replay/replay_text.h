@@ -9,16 +9,16 @@
 #include <vector>
 
 #include "game/commands/command.h"
-#include "game/pool/pool_stance.h"
+#include "game/pool/shot_setup.h"
 #include "game/session/fingerprint_mark.h"
 #include "level/scene/scene.h"
 #include "physics/solver.h"
 
-/// A game written down: everything that, by the determinism of the core, gives it again bit by bit.
+/// A recording: everything from which the deterministic core reproduces a game bit by bit.
 ///
-/// The level's own text is in it, with all that it includes, so that a replay needs no other file:
-/// it can be watched and verified on another machine, and after the level has been changed. Levels
-/// are a few kilobytes; the commands of a minute of dragging are more.
+/// The level's text is in it, with all included files, so that a recording needs no other file: it
+/// can be watched and verified on another machine, and after the level has changed. A level is a
+/// few kilobytes; the commands of a minute of dragging are more.
 ///
 /// The text, one statement a line, numbers so that they read back to the same bits:
 ///
@@ -58,11 +58,10 @@
 ///     at 69 decide break-again            or take-table, let-break, spot-eight, return-push
 ///     at 70 rack                          the next frame
 ///     mark 120 0123456789abcdef
-///     opponent 3                          carom played the second player, with that hand; absent:
-///     a
-///                                         person did
-///     stance 30.5 2 0.1 -0.3 full pocket 4  how a person stood at a pool table: bearing, speed,
-///                                         side and follow of the tip, what is shown, what is said
+///     opponent 3                          carom played the second player, with that skill;
+///                                         absent: a person did
+///     stance 30.5 2 0.1 -0.3 full pocket 4  the shot that was set up: bearing, speed, side and
+///                                         follow of the tip, aids, intent, pocket
 ///     stands 1100                         where the player stood; absent: at the end
 ///     end 1200                            the last tick
 ///
@@ -86,8 +85,8 @@ struct Replay {
     std::vector<FingerprintMark> marks;
     std::uint64_t end = 0;     ///< the last tick
     std::uint64_t stands = 0;  ///< where the player stood, 0..end
-    int opponent = 0;          ///< of carom's hands at pool, 1..4; 0: two people
-    std::optional<PoolStance> stance;
+    int opponent = 0;          ///< how well carom played at pool, 1..4; 0: two people
+    std::optional<ShotSetup> stance;
 };
 
 std::string replay_text(const Replay& replay);

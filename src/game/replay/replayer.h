@@ -11,42 +11,43 @@
 #include "game/replay/replay_text.h"
 #include "game/session/session.h"
 
-/// Between a session and its replay.
+/// From a session to its recording, and back.
 namespace carom {
 
-/// What a replay says before its first command: a scene, the solver at its start, and what it was
-/// loaded from and with. The names of the files are not in it, but for `level`.
+/// A recording without commands: a scene, the solver at its start, and what it was loaded from and
+/// with. Of the names of files only `level` is in it.
 Replay begin_replay(const Scene& scene, const SolverSettings& solver, std::string level,
                     std::span<const std::string> overrides);
 
-/// The session so far, written down, its replayable future included, with its marks and one where
-/// it stands. Pre: session.is_complete().
+/// The session so far as a recording, including its replayable future, with its fingerprint marks
+/// and one for the present. Pre: session.is_complete().
 Replay record(const Session& session, std::string level, std::span<const std::string> overrides);
 
-/// The scene that a replay begins with, from the texts in it; or why there is none.
+/// The scene that a recording begins with, loaded from its texts; or why that fails.
 std::variant<Scene, ReplayError> scene_of(const Replay& replay);
 
-/// Plays a replay again, a bounded number of ticks at a time, so that a long one can show how far
-/// it is, and compares its marks.
+/// Plays a recording, a bounded number of ticks at a time so that a long one can show its progress,
+/// and compares its fingerprints.
 class Replayer {
   public:
     /// Pre: the scene was loaded from the replay's level, with its seed, rate and overrides, and
     /// its hash is the replay's; the replay's solvers are available.
     Replayer(Replay replay, Scene scene, std::size_t rewind_bytes = Session::default_rewind_bytes);
 
-    /// Up to `ticks` ticks further. False once it stands where the replay stood, or has failed.
+    /// Up to `ticks` ticks further. False once it has reached the tick at which the recording was
+    /// left, or has failed.
     bool advance(std::uint64_t ticks);
-    /// 0..1 of the way.
+    /// The share that is done, 0..1.
     double progress() const;
 
     /// Why the replay cannot be trusted: a refused command or a wrong fingerprint, with its tick.
     const std::optional<std::string>& failure() const { return failure_; }
-    /// The last mark that was the same, and the first that was not; none: there was none.
+    /// The last mark that was equal, and the first that was not; none: there was no such mark.
     const std::optional<FingerprintMark>& last_equal() const { return last_equal_; }
     const std::optional<FingerprintMark>& first_different() const { return first_different_; }
 
     const Session& session() const { return session_; }
-    /// The session, to go on with.
+    /// The session, to continue with.
     Session take() &&;
 
   private:

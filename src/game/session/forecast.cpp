@@ -53,7 +53,7 @@ Forecast forecast(const Scene& scene, const World& world, const GameState& game,
     Forecast ahead;
     ahead.world = world;
     ahead.game = game;
-    obey(scene, ahead.world, ahead.game, strike);
+    execute(scene, ahead.world, ahead.game, strike);
     if (tracks == Tracks::all) begin_tracks(ahead);
     const std::size_t removals = world.removed.size();
     const auto ticks = static_cast<std::uint64_t>(seconds * world.rate);
@@ -62,7 +62,7 @@ Forecast forecast(const Scene& scene, const World& world, const GameState& game,
         note_first_hit(ahead, solver, strike.ball);
         ahead.comes_to_rest = lies_still(ahead.world);
         if (tracks == Tracks::all) extend_tracks(ahead);
-        follow_rules(scene, ahead.world, ahead.game, solver.contacts());
+        update_game(scene, ahead.world, ahead.game, solver.contacts());
     }
     if (tracks == Tracks::all) end_tracks(ahead, removals);
     return ahead;

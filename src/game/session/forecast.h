@@ -10,27 +10,27 @@
 #include "physics/solver.h"
 #include "physics/world/world.h"
 
-/// What comes of a shot, known before: the engine itself, run ahead on a copy until the balls lie
-/// still, so it is right to the last bit unless somebody acts before.
+/// The outcome of a shot, in advance: the engine runs ahead on a copy until the balls lie still.
+/// The forecast is exact to the last bit unless somebody acts before.
 namespace carom {
 
 struct Forecast {
     struct Track {
         BallId ball{};
-        std::vector<Vec2> way;              ///< its place now, and after each tick while it moves
-        std::optional<std::uint32_t> zone;  ///< the zone that takes it; none: it stays
+        std::vector<Vec2> way;  ///< its position now, and after each tick while it moves
+        std::optional<std::uint32_t> zone;  ///< the zone that removes it; none: it stays
     };
-    /// Of the balls that move, ascending by ball; empty unless asked for.
+    /// For each ball that moves, ascending by ball; empty unless asked for.
     std::vector<Track> tracks;
-    std::optional<BallId> first_hit;  ///< what the ball that is struck meets first
-    World world;                      ///< as it lies then
+    std::optional<BallId> first_hit;  ///< the ball that the struck ball hits first
+    World world;                      ///< at the end
     GameState game;
-    bool comes_to_rest = false;  ///< within the time that was given
+    bool comes_to_rest = false;  ///< within the given time
 };
 
 enum class Tracks : std::uint8_t { none, all };
 
-/// Looks `seconds` ahead at most. Pre: the strike is not refused.
+/// Simulates at most `seconds` ahead. Pre: the strike is not refused.
 Forecast forecast(const Scene& scene, const World& world, const GameState& game, Solver& solver,
                   const command::Strike& strike, double seconds, Tracks tracks);
 

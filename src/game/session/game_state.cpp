@@ -1,18 +1,18 @@
 #include "game/session/game_state.h"
 
-#include "game/fold.h"
+#include "game/digest.h"
 #include "game/pinball/pinball.h"
 #include "physics/world/fingerprint.h"
 
 namespace carom {
 namespace {
 
-std::uint64_t folded(const World& world, const PinballState& s) {
-    Fold fold(fingerprint(world));
+std::uint64_t digest_of(const World& world, const PinballState& s) {
+    Digest digest(fingerprint(world));
     // Ramps change the kinds of balls.
     if (kinds_of_a_layer(world) < world.kinds.size())
         for (const ClassIndex kind : world.balls.kind)
-            fold.add(std::uint64_t{kind});
+            digest.add(std::uint64_t{kind});
     for (const std::uint64_t value : {static_cast<std::uint64_t>(s.phase),
                                       s.phase_until,
                                       static_cast<std::uint64_t>(s.score),
@@ -35,35 +35,35 @@ std::uint64_t folded(const World& world, const PinballState& s) {
                                       s.lost,
                                       s.message_until,
                                       std::uint64_t{s.message.size()}})
-        fold.add(value);
-    fold.add(s.pull);
-    fold.add(s.nudge);
-    fold.add(s.tilt_meter);
+        digest.add(value);
+    digest.add(s.pull);
+    digest.add(s.nudge);
+    digest.add(s.tilt_meter);
     for (const bool is_down : s.is_down)
-        fold.add(std::uint64_t{is_down});
+        digest.add(std::uint64_t{is_down});
     for (std::size_t i = 0; i < s.is_lit.size(); ++i) {
-        fold.add(std::uint64_t{s.is_lit[i]} * 2 + s.is_rising[i]);
-        fold.add(s.turning[i]);
-        fold.add(s.turned[i]);
+        digest.add(std::uint64_t{s.is_lit[i]} * 2 + s.is_rising[i]);
+        digest.add(s.turning[i]);
+        digest.add(s.turned[i]);
     }
     for (std::size_t i = 0; i < s.lit_until.size(); ++i)
         if (s.lit_until[i] > 0) {
-            fold.add(std::uint64_t{i});
-            fold.add(s.lit_until[i]);
+            digest.add(std::uint64_t{i});
+            digest.add(s.lit_until[i]);
         }
     for (const PinballState::Held& held : s.held) {
-        fold.add(std::uint64_t{held.device} << 32 | number(held.ball));
-        fold.add(held.until);
+        digest.add(std::uint64_t{held.device} << 32 | number(held.ball));
+        digest.add(held.until);
     }
     for (const PinballState::Visit& visit : s.visits)
-        fold.add(std::uint64_t{visit.device} << 32 | number(visit.ball));
-    for (const PinballState::Watch& watch : s.watches) {
-        fold.add(std::uint64_t{number(watch.ball)});
-        fold.add(watch.place);
-        fold.add(watch.since);
-        fold.add(std::uint64_t{watch.searches});
+        digest.add(std::uint64_t{visit.device} << 32 | number(visit.ball));
+    for (const PinballState::Progress& watch : s.progress) {
+        digest.add(std::uint64_t{number(watch.ball)});
+        digest.add(watch.place);
+        digest.add(watch.since);
+        digest.add(std::uint64_t{watch.searches});
     }
-    return fold.state();
+    return digest.value();
 }
 
 }  // namespace
@@ -74,11 +74,11 @@ GameState begin_game(const Scene& scene) {
     return begin_pinball(scene);
 }
 
-void follow_rules(const Scene& scene, World& world, GameState& game,
-                  std::span<const Contact> contacts) {
+void update_game(const Scene& scene, World& world, GameState& game,
+                 std::span<const Contact> contacts) {
     if (auto* pinball = std::get_if<PinballState>(&game))
-        follow_pinball(scene, world, *pinball, contacts);
-    if (auto* pool = std::get_if<PoolPlay>(&game)) follow_pool(scene, world, *pool, contacts);
+        update_pinball(scene, world, *pinball, contacts);
+    if (auto* pool = std::get_if<PoolPlay>(&game)) update_pool(scene, world, *pool, contacts);
 }
 
 std::optional<std::string> refusal(const Scene& scene, const World& world, const GameState& game,
@@ -95,7 +95,7 @@ std::optional<std::string> refusal(const Scene& scene, const World& world, const
     return "this table has nothing that the button moves";
 }
 
-void obey(const Scene& scene, World& world, GameState& game, const Command& command) {
+void execute(const Scene& scene, World& world, GameState& game, const Command& command) {
     const auto* pressed = std::get_if<command::Press>(&command);
     const auto* pulled = std::get_if<command::Pull>(&command);
     auto* pinball = std::get_if<PinballState>(&game);
@@ -104,9 +104,9 @@ void obey(const Scene& scene, World& world, GameState& game, const Command& comm
     else if (pulled && pinball)
         pull_plunger(scene, world, *pinball, pulled->share, pulled->lets_go);
     else if (auto* pool = std::get_if<PoolPlay>(&game))
-        obey(scene, world, *pool, command);
+        execute(scene, world, *pool, command);
     else
-        obey(world, command);
+        execute(world, command);
 }
 
 std::vector<Button> pressed_buttons(const GameState& game) {
@@ -124,8 +124,9 @@ bool is_plunger_pulled(const GameState& game) {
 }
 
 std::uint64_t fingerprint(const World& world, const GameState& game) {
-    if (const auto* pool = std::get_if<PoolPlay>(&game)) return folded(fingerprint(world), *pool);
-    if (const auto* pinball = std::get_if<PinballState>(&game)) return folded(world, *pinball);
+    if (const auto* pool = std::get_if<PoolPlay>(&game))
+        return digest_of(fingerprint(world), *pool);
+    if (const auto* pinball = std::get_if<PinballState>(&game)) return digest_of(world, *pinball);
     return fingerprint(world);
 }
 
@@ -137,7 +138,7 @@ std::size_t bytes_of(const GameState& game) {
         return values.capacity() * sizeof(values.front());
     };
     return bytes_in(pinball->is_lit) + bytes_in(pinball->is_rising) + bytes_in(pinball->turning) +
-           bytes_in(pinball->turned) + bytes_in(pinball->visits) + bytes_in(pinball->watches) +
+           bytes_in(pinball->turned) + bytes_in(pinball->visits) + bytes_in(pinball->progress) +
            bytes_in(pinball->lit_until) + bytes_in(pinball->flash_until) + bytes_in(pinball->held) +
            pinball->message.capacity();
 }

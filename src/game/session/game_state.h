@@ -16,39 +16,40 @@
 #include "physics/world/contact.h"
 #include "physics/world/world.h"
 
-/// What a game's rules remember beside the world: together with the world it is all that the next
-/// tick depends on, so that a copy of both that goes on gives the same bits.
+/// The state of a game's rules beside the world. Both together are everything that the next tick
+/// depends on, so a copy of both continues with the same bits.
 namespace carom {
 
-/// One alternative a game; std::monostate where there are no rules.
+/// One alternative a family of games; std::monostate where there are no rules.
 using GameState = std::variant<std::monostate, PinballState, PoolPlay>;
 
-/// At the start of the scene.
+/// The state at the start of the scene.
 GameState begin_game(const Scene& scene);
 
-/// Follows the rules. Pre: called after every tick of `world`, with its contacts.
-void follow_rules(const Scene& scene, World& world, GameState& game,
-                  std::span<const Contact> contacts);
+/// Applies the rules to what the tick did. Pre: called after every tick of `world`, with its
+/// contacts.
+void update_game(const Scene& scene, World& world, GameState& game,
+                 std::span<const Contact> contacts);
 
-/// As refusal(world, command), with the commands that only a game has, and what its rules forbid.
+/// As refusal(world, command), with the commands and the rules of the game.
 std::optional<std::string> refusal(const Scene& scene, const World& world, const GameState& game,
                                    const Command& command);
-/// As obey(world, command). Pre: the command is not refused.
-void obey(const Scene& scene, World& world, GameState& game, const Command& command);
+/// As execute(world, command). Pre: the command is not refused.
+void execute(const Scene& scene, World& world, GameState& game, const Command& command);
 
-/// Which buttons are down.
+/// The buttons that are down.
 std::vector<Button> pressed_buttons(const GameState& game);
 
-/// Whether the plunger is not where it rests, by a button or by hand.
+/// Whether the plunger is pulled, by a button or by hand.
 bool is_plunger_pulled(const GameState& game);
 
-/// Of both; without rules that of the world.
+/// The fingerprint of both; without rules that of the world.
 std::uint64_t fingerprint(const World& world, const GameState& game);
 
-/// Beyond its own size, in bytes.
+/// The memory that the state owns, beyond its own size, in bytes.
 std::size_t bytes_of(const GameState& game);
 
-/// What a report tells of it, by name: score, ball ...
+/// The counts that reports list, by name: score, ball ...
 std::vector<std::pair<std::string, std::uint64_t>> tallies(const GameState& game);
 
 }  // namespace carom

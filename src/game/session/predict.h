@@ -8,10 +8,9 @@
 
 namespace carom {
 
-/// Where a ball would go if it were struck now: its place after each of the next `ticks` ticks,
-/// beginning with where it is. The engine itself, run ahead on a copy, so it is right to the last
-/// bit unless somebody acts before. Shorter where the ball is lost in a sink; empty when there is
-/// no such ball.
+/// The path of a ball that is struck now: its position now and after each of the next `ticks`
+/// ticks. The engine runs ahead on a copy, so the path is exact to the last bit unless somebody
+/// acts before. Shorter where a sink takes the ball; empty when the ball does not exist.
 std::vector<Vec2> predicted_path(const World& world, const SolverSettings& solver, BallId ball,
                                  Vec2 velocity, std::uint64_t ticks);
 

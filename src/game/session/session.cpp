@@ -28,6 +28,15 @@ std::vector<Pair> pairs_of(std::span<const Contact> contacts) {
     return pairs;
 }
 
+std::size_t bytes_of(const std::vector<TimedCommand>& log) {
+    return log.capacity() * sizeof(TimedCommand);
+}
+
+void forget_from(std::uint64_t tick, std::vector<FingerprintMark>& marks) {
+    while (!marks.empty() && marks.back().tick >= tick)
+        marks.pop_back();
+}
+
 }  // namespace
 
 Session::Session(Scene scene, const SolverSettings& solver, std::size_t rewind_bytes)
@@ -43,16 +52,16 @@ std::optional<std::string> Session::apply(const Command& command) {
     if (is_following_) return "this is a recording, which is only watched";
     if (auto why_not = refusal(scene_, world_, game_, command)) return why_not;
     forget_future();
-    forget_marks_from(world_.tick);
-    obey_now(command);
+    forget_from(world_.tick, marks_);
+    execute_now(command);
     log(command);
     return std::nullopt;
 }
 
-void Session::obey_now(const Command& command) {
+void Session::execute_now(const Command& command) {
     if (const auto* change = std::get_if<command::SetSolver>(&command))
         use_solver(change->settings);
-    obey(scene_, world_, game_, command);
+    execute(scene_, world_, game_, command);
 }
 
 void Session::use_solver(const SolverSettings& settings) {
@@ -69,43 +78,39 @@ void Session::log(const Command& command) {
         earlier->command = command;
     else
         log_.push_back({world_.tick, command});
-    obeyed_ = log_.size();
+    executed_ = log_.size();
     bound_log();
 }
 
 void Session::forget_future() {
-    if (obeyed_ == log_.size() && latest_ == world_.tick) return;
-    log_.resize(obeyed_);
+    if (executed_ == log_.size() && latest_ == world_.tick) return;
+    log_.resize(executed_);
     history_.forget_from(world_.tick);
-    forget_marks_from(world_.tick);
+    forget_from(world_.tick, marks_);
     latest_ = world_.tick;
     const auto balls = world_.held_balls;
     const auto capsules = world_.held_capsules;
     for (const HeldBall& held : balls) {
-        obey_now(command::DropBall{held.id});
+        execute_now(command::DropBall{held.id});
         log(command::DropBall{held.id});
     }
     for (const HeldCapsule& held : capsules) {
-        obey_now(command::DropCapsule{held.id});
+        execute_now(command::DropCapsule{held.id});
         log(command::DropCapsule{held.id});
     }
     for (const Button button : pressed_buttons(game_)) {
-        obey_now(command::Press{button, false});
+        execute_now(command::Press{button, false});
         log(command::Press{button, false});
     }
     if (is_plunger_pulled(game_)) {  // by a hand that is in the future now
-        obey_now(command::Pull{});
+        execute_now(command::Pull{});
         log(command::Pull{});
     }
 }
 
-std::size_t Session::log_bytes() const {
-    return log_.capacity() * sizeof(TimedCommand);
-}
-
 // The newer half of the log stays, and with it the way back to its oldest command.
 void Session::bound_log() {
-    if (!keeps_all_commands_ && log_bytes() > rewind_bytes_ / 2 && log_.size() > 1) {
+    if (!keeps_all_commands_ && bytes_of(log_) > rewind_bytes_ / 2 && log_.size() > 1) {
         const Snapshot* kept = history_.at_or_before(log_[log_.size() / 2].tick);
         if (kept && kept->world.tick > earliest())
             base_ = *kept;
@@ -114,27 +119,27 @@ void Session::bound_log() {
         const std::uint64_t start = base_->world.tick;
         const auto stays = std::ranges::upper_bound(log_, start, {}, &TimedCommand::tick);
         log_ = std::vector<TimedCommand>(stays, log_.end());
-        obeyed_ = log_.size();
+        executed_ = log_.size();
         history_.forget_before(start);
     }
     const std::size_t taken =
-        log_bytes() + (base_ ? bytes_of(base_->world) + bytes_of(base_->game) : 0);
+        bytes_of(log_) + (base_ ? bytes_of(base_->world) + bytes_of(base_->game) : 0);
     history_.set_limit(rewind_bytes_ - std::min(rewind_bytes_, taken), world_.tick);
 }
 
-void Session::obey_log_of_this_tick() {
-    while (obeyed_ < log_.size() && log_[obeyed_].tick == world_.tick) {
-        const Command& command = log_[obeyed_].command;
+void Session::execute_log_of_this_tick() {
+    while (executed_ < log_.size() && log_[executed_].tick == world_.tick) {
+        const Command& command = log_[executed_].command;
         if (is_following_) {
             if (const auto why_not = refusal(scene_, world_, game_, command)) {
                 fault_ = fmt::format("at tick {}: {}", world_.tick, *why_not);
-                log_.resize(obeyed_);
+                log_.resize(executed_);
                 latest_ = world_.tick;
                 return;
             }
         }
-        obey_now(command);
-        ++obeyed_;
+        execute_now(command);
+        ++executed_;
     }
 }
 
@@ -143,7 +148,7 @@ void Session::follow(std::vector<TimedCommand> commands, std::uint64_t end) {
     latest_ = end;
     keeps_all_commands_ = true;
     is_following_ = true;
-    obey_log_of_this_tick();
+    execute_log_of_this_tick();
 }
 
 void Session::mark() {
@@ -152,20 +157,15 @@ void Session::mark() {
     marks_.push_back({world_.tick, fingerprint(world_, game_)});
 }
 
-void Session::forget_marks_from(std::uint64_t tick) {
-    while (!marks_.empty() && marks_.back().tick >= tick)
-        marks_.pop_back();
-}
-
 // False: the tick was given up.
 bool Session::advance() {
     mark();
     outcome_ = solver_.tick(world_, keep_going_);
     if (outcome_ == TickOutcome::given_up) return false;
     contacts_.assign(solver_.contacts().begin(), solver_.contacts().end());
-    follow_rules(scene_, world_, game_, contacts_);
+    update_game(scene_, world_, game_, contacts_);
     latest_ = std::max(latest_, world_.tick);
-    obey_log_of_this_tick();
+    execute_log_of_this_tick();
     return true;
 }
 
@@ -200,13 +200,13 @@ bool Session::restore(std::uint64_t tick) {
         game_ = from->game;
         use_solver(from->solver);
         const auto next = std::ranges::upper_bound(log_, world_.tick, {}, &TimedCommand::tick);
-        obeyed_ = static_cast<std::size_t>(next - log_.begin());
+        executed_ = static_cast<std::size_t>(next - log_.begin());
     } else {
         world_ = base_ ? base_->world : scene_.world;
         game_ = base_ ? base_->game : begin_game(scene_);
         use_solver(base_ ? base_->solver : first_solver_);
-        obeyed_ = 0;
-        obey_log_of_this_tick();
+        executed_ = 0;
+        execute_log_of_this_tick();
     }
     const std::uint64_t affordable = rewind_bytes_ / dense_share / bytes_of(world_);
     const std::uint64_t dense = std::min(affordable, most_dense_ticks);
@@ -229,14 +229,14 @@ bool Session::step_to_collision(std::uint64_t limit) {
 }
 
 bool Session::undo() {
-    if (obeyed_ == 0) return false;
-    std::size_t first = obeyed_ - 1;
+    if (executed_ == 0) return false;
+    std::size_t first = executed_ - 1;
     while (first > 0 && continues_gesture(log_[first - 1].command, log_[first].command))
         --first;
     const std::uint64_t tick = log_[first].tick;
     log_.resize(first);
     history_.forget_from(tick);
-    forget_marks_from(tick);
+    forget_from(tick, marks_);
     latest_ = tick;
     restore(tick);
     return true;
@@ -255,7 +255,7 @@ void Session::restart() {
 }
 
 std::size_t Session::rewind_bytes_used() const {
-    return history_.bytes() + log_bytes() +
+    return history_.bytes() + bytes_of(log_) +
            (base_ ? bytes_of(base_->world) + bytes_of(base_->game) : 0);
 }
 

@@ -42,11 +42,11 @@ bool run_period(Runner& runner, const std::function<bool()>& keep_going) {
 double note_difference(Comparison& comparison, const World& first, const World& second,
                        double time) {
     const Difference off = difference(first, second);
-    const Apart apart{time, off.rms / comparison.radius, off.max / comparison.radius};
+    const DifferenceAt apart{time, off.rms / comparison.radius, off.max / comparison.radius};
     comparison.differences.push_back(apart);
-    if (!comparison.parting && apart.max > comparison.tolerance && off.farthest) {
+    if (!comparison.divergence && apart.max > comparison.tolerance && off.farthest) {
         const Vec2 place = first.balls.position[*index_of(first, *off.farthest)];
-        comparison.parting = {time, *off.farthest, place, apart.max};
+        comparison.divergence = {time, *off.farthest, place, apart.max};
     }
     return apart.rms;
 }
@@ -81,12 +81,12 @@ Comparison compare(const Scene& scene, const CompareSettings& settings, const Go
     // Where they have parted, a contact that only one of them has had is the reason.
     const double together = comparison.time() - 2.0 / common;
     const double until =
-        comparison.parting ? std::max(comparison.parting->time, together) : together;
+        comparison.divergence ? std::max(comparison.divergence->time, together) : together;
     comparison.contact = first_difference(first.meetings, second.meetings, until);
     // Two that stay together differ by rounding, whose growth says nothing.
-    if (comparison.parting) {
+    if (comparison.divergence) {
         std::vector<GrowthPoint> points;
-        for (const Apart& apart : comparison.differences)
+        for (const DifferenceAt& apart : comparison.differences)
             points.push_back({apart.time, apart.rms});
         comparison.growth = exponential_growth(points, saturation);
     }

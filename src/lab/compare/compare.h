@@ -12,30 +12,29 @@
 #include "lab/run/choice.h"
 #include "level/scene/scene.h"
 
-/// Two solvers from one start: when they part, at which collision, and how fast. Lengths are told
-/// in ball radii (Comparison::radius is one), but for places.
+/// Two solvers from one start: when they diverge, at which collision, and how fast. Distances are
+/// in ball radii (Comparison::radius is one), positions in lengths of the level.
 namespace carom {
 
 struct CompareSettings {
     Choice first;
     Choice second;
-    double time = 10.0;  ///< s, > 0
-    double tolerance =
-        1e-3;            ///< radii, > 0: further than this from its twin, and a ball has parted
-    double nudge = 0.0;  ///< radii that balls of the second start from their twins at most
+    double time = 10.0;       ///< s, > 0
+    double tolerance = 1e-3;  ///< radii, > 0: a ball that is further from its twin has diverged
+    double nudge = 0.0;       ///< radii: largest offset of the second run's balls at the start
 };
 
-/// How far the two are apart at one instant at which both have just ended a tick.
-struct Apart {
+/// How far the runs are apart at an instant at which both have just ended a tick.
+struct DifferenceAt {
     double time = 0.0;  ///< s
     double rms = 0.0;   ///< radii; infinite where something is not finite
     double max = 0.0;
 };
 
-struct Parting {
+struct Divergence {
     double time = 0.0;  ///< s
-    BallId ball{};      ///< the one that is furthest from its twin
-    Vec2 place;         ///< where it is in the first, in the level's lengths
+    BallId ball{};      ///< the ball that is furthest from its twin
+    Vec2 place;         ///< of that ball in the first run
     double distance = 0.0;
 };
 
@@ -44,14 +43,13 @@ struct Comparison {
     Choice second;
     double radius = 1.0;
     double tolerance = 0.0;
-    std::vector<Apart> differences;  ///< from the start on, one a period of the common rate
-    std::optional<Parting> parting;  ///< none: they did not part
+    std::vector<DifferenceAt> differences;  ///< from the start on, one a period of the common rate
+    std::optional<Divergence> divergence;   ///< none: the runs did not diverge
     /// The first contact that differs in order or partners; see first_difference.
     std::optional<FirstDifference> contact;
-    /// Where the RMS difference grows exponentially. None where the two did not part.
+    /// The exponential part of the RMS difference. None where the runs did not diverge.
     std::optional<Growth> growth;
-    /// The run ended early, because an RMS difference of a radius means that the two have nothing
-    /// to do with each other any more.
+    /// The run ended early: at an RMS difference of a radius the runs are unrelated.
     bool is_lost = false;
     bool is_interrupted = false;
 

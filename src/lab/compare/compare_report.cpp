@@ -42,18 +42,18 @@ std::string side_text(const Scene& scene, const Choice& choice, std::uint32_t ba
 }
 
 std::string verdict(const Scene& scene, const Comparison& comparison) {
-    if (!comparison.parting) {
-        const auto most = std::ranges::max_element(comparison.differences, {}, &Apart::max);
+    if (!comparison.divergence) {
+        const auto most = std::ranges::max_element(comparison.differences, {}, &DifferenceAt::max);
         return fmt::format(
             "They do not part within {:.6g} s: no ball is further than {:.2g} radii from its "
             "twin.\n",
             comparison.time(), most->max);
     }
-    const Parting& parting = *comparison.parting;
+    const Divergence& divergence = *comparison.divergence;
     return fmt::format(
         "They part after {:.6g} s: {} is {:.2g} radii from its twin, at {:.6g},{:.6g}.\n",
-        parting.time, ball_text(scene, number(parting.ball)), parting.distance, parting.place.x,
-        parting.place.y);
+        divergence.time, ball_text(scene, number(divergence.ball)), divergence.distance,
+        divergence.place.x, divergence.place.y);
 }
 
 std::string contact_text(const Scene& scene, const Comparison& comparison) {
@@ -66,7 +66,7 @@ std::string contact_text(const Scene& scene, const Comparison& comparison) {
 }
 
 std::string growth_text(const Comparison& comparison) {
-    if (!comparison.parting) return {};
+    if (!comparison.divergence) return {};
     if (!comparison.growth) return "The difference does not grow exponentially.\n";
     const Growth& growth = *comparison.growth;
     return fmt::format("The difference doubles every {:.3g} s (from {:.3g} to {:.3g} s).\n",
@@ -74,8 +74,8 @@ std::string growth_text(const Comparison& comparison) {
 }
 
 // About `most` of the differences, evenly spread, the first and the last among them.
-std::vector<Apart> thinned(const std::vector<Apart>& all, std::size_t most) {
-    std::vector<Apart> some;
+std::vector<DifferenceAt> thinned(const std::vector<DifferenceAt>& all, std::size_t most) {
+    std::vector<DifferenceAt> some;
     const std::size_t last = all.size() - 1;
     const std::size_t shown = std::min(last, most - 1);
     for (std::size_t i = 0; i <= shown; ++i)
@@ -85,7 +85,7 @@ std::vector<Apart> thinned(const std::vector<Apart>& all, std::size_t most) {
 
 std::string growth_table(const Comparison& comparison) {
     Table table({"time, s", "RMS, radii", "most"});
-    for (const Apart& apart : thinned(comparison.differences, 17))
+    for (const DifferenceAt& apart : thinned(comparison.differences, 17))
         table.add({fmt::format("{:.4g}", apart.time), fmt::format("{:.1e}", apart.rms),
                    fmt::format("{:.1e}", apart.max)});
     return table.text();
@@ -101,14 +101,14 @@ void write_choice(JsonWriter& json, std::string_view key, const Choice& choice) 
     json.end_object();
 }
 
-void write_parting(JsonWriter& json, const Scene& scene, const Parting& parting) {
+void write_divergence(JsonWriter& json, const Scene& scene, const Divergence& divergence) {
     json.begin_object(Layout::one_line);
-    json.field("time", parting.time);
-    json.field("ball", std::uint64_t{number(parting.ball)});
-    json.field("name", std::string_view(name_of(scene, number(parting.ball))));
-    json.field("x", parting.place.x);
-    json.field("y", parting.place.y);
-    json.field("distance", parting.distance);
+    json.field("time", divergence.time);
+    json.field("ball", std::uint64_t{number(divergence.ball)});
+    json.field("name", std::string_view(name_of(scene, number(divergence.ball))));
+    json.field("x", divergence.place.x);
+    json.field("y", divergence.place.y);
+    json.field("distance", divergence.distance);
     json.end_object();
 }
 
@@ -164,8 +164,8 @@ std::string compare_json(std::string_view level, const Scene& scene, const Compa
     json.field("tolerance", comparison.tolerance);
     json.field("time", comparison.time());
     json.key("parting");
-    if (comparison.parting) {
-        write_parting(json, scene, *comparison.parting);
+    if (comparison.divergence) {
+        write_divergence(json, scene, *comparison.divergence);
     } else {
         json.null();
     }
@@ -183,7 +183,7 @@ std::string compare_json(std::string_view level, const Scene& scene, const Compa
     }
     json.key("differences");
     json.begin_list(Layout::lines);
-    for (const Apart& apart : thinned(comparison.differences, 1000)) {
+    for (const DifferenceAt& apart : thinned(comparison.differences, 1000)) {
         json.begin_object(Layout::one_line);
         json.field("time", apart.time);
         json.field("rms", apart.rms);

@@ -84,9 +84,9 @@ DemoGames play_demo_games(const Scene& scene, const SolverSettings& settings, st
     bool was_over = false;
     while (state.drained < balls) {
         for (const command::Press& press : player.play(scene, world, state))
-            obey(scene, world, game, press);
+            execute(scene, world, game, press);
         solver.tick(world);
-        follow_rules(scene, world, game, solver.contacts());
+        update_game(scene, world, game, solver.contacts());
         for (const BallId id : world.balls.id)
             served.try_emplace(number(id), world.tick);
         if (is_outside(world, table)) ++games.outside;

@@ -13,20 +13,20 @@ namespace carom {
 namespace {
 
 std::vector<Command> decision(const Scene& scene, const World& world, const PoolPlay& play,
-                              const SolverSettings& solver, const HandError& error) {
+                              const SolverSettings& solver, const ShotNoise& error) {
     if (play.rules.phase == PoolPhase::choosing)
         return {command::Decide{choice_of(scene, world, play, error)}};
     const std::uint64_t seed = decision_seed(world, play);
-    PoolThinker thinker(scene, world, play, solver, error, seed);
+    ShotPlanner thinker(scene, world, play, solver, error, seed);
     while (!thinker.is_done())
-        thinker.work(PoolThinker::most_tries);
+        thinker.work(ShotPlanner::most_tries);
     return commands_of(scene, play, thinker.best().front(), error, seed);
 }
 
 }  // namespace
 
 PoolFrame play_pool_frame(const Scene& scene, const SolverSettings& settings,
-                          const std::array<int, 2>& steadiness, std::uint32_t number) {
+                          const std::array<int, 2>& skill, std::uint32_t number) {
     PoolFrame frame;
     World world = scene.world;
     world.seed = scene.world.seed + number;
@@ -38,14 +38,14 @@ PoolFrame play_pool_frame(const Scene& scene, const SolverSettings& settings,
         const auto player = static_cast<std::size_t>(play.rules.player);
         const std::uint32_t shots = play.shots;
         for (const Command& command :
-             decision(scene, world, play, settings, error_of(steadiness[player]))) {
+             decision(scene, world, play, settings, shot_noise(skill[player]))) {
             frame.refused = refusal(scene, world, game, command);
             if (frame.refused) return frame;
-            obey(scene, world, game, command);
+            execute(scene, world, game, command);
         }
         while (play.is_shooting) {
             solver.tick(world);
-            follow_rules(scene, world, game, solver.contacts());
+            update_game(scene, world, game, solver.contacts());
         }
         if (play.shots != shots && play.last_foul != PoolFoul::none) ++frame.fouls[player];
     }
@@ -100,7 +100,7 @@ std::string pool_match_row(std::string_view game, const PoolMatch& match) {
     return fmt::format(
         "| {} | {} against {} | {} | {}:{} | {:.0f} % ({:.0f} to {:.0f}) | {:.1f}, {} | "
         "{:.1f} and {:.1f} | {} |\n",
-        game, match.steadiness[0], match.steadiness[1], frames, won, lost,
+        game, match.skill[0], match.skill[1], frames, won, lost,
         100.0 * won / std::max(1u, won + lost), 100.0 * range.low, 100.0 * range.high,
         shots / count, most, fouls[0] / count, fouls[1] / count, frames_unfinished(match));
 }

@@ -16,34 +16,33 @@ namespace carom {
 
 /// One frame.
 struct PoolFrame {
-    std::optional<int> winner;  ///< player 0 or 1; none: the frame did not come to its end
+    std::optional<int> winner;  ///< player 0 or 1; none: the frame was not finished
     std::uint32_t shots = 0;
     std::array<std::uint32_t, 2> fouls{};  ///< of each player
-    double seconds = 0.0;                  ///< of the table's time, while balls rolled
+    double seconds = 0.0;                  ///< simulated, while balls rolled
     /// A command that the rules or the world refused, which must not be: a sentence.
     std::optional<std::string> refused;
 };
 
-/// Shots and choices after which a frame is given up: far more than any that goes on takes.
+/// A frame is abandoned after this many shots and choices, far more than a normal one takes.
 inline constexpr std::uint32_t most_decisions = 300;
 
-/// Frame `number` between two hands of these steadinesses (see pool_thinker.h), which break in
-/// turn. It depends on nothing but what is given here: each number has random draws of its own.
-/// Pre: the scene is a game of 8-ball or 9-ball.
+/// Plays frame `number` between two AI players of these skills (game/ai/planner.h), who break in
+/// turn. The result is a function of the arguments alone: each number has random draws of its own.
+/// Pre: the scene is a game of pool.
 PoolFrame play_pool_frame(const Scene& scene, const SolverSettings& solver,
-                          const std::array<int, 2>& steadiness, std::uint32_t number);
+                          const std::array<int, 2>& skill, std::uint32_t number);
 
-/// What came of some frames.
+/// The results of some frames.
 struct PoolMatch {
-    std::array<int, 2> steadiness{};
+    std::array<int, 2> skill{};
     std::vector<PoolFrame> frames;
 };
 
 std::uint32_t frames_won(const PoolMatch& match, int player);
 std::uint32_t frames_unfinished(const PoolMatch& match);
 
-/// A share within which the true one lies in 95 of 100 cases, by Wilson's formula. 0..1 where there
-/// are no frames.
+/// The 95 % confidence interval of a share, by Wilson's formula. 0..1 where there are no frames.
 struct ShareRange {
     double low = 0.0;
     double high = 1.0;

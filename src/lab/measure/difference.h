@@ -6,33 +6,33 @@
 
 #include "level/scene/scene.h"
 
-/// How far two worlds that began alike have come apart.
+/// How far two worlds that began alike are from each other.
 namespace carom {
 
-/// Where all balls are, at one instant.
+/// The positions of all balls at one instant.
 struct Positions {
     std::vector<BallId> id;  ///< ascending
     std::vector<Vec2> position;
 };
 Positions positions_of(const World& world);
 
-/// Over the balls that are in both. Lengths; infinite where a position is not finite.
+/// Distances of the balls that are in both worlds; infinite where a position is not finite.
 struct Difference {
-    double rms = 0.0;  ///< root of the mean square distance of a ball from its twin
+    double rms = 0.0;  ///< root mean square distance of a ball from its twin
     double max = 0.0;
-    std::optional<BallId> farthest;  ///< whose distance is `max`; none: it is 0
-    std::size_t unpaired = 0;        ///< balls that are in one of the two only
+    std::optional<BallId> farthest;  ///< the ball whose distance is `max`; none where that is 0
+    std::size_t unpaired = 0;        ///< balls that only one of the two has
 };
 
-/// `torus`: the size of the wrapped world, where it is one; the nearest images count.
+/// `torus`: the size of a wrapped world, whose nearest images count.
 Difference difference(const Positions& a, const Positions& b, const std::optional<Vec2>& torus);
 Difference difference(const World& a, const World& b);
 
 /// The size of the torus, where the world is one.
 std::optional<Vec2> torus_of(const World& world);
 
-/// The mean radius of the balls at the start and of those that emitters will make: the length that
-/// errors are told in. 1 where there are none.
+/// The mean radius of the balls at the start and of those that emitters will add: the unit of
+/// length of reported errors. 1 where there are none.
 double mean_radius(const World& world);
 
 }  // namespace carom

@@ -6,8 +6,8 @@
 
 namespace carom {
 
-/// Moves every ball by a random offset of at most `size` each way, the same for the same `seed`,
-/// `copy` and ball: a start that is a hair different. Balls that touched may overlap by a hair.
+/// Perturbs a start: moves every ball by a random offset of at most `size` each way, which depends
+/// on `seed`, `copy` and the ball alone. Balls that touched may overlap by that much.
 void nudge(World& world, double size, std::uint64_t seed, std::uint64_t copy);
 
 }  // namespace carom

@@ -13,17 +13,16 @@ struct Tradeoff {
     double error = 0.0;  ///< may be infinite
 };
 
-/// Which of them are on the Pareto front: nothing else costs less and errs less, or is as good in
-/// one and better in the other. Of several that are equal in both, the first. Neither infinite
-/// errors nor numbers that are none are ever on it.
+/// Which choices are on the Pareto front: no other choice is better in one and at least as good in
+/// the other. Of several equal ones, the first. Choices with an infinite error or a NaN never are.
 std::vector<bool> pareto_front(std::span<const Tradeoff> choices);
 
-/// The least error whose cost is `budget` or less; of several, the cheapest, then the first. None:
-/// nothing is that cheap, or errs finitely.
+/// The least error at a cost of `budget` or less; of several, the cheapest, then the first. None
+/// where no choice is that cheap, or none has a finite error.
 std::optional<std::size_t> most_accurate_within(std::span<const Tradeoff> choices, double budget);
 
-/// The least cost whose error is `tolerance` or less; of several, the most accurate, then the
-/// first.
+/// The least cost with an error of `tolerance` or less; of several, the most accurate, then the
+/// first. None where no choice is that accurate.
 std::optional<std::size_t> cheapest_within(std::span<const Tradeoff> choices, double tolerance);
 
 }  // namespace carom

@@ -6,7 +6,7 @@
 #include "physics/tick/totals.h"
 #include "physics/world/world.h"
 
-/// Watches what physics keeps, tick by tick.
+/// Watches conserved quantities, tick by tick.
 namespace carom {
 
 class ConservationWatch {
@@ -16,12 +16,12 @@ class ConservationWatch {
     /// Pre: called after every tick.
     void note(const World& world);
 
-    /// Largest change of the energy, relative to the largest kinetic energy. Where the scene takes
-    /// energy away (losses, drag, limits, sinks) only a rise counts. None where it may bring energy
-    /// (emitters, hands, gravity on a torus). Infinite once something is not finite.
+    /// The largest change of the energy, relative to the largest kinetic energy. In a scene that
+    /// dissipates (losses, drag, limits, sinks) only a rise counts. None in a scene that may gain
+    /// energy (emitters, dragged bodies, gravity on a torus). Infinite once a number is not finite.
     std::optional<double> energy_drift() const;
-    /// Largest change of the momentum, relative to the largest sum of the magnitudes. None where
-    /// the scene does not keep it.
+    /// The largest change of the momentum, relative to the largest sum of the magnitudes. None in a
+    /// scene that does not conserve it.
     std::optional<double> momentum_drift() const;
 
   private:

@@ -8,17 +8,17 @@
 
 namespace carom {
 
-/// Watches which balls are outside a closed outline (a closed edge, a box) that they started in.
+/// Counts balls outside of a closed outline (a closed edge, a box) in which they started.
 ///
 /// Inside is judged by the even-odd rule for the ball's centre against the spines of the outline's
-/// capsules, so a ball that is only pressed into a wall is still inside. Balls that are removed are
-/// not counted. A ball of an emitter starts where it is at the end of the tick of its birth.
+/// capsules, so a ball that is merely pressed into a wall is inside. Removed balls do not count. A
+/// ball of an emitter starts at its place at the end of the tick in which it was added.
 class EscapeWatch {
   public:
     /// `scene` is read here only.
     explicit EscapeWatch(const Scene& scene);
 
-    /// Takes note of where balls start that were not there before. Pre: called after every tick.
+    /// Notes where new balls start. Pre: called after every tick.
     void note_births(const World& world);
 
     std::size_t escaped(const World& world) const;

@@ -18,7 +18,7 @@ namespace carom {
 std::optional<double> measure(const Quantity& quantity, const World& world, const RunWatch* watch);
 
 enum class Verdict : std::uint8_t { holds, fails, not_judged };
-/// "holds", "fails", "not judged".
+/// As reports have it: "holds", "fails", "not judged".
 std::string_view name(Verdict verdict);
 
 struct Judgement {
@@ -27,7 +27,7 @@ struct Judgement {
     std::string_view reason;  ///< why not judged; empty otherwise
 };
 
-/// Holds when the value is there and within the tolerance, its ends included.
+/// Holds when there is a value and it is within the tolerance, its ends included.
 Judgement judge(const Expect& expect, const World& world, const RunWatch& watch);
 
 }  // namespace carom

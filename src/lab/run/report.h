@@ -7,7 +7,7 @@
 #include "lab/run/run_record.h"
 #include "level/scene/scene.h"
 
-/// What came of a run, for programs and for people.
+/// The result of a run, for programs and for people.
 namespace carom {
 
 /// The report of `carom run`, one JSON object (docs/command-line.md lists its keys). All of it but
@@ -16,7 +16,7 @@ namespace carom {
 std::string report_json(std::string_view level, const Scene& scene, const World& world,
                         const RunRecord& record, double seconds);
 
-/// The same in a few lines to read.
+/// A summary in a few lines.
 std::string summary(const Scene& scene, const World& world, const RunRecord& record,
                     double seconds);
 
@@ -26,8 +26,8 @@ std::string verdicts(const Scene& scene, const RunRecord& record, Verdict verdic
 
 /// What `--explain` prints: the terms of the model in force, and the solver with the reason why.
 std::string explanation(const Scene& scene);
-/// The same of a game: `pick` is what `auto` takes for it, `asked_for` what the level or the player
-/// wants instead.
+/// The explanation for a game: `pick` is what `auto` takes, `asked_for` what the level or the
+/// player wants instead.
 std::string explanation(const Model& model, double rate, const SolverPick& pick,
                         const std::optional<SolverSettings>& asked_for);
 

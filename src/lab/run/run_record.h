@@ -13,16 +13,16 @@
 
 namespace carom {
 
-/// What is noticed on the way of a run, for its report.
+/// What a run notes on its way, for its report.
 struct RunRecord {
     SolverSettings solver;
     Totals totals_start;
     RunWatch watch;
-    std::uint64_t ball_ticks = 0;  ///< balls that there were, summed over the ticks
+    std::uint64_t ball_ticks = 0;  ///< the number of balls, summed over the ticks
     /// By Scene::expects. An expectation with a time is judged after the tick nearest to it; one
     /// without, at the end.
     std::vector<Judgement> judgements;
-    /// What a game counts, by name; noted at the end.
+    /// The counts of a game, by name; noted at the end.
     std::vector<std::pair<std::string, std::uint64_t>> tallies;
 };
 
@@ -32,13 +32,13 @@ RunRecord begin_record(const Scene& scene, const SolverSettings& solver);
 /// Pre: called after every tick of `world`, which began as scene.world.
 void note_tick(RunRecord& record, const Scene& scene, const World& world);
 
-/// Judges what is due at the end. Not called for a run that was cut off.
+/// Judges what is due at the end. Not called for an interrupted run.
 void note_end(RunRecord& record, const Scene& scene, const World& world);
 
 /// Whether some expectation was judged and does not hold.
 bool has_failure(const RunRecord& record);
 
-/// The solver that a scene runs under when nobody says otherwise: its own, else what carom picks.
+/// The solver of a scene where no option names one: the level's, else what pick_solver picks.
 SolverSettings solver_for(const Scene& scene);
 
 }  // namespace carom

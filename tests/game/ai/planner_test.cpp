@@ -23,25 +23,25 @@ struct Duel {
     PoolPlay& play() { return std::get<PoolPlay>(game); }
 
     // One decision of the player whose turn it is, and what comes of it.
-    void turn(const HandError& error) {
+    void turn(const ShotNoise& error) {
         if (play().rules.phase == PoolPhase::choosing) {
-            obey(scene, world, game, command::Decide{choice_of(scene, world, play(), error)});
+            execute(scene, world, game, command::Decide{choice_of(scene, world, play(), error)});
             return;
         }
         const std::uint64_t seed = decision_seed(world, play());
-        PoolThinker thinker(scene, world, play(), settings, error, seed);
+        ShotPlanner thinker(scene, world, play(), settings, error, seed);
         while (!thinker.is_done())
             thinker.work(1000);
         for (const Command& command :
              commands_of(scene, play(), thinker.best().front(), error, seed)) {
             const auto why_not = refusal(scene, world, game, command);
-            CAPTURE(thought_text(scene, thinker.best().front()));
+            CAPTURE(candidate_text(scene, thinker.best().front()));
             REQUIRE_MESSAGE(!why_not, *why_not);
-            obey(scene, world, game, command);
+            execute(scene, world, game, command);
         }
         while (play().is_shooting) {
             solver.tick(world);
-            follow_rules(scene, world, game, solver.contacts());
+            update_game(scene, world, game, solver.contacts());
         }
     }
 
@@ -65,17 +65,17 @@ TEST_CASE("the opponent pockets a straight ball, and says so") {
     };
     put(3, {1.0, 0.4});
     put(0, {0.85, 0.269});
-    const HandError error = error_of(3);
-    PoolThinker thinker(duel.scene, duel.world, play, duel.settings, error, 1);
+    const ShotNoise error = shot_noise(3);
+    ShotPlanner thinker(duel.scene, duel.world, play, duel.settings, error, 1);
     while (!thinker.is_done())
         thinker.work(1000);
     REQUIRE_FALSE(thinker.best().empty());
-    const PoolThought& best = thinker.best().front();
+    const CandidateShot& best = thinker.best().front();
     CHECK(best.ball == 3);
     CHECK(best.call == PoolCall{PoolCall::Kind::pot, 3, best.pocket});
     CHECK(pocket_name(duel.scene, best.pocket) == "top right");
     CHECK(best.success > 0.7);
-    CHECK(thought_text(duel.scene, best).find("the 3") != std::string::npos);
+    CHECK(candidate_text(duel.scene, best).find("the 3") != std::string::npos);
     duel.turn(error);
     CHECK(is_down(play.rules, 3));
     CHECK(play.rules.player == 0);
@@ -83,17 +83,17 @@ TEST_CASE("the opponent pockets a straight ball, and says so") {
 
 TEST_CASE("how the opponent's work is cut into pieces does not change what comes of it") {
     Duel duel("nine-ball");
-    const HandError error = error_of(2);
+    const ShotNoise error = shot_noise(2);
     duel.turn(error);
     if (duel.play().rules.phase == PoolPhase::choosing) duel.turn(error);
     const auto think = [&](int piece) {
-        PoolThinker thinker(duel.scene, duel.world, duel.play(), duel.settings, error, 5);
+        ShotPlanner thinker(duel.scene, duel.world, duel.play(), duel.settings, error, 5);
         int tries = 0;
         while (!thinker.is_done()) {
             thinker.work(piece);
             tries += piece;
         }
-        CHECK(tries <= PoolThinker::most_tries + piece);
+        CHECK(tries <= ShotPlanner::most_tries + piece);
         return thinker.best();
     };
     const auto one = think(1);

@@ -86,7 +86,7 @@ TEST_CASE("a ball that only touches is not refused") {
 
 TEST_CASE("overlaps count across the sides of a torus") {
     World world = rainy_torus().world;
-    obey(world, command::AddBall{ball_at_rest({0.5, 27.0})});
+    execute(world, command::AddBall{ball_at_rest({0.5, 27.0})});
     CHECK(refusal(world, command::AddBall{ball_at_rest({39.5, 27.0})}));
     CHECK(refusal(world, command::AddCapsule{{{39.0, 26.0}, {39.0, 28.0}, 1.0}, 0}));
 }
@@ -101,22 +101,22 @@ TEST_CASE("pairs that do not meet may overlap") {
 
 TEST_CASE("commands do what they say") {
     World world = busy_box().world;
-    obey(world, command::Strike{BallId{2}, {1.0, 2.0}});
+    execute(world, command::Strike{BallId{2}, {1.0, 2.0}});
     CHECK(world.balls.velocity[2] == Vec2{1.0, 2.0});
-    obey(world, command::HoldBall{BallId{5}, {1.0, 2.0}});
-    obey(world, command::HoldBall{BallId{2}, {3.0, 2.0}});
-    obey(world, command::HoldBall{BallId{5}, {4.0, 2.0}});
+    execute(world, command::HoldBall{BallId{5}, {1.0, 2.0}});
+    execute(world, command::HoldBall{BallId{2}, {3.0, 2.0}});
+    execute(world, command::HoldBall{BallId{5}, {4.0, 2.0}});
     REQUIRE(world.held_balls.size() == 2);
     CHECK(world.held_balls[0].id == BallId{2});
     CHECK(world.held_balls[1].target == Vec2{4.0, 2.0});
-    obey(world, command::DropBall{BallId{2}});
+    execute(world, command::DropBall{BallId{2}});
     CHECK(world.held_balls.size() == 1);
-    obey(world, command::RemoveBall{BallId{5}});
+    execute(world, command::RemoveBall{BallId{5}});
     CHECK(world.held_balls.empty());
     CHECK(world.balls.size() == 8);
-    obey(world, command::SetGravity{Vec2{0.0, -1.0}});
+    execute(world, command::SetGravity{Vec2{0.0, -1.0}});
     CHECK(world.model.gravity == Vec2{0.0, -1.0});
-    obey(world, command::SetGravity{});
+    execute(world, command::SetGravity{});
     CHECK_FALSE(world.model.gravity);
 }
 
@@ -125,13 +125,13 @@ TEST_CASE("a ball or an edge can be put down where there is room, held or not") 
     const Command command =
         command::PlaceBall{BallId{0}, {8.5, 8.0}};  // where it is in its own way
     REQUIRE_FALSE(refusal(world, command));
-    obey(world, command::HoldBall{BallId{0}, {1.0, 2.0}});
-    obey(world, command);
+    execute(world, command::HoldBall{BallId{0}, {1.0, 2.0}});
+    execute(world, command);
     CHECK(world.balls.position[0] == Vec2{8.5, 8.0});
     CHECK(world.held_balls[0].target == Vec2{8.5, 8.0});
     const Command edge = command::PlaceCapsule{CapsuleId{4}, {24.0, 3.0}, {34.0, 6.0}};
     REQUIRE_FALSE(refusal(world, edge));
-    obey(world, edge);
+    execute(world, edge);
     CHECK(world.capsules.shape[4] == Capsule{{24.0, 3.0}, {34.0, 6.0}, 0.5});
 }
 
@@ -140,7 +140,7 @@ TEST_CASE("what is added can meet what is there, whatever the level held") {
     world.model.ball_ball = false;
     world.model.ball_edge = false;
     world.balls = {};
-    obey(world, command::AddBall{ball_at_rest({20.0, 15.0})});
+    execute(world, command::AddBall{ball_at_rest({20.0, 15.0})});
     CHECK(world.model.ball_ball);
     CHECK(world.model.ball_edge);
 }
@@ -150,7 +150,7 @@ TEST_CASE("what never meets stays out of the model") {
     world.model.filtered = true;
     world.model.ball_ball = false;
     world.meets = {0, 1, 1, 0};
-    obey(world, command::AddBall{ball_at_rest({20.0, 15.0})});
+    execute(world, command::AddBall{ball_at_rest({20.0, 15.0})});
     CHECK_FALSE(world.model.ball_ball);
 }
 
@@ -165,11 +165,11 @@ TEST_CASE("strike: a tip off its middle makes the ball turn, where balls turn") 
     CHECK(refusal(world, command::Strike{BallId{0}, {1.0, 0.0}, 0.4, 0.4}));
     const command::Strike strike{BallId{0}, {3.0, 4.0}, 0.2, 0.4};
     CHECK_FALSE(refusal(world, strike));
-    obey(world, strike);
+    execute(world, strike);
     CHECK(world.balls.velocity[0] == Vec2{3.0, 4.0});
     CHECK(world.balls.roll[0] == Vec2{3.0, 4.0});  // at 2/5 it rolls at once
     CHECK(world.balls.spin[0] == doctest::Approx(2.5));
-    obey(world, command::Strike{BallId{0}, {1.0, 0.0}});
+    execute(world, command::Strike{BallId{0}, {1.0, 0.0}});
     CHECK(world.balls.roll[0] == Vec2{});
     CHECK(world.balls.spin[0] == 0.0);
 }

@@ -64,7 +64,7 @@ TEST_CASE("dragging a joint carries every edge that meets there") {
     CHECK(drop(world, grip).empty());
     World held = world;
     for (const Command& command : commands)
-        obey(held, command);
+        execute(held, command);
     CHECK(drop(held, grip).size() == 2);
     CHECK(std::holds_alternative<command::PlaceCapsule>(place(world, grip, {0.0, 0.0})[1]));
 }

@@ -48,7 +48,7 @@ struct Game {
     void run(double seconds) {
         for (int i = 0; i < static_cast<int>(seconds * world.rate); ++i) {
             solver.tick(world);
-            follow_rules(scene, world, game, solver.contacts());
+            update_game(scene, world, game, solver.contacts());
         }
     }
     /// Puts the first ball down, with a velocity, and lets half a second pass.
@@ -58,7 +58,7 @@ struct Game {
         run(seconds);
     }
     void press(Button button, bool is_down) {
-        obey(scene, world, game, command::Press{button, is_down});
+        execute(scene, world, game, command::Press{button, is_down});
     }
     const PinballState& state() const { return std::get<PinballState>(game); }
 
@@ -246,7 +246,7 @@ TEST_CASE("a plunger that a hand pulls sends the ball as far as it is pulled") {
         const auto pull = [&](double to, bool lets_go) {
             const Command command = command::Pull{to, lets_go};
             REQUIRE_FALSE(refusal(game.scene, game.world, game.game, command).has_value());
-            obey(game.scene, game.world, game.game, command);
+            execute(game.scene, game.world, game.game, command);
         };
         pull(0.9, false);
         pull(share, false);

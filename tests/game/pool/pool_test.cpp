@@ -35,7 +35,7 @@ struct Table {
     }
     void step() {
         solver.tick(world);
-        follow_pool(scene, world, play, solver.contacts());
+        update_pool(scene, world, play, solver.contacts());
     }
     std::size_t cue() const { return *index_of(world, *play.balls[0]); }
     void put(int ball, Vec2 place) {
@@ -229,9 +229,9 @@ TEST_CASE("a clock is part of what is known of a game, and none is there where n
     for (int i = 0; i < 240; ++i)
         table.step();
     CHECK(table.play.last_foul == PoolFoul::none);
-    const auto bits = folded(1, timed_table.play);
+    const auto bits = digest_of(1, timed_table.play);
     timed_table.play.clock_from = 5;
-    CHECK(folded(1, timed_table.play) != bits);
+    CHECK(digest_of(1, timed_table.play) != bits);
 }
 
 TEST_CASE("a match ends with the last frame of the race, and the next begins at nothing") {

@@ -50,7 +50,7 @@ Replay everything() {
     replay.end = 1200;
     replay.stands = 1100;
     replay.opponent = 3;
-    replay.stance = {third, 2.5, -0.1, third, Aids::cloud, PoolStance::Intent::push_out, 4};
+    replay.stance = {third, 2.5, -0.1, third, Aids::cloud, ShotSetup::Intent::push_out, 4};
     return replay;
 }
 

@@ -40,7 +40,7 @@ TEST_CASE("solvers that agree do not part") {
     const Scene scene = load(crowd);
     const Comparison comparison =
         compare(scene, {.first = {swept, 60}, .second = {swept, 60}, .time = 1.0}, always);
-    CHECK_FALSE(comparison.parting.has_value());
+    CHECK_FALSE(comparison.divergence.has_value());
     CHECK_FALSE(comparison.contact.has_value());
     CHECK_FALSE(comparison.growth.has_value());
     CHECK_FALSE(comparison.is_lost);
@@ -56,9 +56,9 @@ TEST_CASE("a ball that passes through a wall parts there, with the contact that 
     const Scene scene = load(thin_walls);
     const Comparison comparison =
         compare(scene, {.first = {swept, 60}, .second = {discrete, 60}, .time = 1.0}, always);
-    REQUIRE(comparison.parting.has_value());
-    CHECK(comparison.parting->ball == BallId{1});
-    CHECK(comparison.parting->time == doctest::Approx(2.0 / 60.0));
+    REQUIRE(comparison.divergence.has_value());
+    CHECK(comparison.divergence->ball == BallId{1});
+    CHECK(comparison.divergence->time == doctest::Approx(2.0 / 60.0));
     CHECK(comparison.is_lost);
     CHECK(comparison.time() < 0.5);
     REQUIRE(comparison.contact.has_value());
@@ -87,7 +87,7 @@ TEST_CASE("a crowd that is nudged parts exponentially") {
         scene, {.first = {swept, 60}, .second = {swept, 60}, .time = 60.0, .nudge = 1e-9}, always);
     CHECK(comparison.differences.front().max <= 1.5e-9);
     CHECK(comparison.differences.front().max > 0.0);
-    REQUIRE(comparison.parting.has_value());
+    REQUIRE(comparison.divergence.has_value());
     REQUIRE(comparison.growth.has_value());
     CHECK(comparison.growth->doubling_time > 0.0);
     CHECK(comparison.growth->doubling_time < comparison.time() / 20.0);

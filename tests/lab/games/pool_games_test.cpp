@@ -16,12 +16,12 @@ namespace {
 
 constexpr std::array<std::string_view, 2> games = {"eight-ball", "nine-ball"};
 
-PoolMatch play_match(std::string_view game, std::array<int, 2> steadiness, std::uint32_t frames) {
+PoolMatch play_match(std::string_view game, std::array<int, 2> skill, std::uint32_t frames) {
     const Scene scene = test::shipped_level(std::string(game));
-    PoolMatch match{steadiness, {}};
+    PoolMatch match{skill, {}};
     for (std::uint32_t number = 0; number < frames; ++number) {
         const PoolFrame frame =
-            play_pool_frame(scene, pick_solver(scene.world).settings, steadiness, number);
+            play_pool_frame(scene, pick_solver(scene.world).settings, skill, number);
         CAPTURE(number);
         CHECK_MESSAGE(!frame.refused, *frame.refused);
         match.frames.push_back(frame);
@@ -63,8 +63,8 @@ TEST_CASE("a match is told in one row") {
 TEST_SUITE("long") {
     TEST_CASE("frames come to their end, and the steadier of two opponents wins more") {
         for (const std::string_view game : games)
-            for (const std::array<int, 2> steadiness : {std::array{4, 2}, std::array{3, 1}}) {
-                const PoolMatch match = play_match(game, steadiness, 12);
+            for (const std::array<int, 2> skill : {std::array{4, 2}, std::array{3, 1}}) {
+                const PoolMatch match = play_match(game, skill, 12);
                 CHECK(frames_won(match, 0) > frames_won(match, 1));
             }
     }
@@ -86,9 +86,9 @@ TEST_SUITE("long") {
             static_cast<std::uint32_t>(wanted ? std::strtoul(wanted, nullptr, 10) : 2);
         std::string table = pool_match_head();
         for (const std::string_view game : games)
-            for (const std::array<int, 2> steadiness :
+            for (const std::array<int, 2> skill :
                  {std::array{2, 1}, std::array{3, 2}, std::array{4, 3}}) {
-                const PoolMatch match = play_match(game, steadiness, frames);
+                const PoolMatch match = play_match(game, skill, frames);
                 table += pool_match_row(game, match);
                 constexpr std::uint32_t enough = 100;
                 if (frames >= enough) CHECK(frames_won(match, 0) > frames_won(match, 1));

@@ -1,4 +1,4 @@
-#include "game/ai/hand_error.h"
+#include "game/ai/shot_noise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,11 +19,11 @@ double deviate(std::uint64_t seed, std::uint64_t who, std::uint64_t index) {
 
 }  // namespace
 
-HandError operator*(const HandError& error, double factor) {
+ShotNoise operator*(const ShotNoise& error, double factor) {
     return {error.bearing * factor, error.speed * factor, error.tip * factor};
 }
 
-command::Strike with_error(const command::Strike& strike, const HandError& error, double most,
+command::Strike with_noise(const command::Strike& strike, const ShotNoise& error, double most,
                            std::uint64_t seed, std::uint64_t index) {
     constexpr double least = 0.02;  // of the speed that was meant
     const double speed = length(strike.velocity);

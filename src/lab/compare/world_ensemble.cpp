@@ -1,4 +1,4 @@
-#include "lab/compare/butterfly.h"
+#include "lab/compare/world_ensemble.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,15 +20,15 @@ std::optional<std::size_t> cell_of(double value, double low, double high, std::s
 
 }  // namespace
 
-Butterfly::Butterfly(const World& start, const SolverSettings& solver,
-                     const ButterflySettings& settings)
+WorldEnsemble::WorldEnsemble(const World& start, const SolverSettings& solver,
+                             const EnsembleSettings& settings)
     : solver_(solver), copies_(settings.copies, start) {
     for (std::size_t i = 1; i < copies_.size(); ++i)
         nudge(copies_[i], settings.size, settings.seed, i);
 }
 
-bool Butterfly::step(const std::function<bool()>& may_go_on,
-                     const std::function<bool()>& keep_going) {
+bool WorldEnsemble::step(const std::function<bool()>& may_go_on,
+                         const std::function<bool()>& keep_going) {
     while (next_ < copies_.size()) {
         if (solver_.tick(copies_[next_], keep_going) == TickOutcome::given_up) return false;
         ++next_;
@@ -38,14 +38,14 @@ bool Butterfly::step(const std::function<bool()>& may_go_on,
     return true;
 }
 
-void Butterfly::obey(const Command& command) {
+void WorldEnsemble::execute(const Command& command) {
     if (const auto* change = std::get_if<command::SetSolver>(&command))
         solver_ = Solver(change->settings);
     for (World& world : copies_)
-        if (!refusal(world, command)) carom::obey(world, command);
+        if (!refusal(world, command)) carom::execute(world, command);
 }
 
-double Butterfly::spread() const {
+double WorldEnsemble::spread() const {
     const Balls& first = copies_.front().balls;
     const std::optional<Vec2> torus = torus_of(copies_.front());
     std::vector<double> sum(first.size(), 0.0);

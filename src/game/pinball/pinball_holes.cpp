@@ -32,7 +32,7 @@ void take_into_hole(Pinball game, std::uint32_t device, BallId ball) {
     game.state.held.push_back({device, ball, game.now() + game.ticks(hole.hold)});
 }
 
-void work_holes(Pinball game) {
+void update_holes(Pinball game) {
     World& world = game.world;
     std::erase_if(game.state.held, [&](const PinballState::Held& held) {
         const auto index = index_of(world, held.ball);
@@ -67,7 +67,7 @@ void cross_ramps(Pinball game) {
             const bool has_passed = dot(at - ramp.place, ramp.direction) > 0.0;
             if (has_passed && layer == ramp.from) {
                 set_layer(world, world.balls.id[i], ramp.to);
-                tell_rules(game, device, Rule::When::enter);
+                apply_rules(game, device, Rule::When::enter);
             } else if (!has_passed && layer == ramp.to && ramp.to > ramp.from) {
                 set_layer(world, world.balls.id[i], ramp.from);
             }

@@ -1,4 +1,4 @@
-#include "lab/compare/butterfly.h"
+#include "lab/compare/world_ensemble.h"
 
 #include <doctest/doctest.h>
 
@@ -26,7 +26,7 @@ World pegs_and_ball() {
     return result.scene->world;
 }
 
-double spread_of(const Butterfly& butterfly) {
+double spread_of(const WorldEnsemble& butterfly) {
     double most = 0.0;
     for (const World& world : butterfly.copies())
         most = std::max(most, difference(butterfly.copies().front(), world).max);
@@ -41,7 +41,7 @@ std::uint64_t sum(const Density& grid) {
 
 TEST_CASE("copies begin within a hair of the first, which is the world itself, and part") {
     const World start = pegs_and_ball();
-    Butterfly butterfly(start, {}, {.copies = 200, .size = 1e-6, .seed = 5});
+    WorldEnsemble butterfly(start, {}, {.copies = 200, .size = 1e-6, .seed = 5});
     CHECK(butterfly.copies().size() == 200);
     CHECK(butterfly.copies()[0].balls.position == start.balls.position);
     CHECK(spread_of(butterfly) <= 1.5e-6);
@@ -61,7 +61,7 @@ TEST_CASE("copies begin within a hair of the first, which is the world itself, a
 TEST_CASE("the same seed gives the same copies, another seed others") {
     const World start = pegs_and_ball();
     const auto last = [&](std::uint64_t seed) {
-        Butterfly butterfly(start, {}, {.copies = 3, .size = 1e-3, .seed = seed});
+        WorldEnsemble butterfly(start, {}, {.copies = 3, .size = 1e-3, .seed = seed});
         for (int i = 0; i < 10; ++i)
             butterfly.step();
         return fingerprint(butterfly.copies()[2]);
@@ -87,8 +87,8 @@ TEST_CASE("the density counts every ball that is in view once") {
 
 TEST_CASE("a step that is interrupted goes on where it stopped, to the same bits") {
     const World start = pegs_and_ball();
-    Butterfly at_once(start, {}, {.copies = 10, .size = 1e-6, .seed = 5});
-    Butterfly in_bits(start, {}, {.copies = 10, .size = 1e-6, .seed = 5});
+    WorldEnsemble at_once(start, {}, {.copies = 10, .size = 1e-6, .seed = 5});
+    WorldEnsemble in_bits(start, {}, {.copies = 10, .size = 1e-6, .seed = 5});
     for (int i = 0; i < 50; ++i) {
         CHECK(at_once.step());
         int asked = 0;
@@ -103,7 +103,7 @@ TEST_CASE("a step that is interrupted goes on where it stopped, to the same bits
 TEST_CASE("the spread is the root mean square distance of the worst ball, in its radii") {
     World start = pegs_and_ball();
     start.balls.radius[1] = 0.5;
-    const Butterfly butterfly(start, {}, {.copies = 5, .size = 1e-3, .seed = 5});
+    const WorldEnsemble butterfly(start, {}, {.copies = 5, .size = 1e-3, .seed = 5});
     double most = 0.0;
     for (std::size_t ball = 0; ball < 2; ++ball) {
         double sum = 0.0;
@@ -112,14 +112,14 @@ TEST_CASE("the spread is the root mean square distance of the worst ball, in its
         most = std::max(most, std::sqrt(sum / 4.0) / start.balls.radius[ball]);
     }
     CHECK(butterfly.spread() == doctest::Approx(most).epsilon(1e-12));
-    CHECK(Butterfly(start, {}, {.copies = 1}).spread() == 0.0);
+    CHECK(WorldEnsemble(start, {}, {.copies = 1}).spread() == 0.0);
 }
 
 TEST_CASE("every copy obeys, and changes its solver") {
     const World start = pegs_and_ball();
-    Butterfly butterfly(start, {}, {.copies = 3});
-    butterfly.obey(command::RemoveBall{BallId{0}});
-    butterfly.obey(command::SetSolver{{.kind = SolverKind::discrete}});
+    WorldEnsemble butterfly(start, {}, {.copies = 3});
+    butterfly.execute(command::RemoveBall{BallId{0}});
+    butterfly.execute(command::SetSolver{{.kind = SolverKind::discrete}});
     World alone = butterfly.copies()[2];
     CHECK(alone.balls.size() == 1);
     Solver solver({.kind = SolverKind::discrete});

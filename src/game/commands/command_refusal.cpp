@@ -1,0 +1,211 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/commands/command.h"
+#include "game/commands/picking.h"
+#include "geometry/closest.h"
+
+/// Which commands a world cannot carry out, and why.
+namespace carom {
+namespace {
+
+using namespace command;
+using Refusal = std::optional<std::string>;
+
+/// Bodies that lie in each other by less than this share of a ball's radius only touch.
+constexpr double touching = 1e-9;
+
+bool is_finite(Vec2 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y);
+}
+
+Refusal unless_ball(const World& world, BallId id) {
+    if (index_of(world, id)) return std::nullopt;
+    return fmt::format("there is no ball {}", number(id));
+}
+
+Refusal unless_capsule(const World& world, CapsuleId id) {
+    if (index_of(world, id)) return std::nullopt;
+    return fmt::format("there is no edge {}", number(id));
+}
+
+Refusal unless_movable(const World& world, CapsuleId id) {
+    if (auto why = unless_capsule(world, id)) return why;
+    if (!std::ranges::count(world.flippers, id, &Flipper::capsule)) return std::nullopt;
+    return "a flipper moves by its button alone";
+}
+
+Refusal unless_finite(bool finite, std::string_view what) {
+    if (finite) return std::nullopt;
+    return fmt::format("{} is not a number", what);
+}
+
+/// How deep a ball would lie in an edge; negative: how far they are apart.
+double depth(const World& world, const Disc& ball, const Capsule& edge) {
+    const Vec2 middle = (edge.start + edge.end) * 0.5;
+    const Disc beside{middle + offset(world, middle, ball.center), ball.radius};
+    return -separation(beside, edge);
+}
+
+Refusal obstacle(const World& world, const Disc& disc, ClassIndex kind,
+                 std::optional<BallId> itself = std::nullopt) {
+    const double allowed = touching * disc.radius;
+    const Balls& balls = world.balls;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (balls.id[i] == itself) continue;
+        if (!kinds_meet(world, kind, balls.kind[i])) continue;
+        const double apart = length(offset(world, disc.center, balls.position[i]));
+        if (disc.radius + balls.radius[i] - apart > allowed)
+            return fmt::format("it would overlap ball {}", number(balls.id[i]));
+    }
+    const Capsules& capsules = world.capsules;
+    for (std::size_t i = 0; i < capsules.size(); ++i) {
+        if (!kind_meets_material(world, kind, capsules.material[i])) continue;
+        if (depth(world, disc, capsules.shape[i]) > allowed)
+            return fmt::format("it would overlap edge {}", number(capsules.id[i]));
+    }
+    return std::nullopt;
+}
+
+Refusal refused(const World& world, const Strike& strike) {
+    if (auto why = unless_ball(world, strike.ball)) return why;
+    if (auto why = unless_finite(is_finite(strike.velocity), "the speed")) return why;
+    const double side = strike.side;
+    const double follow = strike.follow;
+    constexpr double most = Strike::most_offset;
+    if (!(side * side + follow * follow <= most * most))
+        return fmt::format("the tip slips off further than {} of the radius from the middle", most);
+    if (side != 0.0 && !world.model.spin) return "balls do not spin here";
+    if (follow != 0.0 && !world.model.cloth) return "there is no cloth to follow or draw on";
+    return std::nullopt;
+}
+
+Refusal refused(const World& world, const HoldBall& hold) {
+    if (auto why = unless_ball(world, hold.ball)) return why;
+    return unless_finite(is_finite(hold.target), "the place");
+}
+
+Refusal refused(const World& world, const DropBall& drop) {
+    if (std::ranges::count(world.held_balls, drop.ball, &HeldBall::id)) return std::nullopt;
+    return fmt::format("ball {} is not held", number(drop.ball));
+}
+
+Refusal refused(const World& world, const HoldCapsule& hold) {
+    if (auto why = unless_movable(world, hold.capsule)) return why;
+    return unless_finite(is_finite(hold.start_target) && is_finite(hold.end_target), "the place");
+}
+
+Refusal refused(const World& world, const DropCapsule& drop) {
+    if (std::ranges::count(world.held_capsules, drop.capsule, &HeldCapsule::id))
+        return std::nullopt;
+    return fmt::format("edge {} is not held", number(drop.capsule));
+}
+
+Refusal refused(const World& world, const AddBall& add) {
+    const BallSpec& spec = add.spec;
+    if (spec.kind >= world.kinds.size()) return fmt::format("there is no kind {}", spec.kind);
+    const double radius = spec.radius.value_or(world.kinds[spec.kind].radius);
+    const double mass = spec.mass.value_or(world.kinds[spec.kind].mass);
+    const double restitution = spec.restitution.value_or(world.kinds[spec.kind].restitution);
+    if (auto why = unless_finite(is_finite(spec.position), "the place")) return why;
+    if (auto why = unless_finite(is_finite(spec.velocity), "the speed")) return why;
+    if (auto why = unless_finite(std::isfinite(spec.spin), "the spin")) return why;
+    if (!(radius > 0.0) || !std::isfinite(radius)) return "its radius must be positive";
+    if (!(mass > 0.0) || !std::isfinite(mass) || !std::isfinite(1.0 / mass))
+        return "its mass must be positive";
+    if (!(restitution >= 0.0 && restitution <= 1.0)) return "its restitution must be in 0..1";
+    return obstacle(world, {spec.position, radius}, spec.kind);
+}
+
+Refusal refused(const World& world, const RemoveBall& remove) {
+    return unless_ball(world, remove.ball);
+}
+
+Refusal obstacle(const World& world, const Capsule& edge, ClassIndex material) {
+    const Balls& balls = world.balls;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (!kind_meets_material(world, balls.kind[i], material)) continue;
+        if (depth(world, {balls.position[i], balls.radius[i]}, edge) > touching * balls.radius[i])
+            return fmt::format("it would lie on ball {}", number(balls.id[i]));
+    }
+    return std::nullopt;
+}
+
+Refusal refused(const World& world, const PlaceBall& place) {
+    if (auto why = unless_ball(world, place.ball)) return why;
+    if (auto why = unless_finite(is_finite(place.position), "the place")) return why;
+    const std::size_t index = *index_of(world, place.ball);
+    return obstacle(world, {place.position, world.balls.radius[index]}, world.balls.kind[index],
+                    place.ball);
+}
+
+Refusal refused(const World& world, const PlaceCapsule& place) {
+    if (auto why = unless_movable(world, place.capsule)) return why;
+    if (auto why = unless_finite(is_finite(place.start) && is_finite(place.end), "the place"))
+        return why;
+    const std::size_t index = *index_of(world, place.capsule);
+    return obstacle(world, {place.start, place.end, world.capsules.shape[index].radius},
+                    world.capsules.material[index]);
+}
+
+Refusal refused(const World& world, const AddCapsule& add) {
+    const Capsule& edge = add.shape;
+    if (add.material >= world.materials.size())
+        return fmt::format("there is no material {}", add.material);
+    if (auto why = unless_finite(is_finite(edge.start) && is_finite(edge.end), "the place"))
+        return why;
+    if (!(edge.radius >= 0.0) || !std::isfinite(edge.radius))
+        return "its radius must not be negative";
+    return obstacle(world, edge, add.material);
+}
+
+Refusal refused(const World& world, const RemoveCapsule& remove) {
+    return unless_capsule(world, remove.capsule);
+}
+
+Refusal refused(const World&, const SetGravity& set) {
+    return unless_finite(!set.gravity || is_finite(*set.gravity), "gravity");
+}
+
+Refusal refused(const World& world, const SetSolver& set) {
+    if (!std::ranges::count(solvers_available(), set.settings.kind))
+        return fmt::format("this carom has no solver {}", name(set.settings.kind));
+    if (!supports(set.settings.kind, world.model))
+        return fmt::format("solver {} does not know cloth", name(set.settings.kind));
+    if (!are_in_range(set.settings)) return "updates, steps and substeps must be in 1..1000";
+    return std::nullopt;
+}
+
+Refusal refused(const World&, const Press&) {
+    return "there is no game that has buttons";
+}
+
+Refusal refused(const World&, const Pull&) {
+    return "there is no game that has a plunger";
+}
+
+Refusal refused_without_rules() {
+    return "there is no game of pool that has rules";
+}
+
+Refusal refused(const World&, const CallShot&) {
+    return refused_without_rules();
+}
+
+Refusal refused(const World&, const Decide&) {
+    return refused_without_rules();
+}
+
+Refusal refused(const World&, const RackAgain&) {
+    return refused_without_rules();
+}
+
+}  // namespace
+
+std::optional<std::string> refusal(const World& world, const Command& command) {
+    return std::visit([&](const auto& c) { return refused(world, c); }, command);
+}
+
+}  // namespace carom

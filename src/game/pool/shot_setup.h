@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+/// What a pool player has set up between two shots. Neither the rules nor the world knows it, but a
+/// resumed game brings it back.
+namespace carom {
+
+/// How much of the coming shot is drawn.
+enum class Aids : std::uint8_t {
+    none,   ///< only the cue
+    ghost,  ///< straight lines: the ghost ball, and the directions after the hit
+    full,   ///< and a forecast until all balls lie still
+    cloud   ///< and the ends of 20 forecasts with execution noise
+};
+
+struct ShotSetup {
+    /// What is called for the next shot: whatever the aim pockets, a chosen pocket, ...
+    enum class Intent : std::uint8_t { automatic, pocket, safety, push_out };
+
+    double bearing = 0.0;  ///< degrees, counter-clockwise from the right
+    double speed = 2.0;    ///< length/s
+    double side = 0.0;     ///< tip offset to the right, a share of the radius
+    double follow = 0.0;   ///< tip offset upwards, a share of the radius
+    Aids aids = Aids::full;
+    Intent intent = Intent::automatic;
+    int pocket = 0;  ///< that was chosen
+
+    friend bool operator==(const ShotSetup&, const ShotSetup&) = default;
+};
+
+}  // namespace carom
