@@ -2,14 +2,14 @@
 
 namespace carom {
 
-/// While it lives, INT, TERM and HUP are only noted, so that what is under way can end in good
-/// order. One at a time.
+/// While it lives, INT, TERM and HUP are only noted, so that the work can end in good order. At
+/// most one guard lives at a time.
 class InterruptGuard {
   public:
     InterruptGuard();
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
-    /// Signals do again what they did before.
+    /// Restores what the signals did before.
     ~InterruptGuard();
 
     /// The first signal that came; 0: none.

@@ -52,8 +52,8 @@ std::string text_of(const MeasureOptions& options, const Scene& scene,
     return text;
 }
 
-// The files that were asked for, opened before the work begins: one that cannot be written should
-// not be found out an hour later.
+// The output files, opened before the work begins, so that one that cannot be written is reported
+// at once.
 class Outputs {
   public:
     explicit Outputs(const MeasureOptions& options) {

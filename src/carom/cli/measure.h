@@ -4,7 +4,7 @@
 
 namespace carom {
 
-/// `carom measure`: prints the trade between cost and error, or writes it where it was asked to.
+/// `carom measure`: prints cost against error, or writes it to files.
 /// Returns the exit code: 0, or 2 for a bad level or an output that cannot be written. INT, TERM
 /// and HUP end it after the tick that it is in: what was complete by then is written, and then the
 /// process dies of the signal.

@@ -6,8 +6,8 @@
 
 namespace carom {
 
-/// A bar on standard error for what takes more than a second, where standard error is a terminal;
-/// nothing otherwise. It is gone when `clear` is called or the object ends.
+/// A progress bar on standard error for work of more than a second, where standard error is a
+/// terminal; nothing otherwise. `clear` and the destructor remove it.
 class Progress {
   public:
     explicit Progress(std::uint64_t total_ticks);

@@ -121,7 +121,7 @@ void tell_too_dense(const World& world) {
                     world.tick, world.time()));
 }
 
-// Runs until the end, a signal, an output that fails, or readers that have gone. Returns what the
+// Runs until the end, a signal, a failing output, or a closed pipe. Returns the time that the
 // solver took, in seconds.
 double simulate(const Scene& scene, World& world, GameState& game, RunRecord& record,
                 Solver& solver, Outputs& outputs, Replay& replay, std::uint64_t ticks) {

@@ -17,7 +17,7 @@ using Phase = PinballState::Phase;
 
 constexpr double full_pull = 1.0;     // s until the plunger is pulled all the way
 constexpr double launch_pause = 0.6;  // s from the serve of a ball to its launch by itself
-// The table's own launches, as shares of the plunger's way.
+// The range of launches by the table itself, as shares of the plunger's travel.
 constexpr double least_own_pull = 0.5;
 constexpr double most_own_pull = 0.9;
 
@@ -26,7 +26,7 @@ constexpr double counting_time = 2.5;  // s that the bonus is shown
 
 constexpr double nudge_time = 0.1;    // s
 constexpr double nudge_speed = 20.0;  // radii a second that a nudge gives to a ball
-// The tilt's meter, as in Space Cadet: it rises while the table is pushed, and sinks otherwise.
+// The tilt meter, as in Space Cadet: it rises while the table is nudged, and falls otherwise.
 constexpr double meter_rise = 4.0;  // 1/s
 constexpr double meter_fall = 1.0;
 constexpr double meter_warns = 0.5;
@@ -44,7 +44,7 @@ void move_flippers(Pinball game) {
             alive && game.state.is_down[static_cast<std::size_t>(buttons[i])];
 }
 
-// The lights of rollovers go one on: so a player can steer them to where the ball will pass.
+// Lane change: rotates the lights of rollovers, so that a player can steer them to the ball.
 void change_lanes(Pinball game, bool to_the_right) {
     for (const DeviceGroup& group : game.table().groups) {
         if (group.kind != DeviceKind::rollover || group.devices.size() < 2) continue;
@@ -101,11 +101,11 @@ void update_plunger(Pinball game) {
     if (state.is_down[static_cast<std::size_t>(Button::plunger)])
         state.pull = std::min(1.0, state.pull + game.world.tick_length() / full_pull);
     if (state.launch_at == 0 || game.now() < state.launch_at) return;
-    // Never the same launch twice: a table that always gives the same one is soon played out.
+    // Launches vary: a table that always launches alike soon plays alike.
     const double pull = random_between(least_own_pull, most_own_pull, game.world.seed,
                                        RandomStream::player, state.games, game.world.next_ball);
     const bool is_launched = launch(game, pull);
-    // It may not have come to lie there yet; one that went elsewhere is not waited for.
+    // The ball may not have settled on the plunger yet; after a while it is not waited for.
     if (!is_launched && game.now() < state.launch_at + game.ticks(launch_patience)) return;
     state.launch_at = 0;
     if (!is_launched) return;
@@ -113,7 +113,7 @@ void update_plunger(Pinball game) {
     note_launch(game);
 }
 
-// A ball begins where the level's first ball does, as soon as there is room.
+// Serves a ball at the start of the level's first ball, as soon as there is room.
 void serve(Pinball game) {
     PinballState& state = game.state;
     const Balls& balls = game.scene.world.balls;

@@ -5,11 +5,11 @@
 #include "geometry/elementary.h"
 #include "physics/world/random.h"
 
-// What takes balls elsewhere: holes that keep them for a while, and ramps to another layer.
+// Devices that move balls elsewhere: holes, which hold them for a while, and ramps to other layers.
 namespace carom {
 namespace {
 
-// A hole does not always send a ball the same way: a table that did would soon be played out.
+// A hole scatters the balls that it ejects; otherwise every shot from it would be the same.
 constexpr double hole_scatter = 0.05;  // radians to either side
 
 void send_on(Pinball game, const PinballState::Held& held, std::size_t ball) {
@@ -52,8 +52,8 @@ bool is_held(const PinballState& state, BallId ball) {
     return std::ranges::count(state.held, ball, &PinballState::Held::ball) > 0;
 }
 
-// By where a ball is, not by how it came there: so nothing is remembered. What goes up comes back
-// the way it went, what has been put down stays down.
+// A layer follows from where a ball is, not from how it came there, so there is no state. A ball
+// can go back down a ramp that it went up, but not up one that it came down.
 void cross_ramps(Pinball game) {
     World& world = game.world;
     for (std::uint32_t device = 0; device < game.table().devices.size(); ++device) {

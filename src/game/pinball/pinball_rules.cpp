@@ -5,7 +5,7 @@
 
 #include "game/pinball/pinball_table.h"
 
-// What a table's author has written, carried out.
+// Carries out the rules that the author of a table wrote.
 namespace carom {
 namespace {
 
@@ -41,7 +41,7 @@ void begin_multiball(Pinball game, std::int64_t wanted) {
 
 void follow(Pinball game, std::uint32_t group, Rule::When when, int depth);
 
-// The first that is not lit. The last of them makes the group whole, and that is told to the rules.
+// Lights the first device that is not lit. When that completes the group, its `all` rules apply.
 void advance(Pinball game, std::uint32_t group, int depth) {
     for (const std::uint32_t device : game.table().groups[group].devices) {
         if (game.state.is_lit[device] != 0) continue;
@@ -103,9 +103,9 @@ bool holds(const Pinball& game, const Rule& rule) {
     });
 }
 
-// All conditions first: what a rule does must not change whether the next one holds.
+// Evaluates all conditions first: the actions of a rule must not change whether the next one holds.
 void follow(Pinball game, std::uint32_t group, Rule::When when, int depth) {
-    constexpr int deepest = 8;  // lights that turn each other on come to an end
+    constexpr int deepest = 8;  // ends rules that light each other in a cycle
     if (depth > deepest) return;
     std::vector<const Rule*> due;
     for (const Rule& rule : game.table().rules)

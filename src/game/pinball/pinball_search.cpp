@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-constexpr double patience = 5.0;  // s without getting on by a radius
+constexpr double patience = 5.0;  // s without progress by a radius
 constexpr std::uint32_t most_kicks = 4;
 constexpr double kick = 60.0;          // radii a second
 constexpr double off_the_table = 8.0;  // radii outside of what the camera shows
@@ -31,7 +31,7 @@ bool is_cradled(const Pinball& game, std::size_t ball) {
     });
 }
 
-// Away from the nearest edge, and a little to one side or the other.
+// The direction away from the nearest edge, turned a little to one side or the other.
 Vec2 way_out(const Pinball& game, std::size_t ball) {
     const World& world = game.world;
     const Vec2 at = world.balls.position[ball];

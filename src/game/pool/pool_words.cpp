@@ -11,7 +11,7 @@ const std::string& name_of(const PlayerNames& names, int player) {
     return names[static_cast<std::size_t>(player)];
 }
 
-// "you: wins the frame", and the match where that was its last.
+// "you: wins the frame", or the match when that was its last frame.
 std::string win_text(const PoolPlay& play, const PlayerNames& names) {
     if (const auto winner = match_winner(play))
         return fmt::format("{}: wins the match {}:{}", name_of(names, *winner),

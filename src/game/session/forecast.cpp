@@ -12,7 +12,7 @@ void begin_tracks(Forecast& ahead) {
         ahead.tracks.push_back({balls.id[i], {balls.position[i]}, std::nullopt});
 }
 
-// Tracks and balls are in the same order, and balls only vanish.
+// Tracks and balls are in the same order, and balls are only ever removed.
 void extend_tracks(Forecast& ahead) {
     const Balls& balls = ahead.world.balls;
     std::size_t track = 0;

@@ -92,7 +92,7 @@ class LevelWriter {
         line("rate {}", world_.rate);
         line("seed {}", world_.seed);
         if (scene_.solver) line("solver {}", settings_text(*scene_.solver, SettingsText::used));
-        // A game of pool begins with a rack, which is written here as balls that lie somewhere.
+        // A game of pool needs a rack, which is written here as single balls.
         if (scene_.game != "sandbox" && !referee_of(scene_.game)) line("game {}", scene_.game);
         line("world {} {}", place(scene_.view.low), place(scene_.view.high));
     }
@@ -113,8 +113,8 @@ class LevelWriter {
         if (deepest_overlap(world_) > 0.0) line("use overlap");
     }
 
-    // The kind "ball" and the material "edge" may be those that stand for the unnamed. Written out
-    // they are the same; but in `collide` these words mean all balls and all edges.
+    // "ball" and "edge" may name the kind and the material of unnamed bodies. They read back as the
+    // same, except in `collide`, where the words mean all balls and all edges.
     void name_classes() {
         kinds_ = scene_.kind_names;
         materials_ = scene_.material_names;
@@ -205,7 +205,7 @@ class LevelWriter {
             materials_[capsules.material[first]] + (group.empty() ? "" : " ") + std::string(group);
         if (shape.start == shape.end)
             return line("peg {} at={} r={}", names, place(shape.start), shape.radius);
-        // A target that is down stands again.
+        // A drop target that is down is written as a standing one.
         constexpr std::string_view sides[] = {"", " side=left", " side=right", ""};
         text_ += fmt::format("edge {} r={}{} {}", names, shape.radius,
                              sides[static_cast<std::size_t>(side_of(first))], place(shape.start));
@@ -217,7 +217,7 @@ class LevelWriter {
         text_ += closes ? " close\n" : "\n";
     }
 
-    // In the order of their counters, so that they are counted in the same order again.
+    // In the order of their counters, which keep that order when the level is loaded.
     void zones() {
         for (std::size_t i = 0; i < world_.zones.size(); ++i) {
             const Zone& zone = world_.zones[i];
@@ -240,7 +240,7 @@ class LevelWriter {
             std::string name_text;
             if (id < scene_.ball_names.size()) name_text = scene_.ball_names[id];
             text_ += "ball ";
-            // Names with a suffix belong to copies; here each ball stands for itself.
+            // Names with a suffix belong to copies; here each ball is a statement of its own.
             std::ranges::replace(name_text, '.', '_');
             if (!name_text.empty()) text_ += name_text + " ";
             const Kind& kind = world_.kinds[balls.kind[i]];

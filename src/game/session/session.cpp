@@ -11,8 +11,8 @@
 namespace carom {
 namespace {
 
-// After going back, the last ticks before the present are kept one by one, so that going back
-// further is quick; they may take this share of the memory.
+// After going back, there is a snapshot of each of the last ticks before the present, so that going
+// back further is quick. They may take this share of the memory.
 constexpr std::size_t dense_share = 4;
 constexpr std::uint64_t most_dense_ticks = 240;
 
@@ -102,13 +102,13 @@ void Session::forget_future() {
         execute_now(command::Press{button, false});
         log(command::Press{button, false});
     }
-    if (is_plunger_pulled(game_)) {  // by a hand that is in the future now
+    if (is_plunger_pulled(game_)) {  // by a hand in the forgotten future
         execute_now(command::Pull{});
         log(command::Pull{});
     }
 }
 
-// The newer half of the log stays, and with it the way back to its oldest command.
+// Keeps the newer half of the log, and the way back to its oldest command.
 void Session::bound_log() {
     if (!keeps_all_commands_ && bytes_of(log_) > rewind_bytes_ / 2 && log_.size() > 1) {
         const Snapshot* kept = history_.at_or_before(log_[log_.size() / 2].tick);
@@ -157,7 +157,7 @@ void Session::mark() {
     marks_.push_back({world_.tick, fingerprint(world_, game_)});
 }
 
-// False: the tick was given up.
+// Returns false when the tick was cancelled.
 bool Session::advance() {
     mark();
     outcome_ = solver_.tick(world_, keep_going_);
@@ -190,8 +190,8 @@ bool Session::go_to(std::uint64_t tick) {
     return world_.tick == tick;
 }
 
-// From the last snapshot before the tick, not at it: the last tick is computed again, so that its
-// contacts are known. False: a tick was given up, and the present is before it.
+// Starts at the last snapshot before the tick, not at it: the last tick is computed again, so that
+// its contacts are known. Returns false when a tick was cancelled: the present is then before it.
 bool Session::restore(std::uint64_t tick) {
     const Snapshot* from = tick > earliest() ? history_.at_or_before(tick - 1) : nullptr;
     contacts_.clear();

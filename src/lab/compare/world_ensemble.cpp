@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-// The cell of a coordinate; none outside, and for what is no number.
+// The cell of a coordinate; none outside, or for NaN.
 std::optional<std::size_t> cell_of(double value, double low, double high, std::size_t cells) {
     if (!(value >= low && value < high)) return std::nullopt;
     const double share = (value - low) / (high - low);

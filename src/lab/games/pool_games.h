@@ -10,8 +10,8 @@
 #include "level/scene/scene.h"
 #include "physics/solver.h"
 
-/// carom against carom at a pool table, without a screen: who wins, how long a frame lasts, and
-/// whether one ever does not come to its end.
+/// carom against carom at a pool table, without a screen: the winner and the length of each frame,
+/// and whether every frame ends.
 namespace carom {
 
 /// One frame.

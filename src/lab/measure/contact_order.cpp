@@ -17,7 +17,7 @@ bool is_same_pair(const Meeting& x, const Meeting& y) {
     return pair_of(x) == pair_of(y);
 }
 
-// The places of the meetings, by pair of bodies, and within a pair in their order.
+// The indices of the contacts, by pair of bodies, and within a pair in their order.
 std::vector<std::size_t> by_pair(std::span<const Meeting> meetings) {
     std::vector<std::size_t> order(meetings.size());
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -26,7 +26,7 @@ std::vector<std::size_t> by_pair(std::span<const Meeting> meetings) {
     return order;
 }
 
-// For each of the given, the place of its partner in the truth, or `none`.
+// For each contact of the run, the index of its true partner, or `none`.
 std::vector<std::size_t> partners(std::span<const Meeting> truth, std::span<const Meeting> given) {
     std::vector<std::size_t> partner(given.size(), none);
     const std::vector<std::size_t> in_truth = by_pair(truth);
@@ -47,7 +47,7 @@ std::vector<std::size_t> partners(std::span<const Meeting> truth, std::span<cons
     return partner;
 }
 
-// The places of the meetings of every ball, ball by ball, in their order.
+// The indices of the contacts of every ball, ball by ball, in their order.
 struct OfBall {
     std::uint32_t ball = 0;
     std::size_t place = 0;
@@ -63,8 +63,7 @@ std::vector<OfBall> by_ball(std::span<const Meeting> meetings) {
     return all;
 }
 
-// Marks those of `places` whose value keeps the rest from rising: all but one longest increasing
-// subsequence (patience sorting).
+// Marks all of `places` but one longest increasing subsequence (patience sorting).
 void mark_out_of_order(std::span<const std::size_t> places, const std::vector<std::size_t>& value,
                        std::vector<bool>& marked) {
     std::vector<std::size_t> tails;  // by length: where in `places` its best subsequence ends
@@ -87,7 +86,7 @@ void mark_out_of_order(std::span<const std::size_t> places, const std::vector<st
     }
 }
 
-// Ball after ball, the places of its meetings; repeats in a row left out.
+// Ball by ball, the indices of its contacts, without repeats in a row.
 std::vector<std::vector<std::size_t>> distinct_by_ball(std::span<const Meeting> meetings,
                                                        std::uint32_t balls) {
     std::vector<std::vector<std::size_t>> found(balls);

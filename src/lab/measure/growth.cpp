@@ -41,7 +41,7 @@ std::optional<Growth> exponential_growth(std::span<const GrowthPoint> points, do
     double birth = points.empty() ? 0.0 : points.front().time;
     for (const GrowthPoint& point : points) {
         if (!std::isfinite(point.difference) || point.difference > saturation) break;
-        // What has come and gone again was no growth.
+        // A difference that vanishes again is no growth.
         if (point.difference <= 0.0) {
             time.clear();
             age_log.clear();
@@ -49,7 +49,7 @@ std::optional<Growth> exponential_growth(std::span<const GrowthPoint> points, do
             birth = point.time;
             continue;
         }
-        // At its birth a difference has no age to take the logarithm of.
+        // When it begins, a difference has age 0, which has no logarithm.
         if (point.time <= birth) continue;
         time.push_back(point.time);
         age_log.push_back(std::log2(point.time - birth));

@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-// What the reference does, as long as it can be believed.
+// What the reference does, as long as it can be trusted.
 struct Truth {
     std::vector<Positions> positions;  // by horizon
     std::vector<Meeting> meetings;
@@ -41,8 +41,8 @@ std::uint64_t ticks_of(const Bench& bench, double rate) {
     return bench.points.back() * ticks_each(rate, bench.common);
 }
 
-// How a tick ended, and what it cost in seconds; given_up where the caller has had enough, in the
-// tick or after it.
+// How a tick ended, and its cost in seconds; cancelled where the caller ended the work in the tick
+// or after it.
 struct Ticked {
     TickOutcome outcome = TickOutcome::done;
     double seconds = 0.0;
@@ -115,7 +115,7 @@ std::vector<std::optional<double>> measured_figures(const RunWatch& watch, const
     return values;
 }
 
-// The first run of a choice, in which everything is noted; its cost is that of the ticks alone.
+// The first run of a choice, which notes everything; its cost is that of the ticks alone.
 std::optional<Measured> observed(Bench& bench, const Choice& choice, const Truth& truth,
                                  double radius) {
     Measured row{.choice = choice};
@@ -147,7 +147,7 @@ std::optional<Measured> observed(Bench& bench, const Choice& choice, const Truth
     return row;
 }
 
-// Another run for the cost alone; none: interrupted.
+// Another run, for the cost alone; none when it was interrupted.
 std::optional<double> timed(Bench& bench, const Choice& choice) {
     World world = started_at(bench.scene, choice.rate);
     Solver solver(choice.solver);

@@ -114,7 +114,7 @@ void write_picks(JsonWriter& json, const Measurement& measurement,
     json.end_object();
 }
 
-// Reads back to the same double; nothing where there is none.
+// Reads back to the same double; empty where there is no value.
 std::string csv_number(const std::optional<double>& value) {
     if (!value || !std::isfinite(*value)) return {};
     return fmt::format("{}", *value);

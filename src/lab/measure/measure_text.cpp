@@ -17,7 +17,7 @@ std::string rate_text(double rate) {
     return fmt::format("{:.6g}", rate);
 }
 
-// Of an error in radii: two digits say it all.
+// An error in radii, with two digits.
 std::string small(double value) {
     if (!std::isfinite(value)) return "lost";
     if (value == 0.0) return "0";

@@ -14,7 +14,7 @@ bool dominates(const Tradeoff& a, const Tradeoff& b) {
     return a.cost <= b.cost && a.error <= b.error && (a.cost < b.cost || a.error < b.error);
 }
 
-// The first of the least by `rank`, among those that are `allowed`.
+// The first choice with the least `rank`, among those that are `allowed`.
 template <class Allowed, class Rank>
 std::optional<std::size_t> best(std::span<const Tradeoff> choices, Allowed allowed, Rank rank) {
     std::optional<std::size_t> found;

@@ -26,7 +26,7 @@ std::optional<double> chi_square(std::span<const double> counts, std::span<const
     return sum;
 }
 
-// What `expect` can say of bins: `counts` is not empty of balls, but where the row says so.
+// A quantity of bins. Only "count" is asked of bins without balls.
 struct BinsRow {
     std::string_view name;
     std::optional<double> (*value)(std::span<const double> counts, std::span<const double> shares);

@@ -76,8 +76,8 @@ void write_totals(JsonWriter& json, std::string_view key, const Totals& sums) {
     json.end_object();
 }
 
-// A list for each group, in order, a number for each counter that is in none, and what the game
-// counts.
+// A list for each group, in order, then a number for each counter outside of groups, then the
+// counts of the game.
 void write_counters(JsonWriter& json, const Scene& scene, const World& world,
                     const RunRecord& record) {
     const std::vector<std::uint64_t> counts = census(world);
@@ -143,7 +143,7 @@ std::string summary_of_figures(const RunRecord& record, const World& world) {
     return lines;
 }
 
-// ", or +1.2e-13 of it": what is left of the drift when both numbers look the same.
+// ", or +1.2e-13 of it": the drift, for when both numbers print alike.
 std::string change_of(double start, double end) {
     if (start == 0.0 || start == end) return {};
     return fmt::format(", or {:+.1e} of it", (end - start) / std::abs(start));
