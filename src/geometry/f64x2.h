@@ -36,8 +36,7 @@ inline U64x2 low_products(U64x2 a, U64x2 b) {
 #endif
 }
 
-/// The names under which the solver `contact` still knows them.
-using Two = F64x2;
+/// Another name of U64x2, in physics/world/same_bits.h.
 using TwoBits = U64x2;
 
 }  // namespace carom

@@ -11,9 +11,10 @@
 /// The records of all balls, laid out by access: one cache line for what a walk over neighbours
 /// reads of each (BallRecord), one for what a ball's own events need besides (BallPlan).
 ///
-/// Each field has one owner, the only part that writes it:
+/// Who writes what:
 ///
-///   line, curve, version      Trajectories
+///   line, curve, version      Trajectories starts them. RestingContact, ClothPhases, Transitions
+///                             and CollapseGuard choose the motion of one that has just started
 ///   next, CellPlace           BallCells
 ///   next event, collision     Predictor and UniformMotion
 ///   radius, inverse_mass      WorldSync, when a tick rebuilds; KinematicBodies for what is held

@@ -28,6 +28,9 @@
 /// Outside of the heap, a replaced entry stays where it is. Its generation is outdated, so it is
 /// skipped when its turn comes; should there be too many, all are removed.
 ///
+/// One class in one file, though a long one: heap, lists and buckets share the marks of the balls,
+/// and every move between them is inlined.
+///
 /// Sources: Paul, A complexity O(1) priority queue for event driven molecular dynamics simulations,
 /// Journal of Computational Physics 221, 2007; Tang, Goh and Thng, Ladder queue: an O(1) priority
 /// queue structure for large-scale discrete event simulation, ACM Transactions on Modeling and

@@ -1,5 +1,6 @@
 #include "physics/event/time_of_impact.h"
 
+// All pairs of shapes in one file: they share the tolerances and the separation of two points.
 namespace carom {
 namespace {
 

@@ -43,18 +43,18 @@ inline constexpr double gap_roundings = 16.0;
 inline constexpr double unpressed_rest_height = 1e-11;
 
 /// A ball that gravity presses on an edge or on a resting ball comes to rest on it once its rebound
-/// would rise less. x10: the bouncing ball rests visibly early (error 1e-8 of a radius); /10: the
+/// would rise less. x10: a bouncing ball rests earlier, from ten times the height; /10: the
 /// rebound drowns in the rounding of positions and rest comes at a wrong instant.
 inline constexpr double rest_height = 1e-9;
 
 /// Balls of which cloth drives one towards the other: lower rebounds lose no energy, so that one
-/// pushes the other in finitely many impacts. x10: pushed balls rattle visibly; /10: ten times the
-/// impacts.
+/// pushes the other in finitely many impacts. x10: pushed balls rattle higher; /10: more impacts
+/// for the same push.
 inline constexpr double cloth_rest_height = 1e-7;
 
 /// Two moving balls that gravity presses together: lower rebounds lose no energy, and the pair may
 /// sink in by this much before it meets again. Inelastic collapse stays finite by it. x10: heaps
-/// overlap visibly; /10: three times the impacts in a heap that settles.
+/// overlap more; /10: more impacts until a heap settles.
 inline constexpr double moving_rest_height = 1e-5;
 
 /// How far beyond `rest_height` the speed of a ball may lie that two supports hold, or that leans
@@ -107,11 +107,11 @@ inline constexpr double pressing_share = 1e-9;
 
 /// So many collisions in a row without moving (no gravity), or in quick succession where impacts do
 /// not terminate: impulses pass without restitution, kinematic bodies that squeeze a ball stop.
-/// x10: collapses take ten times the impacts; /10: long cradles lose energy.
+/// x10: a collapse takes more impacts to end; /10: long cradles may lose energy.
 inline constexpr std::uint32_t most_collisions_in_place = 64;
 
-/// So many in quick succession, and a slow ball is frozen for a while. x10: heaps take ten times as
-/// long; /10: balls that merely rattle are frozen. Above `dense_collisions`, so that `contact`
+/// So many in quick succession, and a slow ball is frozen for a while. x10: heaps take longer to
+/// freeze; /10: balls that merely rattle are frozen. Above `dense_collisions`, so that `contact`
 /// takes a heap first.
 inline constexpr std::uint32_t most_collisions_before_freezing = 256;
 
@@ -119,8 +119,8 @@ inline constexpr std::uint32_t most_collisions_before_freezing = 256;
 inline constexpr std::uint32_t collisions_after_freezing = most_collisions_before_freezing / 4 * 3;
 
 /// More than so many in quick succession, the last with a ball: a dense cluster, which `contact`
-/// takes over at the end of the tick (README.md, hybrid step). x10: heaps cost ten times as much
-/// before they are handed over; /10: a lively bounce is taken for a heap.
+/// takes over at the end of the tick (README.md, hybrid stepping). x10: heaps cost more before
+/// `contact` takes them; /10: a lively bounce is taken for a heap.
 inline constexpr std::uint32_t dense_collisions = 64;
 
 /// "Quick succession": within this share of the time of a fall through the radius. x10: bouncing
@@ -169,11 +169,11 @@ inline constexpr double most_periods = 50.0;
 inline constexpr double most_checked_periods = 4.0;
 
 /// The angle, rad, through which one piece of a pendulum's series may lead: the series is exact to
-/// rounding up to here. x10: it is not; /10: ten times the events of a ball on a round end.
+/// rounding up to here. x10: it is not; /10: more events of a ball on a round end.
 inline constexpr double most_piece_angle = 0.05;
 
-/// Under drag, rolling friction is constant for this share of drag's time constant. x10: the
-/// rolling ball slips by 1e-5 of its speed; /10: ten times the events.
+/// Under drag, rolling friction is constant for this share of drag's time constant. x10: a rolling
+/// ball slips more between two pieces; /10: more events.
 inline constexpr double rolling_piece = 1.0 / 1024.0;
 
 /// Balls, from which on memory is prefetched.

@@ -21,7 +21,7 @@ struct SpinTrajectory {
     bool rolls = false;  ///< it rolls along a side without slip
 };
 
-/// The trajectory of every ball, and of its spin: the only part that starts or changes one.
+/// The trajectory of every ball, and of its spin: the only part that starts one.
 ///
 /// A trajectory starts at an event and holds until the ball's next one that changes it. Neither the
 /// end of a tick nor a cell transfer starts one. Every start increments BallRecord::version, which
