@@ -8,15 +8,11 @@
 namespace carom {
 
 void next_renderer(PlayContext& play) {
-    constexpr std::string_view names[] = {"automatic", "ascii", "half blocks", "braille"};
     ViewOptions& view = play.view.options;
-    const auto current = renderer_in_force(view);
-    view.renderer = !view.look.utf8                    ? Renderer::ascii
-                    : current == Renderer::ascii       ? Renderer::half_blocks
-                    : current == Renderer::half_blocks ? Renderer::braille
-                                                       : Renderer::ascii;
-    say(play, view.look.utf8 ? std::string(names[static_cast<std::size_t>(view.renderer)])
-                             : "without UTF-8 there is only ascii");
+    const Renderer& current = renderer_in_force(view);
+    view.renderer = view.look.utf8 ? &renderer_after(current) : &ascii_renderer();
+    say(play,
+        view.look.utf8 ? std::string(view.renderer->title) : "without UTF-8 there is only ascii");
 }
 
 void next_colors(PlayContext& play) {
@@ -32,19 +28,20 @@ void toggle(PlayContext& play, bool& what, std::string_view name) {
     say(play, fmt::format("{} {}", name, what ? "on" : "off"));
 }
 
+void toggle_overlay(PlayContext& play, std::string_view name) {
+    const std::size_t overlay = overlay_named(name);
+    toggle(play, play.view.options.overlays[overlay], overlays()[overlay].title);
+}
+
 void next_overlay(PlayContext& play) {
-    ViewOptions& view = play.view.options;
-    bool* const overlays[] = {&view.velocities, &view.contacts, &view.broad_phase, &view.grid};
-    constexpr std::string_view names[] = {"velocities", "contacts", "broad-phase cells",
-                                          "coordinates"};
+    OverlaySet& shown = play.view.options.overlays;
     std::size_t next = 0;
-    for (std::size_t i = 0; i < std::size(overlays); ++i) {
-        if (*overlays[i]) next = i + 1;
-        *overlays[i] = false;
-    }
-    if (next == std::size(overlays)) return say(play, "no overlay");
-    *overlays[next] = true;
-    say(play, std::string(names[next]));
+    for (std::size_t i = 0; i < overlays().size(); ++i)
+        if (shown[i]) next = i + 1;
+    shown = {};
+    if (next == overlays().size()) return say(play, "no overlay");
+    shown[next] = true;
+    say(play, std::string(overlays()[next].title));
 }
 
 void toggle_trails(PlayContext& play) {

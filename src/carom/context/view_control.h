@@ -8,6 +8,8 @@ namespace carom {
 void next_renderer(PlayContext& play);
 void next_colors(PlayContext& play);
 void next_overlay(PlayContext& play);
+/// Pre: there is an overlay of that name (terminal/draw/overlays.h).
+void toggle_overlay(PlayContext& play, std::string_view name);
 void toggle_trails(PlayContext& play);
 void toggle_ids(PlayContext& play);
 void toggle_outlines(PlayContext& play);

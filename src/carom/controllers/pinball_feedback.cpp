@@ -28,7 +28,7 @@ void PinballFeedback::after_ticks(PlayContext& play, double seconds, bool is_dem
 
 Camera PinballFeedback::fit(const PlayContext& play, const CellArea& area, double aspect) {
     // Braille has so many dots that the ball can be seen on all of the table.
-    const bool is_fine = renderer_in_force(play.view.options) == Renderer::braille;
+    const bool is_fine = renderer_in_force(play.view.options).down >= 4;
     return display_.look(play.session, area, aspect, play.view.shows_whole || is_fine);
 }
 

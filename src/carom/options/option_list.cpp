@@ -9,6 +9,7 @@
 
 #include "carom/options/option_values.h"
 #include "physics/solver.h"
+#include "terminal/canvas/renderer.h"
 
 namespace carom {
 namespace {
@@ -123,6 +124,13 @@ std::string solver_names() {
     return names;
 }
 
+std::string renderer_names() {
+    std::string names;
+    for (const Renderer& renderer : renderers())
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", renderer.name);
+    return names;
+}
+
 template <class Options>
 void Command::add_level_options(Options& options) {
     add({"--rate", "HZ", "Ticks a second"}, options.rate,
@@ -139,8 +147,8 @@ void Command::add_simulation_options(Options& options) {
 }
 
 void add_view_options(Command& command, PlayOptions& play) {
-    command.add({"--renderer", "NAME", "ascii, half, braille, or auto (the default)"},
-                play.renderer, renderer_choice);
+    command.add({"--renderer", "NAME", renderer_names() + ", or auto (the default)"}, play.renderer,
+                renderer_option);
     command.add({"--colors", "N", "mono, 8, 16, 256, or auto (the default)"}, play.colors,
                 color_choice);
     command.add({"--fps", "N", "Frames a second"}, play.fps, number(1, 1000));

@@ -46,8 +46,8 @@ struct Named {
     Choice choice;
 };
 
-template <class Choice, std::size_t Count>
-Choice one_of(const std::array<Named<Choice>, Count>& choices, std::string_view option,
+template <class Choice>
+Choice one_of(std::span<const Named<Choice>> choices, std::string_view option,
               const std::string& text) {
     std::vector<std::string_view> names;
     for (const Named<Choice>& known : choices) {
@@ -132,18 +132,18 @@ std::vector<CompareOptions::Side> solver_list(std::string_view option, const std
     return sides;
 }
 
-RendererChoice renderer_choice(std::string_view option, const std::string& text) {
-    using enum RendererChoice;
-    static constexpr std::array<Named<RendererChoice>, 4> choices{
-        {{"auto", automatic}, {"ascii", ascii}, {"half", half_blocks}, {"braille", braille}}};
-    return one_of(choices, option, text);
+RendererChoice renderer_option(std::string_view option, const std::string& text) {
+    std::vector<Named<RendererChoice>> choices;
+    for (const std::string_view known : renderer_choice_names())
+        choices.push_back({known, *renderer_choice(known)});
+    return one_of<RendererChoice>(choices, option, text);
 }
 
 ColorChoice color_choice(std::string_view option, const std::string& text) {
     using enum ColorChoice;
     static constexpr std::array<Named<ColorChoice>, 5> choices{
         {{"auto", automatic}, {"mono", mono}, {"8", c8}, {"16", c16}, {"256", c256}}};
-    return one_of(choices, option, text);
+    return one_of<ColorChoice>(choices, option, text);
 }
 
 std::optional<std::string> unavailable(SolverKind kind) {

@@ -43,7 +43,7 @@ std::optional<SolverSettings> solver_choice(std::string_view option, const std::
 /// "swept,event@240": solvers, each with a rate of its own if it has one.
 std::vector<CompareOptions::Side> solver_list(std::string_view option, const std::string& text);
 
-RendererChoice renderer_choice(std::string_view option, const std::string& text);
+RendererChoice renderer_option(std::string_view option, const std::string& text);
 ColorChoice color_choice(std::string_view option, const std::string& text);
 
 /// Why a solver cannot be used, with those that can; none when it can.

@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "physics/solver.h"
+#include "terminal/canvas/renderer.h"
 
 namespace carom {
 
-/// How the world is drawn; `automatic` looks at the terminal.
-enum class RendererChoice : std::uint8_t { automatic, ascii, half_blocks, braille };
 /// How many colours are used; `automatic` asks the terminal and honours NO_COLOR.
 enum class ColorChoice : std::uint8_t { automatic, mono, c8, c16, c256 };
 

@@ -20,10 +20,6 @@ struct Named {
     T value;
 };
 
-constexpr Named<RendererChoice> renderers[] = {{"auto", RendererChoice::automatic},
-                                               {"ascii", RendererChoice::ascii},
-                                               {"half", RendererChoice::half_blocks},
-                                               {"braille", RendererChoice::braille}};
 constexpr Named<ColorChoice> color_choices[] = {{"auto", ColorChoice::automatic},
                                                 {"mono", ColorChoice::mono},
                                                 {"8", ColorChoice::c8},
@@ -62,6 +58,15 @@ Wrong choose(const Named<T> (&table)[n], std::string_view text, Target& target) 
     return fmt::format("'{}' is none of {}", text, all);
 }
 
+Wrong choose_renderer(std::string_view text, std::optional<RendererChoice>& target) {
+    const std::optional<RendererChoice> choice = renderer_choice(text);
+    if (!choice) {
+        return fmt::format("'{}' is none of {}", text, fmt::join(renderer_choice_names(), ", "));
+    }
+    target = choice;
+    return std::nullopt;
+}
+
 Wrong set_fps(std::string_view text, std::optional<double>& fps) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -78,8 +83,7 @@ struct Setting {
 };
 
 constexpr Setting settings[] = {
-    {"renderer",
-     [](Preferences& p, std::string_view v) { return choose(renderers, v, p.renderer); }},
+    {"renderer", [](Preferences& p, std::string_view v) { return choose_renderer(v, p.renderer); }},
     {"colors",
      [](Preferences& p, std::string_view v) { return choose(color_choices, v, p.colors); }},
     {"background",
@@ -203,10 +207,6 @@ std::string with_setting(std::string_view text, std::string_view name, std::stri
     });
     if (!is_set) result += fmt::format("{} = {}\n", name, value);
     return result;
-}
-
-std::string_view text_of(RendererChoice choice) {
-    return name_in(renderers, choice);
 }
 
 std::string_view text_of(ColorBy by) {

@@ -49,7 +49,6 @@ PreferencesText read_preferences(std::string_view text, std::string_view file);
 /// comments too, stays.
 std::string with_setting(std::string_view text, std::string_view name, std::string_view value);
 
-std::string_view text_of(RendererChoice choice);
 std::string_view text_of(ColorBy by);
 std::string_view text_of(BallStyle style);
 

@@ -14,32 +14,6 @@
 namespace carom {
 namespace {
 
-Renderer renderer_of(RendererChoice choice) {
-    switch (choice) {
-        case RendererChoice::ascii:
-            return Renderer::ascii;
-        case RendererChoice::half_blocks:
-            return Renderer::half_blocks;
-        case RendererChoice::braille:
-            return Renderer::braille;
-        default:
-            return Renderer::automatic;
-    }
-}
-
-RendererChoice choice_of(Renderer renderer) {
-    switch (renderer) {
-        case Renderer::ascii:
-            return RendererChoice::ascii;
-        case Renderer::half_blocks:
-            return RendererChoice::half_blocks;
-        case Renderer::braille:
-            return RendererChoice::braille;
-        default:
-            return RendererChoice::automatic;
-    }
-}
-
 std::string absolute(const std::string& path) {
     std::error_code error;
     const auto result = std::filesystem::weakly_canonical(path, error);
@@ -70,12 +44,11 @@ Program::Program(PlayOptions options, PreferencesText preferences)
     : options_(std::move(options)),
       preferences_(std::move(preferences.preferences)),
       preference_problems_(std::move(preferences.problems)) {
-    view_.renderer = renderer_of(
-        options_.renderer.value_or(preferences_.renderer.value_or(RendererChoice::automatic)));
+    view_.renderer = options_.renderer.value_or(preferences_.renderer.value_or(nullptr));
     view_.color_by = preferences_.color_by;
     view_.ball_style = preferences_.ball_style;
     view_.trails = preferences_.trails && !options_.low_bandwidth;
-    if (options_.low_bandwidth && !options_.renderer) view_.renderer = Renderer::ascii;
+    if (options_.low_bandwidth && !options_.renderer) view_.renderer = &ascii_renderer();
     mouse_ = options_.mouse.value_or(preferences_.mouse.value_or(true));
 }
 
@@ -304,7 +277,7 @@ void Program::keep_setting(std::string_view name, std::string_view value) {
 
 void Program::keep_preferences(const ViewOptions& before, const ViewOptions& after) {
     if (before.renderer != after.renderer) {
-        keep_setting("renderer", text_of(choice_of(after.renderer)));
+        keep_setting("renderer", name_of(after.renderer));
         view_.renderer = after.renderer;
     }
     if (before.color_by != after.color_by) keep_setting("color-by", text_of(after.color_by));

@@ -1,6 +1,7 @@
 #include "terminal/canvas/raster.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 
@@ -8,60 +9,32 @@ namespace carom {
 
 namespace {
 
-struct Samples {
-    int across;
-    int down;
-};
-
-constexpr Samples samples_of(Sampling sampling) {
-    switch (sampling) {
-        case Sampling::shapes:
-            return {2, 3};
-        case Sampling::halves:
-            return {1, 2};
-        case Sampling::dots:
-            return {2, 4};
-    }
-    return {1, 1};
-}
-
-// A font's stroke for shapes; a pixel or a dot for the others.
-constexpr double hairline_of(Sampling sampling) {
-    switch (sampling) {
-        case Sampling::shapes:
-            return 0.13;
-        case Sampling::halves:
-            return 0.45;
-        case Sampling::dots:
-            return 0.27;
-    }
-    return 0.5;
-}
-
 // A dot is lit or it is not; of a tone, those are lit that it exceeds: a pattern of 2 x 4 that
 // thins out evenly.
 constexpr std::array<int, 8> dot_thresholds = {16, 144, 208, 80, 48, 176, 240, 112};
 
 }  // namespace
 
-Raster::Raster(Sampling sampling, int columns, int rows, double aspect)
-    : sampling_(sampling),
+Raster::Raster(const Renderer& renderer, int columns, int rows, double aspect)
+    : renderer_(&renderer),
       columns_(std::max(0, columns)),
       rows_(std::max(0, rows)),
       aspect_(aspect),
-      across_(samples_of(sampling).across),
-      down_(samples_of(sampling).down),
-      hairline_(hairline_of(sampling)),
-      width_(1.0 / across_),
-      height_(aspect / down_),
-      cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
+      width_(1.0 / renderer.across),
+      height_(aspect / renderer.down),
+      cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
+    for (int i = 0; i < renderer.across * renderer.down; ++i) {
+        middles_[static_cast<std::size_t>(i)] = {(i % renderer.across + 0.5) * width_,
+                                                 (i / renderer.across + 0.5) * height_};
+    }
+}
 
-Raster::RasterCell& Raster::cell_at(int column, int row) {
+CellSamples& Raster::cell_at(int column, int row) {
     return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
                   static_cast<std::size_t>(column)];
 }
 
-const Raster::RasterCell& Raster::cell_at(int column, int row) const {
+const CellSamples& Raster::cell_at(int column, int row) const {
     return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
                   static_cast<std::size_t>(column)];
 }
@@ -73,13 +46,13 @@ Raster::Span Raster::columns_within(double left, double right) const {
 }
 
 std::uint8_t Raster::tone_of_sample(std::uint8_t tone, int sample) const {
-    if (sampling_ != Sampling::dots) return tone;
+    if (!renderer_->has_dots()) return tone;
     return tone > dot_thresholds[static_cast<std::size_t>(sample)] ? 255 : 0;
 }
 
-void Raster::fill_cell(RasterCell& cell, const Brush& brush) {
-    for (int i = 0; i < across_ * down_; ++i)
-        cell.levels[i] = tone_of_sample(brush.tone, i);
+void Raster::fill_cell(CellSamples& cell, const Brush& brush) {
+    for (int i = 0; i < renderer_->across * renderer_->down; ++i)
+        cell.levels[static_cast<std::size_t>(i)] = tone_of_sample(brush.tone, i);
     cell.colors.fill(brush.ink.color);
     cell.attributes.fill(brush.ink.attributes);
     cell.fill = brush.fill;
@@ -88,7 +61,7 @@ void Raster::fill_cell(RasterCell& cell, const Brush& brush) {
 void Raster::stamp(RasterPoint center, std::string_view glyphs, const Ink& ink) {
     const double row = std::floor(center.y / aspect_);
     const double first = std::floor(center.x - 0.5 * static_cast<double>(glyphs.size()) + 0.5);
-    if (sampling_ != Sampling::shapes || !(row >= 0.0 && row < rows_)) return;
+    if (!renderer_->has_regions() || !(row >= 0.0 && row < rows_)) return;
     for (std::size_t i = 0; i < glyphs.size(); ++i) {
         const double column = first + static_cast<double>(i);
         if (!(column >= 0.0 && column < columns_)) continue;
@@ -98,14 +71,13 @@ void Raster::stamp(RasterPoint center, std::string_view glyphs, const Ink& ink) 
 
 void Raster::sample(int across, int down, std::uint8_t level, const Ink& ink) {
     if (across < 0 || down < 0 || across >= samples_across() || down >= samples_down()) return;
-    RasterCell& cell = cell_at(across / across_, down / down_);
-    const int y = down % down_;
-    const int i = y * across_ + across % across_;
+    CellSamples& cell = cell_at(across / renderer_->across, down / renderer_->down);
+    const int i = down % renderer_->down * renderer_->across + across % renderer_->across;
     const std::uint8_t shown = tone_of_sample(level, i);
     std::uint8_t& present = cell.levels[static_cast<std::size_t>(i)];
     if (present >= shown) return;
     present = shown;
-    const std::size_t slot = sampling_ == Sampling::halves ? static_cast<std::size_t>(y) : 0;
+    const std::size_t slot = renderer_->has_pixels() ? static_cast<std::size_t>(i) : 0;
     cell.colors[slot] = ink.color;
     cell.attributes[slot] = ink.attributes;
     cell.fill = '\0';
@@ -113,8 +85,21 @@ void Raster::sample(int across, int down, std::uint8_t level, const Ink& ink) {
 
 std::uint8_t Raster::level_at(int across, int down) const {
     assert(across >= 0 && down >= 0 && across < samples_across() && down < samples_down());
-    const RasterCell& cell = cell_at(across / across_, down / down_);
-    return cell.levels[static_cast<std::size_t>((down % down_) * across_ + across % across_)];
+    const CellSamples& cell = cell_at(across / renderer_->across, down / renderer_->down);
+    return cell.levels[static_cast<std::size_t>(down % renderer_->down * renderer_->across +
+                                                across % renderer_->across)];
+}
+
+void Raster::show(Canvas& canvas, int column, int row, const Look& look) const {
+    for (int r = 0; r < rows_; ++r) {
+        for (int c = 0; c < columns_; ++c) {
+            const CellSamples& from = cell_at(c, r);
+            const bool is_empty = std::bit_cast<std::uint64_t>(from.levels) == 0;
+            if (is_empty && from.fill == '\0') continue;
+            const Cell to = renderer_->show(from, look);
+            if (to.glyph != U' ') canvas.put(column + c, row + r, to);
+        }
+    }
 }
 
 }  // namespace carom

@@ -7,6 +7,7 @@
 
 #include "terminal/canvas/canvas.h"
 #include "terminal/canvas/palette.h"
+#include "terminal/canvas/renderer.h"
 
 /// Shapes onto a grid of samples, several in each cell, with smooth borders; and the samples into
 /// characters. What is painted later covers what was painted before.
@@ -15,13 +16,6 @@
 /// widths of a cell, so that circles are circles. Shapes may lie outside, be of any size, and be
 /// not finite: what cannot be seen costs next to nothing, and what is not finite is not painted.
 namespace carom {
-
-/// How a cell is sampled, and which characters show it.
-enum class Sampling : std::uint8_t {
-    shapes,  ///< 2 x 3 regions, the ASCII character of that shape
-    halves,  ///< 1 x 2 pixels of two colours, half blocks
-    dots     ///< 2 x 4 dots of one colour, braille
-};
 
 struct RasterPoint {
     double x = 0.0;
@@ -32,25 +26,26 @@ struct RasterPoint {
 struct Brush {
     Ink ink;
     /// How solid its inside is, 0 to 255: a shade where pixels have colours, a pattern of dots in
-    /// braille. Its rim is always solid.
+    /// dots. Its rim is always solid.
     std::uint8_t tone = 255;
-    /// Shapes: the character of cells that are all inside; 0: the one that looks most solid.
+    /// Regions: the character of cells that are all inside; 0: the one that looks most solid.
     char fill = 0;
 };
 
 class Raster {
   public:
-    /// All empty. Pre: aspect (height of a cell over its width) positive and finite.
-    Raster(Sampling sampling, int columns, int rows, double aspect);
+    /// All empty. `renderer` is a row of the table, which outlives every raster. Pre: aspect
+    /// (height of a cell over its width) positive and finite.
+    Raster(const Renderer& renderer, int columns, int rows, double aspect);
 
-    Sampling sampling() const { return sampling_; }
+    const Renderer& renderer() const { return *renderer_; }
     int columns() const { return columns_; }
     int rows() const { return rows_; }
     double aspect() const { return aspect_; }
-    int samples_across() const { return columns_ * across_; }
-    int samples_down() const { return rows_ * down_; }
+    int samples_across() const { return columns_ * renderer_->across; }
+    int samples_down() const { return rows_ * renderer_->down; }
     /// Half the width of the thinnest line that shows well, in columns.
-    double hairline() const { return hairline_; }
+    double hairline() const { return renderer_->hairline; }
 
     /// A disc, at least a dot: one too small for a sample lights the sample that it is in, and many
     /// such in one cell make it denser. The rim has a `rim` as thick as that, in columns; 0: the
@@ -60,8 +55,8 @@ class Raster {
     void capsule(RasterPoint start, RasterPoint end, double radius, const Brush& brush);
     /// A hairline from start to end, `strength` (0 to 255) of full.
     void line(RasterPoint start, RasterPoint end, const Ink& ink, std::uint8_t strength = 255);
-    /// Shapes: a few characters in the row of `center`, as near to it as cells allow, in place
-    /// of what is there. Other samplings: nothing.
+    /// Regions: a few characters in the row of `center`, as near to it as cells allow, in place
+    /// of what is there. Other renderers: nothing.
     void stamp(RasterPoint center, std::string_view glyphs, const Ink& ink);
     /// Lights one sample, if it is darker than `level`. Dots have no levels: the lower `level`, the
     /// fewer of them are lit.
@@ -74,41 +69,31 @@ class Raster {
     void show(Canvas& canvas, int column, int row, const Look& look) const;
 
   private:
-    struct RasterCell {
-        std::array<std::uint8_t, 8> levels{};
-        std::array<Color, 2> colors{};  // halves: of each; else the first
-        std::array<std::uint8_t, 2> attributes{};
-        char fill = 0;
-    };
     struct Span {
         int first = 0;
         int last = -1;
     };
 
-    template <int across, int down, class Coverage>
-    void paint_cell(RasterCell& cell, RasterPoint corner, const Brush& brush, Coverage coverage);
     template <class Coverage>
-    void paint(int column, int row, const Brush& brush, Coverage coverage);
+    void paint_cell(int column, int row, const Brush& brush, Coverage coverage);
     template <class SpanAt, class Inside, class Coverage>
     void paint_rows(double top, double bottom, const Brush& brush, SpanAt span_at, Inside inside,
                     Coverage coverage);
     std::uint8_t tone_of_sample(std::uint8_t tone, int sample) const;
-    void fill_cell(RasterCell& cell, const Brush& brush);
+    void fill_cell(CellSamples& cell, const Brush& brush);
     Span columns_within(double left, double right) const;
-    RasterCell& cell_at(int column, int row);
-    const RasterCell& cell_at(int column, int row) const;
+    CellSamples& cell_at(int column, int row);
+    const CellSamples& cell_at(int column, int row) const;
     double filter_width(double dx, double dy, double distance) const;
 
-    Sampling sampling_;
+    const Renderer* renderer_;
     int columns_;
     int rows_;
     double aspect_;
-    int across_;  // samples of a cell
-    int down_;
-    double hairline_;
     double width_;  // of a sample, in columns
     double height_;
-    std::vector<RasterCell> cells_;
+    std::array<RasterPoint, most_samples> middles_{};  // of the samples, from the cell's corner
+    std::vector<CellSamples> cells_;
 };
 
 }  // namespace carom

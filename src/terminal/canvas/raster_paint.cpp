@@ -9,11 +9,6 @@ namespace carom {
 
 namespace {
 
-// The level of a sample that holds a disc too small to fill it.
-constexpr double level_of_dot(Sampling sampling) {
-    return sampling == Sampling::shapes ? 0.7 : sampling == Sampling::halves ? 0.75 : 1.0;
-}
-
 // How much of a sample lies on the near side of a straight border, at `depth` widths within it.
 double covered(double depth) {
     return std::clamp(depth + 0.5, 0.0, 1.0);
@@ -47,25 +42,25 @@ double Raster::filter_width(double dx, double dy, double distance) const {
     return (width_ * std::abs(dx) + height_ * std::abs(dy)) / distance;
 }
 
-template <int across, int down, class Coverage>
-void Raster::paint_cell(RasterCell& cell, RasterPoint corner, const Brush& brush,
-                        Coverage coverage) {
-    constexpr int count = across * down;
-    constexpr auto slot_of = [](int sample) { return across == 1 ? sample : 0; };
-    std::array<double, 2> mine{};    // of each half, or of the cell
-    std::array<double, 2> theirs{};  // what is left of what was there
+template <class Coverage>
+void Raster::paint_cell(int column, int row, const Brush& brush, Coverage coverage) {
+    CellSamples& cell = cell_at(column, row);
+    const RasterPoint corner{static_cast<double>(column), row * aspect_};
+    const auto count = static_cast<std::size_t>(renderer_->across * renderer_->down);
+    const std::size_t slots = renderer_->has_pixels() ? count : 1;
+    std::array<double, most_samples> mine{};    // of each pixel, or of the cell
+    std::array<double, most_samples> theirs{};  // what is left of what was there
     bool is_all_inside = true;
     bool is_touched = false;
-    for (int i = 0; i < count; ++i) {
-        const Cover cover = coverage(corner.x + (i % across + 0.5) * width_,
-                                     corner.y + (i / across + 0.5) * height_);
-        const int slot = slot_of(i);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Cover cover = coverage(corner.x + middles_[i].x, corner.y + middles_[i].y);
+        const std::size_t slot = slots == 1 ? 0 : i;
         // Solid on solid of the same colour is one shape: the pieces of a polyline do not add up
         // where they overlap.
         const bool is_one = brush.tone == 255 && cell.colors[slot] == brush.ink.color;
         if (cover.outer > 0.0) {
             is_touched = true;
-            const int tone = tone_of_sample(brush.tone, i);
+            const int tone = tone_of_sample(brush.tone, static_cast<int>(i));
             const double added = 255.0 * (cover.outer - cover.inner) + tone * cover.inner;
             const double left = cell.levels[i] * (1.0 - cover.outer);
             const double level = is_one ? std::max<double>(cell.levels[i], added) : added + left;
@@ -78,26 +73,12 @@ void Raster::paint_cell(RasterCell& cell, RasterPoint corner, const Brush& brush
         is_all_inside = is_all_inside && (is_one ? cell.levels[i] == 255 : cover.inner >= 1.0);
     }
     if (!is_touched) return;
-    for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < slots; ++i) {
         if (mine[i] <= 0.0 || mine[i] < theirs[i]) continue;
         cell.colors[i] = brush.ink.color;
         cell.attributes[i] = brush.ink.attributes;
     }
     cell.fill = is_all_inside ? brush.fill : '\0';
-}
-
-template <class Coverage>
-void Raster::paint(int column, int row, const Brush& brush, Coverage coverage) {
-    RasterCell& cell = cell_at(column, row);
-    const RasterPoint corner{static_cast<double>(column), row * aspect_};
-    switch (sampling_) {
-        case Sampling::shapes:
-            return paint_cell<2, 3>(cell, corner, brush, coverage);
-        case Sampling::halves:
-            return paint_cell<1, 2>(cell, corner, brush, coverage);
-        case Sampling::dots:
-            return paint_cell<2, 4>(cell, corner, brush, coverage);
-    }
 }
 
 template <class SpanAt, class Inside, class Coverage>
@@ -112,7 +93,7 @@ void Raster::paint_rows(double top, double bottom, const Brush& brush, SpanAt sp
             if (inside(column + 0.5, (row + 0.5) * aspect_)) {
                 fill_cell(cell_at(column, row), brush);
             } else {
-                paint(column, row, brush, coverage);
+                paint_cell(column, row, brush, coverage);
             }
         }
     }
@@ -128,7 +109,7 @@ void Raster::disc(RasterPoint center, double radius, double rim, const Brush& br
         const int across = std::min(static_cast<int>(center.x / width_), samples_across() - 1);
         const int down = std::min(static_cast<int>(center.y / height_), samples_down() - 1);
         const double area = 3.14159 * radius * radius / (width_ * height_);
-        const double opacity = std::clamp(area, level_of_dot(sampling_), 1.0);
+        const double opacity = std::clamp(area, renderer_->level_of_dot, 1.0);
         const int level = level_at(across, down);
         sample(across, down, static_cast<std::uint8_t>(level + (255 - level) * opacity), brush.ink);
         return;
@@ -167,11 +148,11 @@ void Raster::capsule(RasterPoint start, RasterPoint end, double radius, const Br
     if (!is_finite(start) || !is_finite(end) || !std::isfinite(radius) || radius < 0.0) return;
     // An upright or level line as thin as a pixel is one pixel thick wherever it stands, not two
     // faint ones: of a row of bars, all look alike. (Characters have shapes for those between.)
-    if (radius <= hairline_ && sampling_ != Sampling::shapes) {
+    if (radius <= hairline() && !renderer_->has_regions()) {
         if (start.x == end.x) start.x = end.x = middle_of_sample(start.x, width_);
         if (start.y == end.y) start.y = end.y = middle_of_sample(start.y, height_);
     }
-    const double thickness = std::max(radius, hairline_);
+    const double thickness = std::max(radius, hairline());
     const double clearance = std::max(width_, height_);
     const double reach = thickness + clearance;
     const double along_x = end.x - start.x;

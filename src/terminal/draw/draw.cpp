@@ -9,19 +9,6 @@ namespace carom {
 
 namespace {
 
-Sampling sampling_of(Renderer renderer) {
-    switch (renderer) {
-        case Renderer::half_blocks:
-            return Sampling::halves;
-        case Renderer::braille:
-            return Sampling::dots;
-        case Renderer::automatic:
-        case Renderer::ascii:
-            return Sampling::shapes;
-    }
-    return Sampling::shapes;
-}
-
 // What is fast: the fastest ball of late. It falls slowly, so that colours do not flicker.
 void remember_fastest(ViewMemory& memory, const World& world) {
     double fastest = 0.0;
@@ -43,10 +30,8 @@ void blank(Canvas& canvas, const CellArea& area) {
 
 }  // namespace
 
-Renderer renderer_in_force(const ViewOptions& options) {
-    if (!options.look.utf8) return Renderer::ascii;
-    if (options.renderer != Renderer::automatic) return options.renderer;
-    return options.look.has_colors() ? Renderer::half_blocks : Renderer::braille;
+const Renderer& renderer_in_force(const ViewOptions& options) {
+    return renderer_for(options.renderer, options.look);
 }
 
 void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const World& world,
@@ -60,11 +45,11 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     std::vector<Ink> inks = ball_inks(world, options, memory);
     if (marks.pool && options.color_by == ColorBy::kind)
         color_pool_balls(inks, world, *marks.pool, options.look);
-    Raster raster(sampling_of(renderer_in_force(options)), area.columns, area.rows, camera.aspect);
-    const View view{camera, scene, world, options, marks, memory, inks};
+    Raster raster(renderer_in_force(options), area.columns, area.rows, camera.aspect);
+    const View view{camera, scene, world, options, marks, memory, contacts, inks};
     polish_balls(inks, view);
 
-    paint_grid(raster, view);
+    paint_overlays_below(raster, view);
     if (options.trails) {
         add_to_trails(memory.trails, camera, raster, world, inks);
         paint_trails(raster, memory.trails);
@@ -78,8 +63,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     paint_edges(raster, view);
     paint_lit_edges(raster, view);
     if (marks.copies.empty()) paint_balls(raster, view);
-    paint_velocities(raster, view);
-    paint_contacts(raster, view, contacts);
+    paint_overlays_above(raster, view);
     paint_pool(raster, view);
     paint_marks(raster, view);
     raster.show(canvas, area.column, area.row, options.look);

@@ -11,6 +11,8 @@
 #include "terminal/canvas/camera.h"
 #include "terminal/canvas/canvas.h"
 #include "terminal/canvas/palette.h"
+#include "terminal/canvas/renderer.h"
+#include "terminal/draw/overlays.h"
 #include "terminal/draw/pool_marks.h"
 #include "terminal/draw/table_marks.h"
 #include "terminal/draw/trails.h"
@@ -18,14 +20,6 @@
 /// Draws a world into a canvas. Start here: a camera says what is seen, view options say how, marks
 /// say what the player is doing, and the memory is what a picture needs to know of the one before.
 namespace carom {
-
-/// How shapes become characters.
-enum class Renderer : std::uint8_t {
-    automatic,    ///< braille or half blocks where the terminal has UTF-8, else ASCII
-    ascii,        ///< each character chosen by its shape
-    half_blocks,  ///< two pixels a cell, each with its colour
-    braille       ///< eight dots a cell, one colour
-};
 
 enum class ColorBy : std::uint8_t {
     kind,  ///< by ball where all are of one kind
@@ -44,21 +38,18 @@ enum class Labels : std::uint8_t {
 };
 
 struct ViewOptions {
-    Renderer renderer = Renderer::automatic;
+    RendererChoice renderer = nullptr;  ///< null: what suits the terminal
     ColorBy color_by = ColorBy::kind;
     BallStyle ball_style = BallStyle::filled;
     Labels labels = Labels::automatic;
-    bool velocities = false;
-    bool contacts = false;     ///< of the last tick: a line between the two that met
-    bool broad_phase = false;  ///< the cells given in Marks::broad_phase
     bool trails = false;
-    bool grid = false;  ///< lines at round world coordinates
+    OverlaySet overlays;
 
     Look look;
 };
 
-/// What `options` come to: never Renderer::automatic, and ASCII where there is no UTF-8.
-Renderer renderer_in_force(const ViewOptions& options);
+/// The renderer that the options come to on this terminal.
+const Renderer& renderer_in_force(const ViewOptions& options);
 
 /// The cells of a uniform grid, or of the uniform part of what the solver uses.
 struct CellGrid {

@@ -120,7 +120,7 @@ double brightness(double density) {
 void show_samples(Raster& raster, const Cloud& cloud, const View& view) {
     const Look& look = view.options.look;
     const auto copies = static_cast<double>(view.marks.copies.size());
-    const bool is_shaded = raster.sampling() == Sampling::halves && look.colors >= 256;
+    const bool is_shaded = raster.renderer().has_pixels() && look.colors >= 256;
     for (int down = 0; down < cloud.down(); ++down) {
         for (int across = 0; across < cloud.across(); ++across) {
             const Sample& sample = cloud.at(across, down);
@@ -167,7 +167,7 @@ void paint_cloud(Raster& raster, const View& view) {
     Cloud cloud(raster);
     for (const World& copy : view.marks.copies)
         add_copy(cloud, view, copy);
-    if (raster.sampling() == Sampling::shapes)
+    if (raster.renderer().has_regions())
         show_characters(raster, cloud, view);
     else
         show_samples(raster, cloud, view);

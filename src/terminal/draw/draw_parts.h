@@ -20,7 +20,8 @@ struct View {
     const ViewOptions& options;
     const Marks& marks;
     const ViewMemory& memory;
-    std::span<const Ink> inks;  ///< of each ball, by index
+    std::span<const Contact> contacts;  ///< of the last tick
+    std::span<const Ink> inks;          ///< of each ball, by index
 };
 
 /// A world point, in the raster's columns.
@@ -41,13 +42,13 @@ std::vector<Ink> ball_inks(const World& world, const ViewOptions& options,
                            const ViewMemory& memory);
 
 // Onto the raster, from back to front.
-void paint_grid(Raster& raster, const View& view);
+/// The overlays that are on. The first row of the table is nearest to the bodies.
+void paint_overlays_below(Raster& raster, const View& view);
+void paint_overlays_above(Raster& raster, const View& view);
 void paint_zones(Raster& raster, const View& view);
 void paint_edges(Raster& raster, const View& view);
 void paint_balls(Raster& raster, const View& view);
 void paint_cloud(Raster& raster, const View& view);
-void paint_velocities(Raster& raster, const View& view);
-void paint_contacts(Raster& raster, const View& view, std::span<const Contact> contacts);
 void paint_pool(Raster& raster, const View& view);
 void paint_lamps(Raster& raster, const View& view);
 void paint_lit_edges(Raster& raster, const View& view);

@@ -54,7 +54,7 @@ int number_of(const PoolMarks& pool, BallId ball) {
 }
 
 void paint_dot(Raster& raster, RasterPoint at, const Ink& ink) {
-    if (raster.sampling() == Sampling::shapes)
+    if (raster.renderer().has_regions())
         raster.stamp(at, ".", ink);
     else
         raster.disc(at, 0.0, 0.0, {ink, 255, '\0'});
@@ -63,7 +63,7 @@ void paint_dot(Raster& raster, RasterPoint at, const Ink& ink) {
 // In ASCII the number is all of the ball, two or three columns wide.
 std::string label_of(const View& view, int number, double radius) {
     std::string text = std::to_string(number);
-    if (renderer_in_force(view.options) != Renderer::ascii) return text;
+    if (!renderer_in_force(view.options).has_regions()) return text;
     const double columns = 2.0 * radius * view.camera.columns_per_length;
     if (text.size() == 1 && columns >= 1.5) text = " " + text;
     if (columns >= 2.7) text += " ";
@@ -102,7 +102,7 @@ Ink ink_of_ball(const View& view, BallId ball) {
 void paint_end(Raster& raster, const View& view, Vec2 place, bool falls, double radius,
                const Ink& ink) {
     const RasterPoint at = to_raster(view.camera, place);
-    if (raster.sampling() == Sampling::shapes) {
+    if (raster.renderer().has_regions()) {
         raster.stamp(at, falls ? "*" : "o", ink);
         return;
     }
@@ -137,7 +137,7 @@ void paint_pool(Raster& raster, const View& view) {
     const double radius = view.world.balls.size() > 0 ? view.world.balls.radius.front() : 0.0;
     for (const PoolMarks::Spot& spot : pool.spots) {
         const RasterPoint at = to_raster(view.camera, spot.place);
-        if (raster.sampling() == Sampling::shapes)
+        if (raster.renderer().has_regions())
             raster.stamp(at, spot.falls ? "*" : ":", ink_of_ball(view, spot.ball));
         else
             raster.disc(at, 0.0, 0.0, {ink_of_ball(view, spot.ball), 255, '\0'});
@@ -153,7 +153,7 @@ void paint_pool(Raster& raster, const View& view) {
     if (pool.ghost) {
         const RasterPoint at = to_raster(view.camera, pool.ghost->center);
         const double size = pool.ghost->radius * view.camera.columns_per_length;
-        if (raster.sampling() == Sampling::shapes)
+        if (raster.renderer().has_regions())
             raster.stamp(at, "()", text);
         else
             raster.disc(at, size, 2.0 * raster.hairline(), {text, 0, '\0'});

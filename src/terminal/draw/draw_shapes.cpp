@@ -39,33 +39,15 @@ constexpr std::array<double, 4> stamp_radii = {0.35, 0.75, 1.25, 1.9};
 
 // How many columns a stamp for this radius has; 0: none.
 std::size_t stamp_width(const Raster& raster, double radius) {
-    if (raster.sampling() != Sampling::shapes || radius >= stamp_radii.back()) return 0;
+    if (!raster.renderer().has_regions() || radius >= stamp_radii.back()) return 0;
     const auto above = std::upper_bound(stamp_radii.begin(), stamp_radii.end(), radius);
     return static_cast<std::size_t>(above - stamp_radii.begin());
 }
 
-// Below this radius, in columns, there is no room for a rim around an inside.
-constexpr double least_rimmed(Sampling sampling) {
-    switch (sampling) {
-        case Sampling::shapes:
-            return 1.9;
-        case Sampling::halves:
-            return 2.5;
-        case Sampling::dots:
-            return 1.2;
-    }
-    return 0.0;
-}
-
-// Balls are drawn smaller by this, in columns, so that those that touch stay apart to the eye.
-constexpr double gap_of(Sampling sampling) {
-    return sampling == Sampling::shapes ? 0.28 : 0.12;
-}
-
 bool is_rimmed(const Raster& raster, const ViewOptions& options, double radius) {
-    if (radius < least_rimmed(raster.sampling())) return false;
+    if (radius < raster.renderer().least_rimmed) return false;
     // Pixels of many colours show balls best as flat discs.
-    const bool is_flat = raster.sampling() == Sampling::halves && options.look.has_colors();
+    const bool is_flat = raster.renderer().has_pixels() && options.look.has_colors();
     return !is_flat || options.ball_style == BallStyle::outline;
 }
 
@@ -73,9 +55,9 @@ Brush rimmed_brush(const Raster& raster, const View& view, std::size_t ball) {
     const Ink ink = view.inks[ball];
     if (view.options.ball_style == BallStyle::outline) return {ink, 0, ' '};
     // Pixels that are lit or dark have no pattern fine enough for an inside.
-    if (raster.sampling() == Sampling::halves) return {ink, 0, '\0'};
+    if (raster.renderer().has_pixels()) return {ink, 0, '\0'};
     const Texture& texture = texture_of(view, ball);
-    if (raster.sampling() == Sampling::shapes) return {ink, 0, texture.fill};
+    if (raster.renderer().has_regions()) return {ink, 0, texture.fill};
     return {ink, texture.tone, '\0'};
 }
 
@@ -95,7 +77,7 @@ void paint_ball(Raster& raster, const View& view, std::size_t ball, RasterPoint 
         raster.stamp(center, texture_of(view, ball).stamps[width - 1], view.inks[ball]);
         return;
     }
-    const double gap = gap_of(raster.sampling());
+    const double gap = raster.renderer().gap;
     const double shown = radius > 4.0 * gap ? radius - gap : radius;
     if (!is_rimmed(raster, view.options, radius)) {
         raster.disc(center, shown, 0.0, {view.inks[ball], 255, '@'});
@@ -207,7 +189,7 @@ void paint_edges(Raster& raster, const View& view) {
             if (!overlaps(grow(bounds(image), hair), visible)) continue;
             const RasterPoint start = to_raster(view.camera, image.start);
             const bool is_peg = image.start == image.end;
-            if (is_peg && raster.sampling() == Sampling::shapes && radius < stamp_radii[1]) {
+            if (is_peg && raster.renderer().has_regions() && radius < stamp_radii[1]) {
                 raster.stamp(start, peg_stamp, ink);
                 continue;
             }

@@ -25,11 +25,11 @@ void paint_lamp(Raster& raster, const View& view, const TableLight& light) {
     const RasterPoint at = to_raster(view.camera, light.shape.start);
     const double radius =
         std::max(light.shape.radius * view.camera.columns_per_length, 1.2 * raster.hairline());
-    if (raster.sampling() == Sampling::shapes) {
+    if (raster.renderer().has_regions()) {
         raster.stamp(at, light.is_lit ? "*" : ".", ink);
     } else if (light.is_lit) {
         raster.disc(at, radius, 0.0, {ink, 255, '*'});
-    } else if (raster.sampling() == Sampling::halves) {
+    } else if (raster.renderer().has_pixels()) {
         raster.disc(at, radius, 0.0, {ink, 255, '.'});
     } else {
         raster.disc(at, 0.0, 0.0, {ink, 255, '.'});

@@ -27,13 +27,13 @@ struct Trails {
 };
 
 /// Fades what is there and adds the way of each ball since the last call. Nothing fades while the
-/// world stands still. Under another camera, or another sampling, trails start anew.
+/// world stands still. Under another camera, or another renderer, trails start anew.
 ///
 /// `inks` has the ink of each ball by index.
 void add_to_trails(Trails& trails, const Camera& camera, const Raster& raster, const World& world,
                    std::span<const Ink> inks);
 
-/// Pre: the raster has the sampling and size of the last call of add_to_trails.
+/// Pre: the raster has the renderer and size of the last call of add_to_trails.
 void paint_trails(Raster& raster, const Trails& trails);
 
 }  // namespace carom

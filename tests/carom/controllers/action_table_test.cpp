@@ -8,6 +8,7 @@
 
 #include "carom/context/key_map.h"
 #include "carom/support/process.h"
+#include "terminal/draw/overlays.h"
 
 using namespace carom;
 
@@ -79,4 +80,14 @@ TEST_CASE("groups and notes of the help page name actions") {
     }
     for (const HelpNote& note : help_notes())
         CHECK((note.action.empty() || action_named(note.action)));
+}
+
+TEST_CASE("every overlay has an action of its name, with a key, that turns it on and off") {
+    for (const Overlay& overlay : overlays()) {
+        CAPTURE(overlay.name);
+        const Action* const action = action_named(overlay.name);
+        REQUIRE(action);
+        CHECK(action->section == "View");
+        CHECK_FALSE(action->keys.empty());
+    }
 }

@@ -67,7 +67,7 @@ TEST_CASE("the options of play") {
     CHECK(*options.rate == 240.0);
     CHECK(*options.seed == 18446744073709551615u);
     CHECK(options.overrides == std::vector<std::string>{"use gravity 0,-1", "let n=3"});
-    CHECK(*options.renderer == RendererChoice::half_blocks);
+    CHECK(*options.renderer == &half_block_renderer());
     CHECK(*options.colors == ColorChoice::c16);
     CHECK(*options.fps == 30.0);
     CHECK(*options.mouse == false);

@@ -36,7 +36,7 @@ TEST_CASE("settings and keys are read") {
         "preferences");
     CHECK(read.problems == std::vector<std::string>{});
     const Preferences& p = read.preferences;
-    CHECK(p.renderer == RendererChoice::braille);
+    CHECK(p.renderer == &braille_renderer());
     CHECK(p.colors == ColorChoice::c16);
     CHECK(p.light_background == true);
     CHECK(p.fps == 30.0);
@@ -94,10 +94,9 @@ TEST_CASE("a setting is changed where it stands, and everything else stays") {
 }
 
 TEST_CASE("what is kept reads back") {
-    for (const RendererChoice choice : {RendererChoice::automatic, RendererChoice::ascii,
-                                        RendererChoice::half_blocks, RendererChoice::braille}) {
-        const std::string text = with_setting("", "renderer", text_of(choice));
-        CHECK(read_preferences(text, "p").preferences.renderer == choice);
+    for (const std::string_view name : renderer_choice_names()) {
+        const std::string text = with_setting("", "renderer", name);
+        CHECK(read_preferences(text, "p").preferences.renderer == renderer_choice(name));
     }
     for (const ColorBy by : {ColorBy::kind, ColorBy::speed, ColorBy::mass}) {
         const std::string text = with_setting("", "color-by", text_of(by));

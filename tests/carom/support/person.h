@@ -15,7 +15,7 @@ inline bool always() {
 /// Without colours, in ASCII.
 inline ViewOptions ascii_view() {
     ViewOptions view;
-    view.renderer = Renderer::ascii;
+    view.renderer = &ascii_renderer();
     view.look = {0, false, false};
     return view;
 }

@@ -139,7 +139,7 @@ Errors errors_of(Draw draw, Distance distance) {
     for (int i = 0; i < 24; ++i) {
         const RasterPoint center{12.0 + 0.37 * (i % 7) - 1.1, 12.0 + 0.29 * (i % 5) - 0.6};
         const double radius = 1.1 + 0.23 * i;
-        Raster raster(Sampling::shapes, window_columns, window_rows, aspect);
+        Raster raster(ascii_renderer(), window_columns, window_rows, aspect);
         draw(raster, center, radius);
         const Picture truth = picture_of([&](double x, double y) {
             return distance(std::hypot(x - center.x, y - center.y), radius);

@@ -12,7 +12,6 @@ using namespace carom;
 
 namespace {
 
-constexpr std::array samplings = {Sampling::shapes, Sampling::halves, Sampling::dots};
 constexpr Brush solid{{}, 255, '\0'};
 
 // The area of what is painted, in squares of a column.
@@ -36,10 +35,10 @@ std::string drawn(const Raster& raster, const Look& look = {}) {
 }  // namespace
 
 TEST_CASE("a disc covers its area") {
-    for (const Sampling sampling : samplings) {
+    for (const Renderer& renderer : renderers()) {
         for (const double aspect : {1.0, 2.0, 2.6}) {
             for (const double radius : {2.0, 3.7, 9.0}) {
-                Raster raster(sampling, 40, 20, aspect);
+                Raster raster(renderer, 40, 20, aspect);
                 raster.disc({19.83, 10.0 * aspect + 0.31}, radius, 0.0, solid);
                 // Borders are linear across a sample, not exact: for a disc of two pixels that
                 // costs 5 %.
@@ -51,8 +50,8 @@ TEST_CASE("a disc covers its area") {
 }
 
 TEST_CASE("a centred disc is the same on all sides") {
-    for (const Sampling sampling : samplings) {
-        Raster raster(sampling, 21, 11, 2.0);
+    for (const Renderer& renderer : renderers()) {
+        Raster raster(renderer, 21, 11, 2.0);
         raster.disc({10.5, 11.0}, 6.3, 0.4, {{}, 0, ' '});
         const int across = raster.samples_across();
         const int down = raster.samples_down();
@@ -67,7 +66,7 @@ TEST_CASE("a centred disc is the same on all sides") {
 
 TEST_CASE("a disc is as wide as it is high, whatever the shape of a cell") {
     for (const double aspect : {1.0, 1.6, 2.0, 2.5}) {
-        Raster raster(Sampling::shapes, 60, 40, aspect);
+        Raster raster(ascii_renderer(), 60, 40, aspect);
         raster.disc({30.0, 20.0 * aspect}, 12.0, 0.0, solid);
         double width = 0.0;
         double height = 0.0;
@@ -85,12 +84,12 @@ TEST_CASE("a disc is as wide as it is high, whatever the shape of a cell") {
 }
 
 TEST_CASE("a capsule covers its area, in any direction") {
-    for (const Sampling sampling : samplings) {
+    for (const Renderer& renderer : renderers()) {
         for (int i = 0; i < 12; ++i) {
             const double angle = i * 3.14159265 / 12.0;
             const double x = 10.0 * std::cos(angle);
             const double y = 10.0 * std::sin(angle);
-            Raster raster(sampling, 40, 20, 2.0);
+            Raster raster(renderer, 40, 20, 2.0);
             raster.capsule({20.3 - x, 19.8 - y}, {20.3 + x, 19.8 + y}, 3.0, solid);
             const double area = 20.0 * 6.0 + 3.14159265 * 9.0;
             CHECK(painted(raster) == doctest::Approx(area).epsilon(0.02));
@@ -99,9 +98,9 @@ TEST_CASE("a capsule covers its area, in any direction") {
 }
 
 TEST_CASE("a capsule whose ends coincide is a disc") {
-    for (const Sampling sampling : samplings) {
-        Raster capsule(sampling, 20, 10, 2.0);
-        Raster disc(sampling, 20, 10, 2.0);
+    for (const Renderer& renderer : renderers()) {
+        Raster capsule(renderer, 20, 10, 2.0);
+        Raster disc(renderer, 20, 10, 2.0);
         capsule.capsule({9.2, 10.1}, {9.2, 10.1}, 4.0, solid);
         disc.disc({9.2, 10.1}, 4.0, 0.0, solid);
         CHECK(drawn(capsule) == drawn(disc));
@@ -109,12 +108,12 @@ TEST_CASE("a capsule whose ends coincide is a disc") {
 }
 
 TEST_CASE("a line of radius 0 has no gaps at any angle") {
-    for (const Sampling sampling : samplings) {
+    for (const Renderer& renderer : renderers()) {
         for (int i = 0; i < 90; ++i) {
             const double angle = i * 3.14159265 / 90.0;
             const double x = 14.0 * std::cos(angle);
             const double y = 14.0 * std::sin(angle);
-            Raster raster(sampling, 40, 20, 2.0);
+            Raster raster(renderer, 40, 20, 2.0);
             raster.line({20.1 - x, 20.2 - y}, {20.1 + x, 20.2 + y}, {});
             Canvas canvas(40, 20);
             raster.show(canvas, 0, 0, {});
@@ -141,11 +140,11 @@ TEST_CASE("a line of radius 0 has no gaps at any angle") {
 
 TEST_CASE("upright and level hairlines are one pixel thick, wherever they stand") {
     constexpr int least_seen = 43;  // of three shades
-    for (const Sampling sampling : {Sampling::halves, Sampling::dots}) {
+    for (const Renderer& renderer : renderers().subspan(1)) {
         for (double place = 3.0; place < 5.0; place += 0.1) {
-            Raster upright(sampling, 10, 5, 2.0);
+            Raster upright(renderer, 10, 5, 2.0);
             upright.capsule({place, -1.0}, {place, 11.0}, 0.0, solid);
-            Raster level(sampling, 10, 5, 2.0);
+            Raster level(renderer, 10, 5, 2.0);
             level.capsule({-1.0, place}, {11.0, place}, 0.0, solid);
             int lit_across = 0;
             int lit_down = 0;
@@ -161,21 +160,21 @@ TEST_CASE("upright and level hairlines are one pixel thick, wherever they stand"
 }
 
 TEST_CASE("dots show where in the cell a small disc is") {
-    Raster raster(Sampling::shapes, 4, 1, 2.0);
+    Raster raster(ascii_renderer(), 4, 1, 2.0);
     raster.disc({0.25, 0.3}, 0.01, 0.0, solid);
     raster.disc({1.75, 0.3}, 0.01, 0.0, solid);
     raster.disc({2.25, 1.0}, 0.01, 0.0, solid);
     raster.disc({3.25, 1.9}, 0.0, 0.0, solid);
     CHECK(drawn(raster) == "`'-,\n");
 
-    Raster dots(Sampling::dots, 2, 1, 2.0);
+    Raster dots(braille_renderer(), 2, 1, 2.0);
     dots.disc({0.25, 0.2}, 0.01, 0.0, solid);
     dots.disc({1.75, 1.9}, 0.01, 0.0, solid);
     CHECK(drawn(dots) == "⠁⢀\n");
 }
 
 TEST_CASE("many dots in a cell make it denser") {
-    Raster raster(Sampling::shapes, 2, 1, 2.0);
+    Raster raster(ascii_renderer(), 2, 1, 2.0);
     for (int i = 0; i < 2000; ++i) {
         raster.disc({1.0 + (i % 40) / 40.0, (i % 37) / 18.5}, 0.01, 0.0, solid);
     }
@@ -184,7 +183,7 @@ TEST_CASE("many dots in a cell make it denser") {
 }
 
 TEST_CASE("what is painted later covers what was there, and takes its colour") {
-    Raster raster(Sampling::shapes, 12, 6, 2.0);
+    Raster raster(ascii_renderer(), 12, 6, 2.0);
     raster.disc({6.0, 6.0}, 5.0, 0.0, {{1, plain}, 255, '#'});
     raster.disc({6.0, 6.0}, 2.9, 0.3, {{2, plain}, 0, ' '});
     Canvas canvas(12, 6);
@@ -196,19 +195,19 @@ TEST_CASE("what is painted later covers what was there, and takes its colour") {
 }
 
 TEST_CASE("half blocks show two colours in a cell") {
-    Raster raster(Sampling::halves, 1, 1, 2.0);
+    Raster raster(half_block_renderer(), 1, 1, 2.0);
     raster.sample(0, 0, 255, {1, plain});
     raster.sample(0, 1, 255, {2, plain});
     Canvas canvas(1, 1);
     raster.show(canvas, 0, 0, {});
     CHECK(canvas.at(0, 0) == Cell{U'▀', 1, 2, plain});
 
-    Raster lower(Sampling::halves, 1, 1, 2.0);
+    Raster lower(half_block_renderer(), 1, 1, 2.0);
     lower.sample(0, 1, 255, {2, plain});
     lower.show(canvas, 0, 0, {});
     CHECK(canvas.at(0, 0) == Cell{U'▄', 2, default_color, plain});
 
-    Raster same(Sampling::halves, 1, 1, 2.0);
+    Raster same(half_block_renderer(), 1, 1, 2.0);
     same.sample(0, 0, 255, {2, plain});
     same.sample(0, 1, 255, {2, plain});
     same.show(canvas, 0, 0, {});
@@ -216,7 +215,7 @@ TEST_CASE("half blocks show two colours in a cell") {
 }
 
 TEST_CASE("half blocks without colour are lit or dark") {
-    Raster raster(Sampling::halves, 3, 1, 2.0);
+    Raster raster(half_block_renderer(), 3, 1, 2.0);
     raster.sample(0, 0, 255, {});
     raster.sample(1, 1, 255, {});
     raster.sample(2, 0, 200, {});
@@ -225,7 +224,7 @@ TEST_CASE("half blocks without colour are lit or dark") {
 }
 
 TEST_CASE("borders of half blocks are shades where there are 256 colours") {
-    Raster raster(Sampling::halves, 1, 1, 2.0);
+    Raster raster(half_block_renderer(), 1, 1, 2.0);
     raster.sample(0, 0, 128, {196, plain});
     Canvas canvas(1, 1);
     raster.show(canvas, 0, 0, {256, true, false});
@@ -237,8 +236,8 @@ TEST_CASE("borders of half blocks are shades where there are 256 colours") {
 TEST_CASE("what lies outside, is huge or is not finite paints nothing wrong") {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double nan = std::nan("");
-    for (const Sampling sampling : samplings) {
-        Raster raster(sampling, 20, 10, 2.0);
+    for (const Renderer& renderer : renderers()) {
+        Raster raster(renderer, 20, 10, 2.0);
         for (const double bad : {nan, infinity, -infinity}) {
             raster.disc({bad, 3.0}, 2.0, 0.0, solid);
             raster.disc({3.0, 3.0}, bad, 0.0, solid);
@@ -266,8 +265,8 @@ TEST_CASE("what lies outside, is huge or is not finite paints nothing wrong") {
 }
 
 TEST_CASE("a raster without cells takes everything and shows nothing") {
-    for (const Sampling sampling : samplings) {
-        Raster raster(sampling, 0, -3, 2.0);
+    for (const Renderer& renderer : renderers()) {
+        Raster raster(renderer, 0, -3, 2.0);
         raster.disc({0.0, 0.0}, 5.0, 0.0, solid);
         raster.line({-1.0, -1.0}, {1.0, 1.0}, {});
         CHECK(drawn(raster).empty());
@@ -275,7 +274,7 @@ TEST_CASE("a raster without cells takes everything and shows nothing") {
 }
 
 TEST_CASE("a disc, a ring and lines, as they look in ASCII") {
-    Raster raster(Sampling::shapes, 44, 8, 2.0);
+    Raster raster(ascii_renderer(), 44, 8, 2.0);
     raster.disc({8.0, 8.0}, 7.0, 0.0, {{}, 255, '@'});
     raster.disc({24.0, 8.0}, 7.0, 0.26, {{}, 0, ' '});
     raster.line({33.0, 1.0}, {43.0, 15.0}, {});

@@ -16,8 +16,6 @@ using namespace carom;
 
 namespace {
 
-constexpr std::array renderers = {Renderer::ascii, Renderer::half_blocks, Renderer::braille};
-
 Scene table(const Box& view) {
     Scene scene;
     scene.view = view;
@@ -50,9 +48,14 @@ struct Drawing {
     std::string text() const { return "\n" + canvas.text(); }
 };
 
-ViewOptions in(Renderer renderer) {
+void turn_on(ViewOptions& options, std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names)
+        options.overlays[overlay_named(name)] = true;
+}
+
+ViewOptions in(const Renderer& renderer) {
     ViewOptions options;
-    options.renderer = renderer;
+    options.renderer = &renderer;
     return options;
 }
 
@@ -70,15 +73,15 @@ int cells_that_are(const Canvas& canvas, char32_t glyph) {
 
 TEST_CASE("auto picks what the terminal can show") {
     ViewOptions options;
-    CHECK(renderer_in_force(options) == Renderer::half_blocks);
+    CHECK(&renderer_in_force(options) == &half_block_renderer());
     options.look.colors = 0;
-    CHECK(renderer_in_force(options) == Renderer::braille);
+    CHECK(&renderer_in_force(options) == &braille_renderer());
     options.look.utf8 = false;
-    CHECK(renderer_in_force(options) == Renderer::ascii);
-    options.renderer = Renderer::braille;
-    CHECK(renderer_in_force(options) == Renderer::ascii);
+    CHECK(&renderer_in_force(options) == &ascii_renderer());
+    options.renderer = &braille_renderer();
+    CHECK(&renderer_in_force(options) == &ascii_renderer());
     options.look.utf8 = true;
-    CHECK(renderer_in_force(options) == Renderer::braille);
+    CHECK(&renderer_in_force(options) == &braille_renderer());
 }
 
 TEST_CASE("a ball between two walls, in ASCII") {
@@ -86,7 +89,7 @@ TEST_CASE("a ball between two walls, in ASCII") {
     add_capsule(scene.world, {{0, 0.5}, {20, 0.5}, 0.5}, 0);
     add_capsule(scene.world, {{2, 2}, {2, 10}, 0.0}, 1);
     put_ball(scene, {12, 5}, 3.5);
-    CHECK(Drawing(41, 11).draw(scene, in(Renderer::ascii)).text() == R"(
+    CHECK(Drawing(41, 11).draw(scene, in(ascii_renderer())).text() == R"(
     |
     |
     |               _/*"""*\_
@@ -106,7 +109,7 @@ TEST_CASE("a ball between two walls, in braille") {
     add_capsule(scene.world, {{0, 0.5}, {20, 0.5}, 0.5}, 0);
     add_capsule(scene.world, {{2, 2}, {2, 10}, 0.0}, 1);
     put_ball(scene, {12, 5}, 3.5);
-    CHECK(Drawing(41, 11).draw(scene, in(Renderer::braille)).text() == R"(
+    CHECK(Drawing(41, 11).draw(scene, in(braille_renderer())).text() == R"(
     ⢰
     ⢸
     ⢸               ⣠⢴⢖⢟⢝⢝⢖⢦⣄
@@ -125,7 +128,7 @@ TEST_CASE("a ball between two walls, in half blocks") {
     Scene scene = table({{0, 0}, {20, 10}});
     add_capsule(scene.world, {{0, 0.5}, {20, 0.5}, 0.5}, 0);
     put_ball(scene, {12, 5}, 3.5);
-    CHECK(Drawing(21, 6).draw(scene, in(Renderer::half_blocks)).text() == R"(
+    CHECK(Drawing(21, 6).draw(scene, in(half_block_renderer())).text() == R"(
 
           ▄▀▀▀▄
          ███████
@@ -138,7 +141,7 @@ TEST_CASE("a ball between two walls, in half blocks") {
 TEST_CASE("an outlined ball has a radius that shows where it heads") {
     Scene scene = table({{0, 0}, {10, 10}});
     put_ball(scene, {5, 5}, 4.0, {3, 3});
-    ViewOptions options = in(Renderer::ascii);
+    ViewOptions options = in(ascii_renderer());
     options.ball_style = BallStyle::outline;
     CHECK(Drawing(22, 11).draw(scene, options).text() == R"(
 
@@ -174,13 +177,14 @@ TEST_CASE("only the camera's area is touched") {
     Scene scene = table({{0, 0}, {10, 10}});
     put_ball(scene, {5, 5}, 40.0);
     add_capsule(scene.world, {{-100, 5}, {100, 5}, 1.0}, 0);
-    for (const Renderer renderer : renderers) {
+    for (const Renderer& renderer : renderers()) {
         Canvas canvas(30, 12);
         canvas.fill({U'x'});
         ViewMemory memory;
         ViewOptions options = in(renderer);
         options.labels = Labels::all;
-        options.trails = options.grid = options.velocities = options.contacts = true;
+        options.trails = true;
+        turn_on(options, {"grid", "velocities", "contacts"});
         Marks marks;
         marks.cursor = Vec2{-1, 5};
         marks.cue = CueLine{{5, 5}, {-20, 5}, "12 m/s"};
@@ -194,7 +198,7 @@ TEST_CASE("only the camera's area is touched") {
 TEST_CASE("the last picture leaves nothing behind") {
     Scene scene = table({{0, 0}, {10, 10}});
     put_ball(scene, {2, 5}, 1.0);
-    for (const Renderer renderer : renderers) {
+    for (const Renderer& renderer : renderers()) {
         Drawing moved(20, 10);
         moved.draw(scene, in(renderer));
         Scene later = scene;
@@ -208,7 +212,7 @@ TEST_CASE("on a torus, a ball across a side shows on both") {
     Scene scene = table({{0, 0}, {20, 10}});
     scene.world.model.wrap = Box{{0, 0}, {20, 10}};
     put_ball(scene, {19.5, 9.5}, 2.0);
-    CHECK(Drawing(41, 11).draw(scene, in(Renderer::ascii)).text() == R"(
+    CHECK(Drawing(41, 11).draw(scene, in(ascii_renderer())).text() == R"(
 ::^:                               :^::::
 ::;`                               ';::::
 ;*`                                 '*;_;
@@ -224,7 +228,7 @@ TEST_CASE("on a torus, a ball across a side shows on both") {
 }
 
 TEST_CASE("a ball smaller than a cell is seen in every renderer, at any zoom") {
-    for (const Renderer renderer : renderers) {
+    for (const Renderer& renderer : renderers()) {
         for (const double radius : {1e-9, 0.01, 0.3, 0.7, 1.0, 1.6}) {
             for (int place = 0; place < 30; ++place) {
                 Scene scene = table({{0, 0}, {20, 20}});
@@ -245,7 +249,7 @@ TEST_CASE("in ASCII, balls of few columns are characters that stay while they mo
             Scene scene = table({{0, 0}, {20, 20}});
             put_ball(scene, {5 + step * 0.31, 8 + step * 0.17}, radius);
             Drawing drawing(21, 11);
-            drawing.draw(scene, in(Renderer::ascii));
+            drawing.draw(scene, in(ascii_renderer()));
             CHECK(drawing.text().find(stamp) != std::string::npos);
             CHECK(cells_that_are(drawing.canvas, U' ') ==
                   21 * 11 - static_cast<int>(std::string_view(stamp).size()));
@@ -254,7 +258,7 @@ TEST_CASE("in ASCII, balls of few columns are characters that stay while they mo
     // Without colour, another kind has other characters.
     Scene scene = table({{0, 0}, {20, 20}});
     put_ball(scene, {10, 10}, 0.5, {}, 1);
-    ViewOptions options = in(Renderer::ascii);
+    ViewOptions options = in(ascii_renderer());
     options.look.colors = 0;
     CHECK(Drawing(21, 11).draw(scene, options).text().find('@') != std::string::npos);
 }
@@ -263,23 +267,23 @@ TEST_CASE("in ASCII, a peg of about a column is one character") {
     Scene scene = table({{0, 0}, {20, 20}});
     add_capsule(scene.world, {{5, 5}, {5, 5}, 0.5}, 0);
     add_capsule(scene.world, {{15, 5}, {15, 5}, 3.0}, 0);
-    const std::string text = Drawing(21, 11).draw(scene, in(Renderer::ascii)).text();
+    const std::string text = Drawing(21, 11).draw(scene, in(ascii_renderer())).text();
     CHECK(std::count(text.begin(), text.end(), '+') == 1);
     CHECK(std::count(text.begin(), text.end(), '#') > 1);
 }
 
 TEST_CASE("balls are told from edges, and kinds from each other, without colour") {
-    for (const Renderer renderer : renderers) {
+    for (const Renderer& renderer : renderers()) {
         std::vector<std::string> looks;
         for (int what = 0; what < 3; ++what) {
             Scene scene = table({{0, 0}, {12, 12}});
             // Half blocks have no patterns: there, kinds are told apart by what is written on them.
-            if (what == 1 && renderer == Renderer::half_blocks) scene.ball_names = {"b"};
+            if (what == 1 && &renderer == &half_block_renderer()) scene.ball_names = {"b"};
             if (what < 2) put_ball(scene, {6, 6}, 5.0, {}, static_cast<ClassIndex>(what));
             if (what == 2) add_capsule(scene.world, {{6, 6}, {6, 6}, 5.0}, 0);
             ViewOptions options = in(renderer);
             options.look.colors = 0;
-            if (renderer != Renderer::half_blocks) options.labels = Labels::none;
+            if (&renderer != &half_block_renderer()) options.labels = Labels::none;
             looks.push_back(Drawing(24, 12).draw(scene, options).text());
         }
         CHECK(looks[0] != looks[1]);
@@ -294,7 +298,7 @@ TEST_CASE("without colour, balls that are big enough say who they are") {
     put_ball(scene, {16, 6}, 4.0);
     put_ball(scene, {22, 6}, 0.4);
     scene.ball_names = {"cue", "a name too long", ""};
-    ViewOptions options = in(Renderer::ascii);
+    ViewOptions options = in(ascii_renderer());
     options.look.colors = 0;
     const std::string mono = Drawing(49, 13).draw(scene, options).text();
     CHECK(mono.find("cue") != std::string::npos);
@@ -311,7 +315,7 @@ TEST_CASE("without colour, balls that are big enough say who they are") {
 TEST_CASE("a label on half blocks stands on the ball's colour") {
     Scene scene = table({{0, 0}, {12, 12}});
     put_ball(scene, {6, 6}, 5.0);
-    ViewOptions options = in(Renderer::half_blocks);
+    ViewOptions options = in(half_block_renderer());
     options.labels = Labels::all;
     Drawing drawing(24, 12);
     drawing.draw(scene, options);
@@ -336,11 +340,11 @@ TEST_CASE("a counter stands over each bin, staggered where there is no room side
         scene.world.zones.push_back(zone);
         scene.world.counters.push_back(static_cast<std::uint64_t>(1234 + i));
     }
-    const std::string wide = Drawing(40, 12).draw(scene, in(Renderer::ascii)).text();
+    const std::string wide = Drawing(40, 12).draw(scene, in(ascii_renderer())).text();
     for (const char* count : {"1234", "1235", "1236", "1237"}) {
         CHECK(wide.find(count) != std::string::npos);
     }
-    const std::string narrow = Drawing(16, 10).draw(scene, in(Renderer::ascii)).text();
+    const std::string narrow = Drawing(16, 10).draw(scene, in(ascii_renderer())).text();
     for (const char* count : {"1234", "1235", "1236", "1237"}) {
         CAPTURE(narrow);
         CHECK(narrow.find(count) != std::string::npos);
@@ -354,8 +358,8 @@ TEST_CASE("a contact is a line between the two that met") {
     Contact contact;
     contact.a = 0;
     contact.b = 1;
-    ViewOptions options = in(Renderer::ascii);
-    options.contacts = true;
+    ViewOptions options = in(ascii_renderer());
+    turn_on(options, {"contacts"});
     Drawing drawing(40, 11);
     drawing.draw(scene, options, {}, {&contact, 1});
     const Ink ink = ink_of(Role::contact, options.look);
@@ -375,8 +379,8 @@ TEST_CASE("a velocity is an arrow from the rim of its ball, as long as it is fas
     put_ball(scene, {4, 3}, 2.0, {6, 0});
     put_ball(scene, {4, 8}, 1.0, {-3, 0});
     put_ball(scene, {30, 5}, 1.0);
-    ViewOptions options = in(Renderer::ascii);
-    options.velocities = true;
+    ViewOptions options = in(ascii_renderer());
+    turn_on(options, {"velocities"});
     CHECK(Drawing(41, 6).draw(scene, options).text() == R"(
 
 -{}~()
@@ -389,8 +393,8 @@ TEST_CASE("a velocity is an arrow from the rim of its ball, as long as it is fas
 
 TEST_CASE("a grid stands at round coordinates, and the broad phase where its cells are") {
     Scene scene = table({{0, 0}, {30, 10}});
-    ViewOptions options = in(Renderer::ascii);
-    options.grid = true;
+    ViewOptions options = in(ascii_renderer());
+    turn_on(options, {"grid"});
     CHECK(Drawing(31, 6).draw(scene, options).text() == R"(
 |~~~~~~~~~|~~~~~~~~~|~~~~~~~~~|
 |         |         |         |
@@ -399,8 +403,8 @@ TEST_CASE("a grid stands at round coordinates, and the broad phase where its cel
 |         |         |         |
 |~~~~~~~~~|~~~~~~~~~|~~~~~~~~~|
 )");
-    options.grid = false;
-    options.broad_phase = true;
+    options.overlays = {};
+    turn_on(options, {"broad-phase"});
     Marks marks;
     marks.broad_phase = CellGrid{{2, 1}, 6.0};
     CHECK(Drawing(31, 6).draw(scene, options, marks).text() == R"(
@@ -419,7 +423,7 @@ __|_____|_____|_____|_____|____
 TEST_CASE("trails lie behind balls and edges, and go when they are switched off") {
     Scene scene = table({{0, 0}, {20, 10}});
     put_ball(scene, {2, 5}, 1.0);
-    ViewOptions options = in(Renderer::ascii);
+    ViewOptions options = in(ascii_renderer());
     options.trails = true;
     Drawing drawing(41, 6);
     for (int step = 0; step < 8; ++step) {
@@ -445,7 +449,7 @@ TEST_CASE("marks show what the player does, by more than colour") {
     Scene scene = table({{0, 0}, {20, 10}});
     put_ball(scene, {10, 5}, 1.5);
     const CapsuleId edge = add_capsule(scene.world, {{2, 2}, {8, 2}, 0.0}, 0);
-    const ViewOptions options = in(Renderer::ascii);
+    const ViewOptions options = in(ascii_renderer());
     const std::string bare = Drawing(41, 11).draw(scene, options).text();
 
     Marks selected;
@@ -489,12 +493,13 @@ TEST_CASE("worlds that are not finite, windows without cells: nothing breaks") {
         scene.world.balls.velocity.back() = {x, -x};
         add_capsule(scene.world, {{x, 0}, {3, x}, 0.0}, 0);
     }
-    for (const Renderer renderer : renderers) {
+    for (const Renderer& renderer : renderers()) {
         for (const ColorBy color_by :
              {ColorBy::kind, ColorBy::speed, ColorBy::mass, ColorBy::ball}) {
             ViewOptions options = in(renderer);
             options.color_by = color_by;
-            options.velocities = options.trails = options.grid = options.broad_phase = true;
+            options.trails = true;
+            turn_on(options, {"velocities", "grid", "broad-phase"});
             options.labels = Labels::all;
             Marks marks;
             marks.cursor = Vec2{infinity, std::nan("")};
@@ -516,7 +521,7 @@ TEST_CASE("speed colours go from slow to fast, and calm down slowly") {
     Scene scene = table({{0, 0}, {20, 10}});
     put_ball(scene, {5, 5}, 2.0, {0.1, 0});
     put_ball(scene, {15, 5}, 2.0, {10, 0});
-    ViewOptions options = in(Renderer::half_blocks);
+    ViewOptions options = in(half_block_renderer());
     options.color_by = ColorBy::speed;
     Drawing drawing(42, 11);
     drawing.draw(scene, options);
@@ -534,7 +539,7 @@ TEST_CASE("balls of a single kind have each their own colour, else each kind has
     put_ball(scene, {5, 5}, 2.0);
     put_ball(scene, {15, 5}, 2.0);
     const auto colors = [&] {
-        const Drawing drawing = Drawing(41, 11).draw(scene, in(Renderer::ascii));
+        const Drawing drawing = Drawing(41, 11).draw(scene, in(ascii_renderer()));
         return std::pair{drawing.canvas.at(10, 5).foreground, drawing.canvas.at(30, 5).foreground};
     };
     CHECK(colors().first != colors().second);
@@ -545,8 +550,8 @@ TEST_CASE("balls of a single kind have each their own colour, else each kind has
 TEST_CASE("a peg is a + in characters however small, and one pixel in half blocks") {
     Scene scene = table({{0, 0}, {40, 20}});
     add_capsule(scene.world, {{20.3, 10.2}, {20.3, 10.2}, 0.05}, 0);
-    CHECK(cells_that_are(Drawing(41, 11).draw(scene, in(Renderer::ascii)).canvas, U'+') == 1);
-    const Canvas canvas = Drawing(41, 11).draw(scene, in(Renderer::half_blocks)).canvas;
+    CHECK(cells_that_are(Drawing(41, 11).draw(scene, in(ascii_renderer())).canvas, U'+') == 1);
+    const Canvas canvas = Drawing(41, 11).draw(scene, in(half_block_renderer())).canvas;
     CHECK(cells_that_are(canvas, U'▀') + cells_that_are(canvas, U'▄') == 1);
     CHECK(cells_that_are(canvas, U' ') == 41 * 11 - 1);
 }
@@ -558,7 +563,7 @@ TEST_CASE("copies that are one are a solid ball, and scattered ones a cloud arou
     Marks marks;
     marks.copies = copies;
     Drawing together(40, 10);
-    together.draw(scene, in(Renderer::ascii), marks);
+    together.draw(scene, in(ascii_renderer()), marks);
     CHECK(together.canvas.at(20, 5).glyph == U'@');
     CHECK(together.canvas.at(5, 5).glyph == U' ');
 
@@ -566,7 +571,7 @@ TEST_CASE("copies that are one are a solid ball, and scattered ones a cloud arou
         copies[i].balls.position[0].x = 8.0 + 24.0 * static_cast<double>(i) / 99.0;
     marks.copies = copies;
     Drawing apart(40, 10);
-    apart.draw(scene, in(Renderer::ascii), marks);
+    apart.draw(scene, in(ascii_renderer()), marks);
     // A third of the copies cover the middle, few its ends.
     CHECK(apart.canvas.at(20, 5).glyph == U'*');
     CHECK(std::string_view(".:-").find(static_cast<char>(apart.canvas.at(6, 5).glyph)) !=
@@ -574,7 +579,7 @@ TEST_CASE("copies that are one are a solid ball, and scattered ones a cloud arou
     CHECK(apart.canvas.at(1, 5).glyph == U' ');
 
     Drawing pixels(40, 10);
-    ViewOptions options = in(Renderer::half_blocks);
+    ViewOptions options = in(half_block_renderer());
     pixels.draw(scene, options, marks);
     CHECK(pixels.canvas.at(20, 5).foreground != pixels.canvas.at(6, 5).foreground);
     CHECK(pixels.canvas.at(6, 5).glyph != U' ');
@@ -589,9 +594,9 @@ TEST_CASE("a ball of one copy in two hundred is still seen, and one that is nowh
     copies[9].balls.position[0] = {1e300, -1e300};
     Marks marks;
     marks.copies = copies;
-    for (const Renderer renderer : {Renderer::ascii, Renderer::half_blocks}) {
+    for (const Renderer* renderer : {&ascii_renderer(), &half_block_renderer()}) {
         Drawing drawing(40, 10);
-        drawing.draw(scene, in(renderer), marks);
+        drawing.draw(scene, in(*renderer), marks);
         CHECK(drawing.canvas.at(5, 5).glyph != U' ');
     }
 }
@@ -600,7 +605,7 @@ TEST_CASE("the place of a parting is marked") {
     Scene scene = table({{0.0, 0.0}, {40.0, 20.0}});
     Marks marks;
     marks.parting = Vec2{20.5, 9.0};
-    ViewOptions options = in(Renderer::ascii);
+    ViewOptions options = in(ascii_renderer());
     options.look = {0, false, false};
     Drawing drawing(40, 10);
     drawing.draw(scene, options, marks);

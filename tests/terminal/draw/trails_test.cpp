@@ -25,7 +25,7 @@ struct Path {
         ++world.tick;
     }
     void draw() {
-        const Raster raster(Sampling::dots, 40, 10, 2.0);
+        const Raster raster(braille_renderer(), 40, 10, 2.0);
         const std::vector<Ink> inks(world.balls.size(), Ink{3, plain});
         add_to_trails(trails, camera, raster, world, inks);
     }
@@ -112,7 +112,7 @@ TEST_CASE("a ball that is new starts where it is, and one that is gone leaves it
 TEST_CASE("trails are painted behind: weaker than what is solid") {
     Path path;
     path.draw();
-    Raster raster(Sampling::halves, 40, 10, 2.0);
+    Raster raster(half_block_renderer(), 40, 10, 2.0);
     const std::vector<Ink> inks(1, Ink{3, plain});
     add_to_trails(path.trails, path.camera, raster, path.world, inks);
     paint_trails(raster, path.trails);

@@ -13,7 +13,7 @@
 ///     probe [option...] cells           shows cells of many colours and attributes, waits for a
 ///     key
 ///
-/// Options: guarded, ascii / halves / braille and level=FILE (of frames), colors=N, motion,
+/// Options: guarded, a renderer and level=FILE (of frames), colors=N, motion,
 /// nopixels, noqueries.
 
 #include <fmt/format.h>
@@ -109,7 +109,7 @@ int echo_events(Screen& screen) {
 
 // 200 discs that bounce in a box, as in the table of what a frame may cost.
 // Or a level from a file, drawn at 60 frames a second.
-int show_frames(Screen& screen, int count, Renderer renderer, const std::string& level) {
+int show_frames(Screen& screen, int count, RendererChoice renderer, const std::string& level) {
     std::string text =
         "carom 1 \"Discs\"\n"
         "kind disc r=1\n"
@@ -236,7 +236,7 @@ int show_cells(Screen& screen) {
 
 struct Arguments {
     ScreenOptions screen;
-    Renderer renderer = Renderer::ascii;
+    RendererChoice renderer = &ascii_renderer();
     bool is_guarded = false;
     std::string level;
     std::vector<std::string_view> words;
@@ -248,12 +248,8 @@ Arguments parsed(int count, char** values) {
         const std::string_view word = values[i];
         if (word == "guarded") {
             arguments.is_guarded = true;
-        } else if (word == "ascii") {
-            arguments.renderer = Renderer::ascii;
-        } else if (word == "halves") {
-            arguments.renderer = Renderer::half_blocks;
-        } else if (word == "braille") {
-            arguments.renderer = Renderer::braille;
+        } else if (renderer_choice(word)) {
+            arguments.renderer = *renderer_choice(word);
         } else if (word == "motion") {
             arguments.screen.mouse = MouseMode::motion;
         } else if (word == "nopixels") {

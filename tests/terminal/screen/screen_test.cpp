@@ -62,7 +62,7 @@ TEST_CASE("a frame is one write, and 200 discs cost no more than they may") {
         std::string_view renderer;
         int most_bytes;  // a frame, 80x24
     };
-    for (const Row& row : {Row{"ascii", 1250}, Row{"halves", 1250}, Row{"braille", 2500}}) {
+    for (const Row& row : {Row{"ascii", 1250}, Row{"half", 1250}, Row{"braille", 2500}}) {
         TerminalProgram program(probe(fmt::format("{} frames 300", row.renderer)));
         REQUIRE(program.wait_for_log("frames", 60.0));
         int frames = 0;

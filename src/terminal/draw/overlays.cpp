@@ -1,9 +1,11 @@
+#include "terminal/draw/overlays.h"
+
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "terminal/draw/draw_parts.h"
 
-/// What is drawn over and under the bodies: coordinates, velocities, contacts, the cue.
 namespace carom {
 
 namespace {
@@ -39,7 +41,7 @@ double round_spacing(double columns_per_length) {
 // A line with a head at its end, where samples are fine enough for one.
 void paint_arrow(Raster& raster, RasterPoint from, RasterPoint to, const Ink& ink) {
     raster.line(from, to, ink);
-    if (raster.sampling() == Sampling::halves) return;
+    if (raster.renderer().across == 1) return;
     const double dx = to.x - from.x;
     const double dy = to.y - from.y;
     const double length = std::sqrt(dx * dx + dy * dy);
@@ -51,19 +53,6 @@ void paint_arrow(Raster& raster, RasterPoint from, RasterPoint to, const Ink& in
     raster.line({to.x - ux + 0.6 * uy, to.y - uy - 0.6 * ux}, to, ink);
 }
 
-// Dots along a way, `spacing` columns apart.
-void paint_dots(Raster& raster, RasterPoint from, RasterPoint to, double spacing, const Ink& ink) {
-    const double dx = to.x - from.x;
-    const double dy = to.y - from.y;
-    const double length = std::sqrt(dx * dx + dy * dy);
-    constexpr double most = 2000.0;  // longer ways leave the window
-    if (!(length <= most)) return;
-    for (double along = spacing; along < length; along += spacing) {
-        const double share = along / length;
-        raster.disc({from.x + share * dx, from.y + share * dy}, 0.0, 0.0, {ink, 255, '\0'});
-    }
-}
-
 // Where a body that took part in a contact is now; none when it is gone.
 std::optional<Vec2> place_of_ball(const World& world, std::uint32_t ball) {
     const auto index = index_of(world, BallId{ball});
@@ -71,24 +60,28 @@ std::optional<Vec2> place_of_ball(const World& world, std::uint32_t ball) {
     return world.balls.position[*index];
 }
 
-}  // namespace
+// The ink of a lattice is faint; dots have no faint ink where there is no colour, so there are
+// fewer of them.
+std::uint8_t lattice_strength(const Raster& raster) {
+    return raster.renderer().has_dots() ? 110 : 255;
+}
 
-void paint_grid(Raster& raster, const View& view) {
-    const Ink ink = ink_of(Role::grid, view.options.look);
-    // The ink is faint; dots have no faint ink where there is no colour, so there are fewer of
-    // them.
-    const std::uint8_t faint = raster.sampling() == Sampling::dots ? 110 : 255;
-    if (view.options.grid) {
-        paint_lattice(raster, view, {}, round_spacing(view.camera.columns_per_length), ink, faint);
-    }
+// Lines at round coordinates.
+void paint_coordinates(Raster& raster, const View& view) {
+    paint_lattice(raster, view, {}, round_spacing(view.camera.columns_per_length),
+                  ink_of(Role::grid, view.options.look), lattice_strength(raster));
+}
+
+// The cells in which the solver looks for pairs.
+void paint_broad_phase(Raster& raster, const View& view) {
     const auto& cells = view.marks.broad_phase;
-    if (view.options.broad_phase && cells && cells->size > 0.0) {
-        paint_lattice(raster, view, cells->origin, cells->size, ink, faint);
-    }
+    if (!cells || !(cells->size > 0.0)) return;
+    paint_lattice(raster, view, cells->origin, cells->size, ink_of(Role::grid, view.options.look),
+                  lattice_strength(raster));
 }
 
 void paint_velocities(Raster& raster, const View& view) {
-    if (!view.options.velocities || !(view.memory.fastest > 0.0)) return;
+    if (!(view.memory.fastest > 0.0)) return;
     const Ink ink = ink_of(Role::velocity, view.options.look);
     const double longest = std::clamp(raster.columns() / 8.0, 4.0, 12.0);
     const Balls& balls = view.world.balls;
@@ -106,10 +99,10 @@ void paint_velocities(Raster& raster, const View& view) {
     }
 }
 
-void paint_contacts(Raster& raster, const View& view, std::span<const Contact> contacts) {
-    if (!view.options.contacts) return;
+// A line between the two that met in the last tick.
+void paint_contacts(Raster& raster, const View& view) {
     const Ink ink = ink_of(Role::contact, view.options.look);
-    for (const Contact& contact : contacts) {
+    for (const Contact& contact : view.contacts) {
         const std::optional<Vec2> a = place_of_ball(view.world, contact.a);
         if (!a) continue;
         const bool is_pair = contact.kind == ContactKind::ball_ball;
@@ -127,27 +120,34 @@ void paint_contacts(Raster& raster, const View& view, std::span<const Contact> c
     }
 }
 
-void paint_marks(Raster& raster, const View& view) {
-    const Marks& marks = view.marks;
-    const Look& look = view.options.look;
-    const Ink cue_ink = ink_of(Role::cue, look);
-    for (std::size_t i = 1; i < marks.path.size(); ++i) {
-        paint_dots(raster, to_raster(view.camera, marks.path[i - 1]),
-                   to_raster(view.camera, marks.path[i]), 1.5, cue_ink);
-    }
-    if (marks.cue) {
-        const RasterPoint ball = to_raster(view.camera, marks.cue->ball);
-        const RasterPoint hand = to_raster(view.camera, marks.cue->hand);
-        raster.line(ball, hand, cue_ink);
-        // The ball goes the other way.
-        paint_dots(raster, ball, {2.0 * ball.x - hand.x, 2.0 * ball.y - hand.y}, 1.5, cue_ink);
-    }
-    if (marks.new_capsule) {
-        const Capsule& shape = *marks.new_capsule;
-        raster.capsule(to_raster(view.camera, shape.start), to_raster(view.camera, shape.end),
-                       shape.radius * view.camera.columns_per_length,
-                       {ink_of(Role::selected, look), 255, '#'});
-    }
+constexpr std::array table{
+    Overlay{"velocities", "velocities", false, paint_velocities},
+    Overlay{"contacts", "contacts", false, paint_contacts},
+    Overlay{"broad-phase", "broad-phase cells", true, paint_broad_phase},
+    Overlay{"grid", "coordinates", true, paint_coordinates},
+};
+static_assert(table.size() <= OverlaySet::most);
+
+}  // namespace
+
+std::span<const Overlay> overlays() {
+    return table;
+}
+
+std::size_t overlay_named(std::string_view name) {
+    const auto found = std::ranges::find(table, name, &Overlay::name);
+    assert(found != table.end());
+    return static_cast<std::size_t>(found - table.begin());
+}
+
+void paint_overlays_below(Raster& raster, const View& view) {
+    for (std::size_t i = table.size(); i-- > 0;)
+        if (view.options.overlays[i] && table[i].is_underneath) table[i].paint(raster, view);
+}
+
+void paint_overlays_above(Raster& raster, const View& view) {
+    for (std::size_t i = 0; i < table.size(); ++i)
+        if (view.options.overlays[i] && !table[i].is_underneath) table[i].paint(raster, view);
 }
 
 }  // namespace carom

@@ -1,0 +1,48 @@
+#include <cmath>
+
+#include "terminal/draw/draw_parts.h"
+
+/// What the player points at and does, over the bodies.
+namespace carom {
+
+namespace {
+
+// Dots along a way, `spacing` columns apart.
+void paint_dots(Raster& raster, RasterPoint from, RasterPoint to, double spacing, const Ink& ink) {
+    const double dx = to.x - from.x;
+    const double dy = to.y - from.y;
+    const double length = std::sqrt(dx * dx + dy * dy);
+    constexpr double most = 2000.0;  // longer ways leave the window
+    if (!(length <= most)) return;
+    for (double along = spacing; along < length; along += spacing) {
+        const double share = along / length;
+        raster.disc({from.x + share * dx, from.y + share * dy}, 0.0, 0.0, {ink, 255, '\0'});
+    }
+}
+
+}  // namespace
+
+void paint_marks(Raster& raster, const View& view) {
+    const Marks& marks = view.marks;
+    const Look& look = view.options.look;
+    const Ink cue_ink = ink_of(Role::cue, look);
+    for (std::size_t i = 1; i < marks.path.size(); ++i) {
+        paint_dots(raster, to_raster(view.camera, marks.path[i - 1]),
+                   to_raster(view.camera, marks.path[i]), 1.5, cue_ink);
+    }
+    if (marks.cue) {
+        const RasterPoint ball = to_raster(view.camera, marks.cue->ball);
+        const RasterPoint hand = to_raster(view.camera, marks.cue->hand);
+        raster.line(ball, hand, cue_ink);
+        // The ball goes the other way.
+        paint_dots(raster, ball, {2.0 * ball.x - hand.x, 2.0 * ball.y - hand.y}, 1.5, cue_ink);
+    }
+    if (marks.new_capsule) {
+        const Capsule& shape = *marks.new_capsule;
+        raster.capsule(to_raster(view.camera, shape.start), to_raster(view.camera, shape.end),
+                       shape.radius * view.camera.columns_per_length,
+                       {ink_of(Role::selected, look), 255, '#'});
+    }
+}
+
+}  // namespace carom
