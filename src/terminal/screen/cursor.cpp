@@ -93,7 +93,7 @@ std::size_t sideways_size(const TerminalDialect& dialect, int columns, int from,
 }
 
 void append_movement(std::string& bytes, const TerminalDialect& dialect, int columns,
-                     const std::optional<CellPlace>& from, const CellPlace& to) {
+                     const std::optional<CursorPlace>& from, const CursorPlace& to) {
     if (dialect.move) {
         bytes += dialect.move(to.row, to.column);
         return;

@@ -11,11 +11,11 @@ namespace carom {
 
 /// Of the cursor, from 0. The column behind the last one: the last has been written and the cursor
 /// waits at the margin, so that only movements that do not depend on its column are certain.
-struct CellPlace {
+struct CursorPlace {
     int row = 0;
     int column = 0;
 
-    friend bool operator==(const CellPlace&, const CellPlace&) = default;
+    friend bool operator==(const CursorPlace&, const CursorPlace&) = default;
 };
 
 /// Bytes of ESC [ number final, where 1 goes without saying.
@@ -27,6 +27,6 @@ std::size_t sideways_size(const TerminalDialect& dialect, int columns, int from,
 
 /// Appends the movement. `from`: none where it is not known.
 void append_movement(std::string& bytes, const TerminalDialect& dialect, int columns,
-                     const std::optional<CellPlace>& from, const CellPlace& to);
+                     const std::optional<CursorPlace>& from, const CursorPlace& to);
 
 }  // namespace carom

@@ -64,7 +64,7 @@ void FrameDiffer::begin_whole(const Canvas& canvas) {
     style_.reset();
     take_style({});
     out_ += dialect_.clear;
-    cursor_ = CellPlace{0, 0};
+    cursor_ = CursorPlace{0, 0};
     canvas_ = Canvas(canvas.columns(), canvas.rows());
     shown_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), Look{});
     wanted_.assign(static_cast<std::size_t>(columns_), Look{});
@@ -166,7 +166,7 @@ void FrameDiffer::reach(int row, int column) {
                 write(way_of(wanted(i), style_));
         }
     }
-    const CellPlace place{row, column};
+    const CursorPlace place{row, column};
     if (cursor_ != place) append_movement(out_, dialect_, columns_, cursor_, place);
     cursor_ = place;
 }

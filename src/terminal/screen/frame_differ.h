@@ -78,11 +78,11 @@ class FrameDiffer {
     int columns_ = 1;
     int rows_ = 1;
     bool is_whole_due_ = true;
-    Canvas canvas_;                    // of the last frame
-    std::vector<Look> shown_;          // row by row
-    std::vector<Look> wanted_;         // the row in hand
-    std::optional<CellPlace> cursor_;  // none: not known
-    std::optional<SgrStyle> style_;    // in force; none: not known
+    Canvas canvas_;                      // of the last frame
+    std::vector<Look> shown_;            // row by row
+    std::vector<Look> wanted_;           // the row in hand
+    std::optional<CursorPlace> cursor_;  // none: not known
+    std::optional<SgrStyle> style_;      // in force; none: not known
     std::string out_;
 };
 
