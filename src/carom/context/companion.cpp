@@ -106,7 +106,8 @@ CellPoint Companion::in_first_half(CellPoint place) const {
 
 void Companion::mark(Marks& marks) const {
     if (ensemble_) marks.copies = ensemble_->copies();
-    if (comparison_ && comparison_->divergence()) marks.parting = comparison_->divergence()->place;
+    if (comparison_ && comparison_->divergence())
+        marks.divergence = comparison_->divergence()->place;
 }
 
 void Companion::draw(Canvas& canvas, const Session& session, Camera camera,

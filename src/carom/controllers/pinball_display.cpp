@@ -161,8 +161,8 @@ void PinballDisplay::draw_panel(Canvas& canvas, const Session& session, const Pi
         panel.call = "DEMONSTRATION";
     int rank = 0;
     for (const HighScore& score : scores.scores().lines)
-        panel.honours.push_back({fmt::format("{}", ++rank), score.initials, grouped(score.score),
-                                 scores.newest() == score});
+        panel.high_scores.push_back({fmt::format("{}", ++rank), score.initials,
+                                     grouped(score.score), scores.newest() == score});
     draw_score_panel(canvas, panel_, panel, look);
 }
 

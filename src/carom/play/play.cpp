@@ -11,7 +11,7 @@
 #include "carom/play/asciinema.h"
 #include "carom/play/play_loop.h"
 #include "carom/play/program.h"
-#include "terminal/process/guardian.h"
+#include "terminal/process/supervisor.h"
 #include "terminal/screen/pacing.h"
 #include "terminal/screen/screen.h"
 
@@ -96,8 +96,8 @@ int play_here(const PlayOptions& options) {
 }  // namespace
 
 int play(const PlayOptions& options) {
-    return run_guarded([&] { return play_here(options); },
-                       "the game was kept: carom play --resume takes it up where it stood");
+    return run_supervised([&] { return play_here(options); },
+                          "the game was kept: carom play --resume takes it up where it stood");
 }
 
 }  // namespace carom

@@ -128,7 +128,7 @@ void add_world(const PlayContext& play, HudInfo& info) {
     const World& world = play.session.world();
     info.terms = terms_in_force(world.model);
     info.balls = world.balls.size();
-    info.heaped = world.heaped.size();
+    info.clustered = world.heaped.size();
     info.collisions = world.ball_ball_collisions + world.ball_edge_collisions;
     info.checks = checks_of(play);
 }

@@ -51,7 +51,7 @@ Camera zoomed(const Camera& camera, CellPoint fixed, double factor);
 /// Looks further right by `columns` and further down by `rows`.
 Camera panned(const Camera& camera, double columns, double rows);
 
-/// In another window: the same middle, and what was seen is still seen.
+/// The camera for another area: it keeps the middle, and everything visible stays visible.
 Camera resized(const Camera& camera, const CellArea& area, double aspect);
 
 }  // namespace carom

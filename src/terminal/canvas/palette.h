@@ -62,7 +62,8 @@ Ink ink_of_scale(double fraction, const Look& look);
 /// colours always the colour itself.
 Color shade(Color color, int level, const Look& look);
 
-/// The same in finer steps: `share` (0 to 1) of the colour, the rest background.
+/// Mixes a colour with the background in finer steps: `share` (0 to 1) of the colour. Without 256
+/// colours always the colour itself.
 Color dimmed(Color color, double share, const Look& look);
 
 }  // namespace carom

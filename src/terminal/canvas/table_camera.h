@@ -3,8 +3,8 @@
 #include "geometry/shapes.h"
 #include "terminal/canvas/camera.h"
 
-/// Watches a table that is taller than the window: all of its width and as much of its height as
-/// keeps the balls large enough, gliding up and down with the ball.
+/// A camera for a table that is taller than the window: it shows all of the width, and as much of
+/// the height as keeps balls large enough, and follows the ball up and down.
 namespace carom {
 
 class TableCamera {
@@ -23,7 +23,7 @@ class TableCamera {
     double speed_ = 0.0;    ///< upwards, length/s
     double seen_ = 0.0;     ///< height that is seen; 0: not known yet
     double lowest_ = 0.0;   ///< that the middle can be at
-    double highest_ = 0.0;  ///< the same
+    double highest_ = 0.0;  ///< that the middle can be at
 };
 
 }  // namespace carom

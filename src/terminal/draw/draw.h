@@ -77,7 +77,7 @@ struct Marks {
     std::span<const World> copies;
     std::optional<PoolMarks> pool;
     std::optional<TableMarks> table;
-    std::optional<Vec2> parting;  ///< where a ball and its twin in another picture parted
+    std::optional<Vec2> divergence;  ///< where a ball left its twin in another picture
 };
 
 /// What a picture remembers of those before it. One for each view; start with a fresh one for each

@@ -184,8 +184,8 @@ void write_marks(Canvas& canvas, const View& view) {
             write_at_point(canvas, view, shape.end, "O", ink);
         }
     }
-    if (marks.parting) {
-        if (auto at = cell_of(view.camera, *marks.parting)) {
+    if (marks.divergence) {
+        if (auto at = cell_of(view.camera, *marks.divergence)) {
             Ink ink = ink_of(Role::error, look);
             ink.attributes |= bold | reverse;
             --at->column;

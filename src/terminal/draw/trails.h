@@ -9,7 +9,7 @@
 #include "terminal/canvas/palette.h"
 #include "terminal/canvas/raster.h"
 
-/// What balls leave behind: each new picture fades what the last one drew.
+/// The trails of balls: each picture fades the trails of the one before and adds to them.
 namespace carom {
 
 struct Trails {
@@ -26,8 +26,8 @@ struct Trails {
     std::vector<Place> places;         ///< of every ball, ascending by id
 };
 
-/// Fades what is there and adds the way of each ball since the last call. Nothing fades while the
-/// world stands still. Under another camera, or another renderer, trails start anew.
+/// Fades the trails and adds the path of each ball since the last call. Nothing fades while the
+/// world stands still. With another camera or another renderer, trails start anew.
 ///
 /// `inks` has the ink of each ball by index.
 void add_to_trails(Trails& trails, const Camera& camera, const Raster& raster, const World& world,

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-/// What the terminal can do, as far as its environment and its own answers tell.
+/// What the terminal can do, by its description, the environment, and its own answers.
 namespace carom {
 
 struct Capabilities {
@@ -22,7 +22,7 @@ struct Capabilities {
     friend bool operator==(const Capabilities&, const Capabilities&) = default;
 };
 
-/// COLORFGBG ("15;0", "0;default;15"): whether the background is light. None: it does not say.
+/// Whether the background is light, by COLORFGBG ("15;0", "0;default;15"). None: it does not tell.
 std::optional<bool> light_background_from(std::string_view colorfgbg);
 
 /// Height over width of a cell, from the sizes of a window in pixels and in cells; none where a

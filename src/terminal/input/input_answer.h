@@ -6,7 +6,8 @@
 #include "terminal/canvas/color.h"
 #include "terminal/input/input_sequence.h"
 
-/// What the terminal says when carom asks it something. Never a key, however late it comes.
+/// The terminal's answers to carom's queries. An answer is never taken for a key, however late it
+/// comes.
 namespace carom {
 
 struct Answer {
@@ -28,13 +29,14 @@ struct Answer {
     friend bool operator==(const Answer&, const Answer&) = default;
 };
 
-/// None: the sequence is no answer to anything that carom asks.
+/// None: the sequence does not answer any of carom's queries.
 std::optional<Answer> answer_in(const ControlSequence& sequence);
 
-/// `body`: what stands between `ESC ]` and its terminator.
+/// The answer in an operating system command. `body`: the bytes between `ESC ]` and the terminator.
 std::optional<Answer> answer_in_command(std::string_view body);
 
-/// All that carom asks at the start, the sentinel last.
+/// All queries of the start; device attributes, which every terminal answers, are the last, as a
+/// sentinel.
 std::string_view capability_questions();
 
 }  // namespace carom

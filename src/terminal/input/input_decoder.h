@@ -9,10 +9,10 @@
 #include "terminal/input/keyboard.h"
 #include "terminal/input/mouse.h"
 
-/// Bytes from the terminal to events, however they are cut into pieces.
+/// Decodes the terminal's bytes into events, however reads split them.
 ///
-/// Whatever is not understood is swallowed whole: no part of a sequence is ever taken for keys. A
-/// bracketed paste is swallowed too.
+/// A sequence that is not understood is dropped whole: no part of it is ever taken for keys. A
+/// bracketed paste is dropped too.
 namespace carom {
 
 struct DecodedInput {
@@ -22,7 +22,7 @@ struct DecodedInput {
 
 class InputDecoder {
   public:
-    /// What is begun and not finished.
+    /// Whether a sequence has begun and not ended.
     enum class Pending : std::uint8_t {
         nothing,
         escape,   ///< the byte ESC alone: the key, or the start of a sequence

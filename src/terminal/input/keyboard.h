@@ -9,15 +9,15 @@
 #include "terminal/input/input.h"
 #include "terminal/input/input_sequence.h"
 
-/// Keys, decoded: the kitty keyboard protocol, xterm's ways, and what terminfo says of other
-/// terminals.
+/// Decodes keys: the kitty keyboard protocol, xterm's sequences, and the keys that terminfo lists.
 ///
-/// A key that makes a character is that character, and Shift, being part of it, is no modifier then
-/// (a terminal without the protocol could not tell either). Super, Hyper and Meta count as Alt, so
-/// that they never turn into the plain key; Caps Lock and Num Lock count as nothing.
+/// A key that types a character is decoded as that character. Shift is part of the character and
+/// not reported as a modifier, since terminals without the protocol cannot report it either. Super,
+/// Hyper and Meta count as Alt, so that they never act as the plain key; Caps Lock and Num Lock are
+/// ignored.
 namespace carom {
 
-/// What the terminal's own description says that keys send, sorted by what they send.
+/// The sequences that the terminal's keys send, by its description.
 class KeyTable {
   public:
     /// Sequences that do not start with ESC, or are shorter than 2 bytes, are left out.

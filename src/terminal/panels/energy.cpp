@@ -60,7 +60,8 @@ bool has_potential(const std::vector<EnergyHistory::Sample>& samples) {
 void draw_curves(Canvas& canvas, const CellArea& area, const EnergyHistory& history,
                  const std::array<Curve, 3>& drawn, const Range& range, const Look& look) {
     constexpr double aspect = 2.0;
-    Raster raster(look.utf8 ? braille_renderer() : ascii_renderer(), area.columns, area.rows, aspect);
+    Raster raster(look.utf8 ? braille_renderer() : ascii_renderer(), area.columns, area.rows,
+                  aspect);
     const auto& samples = history.samples();
     const auto first = static_cast<double>(samples.front().tick);
     const double ticks = std::max(1.0, static_cast<double>(samples.back().tick) - first);

@@ -119,8 +119,8 @@ std::vector<Field> play_fields(const HudInfo& info, const Look& look) {
     fields.push_back({"", fmt::format("{:>5.0f}/{:.0f} ticks/s", info.ticks_per_second, info.rate),
                       is_late ? ink_of(Role::warning, look) : text, 3});
     fields.push_back({"balls", fmt::format("{:<5}", info.balls), text, 4});
-    if (info.heaped > 0)
-        fields.push_back({"", fmt::format("{} of {} under contact", info.heaped, info.balls),
+    if (info.clustered > 0)
+        fields.push_back({"", fmt::format("{} of {} under contact", info.clustered, info.balls),
                           ink_of(Role::warning, look), 3});
     if (!info.mode.empty()) fields.push_back({"", info.mode, text, 6});
     return fields;

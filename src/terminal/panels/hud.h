@@ -42,7 +42,7 @@ struct HudInfo {
     double rate = 0.0;               ///< ticks a second of the level's own time
     std::vector<std::string> terms;  ///< the model in force
     std::size_t balls = 0;
-    std::size_t heaped = 0;        ///< so many of them go by `contact`, under `event`
+    std::size_t clustered = 0;     ///< balls that `event` has handed over to `contact`
     std::uint64_t collisions = 0;  ///< since the start
     std::vector<HudCheck> checks;  ///< the most important first
     std::string game;              ///< takes the place of the sums; may be empty

@@ -139,13 +139,13 @@ void draw_score_panel(Canvas& canvas, const CellArea& area, const ScorePanel& pa
         writer.call(panel.call, ink_of(Role::good, look));
     else
         writer.skip();
-    if (panel.honours.empty() || writer.rows_left() < 3) return;
+    if (panel.high_scores.empty() || writer.rows_left() < 3) return;
     writer.skip();
     writer.line("HIGH SCORES", faint);
-    for (const ScoreLine& honour : panel.honours) {
+    for (const ScoreLine& score : panel.high_scores) {
         if (writer.rows_left() < 1) return;
-        writer.line(fmt::format("{:>2}  {:<3}  {:>13}", honour.rank, honour.name, honour.score),
-                    honour.is_new ? strong : ink_of(Role::text, look));
+        writer.line(fmt::format("{:>2}  {:<3}  {:>13}", score.rank, score.name, score.score),
+                    score.is_new ? strong : ink_of(Role::text, look));
     }
 }
 

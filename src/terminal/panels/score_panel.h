@@ -19,11 +19,11 @@ struct ScoreLine {
 
 struct ScorePanel {
     std::string title;
-    std::string score;               ///< digits and commas
-    std::string message;             ///< in a box; may be empty
-    std::vector<std::string> lines;  ///< the ball, the bonus ...
-    std::string call;                ///< to the player, as "SHOOT AGAIN"; may be empty
-    std::vector<ScoreLine> honours;  ///< the table of honour; the best first
+    std::string score;                   ///< digits and commas
+    std::string message;                 ///< in a box; may be empty
+    std::vector<std::string> lines;      ///< the ball, the bonus ...
+    std::string call;                    ///< to the player, as "SHOOT AGAIN"; may be empty
+    std::vector<ScoreLine> high_scores;  ///< the best first
 };
 
 /// Columns that it wants.

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-/// What the process' environment says about the terminal that it runs in.
+/// What the environment variables say about the terminal.
 namespace carom {
 
 struct TerminalEnvironment {
@@ -15,7 +15,7 @@ struct TerminalEnvironment {
     bool has_direct_colors = false;  ///< shows 24-bit colours, by COLORTERM
 };
 
-/// Sets the locale's characters as well.
+/// Also sets the locale's character set (LC_CTYPE).
 TerminalEnvironment read_terminal_environment();
 
 /// The value of a variable, empty where it is not set.
@@ -24,8 +24,8 @@ using Variables = std::function<std::string(const char* name)>;
 /// Whether COLORTERM promises 24-bit colours. GNU screen inherits the promise and does not keep it.
 bool has_direct_colors(const Variables& variables);
 
-/// The description to use. Many terminals call themselves xterm, which promises 8 colours, and say
-/// elsewhere that they have 256: those get xterm's of 256.
+/// The name of the terminfo description to use: TERM, but xterm-256color for a terminal that sets
+/// TERM to xterm (8 colours) and shows by another variable that it has 256.
 std::string described_terminal(const Variables& variables);
 
 }  // namespace carom

@@ -8,20 +8,20 @@
 #include "terminal/input/mouse.h"
 #include "terminal/screen/screen.h"
 
-/// The modes that ncurses does not know: the mouse, the kitty keyboard protocol, bracketed paste,
-/// synchronized output. Which of them are on follows from what the player wants and from what the
-/// terminal has said of itself. Pure: it makes the bytes, others send them.
+/// The terminal modes that ncurses does not know: the mouse, the kitty keyboard protocol, bracketed
+/// paste, synchronized output. Which are on depends on the player's options and on the terminal's
+/// answers. Pure: it makes the bytes, the caller sends them.
 namespace carom {
 
 class TerminalModes {
   public:
     explicit TerminalModes(const ScreenOptions& options = {}) : options_(options) {}
 
-    /// Everything on that is wanted and on offer, for a terminal where all is off; and off again.
+    /// Turns every mode on that is wanted and offered, from all modes off; and back off.
     std::string on() const;
     std::string off() const;
 
-    /// The mouse alone, whatever it was before.
+    /// Sets the mouse modes, from any state.
     std::string mouse() const;
     MouseMode mouse_mode() const { return options_.mouse; }
     void set_mouse_mode(MouseMode mode) { options_.mouse = mode; }
@@ -29,7 +29,7 @@ class TerminalModes {
     bool has_mouse_pixels() const;
     MouseUnit mouse_unit() const;
 
-    /// What stands around a frame, so that the terminal shows it all at once.
+    /// Sent before and after a frame, so that the terminal shows all of it at once.
     std::string_view before_frame() const;
     std::string_view after_frame() const;
 
@@ -38,7 +38,7 @@ class TerminalModes {
     bool measure(int pixels_wide, int pixels_high, int columns, int rows);
     /// Learns from an answer; returns what to send because of it.
     std::string learn(const Answer& answer);
-    /// Writes what is known into `capabilities`.
+    /// Copies what is known into `capabilities`.
     void tell(Capabilities& capabilities) const;
 
   private:

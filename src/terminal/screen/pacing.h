@@ -3,11 +3,11 @@
 #include <cstddef>
 #include <deque>
 
-/// When to draw the next frame, so that a slow link never queues up old ones.
+/// When to draw the next frame, so that old frames never queue up on a slow link.
 ///
-/// Every frame ends with a question (Screen::show with FrameEnd::asks), and only a few frames may
-/// be unanswered at a time: two, more where the way is long but not crowded. Pure arithmetic on
-/// times that the caller measures, in seconds on any clock that does not go back:
+/// Every frame ends with a status query (Screen::show with FrameEnd::asks), and only a few frames
+/// may be unanswered at a time: two, or more where the round trip is long and the queue short. Pure
+/// arithmetic on times that the caller measures, in seconds of a monotonic clock:
 ///
 ///     if (pacing.may_draw(now, input_came)) {
 ///         bytes = screen.show(canvas, FrameEnd::asks);
@@ -24,7 +24,7 @@ struct PacingOptions {
     friend bool operator==(const PacingOptions&, const PacingOptions&) = default;
 };
 
-/// For links that cannot be measured from here (tmux and mosh answer by themselves).
+/// For links that cannot be measured from here, because tmux or mosh answers in between.
 inline constexpr PacingOptions low_bandwidth_pacing{.frames_per_second = 15.0,
                                                     .bytes_per_second = 4000.0};
 
@@ -32,23 +32,24 @@ class Pacing {
   public:
     explicit Pacing(const PacingOptions& options = {});
 
-    /// Whether a frame may go out now. `urgent`: something came in that the person wants to see the
-    /// effect of; it need not wait for the regular instant, only for the link.
+    /// Whether a frame may be sent now. `urgent`: there was input, whose effect the player wants to
+    /// see; such a frame waits for the link, but not for its regular time.
     bool may_draw(double now, bool urgent = false) const;
-    /// A frame of so many bytes went out, and asked.
+    /// A frame of so many bytes was sent, and ended with a query.
     void drawn(double now, std::size_t bytes);
-    /// So many frames have been answered in all since the start.
+    /// The total number of answers since the start.
     void answered(std::size_t total, double now);
 
-    /// How long to wait for input until a frame, or an urgent one, may be due; 0 if it is due. An
-    /// answer, which ends the wait, may make it due earlier.
+    /// How long to wait for input before a frame (or an urgent one) may be sent, s; 0 where it may
+    /// be sent now. An answer ends the wait and may make it due earlier.
     double seconds_to_frame(double now, bool urgent = false) const;
 
-    /// The terminal used to answer and has not for 2 s: the game should stand still. A frame may go
-    /// out every 2 s (every quarter of a second when something comes in), to ask again; make sure
-    /// that it is not empty (Screen::redraw).
+    /// The terminal used to answer and has not for 2 s: the game should pause. A frame may be sent
+    /// every 2 s (every 0.25 s after input) to ask again; make sure that it is not empty
+    /// (Screen::redraw).
     bool is_stalled(double now) const;
-    /// It has never answered, for half a second or more: frames come at a fixed, modest rate.
+    /// The terminal has not answered yet, half a second after the first frame: frames are sent at a
+    /// fixed, modest rate.
     bool is_blind(double now) const;
 
     std::size_t unanswered() const { return sent_.size(); }
@@ -60,7 +61,7 @@ class Pacing {
   private:
     struct Sent {
         double at = 0.0;
-        bool was_alone = false;  // nothing else was on its way
+        bool was_alone = false;  // no earlier frame was unanswered
     };
     double interval(double now) const;
     void learn(const Sent& frame, double now);
@@ -70,18 +71,18 @@ class Pacing {
     std::size_t drawn_ = 0;         // frames ever
     std::size_t lost_ = 0;          // answers that are no longer expected
     bool has_answers_ = false;      // ever
-    bool has_asked_again_ = false;  // stalled, and a frame went out since
+    bool has_asked_again_ = false;  // stalled, and a frame was sent since
     std::size_t window_ = 2;
-    std::size_t changed_at_ =
-        0;  // number of the last frame that does not show what the last change did
+    /// Number of the last frame that does not yet show the effect of the last change of window_.
+    std::size_t changed_at_ = 0;
     double may_grow_at_ = -1.0e9;
-    bool is_probing_ = false;  // one frame at a time, to see how short the way is now
+    bool is_probing_ = false;  // one frame at a time, to measure the round trip anew
     double round_trip_ = 0.0;
-    double shortest_trip_ = 0.0;  // the way without a queue; 0: not known
-    double seen_short_ = 0.0;     // when a trip was last about as short as that
+    double shortest_trip_ = 0.0;  // the round trip without a queue; 0: not known
+    double seen_short_ = 0.0;     // when a round trip was last about that short
     double last_drawn_ = -1.0e9;
     double next_due_ = -1.0e9;
-    double bytes_due_ = -1.0e9;  // when the link is through with what was sent, by the limit
+    double bytes_due_ = -1.0e9;  // when the byte limit allows the next frame
 };
 
 }  // namespace carom

@@ -4,18 +4,19 @@
 
 #include <string_view>
 
-/// Giving the terminal back when there is no time to do it well: out of a fatal signal's handler,
-/// or from the parent of a process that is no more.
+/// Restores the terminal where an orderly exit is impossible: in the handler of a fatal signal, or
+/// in the supervisor of a process that was killed.
 ///
-/// What it takes is kept ready in memory that a process shares with the children it makes later.
+/// The bytes and modes that this takes are kept ready in memory which a process shares with the
+/// children that it forks later.
 namespace carom {
 
 /// Reserves the memory. Call it before a fork that is to share it; arming does it otherwise.
 void prepare_restoration();
 
-/// From now on the terminal needs to be given back: by sending `bytes` (at most 1,000 count), then
+/// From now on the terminal is to be restored by sending `bytes` (the first 1,000 of them) and then
 /// setting `modes`. `answers`: the terminal answers queries, so answers may still be on their way.
-/// Arming again replaces what was there.
+/// Arming again replaces bytes and modes.
 void arm_restoration(const termios& modes, std::string_view bytes, bool answers);
 
 /// The terminal has been given back in good order.
@@ -26,12 +27,13 @@ bool is_restoration_armed();
 /// tcsetattr() alone: safe in a signal handler.
 void restore_terminal() noexcept;
 
-/// The same, for the parent of a process that died: it has the time to take answers that are still
-/// on their way off the terminal (for at most a second), so that they do not land in the shell.
+/// Restores the terminal in the supervisor of a process that died. Unlike a signal handler it can
+/// wait: it first reads the answers that are still on their way (for at most a second without any),
+/// so that they do not land in the shell.
 void restore_after_death();
 
-/// SEGV, ABRT, BUS, FPE and ILL give the terminal back and then do what they did before. The
-/// handler has a stack of its own.
+/// Makes SEGV, ABRT, BUS, FPE and ILL restore the terminal before they take their previous effect.
+/// The handler runs on a stack of its own, so that an overflow of the stack is handled too.
 void catch_fatal_signals();
 
 }  // namespace carom

@@ -12,8 +12,8 @@
 #include "terminal/input/capabilities.h"
 #include "terminal/input/input.h"
 
-/// The terminal that a person sits at: shows canvases, hears keys and the mouse. The only place
-/// that includes ncurses. At most one is open at a time.
+/// The terminal that the player uses: shows canvases, reads keys and the mouse. The only room that
+/// includes ncurses. At most one screen is open at a time.
 namespace carom {
 
 /// What the mouse reports. `off` leaves it to the terminal, so that text can be selected.
@@ -27,7 +27,7 @@ struct ScreenOptions {
     /// 0, 8, 16 or 256: this many at most; direct_colors: 24-bit colours, whatever TERM says.
     /// None: as many as the terminal has, NO_COLOR honoured.
     std::optional<int> colors;
-    std::optional<bool> light_background;  ///< overrides what the terminal says
+    std::optional<bool> light_background;  ///< overrides the terminal's answer
     MouseMode mouse = MouseMode::drag;
     bool mouse_pixels = true;  ///< positions finer than a cell where the terminal offers them
     bool key_release = true;   ///< ask for the release of keys where the terminal has it
@@ -45,33 +45,32 @@ enum class FrameEnd : std::uint8_t { silent, asks };
 class Screen {
   public:
     /// Takes the terminal over: alternate screen, cursor hidden, keys one by one, signals caught.
-    /// Waits up to a quarter of a second for what the terminal says of itself; what comes later
-    /// still counts, and is told by a resize event.
+    /// Asks the terminal what it can do, and waits up to a quarter of a second for the answers.
+    /// Later answers still count: a resize event reports them.
     static std::variant<Screen, ScreenError> open(const ScreenOptions& options = {});
 
     Screen(Screen&&) noexcept;
     Screen& operator=(Screen&&) noexcept;
     ~Screen();  ///< closes
 
-    /// As of the last wait(). A resize event says that they have changed.
+    /// What the terminal can do, as of the last wait(). A resize event reports a change.
     const Capabilities& capabilities() const;
 
-    /// Makes the terminal show the canvas with one write of no more than what changed. Cells
-    /// outside the window are not shown; where the canvas is smaller, the rest is blank. Returns
-    /// the bytes written: 0 where nothing changed and nothing is asked, or where the terminal is
-    /// gone.
+    /// Makes the terminal show the canvas, in one write of what changed. Cells outside the window
+    /// are not shown; where the canvas is smaller, the rest is blank. Returns the bytes written: 0
+    /// where nothing changed or the terminal is gone.
     std::size_t show(const Canvas& canvas, FrameEnd end = FrameEnd::silent);
-    /// What the last show() sent to change the picture, without what stands around it: whole
-    /// characters and whole sequences; empty where it returned 0. The first frame of all, and of
-    /// each size, starts from nothing. Valid until the next show().
+    /// What the last show() sent to change the picture, without synchronization and questions:
+    /// whole characters and sequences; empty where show() returned 0. The first frame of each size
+    /// clears the screen, so a recording can start there. Valid until the next show().
     std::string_view last_frame() const;
-    /// The next show() sends everything: for a screen that something else has written over.
+    /// The next show() sends everything: for use after something else has written to the terminal.
     void redraw();
 
-    /// What the person did, in order. Returns as soon as there is anything, at the latest after
-    /// about `seconds` (0: at once; forever where negative). Signals arrive as events as well;
-    /// Ctrl-C and Ctrl-\ are `end`, and Ctrl-Z suspends the program before it returns.
-    /// `also`: a file descriptor; where it is readable, that ends the wait too.
+    /// Input and signals as events, in order. Returns as soon as there is one, at the latest after
+    /// about `seconds` (0: at once; negative: never). Ctrl-C and Ctrl-\ are `end` events; Ctrl-Z
+    /// suspends the program before this returns. `also`: a file descriptor that ends the wait when
+    /// it becomes readable.
     std::vector<InputEvent> wait(double seconds, int also = -1);
     /// Frames shown with FrameEnd::asks that have been answered, since the start.
     unsigned frames_answered() const;
@@ -81,7 +80,7 @@ class Screen {
     void set_mouse_pixels(bool wanted);
     void bell();
 
-    /// Gives the terminal back as it was. Everything else does nothing from then on.
+    /// Restores the terminal. Afterwards all other calls do nothing.
     void close();
 
     struct State;  ///< state.h

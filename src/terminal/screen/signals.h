@@ -2,7 +2,7 @@
 
 #include <vector>
 
-/// Signals, made into bytes that poll() can wait for beside the terminal.
+/// Signals as bytes in a pipe, so that poll() can wait for them and for the terminal at once.
 namespace carom {
 
 /// INT, QUIT, TERM or HUP.
@@ -15,21 +15,21 @@ class SignalPipe {
     SignalPipe();
     SignalPipe(const SignalPipe&) = delete;
     SignalPipe& operator=(const SignalPipe&) = delete;
-    /// Does with signals what was done before; but a signal that has asked for the end once must
-    /// not kill what is ending in good order, and is ignored from now on. (A terminal that hangs up
-    /// tells the game and its guardian, which passes it on.)
+    /// Restores the previous handlers, except for a signal that has already asked for the end: it
+    /// is ignored from now on, so that it cannot kill a program that is ending in good order. (HUP
+    /// comes twice: from the terminal, and from the supervisor, which passes it on.)
     ~SignalPipe();
 
-    /// The terminal is gone: HUP, which may come later, is as good as come.
+    /// The terminal is gone: from now on HUP counts as received, though it may come later.
     void expect_hangup();
 
     /// Readable when there is something to take.
     int handle() const;
-    /// What has come since the last call, in order.
+    /// The signals since the last call, in order.
     std::vector<int> take();
 
-    /// Stops this process the way Ctrl-Z does, and returns when it goes on. The terminal must have
-    /// been given back. Where nobody could make it go on again, the system lets it go on at once.
+    /// Stops this process the way Ctrl-Z does, and returns when it is continued. Pre: the terminal
+    /// has been given back. A process group without a shell to continue it is not stopped.
     void stop();
 };
 

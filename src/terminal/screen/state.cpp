@@ -21,7 +21,7 @@ InputEvent event_of(InputEvent::Kind kind) {
     return event;
 }
 
-// Sends all, if it takes ever so long; gives up when the terminal is gone or carom is to end.
+// Sends all of it, however long that takes. Gives up when the terminal is gone or carom is to end.
 bool Screen::State::send(std::string_view bytes) {
     while (!bytes.empty() && !is_gone) {
         const ssize_t written = write(STDOUT_FILENO, bytes.data(), bytes.size());
@@ -31,7 +31,7 @@ bool Screen::State::send(std::string_view bytes) {
         }
         bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(0, written)));
         if (bytes.empty()) break;
-        // A signal came. It is not dealt with here: that might write into the middle of these.
+        // A signal interrupted the write. Handling it now could write into the middle of `bytes`.
         std::ranges::copy(signals.take(), std::back_inserter(deferred));
         if (std::ranges::any_of(deferred, ends_the_game)) return false;
     }
@@ -44,7 +44,7 @@ void Screen::State::hang_up() {
     waiting.push_back(event_of(InputEvent::Kind::hangup));
 }
 
-// Keeps ready what restore.h may need, as things stand.
+// Updates the bytes and modes with which restore.h would restore the terminal.
 void Screen::State::arm() const {
     arm_restoration(modes_before, modes.off() + farewell_bytes(capabilities.rows),
                     capabilities.answers);
@@ -109,7 +109,7 @@ void Screen::State::suspend() {
     waiting.push_back(event_of(InputEvent::Kind::resize));
 }
 
-// Stopped by STOP and gone on: who knows what has been done to the terminal meanwhile.
+// Continued after STOP: other programs may have changed the terminal meanwhile, so set it up anew.
 void Screen::State::repair() {
     send(modes.off());
     curses->leave();

@@ -13,7 +13,7 @@
 #include "terminal/screen/screen.h"
 #include "terminal/screen/signals.h"
 
-/// What is behind an open screen.
+/// The state of an open screen, and what Screen does with it.
 namespace carom {
 
 struct Screen::State {
@@ -25,9 +25,9 @@ struct Screen::State {
     Capabilities capabilities;
     termios modes_before{};
     std::vector<InputEvent> waiting;  // for the next wait()
-    std::vector<int> deferred;        // signals that came while something was being sent
-    std::string_view frame;           // that was sent last
-    double idle = 0.0;                // s waited in vain for the rest of what has begun
+    std::vector<int> deferred;        // signals that arrived during send()
+    std::string_view frame;           // the last one sent
+    double idle = 0.0;                // s waited without input for the rest of a sequence
     unsigned asked = 0;               // for the terminal's status
     unsigned answered = 0;            // at most `asked`
     bool does_answer_questions = false;
@@ -35,7 +35,7 @@ struct Screen::State {
     bool is_open = false;
     bool is_gone = false;
 
-    // state.cpp: taking the terminal over, giving it back, sending
+    // state.cpp: entering and leaving the terminal, sending
     void enter();
     void leave();
     void suspend();
@@ -46,7 +46,7 @@ struct Screen::State {
     void set_mouse();
     void hang_up();
 
-    // state_input.cpp: what comes from it, and from signals
+    // state_input.cpp: input and signals
     void take(const DecodedInput& input);
     void take(const Answer& answer);
     void take(const InputEvent& event);

@@ -601,10 +601,10 @@ TEST_CASE("a ball of one copy in two hundred is still seen, and one that is nowh
     }
 }
 
-TEST_CASE("the place of a parting is marked") {
+TEST_CASE("the place of a divergence is marked") {
     Scene scene = table({{0.0, 0.0}, {40.0, 20.0}});
     Marks marks;
-    marks.parting = Vec2{20.5, 9.0};
+    marks.divergence = Vec2{20.5, 9.0};
     ViewOptions options = in(ascii_renderer());
     options.look = {0, false, false};
     Drawing drawing(40, 10);

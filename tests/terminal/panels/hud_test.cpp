@@ -56,7 +56,7 @@ TEST_CASE("the status line says how many balls are under contact") {
     HudInfo info = galton();
     info.solver = "event";
     CHECK(drawn(info, 160, 24).find("under contact") == std::string::npos);
-    info.heaped = 37;
+    info.clustered = 37;
     CHECK(drawn(info, 160, 24).find("37 of 137 under contact") != std::string::npos);
 }
 

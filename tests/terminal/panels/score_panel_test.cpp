@@ -31,7 +31,7 @@ TEST_CASE("what does not fit is small or left out, and nothing leaves the area")
     CHECK(text.starts_with(" 123,456,789\n"));
     ScorePanel panel{
         .title = "T", .score = "1", .message = "A MESSAGE THAT IS TOO LONG", .lines = {"a", "b"}};
-    panel.honours.push_back({"1", "ABC", "100", false});
+    panel.high_scores.push_back({"1", "ABC", "100", false});
     for (int rows = 0; rows < 24; ++rows) {
         Canvas canvas(30, 26);
         draw_score_panel(canvas, {5, 1, 20, rows}, panel, ascii);
@@ -43,10 +43,10 @@ TEST_CASE("what does not fit is small or left out, and nothing leaves the area")
     }
 }
 
-TEST_CASE("the table of honour stands below, with messages above it") {
+TEST_CASE("the table of score stands below, with messages above it") {
     ScorePanel panel{
         .title = "Three Bumpers", .score = "5", .message = "JACKPOT", .lines = {"ball 1 of 3"}};
-    panel.honours.push_back({"1", "ABC", "123,450", false});
+    panel.high_scores.push_back({"1", "ABC", "123,450", false});
     const std::string text = drawn(panel, 34, 24, ascii);
     CHECK(text.find("Three Bumpers") != std::string::npos);
     CHECK(text.find("JACKPOT") < text.find("HIGH SCORES"));

@@ -13,7 +13,7 @@
 ///     probe [option...] cells           shows cells of many colours and attributes, waits for a
 ///     key
 ///
-/// Options: guarded, a renderer and level=FILE (of frames), colors=N, motion,
+/// Options: supervised, a renderer and level=FILE (of frames), colors=N, motion,
 /// nopixels, noqueries.
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@
 
 #include "level/load.h"
 #include "terminal/draw/draw.h"
-#include "terminal/process/guardian.h"
+#include "terminal/process/supervisor.h"
 #include "terminal/screen/screen.h"
 
 namespace {
@@ -237,7 +237,7 @@ int show_cells(Screen& screen) {
 struct Arguments {
     ScreenOptions screen;
     RendererChoice renderer = &ascii_renderer();
-    bool is_guarded = false;
+    bool is_supervised = false;
     std::string level;
     std::vector<std::string_view> words;
 };
@@ -246,8 +246,8 @@ Arguments parsed(int count, char** values) {
     Arguments arguments;
     for (int i = 1; i < count; ++i) {
         const std::string_view word = values[i];
-        if (word == "guarded") {
-            arguments.is_guarded = true;
+        if (word == "supervised") {
+            arguments.is_supervised = true;
         } else if (renderer_choice(word)) {
             arguments.renderer = *renderer_choice(word);
         } else if (word == "motion") {
@@ -300,6 +300,6 @@ int run(const Arguments& arguments) {
 
 int main(int count, char** values) {
     const Arguments arguments = parsed(count, values);
-    if (!arguments.is_guarded) return run(arguments);
-    return run_guarded([&] { return run(arguments); }, "Go on with: probe");
+    if (!arguments.is_supervised) return run(arguments);
+    return run_supervised([&] { return run(arguments); }, "Go on with: probe");
 }

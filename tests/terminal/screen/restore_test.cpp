@@ -40,12 +40,13 @@ TEST_CASE("signals that ask for an end are events, and the terminal is left clea
         int signal;
         std::string_view event;
     };
-    for (const bool is_guarded : {false, true}) {
+    for (const bool is_supervised : {false, true}) {
         for (const Row& row : {Row{SIGINT, "end"}, Row{SIGQUIT, "end"}, Row{SIGTERM, "end"},
                                Row{SIGHUP, "hangup"}}) {
             CAPTURE(row.signal);
-            CAPTURE(is_guarded);
-            TerminalProgram program({probe, is_guarded ? "guarded" : "events", "events"}, modern());
+            CAPTURE(is_supervised);
+            TerminalProgram program({probe, is_supervised ? "supervised" : "events", "events"},
+                                    modern());
             REQUIRE(program.wait_for_log("ready"));
             program.signal(row.signal);
             CHECK(program.exit_status() == 7);
@@ -56,23 +57,23 @@ TEST_CASE("signals that ask for an end are events, and the terminal is left clea
 }
 
 TEST_CASE("Ctrl-C is an event too") {
-    TerminalProgram program({probe, "guarded", "events"});
+    TerminalProgram program({probe, "supervised", "events"});
     REQUIRE(program.wait_for_log("ready"));
     program.send("\x03");
     CHECK(program.exit_status() == 7);
     CHECK(program.what_is_left_dirty() == "");
 }
 
-TEST_CASE("a crash leaves the terminal clean, guarded or not, and is told") {
-    for (const bool is_guarded : {false, true}) {
+TEST_CASE("a crash leaves the terminal clean, supervised or not, and is told") {
+    for (const bool is_supervised : {false, true}) {
         for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL}) {
             CAPTURE(signal);
-            CAPTURE(is_guarded);
+            CAPTURE(is_supervised);
             ProgramOptions options = modern();
             options.environment["ASAN_OPTIONS"] =
                 "handle_segv=0:handle_abort=0:handle_sigbus=0:handle_sigfpe=0:handle_sigill=0";
             TerminalProgram program(
-                {probe, is_guarded ? "guarded" : "ascii", "crash", std::to_string(signal)},
+                {probe, is_supervised ? "supervised" : "ascii", "crash", std::to_string(signal)},
                 options);
             const auto status = program.wait_for_end();
             REQUIRE(status);
@@ -80,7 +81,7 @@ TEST_CASE("a crash leaves the terminal clean, guarded or not, and is told") {
             CHECK(program.what_is_left_dirty() == "");
             const bool is_told = program.screen().text().find(fmt::format("signal {} ", signal)) !=
                                  std::string::npos;
-            CHECK(is_told == is_guarded);
+            CHECK(is_told == is_supervised);
             CHECK(WIFSIGNALED(*status));
             CHECK(WTERMSIG(*status) == signal);
         }
@@ -91,7 +92,7 @@ TEST_CASE("even after KILL the terminal is clean, and the player hears how to go
     for (const bool has_answers : {true, false}) {
         ProgramOptions options = modern();
         options.emulator.answers = has_answers;
-        TerminalProgram program({probe, "guarded", "events"}, options);
+        TerminalProgram program({probe, "supervised", "events"}, options);
         REQUIRE(program.wait_for_log("ready"));
         CHECK(program.screen().mode(1049));
         kill(player_of(program), SIGKILL);
@@ -105,8 +106,8 @@ TEST_CASE("even after KILL the terminal is clean, and the player hears how to go
     }
 }
 
-TEST_CASE("a KILL of the guardian ends the game in good order") {
-    TerminalProgram program({probe, "guarded", "events"}, modern());
+TEST_CASE("a KILL of the supervisor ends the game in good order") {
+    TerminalProgram program({probe, "supervised", "events"}, modern());
     REQUIRE(program.wait_for_log("ready"));
     program.signal(SIGKILL);
     CHECK(program.wait_for_log("hangup"));
@@ -114,15 +115,15 @@ TEST_CASE("a KILL of the guardian ends the game in good order") {
     CHECK(program.what_is_left_dirty() == "");
 }
 
-TEST_CASE("a guarded program returns what it returns") {
-    TerminalProgram program({probe, "guarded", "capabilities"});
+TEST_CASE("a supervised program returns what it returns") {
+    TerminalProgram program({probe, "supervised", "capabilities"});
     CHECK(program.exit_status() == 0);
     CHECK(program.what_is_left_dirty() == "");
 }
 
 TEST_CASE("a terminal that goes away is a hangup, and the program ends") {
-    for (const bool is_guarded : {false, true}) {
-        TerminalProgram program({probe, is_guarded ? "guarded" : "ascii", "events"});
+    for (const bool is_supervised : {false, true}) {
+        TerminalProgram program({probe, is_supervised ? "supervised" : "ascii", "events"});
         REQUIRE(program.wait_for_log("ready"));
         program.hang_up();
         CHECK(program.exit_status() == 7);
@@ -131,7 +132,7 @@ TEST_CASE("a terminal that goes away is a hangup, and the program ends") {
 }
 
 TEST_CASE("a terminal that is stuck does not keep the program") {
-    TerminalProgram program({probe, "guarded", "random", "100000000"});
+    TerminalProgram program({probe, "supervised", "random", "100000000"});
     REQUIRE(program.wait_until([&] { return program.output().size() > 10'000; }));
     CHECK_FALSE(program.wait_for_end_unread(0.5));
     program.signal(SIGTERM);
@@ -142,14 +143,14 @@ TEST_CASE("a terminal that is stuck does not keep the program") {
 }
 
 TEST_CASE("Ctrl-Z gives the terminal to the shell, and fg takes it back") {
-    for (const std::string_view guard : {"", "guarded"}) {
+    for (const std::string_view supervision : {"", "supervised"}) {
         for (const bool by_key : {true, false}) {
-            CAPTURE(guard);
+            CAPTURE(supervision);
             CAPTURE(by_key);
             const std::string script = fmt::format(
                 "set -m; {} {} events; echo STOPPED $?; read line; fg >/dev/null; "
                 "echo RETURNED $?",
-                probe, guard);
+                probe, supervision);
             TerminalProgram program({"bash", "-c", script});
             REQUIRE(program.wait_for_log("ready"));
             by_key ? program.send("\x1a") : (void)kill(player_of(program), SIGTSTP);
@@ -169,7 +170,7 @@ TEST_CASE("Ctrl-Z gives the terminal to the shell, and fg takes it back") {
 }
 
 TEST_CASE("where nobody could take it up again, Ctrl-Z changes nothing") {
-    TerminalProgram program({probe, "guarded", "events"});
+    TerminalProgram program({probe, "supervised", "events"});
     REQUIRE(program.wait_for_log("ready"));
     program.send("\x1a");
     CHECK(program.wait_for_log("resize"));

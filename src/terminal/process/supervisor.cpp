@@ -1,4 +1,4 @@
-#include "terminal/process/guardian.h"
+#include "terminal/process/supervisor.h"
 
 #include <fmt/format.h>
 #include <signal.h>
@@ -55,7 +55,7 @@ void stop_until_continued() {
     sigaction(SIGTSTP, &before, nullptr);
 }
 
-// The status with which the child ended; stops and goes on with it.
+// The status with which the child ended. Stops when the child stops, and continues it afterwards.
 int wait_for(pid_t child) {
     for (;;) {
         int status = 0;
@@ -64,13 +64,14 @@ int wait_for(pid_t child) {
             return 0;
         }
         if (!WIFSTOPPED(status)) return status;
-        if (WSTOPSIG(status) == SIGSTOP) continue;  // somebody else's business
+        if (WSTOPSIG(status) == SIGSTOP) continue;  // the sender of STOP sends CONT
         stop_until_continued();
         kill(child, SIGCONT);
     }
 }
 
-// As if this process had been killed by the signal; the child has left the core file, if any.
+// Dies of the signal, so that the shell sees what killed the child. The child has left the core
+// file, if any.
 int die_of(int signal) {
     const rlimit none{.rlim_cur = 0, .rlim_max = 0};
     setrlimit(RLIMIT_CORE, &none);
@@ -82,7 +83,7 @@ int die_of(int signal) {
 
 }  // namespace
 
-int run_guarded(const std::function<int()>& play, const std::string& resume_hint) {
+int run_supervised(const std::function<int()>& play, const std::string& resume_hint) {
     if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) return play();
     prepare_restoration();
     sigset_t held;
