@@ -44,14 +44,14 @@ std::optional<Count> count_scene(InstructionCounter& counter, const CountedScene
     const std::uint64_t instructions = counter.count([&] {
         for (int i = 0; i < scene.ticks; ++i) {
             tick(1);
-            ball_ticks += world.balls.size();
+            ball_ticks += world.balls().size();
         }
     });
     const auto all = static_cast<double>(instructions);
     return Count{.instructions_a_tick = all / scene.ticks,
                  .instructions_a_ball_tick = all / static_cast<double>(ball_ticks),
                  .bytes_a_ball = static_cast<double>(heap_bytes() - before) /
-                                 static_cast<double>(world.balls.size())};
+                                 static_cast<double>(world.balls().size())};
 }
 
 }  // namespace carom::bench

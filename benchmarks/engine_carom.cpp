@@ -23,14 +23,14 @@ class Carom {
     // The world has its balls, or emitters for them.
     void add(const ListedBall&) {}
     void step() {
-        if (world_.tick == measured_from_) collisions_before_ = collisions();
+        if (world_.tick() == measured_from_) collisions_before_ = collisions();
         solver_.tick(world_);
     }
 
-    std::size_t size() const { return world_.balls.size(); }
+    std::size_t size() const { return world_.balls().size(); }
     BallState state(std::size_t index) const {
-        const carom::Vec2 position = world_.balls.position[index];
-        const carom::Vec2 velocity = world_.balls.velocity[index];
+        const carom::Vec2 position = world_.balls().position[index];
+        const carom::Vec2 velocity = world_.balls().velocity[index];
         return {position.x, position.y, velocity.x, velocity.y};
     }
     /// In the ticks on the clock.
@@ -38,7 +38,7 @@ class Carom {
 
   private:
     std::uint64_t collisions() const {
-        return world_.ball_ball_collisions + world_.ball_edge_collisions;
+        return world_.ball_ball_collisions() + world_.ball_edge_collisions();
     }
 
     carom::World world_;

@@ -11,7 +11,7 @@ namespace {
 // The scene with the balls where the frame has them.
 World world_at(const World& start, const SceneList& list, const Frame& frame) {
     World world = start;
-    world.balls = {};
+    world.edit_balls() = {};
     for (std::size_t i = 0; i < frame.balls.size(); ++i) {
         const BallState& ball = frame.balls[i];
         add_ball(world, {.position = {ball.x, ball.y},

@@ -29,11 +29,11 @@ void append_balls(SceneList& list, const Balls& balls, std::int64_t tick) {
 // Born balls are taken away at once, so that every place is free.
 void append_births(SceneList& list, World world) {
     const auto is_done = [](const Emitter& emitter) { return emitter.emitted == emitter.count; };
-    for (; !std::ranges::all_of(world.emitters, is_done); ++world.tick) {
-        while (world.balls.size() > 0)
-            remove_ball(world, world.balls.id.front());
+    for (; !std::ranges::all_of(world.emitters(), is_done); ++world.edit_tick()) {
+        while (world.balls().size() > 0)
+            remove_ball(world, world.balls().id.front());
         emit(world);
-        append_balls(list, world.balls, static_cast<std::int64_t>(world.tick));
+        append_balls(list, world.balls(), static_cast<std::int64_t>(world.tick()));
     }
 }
 
@@ -41,10 +41,10 @@ void append_births(SceneList& list, World world) {
 template <typename Property>
 std::optional<double> common(const World& world, Property property) {
     std::set<double> values;
-    for (const Kind& kind : world.kinds)
+    for (const Kind& kind : world.kinds())
         values.insert(property(kind));
-    for (const ClassIndex material : world.capsules.material)
-        values.insert(property(world.materials[material]));
+    for (const ClassIndex material : world.capsules().material)
+        values.insert(property(world.materials()[material]));
     if (values.size() > 1) return std::nullopt;
     return values.empty() ? 0.0 : *values.begin();
 }
@@ -64,34 +64,34 @@ LoadedScene load_scene(const std::string& path, const std::vector<std::string>& 
 }
 
 ListedScene list_of(const World& world, const RunPlan& plan) {
-    Model listed = world.model;
+    Model listed = world.model();
     listed.gravity.reset();
     listed.lossy = false;
     listed.spin.reset();
     if (listed != Model{}) return {.error = "the list of a scene has no word for its terms"};
     const auto is_sink = [](const Zone& zone) { return zone.effect == Zone::Effect::sink; };
-    if (std::ranges::any_of(world.zones, is_sink))
+    if (std::ranges::any_of(world.zones(), is_sink))
         return {.error = "the list of a scene has no word for sinks"};
     const auto restitution = common(world, [](const auto& body) { return body.restitution; });
     const auto friction = common(world, [](const auto& body) { return body.friction; });
     if (!restitution || !friction)
         return {.error = "the list of a scene has one restitution and one friction"};
 
-    const Vec2 gravity = world.model.gravity.value_or(Vec2{});
-    SceneList list{.rate = world.rate,
+    const Vec2 gravity = world.model().gravity.value_or(Vec2{});
+    SceneList list{.rate = world.rate(),
                    .gravity_x = gravity.x,
                    .gravity_y = gravity.y,
                    .restitution = *restitution,
-                   .friction = world.model.spin ? *friction : 0.0,
+                   .friction = world.model().spin ? *friction : 0.0,
                    .plan = plan};
-    for (const Capsule& shape : world.capsules.shape) {
+    for (const Capsule& shape : world.capsules().shape) {
         list.capsules.push_back({.start_x = shape.start.x,
                                  .start_y = shape.start.y,
                                  .end_x = shape.end.x,
                                  .end_y = shape.end.y,
                                  .radius = shape.radius});
     }
-    append_balls(list, world.balls, 0);
+    append_balls(list, world.balls(), 0);
     append_births(list, world);
     return {.list = std::move(list)};
 }

@@ -25,31 +25,31 @@ class Scenes {
 
 // Every edge lets through what comes from behind it, where no ball is.
 void make_one_way(World& world) {
-    const Vec2 inside = world.balls.position.front();
-    world.model.one_way = true;
-    world.capsules.side.clear();
-    for (const Capsule& shape : world.capsules.shape) {
+    const Vec2 inside = world.balls().position.front();
+    world.edit_definition().model.one_way = true;
+    world.edit_capsules().side.clear();
+    for (const Capsule& shape : world.capsules().shape) {
         const bool is_left = cross(shape.end - shape.start, inside - shape.start) > 0.0;
-        world.capsules.side.push_back(is_left ? Side::left : Side::right);
+        world.edit_capsules().side.push_back(is_left ? Side::left : Side::right);
     }
 }
 
 // A wall in a hand that goes hardly anywhere.
 void hold_wall(World& world) {
-    const Capsule& wall = world.capsules.shape.front();
+    const Capsule& wall = world.capsules().shape.front();
     const Vec2 step{1e-12, 0.0};
-    world.held_capsules = {{.id = world.capsules.id.front(),
-                            .start_target = wall.start + step,
-                            .end_target = wall.end + step}};
+    world.edit_held_capsules() = {{.id = world.capsules().id.front(),
+                                   .start_target = wall.start + step,
+                                   .end_target = wall.end + step}};
 }
 
 // One that is not due for a thousand seconds.
 void add_emitter(World& world) {
-    world.emitters.push_back({.every = 1000.0, .count = 2, .emitted = 1});
+    world.edit_emitters().push_back({.every = 1000.0, .count = 2, .emitted = 1});
 }
 
 void add_spent_emitter(World& world) {
-    world.emitters.push_back({.every = 1.0, .count = 1, .emitted = 1});
+    world.edit_emitters().push_back({.every = 1.0, .count = 1, .emitted = 1});
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ std::vector<TermScene> term_scenes(const std::string& gas) {
     CountedScene let_go = scenes.bare();
     let_go.prepare = hold_wall;
     let_go.before_tick = [](World& world) {
-        if (world.tick > 0) world.held_capsules.clear();
+        if (world.tick() > 0) world.edit_held_capsules().clear();
     };
     CountedScene emitter = scenes.bare();
     emitter.prepare = add_emitter;

@@ -3,6 +3,7 @@
 #include "physics/solver_table.h"
 #include "physics/tick/emitters_and_sinks.h"
 #include "physics/tick/undo.h"
+#include "physics/world/solver_access.h"
 
 namespace carom {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 // Inside a solver bodies go by index; outside by id. Looked up one by one, the ids of many balls
 // would have to come from far away in memory.
 void name_bodies(World& world, std::span<Contact> contacts) {
-    const std::vector<BallId>& ids = world.balls.id;
+    const std::vector<BallId>& ids = world.balls().id;
     const bool are_counted = !ids.empty() && are_consecutive(ids);
     const auto id_of = [&](std::uint32_t ball) {
         return are_counted ? number(ids.front()) + ball : number(ids[ball]);
@@ -19,10 +20,10 @@ void name_bodies(World& world, std::span<Contact> contacts) {
         contact.a = id_of(contact.a);
         if (contact.kind == ContactKind::ball_ball) {
             contact.b = id_of(contact.b);
-            ++world.ball_ball_collisions;
+            ++world.edit_ledger().ball_ball_collisions;
         } else {
-            contact.b = number(world.capsules.id[contact.b]);
-            ++world.ball_edge_collisions;
+            contact.b = number(world.capsules().id[contact.b]);
+            ++world.edit_ledger().ball_edge_collisions;
         }
     }
 }
@@ -81,10 +82,11 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     emit(world);
     drive_flippers(world);
     state.contacts.clear();
-    state.touched.assign(world.balls.size(), 0);
+    state.touched.assign(world.balls().size(), 0);
     const std::function<bool()> never_asked;
     const TickOutcome outcome = state.method->advance(
         world, {state.contacts, state.touched, can_cancel ? keep_going : never_asked});
+    SolverAccess(world).stamp_motion();
     if (outcome == TickOutcome::given_up) {
         state.contacts.clear();
         state.undo.take_back(world);
@@ -92,7 +94,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     }
     rest_flippers(world);
     stop_slow_balls(world, state.touched);
-    ++world.tick;
+    ++world.edit_tick();
     name_bodies(world, state.contacts);
     drain_sinks(world);
     return outcome;

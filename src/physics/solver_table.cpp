@@ -8,6 +8,7 @@
 #include "physics/event/engine.h"
 #include "physics/event/hybrid_step.h"
 #include "physics/swept/solver.h"
+#include "physics/world/solver_access.h"
 
 namespace carom {
 namespace {
@@ -15,9 +16,9 @@ namespace {
 // Of what solvers remember in the world, `discrete`, `substep` and `swept` use nothing.
 void forget_all(World& world) {
     forget_paths(world);
-    world.heaped.clear();
-    world.pressed.clear();
-    world.homes.clear();
+    SolverAccess(world).memory().heaped.clear();
+    SolverAccess(world).memory().pressed.clear();
+    SolverAccess(world).memory().homes.clear();
 }
 
 TickOutcome outcome_of(const Patience& patience) {
@@ -69,7 +70,7 @@ class ContactMethod final : public SolverMethod {
         if (!was_swept_) {
             contact_.tick(world, substeps_, work.contacts, work.touched);
             forget_paths(world);
-            world.heaped.clear();
+            SolverAccess(world).memory().heaped.clear();
             return TickOutcome::done;
         }
         Patience patience(work.keep_going);
@@ -104,15 +105,16 @@ TickOutcome outcome_of(EventOutcome outcome) {
 class EventMethod final : public SolverMethod {
   public:
     TickOutcome advance(World& world, TickWork work) override {
-        if (!hands_heaps_over(world.model, {.kind = SolverKind::event})) world.heaped.clear();
-        const bool has_clusters = !world.heaped.empty();
+        if (!hands_heaps_over(world.model(), {.kind = SolverKind::event}))
+            SolverAccess(world).memory().heaped.clear();
+        const bool has_clusters = !world.memory().heaped.empty();
         const EventOutcome outcome =
             has_clusters ? hybrid_.tick(world, event_, contact_, work.contacts, work.touched,
                                         work.keep_going)
                          : event_.tick(world, work.contacts, work.touched, work.keep_going);
         if (outcome == EventOutcome::cancelled) return TickOutcome::given_up;
-        if (!has_clusters) world.pressed.clear();
-        world.homes.clear();
+        if (!has_clusters) SolverAccess(world).memory().pressed.clear();
+        SolverAccess(world).memory().homes.clear();
         return outcome_of(outcome);
     }
     const CellFrame& cells() const override { return event_.cells(); }
@@ -129,9 +131,9 @@ class ExtendedEventMethod final : public SolverMethod {
         const EventOutcome outcome =
             event_.tick(world, work.contacts, work.touched, work.keep_going);
         if (outcome == EventOutcome::cancelled) return TickOutcome::given_up;
-        world.heaped.clear();
-        world.pressed.clear();
-        world.homes.clear();
+        SolverAccess(world).memory().heaped.clear();
+        SolverAccess(world).memory().pressed.clear();
+        SolverAccess(world).memory().homes.clear();
         return outcome_of(outcome);
     }
     const CellFrame& cells() const override { return event_.cells(); }

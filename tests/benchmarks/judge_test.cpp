@@ -18,7 +18,7 @@ struct Pair {
     Frame frame{.tick = 6, .balls = {{-2.0, 0.0, -1.0, 0.0}, {2.0, 0.0, 1.0, 0.0}}};
 
     Pair() {
-        world.kinds.push_back({});
+        world.edit_definition().kinds.push_back({});
         for (const BallState& ball : frame.balls) {
             list.balls.push_back({.x = ball.x, .vx = ball.vx});
             add_ball(world, {.position = {ball.x, ball.y},

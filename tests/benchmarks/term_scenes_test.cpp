@@ -31,8 +31,8 @@ World world_of(const CountedScene& scene) {
 }
 
 bool has_a_term(const World& world) {
-    return world.model != Model{} || !world.zones.empty() || !world.emitters.empty() ||
-           !world.held_capsules.empty();
+    return world.model() != Model{} || !world.zones().empty() || !world.emitters().empty() ||
+           !world.held_capsules().empty();
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ TEST_CASE("each scene has its term in force, and without it the model of the bar
         CAPTURE(scene.term);
         const World with = world_of(scene.with);
         CHECK(has_a_term(with));
-        CHECK(with.balls.size() >= bare.balls.size());
-        if (scene.without) CHECK(world_of(*scene.without).model == Model{});
+        CHECK(with.balls().size() >= bare.balls().size());
+        if (scene.without) CHECK(world_of(*scene.without).model() == Model{});
     }
 }

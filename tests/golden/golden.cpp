@@ -21,10 +21,10 @@ namespace fs = std::filesystem;
 // Ten balls take a tick in no time; thousands would take minutes in a build for debugging, and so
 // would the bounces of a heap, all of which `event` computes.
 std::uint64_t ticks_for(const World& world, SolverKind kind) {
-    const bool may_heap = world.model.lossy && world.model.gravity;
-    if (may_heap && world.balls.size() > 200) return kind == SolverKind::event ? 15 : 30;
+    const bool may_heap = world.model().lossy && world.model().gravity;
+    if (may_heap && world.balls().size() > 200) return kind == SolverKind::event ? 15 : 30;
     if (kind == SolverKind::event && may_heap) return 120;
-    return world.balls.size() > 200 ? 120 : 600;
+    return world.balls().size() > 200 ? 120 : 600;
 }
 
 std::optional<std::string> content(const fs::path& path) {
@@ -54,11 +54,11 @@ std::string line_for(const std::string& level, const Scene& scene, SolverKind ki
     World world = scene.world;
     // A table at rest shows nothing: it is broken, a little off the straight way.
     if (scene.pool.cue)
-        world.balls.velocity[*index_of(world, scene.pool.cue->ball)] =
+        world.edit_balls().velocity[*index_of(world, scene.pool.cue->ball)] =
             Vec2{0.9, 0.02} * scene.pool.cue->most_power;
     Solver solver(settings);
     const std::uint64_t ticks = ticks_for(world, kind);
-    while (world.tick < ticks)
+    while (world.tick() < ticks)
         solver.tick(world);
     return fmt::format("{} {} {} {}", level, name(kind), ticks, hexadecimal(fingerprint(world)));
 }
@@ -75,7 +75,7 @@ std::string line_for(const fs::path& path) {
     }
     if (replayer.failure()) return file + ": " + *replayer.failure();
     const World& world = replayer.session().world();
-    return fmt::format("{} {} {}", file, world.tick, hexadecimal(fingerprint(world)));
+    return fmt::format("{} {} {}", file, world.tick(), hexadecimal(fingerprint(world)));
 }
 
 std::vector<fs::path> files_in(const std::string& folder, std::string_view extension) {
@@ -100,7 +100,7 @@ std::vector<std::string> fingerprint_lines(const std::string& folder,
             continue;
         }
         for (const SolverKind kind : solvers_available())
-            if (supports(kind, loaded.scene->world.model))
+            if (supports(kind, loaded.scene->world.model()))
                 lines.push_back(line_for(level, *loaded.scene, kind));
     }
     return lines;

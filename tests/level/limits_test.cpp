@@ -27,7 +27,7 @@ void check_refused(const LoadResult& result, std::string_view words) {
 TEST_CASE("a million balls load, and one more is an error") {
     const LoadResult most = load_lines("fill count=1e6 box=0,0,3300,3300 r=1\n");
     REQUIRE(most.scene);
-    CHECK(most.scene->world.balls.size() == 1'000'000);
+    CHECK(most.scene->world.balls().size() == 1'000'000);
     check_refused(load_lines("ball at=-9,0\nfill count=1e6 box=0,0,3300,3300 r=1\n"),
                   "more than 1000000 balls");
     check_refused(load_lines("kind k\nspawn k at=0,0 every=1 count=999999\nball at=9,0\n"

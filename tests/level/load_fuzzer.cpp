@@ -36,8 +36,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
         check(d.line >= 1 && d.column >= 1 && d.length >= 1 && !render(d).empty());
     }
     check(result.scene.has_value() != has_error);
-    if (!result.scene || result.scene->world.balls.size() > 50 ||
-        result.scene->world.capsules.size() > 200 || result.scene->world.emitters.size() > 10) {
+    if (!result.scene || result.scene->world.balls().size() > 50 ||
+        result.scene->world.capsules().size() > 200 || result.scene->world.emitters().size() > 10) {
         return 0;
     }
     for (const SolverKind kind : {SolverKind::discrete, SolverKind::substep, SolverKind::swept}) {

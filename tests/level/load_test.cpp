@@ -15,7 +15,7 @@ using namespace carom::test;
 namespace {
 
 const Capsule& edge(const Scene& scene, std::size_t i) {
-    return scene.world.capsules.shape[i];
+    return scene.world.capsules().shape[i];
 }
 
 }  // namespace
@@ -29,20 +29,20 @@ TEST_CASE("a level of one line loads, with defaults") {
         "ball a at=30,60 v=2,0 r=2 m=1\n");
     CHECK(scene.title == "Test");
     const World& world = scene.world;
-    REQUIRE(world.balls.size() == 1);
-    CHECK(world.balls.position[0] == Vec2{30, 60});
-    CHECK(world.balls.velocity[0] == Vec2{2, 0});
-    CHECK(world.balls.radius[0] == 2.0);
-    CHECK(world.balls.inverse_mass[0] == 1.0);
-    REQUIRE(world.capsules.size() == 5);
+    REQUIRE(world.balls().size() == 1);
+    CHECK(world.balls().position[0] == Vec2{30, 60});
+    CHECK(world.balls().velocity[0] == Vec2{2, 0});
+    CHECK(world.balls().radius[0] == 2.0);
+    CHECK(world.balls().inverse_mass[0] == 1.0);
+    REQUIRE(world.capsules().size() == 5);
     CHECK(edge(scene, 3) == Capsule{{0, 80}, {0, 0}, 1});
     CHECK(edge(scene, 4) == Capsule{{20, 40}, {60, 25}, 0.5});
-    CHECK(world.materials[world.capsules.material[0]].restitution == 0.8);
-    CHECK(world.model.gravity == Vec2{0, -9.81});
-    CHECK(world.model.lossy);
-    CHECK_FALSE(world.model.filtered);
-    CHECK(world.model.ball_ball);
-    CHECK(world.rate == 120.0);
+    CHECK(world.materials()[world.capsules().material[0]].restitution == 0.8);
+    CHECK(world.model().gravity == Vec2{0, -9.81});
+    CHECK(world.model().lossy);
+    CHECK_FALSE(world.model().filtered);
+    CHECK(world.model().ball_ball);
+    CHECK(world.rate() == 120.0);
     CHECK(scene.ball_names == std::vector<std::string>{"a"});
     REQUIRE(scene.outlines.size() == 1);
     CHECK(scene.outlines[0].size() == 4);
@@ -64,22 +64,22 @@ TEST_CASE("a Galton board loads with its emitter, bins and experiment") {
         "spawn bead at=0,0.78*p jitter=0.1*p,0 every=50ms count=3000\n"
         "show histogram of=bins against=binomial(12,0.5)\n");
     const World& world = scene.world;
-    CHECK(world.seed == 1873);
-    CHECK(world.capsules.size() == 78 + 14);
-    REQUIRE(world.zones.size() == 13);
-    CHECK(world.zones[0].effect == Zone::Effect::sink);
-    CHECK(world.zones[0].counter == 0);
-    CHECK(world.zones[0].shape.start.x < world.zones[12].shape.start.x);
-    CHECK(world.zones[6].shape.start.x == 0.0);
-    CHECK(world.counters.size() == 13);
-    REQUIRE(world.emitters.size() == 1);
-    CHECK(world.emitters[0].every == 0.05);
-    CHECK(world.emitters[0].count == 3000);
-    CHECK(world.emitters[0].jitter.x == doctest::Approx(0.002));
-    CHECK_FALSE(world.model.ball_ball);
-    CHECK(world.model.ball_edge);
-    CHECK(world.model.filtered);
-    CHECK(*world.model.scatter == doctest::Approx(pi / 9));
+    CHECK(world.seed() == 1873);
+    CHECK(world.capsules().size() == 78 + 14);
+    REQUIRE(world.zones().size() == 13);
+    CHECK(world.zones()[0].effect == Zone::Effect::sink);
+    CHECK(world.zones()[0].counter == 0);
+    CHECK(world.zones()[0].shape.start.x < world.zones()[12].shape.start.x);
+    CHECK(world.zones()[6].shape.start.x == 0.0);
+    CHECK(world.counters().size() == 13);
+    REQUIRE(world.emitters().size() == 1);
+    CHECK(world.emitters()[0].every == 0.05);
+    CHECK(world.emitters()[0].count == 3000);
+    CHECK(world.emitters()[0].jitter.x == doctest::Approx(0.002));
+    CHECK_FALSE(world.model().ball_ball);
+    CHECK(world.model().ball_edge);
+    CHECK(world.model().filtered);
+    CHECK(*world.model().scatter == doctest::Approx(pi / 9));
     REQUIRE(scene.shows.size() == 1);
     CHECK(scene.shows[0].counters.size() == 13);
     CHECK(scene.shows[0].expected[6] == doctest::Approx(924.0 / 4096.0));
@@ -88,9 +88,9 @@ TEST_CASE("a Galton board loads with its emitter, bins and experiment") {
 
 TEST_CASE("a level without use has elastic balls and no terms") {
     const Scene scene = load_clean("ball a at=0,0\nedge 0,9 9,9\n");
-    CHECK(scene.world.model == Model{});
-    CHECK(scene.world.balls.radius[0] == 1.0);
-    CHECK(scene.world.balls.inverse_mass[0] == doctest::Approx(1.0 / pi));
+    CHECK(scene.world.model() == Model{});
+    CHECK(scene.world.balls().radius[0] == 1.0);
+    CHECK(scene.world.balls().inverse_mass[0] == doctest::Approx(1.0 / pi));
     CHECK(scene.kind_names == std::vector<std::string>{"ball"});
     CHECK(scene.material_names == std::vector<std::string>{"edge"});
 }
@@ -99,7 +99,7 @@ TEST_CASE("each use statement sets its term of the model") {
     const Scene scene = load_clean(
         "world -10,-10 10,10\nuse gravity 1,-2\nuse drag 0.5\nuse stop 0.1\nuse limit 30\n"
         "use scatter 90\nuse wrap\nball a at=0,0\n");
-    const Model& model = scene.world.model;
+    const Model& model = scene.world.model();
     CHECK(model.gravity == Vec2{1, -2});
     CHECK(model.drag == 0.5);
     CHECK(model.stop_speed == 0.1);
@@ -112,7 +112,7 @@ TEST_CASE("each use statement sets its term of the model") {
 TEST_CASE("a term of 0 is off") {
     const Scene scene =
         load_clean("use gravity 0,0\nuse drag 0\nuse stop 0\nuse scatter 0\nball a at=0,0\n");
-    CHECK(scene.world.model == Model{});
+    CHECK(scene.world.model() == Model{});
 }
 
 TEST_CASE("a mass comes from the ball, else its kind, else its area") {
@@ -120,7 +120,7 @@ TEST_CASE("a mass comes from the ball, else its kind, else its area") {
         "kind heavy r=2 m=5\nkind dense r=2 density=3\nkind plain r=2\n"
         "ball a kind=heavy at=0,0\nball b kind=heavy r=3 at=10,0\nball c kind=heavy m=7 at=20,0\n"
         "ball d kind=dense at=30,0\nball f kind=dense r=1 at=40,0\nball g kind=plain at=50,0\n");
-    const auto mass = [&](std::size_t i) { return 1.0 / scene.world.balls.inverse_mass[i]; };
+    const auto mass = [&](std::size_t i) { return 1.0 / scene.world.balls().inverse_mass[i]; };
     CHECK(mass(0) == doctest::Approx(5));
     CHECK(mass(1) == doctest::Approx(5));
     CHECK(mass(2) == doctest::Approx(7));
@@ -132,7 +132,7 @@ TEST_CASE("a mass comes from the ball, else its kind, else its area") {
 TEST_CASE("a ball keeps its own restitution in an inelastic level") {
     const Scene scene =
         load_clean("kind dull e=0.5\nball a kind=dull e=1 at=0,0\nball b kind=dull at=9,0\n");
-    CHECK(scene.world.balls.restitution == std::vector<double>{1.0, 0.5});
+    CHECK(scene.world.balls().restitution == std::vector<double>{1.0, 0.5});
 }
 
 TEST_CASE("values with units are converted to SI") {
@@ -141,18 +141,18 @@ TEST_CASE("values with units are converted to SI") {
         "use gravity 0,-981cm/s2\nuse drag 30/min\nrate 1kHz\nlet W=5\npeg at=W,W+1cm r=W/2\n"
         "use scatter 0.1rad\nmaterial soft soften=0.4\nedge soft 0,1m 0,2m\n");
     const World& world = scene.world;
-    CHECK(world.balls.position[0].x == 0.01);
-    CHECK(world.balls.position[0].y == doctest::Approx(-0.0508));
-    CHECK(world.balls.velocity[0].x == 0.5);
-    CHECK(world.balls.velocity[0].y == doctest::Approx(0.02));
-    CHECK(1.0 / world.balls.inverse_mass[0] == doctest::Approx(0.17));
-    CHECK(world.model.gravity->y == doctest::Approx(-9.81));
-    CHECK(*world.model.drag == doctest::Approx(0.5));
-    CHECK(*world.model.scatter == doctest::Approx(0.1));
-    CHECK(world.rate == 1000.0);
+    CHECK(world.balls().position[0].x == 0.01);
+    CHECK(world.balls().position[0].y == doctest::Approx(-0.0508));
+    CHECK(world.balls().velocity[0].x == 0.5);
+    CHECK(world.balls().velocity[0].y == doctest::Approx(0.02));
+    CHECK(1.0 / world.balls().inverse_mass[0] == doctest::Approx(0.17));
+    CHECK(world.model().gravity->y == doctest::Approx(-9.81));
+    CHECK(*world.model().drag == doctest::Approx(0.5));
+    CHECK(*world.model().scatter == doctest::Approx(0.1));
+    CHECK(world.rate() == 1000.0);
     CHECK(edge(scene, 0).start.y == doctest::Approx(0.015));
     CHECK(edge(scene, 0).radius == doctest::Approx(0.0025));
-    CHECK(world.materials[0].soften == 0.4);
+    CHECK(world.materials()[0].soften == 0.4);
 }
 
 TEST_CASE("mirror makes images, but no duplicates on its line") {
@@ -167,10 +167,10 @@ TEST_CASE("mirror makes images, but no duplicates on its line") {
         "end\n");
     const World& world = scene.world;
     // 4 images of the first peg, 2 of the second, the third alone, 2 edges, 2 one-way edges twice.
-    CHECK(world.capsules.size() == 4 + 2 + 1 + 2 + 2);
-    REQUIRE(world.balls.size() == 4);
-    CHECK(world.balls.position[3] == Vec2{-50, -3});
-    CHECK(world.balls.velocity[1] == Vec2{-1, 2});
+    CHECK(world.capsules().size() == 4 + 2 + 1 + 2 + 2);
+    REQUIRE(world.balls().size() == 4);
+    CHECK(world.balls().position[3] == Vec2{-50, -3});
+    CHECK(world.balls().velocity[1] == Vec2{-1, 2});
     CHECK(scene.ball_names == std::vector<std::string>{"b", "b.2", "b.3", "b.4"});
     REQUIRE(scene.groups.size() == 2);
     CHECK(scene.groups[0].balls.size() == 4);
@@ -178,14 +178,14 @@ TEST_CASE("mirror makes images, but no duplicates on its line") {
 
 TEST_CASE("a mirror exchanges the sides of one-way edges") {
     const Scene scene = load_clean("mirror x=0\n edge 5,0 5,10 side=left\nend\n");
-    REQUIRE(scene.world.model.one_way);
-    CHECK(scene.world.capsules.side == std::vector<Side>{Side::left, Side::right});
+    REQUIRE(scene.world.model().one_way);
+    CHECK(scene.world.capsules().side == std::vector<Side>{Side::left, Side::right});
 }
 
 TEST_CASE("repeat shifts, counts and nests") {
     const Scene scene =
         load_clean("repeat 3 i step=10,0\n  repeat 2 step=0,5\n    peg at=i,0 r=1\n  end\nend\n");
-    REQUIRE(scene.world.capsules.size() == 6);
+    REQUIRE(scene.world.capsules().size() == 6);
     CHECK(edge(scene, 5).start == Vec2{22, 5});
 }
 
@@ -215,7 +215,7 @@ TEST_CASE("a part sees the names of the level, not those at its place statement"
 
 TEST_CASE("arcs pass through their ends, within 1/1000 of the radius") {
     const Scene scene = load_clean("arc at=5,7 radius=100 from=180 to=0 r=2\n");
-    const auto& shapes = scene.world.capsules.shape;
+    const auto& shapes = scene.world.capsules().shape;
     CHECK(shapes.front().start == Vec2{-95, 7});
     CHECK(shapes.back().end == Vec2{105, 7});
     double highest = 0.0;
@@ -231,7 +231,7 @@ TEST_CASE("arcs pass through their ends, within 1/1000 of the radius") {
 
 TEST_CASE("fillets are tangent to both edges") {
     const Scene scene = load_clean("edge 0,0 10,0 10,10 fillet=4\n");
-    const auto& shapes = scene.world.capsules.shape;
+    const auto& shapes = scene.world.capsules().shape;
     CHECK(shapes.size() > 8);
     CHECK(distance(shapes.front().end, {6, 0}) < 1e-12);
     CHECK(distance(shapes.back().start, {10, 4}) < 1e-12);
@@ -240,59 +240,59 @@ TEST_CASE("fillets are tangent to both edges") {
         CHECK(distance(shapes[i].start, {6, 4}) == doctest::Approx(4));
     }
     const Scene rounded = load_clean("box 0,0 10,10 fillet=5\n");
-    for (const Capsule& piece : rounded.world.capsules.shape)
+    for (const Capsule& piece : rounded.world.capsules().shape)
         CHECK(distance(piece.start, {5, 5}) == doctest::Approx(5));
 }
 
 TEST_CASE("pegs form triangles and grids") {
     const Scene triangle = load_clean("pegs triangle at=0,0 rows=3 pitch=2 row=1 r=0.1\n");
-    REQUIRE(triangle.world.capsules.size() == 6);
+    REQUIRE(triangle.world.capsules().size() == 6);
     CHECK(edge(triangle, 0).start == Vec2{0, 0});
     CHECK(edge(triangle, 3).start == Vec2{-2, -2});
     CHECK(edge(triangle, 5).start == Vec2{2, -2});
     const Scene grid = load_clean("pegs grid at=0,0 rows=3 columns=4 pitch=2 r=0.1\n");
-    CHECK(grid.world.capsules.size() == 12);
+    CHECK(grid.world.capsules().size() == 12);
     CHECK(edge(grid, 4).start == Vec2{-3, -2});
     const Scene stagger =
         load_clean("pegs grid at=0,0 rows=3 columns=4 pitch=2 r=0.1 row=1 stagger\n");
-    CHECK(stagger.world.capsules.size() == 11);
+    CHECK(stagger.world.capsules().size() == 11);
     CHECK(edge(stagger, 4).start == Vec2{-2, -1});
 }
 
 TEST_CASE("bins have walls, a floor, and a zone each") {
     const Scene scene = load_clean("bins tray at=10,0 count=4 width=5 depth=20 wall=1\n");
     const World& world = scene.world;
-    CHECK(world.capsules.size() == 6);
+    CHECK(world.capsules().size() == 6);
     CHECK(edge(scene, 0) == Capsule{{0, -20}, {0, -0.5}, 0.5});
     CHECK(edge(scene, 5) == Capsule{{0, -20}, {20, -20}, 0.5});
-    REQUIRE(world.zones.size() == 4);
-    CHECK(world.zones[1].effect == Zone::Effect::census);
-    CHECK(is_inside(world.zones[1].shape, {5.6, -19.9}));
-    CHECK(is_inside(world.zones[1].shape, {9.4, -19.9}));
-    CHECK_FALSE(is_inside(world.zones[1].shape, {7.5, 0.1}));
+    REQUIRE(world.zones().size() == 4);
+    CHECK(world.zones()[1].effect == Zone::Effect::census);
+    CHECK(is_inside(world.zones()[1].shape, {5.6, -19.9}));
+    CHECK(is_inside(world.zones()[1].shape, {9.4, -19.9}));
+    CHECK_FALSE(is_inside(world.zones()[1].shape, {7.5, 0.1}));
     CHECK(scene.counter_names[3] == "tray.4");
 }
 
 TEST_CASE("open bins have zones but no walls") {
     const Scene scene = load_clean("bins slices at=0,10 count=2 width=4 depth=10 open\n");
-    CHECK(scene.world.capsules.size() == 0);
-    REQUIRE(scene.world.zones.size() == 2);
-    CHECK(scene.world.zones[0].effect == Zone::Effect::census);
-    CHECK(is_inside(scene.world.zones[0].shape, {-3.9, 9.9}));
-    CHECK(is_inside(scene.world.zones[0].shape, {-0.1, 0.1}));
-    CHECK_FALSE(is_inside(scene.world.zones[0].shape, {0.1, 5}));
+    CHECK(scene.world.capsules().size() == 0);
+    REQUIRE(scene.world.zones().size() == 2);
+    CHECK(scene.world.zones()[0].effect == Zone::Effect::census);
+    CHECK(is_inside(scene.world.zones()[0].shape, {-3.9, 9.9}));
+    CHECK(is_inside(scene.world.zones()[0].shape, {-0.1, 0.1}));
+    CHECK_FALSE(is_inside(scene.world.zones()[0].shape, {0.1, 5}));
 }
 
 TEST_CASE("a cradle is a row of balls, some of them swung out") {
     const Scene scene = load_clean("cradle row at=0,0 count=5 in=2 v=3 r=1 gap=0.5 swing=4\n");
     const World& world = scene.world;
-    REQUIRE(world.balls.size() == 5);
-    CHECK(world.balls.position[2] == Vec2{0, 0});
-    CHECK(world.balls.position[1] == Vec2{-6.5, 0});
-    CHECK(world.balls.position[4] == Vec2{5, 0});
-    CHECK(world.balls.velocity[1] == Vec2{3, 0});
-    CHECK(world.balls.velocity[2] == Vec2{0, 0});
-    CHECK(world.capsules.size() == 2);
+    REQUIRE(world.balls().size() == 5);
+    CHECK(world.balls().position[2] == Vec2{0, 0});
+    CHECK(world.balls().position[1] == Vec2{-6.5, 0});
+    CHECK(world.balls().position[4] == Vec2{5, 0});
+    CHECK(world.balls().velocity[1] == Vec2{3, 0});
+    CHECK(world.balls().velocity[2] == Vec2{0, 0});
+    CHECK(world.capsules().size() == 2);
     CHECK(edge(scene, 1).start.x == 5 + 1 + 8);
     CHECK(scene.ball_names[4] == "row.5");
 }
@@ -308,13 +308,13 @@ TEST_CASE("a map becomes edges, balls and pegs") {
         "--------\n"
         "end\n");
     const World& world = scene.world;
-    REQUIRE(world.balls.size() == 2);
-    CHECK(world.balls.position[0] == Vec2{-3, 7});
-    CHECK(world.balls.radius[0] == 1.0);
-    CHECK(world.balls.velocity[1] == Vec2{1, 0});
-    CHECK(world.balls.radius[1] == 0.2);
+    REQUIRE(world.balls().size() == 2);
+    CHECK(world.balls().position[0] == Vec2{-3, 7});
+    CHECK(world.balls().radius[0] == 1.0);
+    CHECK(world.balls().velocity[1] == Vec2{1, 0});
+    CHECK(world.balls().radius[1] == 0.2);
     const auto has = [&](const Capsule& wanted) {
-        return std::ranges::count(world.capsules.shape, wanted) == 1;
+        return std::ranges::count(world.capsules().shape, wanted) == 1;
     };
     CHECK(has({{-9, 8}, {-9, 1}, 0}));    // three | joined
     CHECK(has({{-10, 1}, {6, 1}, 0}));    // eight - joined
@@ -334,7 +334,7 @@ TEST_CASE("lines of a map join in the cells that they run into") {
         "| /\n"
         "---\n"
         "end\n");
-    const auto& shapes = scene.world.capsules.shape;
+    const auto& shapes = scene.world.capsules().shape;
     const auto has = [&](const Capsule& wanted) { return std::ranges::count(shapes, wanted) == 1; };
     CHECK(shapes.size() == 4);
     CHECK(has({{1, 5}, {6, 5}, 0}));  // - from the middle of +
@@ -349,7 +349,7 @@ TEST_CASE("collide sets the collision matrix") {
         "collide red blue\ncollide red edge\ncollide wood red\n"
         "ball a kind=red at=0,0\nball b kind=blue at=9,0\nedge wood 0,9 9,9\nedge 0,20 9,20\n");
     const World& world = scene.world;
-    REQUIRE(world.model.filtered);
+    REQUIRE(world.model().filtered);
     CHECK(kinds_meet(world, 0, 1));
     CHECK_FALSE(kinds_meet(world, 0, 0));
     CHECK_FALSE(kinds_meet(world, 1, 1));
@@ -357,7 +357,7 @@ TEST_CASE("collide sets the collision matrix") {
     CHECK(kind_meets_material(world, 0, 1));
     CHECK_FALSE(kind_meets_material(world, 1, 0));
     CHECK_FALSE(kind_meets_material(world, 1, 1));
-    CHECK(world.model.ball_ball);
+    CHECK(world.model().ball_ball);
 }
 
 TEST_CASE("balls that do not collide may start in one place") {
@@ -385,7 +385,7 @@ TEST_CASE("expect resolves its quantity") {
     CHECK(scene.expects[0].value == 10.0);
     CHECK_FALSE(scene.expects[0].at);
     CHECK(scene.expects[1].what.kind == quantity_named("vx"));
-    CHECK(scene.expects[1].what.ball == scene.world.balls.id[0]);
+    CHECK(scene.expects[1].what.ball == scene.world.balls().id[0]);
     CHECK(*scene.expects[1].at == 2.0);
     CHECK(scene.expects[2].what.counters == std::vector<std::uint32_t>{0, 1, 2});
     CHECK(scene.expects[2].what.expected == std::vector<double>{0.25, 0.5, 0.25});
@@ -398,8 +398,8 @@ TEST_CASE("solver, rate, seed and game reach the scene") {
         "game galton\nphysics 1\n");
     REQUIRE(scene.solver);
     CHECK(*scene.solver == SolverSettings{SolverKind::substep, 8, 5, 1});
-    CHECK(scene.world.rate == 240.0);
-    CHECK(scene.world.seed == 18446744073709551615u);
+    CHECK(scene.world.rate() == 240.0);
+    CHECK(scene.world.seed() == 18446744073709551615u);
     CHECK(scene.game == "galton");
 }
 
@@ -441,7 +441,7 @@ TEST_CASE("CR LF, a byte order mark and continued lines are read") {
         "a.level");
     CHECK(rendered(result) == "");
     REQUIRE(result.scene);
-    CHECK(result.scene->world.balls.radius[0] == 3.0);
+    CHECK(result.scene->world.balls().radius[0] == 3.0);
 }
 
 TEST_CASE("includes share names and settings, and are read once") {
@@ -456,7 +456,7 @@ TEST_CASE("includes share names and settings, and are read once") {
     };
     const Scene scene = load_clean(
         "include \"lib.level\"\nball a kind=bead at=W,0\nplace post at=W+9,0\n", options);
-    CHECK(scene.world.balls.position[0].x == 10.0);
+    CHECK(scene.world.balls().position[0].x == 10.0);
     CHECK(reads == 1);
     CHECK(scene.files == std::vector<std::string>{"test.level", "lib/lib.level"});
     REQUIRE(scene.texts.size() == 2);

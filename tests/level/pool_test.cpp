@@ -26,7 +26,7 @@ Scene shipped(std::string_view name) {
 
 Vec2 place_of(const Scene& scene, int number) {
     const auto& rack = scene.pool.racks.front();
-    return scene.world.balls
+    return scene.world.balls()
         .position[*index_of(scene.world, rack.balls[static_cast<std::size_t>(number - 1)])];
 }
 
@@ -39,9 +39,9 @@ bool is_solid(int number) {
 TEST_CASE("the 8-ball table has 16 balls, six pockets and a cue") {
     const Scene scene = shipped("eight-ball");
     CHECK(scene.game == "eightball");
-    CHECK(scene.world.model.cloth);
-    CHECK(scene.world.model.spin == 0.4);
-    CHECK(scene.world.balls.size() == 16);
+    CHECK(scene.world.model().cloth);
+    CHECK(scene.world.model().spin == 0.4);
+    CHECK(scene.world.balls().size() == 16);
     CHECK(scene.pool.pockets.size() == 6);
     REQUIRE(scene.pool.cue);
     CHECK(scene.ball_names[number(scene.pool.cue->ball)] == "cue");
@@ -91,7 +91,7 @@ TEST_CASE("a 9-ball rack has the 1 at the apex and the 9 in the middle") {
     for (int seed = 0; seed < 10; ++seed) {
         const Scene scene =
             load_clean("rack nine at=5,5 toward=north seed=" + std::to_string(seed));
-        CHECK(scene.world.balls.size() == 9);
+        CHECK(scene.world.balls().size() == 9);
         CHECK(place_of(scene, 1) == Vec2{5.0, 5.0});
         CHECK(place_of(scene, 9).x == doctest::Approx(5.0));
         CHECK(place_of(scene, 9).y == doctest::Approx(5.0 + 4.0 * 0.8660254));
@@ -122,17 +122,17 @@ TEST_CASE("after a hard break, every ball is on the table or in a pocket") {
             CAPTURE(shot);
             World world = scene.world;
             const std::size_t cue = *index_of(world, scene.pool.cue->ball);
-            world.balls.velocity[cue] = {9.0, 0.4 * (shot - 5.5)};
+            world.edit_balls().velocity[cue] = {9.0, 0.4 * (shot - 5.5)};
             Solver solver(pick_solver(world).settings);
             const auto moves = [](Vec2 v) { return !(v == Vec2{}); };
             for (int tick = 0; tick < 60 * 120; ++tick) {
                 solver.tick(world);
-                if (std::ranges::none_of(world.balls.velocity, moves)) break;
+                if (std::ranges::none_of(world.balls().velocity, moves)) break;
             }
-            CHECK(std::ranges::none_of(world.balls.velocity, moves));
-            CHECK(world.balls.size() + world.removed.size() == scene.world.balls.size());
-            pocketed += world.removed.size();
-            for (const Vec2 place : world.balls.position) {
+            CHECK(std::ranges::none_of(world.balls().velocity, moves));
+            CHECK(world.balls().size() + world.removed().size() == scene.world.balls().size());
+            pocketed += world.removed().size();
+            for (const Vec2 place : world.balls().position) {
                 CHECK(std::abs(place.x) < 1.27 + 0.06);
                 CHECK(std::abs(place.y) < 0.635 + 0.06);
             }

@@ -67,17 +67,17 @@ struct Scene {
 
 World heap() {
     World world = scenes::bucket(20, 0.0);
-    world.model.spin = 0.5;
-    world.balls.spin.assign(world.balls.size(), 0.0);
-    world.kinds[0].friction = world.materials[0].friction = 0.3;
+    world.edit_definition().model.spin = 0.5;
+    world.edit_balls().spin.assign(world.balls().size(), 0.0);
+    world.edit_definition().kinds[0].friction = world.edit_definition().materials[0].friction = 0.3;
     return world;
 }
 
 // Radii 1, 1/2 and 1/4.
 World mixture() {
     World world = scenes::gas(150, 5);
-    for (std::size_t i = 0; i < world.balls.size(); ++i)
-        world.balls.radius[i] *= 1.0 / static_cast<double>(1 << (i % 3));
+    for (std::size_t i = 0; i < world.balls().size(); ++i)
+        world.edit_balls().radius[i] *= 1.0 / static_cast<double>(1 << (i % 3));
     return world;
 }
 
@@ -88,9 +88,9 @@ World dragged() {
 }
 
 void drag(World& world) {
-    const CapsuleId edge = world.capsules.id.back();
-    const double height = 3.0 + static_cast<double>((world.tick * 7) % 100) / 10.0;
-    world.held_capsules.assign(1, {edge, {3.0, height}, {17.0, height}});
+    const CapsuleId edge = world.capsules().id.back();
+    const double height = 3.0 + static_cast<double>((world.tick() * 7) % 100) / 10.0;
+    world.edit_held_capsules().assign(1, {edge, {3.0, height}, {17.0, height}});
 }
 
 std::vector<Scene> all_scenes() {

@@ -90,7 +90,7 @@ Ordeal far_off(std::uint64_t who) {
     add_crowd(
         world, who, 5, [](std::uint64_t) { return 0.9; },
         [](std::uint64_t, double) { return 1.0; });
-    for (Vec2& p : world.balls.position)
+    for (Vec2& p : world.edit_balls().position)
         p += off;
     return {world, box};
 }
@@ -98,13 +98,13 @@ Ordeal far_off(std::uint64_t who) {
 Ordeal rates(std::uint64_t who) {
     World world = room_world();
     constexpr double all[] = {1e9, 1e6, 1e3, 10.0, 1.0};
-    world.rate = all[who % 5];
+    world.edit_definition().rate = all[who % 5];
     add_crowd(
         world, who, 5, [](std::uint64_t) { return 1.0; },
         [](std::uint64_t, double) { return 1.0; });
     if (who >= 5) {
         // A gravity under which a ball falls a part of the room in a second.
-        world.model.gravity = Vec2{0.0, -2.0};
+        world.edit_definition().model.gravity = Vec2{0.0, -2.0};
     }
     return {world, room};
 }
@@ -165,7 +165,8 @@ Ordeal coincident(std::uint64_t who) {
 // Two edges close on balls that have nowhere to go.
 Ordeal squeeze(std::uint64_t who) {
     World world = room_world();
-    world.materials[0].restitution = world.kinds[0].restitution = who % 2 == 0 ? 1.0 : 0.7;
+    world.edit_definition().materials[0].restitution =
+        world.edit_definition().kinds[0].restitution = who % 2 == 0 ? 1.0 : 0.7;
     const CapsuleId left = add_capsule(world, {{-5.0, -6.0}, {-5.0, 6.0}, 0.2}, 0);
     const CapsuleId right = add_capsule(world, {{5.0, -6.0}, {5.0, 6.0}, 0.2}, 0);
     for (std::uint64_t i = 0; i < 1 + who % 4; ++i)
@@ -173,10 +174,11 @@ Ordeal squeeze(std::uint64_t who) {
                          .velocity = {0.0, draw(-1, 1, who, 10 + i)},
                          .radius = 0.5});
     const double speed = draw_size(-1, 1.5, who, 20);
-    return {world, room, 600, [=](World& w) {
-                const double x = std::max(0.0, 5.0 - speed * w.time());
-                w.held_capsules = {{left, {-x, -6.0}, {-x, 6.0}}, {right, {x, -6.0}, {x, 6.0}}};
-            }};
+    return {
+        world, room, 600, [=](World& w) {
+            const double x = std::max(0.0, 5.0 - speed * w.time());
+            w.edit_held_capsules() = {{left, {-x, -6.0}, {-x, 6.0}}, {right, {x, -6.0}, {x, 6.0}}};
+        }};
 }
 
 // A rack that touches, hit at its tip; and a ring that closes on its middle.
@@ -208,8 +210,9 @@ Ordeal at_once(std::uint64_t who) {
 
 Ordeal heap(std::uint64_t who) {
     World world = room_world();
-    world.model.gravity = Vec2{0.0, -10.0};
-    world.materials[0].restitution = world.kinds[0].restitution = draw(0.0, 0.9, who, 999);
+    world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+    world.edit_definition().materials[0].restitution =
+        world.edit_definition().kinds[0].restitution = draw(0.0, 0.9, who, 999);
     add_crowd(
         world, who, 6, [&](std::uint64_t n) { return draw(0.3, 1.0, who, 4 * n + 2); },
         [&](std::uint64_t n, double) { return draw_size(-2, 2, who, 4 * n + 3); });
@@ -221,13 +224,14 @@ Ordeal rubbing_heap(std::uint64_t who) {
     World world = scenes::empty();
     const Box shaft{{-3.0, 0.0}, {3.0, 40.0}};
     scenes::add_walls(world, shaft);
-    world.model.gravity = Vec2{0.0, -10.0};
-    world.model.spin = who % 2 == 0 ? 0.5 : 0.4;
-    world.model.lossy = true;
+    world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+    world.edit_definition().model.spin = who % 2 == 0 ? 0.5 : 0.4;
+    world.edit_definition().model.lossy = true;
     const double restitution = who % 4 < 2 ? 0.5 : 0.0;
     const double friction = who % 3 == 0 ? 1.0 : 0.4;
-    world.materials[0] = {.restitution = restitution, .friction = friction};
-    world.kinds[0] = {.radius = 0.5, .restitution = restitution, .friction = friction};
+    world.edit_definition().materials[0] = {.restitution = restitution, .friction = friction};
+    world.edit_definition().kinds[0] = {
+        .radius = 0.5, .restitution = restitution, .friction = friction};
     for (int i = 0; i < 40; ++i) {
         const auto n = static_cast<std::uint64_t>(i);
         const double x = -2.4 + 1.15 * (i % 5) + draw(-0.05, 0.05, who, 2 * n);
@@ -265,7 +269,7 @@ void run_ordeal(Ordeal ordeal, SolverKind kind, Outcome& outcome) {
     const Totals start = totals(world);
     const double before = start.kinetic_energy + start.potential_energy;
     double scale = start.kinetic_energy;
-    const std::size_t count = world.balls.size();
+    const std::size_t count = world.balls().size();
     for (int tick = 0; tick < ordeal.ticks; ++tick) {
         if (ordeal.drive) ordeal.drive(world);
         if (solver.tick(world) != TickOutcome::done) ++outcome.not_finite;
@@ -276,14 +280,14 @@ void run_ordeal(Ordeal ordeal, SolverKind kind, Outcome& outcome) {
         const double gained = now.kinetic_energy + now.potential_energy - before;
         if (!ordeal.drive && scale > 0.0) outcome.gain = std::max(outcome.gain, gained / scale);
         if (ordeal.drive)
-            for (const Vec2 v : world.balls.velocity)
+            for (const Vec2 v : world.balls().velocity)
                 outcome.fastest = std::max(outcome.fastest, length(v));
     }
-    outcome.lost += count - world.balls.size();
+    outcome.lost += count - world.balls().size();
     const Box near = grow(ordeal.inside, 1e-6);
-    for (std::size_t i = 0; i < world.balls.size(); ++i) {
-        const Vec2 p = world.balls.position[i];
-        const Vec2 v = world.balls.velocity[i];
+    for (std::size_t i = 0; i < world.balls().size(); ++i) {
+        const Vec2 p = world.balls().position[i];
+        const Vec2 v = world.balls().velocity[i];
         const bool is_finite =
             std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(v.x) && std::isfinite(v.y);
         outcome.not_finite += !is_finite;
@@ -304,7 +308,7 @@ std::string text(double value) {
 // A ball of radius 1 in a closed box, 60 ticks a second; whether it gets out in three ticks.
 bool escapes(Solver& solver, std::uint64_t shot) {
     World world = scenes::empty();
-    world.rate = 60.0;
+    world.edit_definition().rate = 60.0;
     const double wall = shot % 4 == 0 ? 0.0 : draw(0.0, 1e-3, shot, 5);
     const Vec2 corners[] = {{-50, -50}, {50, -50}, {50, 50}, {-50, 50}};
     for (int i = 0; i < 4; ++i)
@@ -315,7 +319,7 @@ bool escapes(Solver& solver, std::uint64_t shot) {
                                  (shot % 8 == 0 ? 1e6 : draw_size(0, 6, shot, 3))});
     for (int i = 0; i < 3; ++i)
         solver.tick(world);
-    const Vec2 p = world.balls.position[0];
+    const Vec2 p = world.balls().position[0];
     return !(std::fabs(p.x) <= 49.0 + 1e-6 && std::fabs(p.y) <= 49.0 + 1e-6);
 }
 
@@ -339,7 +343,7 @@ TEST_CASE("torture: finite, nothing lost, no energy gained, by the solvers that 
             bool has_hands = false;
             for (std::uint64_t who = 0; who < trial.variants; ++who) {
                 const Ordeal ordeal = trial.make(who);
-                balls += ordeal.world.balls.size();
+                balls += ordeal.world.balls().size();
                 has_hands |= static_cast<bool>(ordeal.drive);
                 run_ordeal(ordeal, kind, outcome);
             }
@@ -395,13 +399,13 @@ TEST_CASE("a ball squeezed between hands does not cost thousands of impacts a ti
     std::size_t most = 0;
     for (int tick = 0; tick < 400; ++tick) {
         const double x = std::max(0.0, 5.0 - 3.0 * world.time());
-        world.held_capsules = {{left, {-x, -6.0}, {-x, 6.0}}, {right, {x, -6.0}, {x, 6.0}}};
+        world.edit_held_capsules() = {{left, {-x, -6.0}, {-x, 6.0}}, {right, {x, -6.0}, {x, 6.0}}};
         solver.tick(world);
         most = std::max(most, solver.contacts().size());
     }
     CHECK(most < 1000);
-    CHECK(std::fabs(world.balls.position[0].x) < 1e-6);
+    CHECK(std::fabs(world.balls().position[0].x) < 1e-6);
     // The hands have stopped where they touch it.
-    CHECK(world.capsules.shape[4].start.x == doctest::Approx(-0.7).epsilon(1e-9));
-    CHECK(world.capsules.shape[5].start.x == doctest::Approx(0.7).epsilon(1e-9));
+    CHECK(world.capsules().shape[4].start.x == doctest::Approx(-0.7).epsilon(1e-9));
+    CHECK(world.capsules().shape[5].start.x == doctest::Approx(0.7).epsilon(1e-9));
 }

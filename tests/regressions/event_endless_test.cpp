@@ -33,9 +33,9 @@ TEST_CASE("event: a ball on a cell border that moves along it is not transferred
             CAPTURE(cells);
             CAPTURE(cell);
             World world = scenes::empty();
-            world.model.wrap = Box{{0.0, 0.0}, {12.0, 12.0}};
-            world.model.drag = 0.5;
-            world.model.gravity = Vec2{0.0, -10.0};
+            world.edit_definition().model.wrap = Box{{0.0, 0.0}, {12.0, 12.0}};
+            world.edit_definition().model.drag = 0.5;
+            world.edit_definition().model.gravity = Vec2{0.0, -10.0};
             for (int i = 0; i < 12; ++i)
                 add_ball(world, {.position = {0.5 + i, 1.0}, .radius = 0.4});
             add_ball(world, {.position = {12.0 * cell / cells, 11.0}, .radius = 0.4});
@@ -49,8 +49,8 @@ TEST_CASE("event: a ball that starts turning on a cell border is not transferred
             CAPTURE(cells);
             CAPTURE(cell);
             World world = scenes::empty();
-            world.model.wrap = Box{{0.0, 0.0}, {12.0, 12.0}};
-            world.model.gravity = Vec2{0.0, -10.0};
+            world.edit_definition().model.wrap = Box{{0.0, 0.0}, {12.0, 12.0}};
+            world.edit_definition().model.gravity = Vec2{0.0, -10.0};
             for (int i = 0; i < 12; ++i)
                 add_ball(world, {.position = {0.5 + i, 1.0}, .radius = 0.4});
             const Vec2 place{12.0 * cell / cells, 11.0};
@@ -58,7 +58,7 @@ TEST_CASE("event: a ball that starts turning on a cell border is not transferred
             add_capsule(world, {peg, peg, 0.6}, 0);
             add_ball(world, {.position = place, .radius = 0.4});
             REQUIRE(ends(world, 1));
-            CHECK(world.paths.back().motion == Motion::turning);
+            CHECK(world.memory().paths.back().motion == Motion::turning);
         }
 }
 
@@ -72,8 +72,8 @@ TEST_CASE(
             world,
             {.position = {2.0, 0.7 - depth * 0.5e-15}, .velocity = {100.0, 0.0}, .radius = 0.5});
         REQUIRE(ends(world, 10));
-        CHECK(world.balls.position[0].x > 10.0);
-        CHECK(world.balls.position[0].y == doctest::Approx(0.7).epsilon(1e-6));
+        CHECK(world.balls().position[0].x > 10.0);
+        CHECK(world.balls().position[0].y == doctest::Approx(0.7).epsilon(1e-6));
     }
 }
 
@@ -84,12 +84,12 @@ TEST_CASE("event: a ball dragged into a wedge stays in it") {
         add_capsule(world, {{0.0, 0.0}, {100.0, 5.0}, 0.0}, 0);
         add_capsule(world, {{0.0, 0.0}, {100.0, -5.0}, 0.0}, 0);
         const BallId ball = add_ball(world, {.position = {20.0, 0.0}, .radius = 0.5});
-        world.held_balls = {{ball, {2.0, target}}};
+        world.edit_held_balls() = {{ball, {2.0, target}}};
         REQUIRE(ends(world, 60));
         // Both edges are as far away as they can be.
         const double deepest = 0.5 * std::sqrt(100.0 * 100.0 + 5.0 * 5.0) / 5.0;
-        CHECK(world.balls.position[0].x == doctest::Approx(deepest).epsilon(1e-6));
-        CHECK(std::abs(world.balls.position[0].y) < 1e-6);
+        CHECK(world.balls().position[0].x == doctest::Approx(deepest).epsilon(1e-6));
+        CHECK(std::abs(world.balls().position[0].y) < 1e-6);
     }
 }
 
@@ -115,12 +115,13 @@ TEST_CASE("event: an approach at the smallest representable speed is no impact")
 // again and again.
 TEST_CASE("event: a slip on cloth that is shorter than the clock resolves ends at once") {
     World world = scenes::empty();
-    world.model.spin = 0.4;
-    world.model.cloth = Cloth{};
-    world.model.lossy = true;
-    world.kinds[0].restitution = world.materials[0].restitution = 0.23479314322297762;
-    world.rate = 91.367009479875293;
-    world.tick = 39;
+    world.edit_definition().model.spin = 0.4;
+    world.edit_definition().model.cloth = Cloth{};
+    world.edit_definition().model.lossy = true;
+    world.edit_definition().kinds[0].restitution =
+        world.edit_definition().materials[0].restitution = 0.23479314322297762;
+    world.edit_definition().rate = 91.367009479875293;
+    world.edit_tick() = 39;
     add_capsule(world, {{0.0, 12.0}, {0.0, 0.0}, 0.1}, 0);
     add_capsule(
         world,
@@ -133,5 +134,5 @@ TEST_CASE("event: a slip on cloth that is shorter than the clock resolves ends a
                      .radius = 0.5,
                      .roll = Vec2{-0.60241657068506416, 0.23396926626568393}});
     CHECK(ends(world, 20));
-    CHECK(length(world.balls.position[0] - corner) < 1e-3);
+    CHECK(length(world.balls().position[0] - corner) < 1e-3);
 }

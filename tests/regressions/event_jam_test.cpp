@@ -15,10 +15,11 @@ namespace {
 
 World under_gravity(double restitution) {
     World world = scenes::empty();
-    world.rate = 100.0;
-    world.model.gravity = Vec2{0.0, -10.0};
-    world.model.lossy = restitution < 1.0;
-    world.kinds[0].restitution = world.materials[0].restitution = restitution;
+    world.edit_definition().rate = 100.0;
+    world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+    world.edit_definition().model.lossy = restitution < 1.0;
+    world.edit_definition().kinds[0].restitution =
+        world.edit_definition().materials[0].restitution = restitution;
     return world;
 }
 
@@ -61,8 +62,8 @@ TEST_CASE("event: a ball rests where a slope meets a wall or an overhang") {
                         world, {{0.0, 0.0}, Vec2{std::cos(other), std::sin(other)} * 40.0, 0.0}, 0);
                     add_ball(world, {.position = place + down * above, .radius = 0.5});
                     CHECK(run(world, 300).contacts < 400);
-                    CHECK(world.paths[0].motion == Motion::resting);
-                    CHECK(length(world.balls.position[0] - place) < 1e-8);
+                    CHECK(world.memory().paths[0].motion == Motion::resting);
+                    CHECK(length(world.balls().position[0] - place) < 1e-8);
                 }
             }
 }
@@ -83,9 +84,9 @@ TEST_CASE("event: a ball that turns round a peg comes to rest against the end of
                 add_capsule(world, {end, end + Vec2{3.0, 0.0}, 0.0}, 0);
                 add_ball(world, {.position = on_peg(angle * share), .radius = 0.5});
                 CHECK(run(world, 1000).contacts < 200);
-                CHECK(world.paths[0].motion == Motion::resting);
-                CHECK(length(world.balls.position[0] - end) - 0.5 > -1e-8);
-                CHECK(length(world.balls.position[0]) - 0.7 > -1e-8);
+                CHECK(world.memory().paths[0].motion == Motion::resting);
+                CHECK(length(world.balls().position[0] - end) - 0.5 > -1e-8);
+                CHECK(length(world.balls().position[0]) - 0.7 > -1e-8);
             }
 }
 
@@ -109,7 +110,7 @@ TEST_CASE("event: a ball that passes from one floor to another slides on the hig
     for (const bool is_flat_first : {false, true}) {
         CAPTURE(is_flat_first);
         World world = under_gravity(1.0);
-        world.model.gravity = Vec2{-2.0, -10.0};
+        world.edit_definition().model.gravity = Vec2{-2.0, -10.0};
         const Capsule flat{{-10.0, 0.0}, {10.0, 0.0}, 0.0};
         const Capsule falling{{-10.0, 0.06}, {10.0, -0.06}, 0.0};
         add_capsule(world, is_flat_first ? flat : falling, 0);
@@ -122,7 +123,7 @@ TEST_CASE("event: a ball that passes from one floor to another slides on the hig
         int asked = 0;
         REQUIRE(solver.tick(world, [&] { return ++asked < 5; }) == TickOutcome::done);
         CHECK(solver.contacts().size() < 2000);
-        CHECK(world.balls.position[0].y > 0.5 - 1e-6);
+        CHECK(world.balls().position[0].y > 0.5 - 1e-6);
     }
 }
 
@@ -138,7 +139,7 @@ TEST_CASE("event: a ball that moves slowly along a floor meets the wall or ball 
                     CAPTURE(restitution);
                     CAPTURE(speed);
                     World world = under_gravity(restitution);
-                    if (drag > 0.0) world.model.drag = drag;
+                    if (drag > 0.0) world.edit_definition().model.drag = drag;
                     add_capsule(world, {{-40.0, 0.0}, {40.0, 0.0}, 0.0}, 0);
                     if (is_wall)
                         add_capsule(world, {{-0.5, -3.0}, {-0.5, 10.0}, 0.0}, 0);
@@ -147,10 +148,10 @@ TEST_CASE("event: a ball that moves slowly along a floor meets the wall or ball 
                     add_ball(world,
                              {.position = {0.0, 0.5}, .velocity = {-speed, 0.0}, .radius = 0.5});
                     CHECK(run(world, 50).contacts < 10);
-                    CHECK(std::abs(world.balls.position.back().y - 0.5) < 1e-9);
+                    CHECK(std::abs(world.balls().position.back().y - 0.5) < 1e-9);
                     if (!is_wall) continue;
                     const double left = restitution * speed * std::exp(-drag * 0.5);
-                    CHECK(std::abs(world.balls.velocity[0].x - left) < 1e-3 * speed);
+                    CHECK(std::abs(world.balls().velocity[0].x - left) < 1e-3 * speed);
                 }
 }
 
@@ -163,7 +164,7 @@ TEST_CASE("event: a ball that moves slowly over the ridge of two edges costs nex
     const double before = static_cast<double>(std::clock());
     CHECK(run(world, 300).contacts < 100);
     CHECK((static_cast<double>(std::clock()) - before) / CLOCKS_PER_SEC < 0.5);
-    CHECK(world.balls.velocity[0].x < -0.01);
+    CHECK(world.balls().velocity[0].x < -0.01);
 }
 
 namespace {
@@ -171,8 +172,8 @@ namespace {
 // Whether a tick ends in which the ball at `from` is dragged to `to`.
 bool ends_with_hand(World world, double spin, Vec2 from, Vec2 to, Vec2 velocity = {}) {
     const BallId held = add_ball(world, {.position = from, .velocity = velocity, .radius = 0.5});
-    world.balls.spin.back() = spin;
-    world.held_balls = {{held, to}};
+    world.edit_balls().spin.back() = spin;
+    world.edit_held_balls() = {{held, to}};
     int asked = 0;
     Solver solver({.kind = SolverKind::event});
     return solver.tick(world, [&] { return ++asked < 20; }) == TickOutcome::done;
@@ -185,11 +186,12 @@ bool ends_with_hand(World world, double spin, Vec2 from, Vec2 to, Vec2 velocity 
 TEST_CASE("event: a ball frozen by the collapse guard stops a jammed ball that meets it") {
     SUBCASE("in a heap driven by a turning edge") {
         World world = under_gravity(0.916212115243346);
-        world.rate = 112.45867869668238;
-        world.model.gravity = Vec2{-1.7595310857244439, -10};
-        world.model.spin = 0.5;
-        world.model.wrap = Box{{0, 0}, {12, 12}};
-        world.kinds[0].friction = world.materials[0].friction = 0.46443842557153525;
+        world.edit_definition().rate = 112.45867869668238;
+        world.edit_definition().model.gravity = Vec2{-1.7595310857244439, -10};
+        world.edit_definition().model.spin = 0.5;
+        world.edit_definition().model.wrap = Box{{0, 0}, {12, 12}};
+        world.edit_definition().kinds[0].friction = world.edit_definition().materials[0].friction =
+            0.46443842557153525;
         add_capsule(world, {{0, 0}, {12, 0}, 0.1}, 0);
         const Vec2 peg{2.1293809267449784, 1.5668510420726591};
         add_capsule(world, {peg, peg, 0.1}, 0);
@@ -199,16 +201,17 @@ TEST_CASE("event: a ball frozen by the collapse guard stops a jammed ball that m
         add_ball(world, {.position = {9.49, 0.86}, .radius = 0.5});
         add_ball(world, {.position = {10.6, 0.7}, .radius = 0.5});
         add_ball(world, {.position = {0.27, 1.34}, .radius = 0.5});
-        world.balls.spin = {20, -48, 35, 15};
+        world.edit_balls().spin = {20, -48, 35, 15};
         CHECK(
             ends_with_hand(world, 52.0, {1.934, 2.203}, {9.0693224385413487, 9.2722200228548353}));
     }
     SUBCASE("in a row pushed into a corner") {
         World world = under_gravity(1.0);
-        world.rate = 206.57188127763254;
-        world.model.gravity = Vec2{-2.2018241751008993, -10};
-        world.model.spin = 0.5;
-        world.kinds[0].friction = world.materials[0].friction = 0.94052894293176059;
+        world.edit_definition().rate = 206.57188127763254;
+        world.edit_definition().model.gravity = Vec2{-2.2018241751008993, -10};
+        world.edit_definition().model.spin = 0.5;
+        world.edit_definition().kinds[0].friction = world.edit_definition().materials[0].friction =
+            0.94052894293176059;
         add_capsule(world,
                     {{4.1309338014005164, 4.9396118786715899},
                      {7.1309338014005164, 4.9396118786715899},
@@ -226,7 +229,7 @@ TEST_CASE("event: a ball frozen by the collapse guard stops a jammed ball that m
         add_ball(world, {.position = {3, 2.2}, .velocity = {0, -4}, .radius = 0.5});
         add_ball(world, {.position = {4.56, 2.89}, .velocity = {-1, 2}, .radius = 0.5});
         add_ball(world, {.position = {5.4, 4.1}, .velocity = {5, 2}, .radius = 0.5});
-        world.balls.spin = {17, -3, 3};
+        world.edit_balls().spin = {17, -3, 3};
         CHECK(ends_with_hand(world, -51.0, {1.1, 1.7}, {4.9943903145599524, 2.1040505287905988},
                              {34, -25}));
     }

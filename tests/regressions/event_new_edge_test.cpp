@@ -15,8 +15,8 @@ TEST_CASE("event: an edge moved to a place that a ball has passed does not stop 
     for (const int when : {60, 110, 125, 135}) {
         CAPTURE(when);
         World world = scenes::empty();
-        world.rate = 100.0;
-        world.model.gravity = Vec2{0.0, -10.0};
+        world.edit_definition().rate = 100.0;
+        world.edit_definition().model.gravity = Vec2{0.0, -10.0};
         add_ball(world, {.velocity = {0.0, 10.0}, .radius = 0.5});
         Solver solver({.kind = SolverKind::event});
         int contacts = 0;

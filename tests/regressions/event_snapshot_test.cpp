@@ -26,8 +26,9 @@ int first_difference(World& world, int ticks) {
         Solver stranger({.kind = SolverKind::event});
         stranger.tick(copy);
         solver.tick(world);
-        if (fingerprint(copy) != fingerprint(world) || copy.paths != world.paths ||
-            copy.path_bends != world.path_bends)
+        if (fingerprint(copy) != fingerprint(world) ||
+            copy.memory().paths != world.memory().paths ||
+            copy.memory().path_bends != world.memory().path_bends)
             return tick;
     }
     return -1;
@@ -35,9 +36,9 @@ int first_difference(World& world, int ticks) {
 
 World lossy() {
     World world = scenes::empty();
-    world.model.gravity = Vec2{0.0, -10.0};
-    world.kinds[0].restitution = 0.5;
-    world.materials[0].restitution = 0.5;
+    world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+    world.edit_definition().kinds[0].restitution = 0.5;
+    world.edit_definition().materials[0].restitution = 0.5;
     return world;
 }
 
@@ -67,11 +68,11 @@ TEST_CASE("event: a snapshot continues with the same bits if balls rest deep in 
                              .restitution = 0.5});
             add_capsule(world, row.edge, 0);
             Solver({.kind = SolverKind::event}).tick(world);
-            REQUIRE(world.paths[0].motion == row.motion);
-            const double began = world.paths[0].time;
+            REQUIRE(world.memory().paths[0].motion == row.motion);
+            const double began = world.memory().paths[0].time;
             CHECK(first_difference(world, 8) == -1);
             // Trajectories continue from tick to tick.
-            if (row.motion == Motion::resting) CHECK(world.paths[0].time == began);
+            if (row.motion == Motion::resting) CHECK(world.memory().paths[0].time == began);
         }
     }
 }
@@ -82,14 +83,14 @@ TEST_CASE("event: a support that has been moved no longer carries its ball") {
     const CapsuleId floor = add_capsule(world, {{-2.0, 0.0}, {2.0, 0.0}, 0.0}, 0);
     Solver solver({.kind = SolverKind::event});
     solver.tick(world);
-    REQUIRE(world.paths[0].motion == Motion::resting);
+    REQUIRE(world.memory().paths[0].motion == Motion::resting);
     // The ball still touches the support, but now slides down.
-    world.capsules.shape[0] = {{-2.0, 1.0}, {2.0, -1.0}, 0.0};
-    world.balls.position[0] = {0.25 * std::sqrt(0.8), 0.5 * std::sqrt(0.8)};
+    world.edit_capsules().shape[0] = {{-2.0, 1.0}, {2.0, -1.0}, 0.0};
+    world.edit_balls().position[0] = {0.25 * std::sqrt(0.8), 0.5 * std::sqrt(0.8)};
     solver.tick(world);
     REQUIRE(index_of(world, floor) == 0);
-    CHECK(world.paths[0].motion == Motion::sliding);
-    CHECK(world.balls.velocity[0].x > 0.0);
+    CHECK(world.memory().paths[0].motion == Motion::sliding);
+    CHECK(world.balls().velocity[0].x > 0.0);
 }
 
 TEST_CASE("event: a snapshot continues with the same bits if a ball circles a torus") {
@@ -98,10 +99,10 @@ TEST_CASE("event: a snapshot continues with the same bits if a ball circles a to
             CAPTURE(falls);
             CAPTURE(slows);
             World world = scenes::empty();
-            world.model.wrap = Box{{0.0, 0.0}, {7.0, 5.0}};
-            if (falls) world.model.gravity = Vec2{0.3, -3.0};
-            if (slows) world.model.drag = 0.02;
-            world.model.ball_ball = false;
+            world.edit_definition().model.wrap = Box{{0.0, 0.0}, {7.0, 5.0}};
+            if (falls) world.edit_definition().model.gravity = Vec2{0.3, -3.0};
+            if (slows) world.edit_definition().model.drag = 0.02;
+            world.edit_definition().model.ball_ball = false;
             for (const double speed : {200.0, -300.0, 3000.0})
                 add_ball(world, {.position = {1.0, 1.0}, .velocity = {speed, 33.0}, .radius = 0.3});
             CHECK(first_difference(world, 300) == -1);
@@ -118,32 +119,32 @@ TEST_CASE("event: a snapshot continues with the same bits if a ball's support is
         Solver solver({.kind = SolverKind::event});
         for (int tick = 0; tick < 120; ++tick)
             solver.tick(world);
-        REQUIRE(world.paths[1].motion == Motion::resting);
-        REQUIRE(world.path_bends[1].support.by == PathSupport::By::ball);
-        REQUIRE(world.paths[1].quick > 0);
-        world.balls.position[0] += push;
-        world.balls.velocity[0].y = 0.1;
+        REQUIRE(world.memory().paths[1].motion == Motion::resting);
+        REQUIRE(world.memory().path_bends[1].support.by == PathSupport::By::ball);
+        REQUIRE(world.memory().paths[1].quick > 0);
+        world.edit_balls().position[0] += push;
+        world.edit_balls().velocity[0].y = 0.1;
         World copy = world;
         Solver({.kind = SolverKind::event}).tick(copy);
         solver.tick(world);
-        CHECK(copy.paths == world.paths);
-        CHECK(copy.path_bends == world.path_bends);
-        CHECK(world.paths[1].motion != Motion::resting);
+        CHECK(copy.memory().paths == world.memory().paths);
+        CHECK(copy.memory().path_bends == world.memory().path_bends);
+        CHECK(world.memory().paths[1].motion != Motion::resting);
     }
 }
 
 TEST_CASE("event: a ball pushed over the seam of a torus meets the ball there") {
     World world = scenes::empty();
-    world.model.wrap = Box{{0.0, 0.0}, {10.0, 10.0}};
+    world.edit_definition().model.wrap = Box{{0.0, 0.0}, {10.0, 10.0}};
     add_ball(world, {.position = {9.0, 5.0}, .radius = 0.5});
     add_ball(world, {.position = {3.0, 5.0}, .radius = 0.5});
     Solver solver({.kind = SolverKind::event});
     solver.tick(world);
-    world.balls.position[0].x = 10.5;
-    world.balls.velocity[0].x = 1.0;
+    world.edit_balls().position[0].x = 10.5;
+    world.edit_balls().velocity[0].x = 1.0;
     for (int tick = 0; tick < 240; ++tick)
         solver.tick(world);
-    CHECK(world.ball_ball_collisions == 1);
+    CHECK(world.ball_ball_collisions() == 1);
 }
 
 TEST_CASE("event: a snapshot continues with the same bits if balls are placed inside each other") {
@@ -179,12 +180,12 @@ TEST_CASE("event: a snapshot continues with the same bits if balls are placed in
 
 TEST_CASE("event: a gravity of -0 gives the same bits as a gravity of 0") {
     World whole = scenes::gas(30, 5);
-    whole.model.gravity = Vec2{0.0, 0.0};
+    whole.edit_definition().model.gravity = Vec2{0.0, 0.0};
     World parted = whole;
     Solver solver({.kind = SolverKind::event});
     for (int tick = 0; tick < 30; ++tick) {
         const Vec2 gravity{tick % 2 == 0 ? -0.0 : 0.0, tick % 3 == 0 ? -0.0 : 0.0};
-        whole.model.gravity = parted.model.gravity = gravity;
+        whole.edit_definition().model.gravity = parted.edit_definition().model.gravity = gravity;
         solver.tick(whole);
         Solver({.kind = SolverKind::event}).tick(parted);
         REQUIRE(fingerprint(whole) == fingerprint(parted));
@@ -194,16 +195,16 @@ TEST_CASE("event: a gravity of -0 gives the same bits as a gravity of 0") {
 TEST_CASE("event: a model that gains cloth has no hybrid step any more") {
     World world = scenes::bucket(40, 0.3);
     Solver solver({.kind = SolverKind::event});
-    for (int tick = 0; tick < 3000 && world.heaped.empty(); ++tick)
+    for (int tick = 0; tick < 3000 && world.memory().heaped.empty(); ++tick)
         solver.tick(world);
-    REQUIRE(!world.heaped.empty());
-    world.model.gravity.reset();
-    world.model.spin = 0.4;
-    world.model.cloth = Cloth{};
-    world.balls.spin.assign(world.balls.size(), 0.0);
-    world.balls.roll.assign(world.balls.size(), Vec2{});
+    REQUIRE(!world.memory().heaped.empty());
+    world.edit_definition().model.gravity.reset();
+    world.edit_definition().model.spin = 0.4;
+    world.edit_definition().model.cloth = Cloth{};
+    world.edit_balls().spin.assign(world.balls().size(), 0.0);
+    world.edit_balls().roll.assign(world.balls().size(), Vec2{});
     CHECK(solver.tick(world) != TickOutcome::given_up);
-    CHECK(world.heaped.empty());
+    CHECK(world.memory().heaped.empty());
 }
 
 // A trajectory that crossed such an edge in the past restarted when its ball entered a cell near
@@ -214,7 +215,7 @@ TEST_CASE("event: a snapshot continues with the same bits if an edge moves to a 
             CAPTURE(speed);
             CAPTURE(ago);
             World world = lossy();
-            world.rate = 60.0;
+            world.edit_definition().rate = 60.0;
             add_ball(world, {.position = {0.0, 0.0}, .velocity = {6.0, 3.0}, .radius = 0.5});
             // Two flocks make the cells small. They separate until a fresh solver has other cells.
             for (int i = 0; i < 100; ++i) {
@@ -227,7 +228,7 @@ TEST_CASE("event: a snapshot continues with the same bits if an edge moves to a 
             std::vector<Vec2> was;
             Solver solver({.kind = SolverKind::event});
             for (int tick = 0; tick < 24; ++tick) {
-                was.push_back(world.balls.position[0]);
+                was.push_back(world.balls().position[0]);
                 solver.tick(world);
             }
             const Vec2 there = was[was.size() - ago];
@@ -250,8 +251,8 @@ TEST_CASE("event: a snapshot continues with the same bits under drag with wide c
     for (const Row& row : rows) {
         CAPTURE(row.wall);
         World world = scenes::empty();
-        world.rate = 100.0;
-        world.model.drag = 0.3;
+        world.edit_definition().rate = 100.0;
+        world.edit_definition().model.drag = 0.3;
         const Vec2 corners[] = {{-40.0, -40.0}, {40.0, -40.0}, {40.0, 40.0}, {-40.0, 40.0}};
         for (int i = 0; i < 4; ++i)
             add_capsule(world, {corners[i], corners[(i + 1) % 4], 0.0}, 0);

@@ -14,7 +14,7 @@ TEST_CASE("event: a ball that has circled a torus hundreds of times still meets 
     for (const double speed : {100.0, 1'000.0, 20'000.0}) {
         CAPTURE(speed);
         World world = scenes::empty();
-        world.model.wrap = Box{{0.0, 0.0}, {10.0, 10.0}};
+        world.edit_definition().model.wrap = Box{{0.0, 0.0}, {10.0, 10.0}};
         add_ball(world, {.position = {5.0, 5.0}, .velocity = {speed, 0.0}, .radius = 0.5});
         add_ball(world, {.position = {2.0, 9.0}, .velocity = {0.0, -1.0}, .radius = 0.5});
         Solver solver({.kind = SolverKind::event});
@@ -29,8 +29,9 @@ TEST_CASE("event: a ball that has circled a torus hundreds of times still meets 
         const Vec2 slow{2.0, 9.0 - contacts[0].time};
         CHECK(length(contacts[0].point - slow) == doctest::Approx(0.5).epsilon(1e-6));
         // The rows of the two overlap from the third second to the fifth.
-        CHECK(world.ball_ball_collisions > 0);
-        CHECK(length_squared(world.balls.velocity[0]) + length_squared(world.balls.velocity[1]) ==
+        CHECK(world.ball_ball_collisions() > 0);
+        CHECK(length_squared(world.balls().velocity[0]) +
+                  length_squared(world.balls().velocity[1]) ==
               doctest::Approx(energy).epsilon(1e-12));
     }
 }

@@ -34,9 +34,9 @@ TEST_CASE("each pair has one contact, not two") {
         Solver solver({.kind = kind});
         solver.tick(world);
         CHECK(solver.contacts().size() == 1);
-        CHECK(world.ball_ball_collisions == 1);
+        CHECK(world.ball_ball_collisions() == 1);
         // With two contacts the balls would exchange velocities twice, and not bounce at all.
-        CHECK(world.balls.velocity[0].x == doctest::Approx(-2.0));
+        CHECK(world.balls().velocity[0].x == doctest::Approx(-2.0));
     }
 }
 
@@ -46,7 +46,7 @@ TEST_CASE("in a row of touching balls, separating one pair pushes the next toget
         World world = scenes::empty();
         for (int i = 0; i < 6; ++i)
             add_ball(world, {.position = {2.0 * i, 0}, .velocity = {}});
-        world.balls.position[0].x += 0.5;  // pushed in from the left
+        world.edit_balls().position[0].x += 0.5;  // pushed in from the left
         return world;
     };
     World discrete = row();
@@ -61,8 +61,8 @@ TEST_CASE("in a row of touching balls, separating one pair pushes the next toget
     World swept = scenes::empty();
     for (int i = 0; i < 6; ++i)
         add_ball(swept, {.position = {2.0 * i, 0}, .velocity = {}});
-    swept.balls.position[0].x -= 3.0;
-    swept.balls.velocity[0].x = 60.0;
+    swept.edit_balls().position[0].x -= 3.0;
+    swept.edit_balls().velocity[0].x = 60.0;
     Solver solver({.kind = SolverKind::swept});
     for (int i = 0; i < 20; ++i) {
         solver.tick(swept);
@@ -77,8 +77,8 @@ TEST_CASE("balls do not stick together after a bounce") {
         add_ball(world, {.position = {0, 0}, .velocity = {30, 1}});
         add_ball(world, {.position = {5, 0.7}, .velocity = {-20, 0}});
         run(world, kind, 60);
-        CHECK(world.ball_ball_collisions == 1);
-        CHECK(distance(world.balls.position[0], world.balls.position[1]) > 10.0);
+        CHECK(world.ball_ball_collisions() == 1);
+        CHECK(distance(world.balls().position[0], world.balls().position[1]) > 10.0);
     }
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("no ball gains energy from a distance that is reused after the balls w
         CAPTURE(name(kind));
         // Repeated deep, oblique overlaps of three bodies at once.
         World world = scenes::empty();
-        world.rate = 10.0;
+        world.edit_definition().rate = 10.0;
         scenes::add_walls(world, {{0, 0}, {14, 14}});
         for (int i = 0; i < 9; ++i)
             add_ball(world, {.position = {2.5 + 4 * (i % 3), 2.5 + 4 * (i / 3)},
@@ -107,9 +107,9 @@ TEST_CASE(
         add_ball(world, {.position = {0, 0}, .velocity = {}, .radius = 15});
         add_ball(world, {.position = {29.999999999999996, 0}, .velocity = {}, .radius = 15});
         run(world, kind, 100);
-        CHECK(world.ball_ball_collisions == 0);
-        CHECK(world.balls.velocity[0] == Vec2{});
-        CHECK(world.balls.position[0].x == doctest::Approx(0.0));
+        CHECK(world.ball_ball_collisions() == 0);
+        CHECK(world.balls().velocity[0] == Vec2{});
+        CHECK(world.balls().position[0].x == doctest::Approx(0.0));
     }
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("two balls with the same centre: no division by zero") {
         add_ball(world, {.position = {0, 0}, .velocity = {-1, 0}});
         add_ball(world, {.position = {3, 0}, .velocity = {0, 2}});  // on the centre of a peg
         run(world, kind, 50);
-        for (const Vec2 p : world.balls.position)
+        for (const Vec2 p : world.balls().position)
             CHECK((std::isfinite(p.x) && std::isfinite(p.y)));
         CHECK(totals(world).kinetic_energy == doctest::Approx(3.0).epsilon(1e-12));
     }
@@ -131,11 +131,11 @@ TEST_CASE("two balls with the same centre: no division by zero") {
 TEST_CASE("bullet through paper: a fast ball and a thin wall") {
     const auto through = [](SolverKind kind) {
         World world = scenes::empty();
-        world.rate = 60.0;
+        world.edit_definition().rate = 60.0;
         add_capsule(world, {{0, -50}, {0, 50}, 0.05}, 0);
         add_ball(world, {.position = {-10, 3}, .velocity = {900, 0}, .radius = 0.5});
         run(world, kind, 3);
-        return world.balls.position[0].x > 0.0;
+        return world.balls().position[0].x > 0.0;
     };
     CHECK_FALSE(through(SolverKind::swept));
     // Inherent: the ball moves 15 in a tick; ball and wall together are 1.1 thick.
@@ -147,7 +147,7 @@ TEST_CASE("the neighbours tested for a ball do not grow with the number of balls
     const auto looks_a_ball = [](std::size_t count) {
         const World world = scenes::gas(count, 3);
         PointCells cells;
-        cells.rebuild(frame_around(world, 2.0), world.balls.position);
+        cells.rebuild(frame_around(world, 2.0), world.balls().position);
         std::size_t looks = 0;
         for (std::size_t i = 0; i < count; ++i)
             cells.for_each_near(i, [&](std::uint32_t) { ++looks; });
@@ -161,20 +161,20 @@ TEST_CASE("the neighbours tested for a ball do not grow with the number of balls
 TEST_CASE("a ball never quite stops under drag: use stop") {
     for (const SolverKind kind : solvers_available()) {
         World world = scenes::empty();
-        world.model.drag = 2.0;
+        world.edit_definition().model.drag = 2.0;
         add_ball(world, {.position = {0, 0}, .velocity = {5, 0}});
         World stopping = world;
-        stopping.model.stop_speed = 0.01;
+        stopping.edit_definition().model.stop_speed = 0.01;
         run(world, kind, 1200);
         run(stopping, kind, 1200);
-        CHECK(world.balls.velocity[0].x > 0.0);
-        CHECK(stopping.balls.velocity[0] == Vec2{});
+        CHECK(world.balls().velocity[0].x > 0.0);
+        CHECK(stopping.balls().velocity[0] == Vec2{});
     }
 }
 
 TEST_CASE("admired for running in 2 MB: ten thousand balls are well inside it") {
     const World world = scenes::gas(10'000, 1);
-    const Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     const std::size_t bytes =
         balls.id.size() * sizeof(BallId) + balls.position.size() * sizeof(Vec2) +
         balls.velocity.size() * sizeof(Vec2) + balls.radius.size() * sizeof(double) +
@@ -189,8 +189,8 @@ TEST_CASE("a squeeze without a solution blasts out") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
         World world = scenes::empty();
-        world.materials[0].restitution = 0.6;
-        world.kinds[0].restitution = 0.6;
+        world.edit_definition().materials[0].restitution = 0.6;
+        world.edit_definition().kinds[0].restitution = 0.6;
         scenes::add_walls(world, {{0, 0}, {14, 8}});
         const CapsuleId lid = add_capsule(world, {{13, -1}, {13, 9}, 0.5}, 0);
         for (int i = 0; i < 12; ++i)
@@ -200,14 +200,14 @@ TEST_CASE("a squeeze without a solution blasts out") {
         double jumped = 0.0;  // longest displacement in one tick after the lid has turned
         for (int i = 0; i < 480; ++i) {
             const double x = i < 240 ? std::max(4.0, 13.0 - i * 0.05) : 4.0 + (i - 240) * 0.03;
-            world.held_capsules = {{lid, {x, -1}, {x, 9}}};
-            const std::vector<Vec2> before = world.balls.position;
+            world.edit_held_capsules() = {{lid, {x, -1}, {x, 9}}};
+            const std::vector<Vec2> before = world.balls().position;
             solver.tick(world);
             for (std::size_t b = 0; i >= 240 && b < before.size(); ++b)
-                jumped = std::max(jumped, distance(before[b], world.balls.position[b]));
+                jumped = std::max(jumped, distance(before[b], world.balls().position[b]));
         }
         int outside = 0;
-        for (const Vec2 p : world.balls.position) {
+        for (const Vec2 p : world.balls().position) {
             CHECK((std::isfinite(p.x) && std::isfinite(p.y)));
             outside += !contains(Box{{0.0, 0.0}, {14.0, 8.0}}, p);
         }

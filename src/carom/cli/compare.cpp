@@ -19,7 +19,7 @@ namespace {
 Choice choice_of(const CompareOptions::Side& side, const Scene& scene) {
     const SolverSettings own = solver_for(scene);
     return {own.kind == side.kind ? own : SolverSettings{.kind = side.kind},
-            side.rate.value_or(scene.world.rate)};
+            side.rate.value_or(scene.world.rate())};
 }
 
 CompareSettings settings_of(const CompareOptions& options, const Scene& scene) {
@@ -42,7 +42,7 @@ Comparison compare_with_bar(const Scene& scene, const CompareSettings& settings)
 
 int compare_scene(const CompareOptions& options, const Scene& scene) {
     for (const CompareOptions::Side& side : options.solvers) {
-        if (supports(side.kind, scene.world.model)) continue;
+        if (supports(side.kind, scene.world.model())) continue;
         print_error(fmt::format("solver {} does not know cloth", name(side.kind)));
         return 2;
     }

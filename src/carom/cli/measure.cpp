@@ -87,7 +87,7 @@ class Outputs {
 
 int measure_scene(const MeasureOptions& options, const Scene& scene) {
     for (const SolverKind kind : options.solvers) {
-        if (supports(kind, scene.world.model)) continue;
+        if (supports(kind, scene.world.model())) continue;
         print_error(fmt::format("solver {} does not know cloth", name(kind)));
         return 2;
     }

@@ -47,7 +47,7 @@ class Outputs {
         if (trace_) trace_->write(trace_header(world) + trace_rows(world));
     }
     void write_tick(const World& world, const Solver& solver) {
-        if (events_) events_->write(event_lines(solver.contacts(), world.tick));
+        if (events_) events_->write(event_lines(solver.contacts(), world.tick()));
         if (trace_) trace_->write(trace_rows(world));
     }
     void write_report(std::string_view json) {
@@ -111,14 +111,14 @@ std::optional<std::string> clash(const RunOptions& options) {
 }
 
 void mark(Replay& replay, const World& world, const GameState& game) {
-    replay.marks.push_back({world.tick, fingerprint(world, game)});
+    replay.marks.push_back({world.tick(), fingerprint(world, game)});
 }
 
 void tell_too_dense(const World& world) {
     print_note(
         fmt::format("note: too dense for events: time stood still in tick {} ({:.6g} s), and "
                     "maybe in later ones\n",
-                    world.tick, world.time()));
+                    world.tick(), world.time()));
 }
 
 // Runs until the end, a signal, a failing output, or a closed pipe. Returns the time that the
@@ -129,7 +129,7 @@ double simulate(const Scene& scene, World& world, GameState& game, RunRecord& re
     Clock::duration cost{};
     bool is_told = false;
     Progress progress(ticks);
-    while (world.tick < ticks && InterruptGuard::signal() == 0) {
+    while (world.tick() < ticks && InterruptGuard::signal() == 0) {
         const Clock::time_point before = Clock::now();
         const TickOutcome outcome =
             solver.tick(world, [] { return InterruptGuard::signal() == 0; });
@@ -139,10 +139,10 @@ double simulate(const Scene& scene, World& world, GameState& game, RunRecord& re
             tell_too_dense(world);
         update_game(scene, world, game, solver.contacts());
         note_tick(record, scene, world);
-        if (world.tick % mark_interval(world.rate) == 0) mark(replay, world, game);
+        if (world.tick() % mark_interval(world.rate()) == 0) mark(replay, world, game);
         outputs.write_tick(world, solver);
         if (!outputs.error().empty() || outputs.is_pointless()) break;
-        progress.update(world.tick);
+        progress.update(world.tick());
     }
     return std::chrono::duration<double>(cost).count();
 }
@@ -175,13 +175,13 @@ int run_scene(const RunOptions& options, const Scene& scene) {
     replay.program = version();
     mark(replay, world, game);
     outputs.write_start(world);
-    const std::uint64_t ticks = ticks_to_run(options, world.rate);
+    const std::uint64_t ticks = ticks_to_run(options, world.rate());
     const double seconds = simulate(scene, world, game, record, solver, outputs, replay, ticks);
     record.tallies = tallies(game);
-    if (world.tick == ticks) note_end(record, scene, world);
+    if (world.tick() == ticks) note_end(record, scene, world);
     outputs.write_report(report_json(options.level, scene, world, record, seconds));
-    if (replay.marks.back().tick < world.tick) mark(replay, world, game);
-    replay.end = replay.stands = world.tick;
+    if (replay.marks.back().tick < world.tick()) mark(replay, world, game);
+    replay.end = replay.stands = world.tick();
     outputs.write_recording(replay);
     outputs.commit();
     if (!outputs.error().empty()) {

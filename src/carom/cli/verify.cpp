@@ -67,7 +67,7 @@ int verify(const VerifyOptions& options) {
         const InterruptGuard guard;
         Progress progress(replay.end);
         while (InterruptGuard::signal() == 0 && replayer.advance(1))
-            progress.update(replayer.session().world().tick);
+            progress.update(replayer.session().world().tick());
     }
     if (const int signal = InterruptGuard::signal()) die_of(signal);
     if (replayer.failure()) {

@@ -37,7 +37,7 @@ std::optional<SolverKind> next_kind(std::optional<SolverKind> last, SolverKind o
 bool Companion::next_comparison(const Session& session) {
     const std::optional<SolverKind> last =
         comparison_ ? std::optional(comparison_->solver().kind) : std::nullopt;
-    const auto next = next_kind(last, session.solver().kind, session.world().model);
+    const auto next = next_kind(last, session.solver().kind, session.world().model());
     comparison_.reset();
     memory_ = {};
     if (!next) return false;
@@ -69,7 +69,7 @@ void Companion::follow_closely(const Session& session, const KeepGoing& keep_goi
 }
 
 bool Companion::is_behind(const Session& session) const {
-    return (comparison_ && comparison_->world().tick != session.world().tick) ||
+    return (comparison_ && comparison_->world().tick() != session.world().tick()) ||
            (ensemble_ && ensemble_->is_behind(session));
 }
 
@@ -121,8 +121,8 @@ void Companion::draw(Canvas& canvas, const Session& session, Camera camera,
     draw_world(canvas, camera, session.scene(), other, comparison_->contacts(), marks, view,
                memory_);
     const auto title = [](const SolverSettings& solver, const World& world) {
-        return HalfTitle{solver_text(solver), world.tick,
-                         world.ball_ball_collisions + world.ball_edge_collisions};
+        return HalfTitle{solver_text(solver), world.tick(),
+                         world.ball_ball_collisions() + world.ball_edge_collisions()};
     };
     draw_split(canvas, split_, title(session.solver(), own), title(comparison_->solver(), other),
                view.look);

@@ -15,18 +15,18 @@ std::optional<double> relative(double change, double scale) {
 
 void ConservedReference::set(const World& world) {
     const Totals sums = totals(world);
-    tick_ = world.tick;
+    tick_ = world.tick();
     energy_ = sums.kinetic_energy + sums.potential_energy;
     momentum_ = sums.momentum;
     momentum_scale_ = 0.0;
-    for (std::size_t i = 0; i < world.balls.size(); ++i)
-        momentum_scale_ += length(world.balls.velocity[i]) / world.balls.inverse_mass[i];
+    for (std::size_t i = 0; i < world.balls().size(); ++i)
+        momentum_scale_ += length(world.balls().velocity[i]) / world.balls().inverse_mass[i];
 }
 
 void ConservedReference::watch_commands(const Session& session) {
     const auto commands = session.commands();
     const auto next =
-        std::ranges::upper_bound(commands, session.world().tick, {}, &TimedCommand::tick);
+        std::ranges::upper_bound(commands, session.world().tick(), {}, &TimedCommand::tick);
     const auto count = static_cast<std::size_t>(next - commands.begin());
     if (count != commands_watched_) set(session.world());
     commands_watched_ = count;

@@ -25,7 +25,7 @@ class Ensemble {
     /// `keep_going` within long ticks; where one of them says no, the rest is left to the next
     /// call.
     bool follow(const Session& session, const MayGoOn& may_go_on, const KeepGoing& keep_going);
-    bool is_behind(const Session& session) const { return tick_ != session.world().tick; }
+    bool is_behind(const Session& session) const { return tick_ != session.world().tick(); }
 
     std::span<const World> copies() const { return butterfly_.copies(); }
     /// See WorldEnsemble::spread; in radii, of the last tick that all copies have completed.

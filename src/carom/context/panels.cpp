@@ -58,7 +58,7 @@ void Panels::cut(CellArea& area, const Scene& scene, bool is_split) {
 
 void Panels::sample(const World& world) {
     const Totals sums = totals(world);
-    energy_.add({world.tick, sums.kinetic_energy, sums.potential_energy});
+    energy_.add({world.tick(), sums.kinetic_energy, sums.potential_energy});
 }
 
 void Panels::draw(Canvas& canvas, const Session& session, const Look& look) const {

@@ -51,7 +51,7 @@ void PlaybackClock::seek_collision() {
 std::uint64_t PlaybackClock::advance(Session& session, double seconds, const MayGoOn& may_go_on) {
     if (is_seeking()) return seek(session, may_go_on);
     if (is_paused_) return 0;
-    due_ += seconds * speed() * session.world().rate;
+    due_ += seconds * speed() * session.world().rate();
     std::uint64_t ticks = 0;
     bool dropped = false;
     while (due_ >= 1.0) {
@@ -72,7 +72,7 @@ std::uint64_t PlaybackClock::advance(Session& session, double seconds, const May
 }
 
 std::uint64_t PlaybackClock::seek(Session& session, const MayGoOn& may_go_on) {
-    const double most = longest_search * session.world().rate;
+    const double most = longest_search * session.world().rate();
     if (static_cast<double>(seeking_) > most) seeking_ = static_cast<std::uint64_t>(most) + 1;
     std::uint64_t ticks = 0;
     do {

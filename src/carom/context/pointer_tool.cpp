@@ -11,25 +11,25 @@ namespace {
 
 /// On a torus, the image of the point that lies in it.
 Vec2 inside(const World& world, Vec2 point) {
-    if (!world.model.wrap) return point;
-    const Vec2 middle = center(*world.model.wrap);
+    if (!world.model().wrap) return point;
+    const Vec2 middle = center(*world.model().wrap);
     return middle + offset(world, middle, point);
 }
 
 std::optional<Vec2> place_of(const World& world, BallId ball) {
     const auto index = index_of(world, ball);
     if (!index) return std::nullopt;
-    return world.balls.position[*index];
+    return world.balls().position[*index];
 }
 
 /// Whether the world already holds what the command asks for, at the place that it asks for.
 bool is_held_so(const World& world, const Command& command) {
     if (const auto* hold = std::get_if<command::HoldBall>(&command))
-        return std::ranges::any_of(world.held_balls, [&](const HeldBall& held) {
+        return std::ranges::any_of(world.held_balls(), [&](const HeldBall& held) {
             return held.id == hold->ball && held.target == hold->target;
         });
     const auto& hold = std::get<command::HoldCapsule>(command);
-    return std::ranges::any_of(world.held_capsules, [&](const HeldCapsule& held) {
+    return std::ranges::any_of(world.held_capsules(), [&](const HeldCapsule& held) {
         return held.id == hold.capsule && held.start_target == hold.start_target &&
                held.end_target == hold.end_target;
     });
@@ -40,8 +40,8 @@ bool is_held_so(const World& world, const Command& command) {
 std::uint64_t foresight(const World& world) {
     constexpr double seconds = 1.5;
     constexpr double most_ball_ticks = 20000.0;
-    const double balls = static_cast<double>(world.balls.size()) + 1.0;
-    return static_cast<std::uint64_t>(std::min(seconds * world.rate, most_ball_ticks / balls));
+    const double balls = static_cast<double>(world.balls().size()) + 1.0;
+    return static_cast<std::uint64_t>(std::min(seconds * world.rate(), most_ball_ticks / balls));
 }
 
 }  // namespace
@@ -141,7 +141,7 @@ Complaint PointerTool::open(Session& session) {
 
 void PointerTool::cancel(Session& session) {
     if (const auto* held = std::get_if<BallInHand>(&state_)) {
-        if (std::ranges::count(session.world().held_balls, held->ball, &HeldBall::id))
+        if (std::ranges::count(session.world().held_balls(), held->ball, &HeldBall::id))
             session.apply(command::DropBall{held->ball});
     } else if (const auto* edges = std::get_if<EdgesInHand>(&state_)) {
         for (const Command& command : drop(session.world(), edges->grip))
@@ -153,9 +153,9 @@ void PointerTool::cancel(Session& session) {
 void PointerTool::prepare(Session& session) {
     for (const Command& command : holds(session.world()))
         if (!is_held_so(session.world(), command)) session.apply(command);
-    if (session.world().tick < session.latest()) return;
-    const std::vector<HeldBall> balls = session.world().held_balls;
-    const std::vector<HeldCapsule> edges = session.world().held_capsules;
+    if (session.world().tick() < session.latest()) return;
+    const std::vector<HeldBall> balls = session.world().held_balls();
+    const std::vector<HeldCapsule> edges = session.world().held_capsules();
     for (const HeldBall& held : balls)
         if (!holds_ball(held.id)) session.apply(command::DropBall{held.id});
     for (const HeldCapsule& held : edges)

@@ -15,7 +15,7 @@ void go_to(PlayContext& play, std::uint64_t tick) {
     play.pointer.tool.forget();
     play.session.go_to(tick);
     play.companion.follow_closely(play.session, play.keep_going);
-    if (play.session.world().tick < play.reference.tick()) set_reference(play);
+    if (play.session.world().tick() < play.reference.tick()) set_reference(play);
 }
 
 void tell_outcome(PlayContext& play) {
@@ -36,7 +36,7 @@ bool step(PlayContext& play) {
 }
 
 std::uint64_t ticks_in_a_second(const PlayContext& play) {
-    return static_cast<std::uint64_t>(std::max(1.0, play.session.world().rate));
+    return static_cast<std::uint64_t>(std::max(1.0, play.session.world().rate()));
 }
 
 void say_speed(PlayContext& play) {
@@ -65,7 +65,7 @@ void step_forward(PlayContext& play) {
 
 void step_back(PlayContext& play) {
     play.clock.pause(true);
-    const std::uint64_t now = play.session.world().tick;
+    const std::uint64_t now = play.session.world().tick();
     if (now > play.session.earliest()) return go_to(play, now - 1);
     say(play, play.session.earliest() == 0 ? "this is the start"
                                            : "the memory for the way back ends here");
@@ -84,7 +84,7 @@ void second_forward(PlayContext& play) {
 }
 
 void second_back(PlayContext& play) {
-    const std::uint64_t now = play.session.world().tick;
+    const std::uint64_t now = play.session.world().tick();
     const std::uint64_t earliest = play.session.earliest();
     const std::uint64_t ticks = ticks_in_a_second(play);
     go_to(play, now - earliest > ticks ? now - ticks : earliest);

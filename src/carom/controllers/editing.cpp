@@ -10,7 +10,7 @@ void select_ball(PlayContext& play, bool backwards) {
     play.view.selected = next_ball(world, play.view.selected, backwards);
     if (!play.view.selected) return say(play, "there are no balls");
     play.pointer.shows_cursor = true;
-    play.pointer.at = world.balls.position[*index_of(world, *play.view.selected)];
+    play.pointer.at = world.balls().position[*index_of(world, *play.view.selected)];
 }
 
 void grab(PlayContext& play) {
@@ -48,11 +48,11 @@ void add_ball_at_pointer(PlayContext& play) {
     spec.position = play.pointer.at;
     const auto like = play.view.selected ? index_of(world, *play.view.selected) : std::nullopt;
     if (like) {
-        spec.kind = world.balls.kind[*like];
-        spec.radius = world.balls.radius[*like];
-        spec.mass = 1.0 / world.balls.inverse_mass[*like];
+        spec.kind = world.balls().kind[*like];
+        spec.radius = world.balls().radius[*like];
+        spec.mass = 1.0 / world.balls().inverse_mass[*like];
     }
-    obey(play, command::AddBall{spec}, fmt::format("ball {} added", world.next_ball));
+    obey(play, command::AddBall{spec}, fmt::format("ball {} added", world.next_ball()));
 }
 
 void remove_at_pointer(PlayContext& play, bool only_edges) {
@@ -72,7 +72,7 @@ void draw_edge(PlayContext& play) {
     PointerTool& tool = play.pointer.tool;
     if (tool.has_new_edge()) return grab(play);
     if (!tool.is_empty()) return;
-    const Capsules& capsules = play.session.world().capsules;
+    const Capsules& capsules = play.session.world().capsules();
     const double radius = capsules.size() > 0 ? capsules.shape.back().radius
                                               : size(play.session.scene().view).y / 200.0;
     const ClassIndex material = capsules.size() > 0 ? capsules.material.back() : ClassIndex{0};

@@ -79,7 +79,7 @@ void PinballController::pass(PlayContext& play, double seconds) {
 
 void PinballController::before_tick(PlayContext& play) {
     const Session& session = play.session;
-    if (!demo_ || session.world().tick < session.latest()) return;
+    if (!demo_ || session.world().tick() < session.latest()) return;
     for (const command::Press& press :
          demo_->play(session.scene(), session.world(), std::get<PinballState>(session.game())))
         play.session.apply(press);

@@ -21,18 +21,18 @@ const PinballState& state_of(const Session& session) {
 }
 
 double ball_radius(const Session& session) {
-    const Balls& balls = session.scene().world.balls;
+    const Balls& balls = session.scene().world.balls();
     return balls.size() > 0 ? balls.radius[0] : 0.0;
 }
 
 bool is_bright(const Session& session, std::size_t device) {
     const PinballState& state = state_of(session);
-    if (session.world().tick < state.flash_until[device]) return true;
+    if (session.world().tick() < state.flash_until[device]) return true;
     if (state.is_lit[device] == 0) return false;
     const std::uint64_t until = state.lit_until[device];
     if (until == 0) return true;
-    const double left = (static_cast<double>(until) - static_cast<double>(session.world().tick)) /
-                        session.world().rate;
+    const double left = (static_cast<double>(until) - static_cast<double>(session.world().tick())) /
+                        session.world().rate();
     return left > warning_time || static_cast<std::uint64_t>(left * blinks) % 2 == 0;
 }
 
@@ -64,10 +64,10 @@ std::string bonus_line(const Session& session) {
 /// Tilt, the ball saver, or warnings; empty: none of them.
 std::string safety_line(const Session& session) {
     const PinballState& state = state_of(session);
-    const std::uint64_t tick = session.world().tick;
+    const std::uint64_t tick = session.world().tick();
     if (state.is_tilted) return "TILT";
     if (tick < state.save_until && state.phase != PinballState::Phase::over) {
-        const auto left = static_cast<double>(state.save_until - tick) / session.world().rate;
+        const auto left = static_cast<double>(state.save_until - tick) / session.world().rate();
         return fmt::format("ball saver {:.0f} s", std::ceil(left));
     }
     if (state.warnings == 0) return {};
@@ -85,7 +85,7 @@ std::string grouped(std::int64_t number) {
 
 // The ball that is nearest to the drain is the one that matters.
 void PinballDisplay::follow(const Session& session, double seconds) {
-    const Balls& balls = session.world().balls;
+    const Balls& balls = session.world().balls();
     if (balls.size() == 0) return;
     const auto lowest = std::ranges::min_element(balls.position, {}, &Vec2::y);
     const auto index = static_cast<std::size_t>(lowest - balls.position.begin());
@@ -107,7 +107,7 @@ Camera PinballDisplay::look(const Session& session, const CellArea& area, double
                           : camera_.look(table, ball_radius(session), ball_rows, area, aspect);
     // The table moves, and the eye stays.
     const double push = length(state.nudge);
-    if (session.world().tick <= state.nudge_until && push > 0.0)
+    if (session.world().tick() <= state.nudge_until && push > 0.0)
         camera.center -= state.nudge * (shake * ball_radius(session) / push);
     return camera;
 }
@@ -127,13 +127,13 @@ TableMarks PinballDisplay::marks(const Session& session) const {
             for (const CapsuleId id : device.capsules) {
                 const auto index = index_of(session.world(), id);
                 if (!index) continue;
-                light.shape = session.world().capsules.shape[*index];
+                light.shape = session.world().capsules().shape[*index];
                 marks.lights.push_back(light);
             }
         } else if (device.kind == DeviceKind::plunger && !device.capsules.empty()) {
             const auto index = index_of(session.world(), device.capsules.front());
             if (!index) continue;
-            const Capsule plate = session.world().capsules.shape[*index];
+            const Capsule plate = session.world().capsules().shape[*index];
             const double pulled = state_of(session).pull * 3.0 * ball_radius(session);
             const Vec2 back = device.direction * -(pulled + 0.3 * ball_radius(session));
             marks.plungers.push_back({plate.start + back, plate.end + back, plate.radius});

@@ -14,7 +14,7 @@ constexpr double full_pull_rows = 6.0;  // of the screen, over which the plunger
 
 /// The plunger on which a ball lies, near this place.
 const Device* plunger_at(const Session& session, Vec2 at) {
-    const double near = 3.0 * session.scene().world.balls.radius[0];
+    const double near = 3.0 * session.scene().world.balls().radius[0];
     if (!is_on_plunger(session.scene(), session.world())) return nullptr;
     for (const Device& device : session.scene().table.devices)
         if (device.kind == DeviceKind::plunger && std::abs(at.x - device.place.x) < near)

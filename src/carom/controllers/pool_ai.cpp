@@ -13,7 +13,7 @@ const PoolPlay& play_of(const Session& session) {
 }  // namespace
 
 bool PoolAi::is_about(const Session& session) const {
-    return thinker_ && scene_ == &session.scene() && lay_ == session.world().balls.position &&
+    return thinker_ && scene_ == &session.scene() && lay_ == session.world().balls().position &&
            rules_ == play_of(session).rules;
 }
 
@@ -21,7 +21,7 @@ bool PoolAi::think(const Session& session) {
     const PoolPlay& play = play_of(session);
     if (!is_about(session)) {
         scene_ = &session.scene();
-        lay_ = session.world().balls.position;
+        lay_ = session.world().balls().position;
         rules_ = play.rules;
         thinker_ = std::make_unique<ShotPlanner>(session.scene(), session.world(), play,
                                                  session.solver(), shot_noise(steadiness_),

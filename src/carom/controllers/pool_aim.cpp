@@ -26,7 +26,7 @@ constexpr double foresight = 40.0;
 constexpr std::uint64_t cloud_size = 20;
 
 Vec2 place_of(const World& world, BallId ball) {
-    return world.balls.position[*index_of(world, ball)];
+    return world.balls().position[*index_of(world, ball)];
 }
 
 double bearing_of(Vec2 way) {
@@ -70,7 +70,7 @@ std::vector<BallId> PoolAim::targets(const Session& session) const {
     std::vector<BallId> balls;
     const PoolPlay* game = play(session);
     const auto cue = cue_ball(session);
-    for (const BallId id : session.world().balls.id) {
+    for (const BallId id : session.world().balls().id) {
         if (id == cue) continue;
         const auto number = game ? number_of(*game, id) : std::nullopt;
         if (game && (!number || !may_hit_first(game->rules, *number))) continue;
@@ -222,8 +222,8 @@ command::Strike PoolAim::strike(const Session& session) const {
     command::Strike strike;
     strike.ball = cue_ball(session).value_or(BallId{});
     strike.velocity = {speed * std::cos(angle), speed * std::sin(angle)};
-    if (session.world().model.spin) strike.side = setup_.side;
-    if (session.world().model.cloth) strike.follow = setup_.follow;
+    if (session.world().model().spin) strike.side = setup_.side;
+    if (session.world().model().cloth) strike.follow = setup_.follow;
     return strike;
 }
 
@@ -243,12 +243,12 @@ void PoolAim::look(const Session& session) {
     if (std::exchange(turn_, now) != now) begin_turn(session);
     setup_.speed = std::min(setup_.speed, most_speed(session));
     // The ball in hand was moved.
-    if (!has_aimed_ && may_place(session) && lay_ != session.world().balls.position)
+    if (!has_aimed_ && may_place(session) && lay_ != session.world().balls().position)
         aim_at_nearest(session);
-    if (is_seen_ && seen_setup_ == setup_ && lay_ == session.world().balls.position) return;
+    if (is_seen_ && seen_setup_ == setup_ && lay_ == session.world().balls().position) return;
     is_seen_ = true;
     seen_setup_ = setup_;
-    lay_ = session.world().balls.position;
+    lay_ = session.world().balls().position;
     cloud_.clear();
     cloud_shots_ = 0;
     Solver solver(session.solver());
@@ -264,7 +264,7 @@ bool PoolAim::work(const Session& session) {
     if (!has_work() || !may_aim(session)) return false;
     const ShotNoise usual;
     const command::Strike off = with_noise(strike(session), usual, most_speed(session),
-                                           session.world().seed, cloud_shots_++);
+                                           session.world().seed(), cloud_shots_++);
     Solver solver(session.solver());
     const Forecast ahead = forecast(session.scene(), session.world(), session.game(), solver, off,
                                     foresight, Tracks::all);

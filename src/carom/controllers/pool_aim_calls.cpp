@@ -12,7 +12,7 @@ bool PoolAim::call_pocket(const Session& session, Vec2 place) {
     if (!game || !may_call_shots(game->rules)) return false;
     const auto& pockets = session.scene().pool.pockets;
     for (std::size_t i = 0; i < pockets.size(); ++i) {
-        const Capsule& shape = session.scene().world.zones[pockets[i]].shape;
+        const Capsule& shape = session.scene().world.zones()[pockets[i]].shape;
         if (length(place - shape.start) > shape.radius) continue;
         setup_.intent = Intent::pocket;
         setup_.pocket = static_cast<int>(i);

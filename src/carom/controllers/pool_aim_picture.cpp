@@ -64,9 +64,9 @@ PoolMarks PoolAim::marks(const Session& session, bool aims) const {
     if (!aims || !may_aim(session) || !forecast_) return marks;
     const World& world = session.world();
     const BallId cue = *cue_ball(session);
-    const double radius = world.balls.radius[*index_of(world, cue)];
+    const double radius = world.balls().radius[*index_of(world, cue)];
     const command::Strike strike = this->strike(session);
-    const Vec2 from = world.balls.position[*index_of(world, cue)];
+    const Vec2 from = world.balls().position[*index_of(world, cue)];
     const Vec2 way = strike.velocity / length(strike.velocity);
     const Vec2 tip = from - way * (1.5 * radius + 0.03 * length(strike.velocity));
     marks.stick = PoolMarks::Line{tip, tip - way * (16.0 * radius)};
@@ -75,7 +75,7 @@ PoolMarks PoolAim::marks(const Session& session, bool aims) const {
         const int pocket = called.kind == PoolCall::Kind::pot ? called.pocket : setup_.pocket;
         const std::uint32_t zone = session.scene().pool.pockets[static_cast<std::size_t>(pocket)];
         if (setup_.aids != Aids::none || setup_.intent == Intent::pocket)
-            marks.called = session.scene().world.zones[zone].shape.start;
+            marks.called = session.scene().world.zones()[zone].shape.start;
     }
     if (setup_.aids == Aids::none) return marks;
     if (const auto line = aim_line(world, cue, strike.velocity)) {
@@ -83,7 +83,7 @@ PoolMarks PoolAim::marks(const Session& session, bool aims) const {
         if (line->object) {
             // The fuller the hit, the more of the speed the object ball takes.
             const double reach = 14.0 * radius;
-            const Vec2 object = world.balls.position[*index_of(world, *line->object)];
+            const Vec2 object = world.balls().position[*index_of(world, *line->object)];
             marks.ghost = Disc{line->to, radius};
             if (setup_.aids == Aids::ghost) {
                 marks.object =

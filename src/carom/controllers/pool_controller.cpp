@@ -123,8 +123,8 @@ bool PoolController::take_release(PlayContext& play) {
     const auto cue = aim_.cue_ball(play.session);
     const auto index = cue ? index_of(world, *cue) : std::nullopt;
     if (!index || !is_aiming(play)) return true;
-    const double pulled = distance(play.pointer.at, world.balls.position[*index]);
-    if (pulled > least_pull * world.balls.radius[*index]) shoot(play);
+    const double pulled = distance(play.pointer.at, world.balls().position[*index]);
+    if (pulled > least_pull * world.balls().radius[*index]) shoot(play);
     return true;
 }
 
@@ -193,7 +193,7 @@ void PoolController::place_cue_ball(PlayContext& play) {
         return say(play, "the ball is not in hand");
     const World& world = play.session.world();
     const BallId ball = *aim_.cue_ball(play.session);
-    pointer.at = world.balls.position[*index_of(world, ball)];
+    pointer.at = world.balls().position[*index_of(world, ball)];
     pointer.tool.take_to_place(world, ball, pointer.at);
     pointer.shows_cursor = true;
     say(play, "move the ball with the arrows; p or enter puts it down");

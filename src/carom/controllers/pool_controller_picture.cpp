@@ -34,7 +34,7 @@ void PoolController::add_status(const PlayContext& play, HudInfo& info) const {
     const World& world = play.session.world();
     const PoolPlay* const pool = pool_of(play.session);
     const auto left = pool ? time_left(world, *pool) : std::nullopt;
-    const bool is_late = left && static_cast<double>(*left) <= last_seconds * world.rate;
+    const bool is_late = left && static_cast<double>(*left) <= last_seconds * world.rate();
     if (!is_late || opponent_.is_turn(play.session)) return;
     info.message = fmt::format("{} left", clock_text(world, *pool));
     info.message_is_error = true;

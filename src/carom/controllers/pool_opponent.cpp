@@ -33,7 +33,7 @@ void PoolOpponent::play(PlayContext& play, double seconds) {
         return;
     }
     const PoolPlay& pool = *pool_of(session);
-    if (pool.is_shooting || play.clock.is_paused() || session.world().tick < session.latest())
+    if (pool.is_shooting || play.clock.is_paused() || session.world().tick() < session.latest())
         return;
     play.needs_draw = true;
     const bool chooses = pool.rules.phase == PoolPhase::choosing;

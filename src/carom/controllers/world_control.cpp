@@ -18,9 +18,9 @@ Vec2 gentle_gravity(const Scene& scene) {
 /// Gravity as it is, or as it would be turned on.
 Vec2 gravity_when_on(PlayContext& play) {
     const Scene& scene = play.session.scene();
-    const std::optional<Vec2>& gravity = play.session.world().model.gravity;
+    const std::optional<Vec2>& gravity = play.session.world().model().gravity;
     if (gravity) play.last_gravity = gravity;
-    return play.last_gravity.value_or(scene.world.model.gravity.value_or(gentle_gravity(scene)));
+    return play.last_gravity.value_or(scene.world.model().gravity.value_or(gentle_gravity(scene)));
 }
 
 void set_gravity(PlayContext& play, std::optional<Vec2> gravity) {
@@ -34,7 +34,7 @@ void set_gravity(PlayContext& play, std::optional<Vec2> gravity) {
 
 void next_solver(PlayContext& play) {
     const SolverKind next =
-        next_solver_kind(play.session.solver().kind, play.session.world().model);
+        next_solver_kind(play.session.solver().kind, play.session.world().model());
     const SolverSettings settings = settings_of(next, play.session.scene());
     play.solver_is_picked = false;
     obey(play, command::SetSolver{settings}, "solver " + solver_text(settings));
@@ -42,7 +42,7 @@ void next_solver(PlayContext& play) {
 
 void toggle_gravity(PlayContext& play) {
     const Vec2 on = gravity_when_on(play);
-    const bool is_on = play.session.world().model.gravity.has_value();
+    const bool is_on = play.session.world().model().gravity.has_value();
     set_gravity(play, is_on ? std::nullopt : std::optional(on));
 }
 

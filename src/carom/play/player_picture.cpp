@@ -36,7 +36,7 @@ void follow_ball(PlayContext& play) {
     const auto index = index_of(world, *view.selected);
     view.follows = index.has_value();
     if (!index) return;
-    view.camera.center = world.balls.position[*index];
+    view.camera.center = world.balls().position[*index];
     view.is_fitted = false;
 }
 
@@ -56,9 +56,9 @@ Marks marks_of(const PlayContext& play) {
 /// How the game is computed, for a page of text.
 std::vector<std::string> explanation_lines(const PlayContext& play) {
     const Session& session = play.session;
-    const std::string text =
-        explanation(session.world().model, session.world().rate, pick_solver(session.scene().world),
-                    play.solver_is_picked ? std::nullopt : std::optional(session.solver()));
+    const std::string text = explanation(
+        session.world().model(), session.world().rate(), pick_solver(session.scene().world),
+        play.solver_is_picked ? std::nullopt : std::optional(session.solver()));
     std::vector<std::string> lines;
     for (std::size_t from = 0; from < text.size();) {
         const std::size_t end = std::min(text.find('\n', from), text.size());

@@ -13,7 +13,7 @@ namespace carom {
 
 void RunningGame::autosave() {
     const Session& session = player.session();
-    const std::uint64_t tick = session.world().tick;
+    const std::uint64_t tick = session.world().tick();
     const std::size_t commands = session.commands().size();
     const auto setup = player.shot_setup();
     if (tick == saved_tick && commands == saved_commands && setup == saved_setup) return;
@@ -29,7 +29,7 @@ void RunningGame::autosave() {
 
 bool RunningGame::is_saved() const {
     const Session& session = player.session();
-    return session.world().tick == saved_tick && session.commands().size() == saved_commands;
+    return session.world().tick() == saved_tick && session.commands().size() == saved_commands;
 }
 
 bool RunningGame::leave() {

@@ -107,7 +107,7 @@ void add_sums(const PlayContext& play, HudInfo& info) {
     const World& world = play.session.world();
     const Totals sums = totals(world);
     info.kinetic_energy = sums.kinetic_energy;
-    if (world.model.gravity) info.potential_energy = sums.potential_energy;
+    if (world.model().gravity) info.potential_energy = sums.potential_energy;
     info.momentum = sums.momentum;
     if (keeps_energy(world)) info.energy_drift = play.reference.energy_drift(sums);
     if (keeps_momentum(world)) info.momentum_drift = play.reference.momentum_drift(sums);
@@ -116,20 +116,20 @@ void add_sums(const PlayContext& play, HudInfo& info) {
 void add_time(const PlayContext& play, HudInfo& info) {
     const World& world = play.session.world();
     info.time = world.time();
-    info.tick = world.tick;
+    info.tick = world.tick();
     info.latest_tick = play.session.latest();
     info.ticks_per_second = play.clock.is_paused() ? 0.0 : play.clock.ticks_per_second();
-    info.rate = world.rate;
+    info.rate = world.rate();
     info.speed = play.clock.speed();
     info.is_paused = stands_still(play);
 }
 
 void add_world(const PlayContext& play, HudInfo& info) {
     const World& world = play.session.world();
-    info.terms = terms_in_force(world.model);
-    info.balls = world.balls.size();
-    info.clustered = world.heaped.size();
-    info.collisions = world.ball_ball_collisions + world.ball_edge_collisions;
+    info.terms = terms_in_force(world.model());
+    info.balls = world.balls().size();
+    info.clustered = world.memory().heaped.size();
+    info.collisions = world.ball_ball_collisions() + world.ball_edge_collisions();
     info.checks = checks_of(play);
 }
 

@@ -24,7 +24,7 @@ constexpr double farthest_place = 0.80;
 constexpr double last_place = 0.97;  // beyond it the ball is lost, so it flips at the latest here
 
 std::uint64_t ticks(const World& world, double seconds) {
-    return static_cast<std::uint64_t>(seconds * world.rate + 0.5);
+    return static_cast<std::uint64_t>(seconds * world.rate() + 0.5);
 }
 
 std::size_t index(Button button) {
@@ -40,27 +40,27 @@ bool is_above(const Flipper& flipper, const Capsule& shape, Vec2 at) {
 
 // A ball that comes down on it, and is nearly there.
 void DemoPlayer::watch_flipper(const Scene& scene, const World& world, std::size_t which) {
-    const Flipper& flipper = world.flippers[which];
+    const Flipper& flipper = world.flippers()[which];
     Hand& hand = hands_[index(scene.table.flipper_buttons[which])];
     const auto capsule = index_of(world, flipper.capsule);
-    if (!capsule || world.tick < hand.busy_until) return;
-    const Capsule& shape = world.capsules.shape[*capsule];
-    const double wanted = random_between(nearest_place, farthest_place, world.seed,
+    if (!capsule || world.tick() < hand.busy_until) return;
+    const Capsule& shape = world.capsules().shape[*capsule];
+    const double wanted = random_between(nearest_place, farthest_place, world.seed(),
                                          RandomStream::player, flips_, which);
-    for (std::size_t i = 0; i < world.balls.size(); ++i) {
-        const Vec2 at = world.balls.position[i];
-        const Vec2 soon = at + world.balls.velocity[i] * foresight;
-        const double gap = separation(Disc{soon, world.balls.radius[i]}, shape);
-        if (gap > overreach * world.balls.radius[i] || !is_above(flipper, shape, at)) continue;
+    for (std::size_t i = 0; i < world.balls().size(); ++i) {
+        const Vec2 at = world.balls().position[i];
+        const Vec2 soon = at + world.balls().velocity[i] * foresight;
+        const double gap = separation(Disc{soon, world.balls().radius[i]}, shape);
+        if (gap > overreach * world.balls().radius[i] || !is_above(flipper, shape, at)) continue;
         const double place = closest_parameter(shape.start, shape.end, soon);
         // What rolls down to the tip is waited for; what falls on it is not.
         const Vec2 along = shape.end - shape.start;
-        const double rolls = dot(world.balls.velocity[i], along) / dot(along, along);
-        const double falls = std::fabs(cross(along, world.balls.velocity[i])) / length(along);
-        const bool is_rolling = rolls > 0.0 && falls < 10.0 * world.balls.radius[i];
+        const double rolls = dot(world.balls().velocity[i], along) / dot(along, along);
+        const double falls = std::fabs(cross(along, world.balls().velocity[i])) / length(along);
+        const bool is_rolling = rolls > 0.0 && falls < 10.0 * world.balls().radius[i];
         if (place < (is_rolling ? wanted : nearest_place) || place > last_place + 0.02) continue;
-        hand = {world.tick, world.tick + ticks(world, up_time),
-                world.tick + ticks(world, up_time + rest_time)};
+        hand = {world.tick(), world.tick() + ticks(world, up_time),
+                world.tick() + ticks(world, up_time + rest_time)};
         ++flips_;
         return;
     }
@@ -68,19 +68,19 @@ void DemoPlayer::watch_flipper(const Scene& scene, const World& world, std::size
 
 // A ball falls between the flippers, and a push to the side may bring it to one of them.
 bool DemoPlayer::wants_nudge(const World& world, const PinballState& state) const {
-    if (world.flippers.size() < 2 || state.tilt_meter > 0.05) return false;
-    if (world.tick < nudged_at_ + ticks(world, nudge_pause)) return false;
-    const auto left = index_of(world, world.flippers[0].capsule);
-    const auto right = index_of(world, world.flippers[1].capsule);
+    if (world.flippers().size() < 2 || state.tilt_meter > 0.05) return false;
+    if (world.tick() < nudged_at_ + ticks(world, nudge_pause)) return false;
+    const auto left = index_of(world, world.flippers()[0].capsule);
+    const auto right = index_of(world, world.flippers()[1].capsule);
     if (!left || !right) return false;
-    const Vec2 a = world.capsules.shape[*left].end;
-    const Vec2 b = world.capsules.shape[*right].end;
+    const Vec2 a = world.capsules().shape[*left].end;
+    const Vec2 b = world.capsules().shape[*right].end;
     const double middle = 0.5 * (a.x + b.x);
-    for (std::size_t i = 0; i < world.balls.size(); ++i) {
-        const Vec2 at = world.balls.position[i];
-        const double radius = world.balls.radius[i];
+    for (std::size_t i = 0; i < world.balls().size(); ++i) {
+        const Vec2 at = world.balls().position[i];
+        const double radius = world.balls().radius[i];
         const double height = at.y - std::max(a.y, b.y);
-        if (world.balls.velocity[i].y < 0.0 && std::fabs(at.x - middle) < radius &&
+        if (world.balls().velocity[i].y < 0.0 && std::fabs(at.x - middle) < radius &&
             height > 2.0 * radius && height < 8.0 * radius)
             return true;
     }
@@ -90,36 +90,36 @@ bool DemoPlayer::wants_nudge(const World& world, const PinballState& state) cons
 std::vector<command::Press> DemoPlayer::play(const Scene& scene, const World& world,
                                              const PinballState& state) {
     // After a step back, what it had in mind is in a future that no longer is.
-    if (world.tick < seen_until_) *this = {};
-    seen_until_ = world.tick;
+    if (world.tick() < seen_until_) *this = {};
+    seen_until_ = world.tick();
     std::vector<command::Press> presses;
     const auto set = [&](Button button, bool is_down) {
         if (state.is_down[index(button)] != is_down && has_button(scene, button))
             presses.push_back({button, is_down});
     };
-    for (std::size_t i = 0; i < world.flippers.size(); ++i)
+    for (std::size_t i = 0; i < world.flippers().size(); ++i)
         watch_flipper(scene, world, i);
-    set(Button::left_flipper, world.tick < hands_[0].up_until);
-    set(Button::right_flipper, world.tick < hands_[1].up_until);
+    set(Button::left_flipper, world.tick() < hands_[0].up_until);
+    set(Button::right_flipper, world.tick() < hands_[1].up_until);
 
     if (state.phase == PinballState::Phase::over) {
-        if (begins_at_ == 0) begins_at_ = world.tick + ticks(world, pause_between);
+        if (begins_at_ == 0) begins_at_ = world.tick() + ticks(world, pause_between);
         // Down and up again: the next tick lets go.
-        set(Button::plunger, world.tick >= begins_at_ && !state.is_down[index(Button::plunger)]);
+        set(Button::plunger, world.tick() >= begins_at_ && !state.is_down[index(Button::plunger)]);
         return presses;
     }
     begins_at_ = 0;
-    const double pull = random_between(0.45, 1.0, world.seed, RandomStream::player, state.games + 1,
-                                       world.next_ball);
+    const double pull = random_between(0.45, 1.0, world.seed(), RandomStream::player,
+                                       state.games + 1, world.next_ball());
     const bool may_launch = state.launch_at == 0 && is_on_plunger(scene, world);
     set(Button::plunger, may_launch && state.pull < pull);
 
-    const bool is_nudging = world.tick < nudged_at_ + ticks(world, 0.05);
+    const bool is_nudging = world.tick() < nudged_at_ + ticks(world, 0.05);
     if (!is_nudging && wants_nudge(world, state)) {
-        nudged_at_ = world.tick;
+        nudged_at_ = world.tick();
         nudge_ = flips_ % 2 == 0 ? Button::nudge_left : Button::nudge_right;
     }
-    set(nudge_, nudged_at_ > 0 && world.tick < nudged_at_ + ticks(world, 0.05));
+    set(nudge_, nudged_at_ > 0 && world.tick() < nudged_at_ + ticks(world, 0.05));
     return presses;
 }
 

@@ -49,7 +49,7 @@ ShotPlanner::ShotPlanner(const Scene& scene, const World& world, const PoolPlay&
 
 World ShotPlanner::world_with(const std::optional<Vec2>& place) const {
     World world = world_;
-    if (place) world.balls.position[*index_of(world, *play_.balls[cue_ball])] = *place;
+    if (place) world.edit_balls().position[*index_of(world, *play_.balls[cue_ball])] = *place;
     return world;
 }
 
@@ -58,7 +58,7 @@ bool ShotPlanner::may_place(Vec2 place) const {
 }
 
 void ShotPlanner::propose() {
-    const Vec2 from = world_.balls.position[*index_of(world_, *play_.balls[cue_ball])];
+    const Vec2 from = world_.balls().position[*index_of(world_, *play_.balls[cue_ball])];
     if (play_.rules.phase == PoolPhase::breaking) return propose_break();
     if (play_.rules.in_hand != CueInHand::no) propose_placed();
     if (play_.rules.in_hand == CueInHand::no || trials_.empty()) {
@@ -94,9 +94,9 @@ Vec2 ShotPlanner::corrected(const PotLine& line, std::optional<Vec2> place, doub
     if (line.way != PotLine::Way::direct || line.cut_cosine > 0.9995) return line.direction;
     const World world = world_with(place);
     const BallId cue = *play_.balls[cue_ball];
-    const Vec2 from = world.balls.position[*index_of(world, cue)];
-    const Vec2 object = world.balls.position[*index_of(world, line.object)];
-    const double radius = world.balls.radius[*index_of(world, cue)];
+    const Vec2 from = world.balls().position[*index_of(world, cue)];
+    const Vec2 object = world.balls().position[*index_of(world, line.object)];
+    const double radius = world.balls().radius[*index_of(world, cue)];
     const Vec2 wanted = unit(object - line.ghost);
     const Forecast ahead = forecast(scene_, world, play_, solver_, {cue, line.direction * speed},
                                     short_foresight, Tracks::all);
@@ -186,14 +186,14 @@ void ShotPlanner::propose_hits(Vec2 from) {
 // Ball in hand: places on the line to a pocket and a little beside it, for an angle.
 void ShotPlanner::propose_placed() {
     const BallId cue = *play_.balls[cue_ball];
-    const double radius = world_.balls.radius[*index_of(world_, cue)];
+    const double radius = world_.balls().radius[*index_of(world_, cue)];
     struct Placed {
         Vec2 place;
         PotLine line;
     };
     std::vector<Placed> all;
     for (const BallId object : legal_balls(play_)) {
-        const Vec2 at = world_.balls.position[*index_of(world_, object)];
+        const Vec2 at = world_.balls().position[*index_of(world_, object)];
         for (int pocket = 0; pocket < static_cast<int>(scene_.pool.pockets.size()); ++pocket) {
             const Vec2 target = mouth(scene_, cloth_, pocket);
             if (!(length(target - at) > 0.0)) continue;

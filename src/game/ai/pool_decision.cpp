@@ -95,7 +95,7 @@ std::vector<Command> commands_of(const Scene& scene, const PoolPlay& play,
 }
 
 std::uint64_t decision_seed(const World& world, const PoolPlay& play) {
-    return random_bits(world.seed, RandomStream::player,
+    return random_bits(world.seed(), RandomStream::player,
                        std::uint64_t{play.frames[0]} << 32 | play.frames[1], play.shots);
 }
 

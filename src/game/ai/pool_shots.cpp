@@ -59,13 +59,13 @@ struct Ball {
 
 Ball ball_of(const World& world, BallId id) {
     const std::size_t i = *index_of(world, id);
-    return {id, world.balls.position[i], world.balls.radius[i]};
+    return {id, world.balls().position[i], world.balls().radius[i]};
 }
 
 // How squarely a ball comes into a pocket: cosine of the angle to the pocket's axis.
 double squareness(const Scene& scene, const Box& cloth, int pocket, Vec2 way) {
     const Vec2 place =
-        scene.world.zones[scene.pool.pockets[static_cast<std::size_t>(pocket)]].shape.start;
+        scene.world.zones()[scene.pool.pockets[static_cast<std::size_t>(pocket)]].shape.start;
     const Vec2 axis = place - mouth(scene, cloth, pocket);
     return length(axis) > 0.0 ? dot(way, axis) / length(axis) : 1.0;
 }
@@ -172,11 +172,11 @@ class Proposer {
 }  // namespace
 
 std::optional<Box> cloth_box(const Scene& scene) {
-    if (scene.pool.pockets.empty() || scene.world.capsules.size() == 0) return std::nullopt;
-    Box pockets{scene.world.zones[scene.pool.pockets.front()].shape.start,
-                scene.world.zones[scene.pool.pockets.front()].shape.start};
+    if (scene.pool.pockets.empty() || scene.world.capsules().size() == 0) return std::nullopt;
+    Box pockets{scene.world.zones()[scene.pool.pockets.front()].shape.start,
+                scene.world.zones()[scene.pool.pockets.front()].shape.start};
     for (const std::uint32_t pocket : scene.pool.pockets) {
-        const Vec2 place = scene.world.zones[pocket].shape.start;
+        const Vec2 place = scene.world.zones()[pocket].shape.start;
         pockets.low = {std::min(pockets.low.x, place.x), std::min(pockets.low.y, place.y)};
         pockets.high = {std::max(pockets.high.x, place.x), std::max(pockets.high.y, place.y)};
     }
@@ -184,7 +184,7 @@ std::optional<Box> cloth_box(const Scene& scene) {
     const Vec2 from = center(pockets) + size(pockets) * 0.125;
     const auto reach = [&](Vec2 way) {
         double nearest = length(size(pockets));
-        for (const Capsule& edge : scene.world.capsules.shape)
+        for (const Capsule& edge : scene.world.capsules().shape)
             if (const auto impact = first_impact(Disc{from, 0.0}, way, edge, nearest))
                 nearest = impact->time;
         return nearest;
@@ -195,16 +195,16 @@ std::optional<Box> cloth_box(const Scene& scene) {
 
 Vec2 mouth(const Scene& scene, const Box& cloth, int pocket) {
     const Vec2 place =
-        scene.world.zones[scene.pool.pockets[static_cast<std::size_t>(pocket)]].shape.start;
+        scene.world.zones()[scene.pool.pockets[static_cast<std::size_t>(pocket)]].shape.start;
     return {std::clamp(place.x, cloth.low.x, cloth.high.x),
             std::clamp(place.y, cloth.low.y, cloth.high.y)};
 }
 
 bool is_clear(const World& world, Vec2 from, Vec2 to, double radius, BallId one, BallId other) {
     const Disc disc{from, radius};
-    for (std::size_t i = 0; i < world.balls.size(); ++i) {
-        if (world.balls.id[i] == one || world.balls.id[i] == other) continue;
-        const Disc ball{world.balls.position[i], world.balls.radius[i]};
+    for (std::size_t i = 0; i < world.balls().size(); ++i) {
+        if (world.balls().id[i] == one || world.balls().id[i] == other) continue;
+        const Disc ball{world.balls().position[i], world.balls().radius[i]};
         if (first_impact(disc, to - from, ball, 1.0)) return false;
     }
     return true;

@@ -40,7 +40,7 @@ Outlook outlook(const Scene& scene, const World& world, const PoolPlay& play, co
     if (!cue || rules.in_hand != CueInHand::no)
         return {std::min(0.95, value_of_hand + ahead), std::nullopt, 0.0};
     const std::vector<BallId> balls = legal_balls(play);
-    const Vec2 from = world.balls.position[*index_of(world, *cue)];
+    const Vec2 from = world.balls().position[*index_of(world, *cue)];
     const auto lines = pot_lines(scene, world, cloth, *cue, from, balls);
     Outlook result;
     if (!lines.empty()) {

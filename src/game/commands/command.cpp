@@ -24,14 +24,16 @@ void take(std::vector<Held>& all, const Held& hold) {
 /// A player can bring together what could not meet when the level was loaded, and then the model
 /// must know it.
 void widen_model(World& world) {
-    for (const ClassIndex kind : world.balls.kind) {
-        for (std::size_t other = 0; other < world.kinds.size() && !world.model.ball_ball; ++other)
-            world.model.ball_ball = kinds_meet(world, kind, static_cast<ClassIndex>(other));
-        for (const ClassIndex material : world.capsules.material) {
-            if (world.model.ball_edge) break;
-            world.model.ball_edge = kind_meets_material(world, kind, material);
+    for (const ClassIndex kind : world.balls().kind) {
+        for (std::size_t other = 0; other < world.kinds().size() && !world.model().ball_ball;
+             ++other)
+            world.edit_definition().model.ball_ball =
+                kinds_meet(world, kind, static_cast<ClassIndex>(other));
+        for (const ClassIndex material : world.capsules().material) {
+            if (world.model().ball_edge) break;
+            world.edit_definition().model.ball_edge = kind_meets_material(world, kind, material);
         }
-        if (world.model.ball_ball && world.model.ball_edge) return;
+        if (world.model().ball_ball && world.model().ball_edge) return;
     }
 }
 
@@ -40,37 +42,40 @@ struct Execute {
 
     void operator()(const Strike& strike) const {
         const std::size_t i = *index_of(world, strike.ball);
-        world.balls.velocity[i] = strike.velocity;
+        world.edit_balls().velocity[i] = strike.velocity;
         // An impulse m v at that height and side gives the angular momentum m v r times either.
-        if (world.model.cloth)
-            world.balls.roll[i] = strike.velocity * (strike.follow / *world.model.spin);
-        if (world.model.cloth || strike.side != 0.0)
-            world.balls.spin[i] =
-                strike.side * length(strike.velocity) / (*world.model.spin * world.balls.radius[i]);
+        if (world.model().cloth)
+            world.edit_balls().roll[i] = strike.velocity * (strike.follow / *world.model().spin);
+        if (world.model().cloth || strike.side != 0.0)
+            world.edit_balls().spin[i] = strike.side * length(strike.velocity) /
+                                         (*world.model().spin * world.balls().radius[i]);
     }
     void operator()(const HoldBall& hold) const {
-        take(world.held_balls, HeldBall{hold.ball, hold.target});
+        take(world.edit_held_balls(), HeldBall{hold.ball, hold.target});
     }
     void operator()(const DropBall& drop) const {
-        std::erase_if(world.held_balls, [&](const HeldBall& h) { return h.id == drop.ball; });
+        std::erase_if(world.edit_held_balls(),
+                      [&](const HeldBall& h) { return h.id == drop.ball; });
     }
     void operator()(const HoldCapsule& hold) const {
-        take(world.held_capsules, HeldCapsule{hold.capsule, hold.start_target, hold.end_target});
+        take(world.edit_held_capsules(),
+             HeldCapsule{hold.capsule, hold.start_target, hold.end_target});
     }
     void operator()(const DropCapsule& drop) const {
-        std::erase_if(world.held_capsules,
+        std::erase_if(world.edit_held_capsules(),
                       [&](const HeldCapsule& h) { return h.id == drop.capsule; });
     }
     void operator()(const PlaceBall& place) const {
-        world.balls.position[*index_of(world, place.ball)] = place.position;
-        const auto held = place_of(world.held_balls, place.ball);
-        if (held != world.held_balls.end() && held->id == place.ball) held->target = place.position;
+        world.edit_balls().position[*index_of(world, place.ball)] = place.position;
+        const auto held = place_of(world.edit_held_balls(), place.ball);
+        if (held != world.held_balls().end() && held->id == place.ball)
+            held->target = place.position;
     }
     void operator()(const PlaceCapsule& place) const {
-        Capsule& shape = world.capsules.shape[*index_of(world, place.capsule)];
+        Capsule& shape = world.edit_capsules().shape[*index_of(world, place.capsule)];
         shape = {place.start, place.end, shape.radius};
-        const auto held = place_of(world.held_capsules, place.capsule);
-        if (held != world.held_capsules.end() && held->id == place.capsule)
+        const auto held = place_of(world.edit_held_capsules(), place.capsule);
+        if (held != world.held_capsules().end() && held->id == place.capsule)
             *held = {place.capsule, place.start, place.end};
     }
     void operator()(const AddBall& add) const {
@@ -83,7 +88,9 @@ struct Execute {
         widen_model(world);
     }
     void operator()(const RemoveCapsule& remove) const { remove_capsule(world, remove.capsule); }
-    void operator()(const SetGravity& set) const { world.model.gravity = set.gravity; }
+    void operator()(const SetGravity& set) const {
+        world.edit_definition().model.gravity = set.gravity;
+    }
     void operator()(const SetSolver&) const {}
     void operator()(const Press&) const {}
     void operator()(const Pull&) const {}

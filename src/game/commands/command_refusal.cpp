@@ -33,7 +33,7 @@ Refusal unless_capsule(const World& world, CapsuleId id) {
 
 Refusal unless_movable(const World& world, CapsuleId id) {
     if (auto why = unless_capsule(world, id)) return why;
-    if (!std::ranges::count(world.flippers, id, &Flipper::capsule)) return std::nullopt;
+    if (!std::ranges::count(world.flippers(), id, &Flipper::capsule)) return std::nullopt;
     return "a flipper moves by its button alone";
 }
 
@@ -52,7 +52,7 @@ double depth(const World& world, const Disc& ball, const Capsule& edge) {
 Refusal obstacle(const World& world, const Disc& disc, ClassIndex kind,
                  std::optional<BallId> itself = std::nullopt) {
     const double allowed = touching * disc.radius;
-    const Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     for (std::size_t i = 0; i < balls.size(); ++i) {
         if (balls.id[i] == itself) continue;
         if (!kinds_meet(world, kind, balls.kind[i])) continue;
@@ -60,7 +60,7 @@ Refusal obstacle(const World& world, const Disc& disc, ClassIndex kind,
         if (disc.radius + balls.radius[i] - apart > allowed)
             return fmt::format("it would overlap ball {}", number(balls.id[i]));
     }
-    const Capsules& capsules = world.capsules;
+    const Capsules& capsules = world.capsules();
     for (std::size_t i = 0; i < capsules.size(); ++i) {
         if (!kind_meets_material(world, kind, capsules.material[i])) continue;
         if (depth(world, disc, capsules.shape[i]) > allowed)
@@ -77,8 +77,8 @@ Refusal refused(const World& world, const Strike& strike) {
     constexpr double most = Strike::most_offset;
     if (!(side * side + follow * follow <= most * most))
         return fmt::format("the tip slips off further than {} of the radius from the middle", most);
-    if (side != 0.0 && !world.model.spin) return "balls do not spin here";
-    if (follow != 0.0 && !world.model.cloth) return "there is no cloth to follow or draw on";
+    if (side != 0.0 && !world.model().spin) return "balls do not spin here";
+    if (follow != 0.0 && !world.model().cloth) return "there is no cloth to follow or draw on";
     return std::nullopt;
 }
 
@@ -88,7 +88,7 @@ Refusal refused(const World& world, const HoldBall& hold) {
 }
 
 Refusal refused(const World& world, const DropBall& drop) {
-    if (std::ranges::count(world.held_balls, drop.ball, &HeldBall::id)) return std::nullopt;
+    if (std::ranges::count(world.held_balls(), drop.ball, &HeldBall::id)) return std::nullopt;
     return fmt::format("ball {} is not held", number(drop.ball));
 }
 
@@ -98,17 +98,17 @@ Refusal refused(const World& world, const HoldCapsule& hold) {
 }
 
 Refusal refused(const World& world, const DropCapsule& drop) {
-    if (std::ranges::count(world.held_capsules, drop.capsule, &HeldCapsule::id))
+    if (std::ranges::count(world.held_capsules(), drop.capsule, &HeldCapsule::id))
         return std::nullopt;
     return fmt::format("edge {} is not held", number(drop.capsule));
 }
 
 Refusal refused(const World& world, const AddBall& add) {
     const BallSpec& spec = add.spec;
-    if (spec.kind >= world.kinds.size()) return fmt::format("there is no kind {}", spec.kind);
-    const double radius = spec.radius.value_or(world.kinds[spec.kind].radius);
-    const double mass = spec.mass.value_or(world.kinds[spec.kind].mass);
-    const double restitution = spec.restitution.value_or(world.kinds[spec.kind].restitution);
+    if (spec.kind >= world.kinds().size()) return fmt::format("there is no kind {}", spec.kind);
+    const double radius = spec.radius.value_or(world.kinds()[spec.kind].radius);
+    const double mass = spec.mass.value_or(world.kinds()[spec.kind].mass);
+    const double restitution = spec.restitution.value_or(world.kinds()[spec.kind].restitution);
     if (auto why = unless_finite(is_finite(spec.position), "the place")) return why;
     if (auto why = unless_finite(is_finite(spec.velocity), "the speed")) return why;
     if (auto why = unless_finite(std::isfinite(spec.spin), "the spin")) return why;
@@ -124,7 +124,7 @@ Refusal refused(const World& world, const RemoveBall& remove) {
 }
 
 Refusal obstacle(const World& world, const Capsule& edge, ClassIndex material) {
-    const Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     for (std::size_t i = 0; i < balls.size(); ++i) {
         if (!kind_meets_material(world, balls.kind[i], material)) continue;
         if (depth(world, {balls.position[i], balls.radius[i]}, edge) > touching * balls.radius[i])
@@ -137,7 +137,7 @@ Refusal refused(const World& world, const PlaceBall& place) {
     if (auto why = unless_ball(world, place.ball)) return why;
     if (auto why = unless_finite(is_finite(place.position), "the place")) return why;
     const std::size_t index = *index_of(world, place.ball);
-    return obstacle(world, {place.position, world.balls.radius[index]}, world.balls.kind[index],
+    return obstacle(world, {place.position, world.balls().radius[index]}, world.balls().kind[index],
                     place.ball);
 }
 
@@ -146,13 +146,13 @@ Refusal refused(const World& world, const PlaceCapsule& place) {
     if (auto why = unless_finite(is_finite(place.start) && is_finite(place.end), "the place"))
         return why;
     const std::size_t index = *index_of(world, place.capsule);
-    return obstacle(world, {place.start, place.end, world.capsules.shape[index].radius},
-                    world.capsules.material[index]);
+    return obstacle(world, {place.start, place.end, world.capsules().shape[index].radius},
+                    world.capsules().material[index]);
 }
 
 Refusal refused(const World& world, const AddCapsule& add) {
     const Capsule& edge = add.shape;
-    if (add.material >= world.materials.size())
+    if (add.material >= world.materials().size())
         return fmt::format("there is no material {}", add.material);
     if (auto why = unless_finite(is_finite(edge.start) && is_finite(edge.end), "the place"))
         return why;
@@ -172,7 +172,7 @@ Refusal refused(const World&, const SetGravity& set) {
 Refusal refused(const World& world, const SetSolver& set) {
     if (!std::ranges::count(solvers_available(), set.settings.kind))
         return fmt::format("this carom has no solver {}", name(set.settings.kind));
-    if (!supports(set.settings.kind, world.model))
+    if (!supports(set.settings.kind, world.model()))
         return fmt::format("solver {} does not know cloth", name(set.settings.kind));
     if (!are_in_range(set.settings)) return "updates, steps and substeps must be in 1..1000";
     return std::nullopt;

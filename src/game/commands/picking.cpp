@@ -43,7 +43,7 @@ Vec2 beside(const World& world, const Capsule& edge, Vec2 point) {
 }
 
 const Capsule& shape(const World& world, CapsuleId id) {
-    return world.capsules.shape[*index_of(world, id)];
+    return world.capsules().shape[*index_of(world, id)];
 }
 
 EdgeGrip grip_ends(const World& world, const std::vector<EdgeEnd>& ends, Vec2 hand) {
@@ -74,14 +74,14 @@ std::vector<Command> for_each_part(const World& world, const EdgeGrip& grip, Vec
 
 Vec2 offset(const World& world, Vec2 a, Vec2 b) {
     const Vec2 straight = b - a;
-    if (!world.model.wrap) return straight;
-    const Vec2 span = size(*world.model.wrap);
+    if (!world.model().wrap) return straight;
+    const Vec2 span = size(*world.model().wrap);
     return {nearest_image(straight.x, span.x), nearest_image(straight.y, span.y)};
 }
 
 std::optional<BallId> ball_at(const World& world, Vec2 point, double slack) {
     Nearest<BallId> nearest(slack);
-    const Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const double from_center = length(offset(world, balls.position[i], point));
         nearest.offer(balls.id[i], std::max(0.0, from_center - balls.radius[i]), from_center);
@@ -96,7 +96,7 @@ Vec2 position(const World& world, const EdgeEnd& end) {
 
 std::optional<EdgeEnd> edge_end_at(const World& world, Vec2 point, double slack) {
     Nearest<EdgeEnd> nearest(slack);
-    const Capsules& capsules = world.capsules;
+    const Capsules& capsules = world.capsules();
     for (std::size_t i = 0; i < capsules.size(); ++i) {
         const Capsule& edge = capsules.shape[i];
         for (const bool is_end : {false, true}) {
@@ -110,7 +110,7 @@ std::optional<EdgeEnd> edge_end_at(const World& world, Vec2 point, double slack)
 
 std::optional<CapsuleId> edge_at(const World& world, Vec2 point, double slack) {
     Nearest<CapsuleId> nearest(slack);
-    const Capsules& capsules = world.capsules;
+    const Capsules& capsules = world.capsules();
     for (std::size_t i = 0; i < capsules.size(); ++i) {
         const Capsule& edge = capsules.shape[i];
         const double apart = separation(Disc{beside(world, edge, point), 0.0}, edge);
@@ -122,7 +122,7 @@ std::optional<CapsuleId> edge_at(const World& world, Vec2 point, double slack) {
 std::vector<EdgeEnd> joint(const World& world, const EdgeEnd& end) {
     const Vec2 place = position(world, end);
     std::vector<EdgeEnd> ends;
-    const Capsules& capsules = world.capsules;
+    const Capsules& capsules = world.capsules();
     for (std::size_t i = 0; i < capsules.size(); ++i) {
         if (capsules.shape[i].start == place) ends.push_back({capsules.id[i], false});
         if (capsules.shape[i].end == place) ends.push_back({capsules.id[i], true});
@@ -131,7 +131,7 @@ std::vector<EdgeEnd> joint(const World& world, const EdgeEnd& end) {
 }
 
 std::optional<BallId> next_ball(const World& world, std::optional<BallId> from, bool backwards) {
-    const std::vector<BallId>& ids = world.balls.id;
+    const std::vector<BallId>& ids = world.balls().id;
     if (ids.empty()) return std::nullopt;
     if (!from) return backwards ? ids.back() : ids.front();
     if (backwards) {
@@ -167,7 +167,7 @@ std::vector<Command> place(const World& world, const EdgeGrip& grip, Vec2 hand) 
 std::vector<Command> drop(const World& world, const EdgeGrip& grip) {
     std::vector<Command> commands;
     for (const EdgeGrip::Part& part : grip.parts)
-        if (std::ranges::count(world.held_capsules, part.capsule, &HeldCapsule::id))
+        if (std::ranges::count(world.held_capsules(), part.capsule, &HeldCapsule::id))
             commands.push_back(command::DropCapsule{part.capsule});
     return commands;
 }

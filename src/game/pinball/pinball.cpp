@@ -39,8 +39,8 @@ bool are_flippers_alive(const PinballState& state) {
 void move_flippers(Pinball game) {
     const bool alive = are_flippers_alive(game.state);
     const std::vector<Button>& buttons = game.table().flipper_buttons;
-    for (std::size_t i = 0; i < game.world.flippers.size() && i < buttons.size(); ++i)
-        game.world.flippers[i].is_pressed =
+    for (std::size_t i = 0; i < game.world.flippers().size() && i < buttons.size(); ++i)
+        game.world.edit_flippers()[i].is_pressed =
             alive && game.state.is_down[static_cast<std::size_t>(buttons[i])];
 }
 
@@ -77,8 +77,8 @@ void push_table(Pinball game) {
     const double step = game.world.tick_length();
     const double before = state.tilt_meter;
     if (game.now() <= state.nudge_until) {
-        for (std::size_t i = 0; i < game.world.balls.size(); ++i)
-            if (!state.is_tilted) game.world.balls.velocity[i] += state.nudge * step;
+        for (std::size_t i = 0; i < game.world.balls().size(); ++i)
+            if (!state.is_tilted) game.world.edit_balls().velocity[i] += state.nudge * step;
         state.tilt_meter += meter_rise * step;
     } else {
         state.tilt_meter = std::max(0.0, state.tilt_meter - meter_fall * step);
@@ -102,8 +102,8 @@ void update_plunger(Pinball game) {
         state.pull = std::min(1.0, state.pull + game.world.tick_length() / full_pull);
     if (state.launch_at == 0 || game.now() < state.launch_at) return;
     // Launches vary: a table that always launches alike soon plays alike.
-    const double pull = random_between(least_own_pull, most_own_pull, game.world.seed,
-                                       RandomStream::player, state.games, game.world.next_ball);
+    const double pull = random_between(least_own_pull, most_own_pull, game.world.seed(),
+                                       RandomStream::player, state.games, game.world.next_ball());
     const bool is_launched = launch(game, pull);
     // The ball may not have settled on the plunger yet; after a while it is not waited for.
     if (!is_launched && game.now() < state.launch_at + game.ticks(launch_patience)) return;
@@ -116,11 +116,11 @@ void update_plunger(Pinball game) {
 // Serves a ball at the start of the level's first ball, as soon as there is room.
 void serve(Pinball game) {
     PinballState& state = game.state;
-    const Balls& balls = game.scene.world.balls;
+    const Balls& balls = game.scene.world.balls();
     if (state.to_serve == 0 || state.launch_at != 0 || balls.size() == 0) return;
-    for (std::size_t i = 0; i < game.world.balls.size(); ++i) {
-        const double reach = game.world.balls.radius[i] + balls.radius[0];
-        if (distance(game.world.balls.position[i], balls.position[0]) < 1.5 * reach) return;
+    for (std::size_t i = 0; i < game.world.balls().size(); ++i) {
+        const double reach = game.world.balls().radius[i] + balls.radius[0];
+        if (distance(game.world.balls().position[i], balls.position[0]) < 1.5 * reach) return;
     }
     BallSpec spec{.kind = balls.kind[0],
                   .position = balls.position[0],
@@ -171,7 +171,7 @@ void begin_game_again(Pinball game) {
 void end_game(Pinball game) {
     PinballState& state = game.state;
     state.phase = Phase::over;
-    const auto drawn = random_bits(game.world.seed, RandomStream::player, state.games, 0) % 10;
+    const auto drawn = random_bits(game.world.seed(), RandomStream::player, state.games, 0) % 10;
     const bool matches = static_cast<std::uint64_t>(state.score / 10 % 10) == drawn;
     game.say(fmt::format("GAME OVER  MATCH {}0{}", drawn, matches ? "  A FREE GAME" : ""), 3600.0);
 }
@@ -206,14 +206,14 @@ void go_on_after_count(Pinball game) {
 
 void count_drained(Pinball game) {
     PinballState& state = game.state;
-    const std::uint64_t gone = game.world.removed.size() - state.removals_seen;
-    for (std::uint64_t i = state.removals_seen; i < game.world.removed.size(); ++i) {
-        const std::int32_t zone = game.world.removed[static_cast<std::size_t>(i)].zone;
+    const std::uint64_t gone = game.world.removed().size() - state.removals_seen;
+    for (std::uint64_t i = state.removals_seen; i < game.world.removed().size(); ++i) {
+        const std::int32_t zone = game.world.removed()[static_cast<std::size_t>(i)].zone;
         for (std::uint32_t d = 0; d < game.table().devices.size() && zone >= 0; ++d)
             if (game.table().devices[d].zone == static_cast<std::uint32_t>(zone))
                 apply_rules(game, d, Rule::When::enter);
     }
-    state.removals_seen = game.world.removed.size();
+    state.removals_seen = game.world.removed().size();
     state.drained += gone;
     if (!game.table().is_game || state.phase != Phase::playing) return;
     if (gone > 0 && game.now() <= state.save_until) {
@@ -221,7 +221,7 @@ void count_drained(Pinball game) {
         state.serves_itself = true;
         game.say("BALL SAVED", 2.0);
     }
-    if (game.world.balls.size() == 0 && state.to_serve == 0) end_ball(game);
+    if (game.world.balls().size() == 0 && state.to_serve == 0) end_ball(game);
 }
 
 }  // namespace
@@ -259,7 +259,7 @@ void update_pinball(const Scene& scene, World& world, PinballState& state,
         serve(game);
     }
     move_flippers(game);
-    if (!state.message.empty() && world.tick >= state.message_until) state.message.clear();
+    if (!state.message.empty() && world.tick() >= state.message_until) state.message.clear();
 }
 
 bool has_button(const Scene& scene, Button button) {

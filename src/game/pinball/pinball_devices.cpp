@@ -16,8 +16,8 @@ constexpr double softest_hit = 4.0;
 constexpr double flash = 0.15;
 
 bool is_in_the_way(const World& world, const Capsule& shape) {
-    for (std::size_t i = 0; i < world.balls.size(); ++i)
-        if (separation(Disc{world.balls.position[i], world.balls.radius[i]}, shape) <= 0.0)
+    for (std::size_t i = 0; i < world.balls().size(); ++i)
+        if (separation(Disc{world.balls().position[i], world.balls().radius[i]}, shape) <= 0.0)
             return true;
     return false;
 }
@@ -28,9 +28,9 @@ std::vector<std::size_t> lying_on(const World& world, const Device& plunger) {
     for (const CapsuleId id : plunger.capsules) {
         const auto index = index_of(world, id);
         if (!index) continue;
-        const Capsule& shape = world.capsules.shape[*index];
-        for (std::size_t i = 0; i < world.balls.size(); ++i) {
-            const Disc ball{world.balls.position[i], world.balls.radius[i]};
+        const Capsule& shape = world.capsules().shape[*index];
+        for (std::size_t i = 0; i < world.balls().size(); ++i) {
+            const Disc ball{world.balls().position[i], world.balls().radius[i]};
             const bool is_before = dot(ball.center - plunger.place, plunger.direction) > 0.0;
             if (is_before && separation(ball, shape) < 0.3 * ball.radius) lying.push_back(i);
         }
@@ -46,12 +46,12 @@ void fall(Pinball game, const Device& target) {
 void kick_back(Pinball game, std::uint32_t device, std::size_t ball) {
     if (game.state.is_lit[device] == 0) return;
     const Device& kickback = game.table().devices[device];
-    game.world.balls.velocity[ball] = kickback.direction * kickback.most_speed;
+    game.world.edit_balls().velocity[ball] = kickback.direction * kickback.most_speed;
     set_lit(game, device, false);
 }
 
 bool is_on_the_table(const World& world, std::size_t ball) {
-    return world.kinds[world.balls.kind[ball]].layer == 0;
+    return world.kinds()[world.balls().kind[ball]].layer == 0;
 }
 
 }  // namespace
@@ -68,10 +68,10 @@ void hit_devices(Pinball game, std::span<const Contact> contacts) {
         const Device& hit = table.devices[device];
         const auto index = index_of(game.world, CapsuleId{contact.b});
         if (!index) continue;
-        const Material& material = game.world.materials[game.world.capsules.material[*index]];
+        const Material& material = game.world.materials()[game.world.capsules().material[*index]];
         if (contact.approach < std::max(softest, material.kick_from)) continue;
         const bool is_down =
-            game.world.model.one_way && game.world.capsules.side[*index] == Side::none;
+            game.world.model().one_way && game.world.capsules().side[*index] == Side::none;
         if (is_down) continue;  // a second ball in the same tick
         if (hit.kind == DeviceKind::droptarget) fall(game, hit);
         if (hit.kind == DeviceKind::bumper || hit.kind == DeviceKind::slingshot) {
@@ -88,10 +88,10 @@ void visit_zones(Pinball game) {
         const Device& place = table.devices[device];
         if (!place.zone || place.kind == DeviceKind::drain || place.kind == DeviceKind::ramp)
             continue;
-        const Capsule& shape = game.world.zones[*place.zone].shape;
-        for (std::size_t i = 0; i < game.world.balls.size(); ++i)
-            if (is_on_the_table(game.world, i) && is_inside(shape, game.world.balls.position[i]))
-                visits.push_back({device, game.world.balls.id[i]});
+        const Capsule& shape = game.world.zones()[*place.zone].shape;
+        for (std::size_t i = 0; i < game.world.balls().size(); ++i)
+            if (is_on_the_table(game.world, i) && is_inside(shape, game.world.balls().position[i]))
+                visits.push_back({device, game.world.balls().id[i]});
     }
     const std::vector<PinballState::Visit> before = std::exchange(game.state.visits, visits);
     for (const PinballState::Visit& visit : visits) {
@@ -101,10 +101,10 @@ void visit_zones(Pinball game) {
         if (place.kind == DeviceKind::spinner) {
             // The rim of the vane is as fast as the ball that pushes it.
             constexpr double half_turns_per_length = 1.0 / 3.14159265358979323846;
-            const double rim = game.world.zones[*place.zone].shape.radius;
+            const double rim = game.world.zones()[*place.zone].shape.radius;
             game.state.turning[visit.device] =
                 std::max(game.state.turning[visit.device],
-                         length(game.world.balls.velocity[ball]) / rim * half_turns_per_length);
+                         length(game.world.balls().velocity[ball]) / rim * half_turns_per_length);
         }
         apply_rules(game, visit.device, Rule::When::enter);
         if (place.kind == DeviceKind::kickback) kick_back(game, visit.device, ball);
@@ -136,7 +136,7 @@ void raise_targets(Pinball game) {
             const auto index = index_of(game.world, id);
             if (!index) {
                 game.state.is_rising[device] = 0;
-            } else if (!is_in_the_way(game.world, game.world.capsules.shape[*index])) {
+            } else if (!is_in_the_way(game.world, game.world.capsules().shape[*index])) {
                 set_side(game.world, id, Side::both);
                 game.state.is_rising[device] = 0;
             }
@@ -150,7 +150,7 @@ bool launch(Pinball game, double pull) {
         if (device.kind != DeviceKind::plunger) continue;
         const double speed = device.least_speed + (device.most_speed - device.least_speed) * pull;
         for (const std::size_t ball : lying_on(game.world, device)) {
-            Vec2& velocity = game.world.balls.velocity[ball];
+            Vec2& velocity = game.world.edit_balls().velocity[ball];
             velocity += device.direction * (speed - dot(velocity, device.direction));
             is_launched = true;
         }

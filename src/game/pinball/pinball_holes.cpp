@@ -14,15 +14,15 @@ constexpr double hole_scatter = 0.05;  // radians to either side
 
 void send_on(Pinball game, const PinballState::Held& held, std::size_t ball) {
     const Device& hole = game.table().devices[held.device];
-    const double angle = random_between(-hole_scatter, hole_scatter, game.world.seed,
+    const double angle = random_between(-hole_scatter, hole_scatter, game.world.seed(),
                                         RandomStream::player, number(held.ball), game.now());
     const auto [sine, cosine] = sin_cos(angle);
-    game.world.balls.velocity[ball] =
+    game.world.edit_balls().velocity[ball] =
         (hole.direction * cosine + perpendicular(hole.direction) * sine) * hole.most_speed;
 }
 
 std::uint8_t layer_of(const World& world, std::size_t ball) {
-    return world.kinds[world.balls.kind[ball]].layer;
+    return world.kinds()[world.balls().kind[ball]].layer;
 }
 
 }  // namespace
@@ -41,9 +41,9 @@ void update_holes(Pinball game) {
             send_on(game, held, *index);
             return true;
         }
-        world.balls.position[*index] = game.table().devices[held.device].place;
-        world.balls.velocity[*index] = {};
-        if (world.model.spin) world.balls.spin[*index] = 0.0;
+        world.edit_balls().position[*index] = game.table().devices[held.device].place;
+        world.edit_balls().velocity[*index] = {};
+        if (world.model().spin) world.edit_balls().spin[*index] = 0.0;
         return false;
     });
 }
@@ -59,17 +59,17 @@ void cross_ramps(Pinball game) {
     for (std::uint32_t device = 0; device < game.table().devices.size(); ++device) {
         const Device& ramp = game.table().devices[device];
         if (ramp.kind != DeviceKind::ramp) continue;
-        const Capsule& shape = world.zones[*ramp.zone].shape;
-        for (std::size_t i = 0; i < world.balls.size(); ++i) {
-            const Vec2 at = world.balls.position[i];
+        const Capsule& shape = world.zones()[*ramp.zone].shape;
+        for (std::size_t i = 0; i < world.balls().size(); ++i) {
+            const Vec2 at = world.balls().position[i];
             const std::uint8_t layer = layer_of(world, i);
             if ((layer != ramp.from && layer != ramp.to) || !is_inside(shape, at)) continue;
             const bool has_passed = dot(at - ramp.place, ramp.direction) > 0.0;
             if (has_passed && layer == ramp.from) {
-                set_layer(world, world.balls.id[i], ramp.to);
+                set_layer(world, world.balls().id[i], ramp.to);
                 apply_rules(game, device, Rule::When::enter);
             } else if (!has_passed && layer == ramp.to && ramp.to > ramp.from) {
-                set_layer(world, world.balls.id[i], ramp.from);
+                set_layer(world, world.balls().id[i], ramp.from);
             }
         }
     }

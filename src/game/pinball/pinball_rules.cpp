@@ -31,7 +31,7 @@ void add_or_set(std::int64_t& sum, const RuleAction& action) {
 }
 
 void begin_multiball(Pinball game, std::int64_t wanted) {
-    const auto there = static_cast<std::int64_t>(game.world.balls.size() + game.state.to_serve);
+    const auto there = static_cast<std::int64_t>(game.world.balls().size() + game.state.to_serve);
     if (wanted <= there) return;
     game.state.to_serve += static_cast<std::uint32_t>(wanted - there);
     game.state.serves_itself = true;
@@ -98,7 +98,7 @@ void carry_out(Pinball game, const RuleAction& action, int depth) {
 bool holds(const Pinball& game, const Rule& rule) {
     return std::ranges::all_of(rule.needs, [&](const Rule::Need& need) {
         const bool is_so =
-            need.group ? are_all_lit(game, *need.group) : game.world.balls.size() >= 2;
+            need.group ? are_all_lit(game, *need.group) : game.world.balls().size() >= 2;
         return is_so != need.is_not;
     });
 }

@@ -17,37 +17,37 @@ constexpr double off_the_table = 8.0;  // radii outside of what the camera shows
 
 bool is_off(const Pinball& game, std::size_t ball) {
     const Box table = grow(game.scene.view, off_the_table * game.radius());
-    const Vec2 at = game.world.balls.position[ball];
+    const Vec2 at = game.world.balls().position[ball];
     return at.x < table.low.x || at.x > table.high.x || at.y < table.low.y || at.y > table.high.y;
 }
 
 bool is_cradled(const Pinball& game, std::size_t ball) {
     const World& world = game.world;
-    return std::ranges::any_of(world.flippers, [&](const Flipper& flipper) {
+    return std::ranges::any_of(world.flippers(), [&](const Flipper& flipper) {
         const auto index = index_of(world, flipper.capsule);
         if (!index || !flipper.is_pressed) return false;
-        const Disc disc{world.balls.position[ball], world.balls.radius[ball]};
-        return separation(disc, world.capsules.shape[*index]) < 0.3 * disc.radius;
+        const Disc disc{world.balls().position[ball], world.balls().radius[ball]};
+        return separation(disc, world.capsules().shape[*index]) < 0.3 * disc.radius;
     });
 }
 
 // The direction away from the nearest edge, turned a little to one side or the other.
 Vec2 way_out(const Pinball& game, std::size_t ball) {
     const World& world = game.world;
-    const Vec2 at = world.balls.position[ball];
+    const Vec2 at = world.balls().position[ball];
     std::optional<double> nearest;
     Vec2 away{0.0, 1.0};
-    for (std::size_t i = 0; i < world.capsules.size(); ++i) {
-        if (world.model.one_way && world.capsules.side[i] == Side::none) continue;
-        const Capsule& shape = world.capsules.shape[i];
+    for (std::size_t i = 0; i < world.capsules().size(); ++i) {
+        if (world.model().one_way && world.capsules().side[i] == Side::none) continue;
+        const Capsule& shape = world.capsules().shape[i];
         const Vec2 offset = at - closest_point(shape.start, shape.end, at);
         const double gap = length(offset) - shape.radius;
         if ((nearest && gap >= *nearest) || !(length(offset) > 0.0)) continue;
         nearest = gap;
         away = offset / length(offset);
     }
-    const double angle = random_between(-0.8, 0.8, world.seed, RandomStream::player,
-                                        number(world.balls.id[ball]), game.state.searches);
+    const double angle = random_between(-0.8, 0.8, world.seed(), RandomStream::player,
+                                        number(world.balls().id[ball]), game.state.searches);
     const auto [sine, cosine] = sin_cos(angle);
     return away * cosine + perpendicular(away) * sine;
 }
@@ -66,14 +66,14 @@ void search_balls(Pinball game) {
     World& world = game.world;
     std::vector<PinballState::Progress> progress;
     std::vector<BallId> given_up;
-    for (std::size_t i = 0; i < world.balls.size(); ++i) {
-        const BallId id = world.balls.id[i];
-        const Vec2 at = world.balls.position[i];
+    for (std::size_t i = 0; i < world.balls().size(); ++i) {
+        const BallId id = world.balls().id[i];
+        const Vec2 at = world.balls().position[i];
         const auto known =
             std::ranges::lower_bound(game.state.progress, id, {}, &PinballState::Progress::ball);
         PinballState::Progress ball{id, at, game.now(), 0};
         if (known != game.state.progress.end() && known->ball == id) ball = *known;
-        const bool gets_on = distance(at, ball.place) > world.balls.radius[i];
+        const bool gets_on = distance(at, ball.place) > world.balls().radius[i];
         if (gets_on) ball = {id, at, game.now(), 0};
         if (is_off(game, i)) {
             given_up.push_back(id);
@@ -91,7 +91,8 @@ void search_balls(Pinball game) {
             if (!may_stay) {
                 ++ball.searches;
                 ++game.state.searches;
-                world.balls.velocity[i] += way_out(game, i) * (kick * world.balls.radius[i]);
+                world.edit_balls().velocity[i] +=
+                    way_out(game, i) * (kick * world.balls().radius[i]);
             }
         }
         progress.push_back(ball);

@@ -19,15 +19,15 @@ struct Pinball {
     PinballState& state;
 
     const PinballTable& table() const { return scene.table; }
-    std::uint64_t now() const { return world.tick; }
+    std::uint64_t now() const { return world.tick(); }
     /// A time as whole ticks, at least one.
     std::uint64_t ticks(double seconds) const {
-        const double ticks = seconds * world.rate + 0.5;
+        const double ticks = seconds * world.rate() + 0.5;
         return ticks < 1.0 ? 1 : static_cast<std::uint64_t>(ticks);
     }
     /// The radius of the table's first ball: the unit of speeds and lengths that no level states.
     double radius() const {
-        return scene.world.balls.size() > 0 ? scene.world.balls.radius[0] : 1.0;
+        return scene.world.balls().size() > 0 ? scene.world.balls().radius[0] : 1.0;
     }
     bool is_scoring() const {
         return table().is_game && state.phase == PinballState::Phase::playing && !state.is_tilted;

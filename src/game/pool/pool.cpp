@@ -18,7 +18,7 @@ namespace {
 
 // Adds a ball like the scene's ball `like`, at rest at `place`.
 BallId put_ball(const Scene& scene, World& world, BallId like, Vec2 place) {
-    const Balls& balls = scene.world.balls;
+    const Balls& balls = scene.world.balls();
     const std::size_t i = *index_of(scene.world, like);
     BallSpec spec;
     spec.kind = balls.kind[i];
@@ -35,8 +35,9 @@ BallId first_id(const Scene& scene, int ball) {
 }
 
 bool is_free(const World& world, Vec2 place, double radius) {
-    for (std::size_t i = 0; i < world.balls.size(); ++i)
-        if (length(world.balls.position[i] - place) < radius + world.balls.radius[i]) return false;
+    for (std::size_t i = 0; i < world.balls().size(); ++i)
+        if (length(world.balls().position[i] - place) < radius + world.balls().radius[i])
+            return false;
     return true;
 }
 
@@ -54,7 +55,7 @@ Vec2 free_place(const World& world, Vec2 spot, Vec2 way, double radius) {
 
 void put_back(const Scene& scene, World& world, PoolPlay& play, int ball) {
     const BallId like = first_id(scene, ball);
-    const double radius = scene.world.balls.radius[*index_of(scene.world, like)];
+    const double radius = scene.world.balls().radius[*index_of(scene.world, like)];
     const Rack& rack = rack_of(scene);
     const Vec2 spot = ball == cue_ball ? free_place(world, head_spot(scene), -rack.toward, radius)
                                        : free_place(world, rack.foot, rack.toward, radius);
@@ -69,13 +70,13 @@ void rack_anew(const Scene& scene, World& world, PoolPlay& play) {
     const int count = static_cast<int>(rack_of(scene).balls.size());
     for (int ball = 0; ball <= count; ++ball) {
         const BallId like = first_id(scene, ball);
-        const Vec2 place = scene.world.balls.position[*index_of(scene.world, like)];
+        const Vec2 place = scene.world.balls().position[*index_of(scene.world, like)];
         play.balls[static_cast<std::size_t>(ball)] = put_ball(scene, world, like, place);
     }
 }
 
 void carry_out(const Scene& scene, World& world, PoolPlay& play, const PoolRuling& ruling) {
-    play.clock_from = world.tick;
+    play.clock_from = world.tick();
     play.rules = ruling.next;
     play.last_foul = ruling.foul;
     play.call = {};
@@ -119,10 +120,10 @@ void note_contacts(PoolPlay& play, std::span<const Contact> contacts) {
 }
 
 void note_pocketed(const Scene& scene, const World& world, PoolPlay& play) {
-    auto removal = world.removed.end();
-    while (removal != world.removed.begin() && std::prev(removal)->tick == world.tick)
+    auto removal = world.removed().end();
+    while (removal != world.removed().begin() && std::prev(removal)->tick == world.tick())
         --removal;
-    for (; removal != world.removed.end(); ++removal) {
+    for (; removal != world.removed().end(); ++removal) {
         const auto ball = number_of(play, removal->id);
         if (!ball || removal->zone < 0) continue;
         const auto pocket =
@@ -151,18 +152,18 @@ void execute(const Scene& scene, World& world, PoolPlay& play, const Command& co
 bool is_on_table(const Scene& scene, const World& world, Vec2 place, double radius) {
     const Vec2 from = head_spot(scene);
     const Disc ball{from, radius};
-    for (const Capsule& edge : world.capsules.shape)
+    for (const Capsule& edge : world.capsules().shape)
         if (first_impact(ball, place - from, edge, 1.0)) return false;
     return std::ranges::none_of(scene.pool.pockets, [&](std::uint32_t pocket) {
-        const Capsule& shape = scene.world.zones[pocket].shape;
+        const Capsule& shape = scene.world.zones()[pocket].shape;
         return length(place - shape.start) < shape.radius;
     });
 }
 
 bool lies_still(const World& world) {
     const auto moves = [](Vec2 v) { return !(v == Vec2{}); };
-    return std::ranges::none_of(world.balls.velocity, moves) &&
-           std::ranges::none_of(world.balls.roll, moves);
+    return std::ranges::none_of(world.balls().velocity, moves) &&
+           std::ranges::none_of(world.balls().roll, moves);
 }
 
 std::uint64_t digest_of(std::uint64_t start, const PoolPlay& play) {
@@ -232,7 +233,7 @@ std::optional<int> match_winner(const PoolPlay& play) {
 std::optional<std::uint64_t> time_left(const World& world, const PoolPlay& play) {
     if (play.clock == 0 || play.is_shooting || play.rules.phase == PoolPhase::over)
         return std::nullopt;
-    const std::uint64_t gone = world.tick - play.clock_from;
+    const std::uint64_t gone = world.tick() - play.clock_from;
     return gone < play.clock ? play.clock - gone : 0;
 }
 
@@ -246,7 +247,7 @@ Vec2 head_spot(const Scene& scene) {
     // The head spot lies as far from the middle of the table as the foot spot.
     Vec2 middle;
     for (const std::uint32_t pocket : scene.pool.pockets)
-        middle += scene.world.zones[pocket].shape.start;
+        middle += scene.world.zones()[pocket].shape.start;
     middle = middle / static_cast<double>(scene.pool.pockets.size());
     return middle * 2.0 - rack_of(scene).foot;
 }
@@ -261,7 +262,7 @@ std::optional<PoolPlay> begin_pool(const Scene& scene, int breaker) {
     for (int ball = 0; ball <= count; ++ball)
         play.balls[static_cast<std::size_t>(ball)] = first_id(scene, ball);
     play.race = scene.pool.race;
-    play.clock = ticks_of(scene.pool.clock, scene.world.rate);
+    play.clock = ticks_of(scene.pool.clock, scene.world.rate());
     return play;
 }
 
@@ -291,7 +292,7 @@ void make_choice(const Scene& scene, World& world, PoolPlay& play, PoolChoice ch
 
 void rack_again(const Scene& scene, World& world, PoolPlay& play) {
     if (match_winner(play)) play.frames = {};
-    play.clock_from = world.tick;
+    play.clock_from = world.tick();
     if (play.rules.phase == PoolPhase::over) play.breaker = 1 - play.breaker;
     play.rules = begin_rack(*play.rules.referee, play.breaker, play.rules.options);
     play.call = {};

@@ -27,7 +27,7 @@ Refusal refused(const Scene& scene, const World& world, const PoolPlay& play,
                 const command::PlaceBall& place) {
     if (auto why = refusal_to_place(scene, play, place.ball, place.position)) return why;
     if (auto why = refusal(world, Command(place))) return why;
-    const double radius = world.balls.radius[*index_of(world, place.ball)];
+    const double radius = world.balls().radius[*index_of(world, place.ball)];
     if (!is_on_table(scene, world, place.position, radius)) return "it must lie on the table";
     return std::nullopt;
 }

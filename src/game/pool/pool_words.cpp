@@ -52,7 +52,7 @@ std::string fallen_text(const PoolShot& shot) {
 
 std::string pocket_name(const Scene& scene, int pocket) {
     const auto place_of = [&](std::size_t i) {
-        return scene.world.zones[scene.pool.pockets[i]].shape.start;
+        return scene.world.zones()[scene.pool.pockets[i]].shape.start;
     };
     const Vec2 middle = center(scene.view);
     const Vec2 place = place_of(static_cast<std::size_t>(pocket)) - middle;
@@ -124,7 +124,7 @@ std::string turn_text(const PoolPlay& play, const PlayerNames& names) {
 std::string clock_text(const World& world, const PoolPlay& play) {
     const auto left = time_left(world, play);
     if (!left) return "";
-    const double seconds = static_cast<double>(*left) / world.rate;
+    const double seconds = static_cast<double>(*left) / world.rate();
     const auto whole = static_cast<std::uint64_t>(seconds);
     return fmt::format("{} s", static_cast<double>(whole) < seconds ? whole + 1 : whole);
 }

@@ -36,8 +36,8 @@ Replay begin_replay(const Scene& scene, const SolverSettings& solver, std::strin
     replay.level_hash = scene.text_hash;
     replay.overrides.assign(overrides.begin(), overrides.end());
     replay.solver = solver;
-    replay.rate = scene.world.rate;
-    replay.seed = scene.world.seed;
+    replay.rate = scene.world.rate();
+    replay.seed = scene.world.seed();
     return replay;
 }
 
@@ -47,7 +47,7 @@ Replay record(const Session& session, std::string level, std::span<const std::st
     replay.commands.assign(session.commands().begin(), session.commands().end());
     replay.marks.assign(session.marks().begin(), session.marks().end());
     replay.end = session.latest();
-    replay.stands = session.world().tick;
+    replay.stands = session.world().tick();
     const auto place =
         std::ranges::lower_bound(replay.marks, replay.stands, {}, &FingerprintMark::tick);
     if (place == replay.marks.end() || place->tick != replay.stands)
@@ -88,7 +88,7 @@ Replayer::Replayer(Replay replay, Scene scene, std::size_t rewind_bytes)
 void Replayer::check() {
     failure_ = session_.fault();
     while (!failure_ && next_mark_ < replay_.marks.size() &&
-           replay_.marks[next_mark_].tick == session_.world().tick) {
+           replay_.marks[next_mark_].tick == session_.world().tick()) {
         const FingerprintMark& mark = replay_.marks[next_mark_++];
         if (fingerprint(session_.world(), session_.game()) == mark.fingerprint) {
             last_equal_ = mark;
@@ -103,14 +103,14 @@ bool Replayer::advance(std::uint64_t ticks) {
     for (; ticks > 0 && !failure_ && session_.step_forward(); --ticks)
         check();
     if (failure_) return false;
-    if (session_.world().tick < replay_.end) return true;
+    if (session_.world().tick() < replay_.end) return true;
     session_.go_to(replay_.stands);
     return false;
 }
 
 double Replayer::progress() const {
     if (replay_.end == 0) return 1.0;
-    return static_cast<double>(session_.world().tick) / static_cast<double>(replay_.end);
+    return static_cast<double>(session_.world().tick()) / static_cast<double>(replay_.end);
 }
 
 Session Replayer::take() && {

@@ -7,10 +7,10 @@ namespace {
 
 bool is_closed(const World& world) {
     const bool is_fed = std::ranges::any_of(
-        world.emitters, [](const Emitter& emitter) { return emitter.emitted < emitter.count; });
+        world.emitters(), [](const Emitter& emitter) { return emitter.emitted < emitter.count; });
     const bool is_drained = std::ranges::any_of(
-        world.zones, [](const Zone& zone) { return zone.effect == Zone::Effect::sink; });
-    return !is_fed && !is_drained && world.held_balls.empty() && world.held_capsules.empty();
+        world.zones(), [](const Zone& zone) { return zone.effect == Zone::Effect::sink; });
+    return !is_fed && !is_drained && world.held_balls().empty() && world.held_capsules().empty();
 }
 
 bool is_without_loss(const Model& model) {
@@ -20,14 +20,14 @@ bool is_without_loss(const Model& model) {
 }  // namespace
 
 bool keeps_energy(const World& world) {
-    return is_closed(world) && is_without_loss(world.model) &&
-           !(world.model.gravity && world.model.wrap);
+    return is_closed(world) && is_without_loss(world.model()) &&
+           !(world.model().gravity && world.model().wrap);
 }
 
 bool keeps_momentum(const World& world) {
-    const bool has_edges = world.model.ball_edge && world.capsules.size() > 0;
+    const bool has_edges = world.model().ball_edge && world.capsules().size() > 0;
     // Losses between balls keep momentum; drag, limits and a stop do not.
-    const Model& model = world.model;
+    const Model& model = world.model();
     return is_closed(world) && !has_edges && !model.gravity && !model.drag && !model.stop_speed &&
            !model.speed_limit;
 }

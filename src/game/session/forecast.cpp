@@ -7,14 +7,14 @@ namespace carom {
 namespace {
 
 void begin_tracks(Forecast& ahead) {
-    const Balls& balls = ahead.world.balls;
+    const Balls& balls = ahead.world.balls();
     for (std::size_t i = 0; i < balls.size(); ++i)
         ahead.tracks.push_back({balls.id[i], {balls.position[i]}, std::nullopt});
 }
 
 // Tracks and balls are in the same order, and balls are only ever removed.
 void extend_tracks(Forecast& ahead) {
-    const Balls& balls = ahead.world.balls;
+    const Balls& balls = ahead.world.balls();
     std::size_t track = 0;
     for (std::size_t i = 0; i < balls.size() && track < ahead.tracks.size(); ++i) {
         while (track < ahead.tracks.size() && ahead.tracks[track].ball < balls.id[i])
@@ -26,12 +26,12 @@ void extend_tracks(Forecast& ahead) {
 }
 
 void end_tracks(Forecast& ahead, std::size_t removals_before) {
-    for (std::size_t i = removals_before; i < ahead.world.removed.size(); ++i) {
-        const Removal& removal = ahead.world.removed[i];
+    for (std::size_t i = removals_before; i < ahead.world.removed().size(); ++i) {
+        const Removal& removal = ahead.world.removed()[i];
         const auto track = std::ranges::find(ahead.tracks, removal.id, &Forecast::Track::ball);
         if (track == ahead.tracks.end() || removal.zone < 0) continue;
         track->zone = static_cast<std::uint32_t>(removal.zone);
-        track->way.push_back(ahead.world.zones[*track->zone].shape.start);
+        track->way.push_back(ahead.world.zones()[*track->zone].shape.start);
     }
     std::erase_if(ahead.tracks, [](const Forecast::Track& track) { return track.way.size() < 2; });
 }
@@ -55,8 +55,8 @@ Forecast forecast(const Scene& scene, const World& world, const GameState& game,
     ahead.game = game;
     execute(scene, ahead.world, ahead.game, strike);
     if (tracks == Tracks::all) begin_tracks(ahead);
-    const std::size_t removals = world.removed.size();
-    const auto ticks = static_cast<std::uint64_t>(seconds * world.rate);
+    const std::size_t removals = world.removed().size();
+    const auto ticks = static_cast<std::uint64_t>(seconds * world.rate());
     for (std::uint64_t tick = 0; tick < ticks && !ahead.comes_to_rest; ++tick) {
         solver.tick(ahead.world);
         note_first_hit(ahead, solver, strike.ball);

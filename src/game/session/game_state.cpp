@@ -10,8 +10,8 @@ namespace {
 std::uint64_t digest_of(const World& world, const PinballState& s) {
     Digest digest(fingerprint(world));
     // Ramps change the kinds of balls.
-    if (kinds_of_a_layer(world) < world.kinds.size())
-        for (const ClassIndex kind : world.balls.kind)
+    if (kinds_of_a_layer(world) < world.kinds().size())
+        for (const ClassIndex kind : world.balls().kind)
             digest.add(std::uint64_t{kind});
     for (const std::uint64_t value : {static_cast<std::uint64_t>(s.phase),
                                       s.phase_until,

@@ -3,17 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "physics/world/columns.h"
-
 namespace carom {
 namespace {
 
-template <typename Vector>
-std::size_t bytes_in(const Vector& values) {
-    return values.capacity() * sizeof(typename Vector::value_type);
-}
-
-constexpr auto tick_of = [](const auto& kept) { return kept.snapshot.world.tick; };
+constexpr auto tick_of = [](const auto& kept) { return kept.snapshot.world.tick(); };
 
 std::uint64_t apart(std::uint64_t a, std::uint64_t b) {
     return a < b ? b - a : a - b;
@@ -22,25 +15,19 @@ std::uint64_t apart(std::uint64_t a, std::uint64_t b) {
 }  // namespace
 
 std::size_t bytes_of(const World& world) {
-    return sizeof(Snapshot) + bytes_in_columns(world.balls) + bytes_in_columns(world.capsules) +
-           bytes_in(world.kinds) + bytes_in(world.materials) + bytes_in(world.meets) +
-           bytes_in(world.zones) + bytes_in(world.emitters) + bytes_in(world.counters) +
-           bytes_in(world.removed) + bytes_in(world.held_balls) + bytes_in(world.held_capsules) +
-           bytes_in(world.flippers) + bytes_in(world.paths) + bytes_in(world.path_bends) +
-           bytes_in(world.spin_paths) + bytes_in(world.pressed) + bytes_in(world.homes.ball) +
-           bytes_in(world.homes.place) + bytes_in(world.homes.margin) + bytes_in(world.heaped);
+    return sizeof(Snapshot) - sizeof(World) + world.bytes();
 }
 
 void History::keep(const World& world, const SolverSettings& solver, const GameState& game) {
-    const auto place = std::ranges::lower_bound(snapshots_, world.tick, {}, tick_of);
-    if (place != snapshots_.end() && tick_of(*place) == world.tick) return;
+    const auto place = std::ranges::lower_bound(snapshots_, world.tick(), {}, tick_of);
+    if (place != snapshots_.end() && tick_of(*place) == world.tick()) return;
     Kept kept{{world, solver, game}, 0};
     kept.bytes = bytes_of(kept.snapshot.world) +
                  bytes_of(kept.snapshot.game);  // of the copy: it has no room to spare
     if (kept.bytes > limit_) return;
     bytes_ += kept.bytes;
     snapshots_.insert(place, std::move(kept));
-    if (bytes_ > limit_) thin(world.tick);
+    if (bytes_ > limit_) thin(world.tick());
 }
 
 // Walks away from the present on both sides. A snapshot goes when the gap that it leaves, between
@@ -98,7 +85,7 @@ const Snapshot* History::at_or_before(std::uint64_t tick) const {
 
 bool History::has(std::uint64_t tick) const {
     const Snapshot* found = at_or_before(tick);
-    return found && found->world.tick == tick;
+    return found && found->world.tick() == tick;
 }
 
 void History::forget_from(std::uint64_t tick) {

@@ -89,8 +89,8 @@ class LevelWriter {
             line("#{}{}", comment.empty() ? "" : " ", comment);
         line("");
         if (has_units_) line("units m");
-        line("rate {}", world_.rate);
-        line("seed {}", world_.seed);
+        line("rate {}", world_.rate());
+        line("seed {}", world_.seed());
         if (scene_.solver) line("solver {}", settings_text(*scene_.solver, SettingsText::used));
         // A game of pool needs a rack, which is written here as single balls.
         if (scene_.game != "sandbox" && !referee_of(scene_.game)) line("game {}", scene_.game);
@@ -98,7 +98,7 @@ class LevelWriter {
     }
 
     void model() {
-        const Model& model = world_.model;
+        const Model& model = world_.model();
         if (model.gravity) line("use gravity {}", with_unit(*model.gravity, "m/s2"));
         if (model.drag) line("use drag {}", with_unit(*model.drag, "/s"));
         if (model.stop_speed) line("use stop {}", with_unit(*model.stop_speed, "m/s"));
@@ -118,7 +118,7 @@ class LevelWriter {
     void name_classes() {
         kinds_ = scene_.kind_names;
         materials_ = scene_.material_names;
-        if (!world_.model.filtered) return;
+        if (!world_.model().filtered) return;
         for (std::vector<std::string>* names : {&kinds_, &materials_})
             for (std::string& name_text : *names)
                 while (name_text == "ball" || name_text == "edge" ||
@@ -129,22 +129,22 @@ class LevelWriter {
     }
 
     void classes() {
-        for (std::size_t i = 0; i < world_.kinds.size(); ++i) {
-            const Kind& kind = world_.kinds[i];
+        for (std::size_t i = 0; i < world_.kinds().size(); ++i) {
+            const Kind& kind = world_.kinds()[i];
             line("kind {} r={} m={} e={}{}", kinds_[i], kind.radius, with_unit(kind.mass, "kg"),
                  kind.restitution, friction(kind.friction));
         }
-        for (std::size_t i = 0; i < world_.materials.size(); ++i) {
-            const Material& material = world_.materials[i];
+        for (std::size_t i = 0; i < world_.materials().size(); ++i) {
+            const Material& material = world_.materials()[i];
             line("material {} e={} soften={}{}", materials_[i], material.restitution,
                  with_unit(material.soften, "s/m"), friction(material.friction));
         }
-        if (!world_.model.filtered) return;
+        if (!world_.model().filtered) return;
         std::vector<std::string> names = kinds_;
         names.insert(names.end(), materials_.begin(), materials_.end());
-        for (std::size_t a = 0; a < world_.kinds.size(); ++a)
+        for (std::size_t a = 0; a < world_.kinds().size(); ++a)
             for (std::size_t b = a; b < names.size(); ++b)
-                if (world_.meets[a * names.size() + b]) line("collide {} {}", names[a], names[b]);
+                if (world_.meets()[a * names.size() + b]) line("collide {} {}", names[a], names[b]);
     }
 
     static std::string friction(double coefficient) {
@@ -152,7 +152,7 @@ class LevelWriter {
     }
 
     Side side_of(std::size_t i) const {
-        return world_.capsules.side.empty() ? Side::both : world_.capsules.side[i];
+        return world_.capsules().side.empty() ? Side::both : world_.capsules().side[i];
     }
 
     std::string_view group_of(CapsuleId id) const {
@@ -163,7 +163,7 @@ class LevelWriter {
 
     /// Whether capsule i + 1 goes on where capsule i ends, as one line.
     bool goes_on(std::size_t i) const {
-        const Capsules& capsules = world_.capsules;
+        const Capsules& capsules = world_.capsules();
         if (i + 1 >= capsules.size()) return false;
         const Capsule& a = capsules.shape[i];
         const Capsule& b = capsules.shape[i + 1];
@@ -174,7 +174,7 @@ class LevelWriter {
     }
 
     bool is_outline(std::size_t first, std::size_t last) const {
-        const Capsules& capsules = world_.capsules;
+        const Capsules& capsules = world_.capsules();
         if (last - first < 2 || !(capsules.shape[first].start == capsules.shape[last].end))
             return false;
         return std::ranges::any_of(scene_.outlines, [&](const std::vector<CapsuleId>& outline) {
@@ -184,7 +184,7 @@ class LevelWriter {
     }
 
     void edges() {
-        for (std::size_t first = 0; first < world_.capsules.size();) {
+        for (std::size_t first = 0; first < world_.capsules().size();) {
             std::size_t last = first;
             while (goes_on(last) && !ends_outline(first, last))
                 ++last;
@@ -194,11 +194,11 @@ class LevelWriter {
     }
 
     bool ends_outline(std::size_t first, std::size_t last) const {
-        return world_.capsules.shape[first].start == world_.capsules.shape[last].end;
+        return world_.capsules().shape[first].start == world_.capsules().shape[last].end;
     }
 
     void edge(std::size_t first, std::size_t last) {
-        const Capsules& capsules = world_.capsules;
+        const Capsules& capsules = world_.capsules();
         const Capsule& shape = capsules.shape[first];
         const std::string_view group = group_of(capsules.id[first]);
         const std::string names =
@@ -219,8 +219,8 @@ class LevelWriter {
 
     // In the order of their counters, which keep that order when the level is loaded.
     void zones() {
-        for (std::size_t i = 0; i < world_.zones.size(); ++i) {
-            const Zone& zone = world_.zones[i];
+        for (std::size_t i = 0; i < world_.zones().size(); ++i) {
+            const Zone& zone = world_.zones()[i];
             const std::string& full = scene_.zone_names[i];
             if (std::ranges::count(scene_.pool.pockets, i)) {
                 line("pocket {} at={} r={}", full.substr(0, full.rfind('.')),
@@ -234,7 +234,7 @@ class LevelWriter {
     }
 
     void balls() {
-        const Balls& balls = world_.balls;
+        const Balls& balls = world_.balls();
         for (std::size_t i = 0; i < balls.size(); ++i) {
             const std::uint32_t id = number(balls.id[i]);
             std::string name_text;
@@ -243,7 +243,7 @@ class LevelWriter {
             // Names with a suffix belong to copies; here each ball is a statement of its own.
             std::ranges::replace(name_text, '.', '_');
             if (!name_text.empty()) text_ += name_text + " ";
-            const Kind& kind = world_.kinds[balls.kind[i]];
+            const Kind& kind = world_.kinds()[balls.kind[i]];
             text_ += fmt::format("kind={} at={} v={}", kinds_[balls.kind[i]],
                                  place(balls.position[i]), with_unit(balls.velocity[i], "m/s"));
             if (balls.radius[i] != kind.radius) text_ += fmt::format(" r={}", balls.radius[i]);
@@ -270,7 +270,7 @@ class LevelWriter {
     }
 
     void emitters() {
-        for (const Emitter& emitter : world_.emitters) {
+        for (const Emitter& emitter : world_.emitters()) {
             if (emitter.emitted >= emitter.count) continue;
             line("spawn {} at={} v={} jitter={} vjitter={} every={} count={}", kinds_[emitter.kind],
                  place(emitter.at), with_unit(emitter.velocity, "m/s"), place(emitter.jitter),

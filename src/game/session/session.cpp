@@ -52,7 +52,7 @@ std::optional<std::string> Session::apply(const Command& command) {
     if (is_following_) return "this is a recording, which is only watched";
     if (auto why_not = refusal(scene_, world_, game_, command)) return why_not;
     forget_future();
-    forget_from(world_.tick, marks_);
+    forget_from(world_.tick(), marks_);
     execute_now(command);
     log(command);
     return std::nullopt;
@@ -70,26 +70,26 @@ void Session::use_solver(const SolverSettings& settings) {
 
 void Session::log(const Command& command) {
     const auto earlier = std::find_if(log_.rbegin(), log_.rend(), [&](const TimedCommand& logged) {
-        return logged.tick != world_.tick || !continues_gesture(logged.command, command) ||
+        return logged.tick != world_.tick() || !continues_gesture(logged.command, command) ||
                moves_same_hand(logged.command, command) || !moves_capsule(logged.command);
     });
-    if (earlier != log_.rend() && earlier->tick == world_.tick &&
+    if (earlier != log_.rend() && earlier->tick == world_.tick() &&
         moves_same_hand(earlier->command, command))
         earlier->command = command;
     else
-        log_.push_back({world_.tick, command});
+        log_.push_back({world_.tick(), command});
     executed_ = log_.size();
     bound_log();
 }
 
 void Session::forget_future() {
-    if (executed_ == log_.size() && latest_ == world_.tick) return;
+    if (executed_ == log_.size() && latest_ == world_.tick()) return;
     log_.resize(executed_);
-    history_.forget_from(world_.tick);
-    forget_from(world_.tick, marks_);
-    latest_ = world_.tick;
-    const auto balls = world_.held_balls;
-    const auto capsules = world_.held_capsules;
+    history_.forget_from(world_.tick());
+    forget_from(world_.tick(), marks_);
+    latest_ = world_.tick();
+    const auto balls = world_.held_balls();
+    const auto capsules = world_.held_capsules();
     for (const HeldBall& held : balls) {
         execute_now(command::DropBall{held.id});
         log(command::DropBall{held.id});
@@ -112,11 +112,11 @@ void Session::forget_future() {
 void Session::bound_log() {
     if (!keeps_all_commands_ && bytes_of(log_) > rewind_bytes_ / 2 && log_.size() > 1) {
         const Snapshot* kept = history_.at_or_before(log_[log_.size() / 2].tick);
-        if (kept && kept->world.tick > earliest())
+        if (kept && kept->world.tick() > earliest())
             base_ = *kept;
         else
             base_ = Snapshot{world_, solver_.settings(), game_};
-        const std::uint64_t start = base_->world.tick;
+        const std::uint64_t start = base_->world.tick();
         const auto stays = std::ranges::upper_bound(log_, start, {}, &TimedCommand::tick);
         log_ = std::vector<TimedCommand>(stays, log_.end());
         executed_ = log_.size();
@@ -124,17 +124,17 @@ void Session::bound_log() {
     }
     const std::size_t taken =
         bytes_of(log_) + (base_ ? bytes_of(base_->world) + bytes_of(base_->game) : 0);
-    history_.set_limit(rewind_bytes_ - std::min(rewind_bytes_, taken), world_.tick);
+    history_.set_limit(rewind_bytes_ - std::min(rewind_bytes_, taken), world_.tick());
 }
 
 void Session::execute_log_of_this_tick() {
-    while (executed_ < log_.size() && log_[executed_].tick == world_.tick) {
+    while (executed_ < log_.size() && log_[executed_].tick == world_.tick()) {
         const Command& command = log_[executed_].command;
         if (is_following_) {
             if (const auto why_not = refusal(scene_, world_, game_, command)) {
-                fault_ = fmt::format("at tick {}: {}", world_.tick, *why_not);
+                fault_ = fmt::format("at tick {}: {}", world_.tick(), *why_not);
                 log_.resize(executed_);
-                latest_ = world_.tick;
+                latest_ = world_.tick();
                 return;
             }
         }
@@ -152,9 +152,9 @@ void Session::follow(std::vector<TimedCommand> commands, std::uint64_t end) {
 }
 
 void Session::mark() {
-    if (world_.tick % mark_interval(world_.rate) != 0) return;
-    if (!marks_.empty() && marks_.back().tick >= world_.tick) return;
-    marks_.push_back({world_.tick, fingerprint(world_, game_)});
+    if (world_.tick() % mark_interval(world_.rate()) != 0) return;
+    if (!marks_.empty() && marks_.back().tick >= world_.tick()) return;
+    marks_.push_back({world_.tick(), fingerprint(world_, game_)});
 }
 
 // Returns false when the tick was cancelled.
@@ -164,30 +164,30 @@ bool Session::advance() {
     if (outcome_ == TickOutcome::given_up) return false;
     contacts_.assign(solver_.contacts().begin(), solver_.contacts().end());
     update_game(scene_, world_, game_, contacts_);
-    latest_ = std::max(latest_, world_.tick);
+    latest_ = std::max(latest_, world_.tick());
     execute_log_of_this_tick();
     return true;
 }
 
 bool Session::step_forward() {
     if (is_at_end()) return false;
-    if (world_.tick % History::spacing == 0) history_.keep(world_, solver_.settings(), game_);
+    if (world_.tick() % History::spacing == 0) history_.keep(world_, solver_.settings(), game_);
     return advance();
 }
 
 bool Session::step_back() {
-    return world_.tick > earliest() && go_to(world_.tick - 1);
+    return world_.tick() > earliest() && go_to(world_.tick() - 1);
 }
 
 bool Session::go_to(std::uint64_t tick) {
     if (tick < earliest() || tick > latest_) return false;
     const Snapshot* nearest = tick > 0 ? history_.at_or_before(tick - 1) : nullptr;
     const bool forward_is_shorter =
-        tick >= world_.tick && (!nearest || nearest->world.tick <= world_.tick);
+        tick >= world_.tick() && (!nearest || nearest->world.tick() <= world_.tick());
     if (!forward_is_shorter && !restore(tick)) return false;
-    while (world_.tick < tick && step_forward()) {
+    while (world_.tick() < tick && step_forward()) {
     }
-    return world_.tick == tick;
+    return world_.tick() == tick;
 }
 
 // Starts at the last snapshot before the tick, not at it: the last tick is computed again, so that
@@ -199,7 +199,7 @@ bool Session::restore(std::uint64_t tick) {
         world_ = from->world;
         game_ = from->game;
         use_solver(from->solver);
-        const auto next = std::ranges::upper_bound(log_, world_.tick, {}, &TimedCommand::tick);
+        const auto next = std::ranges::upper_bound(log_, world_.tick(), {}, &TimedCommand::tick);
         executed_ = static_cast<std::size_t>(next - log_.begin());
     } else {
         world_ = base_ ? base_->world : scene_.world;
@@ -210,8 +210,8 @@ bool Session::restore(std::uint64_t tick) {
     }
     const std::uint64_t affordable = rewind_bytes_ / dense_share / bytes_of(world_);
     const std::uint64_t dense = std::min(affordable, most_dense_ticks);
-    while (world_.tick < tick) {
-        if (tick - world_.tick <= dense || world_.tick % History::spacing == 0)
+    while (world_.tick() < tick) {
+        if (tick - world_.tick() <= dense || world_.tick() % History::spacing == 0)
             history_.keep(world_, solver_.settings(), game_);
         if (!advance()) return false;
     }

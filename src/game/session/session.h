@@ -77,7 +77,7 @@ class Session {
     TickOutcome outcome() const { return outcome_; }
 
     /// The earliest tick that can be gone back to, and the latest that has been reached.
-    std::uint64_t earliest() const { return base_ ? base_->world.tick : 0; }
+    std::uint64_t earliest() const { return base_ ? base_->world.tick() : 0; }
     std::uint64_t latest() const { return latest_; }
     /// Back to the start, without commands; the solver stays.
     void restart();
@@ -97,7 +97,7 @@ class Session {
     void follow(std::vector<TimedCommand> commands, std::uint64_t end);
     bool is_following() const { return is_following_; }
     /// Whether there is nothing left to follow.
-    bool is_at_end() const { return is_following_ && world_.tick >= latest_; }
+    bool is_at_end() const { return is_following_ && world_.tick() >= latest_; }
     void stop_following() { is_following_ = false; }
     /// Why a command of the recording was refused: a sentence that begins with its tick. The
     /// recording ends there.

@@ -25,7 +25,7 @@ struct Runner {
 
 Runner runner_of(const Scene& scene, const Choice& choice, double common) {
     Runner runner{Solver(choice.solver), scene.world, {}, ticks_each(choice.rate, common)};
-    runner.world.rate = choice.rate;
+    runner.world.edit_definition().rate = choice.rate;
     return runner;
 }
 
@@ -45,7 +45,7 @@ double note_difference(Comparison& comparison, const World& first, const World& 
     const DifferenceAt apart{time, off.rms / comparison.radius, off.max / comparison.radius};
     comparison.differences.push_back(apart);
     if (!comparison.divergence && apart.max > comparison.tolerance && off.farthest) {
-        const Vec2 place = first.balls.position[*index_of(first, *off.farthest)];
+        const Vec2 place = first.balls().position[*index_of(first, *off.farthest)];
         comparison.divergence = {time, *off.farthest, place, apart.max};
     }
     return apart.rms;
@@ -63,7 +63,7 @@ Comparison compare(const Scene& scene, const CompareSettings& settings, const Go
     Runner first = runner_of(scene, settings.first, common);
     Runner second = runner_of(scene, settings.second, common);
     if (settings.nudge > 0.0)
-        nudge(second.world, settings.nudge * comparison.radius, scene.world.seed, 0);
+        nudge(second.world, settings.nudge * comparison.radius, scene.world.seed(), 0);
 
     note_difference(comparison, first.world, second.world, 0.0);
     const auto periods =

@@ -46,12 +46,12 @@ void WorldEnsemble::execute(const Command& command) {
 }
 
 double WorldEnsemble::spread() const {
-    const Balls& first = copies_.front().balls;
+    const Balls& first = copies_.front().balls();
     const std::optional<Vec2> torus = torus_of(copies_.front());
     std::vector<double> sum(first.size(), 0.0);
     std::vector<double> count(first.size(), 0.0);
     for (std::size_t copy = 1; copy < copies_.size(); ++copy) {
-        const Balls& balls = copies_[copy].balls;
+        const Balls& balls = copies_[copy].balls();
         std::size_t j = 0;
         for (std::size_t i = 0; i < first.size(); ++i) {
             while (j < balls.size() && balls.id[j] < first.id[i])
@@ -78,10 +78,10 @@ Density density(std::span<const World> copies, const Box& view, std::size_t colu
     };
     for (const World& world : copies) {
         if (only) {
-            if (const auto index = index_of(world, *only)) count(world.balls.position[*index]);
+            if (const auto index = index_of(world, *only)) count(world.balls().position[*index]);
             continue;
         }
-        for (const Vec2 place : world.balls.position)
+        for (const Vec2 place : world.balls().position)
             count(place);
     }
     return grid;

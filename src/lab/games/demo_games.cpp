@@ -17,7 +17,7 @@ constexpr std::size_t bars = 14;
 constexpr std::size_t bar_columns = 40;
 
 bool is_outside(const World& world, const Box& table) {
-    return std::ranges::any_of(world.balls.position, [&](Vec2 at) {
+    return std::ranges::any_of(world.balls().position, [&](Vec2 at) {
         return !(at.x > table.low.x && at.x < table.high.x && at.y > table.low.y &&
                  at.y < table.high.y);
     });
@@ -77,7 +77,7 @@ DemoGames play_demo_games(const Scene& scene, const SolverSettings& settings, st
     const auto& state = std::get<PinballState>(game);
     Solver solver(settings);
     DemoPlayer player;
-    const Box table = grow(scene.view, 0.1 * world.balls.radius[0]);
+    const Box table = grow(scene.view, 0.1 * world.balls().radius[0]);
     std::map<std::uint32_t, std::uint64_t> served;  // tick, by ball
     std::size_t removals = 0;
     std::uint64_t last_drain = 0;
@@ -87,22 +87,22 @@ DemoGames play_demo_games(const Scene& scene, const SolverSettings& settings, st
             execute(scene, world, game, press);
         solver.tick(world);
         update_game(scene, world, game, solver.contacts());
-        for (const BallId id : world.balls.id)
-            served.try_emplace(number(id), world.tick);
+        for (const BallId id : world.balls().id)
+            served.try_emplace(number(id), world.tick());
         if (is_outside(world, table)) ++games.outside;
-        for (; removals < world.removed.size(); ++removals) {
-            const Removal& gone = world.removed[removals];
+        for (; removals < world.removed().size(); ++removals) {
+            const Removal& gone = world.removed()[removals];
             const auto since = served.find(number(gone.id));
             if (gone.zone >= 0 && since != served.end())
                 games.ball_times.push_back(static_cast<double>(gone.tick - since->second) /
-                                           world.rate);
+                                           world.rate());
             last_drain = gone.tick;
             if (keep_going && !keep_going()) return games;
         }
         const bool is_over = state.phase == PinballState::Phase::over;
         if (is_over && !was_over) games.scores.push_back(state.score);
         was_over = is_over;
-        if (static_cast<double>(world.tick - last_drain) > longest_ball * world.rate) break;
+        if (static_cast<double>(world.tick() - last_drain) > longest_ball * world.rate()) break;
     }
     games.searches = state.searches;
     games.lost = state.lost;

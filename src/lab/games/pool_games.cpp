@@ -29,7 +29,7 @@ PoolFrame play_pool_frame(const Scene& scene, const SolverSettings& settings,
                           const std::array<int, 2>& skill, std::uint32_t number) {
     PoolFrame frame;
     World world = scene.world;
-    world.seed = scene.world.seed + number;
+    world.edit_definition().seed = scene.world.seed() + number;
     GameState game = *begin_pool(scene, static_cast<int>(number % 2));
     const auto& play = std::get<PoolPlay>(game);
     Solver solver(settings);

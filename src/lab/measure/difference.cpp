@@ -18,7 +18,7 @@ double distance_squared(Vec2 a, Vec2 b, const std::optional<Vec2>& torus) {
 }  // namespace
 
 Positions positions_of(const World& world) {
-    return {world.balls.id, world.balls.position};
+    return {world.balls().id, world.balls().position};
 }
 
 Difference difference(const Positions& a, const Positions& b, const std::optional<Vec2>& torus) {
@@ -50,19 +50,19 @@ Difference difference(const World& a, const World& b) {
 }
 
 std::optional<Vec2> torus_of(const World& world) {
-    if (!world.model.wrap) return std::nullopt;
-    return size(*world.model.wrap);
+    if (!world.model().wrap) return std::nullopt;
+    return size(*world.model().wrap);
 }
 
 double mean_radius(const World& world) {
     double sum = 0.0;
     double count = 0.0;
-    for (const double radius : world.balls.radius)
+    for (const double radius : world.balls().radius)
         sum += radius;
-    count += static_cast<double>(world.balls.size());
-    for (const Emitter& emitter : world.emitters) {
+    count += static_cast<double>(world.balls().size());
+    for (const Emitter& emitter : world.emitters()) {
         const double to_come = emitter.count - emitter.emitted;
-        sum += to_come * world.kinds[emitter.kind].radius;
+        sum += to_come * world.kinds()[emitter.kind].radius;
         count += to_come;
     }
     return count > 0.0 ? sum / count : 1.0;

@@ -33,7 +33,7 @@ struct Bench {
 
 World started_at(const Scene& scene, double rate) {
     World world = scene.world;
-    world.rate = rate;
+    world.edit_definition().rate = rate;
     return world;
 }
 
@@ -59,8 +59,8 @@ Ticked tick(Bench& bench, World& world, Solver& solver) {
 // Runs up to the instant of a horizon, or to the first tick that is not done.
 TickOutcome run_to(Bench& bench, World& world, Solver& solver, std::uint64_t point,
                    std::vector<Meeting>* meetings) {
-    const std::uint64_t ticks = point * ticks_each(world.rate, bench.common);
-    while (world.tick < ticks) {
+    const std::uint64_t ticks = point * ticks_each(world.rate(), bench.common);
+    while (world.tick() < ticks) {
         const TickOutcome outcome = tick(bench, world, solver).outcome;
         if (meetings != nullptr) note_meetings(*meetings, solver.contacts());
         if (outcome != TickOutcome::done) return outcome;
@@ -90,7 +90,7 @@ std::optional<Truth> find_truth(Bench& bench, const Reference& reference, double
         truth.positions.push_back(positions_of(world));
         truth.met.push_back(truth.meetings.size());
     }
-    bench.done = before + ticks_of(bench, world.rate) + ticks_of(bench, twin.rate);
+    bench.done = before + ticks_of(bench, world.rate()) + ticks_of(bench, twin.rate());
     return truth;
 }
 
@@ -127,17 +127,17 @@ std::optional<Measured> observed(Bench& bench, const Choice& choice, const Truth
     double seconds = 0.0;
     const std::uint64_t ticks = ticks_of(bench, choice.rate);
     const std::uint64_t period = ticks_each(choice.rate, bench.common);
-    while (world.tick < ticks) {
+    while (world.tick() < ticks) {
         const Ticked ticked = tick(bench, world, solver);
         if (ticked.outcome == TickOutcome::given_up) return std::nullopt;
         if (ticked.outcome == TickOutcome::too_dense) ++row.too_dense;
         seconds += ticked.seconds;
-        ball_ticks += world.balls.size();
+        ball_ticks += world.balls().size();
         watch.note_tick(world);
         const std::size_t next = row.errors.size();
         if (next < truth.positions.size()) {
             note_meetings(meetings, solver.contacts());
-            if (world.tick == bench.points[next] * period)
+            if (world.tick() == bench.points[next] * period)
                 row.errors.push_back(error_at(truth, next, world, meetings, radius));
         }
     }
@@ -153,7 +153,7 @@ std::optional<double> timed(Bench& bench, const Choice& choice) {
     Solver solver(choice.solver);
     const std::uint64_t ticks = ticks_of(bench, choice.rate);
     double seconds = 0.0;
-    while (world.tick < ticks) {
+    while (world.tick() < ticks) {
         const Ticked ticked = tick(bench, world, solver);
         if (ticked.outcome == TickOutcome::given_up) return std::nullopt;
         seconds += ticked.seconds;
@@ -200,7 +200,7 @@ std::optional<std::size_t> headline_of(const Measurement& measurement,
 Bench prepare(const Scene& scene, const MeasureSettings& settings, const LabHooks& hooks,
               const std::vector<Choice>& choices, const Reference& reference) {
     Bench bench{scene, settings, hooks};
-    std::vector<double> rates{scene.world.rate, reference.truth.rate, reference.check.rate};
+    std::vector<double> rates{scene.world.rate(), reference.truth.rate, reference.check.rate};
     for (const Choice& choice : choices)
         rates.push_back(choice.rate);
     bench.common = common_rate(rates);
@@ -220,7 +220,7 @@ Bench prepare(const Scene& scene, const MeasureSettings& settings, const LabHook
 
 std::optional<Measurement> measure(const Scene& scene, const MeasureSettings& settings,
                                    const LabHooks& hooks) {
-    const double rate = scene.world.rate;
+    const double rate = scene.world.rate();
     const std::span<const SolverKind> all = solvers_available();
     const std::vector<Choice> choices =
         choices_for(scene, settings.solvers.empty() ? all : std::span(settings.solvers),
@@ -232,8 +232,8 @@ std::optional<Measurement> measure(const Scene& scene, const MeasureSettings& se
     if (!truth) return std::nullopt;
 
     Measurement measurement{.rate = rate,
-                            .seed = scene.world.seed,
-                            .balls = scene.world.balls.size(),
+                            .seed = scene.world.seed(),
+                            .balls = scene.world.balls().size(),
                             .radius = radius,
                             .time = static_cast<double>(bench.points.back()) / bench.common,
                             .repeats = settings.repeats,

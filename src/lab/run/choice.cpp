@@ -46,13 +46,13 @@ std::vector<Choice> choices_for(const Scene& scene, std::span<const SolverKind> 
     std::vector<Choice> choices;
     const SolverSettings own = solver_for(scene);
     if (std::ranges::find(kinds, own.kind) != kinds.end()) {
-        choices.push_back({own, scene.world.rate});
+        choices.push_back({own, scene.world.rate()});
     }
     for (const SolverKind kind : kinds) {
-        if (!supports(kind, scene.world.model)) continue;
+        if (!supports(kind, scene.world.model())) continue;
         for (const double rate : rates)
             add_new(choices, {{.kind = kind}, rate});
-        add_variants(choices, kind, scene.world.rate);
+        add_variants(choices, kind, scene.world.rate());
     }
     return choices;
 }

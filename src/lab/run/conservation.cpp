@@ -17,17 +17,18 @@ double energy(const Totals& sums) {
 
 double sum_of_magnitudes(const World& world) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < world.balls.size(); ++i)
-        sum += length(world.balls.velocity[i]) / world.balls.inverse_mass[i];
+    for (std::size_t i = 0; i < world.balls().size(); ++i)
+        sum += length(world.balls().velocity[i]) / world.balls().inverse_mass[i];
     return sum;
 }
 
 // A sink takes a ball with the potential energy it has, which may be below zero.
 bool may_gain_energy(const World& world) {
     const bool has_sink = std::ranges::any_of(
-        world.zones, [](const Zone& zone) { return zone.effect == Zone::Effect::sink; });
-    return !world.emitters.empty() || !world.held_balls.empty() || !world.held_capsules.empty() ||
-           (world.model.gravity && (world.model.wrap || has_sink));
+        world.zones(), [](const Zone& zone) { return zone.effect == Zone::Effect::sink; });
+    return !world.emitters().empty() || !world.held_balls().empty() ||
+           !world.held_capsules().empty() ||
+           (world.model().gravity && (world.model().wrap || has_sink));
 }
 
 double share(double change, double whole) {

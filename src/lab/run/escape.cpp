@@ -6,7 +6,7 @@
 namespace carom {
 
 EscapeWatch::EscapeWatch(const Scene& scene) {
-    const Capsules& capsules = scene.world.capsules;
+    const Capsules& capsules = scene.world.capsules();
     for (const std::vector<CapsuleId>& ids : scene.outlines) {
         Outline outline;
         for (const CapsuleId id : ids) {
@@ -35,13 +35,13 @@ bool EscapeWatch::is_inside(const Outline& outline, Vec2 point) {
 }
 
 void EscapeWatch::note_births(const World& world) {
-    if (outlines_.empty() || homes_.size() == world.next_ball) return;
+    if (outlines_.empty() || homes_.size() == world.next_ball()) return;
     const std::size_t known = homes_.size();
-    homes_.resize(world.next_ball);
-    for (std::size_t i = world.balls.size(); i-- > 0 && number(world.balls.id[i]) >= known;) {
+    homes_.resize(world.next_ball());
+    for (std::size_t i = world.balls().size(); i-- > 0 && number(world.balls().id[i]) >= known;) {
         for (std::uint32_t outline = 0; outline < outlines_.size(); ++outline) {
-            if (!is_inside(outlines_[outline], world.balls.position[i])) continue;
-            homes_[number(world.balls.id[i])].push_back(outline);
+            if (!is_inside(outlines_[outline], world.balls().position[i])) continue;
+            homes_[number(world.balls().id[i])].push_back(outline);
         }
     }
 }
@@ -49,10 +49,10 @@ void EscapeWatch::note_births(const World& world) {
 std::size_t EscapeWatch::escaped(const World& world) const {
     if (outlines_.empty()) return 0;
     std::size_t count = 0;
-    for (std::size_t i = 0; i < world.balls.size(); ++i) {
-        const std::vector<std::uint32_t>& home = homes_[number(world.balls.id[i])];
+    for (std::size_t i = 0; i < world.balls().size(); ++i) {
+        const std::vector<std::uint32_t>& home = homes_[number(world.balls().id[i])];
         const bool is_out = std::ranges::any_of(home, [&](std::uint32_t outline) {
-            return !is_inside(outlines_[outline], world.balls.position[i]);
+            return !is_inside(outlines_[outline], world.balls().position[i]);
         });
         if (is_out) ++count;
     }

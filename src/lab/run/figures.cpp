@@ -54,9 +54,12 @@ std::vector<Figure> expected_only() {
     using W = const World&;
     return {
         {.quantity = "collisions",
-         .of_world = [](W w) { return counted(w.ball_ball_collisions + w.ball_edge_collisions); }},
-        {.quantity = "ball_ball", .of_world = [](W w) { return counted(w.ball_ball_collisions); }},
-        {.quantity = "ball_edge", .of_world = [](W w) { return counted(w.ball_edge_collisions); }},
+         .of_world =
+             [](W w) { return counted(w.ball_ball_collisions() + w.ball_edge_collisions()); }},
+        {.quantity = "ball_ball",
+         .of_world = [](W w) { return counted(w.ball_ball_collisions()); }},
+        {.quantity = "ball_edge",
+         .of_world = [](W w) { return counted(w.ball_edge_collisions()); }},
         {.quantity = "kinetic_energy", .of_world = [](W w) { return totals(w).kinetic_energy; }},
         {.quantity = "potential_energy",
          .of_world = [](W w) { return totals(w).potential_energy; }},
@@ -71,8 +74,8 @@ std::vector<Figure> expected_only() {
         {.quantity = "angular_momentum",
          .of_world = [](W w) { return totals(w).angular_momentum; }},
         {.quantity = "time", .of_world = [](W w) { return w.time(); }},
-        {.quantity = "balls", .of_world = [](W w) { return counted(w.balls.size()); }},
-        {.quantity = "removed", .of_world = [](W w) { return counted(w.removed.size()); }},
+        {.quantity = "balls", .of_world = [](W w) { return counted(w.balls().size()); }},
+        {.quantity = "removed", .of_world = [](W w) { return counted(w.removed().size()); }},
     };
 }
 

@@ -66,13 +66,13 @@ struct BallRow {
 };
 
 constexpr std::array<BallRow, 6> ball_rows{{
-    {"x", [](const World& world, std::size_t i) { return world.balls.position[i].x; }},
-    {"y", [](const World& world, std::size_t i) { return world.balls.position[i].y; }},
-    {"vx", [](const World& world, std::size_t i) { return world.balls.velocity[i].x; }},
-    {"vy", [](const World& world, std::size_t i) { return world.balls.velocity[i].y; }},
-    {"speed", [](const World& world, std::size_t i) { return length(world.balls.velocity[i]); }},
+    {"x", [](const World& world, std::size_t i) { return world.balls().position[i].x; }},
+    {"y", [](const World& world, std::size_t i) { return world.balls().position[i].y; }},
+    {"vx", [](const World& world, std::size_t i) { return world.balls().velocity[i].x; }},
+    {"vy", [](const World& world, std::size_t i) { return world.balls().velocity[i].y; }},
+    {"speed", [](const World& world, std::size_t i) { return length(world.balls().velocity[i]); }},
     {"w", [](const World& world,
-             std::size_t i) { return world.model.spin ? world.balls.spin[i] : 0.0; }},
+             std::size_t i) { return world.model().spin ? world.balls().spin[i] : 0.0; }},
 }};
 
 std::optional<double> of_ball(const Quantity& quantity, const World& world) {

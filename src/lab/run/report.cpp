@@ -20,13 +20,13 @@ std::string_view name_at(const std::vector<std::string>& names, std::size_t inde
 
 // The mass as the level gave it: 1/(1/m) is m only up to rounding.
 double mass_of(const World& world, std::size_t ball) {
-    const double inverse = world.balls.inverse_mass[ball];
-    const double of_kind = world.kinds[world.balls.kind[ball]].mass;
+    const double inverse = world.balls().inverse_mass[ball];
+    const double of_kind = world.kinds()[world.balls().kind[ball]].mass;
     return 1.0 / of_kind == inverse ? of_kind : 1.0 / inverse;
 }
 
 void write_balls(JsonWriter& json, const Scene& scene, const World& world) {
-    const Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     json.key("balls");
     json.begin_list(Layout::lines);
     for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -38,7 +38,7 @@ void write_balls(JsonWriter& json, const Scene& scene, const World& world) {
         json.field("y", balls.position[i].y);
         json.field("vx", balls.velocity[i].x);
         json.field("vy", balls.velocity[i].y);
-        json.field("w", world.model.spin ? balls.spin[i] : 0.0);
+        json.field("w", world.model().spin ? balls.spin[i] : 0.0);
         json.field("radius", balls.radius[i]);
         json.field("mass", mass_of(world, i));
         json.end_object();
@@ -49,7 +49,7 @@ void write_balls(JsonWriter& json, const Scene& scene, const World& world) {
 void write_removed(JsonWriter& json, const Scene& scene, const World& world) {
     json.key("removed");
     json.begin_list(Layout::lines);
-    for (const Removal& removal : world.removed) {
+    for (const Removal& removal : world.removed()) {
         json.begin_object(Layout::one_line);
         json.field("id", std::uint64_t{number(removal.id)});
         json.field("name", name_at(scene.ball_names, number(removal.id)));
@@ -159,13 +159,13 @@ std::string report_json(std::string_view level, const Scene& scene, const World&
     json.field("solver", name(record.solver.kind));
     json.key("settings");
     write_settings(json, record.solver);
-    json.field("rate", world.rate);
-    json.field("seed", world.seed);
-    json.field("ticks", world.tick);
+    json.field("rate", world.rate());
+    json.field("seed", world.seed());
+    json.field("ticks", world.tick());
     json.field("time", world.time());
     json.key("model");
     json.begin_list(Layout::one_line);
-    for (const std::string& term : terms_in_force(world.model)) {
+    for (const std::string& term : terms_in_force(world.model())) {
         json.value(std::string_view(term));
     }
     json.end_list();
@@ -175,8 +175,8 @@ std::string report_json(std::string_view level, const Scene& scene, const World&
     write_totals(json, "totals", totals(world));
     json.key("collisions");
     json.begin_object(Layout::one_line);
-    json.field("ball_ball", world.ball_ball_collisions);
-    json.field("ball_edge", world.ball_edge_collisions);
+    json.field("ball_ball", world.ball_ball_collisions());
+    json.field("ball_edge", world.ball_edge_collisions());
     json.end_object();
     for (const Figure& figure : figures())
         if (figure.is_in_run) write_figure(json, figure, record.watch.value(figure, world));
@@ -200,10 +200,11 @@ std::string summary(const Scene& scene, const World& world, const RunRecord& rec
         "energy      {:.6g} at the start, {:.6g} now{}\n"
         "{}"
         "fingerprint {}\n",
-        scene.title.empty() ? scene.file : scene.title, world.time(), world.tick,
-        settings_text(record.solver, SettingsText::used), seconds, world.balls.size(),
-        world.removed.size(), world.ball_ball_collisions, world.ball_edge_collisions, start, end,
-        change_of(start, end), summary_of_figures(record, world), hexadecimal(fingerprint(world)));
+        scene.title.empty() ? scene.file : scene.title, world.time(), world.tick(),
+        settings_text(record.solver, SettingsText::used), seconds, world.balls().size(),
+        world.removed().size(), world.ball_ball_collisions(), world.ball_edge_collisions(), start,
+        end, change_of(start, end), summary_of_figures(record, world),
+        hexadecimal(fingerprint(world)));
 }
 
 std::string verdicts(const Scene& scene, const RunRecord& record, Verdict verdict) {
@@ -224,7 +225,8 @@ std::string verdicts(const Scene& scene, const RunRecord& record, Verdict verdic
 }
 
 std::string explanation(const Scene& scene) {
-    return explanation(scene.world.model, scene.world.rate, pick_solver(scene.world), scene.solver);
+    return explanation(scene.world.model(), scene.world.rate(), pick_solver(scene.world),
+                       scene.solver);
 }
 
 std::string explanation(const Model& model, double rate, const SolverPick& pick,

@@ -13,7 +13,7 @@ void judge_due(RunRecord& record, const Scene& scene, const World& world) {
     if (scene.overridden) return;
     for (std::size_t i = 0; i < scene.expects.size(); ++i) {
         const std::optional<double> at = scene.expects[i].at;
-        if (!at || std::round(*at * world.rate) != static_cast<double>(world.tick)) continue;
+        if (!at || std::round(*at * world.rate()) != static_cast<double>(world.tick())) continue;
         record.judgements[i] = judge(scene.expects[i], world, record.watch);
     }
 }
@@ -34,7 +34,7 @@ RunRecord begin_record(const Scene& scene, const SolverSettings& solver) {
 
 void note_tick(RunRecord& record, const Scene& scene, const World& world) {
     record.watch.note_tick(world);
-    record.ball_ticks += world.balls.size();
+    record.ball_ticks += world.balls().size();
     judge_due(record, scene, world);
 }
 

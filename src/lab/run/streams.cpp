@@ -26,17 +26,18 @@ std::string event_lines(std::span<const Contact> contacts, std::uint64_t tick) {
 }
 
 std::string trace_header(const World& world) {
-    return world.model.spin ? "tick,time,id,x,y,vx,vy,w\n" : "tick,time,id,x,y,vx,vy\n";
+    return world.model().spin ? "tick,time,id,x,y,vx,vy,w\n" : "tick,time,id,x,y,vx,vy\n";
 }
 
 std::string trace_rows(const World& world) {
     std::string rows;
-    for (std::size_t i = 0; i < world.balls.size(); ++i) {
-        const Vec2 position = world.balls.position[i];
-        const Vec2 velocity = world.balls.velocity[i];
-        fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{}", world.tick, world.time(),
-                       number(world.balls.id[i]), position.x, position.y, velocity.x, velocity.y);
-        if (world.model.spin) fmt::format_to(std::back_inserter(rows), ",{}", world.balls.spin[i]);
+    for (std::size_t i = 0; i < world.balls().size(); ++i) {
+        const Vec2 position = world.balls().position[i];
+        const Vec2 velocity = world.balls().velocity[i];
+        fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{}", world.tick(), world.time(),
+                       number(world.balls().id[i]), position.x, position.y, velocity.x, velocity.y);
+        if (world.model().spin)
+            fmt::format_to(std::back_inserter(rows), ",{}", world.balls().spin[i]);
         rows += '\n';
     }
     return rows;

@@ -51,7 +51,8 @@ class Assembly {
     // Flippers need short ticks, so a game of pinball has a higher default rate.
     double own_rate() const {
         constexpr double pinball_rate = 1000.0;
-        return ir_.settings.rate.value_or(ir_.settings.table.is_game ? pinball_rate : World{}.rate);
+        return ir_.settings.rate.value_or(ir_.settings.table.is_game ? pinball_rate
+                                                                     : World{}.rate());
     }
 
     StartingBall starting_ball(const BallIr& spec) const {
@@ -163,12 +164,12 @@ class Assembly {
     void make_world() {
         World& world = scene_.world;
         const LevelSettings& s = ir_.settings;
-        world.seed = context_.seed;
-        world.rate = rate();
-        world.kinds = names_.kinds;
-        world.materials = names_.materials;
-        make_model(world.model);
-        if (world.model.filtered) world.meets = names_.collision_matrix;
+        world.edit_definition().seed = context_.seed;
+        world.edit_definition().rate = rate();
+        world.edit_definition().kinds = names_.kinds;
+        world.edit_definition().materials = names_.materials;
+        make_model(world.edit_definition().model);
+        if (world.model().filtered) world.edit_definition().meets = names_.collision_matrix;
         for (const StartingBall& ball : balls_) {
             add_ball(world, {.kind = ball.kind,
                              .position = ball.position,
@@ -185,7 +186,7 @@ class Assembly {
         for (std::size_t i = 0; i < ir_.emitters.size(); ++i) {
             Emitter emitter = ir_.emitters[i].emitter;
             emitter.kind = names_.emitters[i].kind;
-            world.emitters.push_back(emitter);
+            world.edit_emitters().push_back(emitter);
         }
         scene_.kind_names = names_.kind_names;
         scene_.material_names = names_.material_names;
@@ -241,7 +242,7 @@ class Assembly {
         for (std::size_t i = 0; i < ir_.capsules.size(); ++i) {
             const int chain = ir_.capsules[i].chain;
             if (!ir_.chains[static_cast<std::size_t>(chain)].is_closed) continue;
-            outlines[chain].push_back(scene_.world.capsules.id[i]);
+            outlines[chain].push_back(scene_.world.capsules().id[i]);
         }
         for (auto& [chain, capsules] : outlines)
             scene_.outlines.push_back(std::move(capsules));
@@ -256,7 +257,7 @@ class Assembly {
             add(bounds(edge.shape));
         for (const StartingBall& ball : balls_)
             add(bounds(Disc{ball.position, ball.radius}));
-        for (const Emitter& emitter : scene_.world.emitters) {
+        for (const Emitter& emitter : scene_.world.emitters()) {
             add(bounds(Disc{emitter.at, names_.kinds[emitter.kind].radius}));
         }
         if (!all) return {{-10.0, -10.0}, {10.0, 10.0}};

@@ -183,14 +183,14 @@ void PinballAssembly::fill_in(Scene& scene, const std::vector<std::uint32_t>& wo
     table_.device_of_capsule.assign(ir_.capsules.size(), -1);
     for (std::size_t i = 0; i < ir_.capsules.size(); ++i) {
         const CapsuleIr& spec = ir_.capsules[i];
-        const CapsuleId id = world.capsules.id[i];
+        const CapsuleId id = world.capsules().id[i];
         int device = -1;
         if (spec.device >= 0) {
             const DeviceIr& from = ir_.devices[static_cast<std::size_t>(spec.device)];
             device = scene_device_[static_cast<std::size_t>(spec.device)];
             if (from.flipper) {
-                world.flippers.push_back(*from.flipper);
-                world.flippers.back().capsule = id;
+                world.edit_flippers().push_back(*from.flipper);
+                world.edit_flippers().back().capsule = id;
                 table_.flipper_buttons.push_back(from.button);
             }
         } else {

@@ -75,7 +75,7 @@ void fill_in_pool(const std::vector<StartingBall>& balls,
         rack.foot = from.foot;
         rack.toward = from.toward;
         for (std::size_t i = 0; i < balls.size(); ++i)
-            if (balls[i].binding == from.binding) rack.balls.push_back(scene.world.balls.id[i]);
+            if (balls[i].binding == from.binding) rack.balls.push_back(scene.world.balls().id[i]);
         scene.pool.racks.push_back(std::move(rack));
     }
     for (std::size_t i = 0; i < ir.zones.size(); ++i)
@@ -87,7 +87,7 @@ void fill_in_pool(const std::vector<StartingBall>& balls,
         const auto named = std::ranges::find(scene.ball_names, cue.ball.text);
         if (named != scene.ball_names.end()) {
             scene.pool.cue = {
-                scene.world.balls.id[static_cast<std::size_t>(named - scene.ball_names.begin())],
+                scene.world.balls().id[static_cast<std::size_t>(named - scene.ball_names.begin())],
                 cue.least_power, cue.most_power};
             continue;
         }

@@ -284,28 +284,28 @@ void SymbolTable::fill_in(Scene& scene) {
         if (ball_names_[i].empty()) continue;
         const std::string_view base =
             std::string_view(ball_names_[i]).substr(0, ball_names_[i].find('.'));
-        group_named(scene.groups, index, base).balls.push_back(world.balls.id[i]);
+        group_named(scene.groups, index, base).balls.push_back(world.balls().id[i]);
     }
     for (std::size_t i = 0; i < ir_.capsules.size(); ++i) {
         const std::string& name =
             names_.edges[static_cast<std::size_t>(ir_.capsules[i].binding)].name;
         if (name.empty()) continue;
-        group_named(scene.groups, index, name).capsules.push_back(world.capsules.id[i]);
+        group_named(scene.groups, index, name).capsules.push_back(world.capsules().id[i]);
     }
     std::uint32_t counter = 0;
     world_zones_.assign(ir_.zones.size(), 0);
     for (const Bins& bins : bins_) {
         for (std::uint32_t i = 0; i < bins.zones.size(); ++i) {
-            world_zones_[bins.zones[i]] = static_cast<std::uint32_t>(world.zones.size());
+            world_zones_[bins.zones[i]] = static_cast<std::uint32_t>(world.zones().size());
             Zone zone = ir_.zones[bins.zones[i]].zone;
             zone.counter = counter++;
-            world.zones.push_back(zone);
+            world.edit_definition().zones.push_back(zone);
             scene.zone_names.push_back(fmt::format("{}.{}", bins.name, i + 1));
             scene.counter_names.push_back(scene.zone_names.back());
             group_named(scene.groups, index, bins.name).counters.push_back(zone.counter);
         }
     }
-    world.counters.assign(counter, 0);
+    world.edit_ledger().counters.assign(counter, 0);
     scene.shows = std::move(shows_);
     scene.expects = std::move(expects_);
 }

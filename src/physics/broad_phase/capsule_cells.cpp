@@ -35,7 +35,7 @@ Span part_between(Vec2 a, Vec2 b, double low, double high) {
 }  // namespace
 
 bool is_held(const World& world, CapsuleId id) {
-    return std::ranges::any_of(world.held_capsules,
+    return std::ranges::any_of(world.held_capsules(),
                                [id](const HeldCapsule& held) { return held.id == id; });
 }
 
@@ -67,12 +67,12 @@ void CapsuleCells::for_each_cell(const Capsule& shape, Visit&& visit) const {
 // counts.
 template <typename Visit>
 void CapsuleCells::for_each_place(const World& world, std::uint32_t capsule, Visit&& visit) const {
-    const Capsule& shape = world.capsules.shape[capsule];
+    const Capsule& shape = world.capsules().shape[capsule];
     if (!frame_.wraps) {
         for_each_cell(shape, [&](std::uint32_t cell) { visit(cell, CapsuleEntry{capsule, 0, 0}); });
         return;
     }
-    const Box whole = *world.model.wrap;
+    const Box whole = *world.model().wrap;
     const Vec2 torus = size(whole);
     for (int along = -1; along <= 1; ++along) {
         for (int across = -1; across <= 1; ++across) {
@@ -89,7 +89,7 @@ void CapsuleCells::for_each_place(const World& world, std::uint32_t capsule, Vis
 
 void CapsuleCells::note_held(const World& world) {
     held_.clear();
-    for (const HeldCapsule& held : world.held_capsules) {
+    for (const HeldCapsule& held : world.held_capsules()) {
         const auto index = index_of(world, held.id);
         if (index && (held_.empty() || held_.back() != *index))
             held_.push_back(static_cast<std::uint32_t>(*index));
@@ -105,7 +105,7 @@ void CapsuleCells::update(const World& world, const CellFrame& frame, double mar
 
 void CapsuleCells::build(const World& world) {
     note_held(world);
-    shapes_ = world.capsules.shape;
+    shapes_ = world.capsules().shape;
     start_.assign(1, 0);
     entries_.clear();
     occupied_.clear();
@@ -115,7 +115,7 @@ void CapsuleCells::build(const World& world) {
 }
 
 bool CapsuleCells::mend(const World& world) {
-    if (shapes_.size() != world.capsules.size() || start_.empty()) return false;
+    if (shapes_.size() != world.capsules().size() || start_.empty()) return false;
     note_held(world);
     note_changes(world);
     if (changed_.empty()) return true;
@@ -130,7 +130,7 @@ void CapsuleCells::note_changes(const World& world) {
     if (out_ != held_)
         std::ranges::set_symmetric_difference(out_, held_, std::back_inserter(changed_));
     const std::size_t let_go = changed_.size();
-    const std::vector<Capsule>& now = world.capsules.shape;
+    const std::vector<Capsule>& now = world.capsules().shape;
     const auto look = [&](std::size_t from, std::size_t to) {
         // Nearly always all are the same, bit by bit.
         if (std::memcmp(now.data() + from, shapes_.data() + from, (to - from) * sizeof(Capsule)) ==
@@ -154,7 +154,7 @@ void CapsuleCells::note_changes(const World& world) {
 void CapsuleCells::put_in_again(const World& world) {
     newcomers_.clear();
     for (const std::uint32_t i : changed_) {
-        shapes_[i] = world.capsules.shape[i];
+        shapes_[i] = world.capsules().shape[i];
         if (std::ranges::binary_search(held_, i)) continue;
         for_each_place(world, i, [&](std::uint32_t cell, CapsuleEntry entry) {
             newcomers_.push_back({cell, entry});

@@ -65,10 +65,10 @@ Range edges_along(const Capsules& capsules, double Vec2::*axis) {
 
 // Balls within edges are expected to stay there.
 Range expected(const World& world, double Vec2::*axis) {
-    const Sample sample(world.balls.position, axis);
+    const Sample sample(world.balls().position, axis);
     const Range most = most_of(sample);
-    if (world.capsules.size() == 0) return most;
-    Range edges = edges_along(world.capsules, axis);
+    if (world.capsules().size() == 0) return most;
+    Range edges = edges_along(world.capsules(), axis);
     edges = snapped(edges, power_of_two_above((edges.high - edges.low) / 64));
     const Range all = sample.all();
     if (!(edges.low <= all.low && all.high <= edges.high)) return most;
@@ -104,14 +104,14 @@ CellFrame frame_around(const std::vector<Vec2>& points, double cell, double cell
 }
 
 CellFrame frame_around(const World& world, double cell, double cells_a_ball) {
-    const std::vector<Vec2>& positions = world.balls.position;
+    const std::vector<Vec2>& positions = world.balls().position;
     if (positions.empty()) return {};
     const auto balls = static_cast<double>(positions.size());
     CellFrame frame;
-    if (world.model.wrap) {
+    if (world.model().wrap) {
         frame.wraps = true;
-        frame.origin = world.model.wrap->low;
-        return cells_over(frame, size(*world.model.wrap), cell, balls, cells_a_ball);
+        frame.origin = world.model().wrap->low;
+        return cells_over(frame, size(*world.model().wrap), cell, balls, cells_a_ball);
     }
     const Range across = expected(world, &Vec2::x);
     const Range along = expected(world, &Vec2::y);
@@ -121,14 +121,14 @@ CellFrame frame_around(const World& world, double cell, double cells_a_ball) {
 }
 
 double room_of_a_ball(const World& world) {
-    const auto count = static_cast<double>(world.balls.size());
+    const auto count = static_cast<double>(world.balls().size());
     if (count == 0.0) return 0.0;
-    if (world.model.wrap) {
-        const Vec2 torus = size(*world.model.wrap);
+    if (world.model().wrap) {
+        const Vec2 torus = size(*world.model().wrap);
         return torus.x * torus.y / count;
     }
-    const Range across = Sample(world.balls.position, &Vec2::x).middle_four_fifths();
-    const Range along = Sample(world.balls.position, &Vec2::y).middle_four_fifths();
+    const Range across = Sample(world.balls().position, &Vec2::x).middle_four_fifths();
+    const Range along = Sample(world.balls().position, &Vec2::y).middle_four_fifths();
     return (across.high - across.low) * (along.high - along.low) / (0.64 * count);
 }
 

@@ -30,11 +30,11 @@ int level_of(double reach, double base) {
 
 void NearPairs::sort(const World& world, const std::vector<Vec2>& place,
                      const std::vector<double>& margin, std::vector<std::uint32_t>& order) {
-    wraps_ = world.model.wrap.has_value();
-    torus_ = wraps_ ? size(*world.model.wrap) : Vec2{};
-    filtered_ = world.model.filtered;
+    wraps_ = world.model().wrap.has_value();
+    torus_ = wraps_ ? size(*world.model().wrap) : Vec2{};
+    filtered_ = world.model().filtered;
     used_ = 0;
-    order.resize(world.balls.size());
+    order.resize(world.balls().size());
     if (order.empty()) return;
     sort_into_levels(world, place, margin);
     sort_into_cells(place, order);
@@ -43,24 +43,24 @@ void NearPairs::sort(const World& world, const std::vector<Vec2>& place,
 void NearPairs::find(const World& world, const Regions& regions) {
     pairs_.clear();
     for (std::size_t fine = 0; fine < used_; ++fine) {
-        if (world.model.ball_ball) {
+        if (world.model().ball_ball) {
             pair_within(world, regions, levels_[fine]);
             for (std::size_t coarse = fine + 1; coarse < used_; ++coarse)
                 pair_with_coarser(world, regions, levels_[fine], levels_[coarse]);
         }
-        if (world.model.ball_edge) pair_with_edges(world, regions, levels_[fine]);
+        if (world.model().ball_edge) pair_with_edges(world, regions, levels_[fine]);
     }
 }
 
 void NearPairs::find(const World& world, const std::vector<double>& margin,
                      std::vector<std::uint32_t>& order) {
-    sort(world, world.balls.position, margin, order);
+    sort(world, world.balls().position, margin, order);
     center_.clear();
     radius_.clear();
     margin_.clear();
     for (const std::uint32_t ball : order) {
-        center_.push_back(world.balls.position[ball]);
-        radius_.push_back(world.balls.radius[ball]);
+        center_.push_back(world.balls().position[ball]);
+        radius_.push_back(world.balls().radius[ball]);
         margin_.push_back(margin[ball]);
     }
     find(world, {.ball = order, .center = center_, .radius = radius_, .margin = margin_});
@@ -69,11 +69,11 @@ void NearPairs::find(const World& world, const std::vector<double>& margin,
 // Where all regions are about as large as the mean one, one level holds all.
 void NearPairs::sort_into_levels(const World& world, const std::vector<Vec2>& place,
                                  const std::vector<double>& margin) {
-    const std::size_t count = world.balls.size();
+    const std::size_t count = world.balls().size();
     double sum = 0.0;
     double largest = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-        const double reach = world.balls.radius[i] + margin[i];
+        const double reach = world.balls().radius[i] + margin[i];
         sum += reach;
         largest = std::max(largest, reach);
     }
@@ -85,7 +85,7 @@ void NearPairs::sort_into_levels(const World& world, const std::vector<Vec2>& pl
     level_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         level_[i] =
-            static_cast<std::uint8_t>(level_of(world.balls.radius[i] + margin[i], base) - lowest);
+            static_cast<std::uint8_t>(level_of(world.balls().radius[i] + margin[i], base) - lowest);
         ++balls_in[level_[i]];
     }
     std::array<std::uint8_t, 121> number{};
@@ -155,7 +155,8 @@ inline void NearPairs::note(const World& world, const Regions& regions, std::uin
                             std::uint32_t j) {
     const std::uint32_t first = regions.ball[i];
     const std::uint32_t second = regions.ball[j];
-    if (filtered_ && !kinds_meet(world, world.balls.kind[first], world.balls.kind[second])) return;
+    if (filtered_ && !kinds_meet(world, world.balls().kind[first], world.balls().kind[second]))
+        return;
     const bool in_order = first < second;
     pairs_.push_back({.a = in_order ? i : j, .b = in_order ? j : i});
 }
@@ -236,10 +237,10 @@ void NearPairs::pair_with_edges(const World& world, const Regions& regions, Leve
 
 inline void NearPairs::pair_with_edge(const World& world, const Regions& regions, std::uint32_t i,
                                       const CapsuleEntry& entry) {
-    if (filtered_ && !kind_meets_material(world, world.balls.kind[regions.ball[i]],
-                                          world.capsules.material[entry.index]))
+    if (filtered_ && !kind_meets_material(world, world.balls().kind[regions.ball[i]],
+                                          world.capsules().material[entry.index]))
         return;
-    const Capsule& shape = world.capsules.shape[entry.index];
+    const Capsule& shape = world.capsules().shape[entry.index];
     const Vec2 at = regions.center[i] - Vec2{entry.across * torus_.x, entry.along * torus_.y};
     const double reach = (regions.radius[i] + regions.margin[i]) + shape.radius;
     const Vec2 way = at - closest_point(shape.start, shape.end, at);

@@ -9,9 +9,9 @@
 namespace carom {
 
 bool overlaps_edge(const World& world, const EdgePair& pair, const Disc& disc) {
-    Capsule shape = world.capsules.shape[pair.capsule];
-    if (world.model.wrap) {
-        const Vec2 torus = size(*world.model.wrap);
+    Capsule shape = world.capsules().shape[pair.capsule];
+    if (world.model().wrap) {
+        const Vec2 torus = size(*world.model().wrap);
         const Vec2 shift{pair.across * torus.x, pair.along * torus.y};
         shape.start += shift;
         shape.end += shift;
@@ -51,7 +51,7 @@ void PairOrder::sort(std::vector<BallPair>& pairs, std::size_t balls) {
 }
 
 void Neighbours::look(const World& world, double margin) {
-    const Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     margin_ = margin;
     furthest_ = 0.0;
     push_ = 0.25;
@@ -76,11 +76,11 @@ void Neighbours::look(const World& world, std::span<const Vec2> centers,
 
 void Neighbours::note(const World& world, std::span<const Vec2> centers,
                       std::span<const double> radii) {
-    torus_ = world.model.wrap ? size(*world.model.wrap) : Vec2{};
-    grid_.build(centers, radii, margin_, world.model.wrap);
+    torus_ = world.model().wrap ? size(*world.model().wrap) : Vec2{};
+    grid_.build(centers, radii, margin_, world.model().wrap);
     balls_ = centers.size();
     pairs_.clear();
-    if (world.model.ball_ball)
+    if (world.model().ball_ball)
         grid_.for_each_pair([&](std::uint32_t a, std::uint32_t b) {
             pairs_.push_back({std::min(a, b), std::max(a, b)});
         });
@@ -94,7 +94,7 @@ void Neighbours::look_for_edges(const World& world, std::span<const Vec2> center
         if (pair.ball < has_edges_.size()) has_edges_[pair.ball] = 0;
     edges_.clear();
     has_edges_.resize(centers.size(), 0);
-    if (!world.model.ball_edge) {
+    if (!world.model().ball_edge) {
         cells_of_edges_.clear();
         return;
     }
@@ -157,20 +157,21 @@ bool Neighbours::note_place(std::uint32_t ball, Vec2 position) {
 }
 
 void Neighbours::note_scene(const World& world) {
-    shapes_ = world.capsules.shape;
+    shapes_ = world.capsules().shape;
     held_.clear();
-    for (const HeldCapsule& held : world.held_capsules)
+    for (const HeldCapsule& held : world.held_capsules())
         held_.push_back(held.id);
-    meet_balls_ = world.model.ball_ball;
-    meet_edges_ = world.model.ball_edge;
+    meet_balls_ = world.model().ball_ball;
+    meet_edges_ = world.model().ball_edge;
 }
 
 // Edges that were in hands and still are may have moved.
 bool Neighbours::is_scene_of(const World& world) const {
-    const Capsules& capsules = world.capsules;
-    if (meet_balls_ != world.model.ball_ball || meet_edges_ != world.model.ball_edge) return false;
+    const Capsules& capsules = world.capsules();
+    if (meet_balls_ != world.model().ball_ball || meet_edges_ != world.model().ball_edge)
+        return false;
     if (shapes_.size() != capsules.size()) return false;
-    if (!std::ranges::equal(held_, world.held_capsules, {}, {}, &HeldCapsule::id)) return false;
+    if (!std::ranges::equal(held_, world.held_capsules(), {}, {}, &HeldCapsule::id)) return false;
     if (have_same_bits(shapes_, capsules.shape)) return true;
     for (std::size_t i = 0; i < shapes_.size(); ++i)
         if (shapes_[i] != capsules.shape[i] && !is_held(world, capsules.id[i])) return false;
@@ -178,9 +179,9 @@ bool Neighbours::is_scene_of(const World& world) const {
 }
 
 bool Neighbours::cover(const World& world) {
-    const Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     if (!(margin_ > 0.0) || radius_ != balls.radius) return false;
-    if (torus_ != (world.model.wrap ? size(*world.model.wrap) : Vec2{})) return false;
+    if (torus_ != (world.model().wrap ? size(*world.model().wrap) : Vec2{})) return false;
     if (!is_scene_of(world)) return false;
     furthest_ = 0.0;
     for (std::uint32_t i = 0; i < balls.size(); ++i)

@@ -5,13 +5,14 @@
 #include <limits>
 
 #include "physics/contact/tolerances.h"
+#include "physics/world/solver_access.h"
 
 namespace carom {
 namespace {
 
 // Only a scene that loses energy pushes overlaps apart: nothing pays for the lift of elastic balls.
 ContactSoftness softness_of(const World& world, double duration) {
-    if (!world.model.lossy) return {.push = 0.0, .mass_share = 1.0, .impulse_share = 0.0};
+    if (!world.model().lossy) return {.push = 0.0, .mass_share = 1.0, .impulse_share = 0.0};
     constexpr double turn = 6.283185307179586 * contact_tolerance::stiffness;  // rad a substep
     constexpr double first = 2.0 * contact_tolerance::damping + turn;
     constexpr double second = turn * first;
@@ -25,24 +26,24 @@ ContactSoftness softness_of(const World& world, double duration) {
 ContactSubstep contact_substep(const World& world, int count) {
     ContactSubstep step;
     step.duration = world.tick_length() / count;
-    step.flight = flight_over(world.model.drag, step.duration);
-    step.gravity = world.model.gravity.value_or(Vec2{});
-    step.drag = world.model.drag;
-    step.wraps = world.model.wrap.has_value();
-    step.torus = step.wraps ? size(*world.model.wrap) : Vec2{};
+    step.flight = flight_over(world.model().drag, step.duration);
+    step.gravity = world.model().gravity.value_or(Vec2{});
+    step.drag = world.model().drag;
+    step.wraps = world.model().wrap.has_value();
+    step.torus = step.wraps ? size(*world.model().wrap) : Vec2{};
     step.fall = length(step.gravity) * step.duration * step.duration;
     step.rest_speed = contact_tolerance::rest_speed_factor * length(step.gravity) * step.duration;
     step.softness = softness_of(world, step.duration);
-    step.spins = world.model.spin.has_value();
+    step.spins = world.model().spin.has_value();
     if (step.spins) {
-        step.spin_ease = 1.0 / *world.model.spin;
+        step.spin_ease = 1.0 / *world.model().spin;
         step.friction_mass = 1.0 / (1.0 + step.spin_ease);
     }
     return step;
 }
 
 void ContactBodies::load(const World& world) {
-    const Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     const std::size_t count = balls.size();
     fixed = static_cast<std::uint32_t>(count);
     position.resize(count);
@@ -58,45 +59,46 @@ void ContactBodies::load(const World& world) {
         position[i] = balls.position[index];
         radius[i] = balls.radius[index];
         smallest_radius = std::min(smallest_radius, radius[i]);
-        reference[i] = world.homes.place[index];
-        skin[i] = world.homes.margin[index];
+        reference[i] = world.memory().homes.place[index];
+        skin[i] = world.memory().homes.margin[index];
         body[i] = {balls.velocity[index], 0.0, balls.inverse_mass[index]};
-        if (world.model.spin) body[i].surface_speed = balls.spin[index] * balls.radius[index];
+        if (world.model().spin) body[i].surface_speed = balls.spin[index] * balls.radius[index];
     }
     start_velocity[fixed] = displacement[fixed] = {};
     body[fixed] = {};
 }
 
 bool ContactBodies::reload(const World& world) {
-    const Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     if (fixed != balls.size()) return false;
     for (std::uint32_t i = 0; i < fixed; ++i) {
         const std::uint32_t index = ball[i];
-        const bool is_same =
-            reference[i] == world.homes.place[index] && skin[i] == world.homes.margin[index] &&
-            radius[i] == balls.radius[index] && body[i].inverse_mass == balls.inverse_mass[index];
+        const bool is_same = reference[i] == world.memory().homes.place[index] &&
+                             skin[i] == world.memory().homes.margin[index] &&
+                             radius[i] == balls.radius[index] &&
+                             body[i].inverse_mass == balls.inverse_mass[index];
         if (!is_same) return false;
         position[i] = balls.position[index];
         body[i].velocity = balls.velocity[index];
-        if (world.model.spin) body[i].surface_speed = balls.spin[index] * balls.radius[index];
+        if (world.model().spin) body[i].surface_speed = balls.spin[index] * balls.radius[index];
     }
     return true;
 }
 
 void ContactBodies::store(World& world) const {
-    Balls& balls = world.balls;
+    Balls& balls = SolverAccess(world).balls();
     for (std::uint32_t i = 0; i < fixed; ++i) {
         const std::uint32_t index = ball[i];
         balls.position[index] =
-            world.model.wrap ? wrapped(position[i], *world.model.wrap) : position[i];
+            world.model().wrap ? wrapped(position[i], *world.model().wrap) : position[i];
         balls.velocity[index] = body[i].velocity;
-        if (world.model.spin) balls.spin[index] = body[i].surface_speed / balls.radius[index];
+        if (world.model().spin) balls.spin[index] = body[i].surface_speed / balls.radius[index];
     }
 }
 
 void ContactBodies::integrate_velocities(const World& world, const ContactSubstep& step) {
     const Vec2 fall = step.gravity * step.flight.velocity_per_gravity;
-    const std::optional<double> limit = world.model.speed_limit;
+    const std::optional<double> limit = world.model().speed_limit;
     start_surface_speed.clear();
     if (step.spins)
         for (std::uint32_t i = 0; i < fixed; ++i)

@@ -30,7 +30,7 @@ inline void ContactClassification::measure(const World& world, ContactPair& pair
     } else {
         Vec2 at = bodies_.position[pair.a];
         if (terms.wrap()) at -= Vec2{pair.across * step_.torus.x, pair.along * step_.torus.y};
-        const Capsule& shape = world.capsules.shape[pair.edge];
+        const Capsule& shape = world.capsules().shape[pair.edge];
         offset = at - closest_point(shape.start, shape.end, at);
         reach += shape.radius;
         if (terms.special() && pair.b > bodies_.fixed)
@@ -116,10 +116,11 @@ inline ContactState ContactClassification::state_of(const World& world,
             (pair.impulse > 0.0 || -dot(without_fall, pair.normal) < step_.rest_speed);
         if (approach >= step_.rest_speed && !stays && !is_enclosed(pair)) return ccd;
     }
-    if (terms.special() && world.model.one_way && pair.is_on_edge()) {
+    if (terms.special() && world.model().one_way && pair.is_on_edge()) {
         const bool engaged = pair.impulse > 0.0 || pair.separation > -0.5 * radius;
-        if (!engaged || !is_on_solid_side(world.capsules.shape[pair.edge],
-                                          world.capsules.side[pair.edge], bodies_.position[pair.a]))
+        if (!engaged ||
+            !is_on_solid_side(world.capsules().shape[pair.edge], world.capsules().side[pair.edge],
+                              bodies_.position[pair.a]))
             return idle;
     }
     return constraint;

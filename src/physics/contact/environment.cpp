@@ -28,29 +28,29 @@ std::uint64_t sum_of(const std::vector<PressedPair>& pairs) {
 }  // namespace
 
 void ContactEnvironment::note(const World& world) {
-    model_ = world.model;
-    kinds_ = world.kinds;
-    materials_ = world.materials;
-    meets_ = world.meets;
-    kind_ = world.balls.kind;
-    restitution_ = world.balls.restitution;
-    capsule_ = world.capsules.id;
-    shape_ = world.capsules.shape;
-    material_ = world.capsules.material;
+    model_ = world.model();
+    kinds_ = world.kinds();
+    materials_ = world.materials();
+    meets_ = world.meets();
+    kind_ = world.balls().kind;
+    restitution_ = world.balls().restitution;
+    capsule_ = world.capsules().id;
+    shape_ = world.capsules().shape;
+    material_ = world.capsules().material;
 }
 
 void ContactEnvironment::note_impulses(const World& world) {
-    pressed_ = world.pressed.size();
-    impulses_ = sum_of(world.pressed);
+    pressed_ = world.memory().pressed.size();
+    impulses_ = sum_of(world.memory().pressed);
 }
 
 bool ContactEnvironment::is_unchanged(const World& world) const {
-    const Capsules& capsules = world.capsules;
-    return model_ == world.model && kinds_ == world.kinds && materials_ == world.materials &&
-           meets_ == world.meets && kind_ == world.balls.kind &&
-           restitution_ == world.balls.restitution && capsule_ == capsules.id &&
+    const Capsules& capsules = world.capsules();
+    return model_ == world.model() && kinds_ == world.kinds() && materials_ == world.materials() &&
+           meets_ == world.meets() && kind_ == world.balls().kind &&
+           restitution_ == world.balls().restitution && capsule_ == capsules.id &&
            shape_ == capsules.shape && material_ == capsules.material &&
-           pressed_ == world.pressed.size() && impulses_ == sum_of(world.pressed);
+           pressed_ == world.memory().pressed.size() && impulses_ == sum_of(world.memory().pressed);
 }
 
 }  // namespace carom

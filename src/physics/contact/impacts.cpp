@@ -118,7 +118,7 @@ bool ContactImpacts::is_void(const ContactEvent& event) const {
 // The edge of a pair, where the ball sees it.
 Capsule ContactImpacts::edge_at(const World& world, const ContactPair& pair, double now) const {
     if (pair.b > bodies_.fixed) return shape_at(kinematics_.edge_of(pair), world, now);
-    Capsule shape = world.capsules.shape[pair.edge];
+    Capsule shape = world.capsules().shape[pair.edge];
     if (step_.wraps) {
         const Vec2 shift{pair.across * step_.torus.x, pair.along * step_.torus.y};
         shape.start += shift;
@@ -163,8 +163,8 @@ std::optional<double> ContactImpacts::time_of_impact(const World& world, const C
         const Capsule shape = edge_at(world, pair, now);
         if (is_soft(pair, {}, now)) radius -= overlap_bound(bodies_, pair);
         impact = first_impact(Disc{at, radius}, chord, shape, left);
-        if (impact && world.model.one_way &&
-            !is_on_solid_side(shape, world.capsules.side[pair.edge], at + chord * impact->time))
+        if (impact && world.model().one_way &&
+            !is_on_solid_side(shape, world.capsules().side[pair.edge], at + chord * impact->time))
             return std::nullopt;
     } else {
         const HeldEdge& edge = kinematics_.edge_of(pair);

@@ -4,13 +4,14 @@
 
 #include "physics/contact/tolerances.h"
 #include "physics/laws/free_motion.h"
+#include "physics/world/solver_access.h"
 
 namespace carom {
 
 void ContactKinematics::load(const World& world, ContactBodies& bodies) {
     balls_.clear();
-    for (std::uint32_t h = 0; h < world.held_balls.size(); ++h) {
-        const auto index = index_of(world, world.held_balls[h].id);
+    for (std::uint32_t h = 0; h < world.held_balls().size(); ++h) {
+        const auto index = index_of(world, world.held_balls()[h].id);
         if (!index) continue;
         const auto place = std::ranges::find(bodies.ball, static_cast<std::uint32_t>(*index));
         const auto body = static_cast<std::uint32_t>(place - bodies.ball.begin());
@@ -30,7 +31,7 @@ void ContactKinematics::begin_substep(const World& world, const ContactSubstep& 
         ContactHeldBall& ball = balls_[i];
         ball.share = 1.0;
         const Vec2 way =
-            rest_of_way(world, world.held_balls[ball.held], bodies.position[ball.body]);
+            rest_of_way(world, world.held_balls()[ball.held], bodies.position[ball.body]);
         ball.velocity = way * per_second(i);
     }
     for (std::size_t i = 0; i < edges_.size(); ++i) {
@@ -58,13 +59,13 @@ void ContactKinematics::end_substep(World& world, const ContactSubstep& step) {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
         const HeldEdge& edge = edges_[i];
         if (edge.share < 1.0 || edge.is_stopped()) was_held_back_[balls_.size() + i] = 1;
-        world.capsules.shape[edge.capsule] = shape_at(edge, world, step.duration);
+        SolverAccess(world).capsules().shape[edge.capsule] = shape_at(edge, world, step.duration);
     }
 }
 
 void ContactKinematics::stop_held_balls(World& world, const ContactBodies& bodies) const {
     for (const ContactHeldBall& ball : balls_)
-        world.balls.velocity[bodies.ball[ball.body]] = {};
+        SolverAccess(world).balls().velocity[bodies.ball[ball.body]] = {};
 }
 
 // Pre: the pair is kinematic.

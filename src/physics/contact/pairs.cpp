@@ -4,11 +4,12 @@
 
 #include "physics/contact/reference_positions.h"
 #include "physics/laws/contact_material.h"
+#include "physics/world/solver_access.h"
 
 namespace carom {
 
 void ContactPairs::sort(const World& world, ContactBodies& bodies) {
-    near_.sort(world, world.homes.place, world.homes.margin, bodies.ball);
+    near_.sort(world, world.memory().homes.place, world.memory().homes.margin, bodies.ball);
 }
 
 void ContactPairs::find(const World& world, const ContactBodies& bodies) {
@@ -23,7 +24,7 @@ void ContactPairs::load(const World& world, const ContactSubstep& step, ContactB
     any_inelastic_ = false;
     is_listed_by_body_ = false;
     std::vector<NearPair>& near = near_.pairs();
-    if (!world.held_balls.empty())
+    if (!world.held_balls().empty())
         std::erase_if(near, [&](const NearPair& pair) {
             return bodies.is_ball(pair.b) && bodies.is_kinematic(pair.a) &&
                    bodies.is_kinematic(pair.b);
@@ -56,17 +57,17 @@ ContactPair ContactPairs::pair_of(const World& world, const ContactBodies& bodie
                      .is_kinematic = b > bodies.fixed || bodies.is_kinematic(near.a) ||
                                      (bodies.is_ball(b) && bodies.is_kinematic(b))};
     if (pair.is_on_edge()) {
-        const Material& material = world.materials[world.capsules.material[near.edge]];
-        pair.bounces = material.restitution > 0.0 || world.model.scatter || material.kick > 0.0;
-        pair.is_inelastic = pair.bounces && world.model.lossy && !(material.kick > 0.0) &&
+        const Material& material = world.materials()[world.capsules().material[near.edge]];
+        pair.bounces = material.restitution > 0.0 || world.model().scatter || material.kick > 0.0;
+        pair.is_inelastic = pair.bounces && world.model().lossy && !(material.kick > 0.0) &&
                             (material.restitution < 1.0 || material.soften > 0.0);
-        if (world.model.spin) pair.friction = friction_of_edge(world, near.edge);
+        if (world.model().spin) pair.friction = friction_of_edge(world, near.edge);
     } else {
         const std::uint32_t other = bodies.ball[b];
         const double restitution = restitution_of_balls(world, ball, other);
         pair.bounces = restitution > 0.0;
         pair.is_inelastic = pair.bounces && restitution < 1.0;
-        if (world.model.spin) pair.friction = friction_of_balls(world, ball, other);
+        if (world.model().spin) pair.friction = friction_of_balls(world, ball, other);
     }
     if (const PressedPair* const then = last_impulse(world, bodies, pair)) {
         pair.impulse = then->impulse;
@@ -80,14 +81,14 @@ ContactPair ContactPairs::pair_of(const World& world, const ContactBodies& bodie
 // the points of an edge that turns differ in velocity.
 void ContactPairs::add_pairs_of_edge(const World& world, ContactBodies& bodies,
                                      const HeldEdge& edge) {
-    const HeldCapsule& held = world.held_capsules[edge.held];
-    const Capsule& shape = world.capsules.shape[edge.capsule];
+    const HeldCapsule& held = world.held_capsules()[edge.held];
+    const Capsule& shape = world.capsules().shape[edge.capsule];
     const Box box = join(bounds(shape), bounds({held.start_target, held.end_target, shape.radius}));
     for (std::uint32_t i = 0; i < bodies.fixed; ++i) {
         const Vec2 at = bodies.position[i];
         if (!overlaps(grow({at, at}, bodies.radius[i] + bodies.skin[i]), box)) continue;
-        if (!kind_meets_material(world, world.balls.kind[bodies.ball[i]],
-                                 world.capsules.material[edge.capsule]))
+        if (!kind_meets_material(world, world.balls().kind[bodies.ball[i]],
+                                 world.capsules().material[edge.capsule]))
             continue;
         near_.pairs().push_back(
             {.a = i, .b = static_cast<std::uint32_t>(bodies.body.size()), .edge = edge.capsule});
@@ -99,12 +100,12 @@ void ContactPairs::add_pairs_of_edge(const World& world, ContactBodies& bodies,
 
 // By index of a ball: where its impulses of the last tick begin.
 void ContactPairs::index_impulses(const World& world, const ContactBodies& bodies) {
-    const std::vector<PressedPair>& pressed = world.pressed;
+    const std::vector<PressedPair>& pressed = world.memory().pressed;
     if (pressed.empty()) return;
     first_impulse_.resize(bodies.fixed + 1);
     std::uint32_t at = 0;
     for (std::uint32_t ball = 0; ball < bodies.fixed; ++ball) {
-        while (at < pressed.size() && pressed[at].ball < world.balls.id[ball])
+        while (at < pressed.size() && pressed[at].ball < world.balls().id[ball])
             ++at;
         first_impulse_[ball] = at;
     }
@@ -114,14 +115,14 @@ void ContactPairs::index_impulses(const World& world, const ContactBodies& bodie
 // The impulses at the end of the last tick, found by the numbers of the bodies; null if none.
 const PressedPair* ContactPairs::last_impulse(const World& world, const ContactBodies& bodies,
                                               const ContactPair& pair) const {
-    if (world.pressed.empty()) return nullptr;
-    const std::vector<BallId>& ids = world.balls.id;
+    if (world.memory().pressed.empty()) return nullptr;
+    const std::vector<BallId>& ids = world.balls().id;
     const std::uint32_t ball = bodies.ball[pair.a];
-    const std::uint32_t other =
-        pair.is_on_edge() ? number(world.capsules.id[pair.edge]) : number(ids[bodies.ball[pair.b]]);
+    const std::uint32_t other = pair.is_on_edge() ? number(world.capsules().id[pair.edge])
+                                                  : number(ids[bodies.ball[pair.b]]);
     const ContactKind kind = pair.is_on_edge() ? ContactKind::ball_edge : ContactKind::ball_ball;
     for (std::uint32_t k = first_impulse_[ball]; k < first_impulse_[ball + 1]; ++k) {
-        const PressedPair& then = world.pressed[k];
+        const PressedPair& then = world.memory().pressed[k];
         if (then.ball != ids[ball]) break;
         if (then.other == other && then.kind == kind && then.across == pair.across &&
             then.along == pair.along)
@@ -133,7 +134,7 @@ const PressedPair* ContactPairs::last_impulse(const World& world, const ContactB
 void ContactPairs::store_impulses(World& world, const ContactBodies& bodies,
                                   std::vector<std::uint8_t>& touched) {
     if (is_pair_order_irrelevant(world)) {
-        world.pressed.clear();
+        SolverAccess(world).memory().pressed.clear();
         return;
     }
     first_impulse_.assign(bodies.fixed + 1, 0);
@@ -149,14 +150,14 @@ void ContactPairs::store_impulses(World& world, const ContactBodies& bodies,
     }
     for (std::uint32_t i = 1; i <= bodies.fixed; ++i)
         first_impulse_[i] += first_impulse_[i - 1];
-    world.pressed.resize(first_impulse_[bodies.fixed]);
+    SolverAccess(world).memory().pressed.resize(first_impulse_[bodies.fixed]);
     for (const ContactPair& pair : pairs_) {
         if (pair.is_new) continue;
         const std::uint32_t ball = bodies.ball[pair.a];
-        world.pressed[first_impulse_[ball]++] = {
-            .ball = world.balls.id[ball],
-            .other = pair.is_on_edge() ? number(world.capsules.id[pair.edge])
-                                       : number(world.balls.id[bodies.ball[pair.b]]),
+        SolverAccess(world).memory().pressed[first_impulse_[ball]++] = {
+            .ball = world.balls().id[ball],
+            .other = pair.is_on_edge() ? number(world.capsules().id[pair.edge])
+                                       : number(world.balls().id[bodies.ball[pair.b]]),
             .kind = pair.is_on_edge() ? ContactKind::ball_edge : ContactKind::ball_ball,
             .across = pair.across,
             .along = pair.along,

@@ -208,9 +208,9 @@ void ContactPaths::finish(const World& world, std::span<ContactConstraint> const
         if (bodies_.is_kinematic(i)) body.velocity = path.chord;
         place_[i] = none;
     }
-    if (!world.model.speed_limit) return;
+    if (!world.model().speed_limit) return;
     for (std::uint32_t i = 0; i < bodies_.fixed; ++i)
-        bodies_.body[i].velocity = limited(bodies_.body[i].velocity, *world.model.speed_limit);
+        bodies_.body[i].velocity = limited(bodies_.body[i].velocity, *world.model().speed_limit);
 }
 
 }  // namespace carom

@@ -6,6 +6,7 @@
 
 #include "physics/tick/kinematic.h"
 #include "physics/tick/totals.h"
+#include "physics/world/solver_access.h"
 
 namespace carom {
 namespace {
@@ -43,13 +44,13 @@ bool stays_within(Vec2 away, Vec2 velocity, double skin, const ContactSubstep& s
 }  // namespace
 
 bool is_pair_order_irrelevant(const World& world) {
-    const Model& model = world.model;
+    const Model& model = world.model();
     return !model.gravity && !model.lossy && !model.wrap && !model.spin &&
-           world.held_balls.empty() && world.held_capsules.empty();
+           world.held_balls().empty() && world.held_capsules().empty();
 }
 
 void set_reference_positions(World& world, const ContactSubstep& step) {
-    const Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     const SkinTerms terms{.tick = world.tick_length(),
                           .substep = step.duration,
                           .fall = length(step.gravity),
@@ -66,7 +67,7 @@ void set_reference_positions(World& world, const ContactSubstep& step) {
     const double roomy = is_pair_order_irrelevant(world)
                              ? std::min(1.15 * fastest * terms.tick, 0.4 * smallest)
                              : 0.0;
-    Homes& homes = world.homes;
+    Homes& homes = SolverAccess(world).memory().homes;
     homes.ball = balls.id;
     homes.place = balls.position;
     homes.margin.resize(balls.size());
@@ -75,16 +76,16 @@ void set_reference_positions(World& world, const ContactSubstep& step) {
         const double hit = std::max(std::min(1.1 * fastest * step.duration, 0.25 * radius), roomy);
         homes.margin[i] = skin_for(length(balls.velocity[i]), radius, terms, hit);
     }
-    for (const HeldBall& held : world.held_balls)
+    for (const HeldBall& held : world.held_balls())
         if (const auto index = index_of(world, held.id))
             homes.margin[*index] += length(rest_of_way(world, held, balls.position[*index]));
 }
 
 bool has_valid_reference_positions(const World& world, const ContactSubstep& step) {
-    const Homes& homes = world.homes;
-    if (step.wraps || !world.held_balls.empty() || !world.held_capsules.empty()) return false;
-    if (homes.ball != world.balls.id) return false;
-    const Balls& balls = world.balls;
+    const Homes& homes = world.memory().homes;
+    if (step.wraps || !world.held_balls().empty() || !world.held_capsules().empty()) return false;
+    if (homes.ball != world.balls().id) return false;
+    const Balls& balls = world.balls();
     for (std::size_t i = 0; i < balls.size(); ++i)
         if (!stays_within(balls.position[i] - homes.place[i], balls.velocity[i], homes.margin[i],
                           step))

@@ -54,7 +54,7 @@ std::optional<Contact> ContactImpacts::collide_balls(World& world, ContactPair& 
         done = bounce_balls(first, second, normal, restitution);
     if (step_.spins)
         rub(velocity_a, {surface_a, 1.0}, first.inverse_mass, velocity_b, {surface_b, 1.0},
-            second.inverse_mass, normal, done.impulse, {pair.friction, *world.model.spin});
+            second.inverse_mass, normal, done.impulse, {pair.friction, *world.model().spin});
     redirect(a, now, velocity_a, surface_a);
     redirect(b, now, velocity_b, surface_b);
     if (first.is_kinematic) paths_.count_push(b, now);
@@ -108,11 +108,11 @@ std::optional<Contact> ContactImpacts::collide_edge(World& world, ContactPair& p
         if (bounces) along = bounce_normal(world, bodies_.ball[a], normal, velocity, restitution);
         done =
             bounce_off(velocity, inverse_mass, along, dot(surface, along), restitution, is_driven);
-        if (bounces && world.model.kicks)
+        if (bounces && world.model().kicks)
             velocity += along * kick_of_edge(world, pair.edge, shape, position, approach);
         if (step_.spins)
             rub_on(velocity, {surface_speed, 1.0}, inverse_mass, along, surface, done.impulse,
-                   {pair.friction, *world.model.spin});
+                   {pair.friction, *world.model().spin});
     }
     redirect(a, now, velocity, surface_speed);
     if (along_normal > 0.0 && !is_driven) paths_.count_push(a, now);

@@ -76,7 +76,7 @@ void ContactSolver::substep(World& world, double share_of_way, std::vector<Conta
 }
 
 void ContactSolver::advance_positions(const World& world) {
-    const std::optional<double> limit = world.model.speed_limit;
+    const std::optional<double> limit = world.model().speed_limit;
     for (std::uint32_t i = 0; i < bodies_.fixed; ++i) {
         bodies_.position[i] += bodies_.displacement[i];
         if (limit) bodies_.body[i].velocity = limited(bodies_.body[i].velocity, *limit);

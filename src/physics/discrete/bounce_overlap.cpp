@@ -4,6 +4,7 @@
 #include "physics/discrete/solver.h"
 #include "physics/laws/cloth_contact.h"
 #include "physics/laws/contact_material.h"
+#include "physics/world/solver_access.h"
 
 // What the solvers `discrete` and `substep` do to the velocities of bodies that overlapped.
 namespace carom {
@@ -16,8 +17,8 @@ void OverlapSolver::exchange_momentum(World& world, double time, std::vector<Con
 // driven edge throws as well.
 template <Terms terms>
 void OverlapSolver::bounce_pairs(World& world, double time, std::vector<Contact>& contacts) {
-    Balls& balls = world.balls;
-    const Vec2 torus = terms.wrap() ? size(*world.model.wrap) : Vec2{};
+    Balls& balls = SolverAccess(world).balls();
+    const Vec2 torus = terms.wrap() ? size(*world.model().wrap) : Vec2{};
     for (const Pair& pair : pairs_) {
         const std::uint32_t i = pair.ball;
         if (pair.kind == ContactKind::ball_ball) {
@@ -31,8 +32,8 @@ void OverlapSolver::bounce_pairs(World& world, double time, std::vector<Contact>
             const Exchange done = bounce(balls.velocity[i], inverse_mass_[i], balls.velocity[j],
                                          inverse_mass_[j], normal, restitution);
             if (terms.spin()) {
-                const Friction friction{friction_of_balls(world, i, j), *world.model.spin};
-                if (world.model.cloth)
+                const Friction friction{friction_of_balls(world, i, j), *world.model().spin};
+                if (world.model().cloth)
                     rub_on_cloth(balls.velocity[i], roller(balls, i), inverse_mass_[i],
                                  balls.velocity[j], roller(balls, j), inverse_mass_[j], normal,
                                  done.impulse, friction);
@@ -48,7 +49,7 @@ void OverlapSolver::bounce_pairs(World& world, double time, std::vector<Contact>
             continue;
         }
         if (terms.special() && inverse_mass_[i] == 0.0) continue;
-        Capsule shape = world.capsules.shape[pair.other];
+        Capsule shape = world.capsules().shape[pair.other];
         shape.start += pair.shift;
         shape.end += pair.shift;
         const Vec2 nearest = closest_point(shape.start, shape.end, balls.position[i]);
@@ -57,7 +58,7 @@ void OverlapSolver::bounce_pairs(World& world, double time, std::vector<Contact>
         if (terms.special())
             edge = find_edge(std::span<const HeldEdge>(kinematic_edges_), pair.other);
         const Vec2 surface =
-            edge ? surface_velocity(*edge, world.capsules.shape[pair.other], nearest) : Vec2{};
+            edge ? surface_velocity(*edge, world.capsules().shape[pair.other], nearest) : Vec2{};
         const bool driven = edge && edge->is_driven;
         const double throwing = driven ? dot(surface, normal) : 0.0;
         const double speed = throwing - dot(balls.velocity[i], normal);
@@ -67,11 +68,11 @@ void OverlapSolver::bounce_pairs(World& world, double time, std::vector<Contact>
         normal = bounce_normal(world, i, normal, balls.velocity[i], restitution);
         const Exchange done =
             bounce_off(balls.velocity[i], inverse_mass_[i], normal, throwing, restitution, driven);
-        if (terms.special() && world.model.kicks)
+        if (terms.special() && world.model().kicks)
             balls.velocity[i] += normal * kick_of_edge(world, pair.other, shape, nearest, speed);
         if (terms.spin()) {
-            const Friction friction{friction_of_edge(world, pair.other), *world.model.spin};
-            if (world.model.cloth)
+            const Friction friction{friction_of_edge(world, pair.other), *world.model().spin};
+            if (world.model().cloth)
                 rub_edge_on_cloth(balls.velocity[i], roller(balls, i), inverse_mass_[i], flat,
                                   surface, done.impulse, friction);
             else

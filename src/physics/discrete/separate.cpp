@@ -4,6 +4,7 @@
 #include "geometry/closest.h"
 #include "physics/discrete/solver.h"
 #include "physics/laws/bounce.h"
+#include "physics/world/solver_access.h"
 
 // How the solvers `discrete` and `substep` separate bodies that overlap once all have moved.
 namespace carom {
@@ -14,9 +15,9 @@ constexpr std::uint8_t escaped = 2;
 
 template <Terms terms>
 bool overlap(const World& world, const BallPair& pair) {
-    const Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     Vec2 offset = balls.position[pair.first] - balls.position[pair.second];
-    if (terms.wrap()) offset = nearest_image(offset, size(*world.model.wrap));
+    if (terms.wrap()) offset = nearest_image(offset, size(*world.model().wrap));
     const double reach = balls.radius[pair.first] + balls.radius[pair.second];
     return length_squared(offset) < reach * reach;
 }
@@ -36,14 +37,14 @@ void OverlapSolver::separate_bodies(World& world) {
 // The displacement of a ball that has moved in this step and has not been pushed yet.
 Vec2 OverlapSolver::displacement_of(const World& world, std::uint32_t ball) const {
     if (keeps_displacements_) return displacement_[ball];
-    return world.balls.velocity[ball] * (is_first_step_ ? duration_ : left_[ball]) + Vec2{};
+    return world.balls().velocity[ball] * (is_first_step_ ? duration_ : left_[ball]) + Vec2{};
 }
 
 // The ball is about to be pushed, perhaps not for the first time in this step.
 void OverlapSolver::note_push(const World& world, std::uint32_t ball) {
     if (is_pushed_[ball]) return;
     is_pushed_[ball] = 1;
-    const Vec2 position = world.balls.position[ball];
+    const Vec2 position = world.balls().position[ball];
     if (keeps_time_ && (is_first_step_ || is_active_[ball])) {
         const Vec2 way = displacement_of(world, ball);
         pushed_.push_back({ball, length(way), position - way});
@@ -65,8 +66,8 @@ void OverlapSolver::separate_active(World& world) {
 // Whether the two would overlap if they were as large as the largest ball.
 template <Terms terms>
 bool OverlapSolver::are_near(const World& world, const BallPair& pair) const {
-    Vec2 offset = world.balls.position[pair.first] - world.balls.position[pair.second];
-    if (terms.wrap()) offset = nearest_image(offset, size(*world.model.wrap));
+    Vec2 offset = world.balls().position[pair.first] - world.balls().position[pair.second];
+    if (terms.wrap()) offset = nearest_image(offset, size(*world.model().wrap));
     return length_squared(offset) < widest_ * widest_;
 }
 
@@ -79,7 +80,7 @@ void OverlapSolver::separate_overlapping(World& world, std::span<const BallPair>
     if (!are_alike_)
         std::erase_if(overlapping_,
                       [&](const BallPair& pair) { return !overlap<terms>(world, pair); });
-    order_.sort(overlapping_, world.balls.size());
+    order_.sort(overlapping_, world.balls().size());
     for (const BallPair& pair : overlapping_)
         separate<terms>(world, pair.first, pair.second);
 }
@@ -87,9 +88,9 @@ void OverlapSolver::separate_overlapping(World& world, std::span<const BallPair>
 // The pair overlapped when all had moved. Other pairs may have separated it since.
 template <Terms terms>
 void OverlapSolver::separate(World& world, std::uint32_t i, std::uint32_t j) {
-    Balls& balls = world.balls;
+    Balls& balls = SolverAccess(world).balls();
     Vec2 offset = balls.position[i] - balls.position[j];
-    if (terms.wrap()) offset = nearest_image(offset, size(*world.model.wrap));
+    if (terms.wrap()) offset = nearest_image(offset, size(*world.model().wrap));
     const double reach = balls.radius[i] + balls.radius[j];
     const double squared = length_squared(offset);
     if (squared >= reach * reach) return;
@@ -111,8 +112,8 @@ void OverlapSolver::separate(World& world, std::uint32_t i, std::uint32_t j) {
     balls.position[i] += normal * (depth * share_i);
     balls.position[j] -= normal * (depth * share_j);
     if (terms.wrap()) {
-        balls.position[i] = wrapped(balls.position[i], *world.model.wrap);
-        balls.position[j] = wrapped(balls.position[j], *world.model.wrap);
+        balls.position[i] = wrapped(balls.position[i], *world.model().wrap);
+        balls.position[j] = wrapped(balls.position[j], *world.model().wrap);
     }
     pairs_.push_back({i, j, ContactKind::ball_ball, {}});
 }
@@ -121,16 +122,16 @@ void OverlapSolver::separate(World& world, std::uint32_t i, std::uint32_t j) {
 // those that were pushed. The neighbour list has the edges of all balls that did not.
 template <Terms terms>
 void OverlapSolver::push_out_of_edges(World& world) {
-    if (!world.model.ball_edge) return;
+    if (!world.model().ball_edge) return;
     at_edge_.clear();
     const auto note = [&](const EdgePair& pair) {
-        const Disc disc{world.balls.position[pair.ball], world.balls.radius[pair.ball]};
+        const Disc disc{world.balls().position[pair.ball], world.balls().radius[pair.ball]};
         if (overlaps_edge(world, pair, disc)) at_edge_.push_back(pair);
     };
     for (const Pushed& pushed : pushed_) {
         if (knows_edges(world, pushed)) continue;
         is_pushed_[pushed.ball] = escaped;
-        neighbours_.for_each_edge_at(pushed.ball, world.balls.position[pushed.ball], note);
+        neighbours_.for_each_edge_at(pushed.ball, world.balls().position[pushed.ball], note);
     }
     if (is_first_step_) {
         for (const EdgePair& pair : neighbours_.edges())
@@ -147,9 +148,9 @@ void OverlapSolver::push_out_of_edges(World& world) {
             if (!is_active_[pushed.ball]) look(pushed.ball);
     }
     if (terms.special())
-        for (const HeldCapsule& held : world.held_capsules)
+        for (const HeldCapsule& held : world.held_capsules())
             if (const auto index = index_of(world, held.id))
-                for (std::uint32_t i = 0; i < world.balls.size(); ++i)
+                for (std::uint32_t i = 0; i < world.balls().size(); ++i)
                     if (is_first_step_ || is_active_[i] || is_pushed_[i])
                         note({i, static_cast<std::uint32_t>(*index)});
     std::sort(at_edge_.begin(), at_edge_.end());
@@ -159,11 +160,11 @@ void OverlapSolver::push_out_of_edges(World& world) {
 
 // Whether the neighbour list has all edges that the ball may touch where it is now.
 bool OverlapSolver::knows_edges(const World& world, const Pushed& pushed) const {
-    const Vec2 position = world.balls.position[pushed.ball];
+    const Vec2 position = world.balls().position[pushed.ball];
     if (margin_ > 0.0) return neighbours_.covers(pushed.ball, position);
     Vec2 way = position - pushed.origin;
-    if (world.model.wrap) way = nearest_image(way, size(*world.model.wrap));
-    const double margin = 0.999 * neighbours_.edge_margin(world.balls.radius[pushed.ball]);
+    if (world.model().wrap) way = nearest_image(way, size(*world.model().wrap));
+    const double margin = 0.999 * neighbours_.edge_margin(world.balls().radius[pushed.ball]);
     return length_squared(way) <= margin * margin;
 }
 
@@ -171,11 +172,11 @@ template <Terms terms>
 void OverlapSolver::push_out_of_edge(World& world, const EdgePair& pair) {
     const std::uint32_t ball = pair.ball;
     const std::uint32_t capsule = pair.capsule;
-    Balls& balls = world.balls;
-    Capsule shape = world.capsules.shape[capsule];
+    Balls& balls = SolverAccess(world).balls();
+    Capsule shape = world.capsules().shape[capsule];
     Vec2 shift;
     if (terms.wrap()) {
-        const Vec2 torus = size(*world.model.wrap);
+        const Vec2 torus = size(*world.model().wrap);
         shift = {pair.across * torus.x, pair.along * torus.y};
         shape.start += shift;
         shape.end += shift;
@@ -186,10 +187,10 @@ void OverlapSolver::push_out_of_edge(World& world, const EdgePair& pair) {
     const double squared = length_squared(offset);
     if (squared >= reach * reach) return;
     if (terms.special() &&
-        !kind_meets_material(world, balls.kind[ball], world.capsules.material[capsule]))
+        !kind_meets_material(world, balls.kind[ball], world.capsules().material[capsule]))
         return;
-    if (terms.special() && world.model.one_way &&
-        (!is_on_solid_side(shape, world.capsules.side[capsule], position) ||
+    if (terms.special() && world.model().one_way &&
+        (!is_on_solid_side(shape, world.capsules().side[capsule], position) ||
          dot(balls.velocity[ball], offset) > 0.0))
         return;
     note_push(world, ball);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "physics/laws/cloth.h"
+#include "physics/world/solver_access.h"
 
 // How the solvers `discrete` and `substep` move balls and kinematic bodies, and what time is left
 // to balls whose way was cut short.
@@ -36,19 +37,19 @@ void OverlapSolver::tick(World& world, int updates, int steps, std::vector<Conta
                          std::vector<std::uint8_t>& touched, Patience& patience) {
     const double duration = world.tick_length() / updates;
     const double start = world.time();
-    const std::size_t count = world.balls.size();
-    inverse_mass_ = world.balls.inverse_mass;
-    if (!world.held_balls.empty()) {
-        with_held_balls_ = world.balls.inverse_mass;
+    const std::size_t count = world.balls().size();
+    inverse_mass_ = world.balls().inverse_mass;
+    if (!world.held_balls().empty()) {
+        with_held_balls_ = world.balls().inverse_mass;
         make_held_balls_immovable(world, with_held_balls_);
         inverse_mass_ = with_held_balls_;
     }
     keeps_time_ = steps > 1;
     shares_neighbours_ = updates > 1 || steps > 1;
     is_pushed_.resize(count, 0);
-    if (world.model.cloth) before_.resize(count);
-    keeps_displacements_ = keeps_time_ && (world.model.gravity || world.model.drag ||
-                                           world.model.speed_limit || world.model.cloth);
+    if (world.model().cloth) before_.resize(count);
+    keeps_displacements_ = keeps_time_ && (world.model().gravity || world.model().drag ||
+                                           world.model().speed_limit || world.model().cloth);
     if (keeps_displacements_) displacement_.resize(count);
     if (keeps_time_) {
         is_active_.resize(count, 0);
@@ -73,19 +74,19 @@ void OverlapSolver::tick(World& world, int updates, int steps, std::vector<Conta
 // of it afterwards.
 void OverlapSolver::move_kinematic(World& world, double share) {
     kinematic_way_ = 0.0;
-    for (const HeldBall& held : world.held_balls) {
+    for (const HeldBall& held : world.held_balls()) {
         const auto index = index_of(world, held.id);
         if (!index) continue;
-        Vec2& position = world.balls.position[*index];
+        Vec2& position = SolverAccess(world).balls().position[*index];
         const Vec2 way = rest_of_way(world, held, position);
         position += way * share;
         kinematic_way_ = std::max(kinematic_way_, length(way * share));
-        world.balls.velocity[*index] = {};
+        SolverAccess(world).balls().velocity[*index] = {};
     }
     list_kinematic_edges(world, kinematic_edges_);
     for (HeldEdge& edge : kinematic_edges_) {
-        const HeldCapsule& held = world.held_capsules[edge.held];
-        Capsule& shape = world.capsules.shape[edge.capsule];
+        const HeldCapsule& held = world.held_capsules()[edge.held];
+        Capsule& shape = SolverAccess(world).capsules().shape[edge.capsule];
         const Vec2 start = (held.start_target - shape.start) * share;
         const Vec2 end = (held.end_target - shape.end) * share;
         edge.start_velocity = start / duration_;
@@ -98,10 +99,10 @@ void OverlapSolver::move_kinematic(World& world, double share) {
 template <Terms terms>
 void OverlapSolver::update(World& world, int updates, int steps, double end_time,
                            std::vector<Contact>& contacts, Patience& patience) {
-    const bool is_forced = world.model.gravity || world.model.drag;
+    const bool is_forced = world.model().gravity || world.model().drag;
     is_first_step_ = true;
     for (int step = 0; step < steps && (is_first_step_ || !active_.empty()); ++step) {
-        const std::size_t moving = is_first_step_ ? world.balls.size() : active_.size();
+        const std::size_t moving = is_first_step_ ? world.balls().size() : active_.size();
         if (!patience.lasts(moving)) break;
         if (is_first_step_) {
             const double way =
@@ -124,16 +125,16 @@ void OverlapSolver::update(World& world, int updates, int steps, double end_time
 
 template <Terms terms, bool forced>
 Vec2 OverlapSolver::move(World& world, std::uint32_t i, const Flight& flight) {
-    Balls& balls = world.balls;
+    Balls& balls = SolverAccess(world).balls();
     Vec2 way;
-    if (terms.spin() && world.model.cloth) {
+    if (terms.spin() && world.model().cloth) {
         way = move_on_cloth(world, i, flight.duration);
     } else if constexpr (!forced) {
         // Adding 0 turns -0 into 0, as adding a gravity does.
         way = balls.velocity[i] * flight.duration + Vec2{};
         if (has_negative_zero(balls.velocity[i])) balls.velocity[i] += Vec2{};
     } else {
-        const Vec2 gravity = world.model.gravity.value_or(Vec2{});
+        const Vec2 gravity = world.model().gravity.value_or(Vec2{});
         way = travel(flight, balls.velocity[i], gravity);
         balls.velocity[i] = velocity_after(flight, balls.velocity[i], gravity);
     }
@@ -141,38 +142,38 @@ Vec2 OverlapSolver::move(World& world, std::uint32_t i, const Flight& flight) {
         way = {};
         balls.velocity[i] = {};
         if (terms.spin()) balls.spin[i] = 0.0;
-        if (terms.spin() && world.model.cloth) balls.roll[i] = {};
+        if (terms.spin() && world.model().cloth) balls.roll[i] = {};
     }
-    if (world.model.speed_limit) {
-        balls.velocity[i] = limited(balls.velocity[i], *world.model.speed_limit);
-        way = limited(way, *world.model.speed_limit * flight.duration);
+    if (world.model().speed_limit) {
+        balls.velocity[i] = limited(balls.velocity[i], *world.model().speed_limit);
+        way = limited(way, *world.model().speed_limit * flight.duration);
     }
     balls.position[i] += way;
-    if (terms.wrap()) balls.position[i] = wrapped(balls.position[i], *world.model.wrap);
+    if (terms.wrap()) balls.position[i] = wrapped(balls.position[i], *world.model().wrap);
     return way;
 }
 
 // The displacement on cloth in `duration`. The ball takes on its state at the end.
 Vec2 OverlapSolver::move_on_cloth(World& world, std::uint32_t ball, double duration) {
-    before_[ball] = state_on_cloth(world.balls, ball);
+    before_[ball] = state_on_cloth(world.balls(), ball);
     const auto after =
-        cloth_state_after(*world.model.cloth, *world.model.spin, before_[ball], duration);
-    take_state(world.balls, ball, after);
+        cloth_state_after(*world.model().cloth, *world.model().spin, before_[ball], duration);
+    take_state(SolverAccess(world).balls(), ball, after);
     return Vec2(after.position);
 }
 
 template <Terms terms, bool forced>
 double OverlapSolver::move_all(World& world) {
-    const Flight flight = flight_over(world.model.drag, duration_);
-    const auto count = static_cast<std::uint32_t>(world.balls.size());
+    const Flight flight = flight_over(world.model().drag, duration_);
+    const auto count = static_cast<std::uint32_t>(world.balls().size());
     double longest = 0.0;
     for (std::uint32_t i = 0; i < count; ++i) {
-        const Vec2 before = world.balls.position[i];
+        const Vec2 before = world.balls().position[i];
         const Vec2 way = move<terms, forced>(world, i, flight);
         if (keeps_displacements_) displacement_[i] = way;
         if (!shares_neighbours_) continue;
-        Vec2 gone = world.balls.position[i] - before;
-        if (terms.wrap()) gone = nearest_image(gone, size(*world.model.wrap));
+        Vec2 gone = world.balls().position[i] - before;
+        if (terms.wrap()) gone = nearest_image(gone, size(*world.model().wrap));
         longest = std::max(longest, length_squared(gone));
     }
     return std::sqrt(longest);
@@ -185,18 +186,18 @@ void OverlapSolver::find_neighbours(const World& world, double way) {
     margin_ = 0.0;
     widest_ = std::numeric_limits<double>::infinity();
     are_alike_ = false;
-    if (shares_neighbours_ && world.balls.size() > 0) {
+    if (shares_neighbours_ && world.balls().size() > 0) {
         double sum = 0.0;
-        double smallest = world.balls.radius[0];
+        double smallest = world.balls().radius[0];
         double largest = smallest;
-        for (const double radius : world.balls.radius) {
+        for (const double radius : world.balls().radius) {
             sum += radius;
             smallest = std::min(smallest, radius);
             largest = std::max(largest, radius);
         }
         widest_ = 2.0 * largest;
         are_alike_ = smallest == largest;
-        margin_ = 0.5 * sum / static_cast<double>(world.balls.size());
+        margin_ = 0.5 * sum / static_cast<double>(world.balls().size());
         for (int halvings = 0; halvings < 6 && way <= margin_ / 2.0; ++halvings)
             margin_ /= 2.0;
     }
@@ -215,16 +216,16 @@ template <Terms terms, bool forced>
 void OverlapSolver::move_active(World& world) {
     Flight flight;
     for (const std::uint32_t i : active_) {
-        if (flight.duration != left_[i]) flight = flight_over(world.model.drag, left_[i]);
+        if (flight.duration != left_[i]) flight = flight_over(world.model().drag, left_[i]);
         const Vec2 way = move<terms, forced>(world, i, flight);
         if (keeps_displacements_) displacement_[i] = way;
-        has_escaped_ = !neighbours_.note_place(i, world.balls.position[i]) || has_escaped_;
+        has_escaped_ = !neighbours_.note_place(i, world.balls().position[i]) || has_escaped_;
     }
 }
 
 // The time that each pushed ball has left; all other balls are done.
 void OverlapSolver::keep_time(World& world) {
-    Balls& balls = world.balls;
+    Balls& balls = SolverAccess(world).balls();
     for (const std::uint32_t i : active_)
         is_active_[i] = 0;
     active_.clear();
@@ -232,17 +233,17 @@ void OverlapSolver::keep_time(World& world) {
         const std::uint32_t i = pushed.ball;
         if (!(pushed.intended > 0.0)) continue;
         Vec2 way = balls.position[i] - pushed.origin;
-        if (world.model.wrap) way = nearest_image(way, size(*world.model.wrap));
+        if (world.model().wrap) way = nearest_image(way, size(*world.model().wrap));
         const double covered = std::min(1.0, length(way) / pushed.intended);
         const double had = is_first_step_ ? duration_ : left_[i];
         const double left = had * (1.0 - covered);
-        if (world.model.gravity) balls.velocity[i] -= *world.model.gravity * left;
+        if (world.model().gravity) balls.velocity[i] -= *world.model().gravity * left;
         // A ball that got nowhere gives up the rest of its time.
         if (covered < 1e-9 || left < 1e-9 * had) continue;
-        if (world.model.cloth)
-            take_state(
-                balls, i,
-                cloth_state_after(*world.model.cloth, *world.model.spin, before_[i], had - left));
+        if (world.model().cloth)
+            take_state(balls, i,
+                       cloth_state_after(*world.model().cloth, *world.model().spin, before_[i],
+                                         had - left));
         left_[i] = left;
         is_active_[i] = 1;
         active_.push_back(i);
@@ -252,8 +253,8 @@ void OverlapSolver::keep_time(World& world) {
 void OverlapSolver::end_step(const World& world) {
     for (const Pushed& pushed : pushed_) {
         is_pushed_[pushed.ball] = 0;
-        has_escaped_ =
-            !neighbours_.note_place(pushed.ball, world.balls.position[pushed.ball]) || has_escaped_;
+        has_escaped_ = !neighbours_.note_place(pushed.ball, world.balls().position[pushed.ball]) ||
+                       has_escaped_;
     }
     pushed_.clear();
     pairs_.clear();

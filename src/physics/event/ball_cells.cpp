@@ -18,7 +18,7 @@ CellFrame BallCells<Real>::frame_for(const World& world) const {
     CellFrame frame = frame_around(world, least, cells_a_ball);
     if (frame.wraps) {
         // On a torus the cells may have come out narrower than a ball.
-        const Vec2 extent = size(*world.model.wrap);
+        const Vec2 extent = size(*world.model().wrap);
         frame.columns = std::clamp(static_cast<int>(extent.x / least), 1, frame.columns);
         frame.rows = std::clamp(static_cast<int>(extent.y / least), 1, frame.rows);
         frame.cell = {extent.x / frame.columns, extent.y / frame.rows};
@@ -28,8 +28,8 @@ CellFrame BallCells<Real>::frame_for(const World& world) const {
 
 template <typename Real>
 void BallCells<Real>::reset(const World& world, Balls& balls) {
-    const std::size_t count = world.balls.size();
-    const std::vector<double>& radius = world.balls.radius;
+    const std::size_t count = world.balls().size();
+    const std::vector<double>& radius = world.balls().radius;
     by_size_.resize(count);
     std::iota(by_size_.begin(), by_size_.end(), 0u);
     std::sort(by_size_.begin(), by_size_.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -58,7 +58,7 @@ void BallCells<Real>::reset(const World& world, Balls& balls) {
     directions_ = {{{1u, columns}, {0u - 1u, columns}, {columns, 1u}, {0u - columns, 1u}}};
     head_.assign(frame_.count(), none);
     for (std::size_t i = count; i-- > 0;)
-        enter(balls, static_cast<std::uint32_t>(i), world.balls.position[i]);
+        enter(balls, static_cast<std::uint32_t>(i), world.balls().position[i]);
 }
 
 template <typename Real>

@@ -4,7 +4,7 @@ namespace carom {
 
 template <typename Real>
 ClothPhase<Real> ClothPhases<Real>::phase_of(const Trajectory<Real>& path) const {
-    return cloth_phase(*scene_.world->model.cloth, *scene_.world->model.spin, path.velocity,
+    return cloth_phase(*scene_.world->model().cloth, *scene_.world->model().spin, path.velocity,
                        path.center);
 }
 
@@ -43,7 +43,7 @@ void ClothPhases<Real>::begin_phase(std::uint32_t ball) {
     }
     balls_.set_path(ball, path);
     SpinTrajectory<Real>& turn = trajectories_.spin(ball);
-    const Real rate(scene_.world->model.cloth->spin);
+    const Real rate(scene_.world->model().cloth->spin);
     turn.rate = turn.spin == Real{} ? Real{} : (turn.spin < Real{} ? rate : -rate);
 }
 
@@ -68,7 +68,7 @@ void ClothPhases<Real>::end_phase(std::uint32_t ball) {
 
 template <typename Real>
 bool ClothPhases<Real>::is_of_this_cloth(const Trajectory<Real>& path) const {
-    if (!scene_.world->model.cloth) return !is_on_cloth(path);
+    if (!scene_.world->model().cloth) return !is_on_cloth(path);
     return is_on_cloth(path) && phase_of(path).acceleration == path.acceleration;
 }
 

@@ -16,7 +16,7 @@ template <typename Real>
 std::uint32_t CollapseGuard<Real>::count(std::uint32_t ball, const Trajectory<Real>& before,
                                          const Vector<Real>& position) const {
     const std::uint32_t collisions = before.recent_collisions;
-    if (!scene_.world->model.gravity) {
+    if (!scene_.world->model().gravity) {
         const Real way = length(position - before.position);
         return way < Real(contact_slop) * balls_.radius(ball) ? one_more(collisions) : 0;
     }
@@ -28,7 +28,7 @@ std::uint32_t CollapseGuard<Real>::count(std::uint32_t ball, const Trajectory<Re
 
 template <typename Real>
 void CollapseGuard<Real>::freeze_if_due(std::uint32_t ball, bool is_jammed) {
-    const Model& model = scene_.world->model;
+    const Model& model = scene_.world->model();
     const LinearPart<Real>& line = balls_[ball].line;
     const bool is_due =
         is_jammed ? line.recent_collisions > most_collisions_in_place
@@ -45,7 +45,7 @@ void CollapseGuard<Real>::freeze_if_due(std::uint32_t ball, bool is_jammed) {
 
 template <typename Real>
 void CollapseGuard<Real>::note_dense(std::uint32_t ball) {
-    const Model& model = scene_.world->model;
+    const Model& model = scene_.world->model();
     if (!model.gravity || !model.lossy || balls_[ball].line.motion == Motion::held) return;
     dense_.push_back(ball);
 }

@@ -42,10 +42,10 @@ void EventEngine<Real>::begin(World& world, const std::function<bool()>& keep_go
     work_.begin(keep_going);
     guard_.begin_tick();
     scene_.world = &world;
-    scene_.field = field_of<Real>(world.model);
-    scene_.period = world.model.wrap ? size(*world.model.wrap) : Vec2{};
+    scene_.field = field_of<Real>(world.model());
+    scene_.period = world.model().wrap ? size(*world.model().wrap) : Vec2{};
     scene_.now = Real(world.time());
-    scene_.end = Real(static_cast<double>(world.tick + 1) / world.rate);
+    scene_.end = Real(static_cast<double>(world.tick() + 1) / world.rate());
     switch (sync_.begin()) {
         case WorldSync<Real>::Begun::continued:
             break;
@@ -121,7 +121,7 @@ void EventEngine<Real>::predict_all() {
 // Time stands still for the rest of the tick: every ball stays where it is, with its velocity.
 template <typename Real>
 void EventEngine<Real>::stop_time() {
-    const Model& model = scene_.world->model;
+    const Model& model = scene_.world->model();
     for (std::uint32_t i = 0; i < balls_.size(); ++i) {
         const BallState<Real> state = trajectories_.state_now(i);
         const Vector<Real> roll =

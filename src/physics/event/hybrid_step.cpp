@@ -8,16 +8,17 @@
 #include "physics/broad_phase/capsule_cells.h"
 #include "physics/laws/bounce.h"
 #include "physics/world/columns.h"
+#include "physics/world/solver_access.h"
 
 namespace carom {
 namespace {
 
 Vec2 torus_of(const World& world) {
-    return world.model.wrap ? size(*world.model.wrap) : Vec2{};
+    return world.model().wrap ? size(*world.model().wrap) : Vec2{};
 }
 
 Vec2 displacement(const World& world, Vec2 from, Vec2 to) {
-    return world.model.wrap ? nearest_image(to - from, torus_of(world)) : to - from;
+    return world.model().wrap ? nearest_image(to - from, torus_of(world)) : to - from;
 }
 
 }  // namespace
@@ -30,7 +31,7 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
     if (std::ranges::find(is_clustered_, 1) == is_clustered_.end()) {
         // The balls of the cluster no longer exist.
         const EventOutcome outcome = event.tick(world, contacts, touched, keep_going);
-        if (outcome != EventOutcome::cancelled) world.pressed.clear();
+        if (outcome != EventOutcome::cancelled) SolverAccess(world).memory().pressed.clear();
         return outcome;
     }
     for (int attempt = 1;; ++attempt) {
@@ -38,7 +39,7 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
         if (is_all || attempt > most_attempts) {
             contact.tick(world, substeps_for(world), contacts, touched);
             forget_paths(world);
-            find_staying(world, world.heaped);
+            find_staying(world, SolverAccess(world).memory().heaped);
             return EventOutcome::done;
         }
         take_part(world, false, free_);
@@ -56,26 +57,27 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
         }
         write_back(world, free_, touched);
         write_back(world, cluster_, touched);
-        for (std::size_t h = 0; h < world.held_capsules.size(); ++h) {
-            const auto index = index_of(world, world.held_capsules[h].id);
+        for (std::size_t h = 0; h < world.held_capsules().size(); ++h) {
+            const auto index = index_of(world, world.held_capsules()[h].id);
             if (!index) continue;
-            const bool is_clustered = is_clustered_[world.balls.size() + h];
+            const bool is_clustered = is_clustered_[world.balls().size() + h];
             const World& part = is_clustered ? cluster_.world : free_.world;
-            world.capsules.shape[*index] = part.capsules.shape[*index];
+            SolverAccess(world).capsules().shape[*index] = part.capsules().shape[*index];
         }
         merge_contacts(contacts);
-        world.paths.swap(free_.world.paths);
-        world.path_bends.swap(free_.world.path_bends);
-        world.spin_paths.swap(free_.world.spin_paths);
-        world.paths_sum = free_.world.paths_sum;
-        world.paths_obstacles = world.held_capsules.empty() ? free_.world.paths_obstacles : 0;
-        world.paths_gravity = free_.world.paths_gravity;
-        world.paths_drag = free_.world.paths_drag;
-        world.pressed.swap(cluster_.world.pressed);
-        find_staying(cluster_.world, world.heaped);
-        const std::vector<BallId>& dense = free_.world.heaped;
-        world.heaped.insert(world.heaped.end(), dense.begin(), dense.end());
-        std::ranges::sort(world.heaped);
+        SolverMemory& memory = SolverAccess(world).memory();
+        SolverMemory& of_free = SolverAccess(free_.world).memory();
+        memory.paths.swap(of_free.paths);
+        memory.path_bends.swap(of_free.path_bends);
+        memory.spin_paths.swap(of_free.spin_paths);
+        memory.paths_sum = of_free.paths_sum;
+        memory.paths_obstacles = world.held_capsules().empty() ? of_free.paths_obstacles : 0;
+        memory.paths_gravity = of_free.paths_gravity;
+        memory.paths_drag = of_free.paths_drag;
+        memory.pressed.swap(SolverAccess(cluster_.world).memory().pressed);
+        find_staying(cluster_.world, memory.heaped);
+        memory.heaped.insert(memory.heaped.end(), of_free.heaped.begin(), of_free.heaped.end());
+        std::ranges::sort(memory.heaped);
         return outcome;
     }
 }
@@ -84,33 +86,33 @@ const std::vector<BallId>& HybridStep::cluster_of(const World& world) {
     find_reach(world);
     find_cluster(world);
     ids_.clear();
-    for (std::size_t i = 0; i < world.balls.size(); ++i)
-        if (is_clustered_[i]) ids_.push_back(world.balls.id[i]);
+    for (std::size_t i = 0; i < world.balls().size(); ++i)
+        if (is_clustered_[i]) ids_.push_back(world.balls().id[i]);
     return ids_;
 }
 
 void HybridStep::find_reach(const World& world) {
-    const Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     const double duration = world.tick_length();
-    const double fall = length(world.model.gravity.value_or(Vec2{})) * duration * duration;
+    const double fall = length(world.model().gravity.value_or(Vec2{})) * duration * duration;
     reach_.resize(balls.size());
     for (std::size_t i = 0; i < balls.size(); ++i)
         reach_[i] = length(balls.velocity[i]) * duration + fall;
-    for (const HeldBall& held : world.held_balls)
+    for (const HeldBall& held : world.held_balls())
         if (const auto index = index_of(world, held.id))
             reach_[*index] = length(displacement(world, balls.position[*index], held.target));
 }
 
 void HybridStep::find_cluster(const World& world) {
-    const std::size_t count = world.balls.size();
-    parent_.resize(count + world.held_capsules.size());
+    const std::size_t count = world.balls().size();
+    parent_.resize(count + world.held_capsules().size());
     std::iota(parent_.begin(), parent_.end(), 0u);
     near_.find(world, reach_, order_);
     for (const NearPair& pair : near_.pairs())
         if (pair.edge == NearPair::no_edge) unite(order_[pair.a], order_[pair.b]);
     unite_held_capsules(world);
     is_clustered_.assign(parent_.size(), 0);
-    for (const BallId id : world.heaped)
+    for (const BallId id : world.memory().heaped)
         if (const auto index = index_of(world, id))
             is_clustered_[root_of(static_cast<std::uint32_t>(*index))] = 1;
     // A root is the lowest node of its tree.
@@ -119,18 +121,18 @@ void HybridStep::find_cluster(const World& world) {
 }
 
 void HybridStep::unite_held_capsules(const World& world) {
-    const Balls& balls = world.balls;
-    for (std::size_t h = 0; h < world.held_capsules.size(); ++h) {
-        const HeldCapsule& held = world.held_capsules[h];
+    const Balls& balls = world.balls();
+    for (std::size_t h = 0; h < world.held_capsules().size(); ++h) {
+        const HeldCapsule& held = world.held_capsules()[h];
         const auto index = index_of(world, held.id);
         if (!index) continue;
-        const Capsule& shape = world.capsules.shape[*index];
+        const Capsule& shape = world.capsules().shape[*index];
         const Box box =
             join(bounds(shape), bounds({held.start_target, held.end_target, shape.radius}));
         for (std::uint32_t i = 0; i < balls.size(); ++i)
             if (overlaps(grow({balls.position[i], balls.position[i]}, balls.radius[i] + reach_[i]),
                          box) &&
-                kind_meets_material(world, balls.kind[i], world.capsules.material[*index]))
+                kind_meets_material(world, balls.kind[i], world.capsules().material[*index]))
                 unite(i, static_cast<std::uint32_t>(balls.size() + h));
     }
 }
@@ -149,58 +151,55 @@ void HybridStep::unite(std::uint32_t a, std::uint32_t b) {
 
 // The cluster, or all but it, with everything of the world that a solver reads in a tick.
 void HybridStep::take_part(const World& world, bool of_cluster, Part& part) const {
-    const std::size_t count = world.balls.size();
+    const std::size_t count = world.balls().size();
     part.ball.clear();
     for (std::uint32_t i = 0; i < count; ++i)
         if ((is_clustered_[i] != 0) == of_cluster) part.ball.push_back(i);
     part.contacts.clear();
     part.touched.assign(part.ball.size(), 0);
     World& some = part.world;
-    some.model = world.model;
-    some.seed = world.seed;
-    some.rate = world.rate;
-    some.tick = world.tick;
-    some.capsules = world.capsules;
-    some.kinds = world.kinds;
-    some.materials = world.materials;
-    some.meets = world.meets;
-    copy_rows(world.balls, part.ball, some.balls);
-    some.held_balls.clear();
-    for (const HeldBall& held : world.held_balls)
-        if (index_of(some, held.id)) some.held_balls.push_back(held);
-    some.held_capsules.clear();
-    for (std::size_t h = 0; h < world.held_capsules.size(); ++h)
+    some.edit_definition() = world.definition();
+    some.edit_tick() = world.tick();
+    some.edit_capsules() = world.capsules();
+    copy_rows(world.balls(), part.ball, some.edit_balls());
+    some.edit_held_balls().clear();
+    for (const HeldBall& held : world.held_balls())
+        if (index_of(some, held.id)) some.edit_held_balls().push_back(held);
+    some.edit_held_capsules().clear();
+    for (std::size_t h = 0; h < world.held_capsules().size(); ++h)
         if ((is_clustered_[count + h] != 0) == of_cluster)
-            some.held_capsules.push_back(world.held_capsules[h]);
-    some.heaped.clear();
-    some.pressed.clear();
-    some.homes.clear();
+            some.edit_held_capsules().push_back(world.held_capsules()[h]);
+    SolverMemory& memory = SolverAccess(some).memory();
+    const SolverMemory& of_whole = world.memory();
+    memory.heaped.clear();
+    memory.pressed.clear();
+    memory.homes.clear();
     forget_paths(some);
     if (of_cluster) {
-        some.pressed = world.pressed;
+        memory.pressed = of_whole.pressed;
         return;
     }
-    some.paths = world.paths;
-    some.path_bends = world.path_bends;
-    some.spin_paths = world.spin_paths;
-    some.paths_sum = world.paths_sum;
-    some.paths_obstacles = world.paths_obstacles;
-    some.paths_gravity = world.paths_gravity;
-    some.paths_drag = world.paths_drag;
+    memory.paths = of_whole.paths;
+    memory.path_bends = of_whole.path_bends;
+    memory.spin_paths = of_whole.spin_paths;
+    memory.paths_sum = of_whole.paths_sum;
+    memory.paths_obstacles = of_whole.paths_obstacles;
+    memory.paths_gravity = of_whole.paths_gravity;
+    memory.paths_drag = of_whole.paths_drag;
 }
 
 // Widens the reach of every ball that got further. Whether there is one.
 bool HybridStep::widen_reaches(const World& world, const Part& part) {
     bool went_further = false;
     for (std::size_t i = 0; i < part.ball.size(); ++i)
-        went_further |= widen_to(world, part.ball[i], part.world.balls.position[i]);
+        went_further |= widen_to(world, part.ball[i], part.world.balls().position[i]);
     for (const Contact& contact : part.contacts)
         went_further |= widen(world, contact, part);
     return went_further;
 }
 
 bool HybridStep::widen(const World& world, const Contact& contact, const Part& part) {
-    const std::vector<double>& radius = part.world.balls.radius;
+    const std::vector<double>& radius = part.world.balls().radius;
     bool went_further =
         widen_to(world, part.ball[contact.a], contact.point + contact.normal * radius[contact.a]);
     if (contact.kind == ContactKind::ball_ball)
@@ -210,8 +209,8 @@ bool HybridStep::widen(const World& world, const Contact& contact, const Part& p
 }
 
 bool HybridStep::widen_to(const World& world, std::uint32_t ball, Vec2 place) {
-    const double way = length(displacement(world, world.balls.position[ball], place));
-    const double rounding = 1e-6 * world.balls.radius[ball];
+    const double way = length(displacement(world, world.balls().position[ball], place));
+    const double rounding = 1e-6 * world.balls().radius[ball];
     if (way <= reach_[ball] + rounding) return false;
     reach_[ball] = 2.0 * way;
     return true;
@@ -219,7 +218,7 @@ bool HybridStep::widen_to(const World& world, std::uint32_t ball, Vec2 place) {
 
 void HybridStep::write_back(World& world, const Part& part,
                             std::vector<std::uint8_t>& touched) const {
-    write_rows(part.world.balls, part.ball, world.balls);
+    write_rows(part.world.balls(), part.ball, SolverAccess(world).balls());
     for (std::size_t i = 0; i < part.ball.size(); ++i)
         touched[part.ball[i]] = part.touched[i];
 }
@@ -237,10 +236,11 @@ void HybridStep::merge_contacts(std::vector<Contact>& contacts) {
 
 // Balls under pressure overlap by about the fall of a substep, times the number of balls above.
 int HybridStep::substeps_for(const World& cluster) {
-    const std::vector<double>& radius = cluster.balls.radius;
+    const std::vector<double>& radius = cluster.balls().radius;
     const double smallest = *std::ranges::min_element(radius);
     const double duration = cluster.tick_length();
-    const double fall = 0.5 * length(cluster.model.gravity.value_or(Vec2{})) * duration * duration;
+    const double fall =
+        0.5 * length(cluster.model().gravity.value_or(Vec2{})) * duration * duration;
     int substeps = least_substeps;
     while (substeps < most_substeps && fall > most_fall * smallest * substeps * substeps)
         substeps *= 2;
@@ -248,19 +248,20 @@ int HybridStep::substeps_for(const World& cluster) {
 }
 
 void HybridStep::find_staying(const World& cluster, std::vector<BallId>& heaped) {
-    const Balls& balls = cluster.balls;
+    const Balls& balls = cluster.balls();
     const Vec2 torus = torus_of(cluster);
     stays_.assign(balls.size(), 0);
-    for (const PressedPair& pair : cluster.pressed) {
+    for (const PressedPair& pair : cluster.memory().pressed) {
         if (pair.kind != ContactKind::ball_ball) continue;
         for (const BallId id : {pair.ball, BallId{pair.other}})
             if (const auto index = index_of(cluster, id)) stays_[*index] = 1;
     }
     const auto is_sunk = [&](std::uint32_t ball, Vec2 at, std::size_t edge) {
         const double radius = balls.radius[ball];
-        const Capsule& shape = cluster.capsules.shape[edge];
+        const Capsule& shape = cluster.capsules().shape[edge];
         return separation(Disc{at, radius}, shape) < -sunk * radius &&
-               (!cluster.model.one_way || is_on_solid_side(shape, cluster.capsules.side[edge], at));
+               (!cluster.model().one_way ||
+                is_on_solid_side(shape, cluster.capsules().side[edge], at));
     };
     margin_.assign(balls.size(), 0.0);
     near_.find(cluster, margin_, order_);
@@ -276,7 +277,7 @@ void HybridStep::find_staying(const World& cluster, std::vector<BallId>& heaped)
         const double gap = away - balls.radius[a] - balls.radius[b];
         if (gap < -sunk * std::min(balls.radius[a], balls.radius[b])) stays_[a] = stays_[b] = 1;
     }
-    for (const HeldCapsule& held : cluster.held_capsules)
+    for (const HeldCapsule& held : cluster.held_capsules())
         if (const auto index = index_of(cluster, held.id))
             for (std::uint32_t i = 0; i < balls.size(); ++i)
                 stays_[i] |= is_sunk(i, balls.position[i], *index);

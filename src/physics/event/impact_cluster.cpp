@@ -50,8 +50,8 @@ std::uint32_t ImpactCluster<Real>::add_body(std::uint32_t ball) {
                        .fastest = length(state.velocity),
                        .was_resting = balls_[ball].line.motion == Motion::resting});
     motion_.push_back({state.velocity, balls_.plan(ball).inverse_mass});
-    if (scene_.world->model.spin) bodies_.back().spin = trajectories_.spin_at(ball, scene_.now);
-    if (scene_.world->model.cloth) bodies_.back().roll = trajectories_.roll_at(ball, scene_.now);
+    if (scene_.world->model().spin) bodies_.back().spin = trajectories_.spin_at(ball, scene_.now);
+    if (scene_.world->model().cloth) bodies_.back().roll = trajectories_.roll_at(ball, scene_.now);
     body_of_[ball] = body;
     return body;
 }
@@ -78,7 +78,7 @@ void ImpactCluster<Real>::add_ball(std::uint32_t body, std::uint32_t other, int 
                                ? offset / distance
                                : Vector<Real>{ball < other ? Real(1.0) : Real(-1.0), Real{}};
     point.support = {PathSupport::By::ball, static_cast<std::int8_t>(across),
-                     static_cast<std::int8_t>(along), number(scene_.world->balls.id[other])};
+                     static_cast<std::int8_t>(along), number(scene_.world->balls().id[other])};
     contacts_.push_back(point);
 }
 
@@ -92,7 +92,7 @@ template <typename Real>
 void ImpactCluster<Real>::add_edge(std::uint32_t body, std::uint32_t capsule, int across, int along,
                                    bool is_certain) {
     const Vec2 shift{scene_.period.x * across, scene_.period.y * along};
-    const Edge<Real> edge(scene_.world->capsules.shape[capsule], shift);
+    const Edge<Real> edge(scene_.world->capsules().shape[capsule], shift);
     const Real size = radius_of(body);
     const auto contact = contact_with(edge, bodies_[body].position, size);
     if (!is_certain && contact.gap > slop_at(body, size, size + edge.radius)) return;
@@ -104,7 +104,7 @@ void ImpactCluster<Real>::add_edge(std::uint32_t body, std::uint32_t capsule, in
     point.contact.a = body;
     point.contact.normal = contact.normal;
     point.support = {PathSupport::By::edge, static_cast<std::int8_t>(across),
-                     static_cast<std::int8_t>(along), number(scene_.world->capsules.id[capsule])};
+                     static_cast<std::int8_t>(along), number(scene_.world->capsules().id[capsule])};
     contacts_.push_back(point);
 }
 
@@ -148,8 +148,8 @@ void ImpactCluster<Real>::find_neighbours(std::uint32_t body) {
     const Vector<Real> position = bodies_[body].position;
     const Real size = balls_.radius(ball);
     const BallRecord<Real>* const balls = balls_.data();
-    const bool is_uniform = !scene_.world->model.gravity && !scene_.field.has_drag;
-    const bool wraps = scene_.world->model.wrap.has_value();
+    const bool is_uniform = !scene_.world->model().gravity && !scene_.field.has_drag;
+    const bool wraps = scene_.world->model().wrap.has_value();
     const ContactPoint<Real>& first = contacts_.front();
     const std::uint32_t first_ball = bodies_[first.contact.a].ball;
     const std::uint32_t second_ball =

@@ -8,8 +8,8 @@ template <typename Real>
 void ImpactFriction<Real>::apply(const std::vector<std::uint32_t>& which,
                                  std::span<const Real> passed) {
     collect(which, passed);
-    const bool on_cloth = scene_.world->model.cloth.has_value();
-    const Real inertia(*scene_.world->model.spin);
+    const bool on_cloth = scene_.world->model().cloth.has_value();
+    const Real inertia(*scene_.world->model().spin);
     const int most_rounds = contacts_.size() == 1 ? 1 : most_friction_rounds;
     for (int round = 0; round < most_rounds; ++round) {
         bool is_done = true;
@@ -41,7 +41,7 @@ void ImpactFriction<Real>::collect(const std::vector<std::uint32_t>& which,
         if (!(passed[i] > Real{})) continue;
         const Real coefficient =
             point.kind == EventKind::kinematic_edge
-                ? Real(world.materials[world.capsules.material[point.other]].friction)
+                ? Real(world.materials()[world.capsules().material[point.other]].friction)
                 : friction_.coefficient(cluster_.bodies()[point.contact.a].ball, point.support);
         const Real most = coefficient * passed[i];
         if (!(most > Real{})) continue;

@@ -8,19 +8,19 @@ template <typename Real>
 void KinematicBodies<Real>::take() {
     const World& world = *scene_.world;
     const Real duration = scene_.end - scene_.now;
-    for (const HeldBall& held : world.held_balls) {
+    for (const HeldBall& held : world.held_balls()) {
         const auto index = index_of(world, held.id);
         if (!index) continue;
-        Vec2 way = held.target - world.balls.position[*index];
-        if (world.model.wrap) way = nearest_image(way, scene_.period);
+        Vec2 way = held.target - world.balls().position[*index];
+        if (world.model().wrap) way = nearest_image(way, scene_.period);
         balls_.plan(*index).inverse_mass = Real{};
         balls_[*index].line.velocity = Vector<Real>(way) / duration;
     }
     edges_.clear();
-    for (const HeldCapsule& held : world.held_capsules) {
+    for (const HeldCapsule& held : world.held_capsules()) {
         const auto index = index_of(world, held.id);
         if (!index) continue;
-        const Capsule& shape = world.capsules.shape[*index];
+        const Capsule& shape = world.capsules().shape[*index];
         KinematicEdge<Real> edge;
         edge.capsule = static_cast<std::uint32_t>(*index);
         edge.is_motorised = held.is_driven;

@@ -8,7 +8,7 @@ namespace carom {
 
 template <typename Real>
 void PositionCorrection<Real>::apply() {
-    const Model& model = scene_.world->model;
+    const Model& model = scene_.world->model();
     const bool on_cloth = model.cloth.has_value();
     if (!(model.gravity && model.lossy) && !on_cloth) return;
     const Real allowed(on_cloth ? overlap_heights_on_cloth * cloth_rest_height
@@ -45,7 +45,7 @@ Real PositionCorrection<Real>::share_of(std::uint32_t index,
     const Real size = balls_.radius(body.ball);
     bool is_barred = false;
     const auto bar = [&](std::uint32_t capsule, Vec2 shift, int, int) {
-        const Edge<Real> edge(scene_.world->capsules.shape[capsule], shift);
+        const Edge<Real> edge(scene_.world->capsules().shape[capsule], shift);
         const Real gap = contact_with(edge, there, size).gap;
         is_barred =
             is_barred || (gap < Real{} && gap < contact_with(edge, body.position, size).gap);

@@ -12,14 +12,14 @@ namespace carom {
 // too. One-way edges are tested whenever all is predicted anew, so that must happen at every cell.
 template <typename Real>
 bool Predictor<Real>::can_foresee(std::uint32_t ball) const {
-    return is_flying(ball) && space_.cells().oversized().empty() && !scene_.world->model.one_way;
+    return is_flying(ball) && space_.cells().oversized().empty() && !scene_.world->model().one_way;
 }
 
 template <typename Real>
 void Predictor<Real>::predict(std::uint32_t ball) {
     BallEvent<Real> collision;
     bool is_known = can_foresee(ball);
-    if (is_known && scene_.world->model.ball_ball)
+    if (is_known && scene_.world->model().ball_ball)
         space_.cells().for_each_near(balls_, ball, [&](std::uint32_t other, int across, int along) {
             is_known = is_known && is_flying(other);
             if (is_known) meet_flying(ball, other, across, along, collision);
@@ -34,8 +34,8 @@ void Predictor<Real>::predict_among(std::uint32_t ball,
                                     std::span<const Neighbour<Real>> neighbours) {
     if (!can_foresee(ball)) return predict(ball);
     const Vector<Real> velocity = balls_[ball].line.velocity;
-    const bool has_gravity = scene_.world->model.gravity.has_value();
-    const bool is_filtered = scene_.world->model.filtered;
+    const bool has_gravity = scene_.world->model().gravity.has_value();
+    const bool is_filtered = scene_.world->model().filtered;
     const BallRecord<Real>* const balls = balls_.data();
     const Real now = scene_.now;
     const Neighbour<Real>* const near = neighbours.data();
@@ -88,7 +88,7 @@ void Predictor<Real>::transfer(std::uint32_t ball, std::uint32_t side) {
     if (side < cell_transfer::sides) {
         const auto [columns, rows] = cell_transfer::steps[side];
         space_.cells().step(balls_, ball, columns, rows);
-        if (is_known && scene_.world->model.ball_ball) {
+        if (is_known && scene_.world->model().ball_ball) {
             BallEvent<Real> collision = balls_.plan(ball).collision();
             space_.cells().for_each_new(balls_, ball, columns, rows,
                                         [&](std::uint32_t other, int across, int along) {
@@ -108,7 +108,7 @@ void Predictor<Real>::transfer(std::uint32_t ball, std::uint32_t side) {
 // The first of all that can happen to the ball from now on, its collision being predicted.
 template <typename Real>
 void Predictor<Real>::choose_next(std::uint32_t ball) {
-    const Model& model = scene_.world->model;
+    const Model& model = scene_.world->model();
     const bool has_kinematic_edges = !kinematic_.edges().empty();
     if (balls_[ball].line.motion == Motion::still && !has_kinematic_edges)
         return choose_next_of_still(ball);
@@ -118,7 +118,7 @@ void Predictor<Real>::choose_next(std::uint32_t ball) {
     BallEvent<Real> best;
     best.time = Real(std::numeric_limits<double>::infinity());
     if (!is_uniform || has_kinematic_edges)
-        best = {scene_.now + Real(search_horizon_ticks / scene_.world->rate),
+        best = {scene_.now + Real(search_horizon_ticks / scene_.world->rate()),
                 EventKind::cell_transfer,
                 0,
                 0,
@@ -146,7 +146,7 @@ template <typename Real>
 void Predictor<Real>::choose_next_of_still(std::uint32_t ball) {
     BallEvent<Real> best;
     search_.begin_at(scene_.now);
-    if (scene_.world->model.ball_ball)
+    if (scene_.world->model().ball_ball)
         space_.for_each_ball_near(ball, [&](std::uint32_t other, int across, int along) {
             const BallEvent<Real> theirs = balls_.plan(other).next_event();
             if (theirs.kind == EventKind::none) return;
@@ -205,13 +205,13 @@ void Predictor<Real>::meet(std::uint32_t ball, std::uint32_t other, int across, 
 // Whether the two may have an impact: not if neither moves, or if one rests on the other.
 template <typename Real>
 bool Predictor<Real>::may_meet(std::uint32_t ball, std::uint32_t other) const {
-    if (scene_.world->model.filtered && !scene_.balls_collide(ball, other)) return false;
+    if (scene_.world->model().filtered && !scene_.balls_collide(ball, other)) return false;
     const Motion ours = balls_[ball].line.motion;
     const Motion theirs = balls_[other].line.motion;
     const bool may_stay = ours == Motion::held || ours == Motion::resting || ours == Motion::still;
     if (may_stay && theirs == ours) return false;
     const auto rests_on = [this](std::uint32_t upper, std::uint32_t lower) {
-        const auto id = number(scene_.world->balls.id[lower]);
+        const auto id = number(scene_.world->balls().id[lower]);
         const AccelerationPart<Real>& curve = balls_.curve(upper);
         return (curve.support.by == PathSupport::By::ball && curve.support.number == id) ||
                (curve.second_support.by == PathSupport::By::ball &&
@@ -251,7 +251,7 @@ void Predictor<Real>::predict_edges(std::uint32_t ball, BallEvent<Real>& best) {
     const Trajectory<Real> path = balls_.path(ball);
     space_.for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int across, int along) {
         if (scene_.is_supported_by(path, capsule, across, along)) return;
-        const Edge<Real> edge(scene_.world->capsules.shape[capsule], shift);
+        const Edge<Real> edge(scene_.world->capsules().shape[capsule], shift);
         auto time =
             edge_time_of_impact(path, edge, balls_.radius(ball), scene_.field, best.time, search_);
         if (!time) return;

@@ -95,7 +95,7 @@ Real Response<Real>::least_approach_of(const ContactPoint<Real>& point, bool is_
 // too slow for an impact of their own.
 template <typename Real>
 Real Response<Real>::pressing_speed(const ContactPoint<Real>& point) const {
-    if (!scene_.world->model.gravity || !scene_.world->model.lossy) return Real{};
+    if (!scene_.world->model().gravity || !scene_.world->model().lossy) return Real{};
     double height = rest_height;
     if (point.kind == EventKind::ball_ball && !cluster_.bodies()[point.contact.a].was_resting &&
         !cluster_.bodies()[point.contact.b].was_resting)
@@ -115,13 +115,13 @@ void Response<Real>::prepare_group(bool is_alone) {
         const double restitution = restitution_.of(point, is_alone);
         point.contact.restitution = Real(restitution);
         group_.push_back(point.contact);
-        if (point.kind == EventKind::ball_edge && world.model.scatter && is_alone &&
+        if (point.kind == EventKind::ball_edge && world.model().scatter && is_alone &&
             point.contact.restitution > Real{}) {
             const std::uint32_t ball = cluster_.bodies()[point.contact.a].ball;
             const Vec2 velocity(cluster_.motion()[point.contact.a].velocity);
-            group_.back().normal =
-                Vector<Real>(scattered_normal(world, world.balls.id[ball], scatter_counts_[ball]++,
-                                              Vec2(point.contact.normal), velocity, restitution));
+            group_.back().normal = Vector<Real>(
+                scattered_normal(world, world.balls().id[ball], scatter_counts_[ball]++,
+                                 Vec2(point.contact.normal), velocity, restitution));
         }
         approach_.push_back(approach_of<Real>(group_.back(), cluster_.motion()));
     }
@@ -135,7 +135,7 @@ void Response<Real>::pass_impulses(bool is_alone, std::vector<Contact>& contacts
     // A resting ball does not wake if another comes to rest on it: it counts as immovable.
     const bool is_soft = is_alone &&
                          cluster_.contacts()[approaching_[0]].kind == EventKind::ball_ball &&
-                         group_[0].restitution == Real{} && scene_.world->model.gravity;
+                         group_[0].restitution == Real{} && scene_.world->model().gravity;
     std::array<Real, 2> masses{};
     if (is_soft) {
         masses = {motion[group_[0].a].inverse_mass, motion[group_[0].b].inverse_mass};
@@ -147,7 +147,7 @@ void Response<Real>::pass_impulses(bool is_alone, std::vector<Contact>& contacts
         passed_.assign(1, reflect_alone<Real>(motion, group_[0]));
     else
         passed_ = reflect<Real>(motion, group_, &memory_);
-    if (scene_.world->model.spin) friction_.apply(approaching_, passed_);
+    if (scene_.world->model().spin) friction_.apply(approaching_, passed_);
     if (is_soft) {
         motion[group_[0].a].inverse_mass = masses[0];
         motion[group_[0].b].inverse_mass = masses[1];
@@ -173,15 +173,16 @@ void Response<Real>::record_contact(std::size_t at, std::vector<Contact>& contac
     const Vec2 place(body.position - point.contact.normal * balls_.radius(body.ball));
     const Vec2 normal(group_[at].normal);
     const double approach = static_cast<double>(approach_[at]);
-    if (world.model.kicks && !on_ball)
+    if (world.model().kicks && !on_ball)
         cluster_.motion()[point.contact.a].velocity +=
-            group_[at].normal * Real(kick_at(world.materials[world.capsules.material[point.other]],
-                                             world.capsules.shape[point.other], place, approach));
+            group_[at].normal *
+            Real(kick_at(world.materials()[world.capsules().material[point.other]],
+                         world.capsules().shape[point.other], place, approach));
     contacts.push_back({.time = static_cast<double>(scene_.now),
                         .kind = on_ball ? ContactKind::ball_ball : ContactKind::ball_edge,
                         .a = is_swapped ? point.other : body.ball,
                         .b = is_swapped ? body.ball : point.other,
-                        .point = world.model.wrap ? wrapped(place, *world.model.wrap) : place,
+                        .point = world.model().wrap ? wrapped(place, *world.model().wrap) : place,
                         .normal = is_swapped ? -normal : normal,
                         .approach = approach,
                         .impulse = static_cast<double>(passed_[at])});
@@ -269,7 +270,7 @@ bool Response<Real>::hold_back(std::uint32_t body) {
 // Gives every changed body its new trajectory, and free flight to what it supported.
 template <typename Real>
 void Response<Real>::start_trajectories(std::vector<std::uint8_t>& touched) {
-    const Model& model = scene_.world->model;
+    const Model& model = scene_.world->model();
     const std::vector<ClusterBody<Real>>& bodies = cluster_.bodies();
     changed_.clear();
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {

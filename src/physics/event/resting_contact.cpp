@@ -16,8 +16,8 @@ template <typename Real>
 void RestingContact<Real>::settle(std::uint32_t ball) {
     const LinearPart<Real> path = balls_[ball].line;
     if (path.motion != Motion::free) return;
-    if (scene_.world->model.cloth) return cloth_.begin_phase(ball);
-    if (!scene_.world->model.gravity) return;
+    if (scene_.world->model().cloth) return cloth_.begin_phase(ball);
+    if (!scene_.world->model().gravity) return;
     const std::vector<Support<Real>>& supports = supports_.of(ball, false);
     if (const auto two = bearing_two(supports)) {
         const Support<Real>& first = supports[two->first];
@@ -26,7 +26,7 @@ void RestingContact<Real>::settle(std::uint32_t ball) {
         const Real fall = Real(wedge_rest_heights * rest_height) * length(scene_.field.gravity) *
                           balls_.radius(ball) / (turn * turn);
         if (length_squared(path.velocity) <= fall) {
-            const bool spins = scene_.world->model.spin.has_value();
+            const bool spins = scene_.world->model().spin.has_value();
             if (spins && friction_.rolls_off(ball, first, second)) return rest_on_one(ball, first);
             if (spins && friction_.rolls_off(ball, second, first)) return rest_on_one(ball, second);
             return rest_on_two(ball, first, second);
@@ -50,7 +50,7 @@ template <typename Real>
 void RestingContact<Real>::rest_on_two(std::uint32_t ball, const Support<Real>& first,
                                        const Support<Real>& second) {
     trajectories_.put_to_rest(ball, first.by, second.by);
-    if (!scene_.world->model.spin) return;
+    if (!scene_.world->model().spin) return;
     const Vector<Real>& gravity = scene_.field.gravity;
     const Real turn = cross(first.normal, second.normal);
     const Real ours = cross(-gravity, second.normal) / turn;
@@ -68,7 +68,7 @@ void RestingContact<Real>::rest_on_one(std::uint32_t ball, const Support<Real>& 
         path.velocity - support.normal * dot(path.velocity, support.normal);
     Vector<Real> along = gravity - support.normal * dot(gravity, support.normal);
     if (length(along) <= rounding_of(gravity)) along = {};
-    if (scene_.world->model.spin && support.is_side) {
+    if (scene_.world->model().spin && support.is_side) {
         const auto effect = friction_.on_side(ball, support, velocity, along);
         if (friction_.rest_braced(ball, support, velocity, effect, along + effect.acceleration))
             return;
@@ -144,7 +144,7 @@ void RestingContact<Real>::release_supported(std::uint32_t ball,
     while (!moved_.empty()) {
         const std::uint32_t support = moved_.back();
         moved_.pop_back();
-        const auto id = number(scene_.world->balls.id[support]);
+        const auto id = number(scene_.world->balls().id[support]);
         space_.for_each_ball_near(support, [&](std::uint32_t other, int, int) {
             const Trajectory<Real> path = balls_.path(other);
             const auto is_support = [id](const PathSupport& by) {

@@ -12,7 +12,7 @@ double Restitution<Real>::of(const ContactPoint<Real>& point, bool is_alone) con
     const Real approach = approach_of<Real>(point.contact, cluster_.motion());
     const double usual = point.kind == EventKind::ball_ball ? of_balls(point, is_alone, approach)
                                                             : of_edge(point, is_alone, approach);
-    return scene_.world->model.cloth ? on_cloth(point, is_alone, usual) : usual;
+    return scene_.world->model().cloth ? on_cloth(point, is_alone, usual) : usual;
 }
 
 template <typename Real>
@@ -23,9 +23,9 @@ double Restitution<Real>::of_balls(const ContactPoint<Real>& point, bool is_alon
     const Trajectory<Real> ours = balls_.path(body.ball);
     const Trajectory<Real> theirs = balls_.path(point.other);
     double restitution = 1.0;
-    if (world.model.lossy)
+    if (world.model().lossy)
         restitution =
-            std::min(world.balls.restitution[body.ball], world.balls.restitution[point.other]);
+            std::min(world.balls().restitution[body.ball], world.balls().restitution[point.other]);
     const bool is_pushed = cluster_.motion()[point.contact.a].inverse_mass == Real{} ||
                            cluster_.motion()[point.contact.b].inverse_mass == Real{};
     if (is_pushed && (ours.motion == Motion::held || theirs.motion == Motion::held))
@@ -33,7 +33,7 @@ double Restitution<Real>::of_balls(const ContactPoint<Real>& point, bool is_alon
     if (restitution < 1.0 && ours.recent_collisions > most_collisions_in_place &&
         theirs.recent_collisions > most_collisions_in_place)
         return 0.0;
-    if (!is_alone || !world.model.gravity) return restitution;
+    if (!is_alone || !world.model().gravity) return restitution;
     const Real press = -dot(ours.acceleration - theirs.acceleration, point.contact.normal);
     if (!(press > Real{})) return restitution;
     const Real rebound = approach * Real(restitution);
@@ -53,8 +53,8 @@ double Restitution<Real>::of_edge(const ContactPoint<Real>& point, bool is_alone
     const double speed = static_cast<double>(approach);
     const double surface = static_cast<double>(point.contact.surface);
     double restitution = 1.0;
-    const Material& material = world.materials[world.capsules.material[point.other]];
-    if (world.model.lossy) restitution = restitution_at(material, std::max(0.0, speed));
+    const Material& material = world.materials()[world.capsules().material[point.other]];
+    if (world.model().lossy) restitution = restitution_at(material, std::max(0.0, speed));
     if (point.is_motorised && approach > Real{})
         return driven_restitution(restitution, surface, speed);
     if (point.kind == EventKind::kinematic_edge && point.contact.surface > Real{}) {
@@ -67,9 +67,9 @@ double Restitution<Real>::of_edge(const ContactPoint<Real>& point, bool is_alone
                    : 0.0;
     }
     if (restitution < 1.0 && path.recent_collisions > most_collisions_in_place &&
-        !world.model.gravity)
+        !world.model().gravity)
         return 0.0;
-    if (!is_alone || !world.model.gravity) return restitution;
+    if (!is_alone || !world.model().gravity) return restitution;
     const Real press = -dot(path.acceleration, point.contact.normal);
     if (!(press > Real{})) return restitution;
     const Real rebound = approach * Real(restitution);

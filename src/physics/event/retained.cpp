@@ -17,8 +17,8 @@ bool WorldSync<Real>::leads_through(const Trajectory<Real>& path, std::size_t ba
     if (path.motion == Motion::turning && piece_end(path, scene_.field) < scene_.now) return false;
     if (!cloth_.is_of_this_cloth(path)) return false;
     const BallState<Real> state = state_at(path, scene_.field, scene_.now);
-    return trajectories_.shown_position(path, scene_.now) == scene_.world->balls.position[ball] &&
-           Vec2(state.velocity) == scene_.world->balls.velocity[ball] &&
+    return trajectories_.shown_position(path, scene_.now) == scene_.world->balls().position[ball] &&
+           Vec2(state.velocity) == scene_.world->balls().velocity[ball] &&
            is_turn_left(static_cast<std::uint32_t>(ball));
 }
 
@@ -51,13 +51,13 @@ bool WorldSync<Real>::has_passed_an_edge(std::uint32_t ball) {
     const Trajectory<Real> path = balls_.path(ball);
     const bool stays = path.motion == Motion::held || path.motion == Motion::resting ||
                        path.motion == Motion::still;
-    if (!scene_.world->model.ball_edge || stays || !(path.time < scene_.now)) return false;
+    if (!scene_.world->model().ball_edge || stays || !(path.time < scene_.now)) return false;
     const auto since = static_cast<double>(scene_.now - path.time);
     const auto pull = static_cast<double>(most_acceleration(path, scene_.field, path.time));
     const Vec2 begin(path.position);
     const double way = (length(Vec2(path.velocity)) + 0.5 * pull * since) * since;
     search_.begin_at(scene_.now);
-    const bool wraps = scene_.world->model.wrap.has_value();
+    const bool wraps = scene_.world->model().wrap.has_value();
     // Too long a way to check: the trajectory starts anew.
     if (wraps && !(way < most_checked_periods * std::min(scene_.period.x, scene_.period.y)))
         return true;
@@ -67,7 +67,7 @@ bool WorldSync<Real>::has_passed_an_edge(std::uint32_t ball) {
         return std::array<int, 2>{static_cast<int>(std::floor((at - reach - high) / period)) + 1,
                                   static_cast<int>(std::ceil((at + reach - low) / period)) - 1};
     };
-    const Capsules& capsules = scene_.world->capsules;
+    const Capsules& capsules = scene_.world->capsules();
     for (std::uint32_t i = 0; i < capsules.size(); ++i) {
         if (is_held(*scene_.world, capsules.id[i]) || !scene_.ball_collides_with(ball, i)) continue;
         const Capsule& shape = capsules.shape[i];

@@ -21,18 +21,18 @@ struct EventScene {
 
     /// Whether the two balls, or a ball and an edge, collide at all.
     bool balls_collide(std::uint32_t a, std::uint32_t b) const {
-        return !world->model.filtered ||
-               kinds_meet(*world, world->balls.kind[a], world->balls.kind[b]);
+        return !world->model().filtered ||
+               kinds_meet(*world, world->balls().kind[a], world->balls().kind[b]);
     }
     bool ball_collides_with(std::uint32_t ball, std::uint32_t capsule) const {
-        return !world->model.filtered || kind_meets_material(*world, world->balls.kind[ball],
-                                                             world->capsules.material[capsule]);
+        return !world->model().filtered || kind_meets_material(*world, world->balls().kind[ball],
+                                                               world->capsules().material[capsule]);
     }
     /// Whether the edge, moved by `shift`, is solid for a ball at this position: one-way edges are
     /// so on one side.
     bool is_solid(std::uint32_t capsule, const Vector<Real>& position, Vec2 shift) const {
-        if (!world->model.one_way) return true;
-        return is_on_solid_side(world->capsules.shape[capsule], world->capsules.side[capsule],
+        if (!world->model().one_way) return true;
+        return is_on_solid_side(world->capsules().shape[capsule], world->capsules().side[capsule],
                                 Vec2(position) - shift);
     }
     /// Whether that image of the edge supports a ball on this trajectory.
@@ -40,7 +40,8 @@ struct EventScene {
                          int along) const {
         const auto is = [&](const PathSupport& support) {
             return support.by == PathSupport::By::edge && support.across == across &&
-                   support.along == along && support.number == number(world->capsules.id[capsule]);
+                   support.along == along &&
+                   support.number == number(world->capsules().id[capsule]);
         };
         return path.motion != Motion::free && (is(path.support) || is(path.second_support));
     }

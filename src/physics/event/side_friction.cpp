@@ -11,12 +11,12 @@ template <typename Real>
 Real SideFriction<Real>::coefficient(std::uint32_t ball, const PathSupport& support) const {
     if (support.by == PathSupport::By::edge) {
         const auto index = index_of(*scene_.world, CapsuleId{support.number});
-        return Real(scene_.world->materials[scene_.world->capsules.material[*index]].friction);
+        return Real(scene_.world->materials()[scene_.world->capsules().material[*index]].friction);
     }
     if (support.by != PathSupport::By::ball) return Real{};
     const auto index = index_of(*scene_.world, BallId{support.number});
-    return Real(friction_between(scene_.world->kinds[scene_.world->balls.kind[ball]],
-                                 scene_.world->kinds[scene_.world->balls.kind[*index]]));
+    return Real(friction_between(scene_.world->kinds()[scene_.world->balls().kind[ball]],
+                                 scene_.world->kinds()[scene_.world->balls().kind[*index]]));
 }
 
 // Slips up to this are rounding.
@@ -39,7 +39,7 @@ auto SideFriction<Real>::on_side(std::uint32_t ball, const Support<Real>& suppor
     const Real press = -dot(scene_.field.gravity, support.normal);
     const Real most = coefficient(ball, support.by) * press;
     if (!(most > Real{})) return effect;
-    const Real inertia(*scene_.world->model.spin);
+    const Real inertia(*scene_.world->model().spin);
     const Real size = balls_.radius(ball);
     const Vector<Real> along = perpendicular(support.normal);
     const Real speed = dot(velocity, along);
@@ -62,7 +62,7 @@ auto SideFriction<Real>::on_side(std::uint32_t ball, const Support<Real>& suppor
 template <typename Real>
 void SideFriction<Real>::brake(std::uint32_t ball, const Real& friction) {
     SpinTrajectory<Real>& turn = trajectories_.spin(ball);
-    const Real rate = friction / (Real(*scene_.world->model.spin) * balls_.radius(ball));
+    const Real rate = friction / (Real(*scene_.world->model().spin) * balls_.radius(ball));
     turn.rolls = false;
     turn.rate = turn.spin == Real{} ? Real{} : (turn.spin < Real{} ? rate : -rate);
 }
@@ -129,7 +129,7 @@ template <typename Real>
 Vector<Real> SideFriction<Real>::slip_direction(std::uint32_t ball) const {
     const Trajectory<Real> path = balls_.path(ball);
     const auto capsule = index_of(*scene_.world, CapsuleId{path.support.number});
-    const Edge<Real> edge(scene_.world->capsules.shape[*capsule],
+    const Edge<Real> edge(scene_.world->capsules().shape[*capsule],
                           Vec2(scene_.image_shift(path.support.across, path.support.along)));
     const Vector<Real> span = edge.end - edge.start;
     const Vector<Real> direction = span / length(span);

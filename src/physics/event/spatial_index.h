@@ -27,7 +27,7 @@ class SpatialIndex {
     /// Lays out both grids anew for the scene's world. Cost: O(balls log balls + cells of edges).
     void rebuild() {
         cells_.reset(*scene_.world, balls_);
-        if (scene_.world->model.ball_edge)
+        if (scene_.world->model().ball_edge)
             edges_.update(*scene_.world, cells_.frame(), edge_reach * cells_.largest());
     }
 
@@ -37,7 +37,7 @@ class SpatialIndex {
 
     /// Whether no edge is near the ball's cell.
     bool is_off_edges(std::uint32_t ball) const {
-        return !scene_.world->model.ball_edge || edges_.is_empty(balls_.plan(ball).place.cell);
+        return !scene_.world->model().ball_edge || edges_.is_empty(balls_.plan(ball).place.cell);
     }
 
     /// Calls visit(other, across, along) for every other ball that may be near, with the periodic
@@ -66,14 +66,14 @@ class SpatialIndex {
 template <typename Real>
 template <typename Visit>
 void SpatialIndex<Real>::for_each_ball_near(std::uint32_t ball, Visit&& visit) const {
-    if (!scene_.world->model.ball_ball) return;
+    if (!scene_.world->model().ball_ball) return;
     const bool is_oversized = cells_.is_oversized(balls_, ball);
     if (!is_oversized) cells_.for_each_near(balls_, ball, visit);
     if (cells_.oversized().empty()) return;
     // An oversized ball reaches beyond cells. On a torus: the nearest image and those around it.
     const auto with_images = [&](std::uint32_t other) {
         if (other == ball) return;
-        if (!scene_.world->model.wrap) return visit(other, 0, 0);
+        if (!scene_.world->model().wrap) return visit(other, 0, 0);
         const Vec2 way(state_at(balls_.path(ball), scene_.field, scene_.now).position -
                        state_at(balls_.path(other), scene_.field, scene_.now).position);
         const int across = static_cast<int>(std::floor(way.x / scene_.period.x + 0.5));
@@ -95,7 +95,7 @@ template <typename Visit>
 void SpatialIndex<Real>::for_each_edge_around(std::uint32_t ball, CellSpot spot,
                                               Visit&& visit) const {
     const World& world = *scene_.world;
-    if (!world.model.ball_edge) return;
+    if (!world.model().ball_edge) return;
     const auto at_image = [&](std::uint32_t capsule, int across, int along) {
         if (!scene_.ball_collides_with(ball, capsule)) return;
         visit(capsule, Vec2{scene_.period.x * across, scene_.period.y * along}, across, along);
@@ -108,15 +108,15 @@ void SpatialIndex<Real>::for_each_edge_around(std::uint32_t ball, CellSpot spot,
     }
     int across = 0;
     int along = 0;
-    if (world.model.wrap) {
+    if (world.model().wrap) {
         const Vec2 way(state_at(balls_.path(ball), scene_.field, scene_.now).position -
-                       Vector<Real>(world.model.wrap->low));
+                       Vector<Real>(world.model().wrap->low));
         across = static_cast<int>(std::floor(way.x / scene_.period.x));
         along = static_cast<int>(std::floor(way.y / scene_.period.y));
     }
-    const int reach = world.model.wrap ? 1 : 0;
-    for (std::uint32_t capsule = 0; capsule < world.capsules.size(); ++capsule) {
-        if (is_held(world, world.capsules.id[capsule])) continue;
+    const int reach = world.model().wrap ? 1 : 0;
+    for (std::uint32_t capsule = 0; capsule < world.capsules().size(); ++capsule) {
+        if (is_held(world, world.capsules().id[capsule])) continue;
         for (int i = across - reach; i <= across + reach; ++i)
             for (int j = along - reach; j <= along + reach; ++j)
                 at_image(capsule, i, j);

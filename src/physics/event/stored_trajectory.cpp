@@ -31,8 +31,8 @@ PathBend stored_bend(const World& world, const Trajectory<double>& path) {
 namespace {
 
 std::uint64_t stirred_edge(std::uint64_t sum, const World& world, std::size_t index) {
-    const Capsule& shape = world.capsules.shape[index];
-    const Side side = world.model.one_way ? world.capsules.side[index] : Side::both;
+    const Capsule& shape = world.capsules().shape[index];
+    const Side side = world.model().one_way ? world.capsules().side[index] : Side::both;
     // 0 and -0 are the same place.
     const Vec2 start = shape.start + Vec2{};
     const Vec2 end = shape.end + Vec2{};
@@ -56,15 +56,15 @@ std::uint32_t sum_of_carriers(const World& world, const PathSupport& support,
 }
 
 std::uint64_t sum_of_obstacles(const World& world) {
-    std::uint64_t sum = static_cast<std::uint64_t>(world.model.ball_edge);
-    for (std::size_t i = 0; i < world.capsules.size(); ++i) {
-        if (is_held(world, world.capsules.id[i])) continue;
-        sum = stirred(stirred_edge(sum, world, i), std::uint64_t{world.capsules.material[i]});
+    std::uint64_t sum = static_cast<std::uint64_t>(world.model().ball_edge);
+    for (std::size_t i = 0; i < world.capsules().size(); ++i) {
+        if (is_held(world, world.capsules().id[i])) continue;
+        sum = stirred(stirred_edge(sum, world, i), std::uint64_t{world.capsules().material[i]});
     }
-    for (const double radius : world.balls.radius)
+    for (const double radius : world.balls().radius)
         sum = stirred(sum, radius);
-    if (world.model.filtered)
-        for (const std::uint8_t meets : world.meets)
+    if (world.model().filtered)
+        for (const std::uint8_t meets : world.meets())
             sum = stirred(sum, std::uint64_t{meets});
     return sum | 1;
 }

@@ -20,14 +20,14 @@ const std::vector<Support<Real>>& Supports<Real>::of(std::uint32_t ball, bool al
     space_.for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int across, int along) {
         add_edge(line, size, near, capsule, shift,
                  {PathSupport::By::edge, static_cast<std::int8_t>(across),
-                  static_cast<std::int8_t>(along), number(scene_.world->capsules.id[capsule])});
+                  static_cast<std::int8_t>(along), number(scene_.world->capsules().id[capsule])});
     });
     space_.for_each_ball_near(ball, [&](std::uint32_t other, int across, int along) {
         if (!scene_.balls_collide(ball, other)) return;
         if (!also_moving && balls_[other].line.motion != Motion::resting) return;
         add_ball(line, size, near, other,
                  {PathSupport::By::ball, static_cast<std::int8_t>(across),
-                  static_cast<std::int8_t>(along), number(scene_.world->balls.id[other])});
+                  static_cast<std::int8_t>(along), number(scene_.world->balls().id[other])});
     });
     // By number: the cells must not show.
     for (std::vector<Support<Real>>* const some : {&points_, &bars_}) {
@@ -60,7 +60,7 @@ void Supports<Real>::add(const LinearPart<Real>& line, const Real& size, Support
 template <typename Real>
 void Supports<Real>::add_edge(const LinearPart<Real>& line, const Real& size, const Real& near,
                               std::uint32_t capsule, Vec2 shift, PathSupport by) {
-    const Edge<Real> edge(scene_.world->capsules.shape[capsule], shift);
+    const Edge<Real> edge(scene_.world->capsules().shape[capsule], shift);
     const auto contact = contact_with(edge, line.position, size);
     const Real rounding = Real(gap_roundings) * rounding_at(line.position, size + edge.radius);
     if (contact.gap > near + rounding || !scene_.is_solid(capsule, line.position, shift)) return;
@@ -122,7 +122,7 @@ std::optional<Support<Real>> Supports<Real>::barrier_to(std::uint32_t ball,
     const Real size = balls_.radius(ball);
     std::optional<Support<Real>> found;
     space_.for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int across, int along) {
-        const Edge<Real> edge(scene_.world->capsules.shape[capsule], shift);
+        const Edge<Real> edge(scene_.world->capsules().shape[capsule], shift);
         const auto contact = contact_with(edge, position, size);
         const Real near = size * Real(contact_slop) +
                           Real(gap_roundings) * rounding_at(position, size + edge.radius);
@@ -134,7 +134,8 @@ std::optional<Support<Real>> Supports<Real>::barrier_to(std::uint32_t ball,
         Support<Real> support;
         support.normal = contact.normal;
         support.by = {PathSupport::By::edge, static_cast<std::int8_t>(across),
-                      static_cast<std::int8_t>(along), number(scene_.world->capsules.id[capsule])};
+                      static_cast<std::int8_t>(along),
+                      number(scene_.world->capsules().id[capsule])};
         found = support;
     });
     return found;

@@ -8,9 +8,9 @@ namespace carom {
 template <typename Real>
 void Trajectories<Real>::start(std::uint32_t ball, const Real& time, Vector<Real> position,
                                const Vector<Real>& velocity) {
-    if (scene_.world->model.wrap) {
+    if (scene_.world->model().wrap) {
         const Vec2 shown(position);
-        const Vec2 inside = wrapped(shown, *scene_.world->model.wrap);
+        const Vec2 inside = wrapped(shown, *scene_.world->model().wrap);
         const auto periods = [](double way, double period) {
             return static_cast<int>(way / period + (way < 0.0 ? -0.5 : 0.5));
         };
@@ -22,7 +22,7 @@ void Trajectories<Real>::start(std::uint32_t ball, const Real& time, Vector<Real
             ++image_changes_;
         }
     }
-    if (scene_.world->model.spin) continue_spin(ball, time);
+    if (scene_.world->model().spin) continue_spin(ball, time);
     LinearPart<Real>& line = balls_[ball].line;
     line = {.across = line.across,
             .along = line.along,
@@ -54,7 +54,7 @@ void Trajectories<Real>::put_to_rest(std::uint32_t ball, const PathSupport& supp
 template <typename Real>
 Vec2 Trajectories<Real>::shown_position(const Trajectory<Real>& path, const Real& time) const {
     const Vec2 position(state_at(path, scene_.field, time).position);
-    return scene_.world->model.wrap ? wrapped(position, *scene_.world->model.wrap) : position;
+    return scene_.world->model().wrap ? wrapped(position, *scene_.world->model().wrap) : position;
 }
 
 template <typename Real>
@@ -62,8 +62,8 @@ Real Trajectories<Real>::spin_at(std::uint32_t ball, const Real& time) const {
     const SpinTrajectory<Real>& turn = spins_[ball];
     if (turn.rate == Real{}) return turn.spin;
     const Real since = time - turn.time;
-    if (scene_.world->model.cloth)
-        return cloth_spin_after(*scene_.world->model.cloth, turn.spin, since);
+    if (scene_.world->model().cloth)
+        return cloth_spin_after(*scene_.world->model().cloth, turn.spin, since);
     return turn.spin + turn.rate * since;
 }
 
@@ -77,7 +77,7 @@ Vector<Real> Trajectories<Real>::roll_at(std::uint32_t ball, const Real& time) c
     const Trajectory<Real> path = balls_.path(ball);
     const Real since = time - path.time;
     if (path.motion == Motion::slipping)
-        return path.center - path.acceleration * (since / Real(*scene_.world->model.spin));
+        return path.center - path.acceleration * (since / Real(*scene_.world->model().spin));
     if (path.motion == Motion::rolling) return path.velocity + path.acceleration * since;
     return {};
 }

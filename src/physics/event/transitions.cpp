@@ -46,7 +46,7 @@ void Transitions<Real>::predict(std::uint32_t ball, BallEvent<Real>& best) {
         return;
     }
     if (guard_.is_frozen(path)) keep_earlier(ball, transition_at(guard_.thaw_time(ball)), best);
-    if (scene_.world->model.spin)
+    if (scene_.world->model().spin)
         if (const auto time = friction_.end_of_slip(ball, best.time))
             keep_earlier(ball, transition_at(*time < scene_.now ? scene_.now : *time), best);
     if (path.motion == Motion::sliding) predict_end_of_side(ball, path, best);
@@ -56,7 +56,7 @@ template <typename Real>
 void Transitions<Real>::predict_end_of_side(std::uint32_t ball, const Trajectory<Real>& path,
                                             BallEvent<Real>& best) {
     const auto capsule = index_of(*scene_.world, CapsuleId{path.support.number});
-    const Edge<Real> edge(scene_.world->capsules.shape[*capsule],
+    const Edge<Real> edge(scene_.world->capsules().shape[*capsule],
                           Vec2(scene_.image_shift(path.support.across, path.support.along)));
     const Vector<Real> span = edge.end - edge.start;
     const Real whole = length(span);
@@ -109,7 +109,7 @@ std::optional<Real> Transitions<Real>::end_of_turn(std::uint32_t ball) const {
     if (path.support.by != PathSupport::By::edge) return last;
     const bool is_left_turn = !(turn_at(path, scene_.field, last).speed < zero);
     space_.for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int, int) {
-        const Edge<Real> edge(scene_.world->capsules.shape[capsule], shift);
+        const Edge<Real> edge(scene_.world->capsules().shape[capsule], shift);
         if (edge.is_point() || !(edge.start == path.center || edge.end == path.center)) return;
         const Vector<Real> side = perpendicular(edge.end - edge.start);
         for (const Vector<Real>& normal : {side, -side}) {
@@ -130,13 +130,13 @@ std::optional<Real> Transitions<Real>::end_of_turn(std::uint32_t ball) const {
 template <typename Real>
 const std::vector<std::uint32_t>& Transitions<Real>::handle(std::uint32_t ball) {
     changed_.assign(1, ball);
-    if (scene_.world->model.cloth) {
+    if (scene_.world->model().cloth) {
         cloth_.end_phase(ball);
         return changed_;
     }
     const Trajectory<Real> before = balls_.path(ball);
     const BallState<Real> state = trajectories_.state_now(ball);
-    if (scene_.world->model.spin) friction_.end_slip(ball);
+    if (scene_.world->model().spin) friction_.end_slip(ball);
     trajectories_.start(ball, scene_.now, state.position, state.velocity);
     if (before.motion == Motion::resting && rest_.is_held_up(ball)) {
         // A frozen ball that its neighbours hold lies on them, even if they have not come to rest.
@@ -171,7 +171,7 @@ void Transitions<Real>::release_from(std::uint32_t ball) {
 
 template <typename Real>
 void Transitions<Real>::restart_in_frame(std::uint32_t ball) {
-    const bool on_cloth = scene_.world->model.cloth.has_value();
+    const bool on_cloth = scene_.world->model().cloth.has_value();
     const std::uint32_t collisions = balls_[ball].line.recent_collisions;
     const BallState<Real> state = trajectories_.state_now(ball);
     const Vector<Real> roll = on_cloth ? trajectories_.roll_at(ball, scene_.now) : Vector<Real>{};

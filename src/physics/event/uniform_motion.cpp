@@ -28,7 +28,7 @@ struct UniformPair {
 
 template <typename Real>
 bool UniformMotion<Real>::applies(const KinematicBodies<Real>& kinematic) const {
-    const Model& model = scene_.world->model;
+    const Model& model = scene_.world->model();
     return model.ball_ball && !model.gravity && !scene_.field.has_drag && !model.spin &&
            !model.cloth && !model.wrap && !model.filtered && !model.one_way &&
            kinematic.edges().empty() && space_.cells().oversized().empty() &&
@@ -207,7 +207,7 @@ bool UniformMotion<Real>::is_off_edges(std::uint32_t ball, const Vector<Real>& p
     if (space_.is_off_edges(ball)) return true;  // nearly always, and cheap
     bool is_off = true;
     space_.for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int, int) {
-        const Edge<Real> edge(scene_.world->capsules.shape[capsule], shift);
+        const Edge<Real> edge(scene_.world->capsules().shape[capsule], shift);
         const Real size = balls_.radius(ball);
         is_off = is_off && contact_with(edge, position, size).gap >
                                size * Real(contact_slop) +
@@ -280,8 +280,8 @@ inline bool UniformMotion<Real>::pass_impulse(Pair& pair, const ImpactRecord& re
     const Real approach = approach_of<Real>(contact, pair.motion);
     const bool can_move = pair.motion[0].inverse_mass + pair.motion[1].inverse_mass > Real{};
     if (!(distance > Real{}) || !can_move || !(approach > rounding)) return false;
-    const std::vector<double>& restitution = scene_.world->balls.restitution;
-    if (scene_.world->model.lossy)
+    const std::vector<double>& restitution = scene_.world->balls().restitution;
+    if (scene_.world->model().lossy)
         contact.restitution = Real(std::min(restitution[pair.ball[0]], restitution[pair.ball[1]]));
     const Real impulse = reflect_alone<Real>(pair.motion, contact);
     if (!(impulse > Real{}) || approach_of<Real>(contact, pair.motion) > Real{}) return false;

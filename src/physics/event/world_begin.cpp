@@ -25,7 +25,7 @@ WorldSync<Real>::WorldSync(const Parts& parts)
 template <typename Real>
 auto WorldSync<Real>::begin() -> Begun {
     const World& world = *scene_.world;
-    scatter_counts_ = world.balls.edge_contacts;
+    scatter_counts_ = world.balls().edge_contacts;
     is_rebuilt_ = is_unchanged_ = false;
     trajectories_.begin_log(!leaves_lines());
     const Begun begun = begin_from(world);
@@ -38,9 +38,9 @@ auto WorldSync<Real>::begin_from(const World& world) -> Begun {
     // An impact with a one-way edge depends on when it is predicted. For a snapshot to go on with
     // the same bits, all of them are predicted when a tick begins.
     constexpr std::uint64_t ticks_between_frame_checks = 64;
-    if (!world.model.one_way && is_continued(world) &&
-        (world.tick % ticks_between_frame_checks != 0 || space_.cells().has_frame_of(world))) {
-        const bool turns = world.model.spin.has_value();
+    if (!world.model().one_way && is_continued(world) &&
+        (world.tick() % ticks_between_frame_checks != 0 || space_.cells().has_frame_of(world))) {
+        const bool turns = world.model().spin.has_value();
         is_unchanged_ = are_left(world);
         if (!turns && is_unchanged_) return Begun::continued;
         std::size_t changed = 0;
@@ -67,19 +67,19 @@ void WorldSync<Real>::apply_changes(const World& world) {
     for (std::uint32_t i = 0; i < balls_.size(); ++i) {
         if (is_position_left(i) && is_velocity_left(i) && is_turn_left(i)) continue;
         changed_.push_back(i);
-        if (world.model.spin)
-            trajectories_.spin(i) = {scene_.now, Real(world.balls.spin[i]), Real{}, false};
+        if (world.model().spin)
+            trajectories_.spin(i) = {scene_.now, Real(world.balls().spin[i]), Real{}, false};
         // Before it leaves the place where they lie on it.
         if (balls_[i].line.motion == Motion::resting) rest_.release_supported(i, changed_);
-        const Vector<Real> velocity(world.balls.velocity[i]);
+        const Vector<Real> velocity(world.balls().velocity[i]);
         if (!is_position_left(i)) {
             space_.cells().leave(balls_, i);
-            trajectories_.start(i, scene_.now, Vector<Real>(world.balls.position[i]), velocity);
+            trajectories_.start(i, scene_.now, Vector<Real>(world.balls().position[i]), velocity);
             space_.cells().enter(balls_, i, Vec2(balls_[i].line.position));
         } else {
             trajectories_.start(i, scene_.now, trajectories_.state_now(i).position, velocity);
         }
-        if (world.model.cloth) balls_.curve(i).center = Vector<Real>(world.balls.roll[i]);
+        if (world.model().cloth) balls_.curve(i).center = Vector<Real>(world.balls().roll[i]);
     }
     std::sort(changed_.begin(), changed_.end());
     changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
@@ -92,25 +92,26 @@ void WorldSync<Real>::apply_changes(const World& world) {
 
 template <typename Real>
 void WorldSync<Real>::rebuild(const World& world) {
-    const std::size_t count = world.balls.size();
+    const std::size_t count = world.balls().size();
     BallTable<Real> before;
     if constexpr (!std::is_same_v<Real, double>) before = balls_;
-    balls_.resize(count, has_bends(world.model));
+    balls_.resize(count, has_bends(world.model()));
     for (std::size_t i = 0; i < count; ++i) {
         balls_.set_path(i, {});
         balls_.plan(i).set_next_event({});
     }
     take_stored(world, before);
     for (std::size_t i = 0; i < count; ++i) {
-        balls_.plan(i).inverse_mass = Real(world.balls.inverse_mass[i]);
-        balls_[i].radius = Real(world.balls.radius[i]);
+        balls_.plan(i).inverse_mass = Real(world.balls().inverse_mass[i]);
+        balls_[i].radius = Real(world.balls().radius[i]);
     }
     kinematic_.take();
     take_spins(world);
     for (std::size_t i = 0; i < count; ++i)
         is_kept_[i] = is_kept_[i] && !(balls_.plan(i).inverse_mass == Real{}) &&
                       leads_through(balls_.path(i), i);
-    if (world.paths_obstacles == 0 || world.paths_obstacles != sum_of_obstacles(world))
+    if (world.memory().paths_obstacles == 0 ||
+        world.memory().paths_obstacles != sum_of_obstacles(world))
         for (std::uint32_t i = 0; i < count; ++i)
             is_kept_[i] = is_kept_[i] && !has_passed_an_edge(i);
     drop_unsupported();
@@ -126,31 +127,36 @@ void WorldSync<Real>::rebuild(const World& world) {
 // The trajectories that the world stores, or for other numbers than doubles those of `before`.
 template <typename Real>
 void WorldSync<Real>::take_stored(const World& world, const BallTable<Real>& before) {
-    const std::size_t count = world.balls.size();
+    const std::size_t count = world.balls().size();
     is_kept_.assign(count, 0);
-    spin_from_.assign(world.model.spin ? count : 0, -1);
+    spin_from_.assign(world.model().spin ? count : 0, -1);
     std::size_t at = 0;
     if constexpr (std::is_same_v<Real, double>) {
-        const bool same_field = world.paths_gravity == world.model.gravity.value_or(Vec2{}) &&
-                                world.paths_drag == world.model.drag.value_or(0.0);
+        const bool same_field =
+            world.memory().paths_gravity == world.model().gravity.value_or(Vec2{}) &&
+            world.memory().paths_drag == world.model().drag.value_or(0.0);
         for (std::size_t i = 0; i < count && same_field; ++i) {
-            while (at < world.paths.size() && world.paths[at].id < world.balls.id[i])
+            while (at < world.memory().paths.size() &&
+                   world.memory().paths[at].id < world.balls().id[i])
                 ++at;
-            if (at >= world.paths.size() || world.paths[at].id != world.balls.id[i]) continue;
-            const PathBend bend = at < world.path_bends.size() ? world.path_bends[at] : PathBend{};
-            balls_.set_path(i, path_from(world.paths[at], bend));
-            is_kept_[i] = (!world.model.spin || at < world.spin_paths.size()) &&
+            if (at >= world.memory().paths.size() ||
+                world.memory().paths[at].id != world.balls().id[i])
+                continue;
+            const PathBend bend =
+                at < world.memory().path_bends.size() ? world.memory().path_bends[at] : PathBend{};
+            balls_.set_path(i, path_from(world.memory().paths[at], bend));
+            is_kept_[i] = (!world.model().spin || at < world.memory().spin_paths.size()) &&
                           are_carriers_left(balls_.path(i), bend.carriers);
-            if (world.model.spin && is_kept_[i]) spin_from_[i] = static_cast<std::int64_t>(at);
+            if (world.model().spin && is_kept_[i]) spin_from_[i] = static_cast<std::int64_t>(at);
         }
-    } else if (left_.is_valid && left_.tick == world.tick && left_.model == world.model) {
+    } else if (left_.is_valid && left_.tick == world.tick() && left_.model == world.model()) {
         for (std::size_t i = 0; i < count; ++i) {
-            while (at < left_.ids.size() && left_.ids[at] < world.balls.id[i])
+            while (at < left_.ids.size() && left_.ids[at] < world.balls().id[i])
                 ++at;
-            if (at >= left_.ids.size() || left_.ids[at] != world.balls.id[i]) continue;
+            if (at >= left_.ids.size() || left_.ids[at] != world.balls().id[i]) continue;
             balls_.set_path(i, before.path(at));
             is_kept_[i] = are_carriers_left(balls_.path(i), left_.carriers[at]);
-            if (world.model.spin) spin_from_[i] = static_cast<std::int64_t>(at);
+            if (world.model().spin) spin_from_[i] = static_cast<std::int64_t>(at);
         }
     }
 }
@@ -163,9 +169,9 @@ void WorldSync<Real>::take_spins(const World& world) {
     for (std::uint32_t i = 0; i < spin_from_.size(); ++i) {
         const auto at = static_cast<std::size_t>(spin_from_[i]);
         if (spin_from_[i] < 0) {
-            trajectories_.spin(i) = {scene_.now, Real(world.balls.spin[i]), Real{}, false};
+            trajectories_.spin(i) = {scene_.now, Real(world.balls().spin[i]), Real{}, false};
         } else if constexpr (std::is_same_v<Real, double>) {
-            const SpinPath& path = world.spin_paths[at];
+            const SpinPath& path = world.memory().spin_paths[at];
             trajectories_.spin(i) = {path.time, path.spin, path.rate, path.rolls};
         } else {
             trajectories_.spin(i) = before[at];
@@ -190,8 +196,9 @@ void WorldSync<Real>::drop_unsupported() {
 template <typename Real>
 void WorldSync<Real>::start_or_shift(const World& world, std::uint32_t ball) {
     if (is_kept_[ball]) {
-        if (!world.model.wrap) return;
-        const Vec2 way = Vec2(trajectories_.state_now(ball).position) - world.balls.position[ball];
+        if (!world.model().wrap) return;
+        const Vec2 way =
+            Vec2(trajectories_.state_now(ball).position) - world.balls().position[ball];
         const auto periods = [](double x, double period) {
             return static_cast<int>(x / period + (x < 0.0 ? -0.5 : 0.5));
         };
@@ -201,14 +208,14 @@ void WorldSync<Real>::start_or_shift(const World& world, std::uint32_t ball) {
     }
     const bool is_held = balls_.plan(ball).inverse_mass == Real{};
     const Vector<Real> velocity =
-        is_held ? balls_[ball].line.velocity : Vector<Real>(world.balls.velocity[ball]);
-    if (world.model.spin)
-        trajectories_.spin(ball) = {scene_.now, Real(world.balls.spin[ball]), Real{}, false};
-    trajectories_.start(ball, scene_.now, Vector<Real>(world.balls.position[ball]), velocity);
+        is_held ? balls_[ball].line.velocity : Vector<Real>(world.balls().velocity[ball]);
+    if (world.model().spin)
+        trajectories_.spin(ball) = {scene_.now, Real(world.balls().spin[ball]), Real{}, false};
+    trajectories_.start(ball, scene_.now, Vector<Real>(world.balls().position[ball]), velocity);
     if (is_held)
         trajectories_.hold(ball);
-    else if (world.model.cloth)
-        balls_.curve(ball).center = Vector<Real>(world.balls.roll[ball]);
+    else if (world.model().cloth)
+        balls_.curve(ball).center = Vector<Real>(world.balls().roll[ball]);
 }
 
 template WorldSync<double>::WorldSync(const Parts&);

@@ -10,6 +10,7 @@
 #include "physics/laws/free_motion.h"
 #include "physics/memory/prefetch.h"
 #include "physics/world/same_bits.h"
+#include "physics/world/solver_access.h"
 
 namespace carom {
 namespace {
@@ -49,15 +50,16 @@ bool are_same(const Capsules& a, const Capsules& b) {
 template <typename Real>
 bool WorldSync<Real>::is_continued(const World& world) const {
     // The sum stands for the trajectories, which are too many to compare in every tick.
-    if (std::is_same_v<Real, double> &&
-        (world.paths.size() != balls_.size() || world.paths_sum != left_.paths_sum))
+    if (std::is_same_v<Real, double> && (world.memory().paths.size() != balls_.size() ||
+                                         world.memory().paths_sum != left_.paths_sum))
         return false;
     return are_spins_left(world) && left_.is_valid && !left_.had_hands &&
-           world.held_balls.empty() && world.held_capsules.empty() && left_.tick == world.tick &&
-           left_.rate == world.rate && left_.model == world.model &&
-           left_.ids.are(world.balls.id) && left_.radii.are(world.balls.radius) &&
-           left_.inverse_masses.are(world.balls.inverse_mass) && left_.meets == world.meets &&
-           are_same(left_.capsules, world.capsules);
+           world.held_balls().empty() && world.held_capsules().empty() &&
+           left_.tick == world.tick() && left_.rate == world.rate() &&
+           left_.model == world.model() && left_.ids.are(world.balls().id) &&
+           left_.radii.are(world.balls().radius) &&
+           left_.inverse_masses.are(world.balls().inverse_mass) && left_.meets == world.meets() &&
+           are_same(left_.capsules, world.capsules());
 }
 
 // Whether positions and velocities are as the last tick left them, bit by bit; of many balls on
@@ -65,10 +67,10 @@ bool WorldSync<Real>::is_continued(const World& world) const {
 template <typename Real>
 bool WorldSync<Real>::are_left(const World& world) const {
     if (!left_.on_lines)
-        return have_same_bits(left_.velocities, world.balls.velocity) &&
-               have_same_bits(left_.positions, world.balls.position);
-    const std::vector<Vec2>& positions = world.balls.position;
-    const std::vector<Vec2>& velocities = world.balls.velocity;
+        return have_same_bits(left_.velocities, world.balls().velocity) &&
+               have_same_bits(left_.positions, world.balls().position);
+    const std::vector<Vec2>& positions = world.balls().position;
+    const std::vector<Vec2>& velocities = world.balls().velocity;
     if (is_summed()) {
         SumOfBits position_sum;
         SumOfBits velocity_sum;
@@ -89,14 +91,14 @@ bool WorldSync<Real>::are_left(const World& world) const {
 
 template <typename Real>
 bool WorldSync<Real>::is_position_left(std::uint32_t ball) const {
-    const Vec2& now = scene_.world->balls.position[ball];
+    const Vec2& now = scene_.world->balls().position[ball];
     return left_.on_lines ? place_on(balls_[ball].line, scene_.now) == now
                           : left_.positions[ball] == now;
 }
 
 template <typename Real>
 bool WorldSync<Real>::is_velocity_left(std::uint32_t ball) const {
-    const Vec2& now = scene_.world->balls.velocity[ball];
+    const Vec2& now = scene_.world->balls().velocity[ball];
     return left_.on_lines ? Vec2(balls_[ball].line.velocity) == now : left_.velocities[ball] == now;
 }
 
@@ -104,7 +106,7 @@ bool WorldSync<Real>::is_velocity_left(std::uint32_t ball) const {
 // started; some balls at a time, so that they are still in the cache.
 template <typename Real>
 void WorldSync<Real>::write_lines(World& world) {
-    Balls& balls = world.balls;
+    Balls& balls = SolverAccess(world).balls();
     const std::size_t count = balls_.size();
     const Real began(world.time());
     const bool are_all = is_rebuilt_ || !std::is_same_v<Real, double>;
@@ -146,23 +148,23 @@ template <typename Real>
 void WorldSync<Real>::write_begun(World& world, std::span<const std::uint32_t> begun) {
     for (std::size_t at = 0; at < begun.size(); ++at) {
         const std::uint32_t i = begun[at];
-        world.balls.velocity[i] = Vec2(balls_[i].line.velocity);
+        SolverAccess(world).balls().velocity[i] = Vec2(balls_[i].line.velocity);
         if constexpr (std::is_same_v<Real, double>) {
-            const BallPath& soon = world.paths[begun[std::min(at + 32, begun.size() - 1)]];
+            const BallPath& soon = world.memory().paths[begun[std::min(at + 32, begun.size() - 1)]];
             fetch_early(&soon);
             fetch_early(&soon.velocity);
-            BallPath& stored = world.paths[i];
-            world.paths_sum -= sum_of(stored);
-            stored = stored_line(is_rebuilt_ ? world.balls.id[i] : stored.id, balls_[i].line);
-            world.paths_sum += sum_of(stored);
+            BallPath& stored = SolverAccess(world).memory().paths[i];
+            SolverAccess(world).memory().paths_sum -= sum_of(stored);
+            stored = stored_line(is_rebuilt_ ? world.balls().id[i] : stored.id, balls_[i].line);
+            SolverAccess(world).memory().paths_sum += sum_of(stored);
         }
     }
 }
 
 template <typename Real>
 void WorldSync<Real>::write_paths(World& world) {
-    Balls& balls = world.balls;
-    const bool is_coasting = !world.model.gravity && !scene_.field.has_drag;
+    Balls& balls = SolverAccess(world).balls();
+    const bool is_coasting = !world.model().gravity && !scene_.field.has_drag;
     const std::size_t count = balls_.size();
     const Field<Real>& field = scene_.field;
     const Real end = scene_.end;
@@ -180,23 +182,23 @@ void WorldSync<Real>::write_paths(World& world) {
             position = Vec2(state.position);
             velocity = line.motion == Motion::held ? Vec2{} : Vec2(state.velocity);
         }
-        if (world.model.wrap) position = wrapped(position, *world.model.wrap);
+        if (world.model().wrap) position = wrapped(position, *world.model().wrap);
         // As the trajectory says: a velocity that is limited below differs, and starts a new one.
         balls.position[i] = left_.positions[i] = position;
         balls.velocity[i] = left_.velocities[i] = velocity;
     }
-    if (world.model.speed_limit)
+    if (world.model().speed_limit)
         for (Vec2& velocity : balls.velocity)
-            velocity = limited(velocity, *world.model.speed_limit);
+            velocity = limited(velocity, *world.model().speed_limit);
 }
 
 // Makes room for all trajectories to be stored anew.
 template <typename Real>
 void WorldSync<Real>::clear_paths(World& world) {
     if constexpr (std::is_same_v<Real, double>) {
-        world.paths.assign(balls_.size(), {});
-        world.path_bends.assign(balls_.may_curve() ? balls_.size() : 0, {});
-        world.paths_sum = balls_.size() * sum_of(BallPath{});
+        SolverAccess(world).memory().paths.assign(balls_.size(), {});
+        SolverAccess(world).memory().path_bends.assign(balls_.may_curve() ? balls_.size() : 0, {});
+        SolverAccess(world).memory().paths_sum = balls_.size() * sum_of(BallPath{});
     } else {
         left_.carriers.assign(balls_.size(), 0);
     }
@@ -210,17 +212,17 @@ void WorldSync<Real>::store_paths(World& world) {
         if constexpr (!std::is_same_v<Real, double>) {
             left_.carriers[i] = sum_of_carriers(world, path.support, path.second_support);
         } else {
-            BallPath& stored = world.paths[i];
+            BallPath& stored = SolverAccess(world).memory().paths[i];
             const BallPath before = stored;
-            stored = stored_line(world.balls.id[i], path);
+            stored = stored_line(world.balls().id[i], path);
             if (!balls_.may_curve()) {
-                world.paths_sum += sum_of(stored) - sum_of(before);
+                SolverAccess(world).memory().paths_sum += sum_of(stored) - sum_of(before);
                 return;
             }
-            PathBend& bend = world.path_bends[i];
-            world.paths_sum -= sum_of(before, bend);
+            PathBend& bend = SolverAccess(world).memory().path_bends[i];
+            SolverAccess(world).memory().paths_sum -= sum_of(before, bend);
             bend = stored_bend(world, path);
-            world.paths_sum += sum_of(stored, bend);
+            SolverAccess(world).memory().paths_sum += sum_of(stored, bend);
         }
     };
     const bool are_all = is_rebuilt_ || trajectories_.started().size() >= balls_.size() ||
@@ -238,7 +240,7 @@ void WorldSync<Real>::store_paths(World& world) {
 template <typename Real>
 void WorldSync<Real>::write(World& world, bool has_stopped) {
     is_rebuilt_ = is_rebuilt_ || has_stopped;
-    Balls& balls = world.balls;
+    Balls& balls = SolverAccess(world).balls();
     left_.on_lines = leaves_lines();
     if (left_.on_lines) {
         write_lines(world);
@@ -247,40 +249,41 @@ void WorldSync<Real>::write(World& world, bool has_stopped) {
         store_paths(world);
     }
     balls.edge_contacts = scatter_counts_;
-    if (world.model.spin) write_spins(world);
+    if (world.model().spin) write_spins(world);
     for (const KinematicEdge<Real>& moved : kinematic_.edges()) {
         const Edge<Real> shape = moved.edge.at(scene_.end);
-        world.capsules.shape[moved.capsule].start = Vec2(shape.start);
-        world.capsules.shape[moved.capsule].end = Vec2(shape.end);
+        SolverAccess(world).capsules().shape[moved.capsule].start = Vec2(shape.start);
+        SolverAccess(world).capsules().shape[moved.capsule].end = Vec2(shape.end);
     }
     if constexpr (std::is_same_v<Real, double>) {
-        left_.paths_sum = world.paths_sum;
+        left_.paths_sum = world.memory().paths_sum;
         write_dense(world);
-        world.paths_gravity = world.model.gravity.value_or(Vec2{});
-        world.paths_drag = world.model.drag.value_or(0.0);
+        SolverAccess(world).memory().paths_gravity = world.model().gravity.value_or(Vec2{});
+        SolverAccess(world).memory().paths_drag = world.model().drag.value_or(0.0);
     }
-    left_.tick = world.tick + 1;
-    left_.rate = world.rate;
-    left_.had_hands = !world.held_balls.empty() || !kinematic_.edges().empty();
+    left_.tick = world.tick() + 1;
+    left_.rate = world.rate();
+    left_.had_hands = !world.held_balls().empty() || !kinematic_.edges().empty();
     if (is_rebuilt_) {
-        world.paths_obstacles = kinematic_.edges().empty() ? sum_of_obstacles(world) : 0;
-        left_.model = world.model;
+        SolverAccess(world).memory().paths_obstacles =
+            kinematic_.edges().empty() ? sum_of_obstacles(world) : 0;
+        left_.model = world.model();
         left_.ids.keep(balls.id);
         left_.radii.keep(balls.radius);
         left_.inverse_masses.keep(balls.inverse_mass);
-        left_.meets = world.meets;
-        left_.capsules = world.capsules;
+        left_.meets = world.meets();
+        left_.capsules = world.capsules();
     }
     left_.is_valid = !has_stopped;
 }
 
 template <typename Real>
 bool WorldSync<Real>::are_spins_left(const World& world) const {
-    if (!world.model.spin) return true;
+    if (!world.model().spin) return true;
     if constexpr (std::is_same_v<Real, double>) {
-        if (world.spin_paths.size() != trajectories_.spins().size()) return false;
+        if (world.memory().spin_paths.size() != trajectories_.spins().size()) return false;
         for (std::uint32_t i = 0; i < trajectories_.spins().size(); ++i) {
-            const SpinPath& path = world.spin_paths[i];
+            const SpinPath& path = world.memory().spin_paths[i];
             if (path.time != trajectories_.spin(i).time ||
                 path.spin != trajectories_.spin(i).spin ||
                 path.rate != trajectories_.spin(i).rate ||
@@ -293,42 +296,45 @@ bool WorldSync<Real>::are_spins_left(const World& world) const {
 
 template <typename Real>
 bool WorldSync<Real>::is_spin_left(std::uint32_t ball) const {
-    return !scene_.world->model.spin || static_cast<double>(trajectories_.spin_at(
-                                            ball, scene_.now)) == scene_.world->balls.spin[ball];
+    return !scene_.world->model().spin ||
+           static_cast<double>(trajectories_.spin_at(ball, scene_.now)) ==
+               scene_.world->balls().spin[ball];
 }
 
 template <typename Real>
 void WorldSync<Real>::write_spins(World& world) {
     for (std::uint32_t i = 0; i < trajectories_.spins().size(); ++i)
-        world.balls.spin[i] = balls_[i].line.motion == Motion::held
-                                  ? 0.0
-                                  : static_cast<double>(trajectories_.spin_at(i, scene_.end));
+        SolverAccess(world).balls().spin[i] =
+            balls_[i].line.motion == Motion::held
+                ? 0.0
+                : static_cast<double>(trajectories_.spin_at(i, scene_.end));
     if constexpr (std::is_same_v<Real, double>) {
-        world.spin_paths.clear();
+        SolverAccess(world).memory().spin_paths.clear();
         for (const SpinTrajectory<Real>& turn : trajectories_.spins())
-            world.spin_paths.push_back({turn.time, turn.spin, turn.rate, turn.rolls});
+            SolverAccess(world).memory().spin_paths.push_back(
+                {turn.time, turn.spin, turn.rate, turn.rolls});
     }
-    if (world.model.cloth) write_rolls(world);
+    if (world.model().cloth) write_rolls(world);
 }
 
 template <typename Real>
 bool WorldSync<Real>::is_roll_left(std::uint32_t ball) const {
-    return !scene_.world->model.cloth ||
-           Vec2(trajectories_.roll_at(ball, scene_.now)) == scene_.world->balls.roll[ball];
+    return !scene_.world->model().cloth ||
+           Vec2(trajectories_.roll_at(ball, scene_.now)) == scene_.world->balls().roll[ball];
 }
 
 template <typename Real>
 void WorldSync<Real>::write_rolls(World& world) const {
     for (std::uint32_t i = 0; i < balls_.size(); ++i)
-        world.balls.roll[i] = Vec2(trajectories_.roll_at(i, scene_.end));
+        SolverAccess(world).balls().roll[i] = Vec2(trajectories_.roll_at(i, scene_.end));
 }
 
 // The balls in dense clusters, for the hybrid step.
 template <typename Real>
 void WorldSync<Real>::write_dense(World& world) {
-    world.heaped.clear();
+    SolverAccess(world).memory().heaped.clear();
     for (const std::uint32_t ball : guard_.dense())
-        world.heaped.push_back(world.balls.id[ball]);
+        SolverAccess(world).memory().heaped.push_back(world.balls().id[ball]);
 }
 
 template class WorldSync<double>;

@@ -104,7 +104,7 @@ class WorldSync {
     bool is_roll_left(std::uint32_t ball) const;
     bool is_turn_left(std::uint32_t ball) const { return is_spin_left(ball) && is_roll_left(ball); }
     bool leaves_lines() const {
-        return trajectories_.are_all_straight() && !scene_.world->model.speed_limit;
+        return trajectories_.are_all_straight() && !scene_.world->model().speed_limit;
     }
     bool is_summed() const { return balls_.size() >= too_many_to_cache; }
     void write_lines(World& world);

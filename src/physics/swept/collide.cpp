@@ -30,12 +30,13 @@ Vec2 SweptSolver::velocity_at(const World& world, std::uint32_t ball, double now
     const Path& path = paths_[ball];
     if (is_held_ball(ball) || path.is_frozen) return path.velocity;
     const double since = now - path.time;
-    if (world.model.cloth) return Vec2(on_cloth(world, ball, path.start_velocity, since).velocity);
-    const Flight flight = flight_over(world.model.drag, since);
+    if (world.model().cloth)
+        return Vec2(on_cloth(world, ball, path.start_velocity, since).velocity);
+    const Flight flight = flight_over(world.model().drag, since);
     const Vec2 gravity = gravity_on(ball);
     Vec2 velocity = velocity_after(flight, path.start_velocity, gravity);
     const double pull = length(gravity);
-    if (pull > 0.0 && !world.model.drag) {
+    if (pull > 0.0 && !world.model().drag) {
         const Vec2 down = gravity / pull;
         const double fall = dot(velocity, down);
         const double there = std::sqrt(fall * fall + pull * pull * since * (duration_ - now));
@@ -49,8 +50,8 @@ Vec2 SweptSolver::mean_velocity(const World& world, std::uint32_t ball, Vec2 vel
                                 double now) const {
     const double left = duration_ - now;
     if (!(left > 0.0)) return velocity;
-    if (world.model.cloth) return Vec2(on_cloth(world, ball, velocity, left).position) / left;
-    return travel(flight_over(world.model.drag, left), velocity, gravity) / left;
+    if (world.model().cloth) return Vec2(on_cloth(world, ball, velocity, left).position) / left;
+    return travel(flight_over(world.model().drag, left), velocity, gravity) / left;
 }
 
 // From now on the ball flies from where it is, at first at `velocity`. Predictions along its old
@@ -84,7 +85,7 @@ void SweptSolver::count_impact(std::uint32_t ball, Vec2 velocity, bool resting) 
 
 // The ball has come to rest on something immovable; `normal` points from there to the ball.
 void SweptSolver::rest_on(std::uint32_t ball, Vec2 normal, const World& world) {
-    if (!world.model.gravity || !(dot(normal, *world.model.gravity) < 0.0)) return;
+    if (!world.model().gravity || !(dot(normal, *world.model().gravity) < 0.0)) return;
     Path& path = paths_[ball];
     path.is_grounded = true;
     RestingContacts& contacts = resting_[ball];
@@ -93,7 +94,7 @@ void SweptSolver::rest_on(std::uint32_t ball, Vec2 normal, const World& world) {
     if (dot(contacts.support, normal) < 0.999) contacts.other_support = contacts.support;
     contacts.support = normal;
     contacts.gravity = left_by_supports(gravity_, contacts.support, contacts.other_support);
-    if (world.model.spin) spin_rate_[ball] = 0.0;
+    if (world.model().spin) spin_rate_[ball] = 0.0;
 }
 
 // A bounce takes the ball off what it rested on.
@@ -101,7 +102,7 @@ void SweptSolver::end_rest(std::uint32_t ball, const World& world) {
     Path& path = paths_[ball];
     path.is_resting = false;
     path.is_grounded = path.is_frozen;
-    if (world.model.spin) spin_rate_[ball] = 0.0;
+    if (world.model().spin) spin_rate_[ball] = 0.0;
 }
 
 std::optional<Contact> SweptSolver::collide_balls(World& world, const Event& event) {
@@ -113,7 +114,7 @@ std::optional<Contact> SweptSolver::collide_balls(World& world, const Event& eve
     const double now = event.time;
     Vec2 velocity_a = velocity_at(world, i, now);
     Vec2 velocity_b = velocity_at(world, j, now);
-    if (world.model.spin) {
+    if (world.model().spin) {
         advance_spin(world, i, now);
         advance_spin(world, j, now);
     }
@@ -157,7 +158,7 @@ std::optional<Contact> SweptSolver::collide_balls(World& world, const Event& eve
             // that would add energy.
             const double speed_a = std::fabs(dot(velocity_a, normal));
             const double speed_b = std::fabs(dot(velocity_b, normal));
-            const double up = world.model.gravity ? -dot(normal, *world.model.gravity) : 0.0;
+            const double up = world.model().gravity ? -dot(normal, *world.model().gravity) : 0.0;
             const bool on_b = up > 0.0 && b.is_grounded && !a.is_frozen && speed_b <= speed_a;
             const bool on_a = up < 0.0 && a.is_grounded && !b.is_frozen && speed_a <= speed_b;
             done = bounce(velocity_a, on_a ? 0.0 : inverse_a, velocity_b, on_b ? 0.0 : inverse_b,
@@ -167,14 +168,14 @@ std::optional<Contact> SweptSolver::collide_balls(World& world, const Event& eve
             if (up < 0.0 && a.is_grounded) rest_on(j, -normal, world);
         }
     }
-    if (world.model.spin)
+    if (world.model().spin)
         apply_ball_friction(world, event, velocity_a, inverse_a, velocity_b, inverse_b,
                             is_contact ? done.impulse : 0.0, resting);
     for (const std::uint32_t ball : {i, j}) {
         if (!resting && is_contact) end_rest(ball, world);
         count_impact(ball, ball == i ? velocity_a : velocity_b, resting || !is_contact);
     }
-    if (world.model.cloth) {
+    if (world.model().cloth) {
         stop_sliding_if_pressed(world, i, velocity_a);
         stop_sliding_if_pressed(world, j, velocity_b);
     }
@@ -185,7 +186,7 @@ std::optional<Contact> SweptSolver::collide_balls(World& world, const Event& eve
                    .kind = ContactKind::ball_ball,
                    .a = std::min(i, j),
                    .b = std::max(i, j),
-                   .point = position_at(j, now) + normal * world.balls.radius[j],
+                   .point = position_at(j, now) + normal * world.balls().radius[j],
                    .normal = i < j ? normal : -normal,
                    .approach = done.approach,
                    .impulse = done.impulse};
@@ -218,7 +219,7 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
         return std::nullopt;
     }
     Vec2 velocity = velocity_at(world, i, now);
-    if (world.model.spin) advance_spin(world, i, now);
+    if (world.model().spin) advance_spin(world, i, now);
     const double approach = surface - dot(velocity, normal);
     if (is_held_ball(i)) {
         count_impact(i, {}, true);
@@ -231,11 +232,11 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
     Vec2 along = normal;
     Vec2 after = velocity;
     Exchange done{0.0, approach};
-    const Vec2 gravity = world.model.gravity.value_or(Vec2{});
+    const Vec2 gravity = world.model().gravity.value_or(Vec2{});
     if (!resting && approach > 0.0) {
         along = bounce_normal(world, i, normal, velocity, restitution);
         done = bounce_off(after, inverse_mass_[i], along, surface, restitution, is_driven);
-        if (world.model.kicks)
+        if (world.model().kicks)
             after += along * kick_of_edge(world, event.other, shape_at(world, event.other, now),
                                           position, approach);
     }
@@ -249,7 +250,7 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
                             done.impulse, after);
     };
     if (!resting) {
-        if (world.model.spin) apply_friction();
+        if (world.model().spin) apply_friction();
         if (approach > 0.0) end_rest(i, world);
     } else {
         if (pushed) {
@@ -261,7 +262,7 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
             done = {part / inverse_mass_[i], approach};
         }
         rest_on(i, normal, world);
-        if (world.model.spin) {
+        if (world.model().spin) {
             apply_friction();
             if (path.is_resting && resting_[i].support == normal)
                 apply_rest_friction(world, i, surface_motion, friction_of_edge(world, event.other),
@@ -269,14 +270,14 @@ std::optional<Contact> SweptSolver::collide_edge(World& world, const Event& even
         }
     }
     count_impact(i, after, (resting && !(is_driven && pushed)) || !(approach > 0.0));
-    if (world.model.cloth) stop_sliding_if_pressed(world, i, after);
+    if (world.model().cloth) stop_sliding_if_pressed(world, i, after);
     redirect(world, i, now, after);
     if (!(approach > 0.0)) return std::nullopt;
     return Contact{.time = now,
                    .kind = ContactKind::ball_edge,
                    .a = i,
                    .b = event.other,
-                   .point = position - normal * world.balls.radius[i],
+                   .point = position - normal * world.balls().radius[i],
                    .normal = along,
                    .approach = done.approach,
                    .impulse = done.impulse};

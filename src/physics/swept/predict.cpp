@@ -101,10 +101,10 @@ void SweptSolver::prefetch_next(const World& world) const {
     const auto place = [&](const Event& event) { return position_at(event.ball, event.time); };
     if (const Event* const event = coming(16)) {
         fetch_early(&paths_[event->ball]);
-        fetch_early(&world.balls.radius[event->ball]);
+        fetch_early(&world.balls().radius[event->ball]);
         if (event->kind == ContactKind::ball_ball) {
             fetch_early(&paths_[event->other]);
-            fetch_early(&world.balls.radius[event->other]);
+            fetch_early(&world.balls().radius[event->other]);
         }
     }
     if (const Event* const event = coming(12)) {
@@ -121,15 +121,15 @@ void SweptSolver::prefetch_next(const World& world) const {
 }
 
 void SweptSolver::find_neighbours(const World& world) {
-    const std::size_t count = world.balls.size();
+    const std::size_t count = world.balls().size();
     centers_.resize(count);
     reaches_.resize(count);
     double extent = 0.0;  // of a typical path; a few very fast balls must not make all cells large
     for (std::uint32_t i = 0; i < count; ++i) {
         const Disc disc = bounding_disc(world, i, 0.0);
-        centers_[i] = world.model.wrap ? wrapped(disc.center, *world.model.wrap) : disc.center;
+        centers_[i] = world.model().wrap ? wrapped(disc.center, *world.model().wrap) : disc.center;
         reaches_[i] = disc.radius;
-        extent += std::min(2.0 * disc.radius, 10.0 * world.balls.radius[i]);
+        extent += std::min(2.0 * disc.radius, 10.0 * world.balls().radius[i]);
     }
     neighbours_.look(world, centers_, reaches_);
     neighbours_.sort_pairs();
@@ -139,7 +139,8 @@ void SweptSolver::find_neighbours(const World& world) {
     are_all_in_cells_ = false;
     changed_paths_ = 0;
     cells_.reset(are_alike(frame, cells_.frame()) ? cells_.frame() : frame, count);
-    if (world.model.ball_edge && !neighbours_.has_map()) edges_.update(world, cells_.frame(), 0.0);
+    if (world.model().ball_edge && !neighbours_.has_map())
+        edges_.update(world, cells_.frame(), 0.0);
 }
 
 // Once many balls have changed their paths, as in a pile, one search in `cells_` is cheaper than
@@ -158,8 +159,8 @@ void SweptSolver::predict_all_at_start(const World& world) {
     auto pair = pairs.begin();
     auto edge = edges.begin();
     const bool has_kinematic =
-        terms.special() && world.model.ball_edge && !kinematic_edges_.empty();
-    for (std::uint32_t i = 0; i < world.balls.size(); ++i) {
+        terms.special() && world.model().ball_edge && !kinematic_edges_.empty();
+    for (std::uint32_t i = 0; i < world.balls().size(); ++i) {
         if (!has_kinematic) {  // skip to the next ball that is near anything
             const std::uint32_t next = std::min(pair != pairs.end() ? pair->first : none,
                                                 edge != edges.end() ? edge->ball : none);
@@ -192,7 +193,7 @@ void SweptSolver::predict(const World& world, std::uint32_t ball, double now, bo
     std::optional<Event> best;
     const Box box = bounding_box(world, ball, now);
     const SweptCells::Range cells = cells_.range_of(box);
-    if (world.model.ball_ball) {
+    if (world.model().ball_ball) {
         const auto meet = [&](std::uint32_t other) {
             if (other == ball || (only_later && other < ball)) return;
             predict_ball<terms>(world, ball, other, now, best);
@@ -205,11 +206,11 @@ void SweptSolver::predict(const World& world, std::uint32_t ball, double now, bo
         }
         cells_.for_each_in(cells, meet);
     }
-    if (world.model.ball_edge && !paths_[ball].is_frozen && neighbours_.has_map()) {
+    if (world.model().ball_edge && !paths_[ball].is_frozen && neighbours_.has_map()) {
         neighbours_.map().for_each_near(box, [&](std::uint32_t capsule) {
             predict_edge<terms>(world, ball, capsule, {}, now, best);
         });
-    } else if (world.model.ball_edge && !paths_[ball].is_frozen) {
+    } else if (world.model().ball_edge && !paths_[ball].is_frozen) {
         cells_.for_each_cell(cells, [&](std::uint32_t cell, int across, int along) {
             if (edges_.is_empty(cell)) return;
             for (const CapsuleEntry entry : edges_.in_cell(cell))
@@ -219,7 +220,7 @@ void SweptSolver::predict(const World& world, std::uint32_t ball, double now, bo
                     best);
         });
     }
-    if (terms.special() && world.model.ball_edge)
+    if (terms.special() && world.model().ball_edge)
         for (const HeldEdge& edge : kinematic_edges_)
             predict_edge<terms>(world, ball, edge.capsule, {}, now, best);
     if (best && best->time < duration_) queue_.push(*best);
@@ -228,7 +229,7 @@ void SweptSolver::predict(const World& world, std::uint32_t ball, double now, bo
 template <Terms terms>
 void SweptSolver::predict_ball(const World& world, std::uint32_t ball, std::uint32_t other,
                                double now, std::optional<Event>& best) const {
-    const Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     if (terms.special() && !kinds_meet(world, balls.kind[ball], balls.kind[other])) return;
     if (terms.special() && is_held_ball(ball) && is_held_ball(other)) return;
     const Path& path = paths_[ball];
@@ -251,14 +252,14 @@ void SweptSolver::predict_ball(const World& world, std::uint32_t ball, std::uint
 template <Terms terms>
 void SweptSolver::predict_edge(const World& world, std::uint32_t ball, std::uint32_t capsule,
                                Vec2 shift, double now, std::optional<Event>& best) const {
-    const Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     if (terms.special() &&
-        !kind_meets_material(world, balls.kind[ball], world.capsules.material[capsule]))
+        !kind_meets_material(world, balls.kind[ball], world.capsules().material[capsule]))
         return;
     const Path& path = paths_[ball];
     const Disc disc{position_at(ball, now), balls.radius[ball]};
     const double left = duration_ - now;
-    Capsule shape = world.capsules.shape[capsule];
+    Capsule shape = world.capsules().shape[capsule];
     const HeldEdge* edge = nullptr;
     if (terms.special()) edge = kinematic_edge(capsule);
     std::optional<Impact> impact;
@@ -277,9 +278,9 @@ void SweptSolver::predict_edge(const World& world, std::uint32_t ball, std::uint
     if (!impact ||
         (!edge && is_noise(impact->time, impact->normal, path.velocity, {}, rest_speed_)))
         return;
-    if (terms.special() && world.model.one_way) {
+    if (terms.special() && world.model().one_way) {
         const Vec2 there = disc.center + path.velocity * impact->time;
-        if (!is_on_solid_side(shape, world.capsules.side[capsule], there)) return;
+        if (!is_on_solid_side(shape, world.capsules().side[capsule], there)) return;
     }
     const Event event{now + impact->time, ContactKind::ball_edge,   ball,          capsule,
                       path.version,       edge ? edge->version : 0, impact->normal};
@@ -289,7 +290,7 @@ void SweptSolver::predict_edge(const World& world, std::uint32_t ball, std::uint
 template <Terms terms>
 void SweptSolver::substep(World& world, double start_time, std::vector<Contact>& contacts,
                           std::vector<std::uint8_t>& touched, Patience& patience) {
-    const auto count = static_cast<std::uint32_t>(world.balls.size());
+    const auto count = static_cast<std::uint32_t>(world.balls().size());
     find_neighbours(world);
     queue_.clear();
     unsorted_.clear();

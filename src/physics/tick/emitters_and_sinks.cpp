@@ -7,24 +7,25 @@
 #include "physics/broad_phase/cell_frame.h"
 #include "physics/world/columns.h"
 #include "physics/world/random.h"
+#include "physics/world/solver_access.h"
 
 namespace carom {
 namespace {
 
 // Draw number 0 to 3 of ball `n` of an emitter, in -1..1.
 double jitter(const World& world, std::size_t emitter, std::uint32_t n, std::uint32_t draw) {
-    return random_between(-1.0, 1.0, world.seed, RandomStream::emitter, emitter,
+    return random_between(-1.0, 1.0, world.seed(), RandomStream::emitter, emitter,
                           std::uint64_t{n} * 4 + draw);
 }
 
 bool is_free(const World& world, ClassIndex kind, Vec2 place) {
-    if (!world.model.ball_ball) return true;
-    const double radius = world.kinds[kind].radius;
-    const Vec2 torus = world.model.wrap ? size(*world.model.wrap) : Vec2{};
-    const Balls& balls = world.balls;
+    if (!world.model().ball_ball) return true;
+    const double radius = world.kinds()[kind].radius;
+    const Vec2 torus = world.model().wrap ? size(*world.model().wrap) : Vec2{};
+    const Balls& balls = world.balls();
     for (std::size_t i = 0; i < balls.size(); ++i) {
         Vec2 offset = balls.position[i] - place;
-        if (world.model.wrap) offset = nearest_image(offset, torus);
+        if (world.model().wrap) offset = nearest_image(offset, torus);
         const double reach = balls.radius[i] + radius;
         if (length_squared(offset) < reach * reach && kinds_meet(world, kind, balls.kind[i]))
             return false;
@@ -35,9 +36,9 @@ bool is_free(const World& world, ClassIndex kind, Vec2 place) {
 }  // namespace
 
 void emit(World& world) {
-    const double end = static_cast<double>(world.tick + 1) / world.rate;
-    for (std::size_t e = 0; e < world.emitters.size(); ++e) {
-        Emitter& emitter = world.emitters[e];
+    const double end = static_cast<double>(world.tick() + 1) / world.rate();
+    for (std::size_t e = 0; e < world.emitters().size(); ++e) {
+        Emitter& emitter = world.edit_emitters()[e];
         while (emitter.emitted < emitter.count && emitter.emitted * emitter.every < end) {
             const std::uint32_t n = emitter.emitted;
             const Vec2 place = emitter.at + Vec2{emitter.jitter.x * jitter(world, e, n, 0),
@@ -58,28 +59,36 @@ void emit(World& world) {
 }
 
 void stop_slow_balls(World& world, const std::vector<std::uint8_t>& touched) {
-    if (!world.model.stop_speed) return;
-    const double limit = *world.model.stop_speed * *world.model.stop_speed;
-    Balls& balls = world.balls;
+    if (!world.model().stop_speed) return;
+    const double limit = *world.model().stop_speed * *world.model().stop_speed;
+    Balls& balls = SolverAccess(world).balls();
+    bool any_stopped = false;
     for (std::size_t i = 0; i < balls.size(); ++i) {
         if (!(length_squared(balls.velocity[i]) < limit)) continue;
-        if (world.model.gravity && !touched[i]) continue;
-        if (world.model.spin) {
+        if (world.model().gravity && !touched[i]) continue;
+        bool moves = !(balls.velocity[i] == Vec2{});
+        if (world.model().spin) {
             const double rim = balls.spin[i] * balls.radius[i];
             if (!(rim * rim < limit)) continue;
-            if (world.model.cloth && !(length_squared(balls.roll[i]) < limit)) continue;
+            if (world.model().cloth && !(length_squared(balls.roll[i]) < limit)) continue;
+            moves = moves || balls.spin[i] != 0.0;
             balls.spin[i] = 0.0;
         }
-        if (world.model.cloth) balls.roll[i] = {};
+        if (world.model().cloth) {
+            moves = moves || !(balls.roll[i] == Vec2{});
+            balls.roll[i] = {};
+        }
+        any_stopped = any_stopped || moves;
         balls.velocity[i] = {};
     }
+    if (any_stopped) SolverAccess(world).stamp_motion();
 }
 
 void drain_sinks(World& world) {
-    Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     std::vector<std::uint8_t> gone;
-    for (std::size_t z = 0; z < world.zones.size(); ++z) {
-        const Zone& zone = world.zones[z];
+    for (std::size_t z = 0; z < world.zones().size(); ++z) {
+        const Zone& zone = world.zones()[z];
         if (zone.effect != Zone::Effect::sink) continue;
         const Box box = bounds(zone.shape);
         for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -88,27 +97,27 @@ void drain_sinks(World& world) {
             if (gone.empty()) gone.assign(balls.size(), 0);
             if (gone[i]) continue;
             gone[i] = 1;
-            ++world.counters[zone.counter];
-            world.removed.push_back(
-                {.id = balls.id[i], .zone = static_cast<std::int32_t>(z), .tick = world.tick});
+            ++world.edit_ledger().counters[zone.counter];
+            world.edit_ledger().removed.push_back(
+                {.id = balls.id[i], .zone = static_cast<std::int32_t>(z), .tick = world.tick()});
         }
     }
     if (gone.empty()) return;
-    std::erase_if(world.held_balls, [&](const HeldBall& held) {
+    std::erase_if(world.edit_held_balls(), [&](const HeldBall& held) {
         const auto index = index_of(world, held.id);
         return index && gone[*index];
     });
-    erase_rows(balls, gone);
+    erase_rows(world.edit_balls(), gone);
 }
 
 int substeps_needed(const World& world, int wanted) {
-    if (!world.model.wrap) return wanted;
-    const Vec2 torus = size(*world.model.wrap);
+    if (!world.model().wrap) return wanted;
+    const Vec2 torus = size(*world.model().wrap);
     double fastest = 0.0;
-    for (const Vec2 velocity : world.balls.velocity)
+    for (const Vec2 velocity : world.balls().velocity)
         fastest = std::max(fastest, length_squared(velocity));
     double speed = std::sqrt(fastest);
-    if (world.model.gravity) speed += length(*world.model.gravity) * world.tick_length();
+    if (world.model().gravity) speed += length(*world.model().gravity) * world.tick_length();
     const double furthest = std::min(torus.x, torus.y) / 8.0;
     const double needed = std::ceil(speed * world.tick_length() / furthest);
     return std::max(wanted, static_cast<int>(std::min(needed, 10'000.0)));

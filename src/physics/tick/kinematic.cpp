@@ -9,16 +9,16 @@ namespace carom {
 
 void list_kinematic_edges(const World& world, std::vector<HeldEdge>& edges) {
     edges.clear();
-    for (std::uint32_t h = 0; h < world.held_capsules.size(); ++h)
-        if (const auto index = index_of(world, world.held_capsules[h].id))
+    for (std::uint32_t h = 0; h < world.held_capsules().size(); ++h)
+        if (const auto index = index_of(world, world.held_capsules()[h].id))
             edges.push_back({.capsule = static_cast<std::uint32_t>(*index),
                              .held = h,
-                             .is_driven = world.held_capsules[h].is_driven});
+                             .is_driven = world.held_capsules()[h].is_driven});
 }
 
 void aim(HeldEdge& edge, const World& world, double per_second) {
-    const HeldCapsule& held = world.held_capsules[edge.held];
-    const Capsule& shape = world.capsules.shape[edge.capsule];
+    const HeldCapsule& held = world.held_capsules()[edge.held];
+    const Capsule& shape = world.capsules().shape[edge.capsule];
     edge.start_velocity = (held.start_target - shape.start) * per_second;
     edge.end_velocity = (held.end_target - shape.end) * per_second;
 }
@@ -36,7 +36,7 @@ const HeldEdge* find_edge(std::span<const HeldEdge> edges, std::uint32_t capsule
 }
 
 Capsule shape_at(const HeldEdge& edge, const World& world, double now) {
-    Capsule shape = world.capsules.shape[edge.capsule];
+    Capsule shape = world.capsules().shape[edge.capsule];
     const double moved = (edge.is_stopped() ? std::min(now, edge.stopped_at) : now) * edge.share;
     shape.start += edge.start_velocity * moved;
     shape.end += edge.end_velocity * moved;
@@ -51,11 +51,11 @@ Vec2 surface_velocity(const HeldEdge& edge, const Capsule& shape, Vec2 point) {
 
 Vec2 rest_of_way(const World& world, const HeldBall& held, Vec2 position) {
     const Vec2 way = held.target - position;
-    return world.model.wrap ? nearest_image(way, size(*world.model.wrap)) : way;
+    return world.model().wrap ? nearest_image(way, size(*world.model().wrap)) : way;
 }
 
 void make_held_balls_immovable(const World& world, std::vector<double>& inverse_mass) {
-    for (const HeldBall& held : world.held_balls)
+    for (const HeldBall& held : world.held_balls())
         if (const auto index = index_of(world, held.id)) inverse_mass[*index] = 0.0;
 }
 

@@ -35,23 +35,23 @@ Totals totals(const World& world) {
     Sum momentum_x;
     Sum momentum_y;
     Sum angular;
-    const Vec2 gravity = world.model.gravity.value_or(Vec2{});
-    for (std::size_t i = 0; i < world.balls.size(); ++i) {
-        const double mass = 1.0 / world.balls.inverse_mass[i];
-        const Vec2 position = world.balls.position[i];
-        const Vec2 velocity = world.balls.velocity[i];
+    const Vec2 gravity = world.model().gravity.value_or(Vec2{});
+    for (std::size_t i = 0; i < world.balls().size(); ++i) {
+        const double mass = 1.0 / world.balls().inverse_mass[i];
+        const Vec2 position = world.balls().position[i];
+        const Vec2 velocity = world.balls().velocity[i];
         kinetic.add(0.5 * mass * length_squared(velocity));
         potential.add(-mass * dot(gravity, position));
         momentum_x.add(mass * velocity.x);
         momentum_y.add(mass * velocity.y);
         angular.add(mass * cross(position, velocity));
-        if (!world.model.spin) continue;
-        const double radius = world.balls.radius[i];
-        const double inertia = *world.model.spin * mass * radius * radius;
-        kinetic.add(0.5 * inertia * world.balls.spin[i] * world.balls.spin[i]);
-        angular.add(inertia * world.balls.spin[i]);
-        if (!world.model.cloth) continue;
-        kinetic.add(0.5 * *world.model.spin * mass * length_squared(world.balls.roll[i]));
+        if (!world.model().spin) continue;
+        const double radius = world.balls().radius[i];
+        const double inertia = *world.model().spin * mass * radius * radius;
+        kinetic.add(0.5 * inertia * world.balls().spin[i] * world.balls().spin[i]);
+        angular.add(inertia * world.balls().spin[i]);
+        if (!world.model().cloth) continue;
+        kinetic.add(0.5 * *world.model().spin * mass * length_squared(world.balls().roll[i]));
     }
     // + 0.0 turns a negative zero into a positive one, for print.
     return {kinetic.value() + 0.0,
@@ -62,47 +62,47 @@ Totals totals(const World& world) {
 
 double typical_way(const World& world) {
     double ways = 0.0;
-    for (const Vec2 velocity : world.balls.velocity)
+    for (const Vec2 velocity : world.balls().velocity)
         ways += length_squared(velocity);
     double radii = 0.0;
-    for (const double radius : world.balls.radius)
+    for (const double radius : world.balls().radius)
         radii += radius * radius;
     return std::sqrt(ways / radii) * world.tick_length();
 }
 
 double deepest_overlap(const World& world) {
-    const Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     const double largest = largest_radius(balls);
     const CellFrame frame = frame_around(world, 2.0 * largest);
     PointCells cells;
     cells.rebuild(frame, balls.position);
     CapsuleCells edges;
     edges.update(world, frame, largest);
-    const Vec2 torus = world.model.wrap ? size(*world.model.wrap) : Vec2{};
+    const Vec2 torus = world.model().wrap ? size(*world.model().wrap) : Vec2{};
     double deepest = 0.0;
     const auto against_edge = [&](std::size_t i, std::size_t capsule, Vec2 shift) {
-        if (!kind_meets_material(world, balls.kind[i], world.capsules.material[capsule])) return;
-        if (world.model.one_way && world.capsules.side[capsule] != Side::both) return;
-        Capsule shape = world.capsules.shape[capsule];
+        if (!kind_meets_material(world, balls.kind[i], world.capsules().material[capsule])) return;
+        if (world.model().one_way && world.capsules().side[capsule] != Side::both) return;
+        Capsule shape = world.capsules().shape[capsule];
         shape.start += shift;
         shape.end += shift;
         deepest = std::max(deepest, -separation(Disc{balls.position[i], balls.radius[i]}, shape));
     };
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        if (world.model.ball_ball) {
+        if (world.model().ball_ball) {
             cells.for_each_near(i, [&](std::uint32_t j) {
                 if (j <= i || !kinds_meet(world, balls.kind[i], balls.kind[j])) return;
                 Vec2 offset = balls.position[i] - balls.position[j];
-                if (world.model.wrap) offset = nearest_image(offset, torus);
+                if (world.model().wrap) offset = nearest_image(offset, torus);
                 const double reach = balls.radius[i] + balls.radius[j];
                 if (length_squared(offset) < reach * reach)
                     deepest = std::max(deepest, reach - length(offset));
             });
         }
-        if (!world.model.ball_edge) continue;
+        if (!world.model().ball_edge) continue;
         for (const CapsuleEntry entry : edges.in_cell(cells.cell_of(i)))
             against_edge(i, entry.index, {entry.across * torus.x, entry.along * torus.y});
-        for (const HeldCapsule& held : world.held_capsules)
+        for (const HeldCapsule& held : world.held_capsules())
             if (const auto index = index_of(world, held.id)) against_edge(i, *index, {});
     }
     return deepest;

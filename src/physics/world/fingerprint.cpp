@@ -34,9 +34,9 @@ class Hash {
 
 std::uint64_t fingerprint(const World& world) {
     Hash hash;
-    hash.add(world.tick);
-    if (world.model.gravity) hash.add(*world.model.gravity);
-    const Balls& balls = world.balls;
+    hash.add(world.tick());
+    if (world.model().gravity) hash.add(*world.model().gravity);
+    const Balls& balls = world.balls();
     hash.add(std::uint64_t{balls.size()});
     for (std::size_t i = 0; i < balls.size(); ++i) {
         hash.add(std::uint64_t{number(balls.id[i])});
@@ -51,32 +51,33 @@ std::uint64_t fingerprint(const World& world) {
         hash.add(spin);
     for (const Vec2 roll : balls.roll)
         hash.add(roll);
-    hash.add(std::uint64_t{world.capsules.size()});
-    for (std::size_t i = 0; i < world.capsules.size(); ++i) {
-        hash.add(std::uint64_t{number(world.capsules.id[i])});
-        hash.add(world.capsules.shape[i]);
+    hash.add(std::uint64_t{world.capsules().size()});
+    for (std::size_t i = 0; i < world.capsules().size(); ++i) {
+        hash.add(std::uint64_t{number(world.capsules().id[i])});
+        hash.add(world.capsules().shape[i]);
     }
-    for (const Flipper& flipper : world.flippers) {
+    for (const Flipper& flipper : world.flippers()) {
         hash.add(flipper.progress);
         hash.add(flipper.rate);
         hash.add(std::uint64_t{flipper.is_pressed});
     }
-    for (const Emitter& emitter : world.emitters)
+    for (const Emitter& emitter : world.emitters())
         hash.add(std::uint64_t{emitter.emitted});
-    for (const std::uint64_t count : world.counters)
+    for (const std::uint64_t count : world.counters())
         hash.add(count);
-    for (const HeldBall& held : world.held_balls) {
+    for (const HeldBall& held : world.held_balls()) {
         hash.add(std::uint64_t{number(held.id)});
         hash.add(held.target);
     }
-    for (const HeldCapsule& held : world.held_capsules) {
+    for (const HeldCapsule& held : world.held_capsules()) {
         hash.add(std::uint64_t{number(held.id)});
         hash.add(held.start_target);
         hash.add(held.end_target);
     }
-    for (std::size_t i = 0; i < world.paths.size(); ++i) {
-        const BallPath& path = world.paths[i];
-        const PathBend bend = i < world.path_bends.size() ? world.path_bends[i] : PathBend{};
+    for (std::size_t i = 0; i < world.memory().paths.size(); ++i) {
+        const BallPath& path = world.memory().paths[i];
+        const PathBend bend =
+            i < world.memory().path_bends.size() ? world.memory().path_bends[i] : PathBend{};
         hash.add(std::uint64_t{number(path.id)});
         hash.add(path.time);
         hash.add(path.position);
@@ -84,27 +85,27 @@ std::uint64_t fingerprint(const World& world) {
         hash.add(bend.acceleration);
         hash.add(std::uint64_t{path.quick});
         hash.add(static_cast<std::uint64_t>(path.motion));
-        if (world.model.cloth) hash.add(bend.center);
+        if (world.model().cloth) hash.add(bend.center);
     }
-    for (const SpinPath& path : world.spin_paths) {
+    for (const SpinPath& path : world.memory().spin_paths) {
         hash.add(path.time);
         hash.add(path.spin);
         hash.add(path.rate);
         hash.add(std::uint64_t{path.rolls});
     }
-    for (const PressedPair& pair : world.pressed) {
+    for (const PressedPair& pair : world.memory().pressed) {
         hash.add(std::uint64_t{number(pair.ball)});
         hash.add(std::uint64_t{pair.other});
         hash.add(static_cast<std::uint64_t>(pair.kind));
         hash.add(pair.impulse);
         hash.add(pair.rub);
     }
-    for (std::size_t i = 0; i < world.homes.ball.size(); ++i) {
-        hash.add(std::uint64_t{number(world.homes.ball[i])});
-        hash.add(world.homes.place[i]);
-        hash.add(world.homes.margin[i]);
+    for (std::size_t i = 0; i < world.memory().homes.ball.size(); ++i) {
+        hash.add(std::uint64_t{number(world.memory().homes.ball[i])});
+        hash.add(world.memory().homes.place[i]);
+        hash.add(world.memory().homes.margin[i]);
     }
-    for (const BallId id : world.heaped)
+    for (const BallId id : world.memory().heaped)
         hash.add(std::uint64_t{number(id)});
     return hash.state();
 }

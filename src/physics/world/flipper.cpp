@@ -36,15 +36,16 @@ Vec2 flipper_end(const Flipper& flipper, Vec2 pivot, double progress) {
 }
 
 void drive_flippers(World& world) {
-    for (const Flipper& flipper : world.flippers) {
+    for (const Flipper& flipper : world.flippers()) {
         const auto index = index_of(world, flipper.capsule);
         if (!index) continue;
         const Swing next = swing_after(flipper, world.tick_length());
         if (next.progress == flipper.progress) continue;
-        const Vec2 pivot = world.capsules.shape[*index].start;
+        const Vec2 pivot = world.capsules().shape[*index].start;
         const auto place =
-            std::ranges::lower_bound(world.held_capsules, flipper.capsule, {}, &HeldCapsule::id);
-        world.held_capsules.insert(place, {.id = flipper.capsule,
+            std::ranges::lower_bound(world.held_capsules(), flipper.capsule, {}, &HeldCapsule::id);
+        world.edit_held_capsules().insert(place,
+                                          {.id = flipper.capsule,
                                            .start_target = pivot,
                                            .end_target = flipper_end(flipper, pivot, next.progress),
                                            .is_driven = true});
@@ -52,7 +53,7 @@ void drive_flippers(World& world) {
 }
 
 void rest_flippers(World& world) {
-    for (Flipper& flipper : world.flippers) {
+    for (Flipper& flipper : world.edit_flippers()) {
         const auto index = index_of(world, flipper.capsule);
         if (!index) continue;
         const Swing next = swing_after(flipper, world.tick_length());
@@ -60,7 +61,7 @@ void rest_flippers(World& world) {
             flipper.rate = next.rate;
             continue;
         }
-        Capsule& shape = world.capsules.shape[*index];
+        Capsule& shape = world.edit_capsules().shape[*index];
         const Vec2 from = flipper_end(flipper, shape.start, flipper.progress);
         const Vec2 to = flipper_end(flipper, shape.start, next.progress);
         if (distance(shape.end, to) <= rounding * flipper.length) {
@@ -73,7 +74,8 @@ void rest_flippers(World& world) {
         flipper.progress += share * (next.progress - flipper.progress);
         flipper.rate = 0.0;
     }
-    std::erase_if(world.held_capsules, [](const HeldCapsule& held) { return held.is_driven; });
+    std::erase_if(world.edit_held_capsules(),
+                  [](const HeldCapsule& held) { return held.is_driven; });
 }
 
 }  // namespace carom

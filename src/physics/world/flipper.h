@@ -7,7 +7,7 @@
 /// not.
 namespace carom {
 
-struct World;
+class World;
 
 /// A coil drives it: from `rest` to `up` and back at constant angular acceleration, so it is
 /// fastest where it stops. A ball that lies on it is pushed along and thrown off there, and is

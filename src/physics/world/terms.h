@@ -27,9 +27,9 @@ struct Terms {
 };
 
 inline Terms terms_of(const World& world) {
-    const Model& model = world.model;
+    const Model& model = world.model();
     const bool special = model.scatter || model.one_way || model.kicks || model.filtered ||
-                         !world.held_balls.empty() || !world.held_capsules.empty();
+                         !world.held_balls().empty() || !world.held_capsules().empty();
     return {(model.lossy ? Terms::lossy_flag : 0) | (special ? Terms::special_flag : 0) |
             (model.wrap ? Terms::wrap_flag : 0) | (model.spin ? Terms::spin_flag : 0)};
 }

@@ -5,6 +5,7 @@
 
 #include "geometry/closest.h"
 #include "physics/world/columns.h"
+#include "physics/world/solver_access.h"
 
 namespace carom {
 namespace {
@@ -16,120 +17,154 @@ std::optional<std::size_t> find(const std::vector<Id>& ids, Id id) {
     return static_cast<std::size_t>(found - ids.begin());
 }
 
+template <typename Vector>
+std::size_t bytes_in(const Vector& values) {
+    return values.capacity() * sizeof(values[0]);
+}
+
 void become_one_way(World& world) {
-    if (world.model.one_way) return;
-    world.model.one_way = true;
-    world.capsules.side.assign(world.capsules.size(), Side::both);
+    if (world.model().one_way) return;
+    world.edit_definition().model.one_way = true;
+    world.edit_capsules().side.assign(world.capsules().size(), Side::both);
 }
 
 void become_lossy(World& world) {
-    if (world.model.lossy) return;
-    world.model.lossy = true;
+    if (world.model().lossy) return;
+    world.edit_definition().model.lossy = true;
     // Until now every ball was elastic, whatever its kind says.
-    world.balls.restitution.assign(world.balls.size(), 1.0);
+    world.edit_balls().restitution.assign(world.balls().size(), 1.0);
 }
 
 }  // namespace
 
+Definition& World::edit_definition() {
+    stamps_.definition = new_stamp();
+    return definition_;
+}
+
+Balls& World::edit_balls() {
+    stamps_.roster = stamps_.motion = new_stamp();
+    return balls_;
+}
+
+Capsules& World::edit_capsules() {
+    stamps_.capsules = new_stamp();
+    return capsules_;
+}
+
+std::size_t World::bytes() const {
+    return sizeof(World) + bytes_in_columns(balls_) + bytes_in_columns(capsules_) +
+           bytes_in(definition_.kinds) + bytes_in(definition_.materials) +
+           bytes_in(definition_.meets) + bytes_in(definition_.zones) + bytes_in(emitters_) +
+           bytes_in(flippers_) + bytes_in(held_balls_) + bytes_in(held_capsules_) +
+           bytes_in(ledger_.counters) + bytes_in(ledger_.removed) + bytes_in(memory_.paths) +
+           bytes_in(memory_.path_bends) + bytes_in(memory_.spin_paths) + bytes_in(memory_.pressed) +
+           bytes_in(memory_.homes.ball) + bytes_in(memory_.homes.place) +
+           bytes_in(memory_.homes.margin) + bytes_in(memory_.heaped);
+}
+
 BallId add_ball(World& world, const BallSpec& spec) {
-    const Kind& kind = world.kinds[spec.kind];
+    const Kind& kind = world.kinds()[spec.kind];
     assert(spec.mass.value_or(kind.mass) > 0.0);
     if (spec.restitution.value_or(kind.restitution) < 1.0) become_lossy(world);
-    const BallId id{world.next_ball++};
+    const BallId id = world.take_ball_id();
+    Balls& balls = world.edit_balls();
     Balls::for_each_column([&](const auto& column) {
-        if (column.is_used(world.model))
-            (world.balls.*column.values).push_back(column.of_new(id, spec, kind));
+        if (column.is_used(world.model()))
+            (balls.*column.values).push_back(column.of_new(id, spec, kind));
     });
     return id;
 }
 
 CapsuleId add_capsule(World& world, const Capsule& shape, ClassIndex material, Side side) {
-    const Material& made_of = world.materials[material];
+    const Material& made_of = world.materials()[material];
     if (made_of.restitution < 1.0 || made_of.soften > 0.0) become_lossy(world);
-    Capsules& capsules = world.capsules;
-    if (made_of.kick > 0.0) world.model.kicks = true;
+    if (made_of.kick > 0.0) world.edit_definition().model.kicks = true;
     if (side != Side::both) become_one_way(world);
-    const CapsuleId id{world.next_capsule++};
+    const CapsuleId id = world.take_capsule_id();
+    Capsules& capsules = world.edit_capsules();
     capsules.id.push_back(id);
     capsules.shape.push_back(shape);
     capsules.material.push_back(material);
-    if (world.model.one_way) capsules.side.push_back(side);
+    if (world.model().one_way) capsules.side.push_back(side);
     return id;
 }
 
 std::optional<std::size_t> index_of(const World& world, BallId id) {
-    return find(world.balls.id, id);
+    return find(world.balls().id, id);
 }
 
 std::optional<std::size_t> index_of(const World& world, CapsuleId id) {
-    return find(world.capsules.id, id);
+    return find(world.capsules().id, id);
 }
 
 void set_side(World& world, CapsuleId id, Side side) {
     const auto index = index_of(world, id);
     if (!index) return;
     if (side != Side::both) become_one_way(world);
-    if (world.model.one_way) world.capsules.side[*index] = side;
+    if (world.model().one_way) world.edit_capsules().side[*index] = side;
 }
 
 std::size_t kinds_of_a_layer(const World& world) {
-    return static_cast<std::size_t>(std::ranges::count(world.kinds, 0, &Kind::layer));
+    return static_cast<std::size_t>(std::ranges::count(world.kinds(), 0, &Kind::layer));
 }
 
 void set_layer(World& world, BallId id, std::uint8_t layer) {
     const auto index = index_of(world, id);
     if (!index) return;
     const std::size_t kinds = kinds_of_a_layer(world);
-    ClassIndex& kind = world.balls.kind[*index];
+    const ClassIndex kind = world.balls().kind[*index];
     const std::size_t there = kind % kinds + layer * kinds;
-    if (there == kind || there >= world.kinds.size()) return;
-    kind = static_cast<ClassIndex>(there);
+    if (there == kind || there >= world.kinds().size()) return;
+    world.edit_balls().kind[*index] = static_cast<ClassIndex>(there);
     // What a path was to meet, it no longer does.
     forget_paths(world);
 }
 
 void forget_paths(World& world) {
-    world.paths.clear();
-    world.path_bends.clear();
-    world.spin_paths.clear();
+    SolverAccess(world).memory().paths.clear();
+    SolverAccess(world).memory().path_bends.clear();
+    SolverAccess(world).memory().spin_paths.clear();
 }
 
 void remove_ball(World& world, BallId id) {
     const auto index = index_of(world, id);
     if (!index) return;
-    erase_row(world.balls, *index);
-    std::erase_if(world.held_balls, [id](const HeldBall& held) { return held.id == id; });
-    world.removed.push_back({.id = id, .zone = -1, .tick = world.tick});
+    erase_row(world.edit_balls(), *index);
+    std::erase_if(world.edit_held_balls(), [id](const HeldBall& held) { return held.id == id; });
+    world.edit_ledger().removed.push_back({.id = id, .zone = -1, .tick = world.tick()});
 }
 
 void remove_capsule(World& world, CapsuleId id) {
     const auto index = index_of(world, id);
     if (!index) return;
-    erase_row(world.capsules, *index);
-    std::erase_if(world.held_capsules, [id](const HeldCapsule& held) { return held.id == id; });
-    std::erase_if(world.flippers, [id](const Flipper& flipper) { return flipper.capsule == id; });
+    erase_row(world.edit_capsules(), *index);
+    std::erase_if(world.edit_held_capsules(),
+                  [id](const HeldCapsule& held) { return held.id == id; });
+    std::erase_if(world.edit_flippers(),
+                  [id](const Flipper& flipper) { return flipper.capsule == id; });
 }
 
 std::vector<std::uint64_t> census(const World& world) {
-    std::vector<std::uint64_t> counts = world.counters;
-    for (const Zone& zone : world.zones) {
+    std::vector<std::uint64_t> counts = world.counters();
+    for (const Zone& zone : world.zones()) {
         if (zone.effect != Zone::Effect::census) continue;
-        for (const Vec2 position : world.balls.position)
+        for (const Vec2 position : world.balls().position)
             if (is_inside(zone.shape, position)) ++counts[zone.counter];
     }
     return counts;
 }
 
 bool kinds_meet(const World& world, ClassIndex a, ClassIndex b) {
-    if (!world.model.filtered) return true;
-    const std::size_t classes = world.kinds.size() + world.materials.size();
-    return world.meets[a * classes + b] != 0;
+    if (!world.model().filtered) return true;
+    const std::size_t classes = world.kinds().size() + world.materials().size();
+    return world.meets()[a * classes + b] != 0;
 }
 
 bool kind_meets_material(const World& world, ClassIndex kind, ClassIndex material) {
-    if (!world.model.filtered) return true;
-    const std::size_t classes = world.kinds.size() + world.materials.size();
-    return world.meets[kind * classes + world.kinds.size() + material] != 0;
+    if (!world.model().filtered) return true;
+    const std::size_t classes = world.kinds().size() + world.materials().size();
+    return world.meets()[kind * classes + world.kinds().size() + material] != 0;
 }
 
 }  // namespace carom

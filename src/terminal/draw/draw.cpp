@@ -12,11 +12,11 @@ namespace {
 // What is fast: the fastest ball of late. It falls slowly, so that colours do not flicker.
 void remember_fastest(ViewMemory& memory, const World& world) {
     double fastest = 0.0;
-    for (const Vec2 velocity : world.balls.velocity) {
+    for (const Vec2 velocity : world.balls().velocity) {
         fastest = std::max(fastest, length_squared(velocity));
     }
-    const bool has_moved = memory.tick != world.tick;
-    memory.tick = world.tick;
+    const bool has_moved = memory.tick != world.tick();
+    memory.tick = world.tick();
     memory.fastest = std::max(std::sqrt(fastest), memory.fastest * (has_moved ? 0.995 : 1.0));
 }
 

@@ -87,17 +87,17 @@ class Cloud {
 };
 
 void add_copy(Cloud& cloud, const View& view, const World& copy) {
-    const Balls& balls = copy.balls;
+    const Balls& balls = copy.balls();
     std::size_t own = 0;  // the same ball in the world that has the inks
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        const std::vector<BallId>& ids = view.world.balls.id;
+        const std::vector<BallId>& ids = view.world.balls().id;
         while (own < ids.size() && ids[own] < balls.id[i])
             ++own;
         const bool is_known = own < ids.size() && ids[own] == balls.id[i];
         const Ink ink = is_known ? view.inks[own] : ink_of_class(balls.kind[i], view.options.look);
         const Vec2 reach{balls.radius[i], balls.radius[i]};
         const Vec2 place = balls.position[i];
-        for (const Vec2 offset : images_of(copy.model, {place - reach, place + reach}))
+        for (const Vec2 offset : images_of(copy.model(), {place - reach, place + reach}))
             cloud.add(to_raster(view.camera, place + offset),
                       balls.radius[i] * view.camera.columns_per_length, ink);
     }

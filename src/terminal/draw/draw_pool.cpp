@@ -123,7 +123,7 @@ void color_pool_balls(std::vector<Ink>& inks, const World& world, const PoolMark
                       const Look& look) {
     if (!look.has_colors()) return;
     for (std::size_t i = 0; i < inks.size(); ++i) {
-        const int number = number_of(pool, world.balls.id[i]);
+        const int number = number_of(pool, world.balls().id[i]);
         if (number >= 0) inks[i] = {color_of(number, look), plain};
     }
 }
@@ -134,7 +134,7 @@ void paint_pool(Raster& raster, const View& view) {
     const Look& look = view.options.look;
     const Ink strong = ink_of(Role::cue, look);
     const Ink text = ink_of(Role::text, look);
-    const double radius = view.world.balls.size() > 0 ? view.world.balls.radius.front() : 0.0;
+    const double radius = view.world.balls().size() > 0 ? view.world.balls().radius.front() : 0.0;
     for (const PoolMarks::Spot& spot : pool.spots) {
         const RasterPoint at = to_raster(view.camera, spot.place);
         if (raster.renderer().has_regions())
@@ -201,10 +201,10 @@ void write_numbers(Canvas& canvas, const View& view) {
     for (const PoolMarks::Number& ball : view.marks.pool->numbers) {
         const auto index = index_of(view.world, ball.ball);
         if (!index || ball.number == 0) continue;
-        if (view.world.balls.radius[*index] * view.camera.columns_per_length < least_radius)
+        if (view.world.balls().radius[*index] * view.camera.columns_per_length < least_radius)
             continue;
-        const std::string text = label_of(view, ball.number, view.world.balls.radius[*index]);
-        const CellPoint at = to_cells(view.camera, view.world.balls.position[*index]);
+        const std::string text = label_of(view, ball.number, view.world.balls().radius[*index]);
+        const CellPoint at = to_cells(view.camera, view.world.balls().position[*index]);
         const int width = static_cast<int>(text.size());
         const int row = static_cast<int>(std::floor(at.row));
         const int first = static_cast<int>(std::floor(at.column - 0.5 * width + 0.5));

@@ -28,7 +28,7 @@ constexpr std::string_view peg_stamp = "+";
 
 // Where colours tell kinds apart, one texture for all is calmer.
 const Texture& texture_of(const View& view, std::size_t ball) {
-    const std::size_t kind = view.options.look.has_colors() ? 0 : view.world.balls.kind[ball];
+    const std::size_t kind = view.options.look.has_colors() ? 0 : view.world.balls().kind[ball];
     return textures[kind % textures.size()];
 }
 
@@ -71,9 +71,9 @@ void paint_heading(Raster& raster, RasterPoint center, double radius, Vec2 veloc
 }
 
 void paint_ball(Raster& raster, const View& view, std::size_t ball, RasterPoint center) {
-    const double radius = view.world.balls.radius[ball] * view.camera.columns_per_length;
+    const double radius = view.world.balls().radius[ball] * view.camera.columns_per_length;
     if (const std::size_t width = stamp_width(raster, radius)) {
-        if (hides_stamp(view, view.world.balls.id[ball])) return;
+        if (hides_stamp(view, view.world.balls().id[ball])) return;
         raster.stamp(center, texture_of(view, ball).stamps[width - 1], view.inks[ball]);
         return;
     }
@@ -86,7 +86,7 @@ void paint_ball(Raster& raster, const View& view, std::size_t ball, RasterPoint 
     const Brush brush = rimmed_brush(raster, view, ball);
     raster.disc(center, shown, 2.0 * raster.hairline(), brush);
     if (view.options.ball_style == BallStyle::outline) {
-        paint_heading(raster, center, shown, view.world.balls.velocity[ball], brush.ink);
+        paint_heading(raster, center, shown, view.world.balls().velocity[ball], brush.ink);
     }
 }
 
@@ -118,7 +118,7 @@ Images images_of(const Model& model, const Box& bounds) {
 
 std::vector<Ink> ball_inks(const World& world, const ViewOptions& options,
                            const ViewMemory& memory) {
-    const Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     std::vector<Ink> inks(balls.size());
     const auto each = [&](auto ink_of_ball) {
         for (std::size_t i = 0; i < balls.size(); ++i)
@@ -162,7 +162,7 @@ std::vector<Ink> ball_inks(const World& world, const ViewOptions& options,
 void paint_zones(Raster& raster, const View& view) {
     const Ink ink = ink_of(Role::zone, view.options.look);
     const double rim = 2.0 * raster.hairline();
-    for (const Zone& zone : view.world.zones) {
+    for (const Zone& zone : view.world.zones()) {
         // A census lies between walls that show it; where balls vanish must be seen.
         if (zone.effect != Zone::Effect::sink) continue;
         const RasterPoint start = to_raster(view.camera, zone.shape.start);
@@ -174,7 +174,7 @@ void paint_zones(Raster& raster, const View& view) {
 }
 
 void paint_edges(Raster& raster, const View& view) {
-    const Capsules& edges = view.world.capsules;
+    const Capsules& edges = view.world.capsules();
     const Box visible = visible_box(view.camera);
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const Capsule& shape = edges.shape[i];
@@ -184,7 +184,7 @@ void paint_edges(Raster& raster, const View& view) {
                                     : ink_of_material(edges.material[i], view.options.look);
         const double radius = shape.radius * view.camera.columns_per_length;
         const double hair = raster.hairline() / view.camera.columns_per_length;
-        for (const Vec2 offset : images_of(view.world.model, bounds(shape))) {
+        for (const Vec2 offset : images_of(view.world.model(), bounds(shape))) {
             const Capsule image{shape.start + offset, shape.end + offset, shape.radius};
             if (!overlaps(grow(bounds(image), hair), visible)) continue;
             const RasterPoint start = to_raster(view.camera, image.start);
@@ -204,11 +204,11 @@ void paint_edges(Raster& raster, const View& view) {
 }
 
 void paint_balls(Raster& raster, const View& view) {
-    const Balls& balls = view.world.balls;
+    const Balls& balls = view.world.balls();
     const Box visible = visible_box(view.camera);
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const Box box = bounds(Disc{balls.position[i], balls.radius[i]});
-        for (const Vec2 offset : images_of(view.world.model, box)) {
+        for (const Vec2 offset : images_of(view.world.model(), box)) {
             if (!overlaps({box.low + offset, box.high + offset}, visible)) continue;
             paint_ball(raster, view, i, to_raster(view.camera, balls.position[i] + offset));
         }

@@ -77,7 +77,7 @@ std::string short_count(std::uint64_t count) {
 }
 
 std::string label_of(const View& view, std::size_t ball) {
-    const std::uint32_t id = number(view.world.balls.id[ball]);
+    const std::uint32_t id = number(view.world.balls().id[ball]);
     const auto& names = view.scene.ball_names;
     if (view.options.labels == Labels::automatic && id < names.size() && !names[id].empty()) {
         return names[id];
@@ -89,12 +89,12 @@ std::string label_of(const View& view, std::size_t ball) {
 void bracket(Canvas& canvas, const View& view, std::size_t ball) {
     const Ink ink = ink_of(Role::selected, view.options.look);
     const auto write_at = [&](double x, std::string_view bracket) {
-        const Vec2 position = view.world.balls.position[ball];
+        const Vec2 position = view.world.balls().position[ball];
         if (const auto at = cell_of(view.camera, {position.x + x, position.y})) {
             write_within(canvas, view.camera.area, *at, bracket, ink);
         }
     };
-    const double apart = view.world.balls.radius[ball] + 1.0 / view.camera.columns_per_length;
+    const double apart = view.world.balls().radius[ball] + 1.0 / view.camera.columns_per_length;
     write_at(-apart, "[");
     write_at(apart, "]");
 }
@@ -109,7 +109,7 @@ void write_at_point(Canvas& canvas, const View& view, Vec2 point, std::string_vi
 }  // namespace
 
 void write_counters(Canvas& canvas, const View& view) {
-    if (view.world.zones.empty()) return;
+    if (view.world.zones().empty()) return;
     const std::vector<std::uint64_t> counts = census(view.world);
     const Ink ink = ink_of(Role::counter, view.options.look);
     const CellArea& area = view.camera.area;
@@ -118,7 +118,7 @@ void write_counters(Canvas& canvas, const View& view) {
     std::array<int, most_stagger> row_taken{};
     taken.fill(area.column - 1);
     row_taken.fill(-1);
-    for (const Zone& zone : view.world.zones) {
+    for (const Zone& zone : view.world.zones()) {
         if (zone.counter >= counts.size()) continue;
         const Box box = bounds(zone.shape);
         const auto at = cell_of(view.camera, {center(box).x, box.high.y});
@@ -145,7 +145,7 @@ void write_labels(Canvas& canvas, const View& view) {
         labels == Labels::all || (labels == Labels::automatic && !view.options.look.has_colors());
     const bool is_cloud = !view.marks.copies.empty();
     if (!is_wanted || (is_cloud && labels != Labels::all)) return;
-    const Balls& balls = view.world.balls;
+    const Balls& balls = view.world.balls();
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const double radius = balls.radius[i] * view.camera.columns_per_length;
         // Inside there is room for as many columns as the chord of a row is wide.
@@ -178,7 +178,7 @@ void write_marks(Canvas& canvas, const View& view) {
     }
     if (marks.selected_capsule) {
         if (const auto edge = index_of(view.world, *marks.selected_capsule)) {
-            const Capsule& shape = view.world.capsules.shape[*edge];
+            const Capsule& shape = view.world.capsules().shape[*edge];
             const Ink ink = ink_of(Role::selected, look);
             write_at_point(canvas, view, shape.start, "O", ink);
             write_at_point(canvas, view, shape.end, "O", ink);

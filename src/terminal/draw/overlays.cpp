@@ -57,7 +57,7 @@ void paint_arrow(Raster& raster, RasterPoint from, RasterPoint to, const Ink& in
 std::optional<Vec2> place_of_ball(const World& world, std::uint32_t ball) {
     const auto index = index_of(world, BallId{ball});
     if (!index) return std::nullopt;
-    return world.balls.position[*index];
+    return world.balls().position[*index];
 }
 
 // The ink of a lattice is faint; dots have no faint ink where there is no colour, so there are
@@ -84,7 +84,7 @@ void paint_velocities(Raster& raster, const View& view) {
     if (!(view.memory.fastest > 0.0)) return;
     const Ink ink = ink_of(Role::velocity, view.options.look);
     const double longest = std::clamp(raster.columns() / 8.0, 4.0, 12.0);
-    const Balls& balls = view.world.balls;
+    const Balls& balls = view.world.balls();
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const double speed = length(balls.velocity[i]);
         const double long_by = speed / view.memory.fastest * longest;
@@ -110,7 +110,7 @@ void paint_contacts(Raster& raster, const View& view) {
             is_pair ? place_of_ball(view.world, contact.b) : std::optional(contact.point);
         if (!b) continue;
         // Over the side of a torus the line would cross the whole picture.
-        const auto& torus = view.world.model.wrap;
+        const auto& torus = view.world.model().wrap;
         const Vec2 apart = *b - *a;
         if (torus && (std::abs(apart.x) > 0.5 * size(*torus).x ||
                       std::abs(apart.y) > 0.5 * size(*torus).y)) {

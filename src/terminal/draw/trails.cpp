@@ -79,23 +79,23 @@ void add_to_trails(Trails& trails, const Camera& camera, const Raster& raster, c
     const bool is_same_view = trails.camera == camera && trails.across == raster.samples_across() &&
                               trails.down == raster.samples_down();
     if (!is_same_view) start_anew(trails, camera, raster);
-    if (is_same_view && trails.tick != world.tick) {
+    if (is_same_view && trails.tick != world.tick()) {
         std::transform(trails.levels.begin(), trails.levels.end(), trails.levels.begin(), faded);
     }
-    trails.tick = world.tick;
+    trails.tick = world.tick();
 
     // Both lists ascend by id, so one pass finds where each ball was.
     std::vector<Trails::Place> places;
-    places.reserve(world.balls.size());
+    places.reserve(world.balls().size());
     auto before = trails.places.cbegin();
-    for (std::size_t i = 0; i < world.balls.size(); ++i) {
-        const BallId id = world.balls.id[i];
-        const Vec2 now = world.balls.position[i];
+    for (std::size_t i = 0; i < world.balls().size(); ++i) {
+        const BallId id = world.balls().id[i];
+        const Vec2 now = world.balls().position[i];
         while (before != trails.places.cend() && before->id < id)
             ++before;
         const bool is_known = before != trails.places.cend() && before->id == id;
         const Vec2 then =
-            is_known && !has_wrapped(world.model, before->position, now) ? before->position : now;
+            is_known && !has_wrapped(world.model(), before->position, now) ? before->position : now;
         mark_way(trails, to_samples(trails, then), to_samples(trails, now), inks[i]);
         places.push_back({id, now});
     }

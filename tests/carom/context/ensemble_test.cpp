@@ -36,7 +36,7 @@ TEST_CASE("the swarm follows the session, whose game its first copy is") {
 TEST_CASE("a swarm spreads to a radius, once") {
     Session session(busy_box(), swept);
     Ensemble ensemble(session);
-    while (!ensemble.time_of_a_radius() && session.world().tick < 6000) {
+    while (!ensemble.time_of_a_radius() && session.world().tick() < 6000) {
         session.step_forward();
         ensemble.follow(session, {}, {});
         CHECK((ensemble.spread() >= 1.0) == ensemble.time_of_a_radius().has_value());

@@ -27,7 +27,7 @@ TEST_CASE("as many ticks are run as the time asks for, however it is cut into fr
         PlaybackClock clock;
         for (int frame = 0; frame < frames; ++frame)
             clock.advance(game, 1.0 / frames, always);
-        CHECK(std::abs(static_cast<double>(game.world().tick) - 120.0) <= 1.0);
+        CHECK(std::abs(static_cast<double>(game.world().tick()) - 120.0) <= 1.0);
     }
 }
 
@@ -51,8 +51,8 @@ TEST_CASE("slow motion runs a tick now and then") {
         clock.slower();
     for (int frame = 0; frame < 600; ++frame)
         clock.advance(game, 1.0 / 60.0, always);
-    CHECK(game.world().tick >= 11);
-    CHECK(game.world().tick <= 12);
+    CHECK(game.world().tick() >= 11);
+    CHECK(game.world().tick() <= 12);
 }
 
 TEST_CASE("a pause stands still") {
@@ -93,16 +93,16 @@ TEST_CASE("a search ends at a collision and pauses there") {
 
 TEST_CASE("a search that finds nothing ends too") {
     Scene empty = busy_box();
-    empty.world.balls = {};
-    empty.world.rate = 2.0;
+    empty.world.edit_balls() = {};
+    empty.world.edit_definition().rate = 2.0;
     Session game(empty, {});
     PlaybackClock clock;
     clock.seek_collision();
     clock.advance(game, 1.0, always);
     CHECK_FALSE(clock.is_seeking());
     CHECK(clock.search_failed());
-    CHECK(game.world().tick >= 1200);
-    CHECK(game.world().tick < 1210);
+    CHECK(game.world().tick() >= 1200);
+    CHECK(game.world().tick() < 1210);
 }
 
 TEST_CASE("pausing ends a search") {

@@ -14,7 +14,7 @@ Session session() {
 }
 
 Vec2 ball(const Session& game, std::uint32_t number) {
-    return game.world().balls.position[*index_of(game.world(), BallId{number})];
+    return game.world().balls().position[*index_of(game.world(), BallId{number})];
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ TEST_CASE("the hand carries a ball by where it was taken") {
     CHECK(ball(game, 0).x == doctest::Approx(9.5));
     CHECK(ball(game, 0).y == doctest::Approx(8.0));
     CHECK(hand.open(game) == std::nullopt);
-    CHECK(game.world().held_balls.empty());
+    CHECK(game.world().held_balls().empty());
     CHECK(hand.is_empty());
 }
 
@@ -59,7 +59,7 @@ TEST_CASE("in a world that stands still a ball is put where the hand is, if ther
     CHECK(hand.move(game, {5.0, 5.0}, true) == std::nullopt);
     hand.open(game);
     CHECK(ball(game, 0) == Vec2{5.0, 5.0});
-    CHECK(game.world().tick == 0);
+    CHECK(game.world().tick() == 0);
 }
 
 TEST_CASE("a joint is moved as one, or not at all") {
@@ -68,11 +68,11 @@ TEST_CASE("a joint is moved as one, or not at all") {
     REQUIRE(hand.take(game.world(), {30.0, 20.0}, 0.1));
     CHECK(hand.has_edges());
     CHECK(hand.move(game, {31.0, 19.0}, true) == std::nullopt);
-    CHECK(game.world().capsules.shape[5].end == Vec2{31.0, 19.0});
-    CHECK(game.world().capsules.shape[6].start == Vec2{31.0, 19.0});
+    CHECK(game.world().capsules().shape[5].end == Vec2{31.0, 19.0});
+    CHECK(game.world().capsules().shape[6].start == Vec2{31.0, 19.0});
     REQUIRE(hand.move(game, {18.0, 18.0}, true));  // there is a ball
-    CHECK(game.world().capsules.shape[5].end == Vec2{31.0, 19.0});
-    CHECK(game.world().capsules.shape[6].start == Vec2{31.0, 19.0});
+    CHECK(game.world().capsules().shape[5].end == Vec2{31.0, 19.0});
+    CHECK(game.world().capsules().shape[6].start == Vec2{31.0, 19.0});
 }
 
 TEST_CASE("an edge that is dragged while time passes gets there") {
@@ -82,9 +82,9 @@ TEST_CASE("an edge that is dragged while time passes gets there") {
     hand.move(game, {34.0, 9.0}, false);
     hand.prepare(game);
     game.step_forward();
-    CHECK(game.world().capsules.shape[4].end == Vec2{34.0, 9.0});
+    CHECK(game.world().capsules().shape[4].end == Vec2{34.0, 9.0});
     hand.open(game);
-    CHECK(game.world().held_capsules.empty());
+    CHECK(game.world().held_capsules().empty());
 }
 
 TEST_CASE("the cue shoots away from the hand, faster the longer the pull") {
@@ -100,7 +100,7 @@ TEST_CASE("the cue shoots away from the hand, faster the longer the pull") {
     CHECK(marks.path[5].x > marks.path[0].x);
     CHECK(marks.cue->speed == "11.2 m/s");
     hand.open(game);
-    CHECK(game.world().balls.velocity[4] == Vec2{2.0, 1.0} * PointerTool::cue_gain);
+    CHECK(game.world().balls().velocity[4] == Vec2{2.0, 1.0} * PointerTool::cue_gain);
 }
 
 TEST_CASE("a cue that is let go does not shoot") {
@@ -122,7 +122,7 @@ TEST_CASE("a drawn edge that is refused stays in the hand") {
     hand.move(game, {10.0, 26.0}, true);
     CHECK(hand.open(game) == std::nullopt);
     CHECK(hand.is_empty());
-    CHECK(game.world().capsules.shape.back() == Capsule{{10.0, 20.5}, {10.0, 26.0}, 0.1});
+    CHECK(game.world().capsules().shape.back() == Capsule{{10.0, 20.5}, {10.0, 26.0}, 0.1});
 }
 
 TEST_CASE("what nobody holds any more is dropped before time goes on") {
@@ -131,8 +131,8 @@ TEST_CASE("what nobody holds any more is dropped before time goes on") {
     REQUIRE(game.apply(command::HoldCapsule{CapsuleId{4}, {24, 4}, {34, 7}}) == std::nullopt);
     PointerTool hand;
     hand.prepare(game);
-    CHECK(game.world().held_balls.empty());
-    CHECK(game.world().held_capsules.empty());
+    CHECK(game.world().held_balls().empty());
+    CHECK(game.world().held_capsules().empty());
 }
 
 TEST_CASE("a ball that goes away leaves the hand empty") {

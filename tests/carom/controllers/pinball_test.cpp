@@ -246,7 +246,7 @@ TEST_CASE("the bell rings for what kicks and for holes, and not too often") {
     PinballBell bell;
     CHECK_FALSE(bell.rings(session, 1.0));
     const auto send = [&](Vec2 velocity) {
-        const BallId ball = session.world().balls.id[1];
+        const BallId ball = session.world().balls().id[1];
         REQUIRE_FALSE(session.apply(command::Strike{ball, velocity}).has_value());
         for (int tick = 0; tick < 60; ++tick)
             session.step_forward();
@@ -258,7 +258,7 @@ TEST_CASE("the bell rings for what kicks and for holes, and not too often") {
     CHECK(bell.rings(session, 0.06));
     send({0.0, 2.5});
     CHECK_FALSE(bell.rings(session, 0.06));  // it has just rung
-    const BallId ball = session.world().balls.id[1];
+    const BallId ball = session.world().balls().id[1];
     REQUIRE_FALSE(session.apply(command::PlaceBall{ball, {0.1, 0.3}}).has_value());
     session.step_forward();
     CHECK(bell.rings(session, 1.0));

@@ -44,7 +44,7 @@ struct Person : test::PersonAtWindow {
     const PoolPlay& play() const { return std::get<PoolPlay>(player.session().game()); }
     Vec2 cue() const {
         const World& world = player.session().world();
-        return world.balls.position[*index_of(world, *play().balls[0])];
+        return world.balls().position[*index_of(world, *play().balls[0])];
     }
     Vec2 last_strike() const {
         return std::get<command::Strike>(player.session().commands().back().command).velocity;

@@ -26,9 +26,9 @@ struct Person : test::PersonAtWindow {
             key(code);
     }
     Vec2 ball(std::uint32_t number) const {
-        return world().balls.position[*index_of(world(), BallId{number})];
+        return world().balls().position[*index_of(world(), BallId{number})];
     }
-    std::uint64_t tick() const { return world().tick; }
+    std::uint64_t tick() const { return world().tick(); }
 };
 
 bool is_near(Vec2 a, Vec2 b, double tolerance) {
@@ -88,7 +88,7 @@ TEST_CASE("the left button drags a ball, which pushes others out of its way") {
     person.key(U' ');
     // All at rest, so that only the hand moves anything.
     for (std::uint32_t i = 0; i < 9; ++i)
-        REQUIRE(person.player.session().world().balls.velocity[i] != Vec2{});
+        REQUIRE(person.player.session().world().balls().velocity[i] != Vec2{});
     person.key(U' ');
     person.mouse(InputEvent::Action::press, person.ball(4));
     person.mouse(InputEvent::Action::move, {20.0, 12.0});
@@ -96,7 +96,7 @@ TEST_CASE("the left button drags a ball, which pushes others out of its way") {
         person.pass(1.0 / 60.0);
     CHECK(is_near(person.ball(4), {20.0, 12.0}, 0.01));
     person.mouse(InputEvent::Action::release, {20.0, 12.0});
-    CHECK(person.world().held_balls.empty());
+    CHECK(person.world().held_balls().empty());
 }
 
 TEST_CASE("in a pause a ball is dragged at once, and a joint too") {
@@ -105,8 +105,8 @@ TEST_CASE("in a pause a ball is dragged at once, and a joint too") {
     person.drag(person.ball(0), {6.0, 4.0});
     CHECK(is_near(person.ball(0), {6.0, 4.0}, 0.01));
     person.drag({30.0, 20.0}, {29.0, 18.0});
-    CHECK(is_near(person.world().capsules.shape[5].end, {29.0, 18.0}, 0.01));
-    CHECK(person.world().capsules.shape[5].end == person.world().capsules.shape[6].start);
+    CHECK(is_near(person.world().capsules().shape[5].end, {29.0, 18.0}, 0.01));
+    CHECK(person.world().capsules().shape[5].end == person.world().capsules().shape[6].start);
     person.drag({6.0, 4.0}, {13.0, 8.4});
     CHECK(person.sees("it would overlap ball 1"));
 }
@@ -127,7 +127,7 @@ TEST_CASE("the cue: the right button, or a modifier with the left, or a key") {
             person.key(U'k');
         }
         person.drag(from, from + Vec2{3.0, -1.0}, way.button, way.modifiers);
-        CHECK(is_near(person.world().balls.velocity[4], Vec2{-3.0, 1.0} * PointerTool::cue_gain,
+        CHECK(is_near(person.world().balls().velocity[4], Vec2{-3.0, 1.0} * PointerTool::cue_gain,
                       0.01));
         CHECK(person.ball(4) == from);
     }
@@ -150,7 +150,7 @@ TEST_CASE("all that the mouse does can be done with keys") {
     }
     SUBCASE("k pulls the cue, enter shoots") {
         person.keys({key::tab, U'k', key::left, key::left, key::up, key::enter});
-        const Vec2 velocity = person.world().balls.velocity[0];
+        const Vec2 velocity = person.world().balls().velocity[0];
         CHECK(velocity.x > 0.0);
         CHECK(velocity.y < 0.0);
         CHECK(person.player.tool().is_empty());
@@ -164,11 +164,11 @@ TEST_CASE("all that the mouse does can be done with keys") {
         CHECK(person.key(key::escape) == PlayRequest::menu);
     }
     SUBCASE("e draws an edge") {
-        const std::size_t edges = person.world().capsules.size();
+        const std::size_t edges = person.world().capsules().size();
         person.mouse(InputEvent::Action::move, {5.0, 24.0}, 0);
         person.keys({U'e', key::right, key::right, key::right, U'e'});
-        REQUIRE(person.world().capsules.size() == edges + 1);
-        const Capsule& edge = person.world().capsules.shape.back();
+        REQUIRE(person.world().capsules().size() == edges + 1);
+        const Capsule& edge = person.world().capsules().shape.back();
         CHECK(edge.end.x > edge.start.x);
     }
 }
@@ -178,21 +178,21 @@ TEST_CASE("balls and edges are added, removed, and brought back") {
     person.key(U' ');
     person.mouse(InputEvent::Action::move, {5.0, 25.0}, 0);
     person.key(U'a');
-    CHECK(person.world().balls.size() == 10);
+    CHECK(person.world().balls().size() == 10);
     person.key(U'a');
-    CHECK(person.world().balls.size() == 10);
+    CHECK(person.world().balls().size() == 10);
     CHECK(person.sees("it would overlap ball 9"));
     person.key(U'x');
-    CHECK(person.world().balls.size() == 9);
+    CHECK(person.world().balls().size() == 9);
     person.key(U'u');
-    CHECK(person.world().balls.size() == 10);
+    CHECK(person.world().balls().size() == 10);
     person.key(U'u');
-    CHECK(person.world().balls.size() == 9);
+    CHECK(person.world().balls().size() == 9);
     person.mouse(InputEvent::Action::move, {29.0, 5.5}, 0);
     person.key(U'E');
-    CHECK(person.world().capsules.size() == 6);
+    CHECK(person.world().capsules().size() == 6);
     person.key(U'u');
-    CHECK(person.world().capsules.size() == 7);
+    CHECK(person.world().capsules().size() == 7);
     person.key(U'u');
     CHECK(person.sees("nothing to undo"));
 }
@@ -202,28 +202,28 @@ TEST_CASE("going back opens the hand, and the game goes on without it") {
     person.pass(0.5);
     person.mouse(InputEvent::Action::press, person.ball(4));
     person.pass(0.1);
-    REQUIRE(person.world().held_balls.size() == 1);
+    REQUIRE(person.world().held_balls().size() == 1);
     person.keys(U",,");
     CHECK(person.player.tool().is_empty());
     person.key(U' ');
     for (int frame = 0; frame < 30; ++frame)
         person.pass(1.0 / 60.0);
-    CHECK(person.world().held_balls.empty());
+    CHECK(person.world().held_balls().empty());
 }
 
 TEST_CASE("gravity goes on, off and round") {
     Person person;
     person.key(U'g');
-    REQUIRE(person.world().model.gravity);
-    CHECK(person.world().model.gravity->x == 0.0);
-    const double strength = -person.world().model.gravity->y;
+    REQUIRE(person.world().model().gravity);
+    CHECK(person.world().model().gravity->x == 0.0);
+    const double strength = -person.world().model().gravity->y;
     CHECK(strength > 0.0);
     person.key(U'G');
-    CHECK(*person.world().model.gravity == Vec2{strength, 0.0});
+    CHECK(*person.world().model().gravity == Vec2{strength, 0.0});
     person.key(U'g');
-    CHECK_FALSE(person.world().model.gravity);
+    CHECK_FALSE(person.world().model().gravity);
     person.key(U'g');
-    CHECK(*person.world().model.gravity == Vec2{strength, 0.0});
+    CHECK(*person.world().model().gravity == Vec2{strength, 0.0});
 }
 
 TEST_CASE("the solver is switched round and round") {
@@ -278,7 +278,7 @@ TEST_CASE("help lists the keys, scrolls, and any other key goes back") {
     CHECK(person.sees("quit at once"));
     person.key(U'x');
     CHECK(person.sees("Busy box"));
-    CHECK(person.world().balls.size() == 9);
+    CHECK(person.world().balls().size() == 9);
     person.key(U'?');
     CHECK(person.key(U'q') == PlayRequest::quit);
 }
@@ -338,7 +338,7 @@ TEST_CASE("the status line says what the level expects, and how it stands") {
         player.draw(window, 2.0);
         return window.text();
     };
-    const std::string wanted = fmt::format("balls {:>2} of 99", scene.world.balls.size());
+    const std::string wanted = fmt::format("balls {:>2} of 99", scene.world.balls().size());
     CHECK(seen().find(wanted) != std::string::npos);
     CHECK(seen().find("overlap") == std::string::npos);  // only a run measures it
     scene.overridden = true;
@@ -382,7 +382,7 @@ TEST_CASE("any keys in any order do no harm") {
             person.window =
                 Canvas(20 + static_cast<int>(next(100)), 8 + static_cast<int>(next(40)));
     }
-    for (const Vec2 position : person.world().balls.position)
+    for (const Vec2 position : person.world().balls().position)
         CHECK(std::isfinite(position.x + position.y));
 }
 
@@ -398,32 +398,32 @@ TEST_CASE("a recording is watched: time and view obey the keys, the world does n
     for (const char32_t key : std::u32string(U"aexEugGsk"))
         person.key(key);
     CHECK(person.sees("a recording is only watched"));
-    person.mouse(InputEvent::Action::press, watched.world().balls.position[0]);
+    person.mouse(InputEvent::Action::press, watched.world().balls().position[0]);
     person.mouse(InputEvent::Action::move, {30.0, 20.0});
     person.mouse(InputEvent::Action::release, {30.0, 20.0});
     person.player.advance(0.5, always);
-    CHECK(watched.world().tick == 60);
+    CHECK(watched.world().tick() == 60);
     CHECK(watched.commands().size() == 2);
-    CHECK(watched.world().held_balls.size() == 1);  // by the hand in the recording
+    CHECK(watched.world().held_balls().size() == 1);  // by the hand in the recording
     CHECK_FALSE(watched.fault());
     person.key(U',');
-    CHECK(watched.world().tick == 59);
+    CHECK(watched.world().tick() == 59);
     person.key(U'>');
-    CHECK(watched.world().tick == 179);
+    CHECK(watched.world().tick() == 179);
     person.key(U'>');
-    CHECK(watched.world().tick == 240);
+    CHECK(watched.world().tick() == 240);
     CHECK(person.sees("the recording ends here"));
     person.key(U'.');
-    CHECK(watched.world().tick == 240);
+    CHECK(watched.world().tick() == 240);
     person.key(U'n');
     person.player.advance(0.1, always);
     CHECK_FALSE(person.player.clock().is_seeking());
     person.key(U'r');
-    CHECK(watched.world().tick == 0);
+    CHECK(watched.world().tick() == 0);
     CHECK(watched.commands().size() == 2);
     person.key(U' ');
     person.player.advance(10.0, always);
-    CHECK(watched.world().tick == 240);
+    CHECK(watched.world().tick() == 240);
     CHECK(person.player.clock().is_paused());
 }
 

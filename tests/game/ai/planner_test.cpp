@@ -60,7 +60,7 @@ TEST_CASE("the opponent pockets a straight ball, and says so") {
     play.rules.phase = PoolPhase::playing;
     play.rules.in_hand = CueInHand::no;
     const auto put = [&](int ball, Vec2 place) {
-        duel.world.balls
+        duel.world.edit_balls()
             .position[*index_of(duel.world, *play.balls[static_cast<std::size_t>(ball)])] = place;
     };
     put(3, {1.0, 0.4});

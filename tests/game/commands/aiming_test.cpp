@@ -70,7 +70,7 @@ TEST_CASE("the forecast of a shot is the shot, to the last bit") {
         if (track.zone) continue;
         const auto place = index_of(session.world(), track.ball);
         REQUIRE(place);
-        CHECK(track.way.back() == session.world().balls.position[*place]);
+        CHECK(track.way.back() == session.world().balls().position[*place]);
     }
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("the easiest pot of the stop-shot drill is the straight one, and it fa
     const BallId cue = named(scene, "cue");
     const BallId object = named(scene, "object");
     const auto cloth = cloth_box(scene);
-    const Vec2 from = scene.world.balls.position[*index_of(scene.world, cue)];
+    const Vec2 from = scene.world.balls().position[*index_of(scene.world, cue)];
     const auto lines = pot_lines(scene, scene.world, *cloth, cue, from, std::span(&object, 1));
     REQUIRE_FALSE(lines.empty());
     CHECK(lines.front().way == PotLine::Way::direct);
@@ -104,9 +104,9 @@ TEST_CASE("a ball behind another is no direct pot") {
     const BallId cue = named(scene, "cue");
     const BallId object = named(scene, "object");
     World world = scene.world;
-    const Vec2 from = world.balls.position[*index_of(world, cue)];
-    const Vec2 there = world.balls.position[*index_of(world, object)];
-    add_ball(world, {.kind = world.balls.kind[0], .position = (from + there) * 0.5});
+    const Vec2 from = world.balls().position[*index_of(world, cue)];
+    const Vec2 there = world.balls().position[*index_of(world, object)];
+    add_ball(world, {.kind = world.balls().kind[0], .position = (from + there) * 0.5});
     const auto cloth = cloth_box(scene);
     for (const PotLine& line : pot_lines(scene, world, *cloth, cue, from, std::span(&object, 1)))
         CHECK(line.way == PotLine::Way::kick);

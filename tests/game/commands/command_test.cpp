@@ -93,8 +93,8 @@ TEST_CASE("overlaps count across the sides of a torus") {
 
 TEST_CASE("pairs that do not meet may overlap") {
     World world = busy_box().world;
-    world.model.filtered = true;
-    world.meets = {0, 1, 1, 0};  // balls meet edges, and not each other
+    world.edit_definition().model.filtered = true;
+    world.edit_definition().meets = {0, 1, 1, 0};  // balls meet edges, and not each other
     CHECK_FALSE(refusal(world, command::AddBall{ball_at_rest({8.0, 9.0})}));
     CHECK(refusal(world, command::AddBall{ball_at_rest({1.5, 26.0})}));
 }
@@ -102,22 +102,22 @@ TEST_CASE("pairs that do not meet may overlap") {
 TEST_CASE("commands do what they say") {
     World world = busy_box().world;
     execute(world, command::Strike{BallId{2}, {1.0, 2.0}});
-    CHECK(world.balls.velocity[2] == Vec2{1.0, 2.0});
+    CHECK(world.balls().velocity[2] == Vec2{1.0, 2.0});
     execute(world, command::HoldBall{BallId{5}, {1.0, 2.0}});
     execute(world, command::HoldBall{BallId{2}, {3.0, 2.0}});
     execute(world, command::HoldBall{BallId{5}, {4.0, 2.0}});
-    REQUIRE(world.held_balls.size() == 2);
-    CHECK(world.held_balls[0].id == BallId{2});
-    CHECK(world.held_balls[1].target == Vec2{4.0, 2.0});
+    REQUIRE(world.held_balls().size() == 2);
+    CHECK(world.held_balls()[0].id == BallId{2});
+    CHECK(world.held_balls()[1].target == Vec2{4.0, 2.0});
     execute(world, command::DropBall{BallId{2}});
-    CHECK(world.held_balls.size() == 1);
+    CHECK(world.held_balls().size() == 1);
     execute(world, command::RemoveBall{BallId{5}});
-    CHECK(world.held_balls.empty());
-    CHECK(world.balls.size() == 8);
+    CHECK(world.held_balls().empty());
+    CHECK(world.balls().size() == 8);
     execute(world, command::SetGravity{Vec2{0.0, -1.0}});
-    CHECK(world.model.gravity == Vec2{0.0, -1.0});
+    CHECK(world.model().gravity == Vec2{0.0, -1.0});
     execute(world, command::SetGravity{});
-    CHECK_FALSE(world.model.gravity);
+    CHECK_FALSE(world.model().gravity);
 }
 
 TEST_CASE("a ball or an edge can be put down where there is room, held or not") {
@@ -127,49 +127,49 @@ TEST_CASE("a ball or an edge can be put down where there is room, held or not") 
     REQUIRE_FALSE(refusal(world, command));
     execute(world, command::HoldBall{BallId{0}, {1.0, 2.0}});
     execute(world, command);
-    CHECK(world.balls.position[0] == Vec2{8.5, 8.0});
-    CHECK(world.held_balls[0].target == Vec2{8.5, 8.0});
+    CHECK(world.balls().position[0] == Vec2{8.5, 8.0});
+    CHECK(world.held_balls()[0].target == Vec2{8.5, 8.0});
     const Command edge = command::PlaceCapsule{CapsuleId{4}, {24.0, 3.0}, {34.0, 6.0}};
     REQUIRE_FALSE(refusal(world, edge));
     execute(world, edge);
-    CHECK(world.capsules.shape[4] == Capsule{{24.0, 3.0}, {34.0, 6.0}, 0.5});
+    CHECK(world.capsules().shape[4] == Capsule{{24.0, 3.0}, {34.0, 6.0}, 0.5});
 }
 
 TEST_CASE("what is added can meet what is there, whatever the level held") {
     World world = busy_box().world;
-    world.model.ball_ball = false;
-    world.model.ball_edge = false;
-    world.balls = {};
+    world.edit_definition().model.ball_ball = false;
+    world.edit_definition().model.ball_edge = false;
+    world.edit_balls() = {};
     execute(world, command::AddBall{ball_at_rest({20.0, 15.0})});
-    CHECK(world.model.ball_ball);
-    CHECK(world.model.ball_edge);
+    CHECK(world.model().ball_ball);
+    CHECK(world.model().ball_edge);
 }
 
 TEST_CASE("what never meets stays out of the model") {
     World world = busy_box().world;
-    world.model.filtered = true;
-    world.model.ball_ball = false;
-    world.meets = {0, 1, 1, 0};
+    world.edit_definition().model.filtered = true;
+    world.edit_definition().model.ball_ball = false;
+    world.edit_definition().meets = {0, 1, 1, 0};
     execute(world, command::AddBall{ball_at_rest({20.0, 15.0})});
-    CHECK_FALSE(world.model.ball_ball);
+    CHECK_FALSE(world.model().ball_ball);
 }
 
 TEST_CASE("strike: a tip off its middle makes the ball turn, where balls turn") {
     World world = busy_box().world;
     CHECK(refusal(world, command::Strike{BallId{0}, {1.0, 0.0}, 0.1, 0.0}));
     CHECK(refusal(world, command::Strike{BallId{0}, {1.0, 0.0}, 0.0, 0.1}));
-    world.model.spin = 0.4;
-    world.model.cloth = Cloth{};
-    world.balls.spin.assign(world.balls.size(), 0.0);
-    world.balls.roll.assign(world.balls.size(), {});
+    world.edit_definition().model.spin = 0.4;
+    world.edit_definition().model.cloth = Cloth{};
+    world.edit_balls().spin.assign(world.balls().size(), 0.0);
+    world.edit_balls().roll.assign(world.balls().size(), {});
     CHECK(refusal(world, command::Strike{BallId{0}, {1.0, 0.0}, 0.4, 0.4}));
     const command::Strike strike{BallId{0}, {3.0, 4.0}, 0.2, 0.4};
     CHECK_FALSE(refusal(world, strike));
     execute(world, strike);
-    CHECK(world.balls.velocity[0] == Vec2{3.0, 4.0});
-    CHECK(world.balls.roll[0] == Vec2{3.0, 4.0});  // at 2/5 it rolls at once
-    CHECK(world.balls.spin[0] == doctest::Approx(2.5));
+    CHECK(world.balls().velocity[0] == Vec2{3.0, 4.0});
+    CHECK(world.balls().roll[0] == Vec2{3.0, 4.0});  // at 2/5 it rolls at once
+    CHECK(world.balls().spin[0] == doctest::Approx(2.5));
     execute(world, command::Strike{BallId{0}, {1.0, 0.0}});
-    CHECK(world.balls.roll[0] == Vec2{});
-    CHECK(world.balls.spin[0] == 0.0);
+    CHECK(world.balls().roll[0] == Vec2{});
+    CHECK(world.balls().spin[0] == 0.0);
 }

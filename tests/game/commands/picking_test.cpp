@@ -19,7 +19,7 @@ TEST_CASE("the ball under the hand is picked") {
 
 TEST_CASE("of balls that lie in one another the nearest centre is picked, then the lower id") {
     World world;
-    world.kinds = {Kind{}};
+    world.edit_definition().kinds = {Kind{}};
     add_ball(world, ball_at_rest({0.0, 0.0}));
     add_ball(world, ball_at_rest({0.5, 0.0}));
     add_ball(world, ball_at_rest({0.5, 0.0}));
@@ -29,7 +29,7 @@ TEST_CASE("of balls that lie in one another the nearest centre is picked, then t
 
 TEST_CASE("on a torus the hand reaches across the side") {
     World world = rainy_torus().world;
-    world.balls.position[0] = {0.2, 15.0};
+    world.edit_balls().position[0] = {0.2, 15.0};
     CHECK(ball_at(world, {39.8, 15.0}, 0.0) == BallId{0});
     CHECK(edge_at(world, {-14.5, 53.6}, 0.0) == CapsuleId{1});
 }
@@ -109,6 +109,6 @@ TEST_CASE("from ball to ball, round and round") {
     CHECK(next_ball(world, BallId{4}, true) == BallId{3});
     CHECK(next_ball(world, BallId{8}) == BallId{0});
     CHECK(next_ball(world, BallId{0}, true) == BallId{8});
-    world.balls = {};
+    world.edit_balls() = {};
     CHECK(next_ball(world, BallId{0}) == std::nullopt);
 }

@@ -46,15 +46,15 @@ struct Game {
           solver(pick_solver(scene.world).settings) {}
 
     void run(double seconds) {
-        for (int i = 0; i < static_cast<int>(seconds * world.rate); ++i) {
+        for (int i = 0; i < static_cast<int>(seconds * world.rate()); ++i) {
             solver.tick(world);
             update_game(scene, world, game, solver.contacts());
         }
     }
     /// Puts the first ball down, with a velocity, and lets half a second pass.
     void send(Vec2 millimetres, Vec2 velocity, double seconds = 0.05) {
-        world.balls.position[0] = millimetres * 0.001;
-        world.balls.velocity[0] = velocity;
+        world.edit_balls().position[0] = millimetres * 0.001;
+        world.edit_balls().velocity[0] = velocity;
         run(seconds);
     }
     void press(Button button, bool is_down) {
@@ -95,7 +95,7 @@ on pops hit while arrow score 5000, unlight arrow
     CHECK(game.state().score == 119);
     // It is down now: the next ball passes and meets the wall.
     game.send({50, 120}, {-1.0, 0.0}, 0.03);
-    CHECK(game.world.balls.position[0].x < 0.025);
+    CHECK(game.world.balls().position[0].x < 0.025);
     CHECK(game.state().score == 119);
     game.send({50, 180}, {-1.0, 0.0}, 0.1);
     CHECK(game.state().score == 1129);
@@ -112,11 +112,11 @@ TEST_CASE("a bank that shall stand again waits until no ball is in the way") {
     add_ball(game.world, {.kind = 0, .position = {0.2, 0.4}, .radius = 0.01});
     game.send({50, 120}, {-1.0, 0.0});
     game.send({50, 180}, {-1.0, 0.0});
-    game.world.balls.position[1] = {0.1, 0.32};
-    game.world.balls.velocity[1] = {0.0, -0.5};
+    game.world.edit_balls().position[1] = {0.1, 0.32};
+    game.world.edit_balls().velocity[1] = {0.0, -0.5};
     game.send({20, 180}, {});
     const auto side = [&](std::size_t which) {
-        return game.world.capsules.side[number(game.scene.table.devices[which].capsules[0])];
+        return game.world.capsules().side[number(game.scene.table.devices[which].capsules[0])];
     };
     CHECK(side(0) == Side::both);
     CHECK(side(1) == Side::none);
@@ -133,22 +133,22 @@ TEST_CASE("a ball that drains early comes back, a late one ends with its bonus")
     game.run(0.5);
     game.press(Button::plunger, false);
     game.run(0.01);
-    CHECK(game.world.balls.velocity[0].y == doctest::Approx(1.5).epsilon(0.01));
+    CHECK(game.world.balls().velocity[0].y == doctest::Approx(1.5).epsilon(0.01));
     game.send({200, 30}, {0.0, -1.0}, 0.1);
     CHECK(game.state().drained == 1);
     CHECK(game.state().message == "BALL SAVED");
-    REQUIRE(game.world.balls.size() == 1);
+    REQUIRE(game.world.balls().size() == 1);
     CHECK(game.state().ball == 1);
     game.run(2.0);
     game.send({360, 120}, {1.0, 0.0});
     CHECK(game.state().bonus == 3);
     game.send({200, 30}, {0.0, -1.0}, 0.1);
-    CHECK(game.world.balls.size() == 0);
+    CHECK(game.world.balls().size() == 0);
     CHECK(game.state().score == 3000);
     CHECK(game.state().message == "BONUS 3 x 500 x 2");
     game.run(3.0);
     CHECK(game.state().ball == 2);
-    REQUIRE(game.world.balls.size() == 1);
+    REQUIRE(game.world.balls().size() == 1);
     game.run(3.0);
     game.send({200, 30}, {0.0, -1.0}, 3.0);
     CHECK(game.state().phase == PinballState::Phase::over);
@@ -159,7 +159,7 @@ TEST_CASE("a ball that drains early comes back, a late one ends with its bonus")
     game.run(0.1);
     CHECK(game.state().phase == PinballState::Phase::playing);
     CHECK(game.state().score == 0);
-    CHECK(game.world.balls.size() == 1);
+    CHECK(game.world.balls().size() == 1);
 }
 
 TEST_CASE("an extra ball is played before the next one, and multiball has a save of its own") {
@@ -167,7 +167,7 @@ TEST_CASE("an extra ball is played before the next one, and multiball has a save
     game.send({200, 460}, {0.0, 1.0});
     CHECK(game.state().extra_balls == 1);
     game.send({360, 120}, {1.0, 0.0}, 3.0);
-    CHECK(game.state().to_serve + game.world.balls.size() == 3);
+    CHECK(game.state().to_serve + game.world.balls().size() == 3);
     CHECK(game.state().save_until > 0);
 }
 
@@ -178,7 +178,7 @@ TEST_CASE("nudging pushes balls, warns, and tilts in the end") {
     game.send({200, 300}, {});
     game.press(Button::nudge_right, true);
     game.run(0.2);
-    CHECK(game.world.balls.velocity[0].x == doctest::Approx(0.2).epsilon(0.05));
+    CHECK(game.world.balls().velocity[0].x == doctest::Approx(0.2).epsilon(0.05));
     CHECK(game.state().warnings == 0);
     game.press(Button::nudge_right, false);
     for (int i = 0; i < 4; ++i) {
@@ -191,7 +191,7 @@ TEST_CASE("nudging pushes balls, warns, and tilts in the end") {
     CHECK(game.state().bonus == 0);
     game.press(Button::left_flipper, true);
     game.run(0.1);
-    CHECK(game.world.flippers[0].progress == 0.0);
+    CHECK(game.world.flippers()[0].progress == 0.0);
     game.send({200, 460}, {0.0, 1.0});
     CHECK(game.state().score == 0);
 }
@@ -199,9 +199,9 @@ TEST_CASE("nudging pushes balls, warns, and tilts in the end") {
 TEST_CASE("a kickback sends a ball back once") {
     Game game("game pinball save=0s\non pops hit light rescue\n");
     game.send({60, 80}, {0.0, -1.0});
-    CHECK(game.world.balls.velocity[0].y > 1.0);
+    CHECK(game.world.balls().velocity[0].y > 1.0);
     game.send({60, 80}, {0.0, -1.0}, 0.02);
-    CHECK(game.world.balls.velocity[0].y < 0.0);
+    CHECK(game.world.balls().velocity[0].y < 0.0);
 }
 
 TEST_CASE("lights of rollovers go on by one with each press of a flipper") {
@@ -219,16 +219,17 @@ TEST_CASE("a ball search frees a ball that has come to lie somewhere") {
     Game game("game pinball save=0s\n");
     game.send({200, 300}, {}, 6.0);
     CHECK(game.state().searches == 1);
-    CHECK(length(game.world.balls.velocity[0]) > 0.1);
+    CHECK(length(game.world.balls().velocity[0]) > 0.1);
 }
 
 TEST_CASE("without a game the mechanisms of a table work all the same") {
     Game game("");
     game.send({50, 120}, {-1.0, 0.0});
-    CHECK(game.world.capsules.side[number(game.scene.table.devices[0].capsules[0])] == Side::none);
+    CHECK(game.world.capsules().side[number(game.scene.table.devices[0].capsules[0])] ==
+          Side::none);
     game.press(Button::left_flipper, true);
     game.run(0.1);
-    CHECK(game.world.flippers[0].progress == 1.0);
+    CHECK(game.world.flippers()[0].progress == 1.0);
     CHECK(game.state().score == 0);
 }
 
@@ -241,7 +242,7 @@ TEST_CASE("a plunger that a hand pulls sends the ball as far as it is pulled") {
         if (!by_hand) {
             game.run(0.9);
             game.press(Button::plunger, false);
-            return game.world.balls.velocity[0].y;
+            return game.world.balls().velocity[0].y;
         }
         const auto pull = [&](double to, bool lets_go) {
             const Command command = command::Pull{to, lets_go};
@@ -256,7 +257,7 @@ TEST_CASE("a plunger that a hand pulls sends the ball as far as it is pulled") {
         pull(share, true);
         CHECK(game.state().pull == 0.0);
         CHECK(game.state().is_launched);
-        return game.world.balls.velocity[0].y;
+        return game.world.balls().velocity[0].y;
     };
     CHECK(launched(0.0, true) == doctest::Approx(0.5));
     CHECK(launched(0.25, true) == doctest::Approx(1.0));
@@ -292,7 +293,7 @@ TEST_CASE("buttons are refused where there are none") {
     Session pinball(table, {});
     CHECK_FALSE(pinball.apply(command::Press{Button::left_flipper, true}).has_value());
     CHECK(pinball.apply(command::Press{Button::right_flipper, true}).has_value());
-    const CapsuleId flipper = table.world.flippers[0].capsule;
+    const CapsuleId flipper = table.world.flippers()[0].capsule;
     CHECK(pinball.apply(command::HoldCapsule{flipper, {}, {}}).has_value());
 }
 
@@ -336,9 +337,9 @@ TEST_CASE("a hole keeps a ball, and sends it on") {
         "game pinball save=0s\non cellar enter score 5\n");
     game.send({320, 200}, {-1.0, 0.0}, 0.4);
     CHECK(game.state().score == 5);
-    CHECK(game.world.balls.position[0] == Vec2{0.3, 0.2});
+    CHECK(game.world.balls().position[0] == Vec2{0.3, 0.2});
     game.run(0.2);
-    CHECK(game.world.balls.velocity[0].y > 0.8);
+    CHECK(game.world.balls().velocity[0].y > 0.8);
     CHECK(game.state().score == 5);
     CHECK(game.state().held.empty());
 }
@@ -349,27 +350,27 @@ TEST_CASE("a ball in a hole is in play: while it is there, no drain ends the tur
         "lamp locks at=320,300 at=340,300\n"
         "game pinball balls=3 save=0s bonus=10\n"
         "on cellar enter advance locks, bonus +1\non locks all multiball 3\n");
-    add_ball(game.world, {.kind = game.world.balls.kind[0],
+    add_ball(game.world, {.kind = game.world.balls().kind[0],
                           .position = {0.2, 0.05},
-                          .radius = game.world.balls.radius[0]});
+                          .radius = game.world.balls().radius[0]});
     game.send({320, 200}, {-1.0, 0.0}, 0.1);
     REQUIRE(game.state().held.size() == 1);
-    game.world.balls.velocity[1] = {0.0, -1.0};
+    game.world.edit_balls().velocity[1] = {0.0, -1.0};
     game.run(0.1);
     REQUIRE(game.state().drained == 1);
     CHECK(game.state().phase == PinballState::Phase::playing);
     CHECK(game.state().ball == 1);
     game.run(0.5);
-    CHECK(game.world.balls.velocity[0].y > 0.8);
+    CHECK(game.world.balls().velocity[0].y > 0.8);
     CHECK(game.state().phase == PinballState::Phase::playing);
     // And what has been locked stays so on the next ball.
     game.send({200, 40}, {0.0, -1.0}, 0.1);
     CHECK(game.state().phase == PinballState::Phase::counting);
     game.run(3.0);
     CHECK(game.state().ball == 2);
-    REQUIRE(game.world.balls.size() == 1);
+    REQUIRE(game.world.balls().size() == 1);
     game.send({320, 200}, {-1.0, 0.0}, 0.1);
-    CHECK(game.state().to_serve + game.world.balls.size() == 3);
+    CHECK(game.state().to_serve + game.world.balls().size() == 3);
 }
 
 TEST_CASE("a ramp takes balls to another layer, and back when they do not make it") {
@@ -377,16 +378,16 @@ TEST_CASE("a ramp takes balls to another layer, and back when they do not make i
         "material rail e=0.4 layer=1\nedge rail 100,450 300,450\n"
         "ramp up 150,400 250,400 pass=up layer=1\nramp down 150,350 250,350 pass=down layer=0\n"
         "game pinball save=0s\non up enter score 1\non down enter score 10\n");
-    const auto layer = [&] { return game.world.kinds[game.world.balls.kind[0]].layer; };
+    const auto layer = [&] { return game.world.kinds()[game.world.balls().kind[0]].layer; };
     // Below the rail on the table, where it does not stand.
     game.send({120, 430}, {0.0, 1.0});
-    CHECK(game.world.balls.position[0].y > 0.46);
+    CHECK(game.world.balls().position[0].y > 0.46);
     game.send({200, 380}, {0.0, 1.0}, 0.035);
     CHECK(layer() == 1);
     CHECK(game.state().score == 1);
     // Bounces off the rail, and is put down by the other ramp.
     game.run(0.5);
-    CHECK(game.world.balls.position[0].y < 0.4);
+    CHECK(game.world.balls().position[0].y < 0.4);
     CHECK(layer() == 0);
     // What comes the wrong way is not lifted.
     game.send({200, 340}, {0.0, 1.0}, 0.02);

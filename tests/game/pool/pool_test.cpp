@@ -24,7 +24,7 @@ struct Table {
 
     void shoot(Vec2 velocity) {
         REQUIRE_FALSE(refusal_to_shoot(play, *play.balls[0]));
-        world.balls.velocity[cue()] = velocity;
+        world.edit_balls().velocity[cue()] = velocity;
         begin_shot(play);
         wait();
     }
@@ -39,10 +39,12 @@ struct Table {
     }
     std::size_t cue() const { return *index_of(world, *play.balls[0]); }
     void put(int ball, Vec2 place) {
-        world.balls.position[*index_of(world, *play.balls[static_cast<std::size_t>(ball)])] = place;
+        world.edit_balls().position[*index_of(world, *play.balls[static_cast<std::size_t>(ball)])] =
+            place;
     }
     Vec2 place_of(int ball) const {
-        return world.balls.position[*index_of(world, *play.balls[static_cast<std::size_t>(ball)])];
+        return world.balls()
+            .position[*index_of(world, *play.balls[static_cast<std::size_t>(ball)])];
     }
 
     Scene scene;
@@ -76,7 +78,7 @@ TEST_CASE("a break is judged when the balls lie still, and every ball is on the 
             CHECK(table.play.rules.phase != PoolPhase::breaking);
             for (int ball = 0; ball < 16; ++ball) {
                 const auto id = table.play.balls[static_cast<std::size_t>(ball)];
-                const bool was_there = ball < static_cast<int>(table.scene.world.balls.size());
+                const bool was_there = ball < static_cast<int>(table.scene.world.balls().size());
                 CAPTURE(ball);
                 if (!was_there) CHECK_FALSE(id);
                 if (id) CHECK(index_of(table.world, *id));
@@ -112,7 +114,7 @@ TEST_CASE("a called ball in the called pocket gives the group, and the turn goes
     table.put(0, object - way * 0.3);
     int pocket = -1;
     for (std::size_t i = 0; i < table.scene.pool.pockets.size(); ++i) {
-        const Vec2 place = table.scene.world.zones[table.scene.pool.pockets[i]].shape.start;
+        const Vec2 place = table.scene.world.zones()[table.scene.pool.pockets[i]].shape.start;
         if (place.x > 1.0 && place.y > 0.5) pocket = static_cast<int>(i);
     }
     REQUIRE(pocket >= 0);
@@ -139,11 +141,12 @@ TEST_CASE("the 8 into the called pocket wins when it is its turn, and loses befo
         table.put(0, object - way * 0.2);
         for (int pocket = 0; pocket < 6; ++pocket) {
             const Vec2 place =
-                table.scene.world.zones[table.scene.pool.pockets[static_cast<std::size_t>(pocket)]]
+                table.scene.world
+                    .zones()[table.scene.pool.pockets[static_cast<std::size_t>(pocket)]]
                     .shape.start;
             if (place.x > 1.0 && place.y > 0.5) table.play.call = {PoolCall::Kind::pot, 8, pocket};
         }
-        table.world.balls.roll[table.cue()] = {};
+        table.world.edit_balls().roll[table.cue()] = {};
         table.shoot(way * 1.2);
         REQUIRE(table.play.rules.phase == PoolPhase::over);
         CHECK(table.play.rules.winner == (is_early ? 1 : 0));
@@ -158,13 +161,13 @@ TEST_CASE("a weak break: who comes next may have the balls racked anew") {
     make_choice(table.scene, table.world, table.play, PoolChoice::break_again);
     CHECK(table.play.rules.phase == PoolPhase::breaking);
     CHECK(table.play.rules.player == 1);
-    CHECK(table.world.balls.size() == 16);
+    CHECK(table.world.balls().size() == 16);
     for (int ball = 0; ball < 16; ++ball) {
         const BallId first =
             ball == 0 ? table.scene.pool.cue->ball
                       : table.scene.pool.racks[0].balls[static_cast<std::size_t>(ball - 1)];
         CHECK(table.place_of(ball) ==
-              table.scene.world.balls.position[*index_of(table.scene.world, first)]);
+              table.scene.world.balls().position[*index_of(table.scene.world, first)]);
     }
 }
 
@@ -187,7 +190,7 @@ TEST_CASE("the 9 that does not count comes back on the foot spot, or behind it")
 TEST_CASE(
     "a copy of the world and of the rack, taken in the middle of a shot, ends with the same bits") {
     Table table("eight-ball");
-    table.world.balls.velocity[table.cue()] = {9.0, 0.2};
+    table.world.edit_balls().velocity[table.cue()] = {9.0, 0.2};
     begin_shot(table.play);
     for (int i = 0; i < 100; ++i)
         table.step();

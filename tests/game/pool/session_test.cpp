@@ -29,7 +29,7 @@ struct Match {
     BallId cue() const { return *play().balls[cue_ball]; }
     Vec2 place_of(int ball) const {
         const BallId id = *play().balls[static_cast<std::size_t>(ball)];
-        return session.world().balls.position[*index_of(session.world(), id)];
+        return session.world().balls().position[*index_of(session.world(), id)];
     }
     std::optional<std::string> shoot(Vec2 velocity) {
         return session.apply(command::Strike{cue(), velocity});
@@ -191,13 +191,13 @@ TEST_CASE("undo takes a shot back with its call, to the very state") {
     if (match.play().rules.phase == PoolPhase::choosing)
         match.session.apply(command::Decide{match.play().rules.choices.front()});
     const std::uint64_t before = fingerprint(match.session.world(), match.session.game());
-    const std::uint64_t tick = match.session.world().tick;
+    const std::uint64_t tick = match.session.world().tick();
     CHECK_FALSE(match.session.apply(command::CallShot{{PoolCall::Kind::safety}}));
     CHECK_FALSE(match.shoot({0.5, 0.7}));
     match.wait();
     CHECK(fingerprint(match.session.world(), match.session.game()) != before);
     CHECK(match.session.undo());
-    CHECK(match.session.world().tick == tick);
+    CHECK(match.session.world().tick() == tick);
     CHECK(fingerprint(match.session.world(), match.session.game()) == before);
 }
 
@@ -234,7 +234,7 @@ TEST_CASE("going back and on again through a shot gives the same rules") {
     Match match("nine-ball");
     match.break_hard();
     const PoolPlay after = match.play();
-    const std::uint64_t tick = match.session.world().tick;
+    const std::uint64_t tick = match.session.world().tick();
     REQUIRE(match.session.go_to(tick / 2));
     CHECK(match.play().is_shooting);
     CHECK(match.play().shots == 1);
@@ -248,7 +248,7 @@ TEST_CASE("the next frame is broken by the other player; one that is not over by
     CHECK_FALSE(match.session.apply(command::RackAgain{}));
     CHECK(match.play().rules.phase == PoolPhase::breaking);
     CHECK(match.play().rules.player == 0);
-    CHECK(match.session.world().balls.size() == 16);
+    CHECK(match.session.world().balls().size() == 16);
     CHECK(match.play().rules.down == 0u);
 }
 
@@ -260,7 +260,7 @@ TEST_CASE("going back over a time that ran out, and on again, gives the same bit
     const auto play = [&]() -> const PoolPlay& { return std::get<PoolPlay>(session.game()); };
     const auto bits = [&] { return fingerprint(session.world(), session.game()); };
     REQUIRE(session.step_to_collision(200) == false);
-    CHECK(session.world().tick == 200);
+    CHECK(session.world().tick() == 200);
     CHECK(play().last_foul == PoolFoul::time);
     CHECK(play().rules.player == 1);
     CHECK(time_left(session.world(), play()) == 40);

@@ -37,11 +37,11 @@ TEST_CASE("the trick shots do what their levels say") {
         const Scene scene = test::shipped_level(trick.level);
         const World& world = scene.world;
         const BallId cue = scene.pool.cue->ball;
-        const Vec2 from = world.balls.position[*index_of(world, cue)];
+        const Vec2 from = world.balls().position[*index_of(world, cue)];
         Vec2 way{1.0, 0.0};
         if (!trick.at.empty()) {
             const Vec2 apart =
-                world.balls.position[*index_of(world, named(scene, trick.at))] - from;
+                world.balls().position[*index_of(world, named(scene, trick.at))] - from;
             way = apart / length(apart);
         }
         Solver solver(pick_solver(world).settings);
@@ -51,7 +51,7 @@ TEST_CASE("the trick shots do what their levels say") {
                      Tracks::none);
         CHECK(ahead.comes_to_rest);
         std::vector<std::string> fell;
-        for (const Removal& removal : ahead.world.removed)
+        for (const Removal& removal : ahead.world.removed())
             fell.push_back(scene.ball_names[number(removal.id)]);
         std::ranges::sort(fell);
         CHECK(fell == trick.falls);

@@ -52,7 +52,7 @@ TEST_CASE("a session that was cut off is taken up where it stood, bit by bit") {
     Session restored = std::move(replayer).take();
     CHECK(fingerprint(restored.world()) == fingerprint(original.world()));
     CHECK(restored.solver() == original.solver());
-    CHECK(restored.world().held_balls.size() == 1);
+    CHECK(restored.world().held_balls().size() == 1);
     for (int tick = 0; tick < 100; ++tick) {
         original.step_forward();
         restored.step_forward();
@@ -71,7 +71,7 @@ TEST_CASE("the future of a player who had gone back is kept") {
     }
     REQUIRE_FALSE(replayer.failure());
     Session restored = std::move(replayer).take();
-    CHECK(restored.world().tick == 200);
+    CHECK(restored.world().tick() == 200);
     CHECK(restored.latest() == 500);
     CHECK(fingerprint(restored.world()) == fingerprint(original.world()));
 }
@@ -79,7 +79,7 @@ TEST_CASE("the future of a player who had gone back is kept") {
 TEST_CASE("a replay of something else is noticed") {
     SUBCASE("another world") {
         Scene other = busy_box();
-        other.world.balls.velocity[0].x += 1e-9;
+        other.world.edit_balls().velocity[0].x += 1e-9;
         Replayer replayer(written_and_read(cut_off()), other);
         while (replayer.advance(1000)) {
         }
@@ -135,8 +135,8 @@ TEST_CASE("the level in a replay loads without any file, includes and overrides 
     const auto scene = scene_of(replay);
     REQUIRE(std::holds_alternative<Scene>(scene));
     CHECK(fingerprint(std::get<Scene>(scene).world) == fingerprint(session.world()));
-    CHECK(std::get<Scene>(scene).world.rate == 250.0);
-    CHECK(std::get<Scene>(scene).world.seed == 5);
+    CHECK(std::get<Scene>(scene).world.rate() == 250.0);
+    CHECK(std::get<Scene>(scene).world.seed() == 5);
 
     const auto refused = [](const Replay& changed) {
         const auto result = scene_of(changed);

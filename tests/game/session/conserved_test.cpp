@@ -12,9 +12,9 @@ TEST_CASE("an elastic box keeps its energy, and its walls take momentum") {
     World world = busy_box().world;
     CHECK(keeps_energy(world));
     CHECK_FALSE(keeps_momentum(world));
-    world.capsules = {};
+    world.edit_capsules() = {};
     CHECK(keeps_momentum(world));
-    world.model.gravity = Vec2{0.0, -1.0};
+    world.edit_definition().model.gravity = Vec2{0.0, -1.0};
     CHECK(keeps_energy(world));
     CHECK_FALSE(keeps_momentum(world));
 }
@@ -26,18 +26,22 @@ TEST_CASE("what loses, limits, feeds, drains or holds does not keep energy") {
         change(world);
         return keeps_energy(world);
     };
-    CHECK_FALSE(with([](World& w) { w.model.lossy = true; }));
-    CHECK_FALSE(with([](World& w) { w.model.drag = 0.1; }));
-    CHECK_FALSE(with([](World& w) { w.model.stop_speed = 0.1; }));
-    CHECK_FALSE(with([](World& w) { w.model.speed_limit = 10.0; }));
-    CHECK_FALSE(with([](World& w) { w.held_balls.push_back({}); }));
-    CHECK_FALSE(with([](World& w) { w.held_capsules.push_back({}); }));
-    CHECK_FALSE(with([](World& w) { w.zones.push_back({{}, Zone::Effect::sink, 0}); }));
-    CHECK(with([](World& w) { w.zones.push_back({{}, Zone::Effect::census, 0}); }));
+    CHECK_FALSE(with([](World& w) { w.edit_definition().model.lossy = true; }));
+    CHECK_FALSE(with([](World& w) { w.edit_definition().model.drag = 0.1; }));
+    CHECK_FALSE(with([](World& w) { w.edit_definition().model.stop_speed = 0.1; }));
+    CHECK_FALSE(with([](World& w) { w.edit_definition().model.speed_limit = 10.0; }));
+    CHECK_FALSE(with([](World& w) { w.edit_held_balls().push_back({}); }));
+    CHECK_FALSE(with([](World& w) { w.edit_held_capsules().push_back({}); }));
+    CHECK_FALSE(with([](World& w) {
+        w.edit_definition().zones.push_back({{}, Zone::Effect::sink, 0});
+    }));
+    CHECK(with([](World& w) {
+        w.edit_definition().zones.push_back({{}, Zone::Effect::census, 0});
+    }));
     Emitter emitter;
     emitter.count = 3;
-    CHECK_FALSE(with([&](World& w) { w.emitters = {emitter}; }));
+    CHECK_FALSE(with([&](World& w) { w.edit_emitters() = {emitter}; }));
     emitter.emitted = 3;
-    CHECK(with([&](World& w) { w.emitters = {emitter}; }));
+    CHECK(with([&](World& w) { w.edit_emitters() = {emitter}; }));
     CHECK_FALSE(keeps_energy(rainy_torus().world));
 }

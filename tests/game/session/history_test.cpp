@@ -13,8 +13,8 @@ namespace {
 
 World world_at(std::uint64_t tick, std::size_t balls = 10) {
     World grown;
-    grown.kinds = {Kind{}};
-    grown.tick = tick;
+    grown.edit_definition().kinds = {Kind{}};
+    grown.edit_tick() = tick;
     for (std::size_t i = 0; i < balls; ++i)
         add_ball(grown, ball_at_rest({3.0 * static_cast<double>(i), 0.0}));
     const World world = grown;  // a copy has no room to spare, as in a snapshot
@@ -27,7 +27,7 @@ double worst_gap(const History& history, std::uint64_t present) {
     double worst = 0.0;
     for (std::uint64_t tick = 1; tick < present - 100; ++tick) {
         const Snapshot* found = history.at_or_before(tick);
-        const std::uint64_t from = found ? found->world.tick : 0;
+        const std::uint64_t from = found ? found->world.tick() : 0;
         worst =
             std::max(worst, static_cast<double>(tick - from) / static_cast<double>(present - tick));
     }
@@ -41,9 +41,9 @@ TEST_CASE("a history gives the last snapshot at or before a tick") {
     for (const std::uint64_t tick : {30u, 10u, 20u})
         history.keep(world_at(tick), {});
     CHECK(history.at_or_before(9) == nullptr);
-    CHECK(history.at_or_before(10)->world.tick == 10);
-    CHECK(history.at_or_before(29)->world.tick == 20);
-    CHECK(history.at_or_before(1000)->world.tick == 30);
+    CHECK(history.at_or_before(10)->world.tick() == 10);
+    CHECK(history.at_or_before(29)->world.tick() == 20);
+    CHECK(history.at_or_before(1000)->world.tick() == 30);
 }
 
 TEST_CASE("a tick is kept once") {
@@ -51,7 +51,7 @@ TEST_CASE("a tick is kept once") {
     history.keep(world_at(5, 1), {});
     history.keep(world_at(5, 2), {});
     CHECK(history.size() == 1);
-    CHECK(history.at_or_before(5)->world.balls.size() == 1);
+    CHECK(history.at_or_before(5)->world.balls().size() == 1);
 }
 
 TEST_CASE("forgetting gives its memory back") {
@@ -62,7 +62,7 @@ TEST_CASE("forgetting gives its memory back") {
     history.forget_before(3);
     CHECK(history.size() == 5);
     CHECK(history.at_or_before(2) == nullptr);
-    CHECK(history.at_or_before(100)->world.tick == 7);
+    CHECK(history.at_or_before(100)->world.tick() == 7);
     history.forget_from(0);
     CHECK(history.bytes() == 0);
 }
@@ -78,7 +78,7 @@ TEST_CASE("memory stays under the limit, and gaps grow in proportion to the way 
             REQUIRE(history.bytes() <= room * one);
         }
         CHECK(history.size() > room / 2);
-        CHECK(history.at_or_before(tick)->world.tick == tick - 4);
+        CHECK(history.at_or_before(tick)->world.tick() == tick - 4);
         // With n snapshots in geometric steps over 20,000 ticks the share is about ln(20000)/n; it
         // is larger where thinning has just freed a quarter of the room.
         CHECK(worst_gap(history, tick) < 30.0 / static_cast<double>(room));

@@ -17,7 +17,7 @@ TEST_CASE("what is predicted happens, bit by bit") {
     REQUIRE(path.size() == 301);
     REQUIRE(session.apply(command::Strike{BallId{4}, {60.0, 45.0}}) == std::nullopt);
     for (const Vec2 place : path) {
-        REQUIRE(session.world().balls.position[4] == place);
+        REQUIRE(session.world().balls().position[4] == place);
         session.step_forward();
     }
 }
@@ -27,7 +27,7 @@ TEST_CASE("a prediction ends with its ball") {
     World world = busy_box().world;
     CHECK(predicted_path(world, solver, BallId{99}, {}, 10).empty());
     Zone sink{{{0.0, 15.0}, {40.0, 15.0}, 30.0}, Zone::Effect::sink, 0};
-    world.zones = {sink};
-    world.counters = {0};
+    world.edit_definition().zones = {sink};
+    world.edit_ledger().counters = {0};
     CHECK(predicted_path(world, solver, BallId{4}, {}, 10).size() == 1);
 }

@@ -32,41 +32,41 @@ bool same_bits(Vec2 a, Vec2 b) {
 }
 
 void check_same(const World& a, const World& b) {
-    REQUIRE(a.balls.size() == b.balls.size());
-    for (std::size_t i = 0; i < a.balls.size(); ++i) {
+    REQUIRE(a.balls().size() == b.balls().size());
+    for (std::size_t i = 0; i < a.balls().size(); ++i) {
         CAPTURE(i);
-        CHECK(same_bits(a.balls.position[i], b.balls.position[i]));
-        CHECK(same_bits(a.balls.velocity[i], b.balls.velocity[i]));
-        CHECK(same_bits(a.balls.radius[i], b.balls.radius[i]));
-        CHECK(same_bits(a.balls.inverse_mass[i], b.balls.inverse_mass[i]));
-        CHECK(a.balls.kind[i] == b.balls.kind[i]);
+        CHECK(same_bits(a.balls().position[i], b.balls().position[i]));
+        CHECK(same_bits(a.balls().velocity[i], b.balls().velocity[i]));
+        CHECK(same_bits(a.balls().radius[i], b.balls().radius[i]));
+        CHECK(same_bits(a.balls().inverse_mass[i], b.balls().inverse_mass[i]));
+        CHECK(a.balls().kind[i] == b.balls().kind[i]);
     }
-    CHECK(a.balls.restitution == b.balls.restitution);
-    CHECK(a.balls.spin == b.balls.spin);
-    CHECK(a.capsules.shape == b.capsules.shape);
-    CHECK(a.capsules.material == b.capsules.material);
-    CHECK(a.capsules.side == b.capsules.side);
-    CHECK(a.model == b.model);
-    CHECK(a.meets == b.meets);
-    CHECK(a.seed == b.seed);
-    CHECK(a.rate == b.rate);
-    REQUIRE(a.kinds.size() == b.kinds.size());
-    for (std::size_t i = 0; i < a.kinds.size(); ++i) {
-        CHECK(same_bits(a.kinds[i].radius, b.kinds[i].radius));
-        CHECK(same_bits(a.kinds[i].mass, b.kinds[i].mass));
-        CHECK(same_bits(a.kinds[i].restitution, b.kinds[i].restitution));
+    CHECK(a.balls().restitution == b.balls().restitution);
+    CHECK(a.balls().spin == b.balls().spin);
+    CHECK(a.capsules().shape == b.capsules().shape);
+    CHECK(a.capsules().material == b.capsules().material);
+    CHECK(a.capsules().side == b.capsules().side);
+    CHECK(a.model() == b.model());
+    CHECK(a.meets() == b.meets());
+    CHECK(a.seed() == b.seed());
+    CHECK(a.rate() == b.rate());
+    REQUIRE(a.kinds().size() == b.kinds().size());
+    for (std::size_t i = 0; i < a.kinds().size(); ++i) {
+        CHECK(same_bits(a.kinds()[i].radius, b.kinds()[i].radius));
+        CHECK(same_bits(a.kinds()[i].mass, b.kinds()[i].mass));
+        CHECK(same_bits(a.kinds()[i].restitution, b.kinds()[i].restitution));
     }
-    REQUIRE(a.materials.size() == b.materials.size());
-    for (std::size_t i = 0; i < a.materials.size(); ++i) {
-        CHECK(same_bits(a.materials[i].restitution, b.materials[i].restitution));
-        CHECK(same_bits(a.materials[i].soften, b.materials[i].soften));
-        CHECK(same_bits(a.materials[i].friction, b.materials[i].friction));
+    REQUIRE(a.materials().size() == b.materials().size());
+    for (std::size_t i = 0; i < a.materials().size(); ++i) {
+        CHECK(same_bits(a.materials()[i].restitution, b.materials()[i].restitution));
+        CHECK(same_bits(a.materials()[i].soften, b.materials()[i].soften));
+        CHECK(same_bits(a.materials()[i].friction, b.materials()[i].friction));
     }
-    REQUIRE(a.zones.size() == b.zones.size());
-    for (std::size_t i = 0; i < a.zones.size(); ++i) {
-        CHECK(a.zones[i].shape == b.zones[i].shape);
-        CHECK(a.zones[i].effect == b.zones[i].effect);
-        CHECK(a.zones[i].counter == b.zones[i].counter);
+    REQUIRE(a.zones().size() == b.zones().size());
+    for (std::size_t i = 0; i < a.zones().size(); ++i) {
+        CHECK(a.zones()[i].shape == b.zones()[i].shape);
+        CHECK(a.zones()[i].effect == b.zones()[i].effect);
+        CHECK(a.zones()[i].counter == b.zones()[i].counter);
     }
 }
 
@@ -162,20 +162,20 @@ TEST_CASE("all that is about the world is kept too") {
     REQUIRE(again.shows.size() == 2);
     CHECK(again.shows[0].counters == scene.shows[0].counters);
     CHECK(again.shows[0].expected == scene.shows[0].expected);
-    REQUIRE(again.world.emitters.size() == 1);
-    CHECK(again.world.emitters[0].every == scene.world.emitters[0].every);
-    CHECK(again.world.emitters[0].velocity_jitter == scene.world.emitters[0].velocity_jitter);
+    REQUIRE(again.world.emitters().size() == 1);
+    CHECK(again.world.emitters()[0].every == scene.world.emitters()[0].every);
+    CHECK(again.world.emitters()[0].velocity_jitter == scene.world.emitters()[0].velocity_jitter);
 }
 
 TEST_CASE("an emitter keeps what it still has to give, and one that is empty goes") {
     const Scene scene = loaded(natural);
     const World world = after(scene, 250 * 5);
-    const std::uint32_t given = world.emitters[0].emitted;
+    const std::uint32_t given = world.emitters()[0].emitted;
     REQUIRE(given > 5);
-    CHECK(loaded(level_text(scene, world)).world.emitters[0].count == 100 - given);
+    CHECK(loaded(level_text(scene, world)).world.emitters()[0].count == 100 - given);
     World empty = world;
-    empty.emitters[0].emitted = 100;
-    CHECK(loaded(level_text(scene, empty)).world.emitters.empty());
+    empty.edit_emitters()[0].emitted = 100;
+    CHECK(loaded(level_text(scene, empty)).world.emitters().empty());
 }
 
 TEST_CASE("what the player has changed is saved") {
@@ -209,6 +209,6 @@ TEST_CASE("an edge with very many points reads back") {
     for (int i = 0; i < 500; ++i)
         text += " \\\n " + std::to_string(i * 1.1) + "," + std::to_string(i % 7 / 3.0);
     const Scene scene = loaded(text + "\n");
-    REQUIRE(scene.world.capsules.size() == 499);
+    REQUIRE(scene.world.capsules().size() == 499);
     check_same(scene.world, loaded(level_text(scene, scene.world)).world);
 }

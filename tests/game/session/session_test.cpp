@@ -39,9 +39,10 @@ std::vector<std::uint64_t> play_busily(Session& session) {
         if (tick == 120) apply(command::SetSolver{discrete});
         if (tick == 200) apply(command::RemoveBall{BallId{3}});
         if (tick >= 210 && tick < 260)
-            apply(command::HoldCapsule{
-                session.world().capsules.id.back(), {30.0, 20.0 - 0.05 * (tick - 210)}, {36, 25}});
-        if (tick == 260) apply(command::DropCapsule{session.world().capsules.id.back()});
+            apply(command::HoldCapsule{session.world().capsules().id.back(),
+                                       {30.0, 20.0 - 0.05 * (tick - 210)},
+                                       {36, 25}});
+        if (tick == 260) apply(command::DropCapsule{session.world().capsules().id.back()});
         if (tick == 300) apply(command::SetGravity{});
         if (tick == 310) apply(command::SetSolver{swept});
         fingerprints.push_back(fingerprint(session.world()));
@@ -72,7 +73,7 @@ TEST_CASE("going back, forward and anywhere gives the same bits") {
             for (const std::uint64_t tick : {300u, 7u, 599u, 0u, 211u, 121u, 120u, 600u, 5u}) {
                 REQUIRE(session.go_to(tick));
                 CHECK(fingerprint(session.world()) == expected[tick]);
-                CHECK(session.world().tick == tick);
+                CHECK(session.world().tick() == tick);
             }
             CHECK(session.latest() == 600);
         }
@@ -125,11 +126,11 @@ TEST_CASE("what a forgotten future would have dropped is dropped") {
     Session session(busy_box(), swept);
     play_busily(session);
     REQUIRE(session.go_to(60));
-    REQUIRE(session.world().held_balls.size() == 1);
+    REQUIRE(session.world().held_balls().size() == 1);
     REQUIRE(session.apply(command::Strike{BallId{0}, {1.0, 2.0}}) == std::nullopt);
-    CHECK(session.world().held_balls.empty());
+    CHECK(session.world().held_balls().empty());
     session.step_forward();
-    CHECK(session.world().held_balls.empty());
+    CHECK(session.world().held_balls().empty());
 }
 
 TEST_CASE("undo takes back one gesture at a time") {
@@ -144,10 +145,10 @@ TEST_CASE("undo takes back one gesture at a time") {
     REQUIRE(session.apply(drop(9)) == std::nullopt);
     REQUIRE(session.apply(command::RemoveBall{BallId{1}}) == std::nullopt);
     CHECK(session.undo());
-    CHECK(session.world().balls.size() == 10);
-    CHECK(session.world().tick == 20);
+    CHECK(session.world().balls().size() == 10);
+    CHECK(session.world().tick() == 20);
     CHECK(session.undo());
-    CHECK(session.world().tick == 0);
+    CHECK(session.world().tick() == 0);
     CHECK(fingerprint(session.world()) == with_ball);
     CHECK(session.undo());
     CHECK(fingerprint(session.world()) == start);
@@ -162,7 +163,7 @@ TEST_CASE("two drags are two gestures") {
         REQUIRE(session.apply(drop(0)) == std::nullopt);
     }
     CHECK(session.undo());
-    CHECK(session.world().tick == 1);
+    CHECK(session.world().tick() == 1);
     CHECK(session.commands().size() == 2);
 }
 
@@ -174,8 +175,8 @@ TEST_CASE("of many moves of one hand in one tick the last counts") {
                         CapsuleId{edge}, {30.0, 20.0 + 0.01 * i}, {31.0, 21.0}}) == std::nullopt);
     }
     CHECK(session.commands().size() == 2);
-    REQUIRE(session.world().held_capsules.size() == 2);
-    CHECK(session.world().held_capsules[0].start_target.y == doctest::Approx(20.99));
+    REQUIRE(session.world().held_capsules().size() == 2);
+    CHECK(session.world().held_capsules()[0].start_target.y == doctest::Approx(20.99));
 }
 
 TEST_CASE("memory stays within its bound") {
@@ -212,11 +213,11 @@ TEST_CASE("a log that outgrows its memory moves the end of the way back, and say
     CHECK_FALSE(session.is_complete());
     CHECK_FALSE(session.go_to(session.earliest() - 1));
     while (session.step_back())
-        REQUIRE(fingerprint(session.world()) == fingerprints[session.world().tick]);
-    CHECK(session.world().tick == session.earliest());
+        REQUIRE(fingerprint(session.world()) == fingerprints[session.world().tick()]);
+    CHECK(session.world().tick() == session.earliest());
     session.restart();
     CHECK(session.is_complete());
-    CHECK(session.world().tick == 0);
+    CHECK(session.world().tick() == 0);
 }
 
 TEST_CASE("restart forgets the commands and keeps the solver") {
@@ -238,17 +239,17 @@ TEST_CASE("the next collision is one of a pair that did not touch before") {
     Session session(busy_box(), swept);
     REQUIRE(session.step_to_collision(10000));
     CHECK_FALSE(session.contacts().empty());
-    const auto first = session.world().tick;
+    const auto first = session.world().tick();
     REQUIRE(session.step_to_collision(10000));
-    CHECK(session.world().tick > first);
+    CHECK(session.world().tick() > first);
 }
 
 TEST_CASE("the search for a collision is bounded") {
     Scene scene = busy_box();
-    scene.world.balls = {};
+    scene.world.edit_balls() = {};
     Session session(scene, swept);
     CHECK_FALSE(session.step_to_collision(100));
-    CHECK(session.world().tick == 100);
+    CHECK(session.world().tick() == 100);
 }
 
 TEST_CASE(
@@ -280,7 +281,7 @@ TEST_CASE(
     SUBCASE("so do undoing and starting again") {
         REQUIRE(session.undo());
         for (const FingerprintMark& mark : session.marks())
-            CHECK(mark.tick < session.world().tick);
+            CHECK(mark.tick < session.world().tick());
         session.restart();
         CHECK(session.marks().empty());
     }
@@ -294,8 +295,8 @@ TEST_CASE("what is followed is what was done, goes no further, and obeys nobody"
     CHECK(session.apply(hold(1, {9.0, 9.0})));
     CHECK(fingerprint(session.world()) == fingerprints[0]);
     while (session.step_forward())
-        REQUIRE(fingerprint(session.world()) == fingerprints[session.world().tick]);
-    CHECK(session.world().tick == 600);
+        REQUIRE(fingerprint(session.world()) == fingerprints[session.world().tick()]);
+    CHECK(session.world().tick() == 600);
     CHECK(session.is_at_end());
     CHECK_FALSE(session.step_to_collision(1000));
     REQUIRE(session.go_to(333));
@@ -311,7 +312,7 @@ TEST_CASE("a command that cannot be followed ends it there, with the reason") {
     session.follow({{5, command::Strike{BallId{99}, {1.0, 1.0}}}}, 100);
     while (session.step_forward()) {
     }
-    CHECK(session.world().tick == 5);
+    CHECK(session.world().tick() == 5);
     CHECK(session.fault() == "at tick 5: there is no ball 99");
 }
 
@@ -330,8 +331,8 @@ TEST_CASE("all commands are kept where that is asked for, whatever they take") {
 // the ball was put where another still lay, and the session could not be taken up.
 TEST_CASE("balls that change places in a pause can be placed again in the order of the log") {
     Session session(busy_box(), swept);
-    const Vec2 one = session.world().balls.position[0];
-    const Vec2 two = session.world().balls.position[1];
+    const Vec2 one = session.world().balls().position[0];
+    const Vec2 two = session.world().balls().position[1];
     REQUIRE_FALSE(session.apply(command::PlaceBall{BallId{0}, {-20.0, -20.0}}));
     REQUIRE_FALSE(session.apply(command::PlaceBall{BallId{1}, one}));
     REQUIRE_FALSE(session.apply(command::PlaceBall{BallId{0}, two}));
@@ -343,8 +344,8 @@ TEST_CASE("balls that change places in a pause can be placed again in the order 
 
 TEST_CASE("a long tick that is given up has not happened, and can be begun again") {
     Scene scene = busy_box();
-    scene.world.rate = 1.0;
-    for (Vec2& velocity : scene.world.balls.velocity)
+    scene.world.edit_definition().rate = 1.0;
+    for (Vec2& velocity : scene.world.edit_balls().velocity)
         velocity *= 200.0;
     const SolverSettings event{.kind = SolverKind::event};
     Session session(scene, event);
@@ -373,7 +374,7 @@ TEST_CASE("a long tick that is given up has not happened, and can be begun again
     // On the way back, too: the present is then before the tick that was asked for.
     session.set_keep_going([] { return false; });
     CHECK_FALSE(session.go_to(2));
-    CHECK(session.world().tick < 2);
+    CHECK(session.world().tick() < 2);
     session.set_keep_going({});
     CHECK(session.go_to(3));
     CHECK(fingerprint(session.world()) == fingerprint(patient.world()));

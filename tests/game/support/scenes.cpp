@@ -33,8 +33,8 @@ Scene busy_box() {
     scene.text_hash = 0x1234;
     scene.view = {{0.0, 0.0}, {40.0, 30.0}};
     World& world = scene.world;
-    world.kinds = {Kind{.radius = 1.0, .mass = 1.0, .restitution = 1.0}};
-    world.materials = {Material{}};
+    world.edit_definition().kinds = {Kind{.radius = 1.0, .mass = 1.0, .restitution = 1.0}};
+    world.edit_definition().materials = {Material{}};
     scene.kind_names = {"ball"};
     scene.material_names = {"edge"};
     add_balls(world);
@@ -49,11 +49,11 @@ Scene rainy_torus() {
     Scene scene = busy_box();
     World& world = scene.world;
     world = World{};
-    world.kinds = {Kind{.radius = 1.0, .mass = 1.0, .restitution = 0.8}};
-    world.materials = {Material{.restitution = 0.7}};
-    world.model.lossy = true;
-    world.model.gravity = Vec2{0.0, -20.0};
-    world.model.wrap = scene.view;
+    world.edit_definition().kinds = {Kind{.radius = 1.0, .mass = 1.0, .restitution = 0.8}};
+    world.edit_definition().materials = {Material{.restitution = 0.7}};
+    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.gravity = Vec2{0.0, -20.0};
+    world.edit_definition().model.wrap = scene.view;
     add_balls(world);
     add_free_edges(world);
     return scene;

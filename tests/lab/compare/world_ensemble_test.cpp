@@ -43,7 +43,7 @@ TEST_CASE("copies begin within a hair of the first, which is the world itself, a
     const World start = pegs_and_ball();
     WorldEnsemble butterfly(start, {}, {.copies = 200, .size = 1e-6, .seed = 5});
     CHECK(butterfly.copies().size() == 200);
-    CHECK(butterfly.copies()[0].balls.position == start.balls.position);
+    CHECK(butterfly.copies()[0].balls().position == start.balls().position);
     CHECK(spread_of(butterfly) <= 1.5e-6);
     CHECK(difference(butterfly.copies()[1], butterfly.copies()[2]).max > 0.0);
     for (int i = 0; i < 1200; ++i)
@@ -72,7 +72,7 @@ TEST_CASE("the same seed gives the same copies, another seed others") {
 
 TEST_CASE("the density counts every ball that is in view once") {
     World world = pegs_and_ball();
-    world.balls.position = {{0, 0}, {39.9, 39.9}};
+    world.edit_balls().position = {{0, 0}, {39.9, 39.9}};
     const std::vector<World> copies{world, world, world};
     const Box view{{0, 0}, {40, 40}};
     const Density grid = density(copies, view, 8, 4);
@@ -102,14 +102,14 @@ TEST_CASE("a step that is interrupted goes on where it stopped, to the same bits
 
 TEST_CASE("the spread is the root mean square distance of the worst ball, in its radii") {
     World start = pegs_and_ball();
-    start.balls.radius[1] = 0.5;
+    start.edit_balls().radius[1] = 0.5;
     const WorldEnsemble butterfly(start, {}, {.copies = 5, .size = 1e-3, .seed = 5});
     double most = 0.0;
     for (std::size_t ball = 0; ball < 2; ++ball) {
         double sum = 0.0;
         for (const World& copy : butterfly.copies())
-            sum += length_squared(copy.balls.position[ball] - start.balls.position[ball]);
-        most = std::max(most, std::sqrt(sum / 4.0) / start.balls.radius[ball]);
+            sum += length_squared(copy.balls().position[ball] - start.balls().position[ball]);
+        most = std::max(most, std::sqrt(sum / 4.0) / start.balls().radius[ball]);
     }
     CHECK(butterfly.spread() == doctest::Approx(most).epsilon(1e-12));
     CHECK(WorldEnsemble(start, {}, {.copies = 1}).spread() == 0.0);
@@ -121,7 +121,7 @@ TEST_CASE("every copy obeys, and changes its solver") {
     butterfly.execute(command::RemoveBall{BallId{0}});
     butterfly.execute(command::SetSolver{{.kind = SolverKind::discrete}});
     World alone = butterfly.copies()[2];
-    CHECK(alone.balls.size() == 1);
+    CHECK(alone.balls().size() == 1);
     Solver solver({.kind = SolverKind::discrete});
     for (int i = 0; i < 300; ++i) {
         butterfly.step();

@@ -27,7 +27,7 @@ Scene shipped(std::string_view table, std::string_view folder = "/levels/") {
 DemoGames check_table(std::string_view table, std::uint64_t balls) {
     CAPTURE(table);
     const Scene scene = shipped(table);
-    CHECK(scene.world.rate >= 1000.0);
+    CHECK(scene.world.rate() >= 1000.0);
     const DemoGames games = play_demo_games(scene, pick_solver(scene.world).settings, balls);
     CHECK(games.ball_times.size() == balls);
     CHECK(games.lost == 0);
@@ -64,7 +64,7 @@ TEST_CASE("carom's own games are the same each time") {
     const DemoGames second = play_demo_games(scene, solver, 2);
     CHECK(first.ball_times == second.ball_times);
     Scene other = scene;
-    other.world.seed = 5;
+    other.world.edit_definition().seed = 5;
     CHECK(play_demo_games(other, solver, 2).ball_times != first.ball_times);
 }
 

@@ -54,9 +54,9 @@ TEST_CASE("a ball that is nowhere is infinitely far off") {
 TEST_CASE("the mean radius counts what is still to come") {
     World world;
     CHECK(mean_radius(world) == 1.0);
-    world.kinds = {Kind{.radius = 2.0}, Kind{.radius = 5.0}};
+    world.edit_definition().kinds = {Kind{.radius = 2.0}, Kind{.radius = 5.0}};
     add_ball(world, {.kind = 0, .position = {0, 0}});
     CHECK(mean_radius(world) == 2.0);
-    world.emitters.push_back({.kind = 1, .count = 3, .emitted = 1});
+    world.edit_emitters().push_back({.kind = 1, .count = 3, .emitted = 1});
     CHECK(mean_radius(world) == 4.0);
 }

@@ -28,7 +28,7 @@ TEST_CASE("the common rate is the greatest of which all are multiples") {
 
 TEST_CASE("what is measured: each solver at each rate, nothing twice, the level's own first") {
     Scene scene;
-    scene.world.rate = 120;
+    scene.world.edit_definition().rate = 120;
     scene.solver = SolverSettings{.kind = SolverKind::substep, .updates = 7};
     const std::array kinds{SolverKind::discrete, SolverKind::substep, SolverKind::swept};
     const std::vector<Choice> choices = choices_for(scene, kinds, usual_rates(120));
@@ -43,10 +43,10 @@ TEST_CASE("what is measured: each solver at each rate, nothing twice, the level'
         CHECK(std::ranges::count(choices, choice) == 1);
 
     // A solver that would leave the cloth out has nothing to be measured by.
-    scene.world.model.cloth = Cloth{};
+    scene.world.edit_definition().model.cloth = Cloth{};
     for (const Choice& choice : choices_for(scene, solvers_available(), usual_rates(120)))
         CHECK(choice.solver.kind != SolverKind::contact);
-    scene.world.model.cloth.reset();
+    scene.world.edit_definition().model.cloth.reset();
 
     const std::array one{SolverKind::discrete};
     for (const Choice& choice : choices_for(scene, one, usual_rates(120)))

@@ -23,14 +23,14 @@ World world_of(const std::string& statements) {
 TEST_CASE("where energy is kept, any change counts, for good") {
     World world = world_of("ball a at=0,0 v=3,0 r=1 m=2\nball b at=9,0 v=-1,0 r=1 m=2\n");
     ConservationWatch watch(world);  // energy 10, sum of momenta 8
-    world.balls.velocity[0] = {2, 0};
+    world.edit_balls().velocity[0] = {2, 0};
     watch.note(world);
     CHECK(watch.energy_drift() == doctest::Approx(0.5));
     CHECK(watch.momentum_drift() == doctest::Approx(0.25));
-    world.balls.velocity[0] = {3, 0};
+    world.edit_balls().velocity[0] = {3, 0};
     watch.note(world);
     CHECK(watch.energy_drift() == doctest::Approx(0.5));
-    world.balls.velocity[0] = {std::numeric_limits<double>::quiet_NaN(), 0};
+    world.edit_balls().velocity[0] = {std::numeric_limits<double>::quiet_NaN(), 0};
     watch.note(world);
     CHECK(std::isinf(*watch.energy_drift()));
     CHECK(std::isinf(*watch.momentum_drift()));
@@ -39,10 +39,10 @@ TEST_CASE("where energy is kept, any change counts, for good") {
 TEST_CASE("where the scene takes energy, only a rise counts") {
     World world = world_of("use drag 0.1\nball a at=0,0 v=2,0\n");
     ConservationWatch watch(world);
-    world.balls.velocity[0] = {1, 0};
+    world.edit_balls().velocity[0] = {1, 0};
     watch.note(world);
     CHECK(watch.energy_drift() == 0.0);
-    world.balls.velocity[0] = {4, 0};
+    world.edit_balls().velocity[0] = {4, 0};
     watch.note(world);
     CHECK(watch.energy_drift() == doctest::Approx(0.75));
     CHECK(watch.momentum_drift() == std::nullopt);

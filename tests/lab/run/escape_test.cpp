@@ -14,8 +14,8 @@ struct Rooms {
     Scene scene;
 
     Rooms() {
-        scene.world.kinds = {{}};
-        scene.world.materials = {{}};
+        scene.world.edit_definition().kinds = {{}};
+        scene.world.edit_definition().materials = {{}};
         add_box({0, 0}, {10, 10});
         add_box({4, 4}, {6, 6});
         add_box({20, 0}, {30, 10});
@@ -32,7 +32,7 @@ struct Rooms {
         return add_ball(scene.world, {.kind = 0, .position = position, .radius = 0.1});
     }
     void move(BallId id, Vec2 position) {
-        scene.world.balls.position[*index_of(scene.world, id)] = position;
+        scene.world.edit_balls().position[*index_of(scene.world, id)] = position;
     }
 };
 

@@ -45,9 +45,9 @@ TEST_CASE("the deepest overlap is the deepest at the end of any tick so far") {
     RunWatch watch(scene, RunWatch::Conservation::ignored);
     World world = scene.world;
     CHECK(watch.value(figure("max_overlap"), world) == 0.0);
-    world.balls.position[1] = {1.5, 0.0};
+    world.edit_balls().position[1] = {1.5, 0.0};
     watch.note_tick(world);
-    world.balls.position[1] = {3.0, 0.0};
+    world.edit_balls().position[1] = {3.0, 0.0};
     watch.note_tick(world);
     CHECK(watch.value(figure("max_overlap"), world) == 0.5);
 }
@@ -56,7 +56,7 @@ TEST_CASE("drifts are noted where they are asked for") {
     const Scene scene = test::load("ball a at=0,0 v=1,0\n");
     RunWatch watch(scene, RunWatch::Conservation::noted);
     World world = scene.world;
-    world.balls.velocity[0] = {2.0, 0.0};
+    world.edit_balls().velocity[0] = {2.0, 0.0};
     watch.note_tick(world);
     CHECK(watch.value(figure("energy_drift"), world) == 0.75);
     CHECK(watch.value(figure("momentum_drift"), world) == 0.5);

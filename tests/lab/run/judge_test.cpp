@@ -25,7 +25,7 @@ RunRecord run(const Scene& scene, std::uint64_t ticks) {
     World world = scene.world;
     Solver solver(solver_for(scene));
     RunRecord record = begin_record(scene, solver.settings());
-    while (world.tick < ticks) {
+    while (world.tick() < ticks) {
         solver.tick(world);
         note_tick(record, scene, world);
     }
@@ -74,7 +74,7 @@ TEST_CASE("quantities of the world") {
         CAPTURE(name(row.kind));
         Quantity quantity;
         quantity.kind = row.kind;
-        quantity.ball = scene.world.balls.id[0];
+        quantity.ball = scene.world.balls().id[0];
         CHECK(measure(quantity, scene.world, nullptr) == row.value);
     }
 }
@@ -83,7 +83,7 @@ TEST_CASE("a ball that is gone has no place") {
     Scene scene = load("ball a at=3,4\nball b at=9,9\n");
     Quantity quantity;
     quantity.kind = quantity_named("x");
-    quantity.ball = scene.world.balls.id[0];
+    quantity.ball = scene.world.balls().id[0];
     remove_ball(scene.world, quantity.ball);
     CHECK_FALSE(measure(quantity, scene.world, nullptr).has_value());
     const Expect expect{.quantity = "a.x", .what = quantity, .value = 3.0, .tolerance = 1e9};
@@ -92,7 +92,7 @@ TEST_CASE("a ball that is gone has no place") {
 
 TEST_CASE("quantities of bins") {
     World world;
-    world.counters = {1, 2, 1};
+    world.edit_ledger().counters = {1, 2, 1};
     const std::vector<double> fair{0.25, 0.5, 0.25};
     CHECK(measure(of_bins(quantity_named("count"), fair), world, nullptr) == 4.0);
     CHECK(measure(of_bins(quantity_named("mean"), fair), world, nullptr) == 1.0);
@@ -100,7 +100,7 @@ TEST_CASE("quantities of bins") {
     CHECK(measure(of_bins(quantity_named("variance_ratio"), fair), world, nullptr) == 1.0);
     CHECK(measure(of_bins(quantity_named("chi_square"), fair), world, nullptr) == 0.0);
 
-    world.counters = {4, 0, 0};
+    world.edit_ledger().counters = {4, 0, 0};
     CHECK(measure(of_bins(quantity_named("mean"), fair), world, nullptr) == 0.0);
     CHECK(measure(of_bins(quantity_named("variance"), fair), world, nullptr) == 0.0);
     // (4-1)^2/1 + (0-2)^2/2 + (0-1)^2/1
@@ -111,7 +111,7 @@ TEST_CASE("quantities of bins") {
     CHECK_FALSE(
         measure(of_bins(quantity_named("variance_ratio"), {1, 0, 0}), world, nullptr).has_value());
 
-    world.counters = {0, 0, 0};
+    world.edit_ledger().counters = {0, 0, 0};
     CHECK(measure(of_bins(quantity_named("count"), fair), world, nullptr) == 0.0);
     CHECK_FALSE(measure(of_bins(quantity_named("mean"), fair), world, nullptr).has_value());
     CHECK_FALSE(measure(of_bins(quantity_named("chi_square"), fair), world, nullptr).has_value());
@@ -151,11 +151,11 @@ TEST_CASE("every quantity that a level can expect is computed") {
     const Scene scene = load("ball a at=3,4 v=1,0\nuse spin\n");
     const RunWatch watch = watch_of(scene);
     World world = scene.world;
-    world.counters = {1, 2, 1};
+    world.edit_ledger().counters = {1, 2, 1};
     for (const QuantityKind kind : quantity_kinds()) {
         CAPTURE(name(kind));
         Quantity quantity = of_bins(kind, {0.25, 0.5, 0.25});
-        quantity.ball = world.balls.id[0];
+        quantity.ball = world.balls().id[0];
         CHECK(measure(quantity, world, &watch).has_value());
         const bool needs_watch = kind->scope == QuantityScope::run;
         CHECK(measure(quantity, world, nullptr).has_value() != needs_watch);

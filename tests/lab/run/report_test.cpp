@@ -28,7 +28,7 @@ Finished run(const std::string& statements, std::uint64_t ticks) {
     run.world = run.scene.world;
     Solver solver(solver_for(run.scene));
     run.record = begin_record(run.scene, solver.settings());
-    while (run.world.tick < ticks) {
+    while (run.world.tick() < ticks) {
         solver.tick(run.world);
         note_tick(run.record, run.scene, run.world);
     }

@@ -16,17 +16,17 @@ namespace {
 void check_clear(const World& world) {
     std::vector<Box> boxes;
     const auto disc = [&](std::size_t i) {
-        return Disc{world.balls.position[i], world.balls.radius[i]};
+        return Disc{world.balls().position[i], world.balls().radius[i]};
     };
-    for (std::size_t i = 0; i < world.balls.size(); ++i)
+    for (std::size_t i = 0; i < world.balls().size(); ++i)
         boxes.push_back(bounds(disc(i)));
     const BoxTree tree(boxes);
-    for (std::size_t i = 0; i < world.balls.size(); ++i) {
-        for (const Capsule& edge : world.capsules.shape) {
+    for (std::size_t i = 0; i < world.balls().size(); ++i) {
+        for (const Capsule& edge : world.capsules().shape) {
             if (separation(disc(i), edge) < 0.0) FAIL_CHECK("ball " << i << " is in an edge");
         }
         tree.query(boxes[i], [&](std::uint32_t k) {
-            if (k < i && separation(disc(i), disc(k)) < -1e-9 * world.balls.radius[i])
+            if (k < i && separation(disc(i), disc(k)) < -1e-9 * world.balls().radius[i])
                 FAIL_CHECK("balls " << i << " and " << k << " overlap");
             return true;
         });
@@ -35,8 +35,8 @@ void check_clear(const World& world) {
 
 void check_inside(const World& world, const Box& box) {
     check_clear(world);
-    for (std::size_t i = 0; i < world.balls.size(); ++i) {
-        const Box around = bounds(Disc{world.balls.position[i], world.balls.radius[i]});
+    for (std::size_t i = 0; i < world.balls().size(); ++i) {
+        const Box around = bounds(Disc{world.balls().position[i], world.balls().radius[i]});
         const bool is_inside =
             around.low.x >= box.low.x - 1e-9 && around.low.y >= box.low.y - 1e-9 &&
             around.high.x <= box.high.x + 1e-9 && around.high.y <= box.high.y + 1e-9;
@@ -54,10 +54,10 @@ TEST_CASE("fills are seeded, inside their box, and clear of obstacles") {
     const World b = load_clean("seed 1\n" + lines).world;
     const World c = load_clean("seed 2\n" + lines).world;
     check_inside(a, {{0, 0}, {100, 100}});
-    CHECK(a.balls.position == b.balls.position);
-    CHECK(a.balls.position != c.balls.position);
-    CHECK(*std::ranges::min_element(a.balls.radius) >= 1.0);
-    CHECK(a.balls.radius[0] == 10.0);
+    CHECK(a.balls().position == b.balls().position);
+    CHECK(a.balls().position != c.balls().position);
+    CHECK(*std::ranges::min_element(a.balls().radius) >= 1.0);
+    CHECK(a.balls().radius[0] == 10.0);
 }
 
 TEST_CASE("size and speed of a ball do not depend on how many follow") {
@@ -68,8 +68,8 @@ TEST_CASE("size and speed of a ball do not depend on how many follow") {
     };
     const World few = world("10");
     const World more = world("50");
-    CHECK(few.balls.radius[9] == more.balls.radius[9]);
-    CHECK(few.balls.velocity[9] == more.balls.velocity[9]);
+    CHECK(few.balls().radius[9] == more.balls().radius[9]);
+    CHECK(few.balls().velocity[9] == more.balls().velocity[9]);
 }
 
 TEST_CASE("the balls of fills are in the order of the file") {
@@ -77,7 +77,7 @@ TEST_CASE("the balls of fills are in the order of the file") {
                             "ball at=-5,0 r=0.5\nfill count=3 box=0,0,9,9 r=0.5\n"
                             "ball at=-9,0 r=0.25\nfill count=2 box=20,0,29,9 r=0.5\n")
                             .world;
-    CHECK(world.balls.radius == std::vector<double>{0.5, 0.5, 0.5, 0.5, 0.25, 0.5, 0.5});
+    CHECK(world.balls().radius == std::vector<double>{0.5, 0.5, 0.5, 0.5, 0.25, 0.5, 0.5});
 }
 
 TEST_CASE("fills reach packings from thin to dense") {
@@ -91,9 +91,9 @@ TEST_CASE("fills reach packings from thin to dense") {
 }
 
 TEST_CASE("balls fill a box that they just fit") {
-    CHECK(load_clean("fill count=25 box=0,0,10,10 r=1\n").world.balls.size() == 25);
-    CHECK(load_clean("fill count=1 box=0,0,2,2 r=1\n").world.balls.position[0] == Vec2{1, 1});
-    CHECK(load_clean("fill count=50 box=0,0,100,2 r=1\n").world.balls.size() == 50);
+    CHECK(load_clean("fill count=25 box=0,0,10,10 r=1\n").world.balls().size() == 25);
+    CHECK(load_clean("fill count=1 box=0,0,2,2 r=1\n").world.balls().position[0] == Vec2{1, 1});
+    CHECK(load_clean("fill count=50 box=0,0,100,2 r=1\n").world.balls().size() == 50);
     CHECK(load_lines("fill count=1 box=0,0,1,1 r=1\n").diagnostics.size() == 1);
     CHECK(load_lines("peg at=5,5 r=99\nfill count=5 box=0,0,10,10 r=1e-9\n").diagnostics.size() ==
           1);
@@ -105,14 +105,14 @@ TEST_CASE("fills take radii over six powers of ten") {
                             "fill count=1 box=2000,0,4000,2000 r=900\n"
                             "fill count=5000 box=2000,0,4000,2000 r=0.001\n")
                             .world;
-    CHECK(world.balls.size() == 25001);
+    CHECK(world.balls().size() == 25001);
     check_clear(world);
 }
 
 TEST_CASE("speeds are fixed, from a range, or Gaussian with an exact mean square") {
     const World fixed = load_clean("fill count=2000 box=0,0,300,300 r=0.5 speed=3 v=10,0\n").world;
     Vec2 sum;
-    for (const Vec2 v : fixed.balls.velocity) {
+    for (const Vec2 v : fixed.balls().velocity) {
         CHECK(length(v - Vec2{10, 0}) == doctest::Approx(3));
         sum += v - Vec2{10, 0};
     }
@@ -122,7 +122,7 @@ TEST_CASE("speeds are fixed, from a range, or Gaussian with an exact mean square
     const World gas = load_clean("fill count=20000 box=0,0,900,900 r=0.5 rms=7\n").world;
     double square = 0.0;
     double fourth = 0.0;
-    for (const Vec2 v : gas.balls.velocity) {
+    for (const Vec2 v : gas.balls().velocity) {
         square += length_squared(v);
         fourth += length_squared(v) * length_squared(v);
     }
@@ -136,9 +136,9 @@ TEST_CASE("the radius may be an expression of the mass") {
         load_clean("let k=0.8\nfill count=500 box=0,0,200,200 m=1..6 r=sqrt(m)*k\n").world;
     double least = 9.0;
     double most = 0.0;
-    for (std::size_t i = 0; i < world.balls.size(); ++i) {
-        const double mass = 1.0 / world.balls.inverse_mass[i];
-        CHECK(world.balls.radius[i] == doctest::Approx(0.8 * std::sqrt(mass)));
+    for (std::size_t i = 0; i < world.balls().size(); ++i) {
+        const double mass = 1.0 / world.balls().inverse_mass[i];
+        CHECK(world.balls().radius[i] == doctest::Approx(0.8 * std::sqrt(mass)));
         least = std::min(least, mass);
         most = std::max(most, mass);
     }
@@ -153,7 +153,7 @@ TEST_CASE("a fill that does not fit may overlap obstacles that do not collide wi
         const LoadResult result = load_lines(lines);
         CAPTURE(lines);
         CHECK(result.scene.has_value());
-        return result.scene ? result.scene->world.balls.size() : 0;
+        return result.scene ? result.scene->world.balls().size() : 0;
     };
     const std::string full = "box 0,0 10,10\nball large at=5,5 r=4.9\n";
     CHECK(count("kind ghost\ncollide ghost edge\ncollide ball edge\n" + full +

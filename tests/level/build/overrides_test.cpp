@@ -26,13 +26,13 @@ TEST_CASE("--set replaces the statement of the same kind") {
     CHECK(rendered(result) == "");
     REQUIRE(result.scene);
     const World& world = result.scene->world;
-    CHECK(world.model.gravity == Vec2{0, -1.6});
-    CHECK(world.model.drag == 1.0);
-    CHECK(world.model.speed_limit == 3.0);
-    CHECK(world.balls.size() == 2);
-    CHECK(world.balls.radius[0] == 1.0);
-    CHECK(world.rate == 240.0);
-    CHECK(world.seed == 4);
+    CHECK(world.model().gravity == Vec2{0, -1.6});
+    CHECK(world.model().drag == 1.0);
+    CHECK(world.model().speed_limit == 3.0);
+    CHECK(world.balls().size() == 2);
+    CHECK(world.balls().radius[0] == 1.0);
+    CHECK(world.rate() == 240.0);
+    CHECK(world.seed() == 4);
     CHECK(result.scene->solver == SolverSettings{SolverKind::swept, 4, 15, 4});
     CHECK(result.scene->view.high == Vec2{50, 50});
     CHECK(result.scene->overridden);
@@ -41,13 +41,13 @@ TEST_CASE("--set replaces the statement of the same kind") {
 TEST_CASE("--set sees the lets above the statement that it replaces") {
     const LoadResult result = with("let g=5\nuse gravity 0,-g\n", {"use gravity 0,-2*g"});
     REQUIRE(result.scene);
-    CHECK(result.scene->world.model.gravity == Vec2{0, -10});
+    CHECK(result.scene->world.model().gravity == Vec2{0, -10});
 }
 
 TEST_CASE("--set to 0 turns a term off") {
     const LoadResult result = with("use drag 3\n", {"use drag 0"});
     REQUIRE(result.scene);
-    CHECK_FALSE(result.scene->world.model.drag);
+    CHECK_FALSE(result.scene->world.model().drag);
 }
 
 TEST_CASE("diagnostics name --set as their source") {
@@ -89,6 +89,6 @@ TEST_CASE("options outrank the file, and count as overrides where they differ") 
     other.solver->kind = SolverKind::swept;
     CHECK(overridden(other));
     const Scene scene = load_lines("seed 5\n", other).scene.value();
-    CHECK(scene.world.rate == 60.0);
+    CHECK(scene.world.rate() == 60.0);
     CHECK(scene.solver->kind == SolverKind::swept);
 }

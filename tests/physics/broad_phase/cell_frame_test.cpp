@@ -27,12 +27,12 @@ TEST_CASE(
         World world = scenes::gas(400, 8, torus);
         if (!torus) {  // some far outside of where most are
             for (std::uint64_t i = 0; i < 30; ++i)
-                world.balls.position[i] = {draw(-900, 900, i, 0), draw(500, 900, i, 1)};
+                world.edit_balls().position[i] = {draw(-900, 900, i, 0), draw(500, 900, i, 1)};
         }
         const CellFrame frame = frame_around(world, 2.5);
         PointCells cells;
-        cells.rebuild(frame, world.balls.position);
-        const Vec2 around = torus ? size(*world.model.wrap) : Vec2{1e12, 1e12};
+        cells.rebuild(frame, world.balls().position);
+        const Vec2 around = torus ? size(*world.model().wrap) : Vec2{1e12, 1e12};
         for (std::size_t i = 0; i < 400; ++i) {
             std::vector<std::uint32_t> near;
             cells.for_each_near(i, [&](std::uint32_t j) { near.push_back(j); });
@@ -40,7 +40,7 @@ TEST_CASE(
             CHECK(std::ranges::adjacent_find(near) == near.end());
             for (std::uint32_t j = 0; j < 400; ++j) {
                 const Vec2 offset =
-                    nearest_image(world.balls.position[i] - world.balls.position[j], around);
+                    nearest_image(world.balls().position[i] - world.balls().position[j], around);
                 if (length(offset) < 2.5) CHECK(std::ranges::binary_search(near, j));
             }
         }
@@ -51,13 +51,13 @@ TEST_CASE("moving balls from cell to cell is the same as building the cells agai
     World world = scenes::gas(200, 8);
     const CellFrame frame = frame_around(world, 3.0);
     PointCells moved;
-    moved.rebuild(frame, world.balls.position);
+    moved.rebuild(frame, world.balls().position);
     for (std::uint64_t i = 0; i < 200; ++i) {
-        world.balls.position[i] += {draw(-9, 9, i, 2), draw(-9, 9, i, 3)};
-        moved.move(i, world.balls.position[i]);
+        world.edit_balls().position[i] += {draw(-9, 9, i, 2), draw(-9, 9, i, 3)};
+        moved.move(i, world.balls().position[i]);
     }
     PointCells built;
-    built.rebuild(frame, world.balls.position);
+    built.rebuild(frame, world.balls().position);
     const auto near = [](const PointCells& cells, std::size_t i) {
         std::vector<std::uint32_t> found;
         cells.for_each_near(i, [&](std::uint32_t j) { found.push_back(j); });
@@ -80,15 +80,15 @@ TEST_CASE("an edge is in every cell from which a ball can touch it") {
         const CellFrame frame = frame_around(world, 2.0);
         CapsuleCells edges;
         edges.update(world, frame, 1.0);
-        const Vec2 around = torus ? size(*world.model.wrap) : Vec2{};
+        const Vec2 around = torus ? size(*world.model().wrap) : Vec2{};
         for (std::uint64_t k = 0; k < 4000; ++k) {
             Vec2 p{draw(-20, 90, k, 9), draw(-20, 90, k, 10)};
-            if (torus) p = wrapped(p, *world.model.wrap);
+            if (torus) p = wrapped(p, *world.model().wrap);
             const auto in_cell = edges.in_cell(frame.index(frame.column(p.x), frame.row(p.y)));
-            for (std::uint32_t c = 0; c < world.capsules.size(); ++c) {
+            for (std::uint32_t c = 0; c < world.capsules().size(); ++c) {
                 for (int across = torus ? -1 : 0; across <= (torus ? 1 : 0); ++across) {
                     for (int along = torus ? -1 : 0; along <= (torus ? 1 : 0); ++along) {
-                        Capsule image = world.capsules.shape[c];
+                        Capsule image = world.capsules().shape[c];
                         const Vec2 shift{across * around.x, along * around.y};
                         image.start += shift;
                         image.end += shift;
@@ -111,7 +111,7 @@ TEST_CASE("paths that come near share a cell, each pair once") {
     cells.reset(frame, 200);
     std::vector<Box> boxes;
     for (std::uint32_t i = 0; i < 200; ++i) {
-        const Vec2 p = world.balls.position[i];
+        const Vec2 p = world.balls().position[i];
         const Vec2 to = p + Vec2{draw(-30, 30, i, 11), draw(-30, 30, i, 12)};
         boxes.push_back(grow(join({p, p}, {to, to}), 1.0));
         cells.enter(i, grow({p, p}, 1.0), true);

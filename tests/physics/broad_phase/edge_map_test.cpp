@@ -32,12 +32,12 @@ World some_edges(bool torus) {
 
 // As hands and flippers do: some are taken, some let go, some are put elsewhere.
 void change_some(World& world, std::uint64_t round) {
-    world.held_capsules.clear();
-    for (std::size_t i = 0; i < world.capsules.size(); ++i) {
+    world.edit_held_capsules().clear();
+    for (std::size_t i = 0; i < world.capsules().size(); ++i) {
         const std::uint64_t who = 1000 * (round + 1) + i;
         if (draw(0.0, 1.0, who, 5) < 0.03)
-            world.held_capsules.push_back({.id = world.capsules.id[i]});
-        if (draw(0.0, 1.0, who, 6) < 0.04) world.capsules.shape[i] = some_capsule(who);
+            world.edit_held_capsules().push_back({.id = world.capsules().id[i]});
+        if (draw(0.0, 1.0, who, 6) < 0.04) world.edit_capsules().shape[i] = some_capsule(who);
     }
 }
 
@@ -76,7 +76,7 @@ TEST_CASE("other edges, or too many that changed, are not mended") {
     CHECK_FALSE(cells.mend(world));
     cells.update(world, frame_around(world, 4.0), 0.5);
     CHECK(cells.mend(world));
-    for (Capsule& shape : world.capsules.shape)
+    for (Capsule& shape : world.edit_capsules().shape)
         shape.start.x += 1.0;
     CHECK_FALSE(cells.mend(world));
     cells.update(world, frame_around(world, 4.0), 0.5);
@@ -101,10 +101,10 @@ TEST_CASE("each edge that a box touches is on the map once, wherever the box is"
             std::set<std::uint32_t> found;
             map.for_each_near(bounds(disc),
                               [&](std::uint32_t capsule) { CHECK(found.insert(capsule).second); });
-            for (std::uint32_t c = 0; c < world.capsules.size(); ++c) {
-                if (is_held(world, world.capsules.id[c]))
+            for (std::uint32_t c = 0; c < world.capsules().size(); ++c) {
+                if (is_held(world, world.capsules().id[c]))
                     CHECK(found.count(c) == 0);
-                else if (separation(disc, world.capsules.shape[c]) <= 0.0)
+                else if (separation(disc, world.capsules().shape[c]) <= 0.0)
                     CHECK(found.count(c) == 1);
             }
         }
@@ -115,11 +115,11 @@ TEST_CASE("a map is for a few balls among many edges, on a plane") {
     CHECK_FALSE(EdgeMap::suits(scenes::gas(30, 12)));
     CHECK_FALSE(EdgeMap::suits(some_edges(false)));
     World table = some_edges(false);
-    while (table.balls.size() > 4)
-        remove_ball(table, table.balls.id.back());
+    while (table.balls().size() > 4)
+        remove_ball(table, table.balls().id.back());
     CHECK(EdgeMap::suits(table));
     World torus = some_edges(true);
-    while (torus.balls.size() > 4)
-        remove_ball(torus, torus.balls.id.back());
+    while (torus.balls().size() > 4)
+        remove_ball(torus, torus.balls().id.back());
     CHECK_FALSE(EdgeMap::suits(torus));
 }

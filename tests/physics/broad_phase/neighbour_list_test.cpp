@@ -25,17 +25,17 @@ World gas_with_edges(bool torus) {
                      draw(0, 1, i, 4)},
                     0);
     for (std::size_t i = 0; i < 300; i += 3)
-        world.balls.radius[i] = draw(0.05, 2.0, i, 5);
+        world.edit_balls().radius[i] = draw(0.05, 2.0, i, 5);
     return world;
 }
 
 std::vector<BallPair> pairs_nearer_than(const World& world, double gap) {
     std::vector<BallPair> pairs;
-    const Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     for (std::uint32_t i = 0; i < balls.size(); ++i)
         for (std::uint32_t j = i + 1; j < balls.size(); ++j) {
             Vec2 offset = balls.position[i] - balls.position[j];
-            if (world.model.wrap) offset = nearest_image(offset, size(*world.model.wrap));
+            if (world.model().wrap) offset = nearest_image(offset, size(*world.model().wrap));
             if (length(offset) < balls.radius[i] + balls.radius[j] + gap) pairs.push_back({i, j});
         }
     return pairs;
@@ -43,14 +43,14 @@ std::vector<BallPair> pairs_nearer_than(const World& world, double gap) {
 
 std::vector<EdgePair> edges_nearer_than(const World& world, const auto& gap_of) {
     std::vector<EdgePair> pairs;
-    const std::int8_t tori = world.model.wrap ? 1 : 0;
-    for (std::uint32_t i = 0; i < world.balls.size(); ++i)
-        for (std::uint32_t c = 0; c < world.capsules.size(); ++c)
+    const std::int8_t tori = world.model().wrap ? 1 : 0;
+    for (std::uint32_t i = 0; i < world.balls().size(); ++i)
+        for (std::uint32_t c = 0; c < world.capsules().size(); ++c)
             for (std::int8_t along = -tori; along <= tori; ++along)
                 for (std::int8_t across = -tori; across <= tori; ++across)
                     if (overlaps_edge(world, {i, c, along, across},
-                                      {world.balls.position[i],
-                                       world.balls.radius[i] + gap_of(world.balls.radius[i])}))
+                                      {world.balls().position[i],
+                                       world.balls().radius[i] + gap_of(world.balls().radius[i])}))
                         pairs.push_back({i, c, along, across});
     return pairs;
 }
@@ -95,7 +95,7 @@ TEST_CASE("the neighbours of a ball are those of its pairs") {
     neighbours.sort_pairs();
     neighbours.list_by_ball();
     std::size_t both_ways = 0;
-    for (std::uint32_t i = 0; i < world.balls.size(); ++i) {
+    for (std::uint32_t i = 0; i < world.balls().size(); ++i) {
         const std::vector<std::uint32_t> others = sorted(neighbours.of(i));
         CHECK(std::ranges::adjacent_find(others) == others.end());
         for (const std::uint32_t j : neighbours.of(i)) {
@@ -116,18 +116,18 @@ TEST_CASE("neighbours cover what overlaps until a ball has gone further than the
         neighbours.look(world, 0.25);
         neighbours.sort_pairs();
         CHECK(neighbours.cover(world));
-        for (std::size_t i = 0; i < world.balls.size(); ++i) {
-            Vec2& position = world.balls.position[i];
+        for (std::size_t i = 0; i < world.balls().size(); ++i) {
+            Vec2& position = world.edit_balls().position[i];
             position += Vec2{draw(-0.17, 0.17, i, 6), draw(-0.17, 0.17, i, 7)};
-            if (torus) position = wrapped(position, *world.model.wrap);
+            if (torus) position = wrapped(position, *world.model().wrap);
         }
         CHECK(neighbours.cover(world));
         for (const BallPair& pair : pairs_nearer_than(world, 0.0))
             CHECK(std::ranges::binary_search(neighbours.pairs(), pair));
         for (const EdgePair& pair : edges_overlapping(world))
             CHECK(std::ranges::binary_search(neighbours.edges(), pair));
-        world.balls.position[200].y += 0.6;
-        CHECK_FALSE(neighbours.covers(200, world.balls.position[200]));
+        world.edit_balls().position[200].y += 0.6;
+        CHECK_FALSE(neighbours.covers(200, world.balls().position[200]));
         CHECK_FALSE(neighbours.cover(world));
     }
 }
@@ -140,17 +140,17 @@ TEST_CASE("neighbours cover what overlaps until balls may have gone further than
     CHECK(neighbours.cover_after(0.1));
     CHECK_FALSE(neighbours.cover_after(0.1));
     // Where they are counts, once they are all asked.
-    world.balls.position[7] += Vec2{0.0, 0.12};
+    world.edit_balls().position[7] += Vec2{0.0, 0.12};
     CHECK(neighbours.cover(world));
     CHECK(neighbours.cover_after(0.12));
     CHECK_FALSE(neighbours.cover_after(0.02));
     // One that was pushed has gone further than the others.
     neighbours.look(world, 0.25);
     CHECK(neighbours.cover_after(0.1));
-    CHECK(neighbours.note_place(5, world.balls.position[5] + Vec2{0.2, 0.0}));
+    CHECK(neighbours.note_place(5, world.balls().position[5] + Vec2{0.2, 0.0}));
     CHECK_FALSE(neighbours.cover_after(0.1));
     neighbours.look(world, 0.25);
-    CHECK_FALSE(neighbours.note_place(5, world.balls.position[5] + Vec2{0.3, 0.0}));
+    CHECK_FALSE(neighbours.note_place(5, world.balls().position[5] + Vec2{0.3, 0.0}));
     CHECK_FALSE(neighbours.cover_after(0.0));
     // Without a margin there is nothing that lasts.
     neighbours.look(world, 0.0);
@@ -162,13 +162,13 @@ TEST_CASE("neighbours of other balls, or of another torus, cover nothing") {
     Neighbours neighbours;
     neighbours.look(world, 0.2);
     World larger = world;
-    larger.balls.radius[7] += 0.01;
+    larger.edit_balls().radius[7] += 0.01;
     CHECK_FALSE(neighbours.cover(larger));
     World fewer = world;
     remove_ball(fewer, BallId{299});
     CHECK_FALSE(neighbours.cover(fewer));
     World flat = world;
-    flat.model.wrap.reset();
+    flat.edit_definition().model.wrap.reset();
     CHECK_FALSE(neighbours.cover(flat));
     neighbours.look(world, 0.0);
     CHECK_FALSE(neighbours.cover(world));
@@ -177,12 +177,12 @@ TEST_CASE("neighbours of other balls, or of another torus, cover nothing") {
 TEST_CASE("neighbours of discs that stand for the balls") {
     const World world = gas_with_edges(false);
     World swollen = world;
-    for (std::uint64_t i = 0; i < world.balls.size(); ++i) {
-        swollen.balls.position[i] += {draw(-2, 2, i, 10), draw(-2, 2, i, 11)};
-        swollen.balls.radius[i] *= 1.7;
+    for (std::uint64_t i = 0; i < world.balls().size(); ++i) {
+        swollen.edit_balls().position[i] += {draw(-2, 2, i, 10), draw(-2, 2, i, 11)};
+        swollen.edit_balls().radius[i] *= 1.7;
     }
     Neighbours neighbours;
-    neighbours.look(world, swollen.balls.position, swollen.balls.radius);
+    neighbours.look(world, swollen.balls().position, swollen.balls().radius);
     CHECK(sorted(neighbours.pairs()) == pairs_nearer_than(swollen, 0.0));
     for (const EdgePair& pair : edges_overlapping(swollen))
         CHECK(std::ranges::binary_search(neighbours.edges(), pair));
@@ -192,11 +192,11 @@ TEST_CASE("a ball that strayed is told the edges where it is now") {
     const World world = gas_with_edges(true);
     Neighbours neighbours;
     neighbours.look(world, 0.0);
-    const Vec2 torus = size(*world.model.wrap);
+    const Vec2 torus = size(*world.model().wrap);
     for (std::uint64_t k = 0; k < 400; ++k) {
         World strayed = world;
         const auto ball = static_cast<std::uint32_t>(k % 300);
-        Vec2& position = strayed.balls.position[ball];
+        Vec2& position = strayed.edit_balls().position[ball];
         position = {draw(0, torus.x, k, 8), draw(0, torus.y, k, 9)};
         std::vector<EdgePair> told;
         neighbours.for_each_edge_at(ball, position,

@@ -7,6 +7,7 @@
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 #include "physics/world/fingerprint.h"
+#include "physics/world/solver_access.h"
 
 using namespace carom;
 
@@ -18,9 +19,9 @@ struct Heap {
     Solver solver{{.kind = SolverKind::contact}};
 
     Heap() {
-        world.model.lossy = true;
-        world.kinds.push_back(world.kinds[0]);
-        world.materials.push_back(world.materials[0]);
+        world.edit_definition().model.lossy = true;
+        world.edit_definition().kinds.push_back(world.kinds()[0]);
+        world.edit_definition().materials.push_back(world.materials()[0]);
         for (int i = 0; i < 900; ++i)
             solver.tick(world);
     }
@@ -28,8 +29,8 @@ struct Heap {
 
 // Fast enough to bounce, too slow to leave a region.
 void shake(World& world) {
-    for (std::size_t i = 0; i < world.balls.size(); ++i)
-        world.balls.velocity[i] = {0.0, i % 3 == 0 ? -0.5 : 0.1};
+    for (std::size_t i = 0; i < world.balls().size(); ++i)
+        world.edit_balls().velocity[i] = {0.0, i % 3 == 0 ? -0.5 : 0.1};
 }
 
 bool is_same(const Homes& a, const Homes& b) {
@@ -40,26 +41,26 @@ bool is_same(const Homes& a, const Homes& b) {
 
 TEST_CASE("contact: a heap at rest goes on with the pairs that it has") {
     Heap heap;
-    const Homes before = heap.world.homes;
-    REQUIRE(before.ball == heap.world.balls.id);
+    const Homes before = heap.world.memory().homes;
+    REQUIRE(before.ball == heap.world.balls().id);
     for (int i = 0; i < 50; ++i)
         heap.solver.tick(heap.world);
-    CHECK(is_same(heap.world.homes, before));
+    CHECK(is_same(heap.world.memory().homes, before));
 
     SUBCASE("until a ball leaves its region") {
-        heap.world.balls.velocity[7] = {0.0, 200.0};
+        heap.world.edit_balls().velocity[7] = {0.0, 200.0};
         heap.solver.tick(heap.world);
-        CHECK_FALSE(is_same(heap.world.homes, before));
+        CHECK_FALSE(is_same(heap.world.memory().homes, before));
     }
     SUBCASE("until a ball goes") {
-        remove_ball(heap.world, heap.world.balls.id[3]);
+        remove_ball(heap.world, heap.world.balls().id[3]);
         heap.solver.tick(heap.world);
-        CHECK(heap.world.homes.ball == heap.world.balls.id);
+        CHECK(heap.world.memory().homes.ball == heap.world.balls().id);
     }
     SUBCASE("until another solver takes over") {
         Solver swept({.kind = SolverKind::swept});
         swept.tick(heap.world);
-        CHECK(heap.world.homes.ball.empty());
+        CHECK(heap.world.memory().homes.ball.empty());
     }
 }
 
@@ -72,60 +73,61 @@ TEST_CASE("contact: a heap that somebody changes goes on as in a solver that nev
     };
     const std::vector<Row> rows{
         {"nothing", [](World&) {}},
-        {"an edge moves", [](World& w) { w.capsules.shape[0].start.y += 0.004; }},
+        {"an edge moves", [](World& w) { w.edit_capsules().shape[0].start.y += 0.004; }},
         {"an edge comes",
          [](World& w) {
              add_capsule(w, {{4.0, 3.0}, {16.0, 4.0}, 0.2}, 0);
          }},
-        {"an edge goes", [](World& w) { remove_capsule(w, w.capsules.id[0]); }},
+        {"an edge goes", [](World& w) { remove_capsule(w, w.capsules().id[0]); }},
         {"an edge of another material",
          [](World& w) {
-             w.materials[1].restitution = 0.9;
-             w.capsules.material.assign(w.capsules.size(), 1);
+             w.edit_definition().materials[1].restitution = 0.9;
+             w.edit_capsules().material.assign(w.capsules().size(), 1);
              shake(w);
          }},
         {"a material bounces",
          [](World& w) {
-             w.materials[0].restitution = 0.9;
+             w.edit_definition().materials[0].restitution = 0.9;
              shake(w);
          }},
         {"balls bounce",
          [](World& w) {
-             w.balls.restitution.assign(w.balls.size(), 0.8);
+             w.edit_balls().restitution.assign(w.balls().size(), 0.8);
              shake(w);
          }},
         {"balls rub",
          [](World& w) {
-             w.model.spin = 0.5;
-             w.balls.spin.assign(w.balls.size(), 1.0);
-             w.kinds[0].friction = 0.4;
+             w.edit_definition().model.spin = 0.5;
+             w.edit_balls().spin.assign(w.balls().size(), 1.0);
+             w.edit_definition().kinds[0].friction = 0.4;
          }},
-        {"a ball is heavier", [](World& w) { w.balls.inverse_mass[100] = 0.125; }},
-        {"a ball is smaller", [](World& w) { w.balls.radius[5] *= 0.99; }},
-        {"a ball is elsewhere by a hair", [](World& w) { w.balls.position[60].x += 1e-3; }},
+        {"a ball is heavier", [](World& w) { w.edit_balls().inverse_mass[100] = 0.125; }},
+        {"a ball is smaller", [](World& w) { w.edit_balls().radius[5] *= 0.99; }},
+        {"a ball is elsewhere by a hair", [](World& w) { w.edit_balls().position[60].x += 1e-3; }},
         {"two balls change places",
-         [](World& w) { std::swap(w.balls.position[60], w.balls.position[61]); }},
-        {"a ball goes", [](World& w) { remove_ball(w, w.balls.id[11]); }},
+         [](World& w) { std::swap(w.edit_balls().position[60], w.edit_balls().position[61]); }},
+        {"a ball goes", [](World& w) { remove_ball(w, w.balls().id[11]); }},
         {"a ball goes and another comes",
          [](World& w) {
-             const Vec2 place = w.balls.position[11];
-             remove_ball(w, w.balls.id[11]);
+             const Vec2 place = w.balls().position[11];
+             remove_ball(w, w.balls().id[11]);
              add_ball(w, {.position = place, .velocity = {}});
          }},
-        {"a ball presses harder", [](World& w) { w.pressed[20].impulse *= 1.5; }},
-        {"nothing presses", [](World& w) { w.pressed.clear(); }},
+        {"a ball presses harder",
+         [](World& w) { SolverAccess(w).memory().pressed[20].impulse *= 1.5; }},
+        {"nothing presses", [](World& w) { SolverAccess(w).memory().pressed.clear(); }},
         {"other balls meet no more",
          [](World& w) {
-             w.model.filtered = true;
-             w.meets.assign(16, 1);
-             w.meets[0 * 4 + 1] = w.meets[1 * 4 + 0] = 0;
-             w.balls.kind[80] = 1;
+             w.edit_definition().model.filtered = true;
+             w.edit_definition().meets.assign(16, 1);
+             w.edit_definition().meets[0 * 4 + 1] = w.edit_definition().meets[1 * 4 + 0] = 0;
+             w.edit_balls().kind[80] = 1;
          }},
         {"gravity turns",
          [](World& w) {
-             w.model.gravity = Vec2{1.0, -9.0};
+             w.edit_definition().model.gravity = Vec2{1.0, -9.0};
          }},
-        {"nobody has a home", [](World& w) { w.homes.clear(); }},
+        {"nobody has a home", [](World& w) { SolverAccess(w).memory().homes.clear(); }},
     };
     const Heap heap;
     for (const Row& row : rows) {
@@ -150,8 +152,8 @@ TEST_CASE(
     for (const bool is_crowd : {true, false}) {
         CAPTURE(is_crowd);
         World world = scenes::empty();
-        world.rate = 60.0;
-        world.model.gravity = Vec2{0.0, -10.0};
+        world.edit_definition().rate = 60.0;
+        world.edit_definition().model.gravity = Vec2{0.0, -10.0};
         for (int i = 0; i < 100; ++i)
             add_ball(world, {.position = {10.0 * (i % 10), 10.0 * (i / 10)},
                              .velocity = {is_crowd || i == 0 ? 90.0 : 0.0, 0.0},
@@ -159,10 +161,10 @@ TEST_CASE(
         Solver solver({.kind = SolverKind::contact});
         solver.tick(world);
         // It goes 1.5 in a tick of four substeps.
-        REQUIRE(world.homes.margin.size() == 100);
+        REQUIRE(world.memory().homes.margin.size() == 100);
         if (is_crowd)
-            CHECK(world.homes.margin[0] < 0.6);
+            CHECK(world.memory().homes.margin[0] < 0.6);
         else
-            CHECK(world.homes.margin[0] > 1.5);
+            CHECK(world.memory().homes.margin[0] > 1.5);
     }
 }

@@ -9,6 +9,7 @@
 #include "physics/support/scenes.h"
 #include "physics/tick/totals.h"
 #include "physics/world/fingerprint.h"
+#include "physics/world/solver_access.h"
 
 using namespace carom;
 
@@ -27,18 +28,18 @@ double energy(const World& world) {
 
 double rms_speed(const World& world) {
     double squares = 0.0;
-    for (const Vec2 v : world.balls.velocity)
+    for (const Vec2 v : world.balls().velocity)
         squares += length_squared(v);
-    return std::sqrt(squares / static_cast<double>(world.balls.size()));
+    return std::sqrt(squares / static_cast<double>(world.balls().size()));
 }
 
 // A floor, gravity 10, balls of radius 0.5 that do not bounce.
 World floor_world() {
     World world = scenes::empty();
-    world.rate = 60.0;
-    world.model.gravity = Vec2{0.0, -10.0};
-    world.kinds[0] = {.radius = 0.5, .mass = 1.0, .restitution = 0.0};
-    world.materials[0].restitution = 0.0;
+    world.edit_definition().rate = 60.0;
+    world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+    world.edit_definition().kinds[0] = {.radius = 0.5, .mass = 1.0, .restitution = 0.0};
+    world.edit_definition().materials[0].restitution = 0.0;
     add_capsule(world, {{-30.0, -1.0}, {30.0, -1.0}, 1.0}, 0);
     return world;
 }
@@ -50,7 +51,7 @@ TEST_CASE("contact: a stack of 50 stands, and is pressed together by little") {
     for (int i = 0; i < 50; ++i)
         add_ball(world, {.position = {0.0, 0.5 + i}, .velocity = {}});
     run(world, 1200);
-    const double top = world.balls.position[49].y;
+    const double top = world.balls().position[49].y;
     MESSAGE("compression ", 49.5 - top);
     CHECK(49.5 - top < 0.43);  // Box2D 2.4.1, the best of the peers
     CHECK(rms_speed(world) < 1e-3);
@@ -79,7 +80,7 @@ TEST_CASE("contact: a load of 400 on a row of 1 comes to rest, and goes in by li
 
 TEST_CASE("contact: a load on a heap rests on all that bears it") {
     World world = scenes::bucket(120, 0.0);
-    world.rate = 60.0;
+    world.edit_definition().rate = 60.0;
     Solver solver({.kind = SolverKind::contact});
     for (int i = 0; i < 600; ++i)
         solver.tick(world);
@@ -93,9 +94,10 @@ TEST_CASE("contact: a load on a heap rests on all that bears it") {
 
 TEST_CASE("contact: an elastic ball goes on bouncing, and its energy never rises") {
     World world = floor_world();
-    world.kinds[0].restitution = world.materials[0].restitution = 1.0;
-    world.model.lossy = false;
-    world.balls = {};
+    world.edit_definition().kinds[0].restitution =
+        world.edit_definition().materials[0].restitution = 1.0;
+    world.edit_definition().model.lossy = false;
+    world.edit_balls() = {};
     add_ball(world, {.position = {0.0, 5.0}, .velocity = {}});
     const double before = energy(world);
     Solver solver({.kind = SolverKind::contact});
@@ -104,7 +106,7 @@ TEST_CASE("contact: an elastic ball goes on bouncing, and its energy never rises
         solver.tick(world);
         most = std::max(most, energy(world));
     }
-    CHECK(world.ball_edge_collisions > 20);
+    CHECK(world.ball_edge_collisions() > 20);
     CHECK(energy(world) == doctest::Approx(before).epsilon(1e-12));
     CHECK(most <= before * (1 + 1e-12));
 }
@@ -114,17 +116,18 @@ TEST_CASE("contact: a bucket comes to rest, with and without friction, and stays
         CAPTURE(friction);
         World world = scenes::bucket(300, 0.0);
         if (friction > 0.0) {
-            world.model.spin = 0.5;
-            world.balls.spin.assign(world.balls.size(), 0.0);
+            world.edit_definition().model.spin = 0.5;
+            world.edit_balls().spin.assign(world.balls().size(), 0.0);
         }
-        world.kinds[0].friction = world.materials[0].friction = friction;
+        world.edit_definition().kinds[0].friction = world.edit_definition().materials[0].friction =
+            friction;
         run(world, 1800);
-        const std::vector<Vec2> places = world.balls.position;
+        const std::vector<Vec2> places = world.balls().position;
         run(world, 1200);
         // With friction a ball or two may roll on for ever under an arch.
         std::vector<double> ways;
         for (std::size_t i = 0; i < places.size(); ++i)
-            ways.push_back(distance(places[i], world.balls.position[i]));
+            ways.push_back(distance(places[i], world.balls().position[i]));
         std::ranges::sort(ways);
         const std::size_t rolling = friction > 0.0 ? 2 : 0;
         const double furthest = ways[ways.size() - 1 - rolling];
@@ -134,14 +137,14 @@ TEST_CASE("contact: a bucket comes to rest, with and without friction, and stays
         CHECK(rms_speed(world) < 1e-3 * std::sqrt(20.0));
         CHECK(deepest_overlap(world) < 0.029);
         CHECK(furthest < 1e-6);
-        CHECK(world.balls.size() == 300);
+        CHECK(world.balls().size() == 300);
     }
 }
 
 // Sixteen balls wide and 80 high, between walls.
 World high_heap(double speed_down) {
     World world = floor_world();
-    world.model.lossy = true;
+    world.edit_definition().model.lossy = true;
     add_capsule(world, {{-10.0, 0.0}, {-10.0, 120.0}, 1.0}, 0);
     add_capsule(world, {{10.0, 0.0}, {10.0, 120.0}, 1.0}, 0);
     for (int row = 0; row < 80; ++row)
@@ -175,7 +178,7 @@ TEST_CASE("contact: a heap that falls together is not dealt with impact by impac
 TEST_CASE("contact: a ball that does not bounce lands from any height, and stays") {
     for (int i = 0; i < 40; ++i) {
         World world = floor_world();
-        world.model.lossy = true;
+        world.edit_definition().model.lossy = true;
         const double height = 0.3 + 0.187 * i;
         CAPTURE(height);
         add_ball(world, {.position = {0.0, 0.5 + height}});
@@ -184,8 +187,8 @@ TEST_CASE("contact: a ball that does not bounce lands from any height, and stays
         double fastest = 0.0;
         for (int tick = 0; tick < 180; ++tick) {
             solver.tick(world);
-            has_landed = has_landed || !world.pressed.empty();
-            if (has_landed) fastest = std::max(fastest, world.balls.velocity[0].y);
+            has_landed = has_landed || !world.memory().pressed.empty();
+            if (has_landed) fastest = std::max(fastest, world.balls().velocity[0].y);
         }
         CHECK(has_landed);
         CHECK(fastest < 0.005);
@@ -200,17 +203,17 @@ TEST_CASE("contact: high columns of lively balls that stand stay at rest") {
             CAPTURE(balls);
             CAPTURE(restitution);
             World world = floor_world();
-            world.balls = {};
-            world.kinds[0].restitution = restitution;
-            world.materials[0].restitution = restitution;
+            world.edit_balls() = {};
+            world.edit_definition().kinds[0].restitution = restitution;
+            world.edit_definition().materials[0].restitution = restitution;
             for (int i = 0; i < balls; ++i)
                 add_ball(world, {.position = {0.0, 0.5 + i}, .velocity = {}});
-            const double top = world.balls.position.back().y;
+            const double top = world.balls().position.back().y;
             double highest = 0.0;
             Solver solver({.kind = SolverKind::contact});
             for (int i = 0; i < 900; ++i) {
                 solver.tick(world);
-                highest = std::max(highest, world.balls.position.back().y);
+                highest = std::max(highest, world.balls().position.back().y);
             }
             CHECK(highest <= top);
             CHECK(rms_speed(world) < 1e-6);
@@ -225,9 +228,10 @@ TEST_CASE("contact: a ball that does not bounce lands on others, and stays") {
                 CAPTURE(mass);
                 CAPTURE(below);
                 World world = floor_world();
-                world.model.lossy = true;
-                world.kinds[0].friction = world.materials[0].friction = friction;
-                if (friction > 0.0) world.model.spin = 0.5;
+                world.edit_definition().model.lossy = true;
+                world.edit_definition().kinds[0].friction =
+                    world.edit_definition().materials[0].friction = friction;
+                if (friction > 0.0) world.edit_definition().model.spin = 0.5;
                 for (int i = 0; i < below; ++i)
                     add_ball(world, {.position = {0.0, 0.5 + i}});
                 run(world, 60);
@@ -238,7 +242,7 @@ TEST_CASE("contact: a ball that does not bounce lands on others, and stays") {
                 double highest = 0.0;
                 for (int tick = 0; tick < 180; ++tick) {
                     solver.tick(world);
-                    const double height = world.balls.position.back().y;
+                    const double height = world.balls().position.back().y;
                     has_landed = has_landed || height < rest;
                     if (has_landed) highest = std::max(highest, height);
                 }
@@ -256,9 +260,9 @@ TEST_CASE("contact: a high heap soon stops going up and down as a whole") {
     for (int i = 0; i < 60; ++i) {
         run(world, 1);
         double sum = 0.0;
-        for (const Vec2 velocity : world.balls.velocity)
+        for (const Vec2 velocity : world.balls().velocity)
             sum += velocity.y;
-        most = std::max(most, std::abs(sum) / static_cast<double>(world.balls.size()));
+        most = std::max(most, std::abs(sum) / static_cast<double>(world.balls().size()));
     }
     MESSAGE("mean speed up or down, at most ", most);
     CHECK(most < 1e-3);
@@ -266,11 +270,11 @@ TEST_CASE("contact: a high heap soon stops going up and down as a whole") {
 
 TEST_CASE("contact: a heap goes on from a snapshot with the same bits, impulses and all") {
     World world = scenes::bucket(200, 0.0);
-    world.model.spin = 0.5;
-    world.balls.spin.assign(world.balls.size(), 0.0);
-    world.kinds[0].friction = world.materials[0].friction = 0.3;
+    world.edit_definition().model.spin = 0.5;
+    world.edit_balls().spin.assign(world.balls().size(), 0.0);
+    world.edit_definition().kinds[0].friction = world.edit_definition().materials[0].friction = 0.3;
     run(world, 200);
-    REQUIRE(world.pressed.size() > 250);
+    REQUIRE(world.memory().pressed.size() > 250);
     World once = world;
     Solver warm({.kind = SolverKind::contact});
     World other = scenes::gas(50, 1);
@@ -283,7 +287,7 @@ TEST_CASE("contact: a heap goes on from a snapshot with the same bits, impulses 
     }
     CHECK(fingerprint(once) == fingerprint(world));
     World forgetful = once;
-    forgetful.pressed.clear();
+    SolverAccess(forgetful).memory().pressed.clear();
     run(forgetful, 1);
     run(once, 1);
     CHECK(fingerprint(forgetful) != fingerprint(once));
@@ -291,20 +295,21 @@ TEST_CASE("contact: a heap goes on from a snapshot with the same bits, impulses 
 
 TEST_CASE("contact: a ball that rests on an edge with some bounce in it does not sink in") {
     World world = floor_world();
-    world.kinds[0].restitution = world.materials[0].restitution = 0.5;
+    world.edit_definition().kinds[0].restitution =
+        world.edit_definition().materials[0].restitution = 0.5;
     add_ball(world, {.position = {0.0, 0.5}, .velocity = {}});
-    world.model.lossy = true;
-    world.balls.restitution = {0.5};
+    world.edit_definition().model.lossy = true;
+    world.edit_balls().restitution = {0.5};
     run(world, 600);
-    CHECK(world.balls.position[0].y == doctest::Approx(0.5).epsilon(1e-3));
+    CHECK(world.balls().position[0].y == doctest::Approx(0.5).epsilon(1e-3));
 }
 
 // Two abreast just fit in, so every one presses on its neighbours and on a wall.
 TEST_CASE("contact: a high column of lively balls comes to rest, and lies on one another") {
     World world = floor_world();
-    world.kinds[0] = {.radius = 0.2, .mass = 1.0, .restitution = 0.5};
-    world.materials[0].restitution = 0.5;
-    world.model.lossy = true;
+    world.edit_definition().kinds[0] = {.radius = 0.2, .mass = 1.0, .restitution = 0.5};
+    world.edit_definition().materials[0].restitution = 0.5;
+    world.edit_definition().model.lossy = true;
     for (const double side : {-0.5, 0.5})
         add_capsule(world, {{side, 0.0}, {side, 60.0}, 0.1}, 0);
     for (int i = 0; i < 60; ++i)
@@ -317,8 +322,8 @@ TEST_CASE("contact: a high column of lively balls comes to rest, and lies on one
 
 TEST_CASE("contact: what falls on a lively heap bounces off it") {
     World world = floor_world();
-    world.kinds[0].restitution = 0.5;
-    world.materials[0].restitution = 0.5;
+    world.edit_definition().kinds[0].restitution = 0.5;
+    world.edit_definition().materials[0].restitution = 0.5;
     for (const double side : {-8.6, 8.6})
         add_capsule(world, {{side, 0.0}, {side, 30.0}, 0.1}, 0);
     for (int row = 0; row < 6; ++row)
@@ -332,7 +337,7 @@ TEST_CASE("contact: what falls on a lively heap bounces off it") {
     Solver solver({.kind = SolverKind::contact});
     for (int i = 0; i < 300; ++i) {
         solver.tick(world);
-        fastest = std::max(fastest, world.balls.velocity.back().y);
+        fastest = std::max(fastest, world.balls().velocity.back().y);
     }
     CHECK(fastest > 0.3);  // it comes at 10, and throws others up
     CHECK(rms_speed(world) < 1e-3);
@@ -340,8 +345,8 @@ TEST_CASE("contact: what falls on a lively heap bounces off it") {
 
 TEST_CASE("contact: a squeeze without a way out holds the hands, and lets go smoothly") {
     World world = floor_world();
-    world.kinds[0].restitution = 0.5;
-    world.balls = {};
+    world.edit_definition().kinds[0].restitution = 0.5;
+    world.edit_balls() = {};
     add_ball(world, {.position = {0.0, 0.5}, .velocity = {}});
     const CapsuleId left = add_capsule(world, {{-3.0, 0.0}, {-3.0, 4.0}, 0.2}, 0);
     const CapsuleId right = add_capsule(world, {{3.0, 0.0}, {3.0, 4.0}, 0.2}, 0);
@@ -352,16 +357,16 @@ TEST_CASE("contact: a squeeze without a way out holds the hands, and lets go smo
         const double time = world.time();
         const double x = time < 4.0 ? std::max(0.0, 3.0 - 2.0 * time) : 2.0 * (time - 4.0);
         const double y = time < 4.0 ? std::max(0.0, 4.0 - 2.0 * time) : 2.0 * (time - 4.0);
-        world.held_capsules = {{left, {-x, 0.0}, {-x, 4.0}},
-                               {right, {x, 0.0}, {x, 4.0}},
-                               {above, {-0.5, y}, {0.5, y}}};
+        world.edit_held_capsules() = {{left, {-x, 0.0}, {-x, 4.0}},
+                                      {right, {x, 0.0}, {x, 4.0}},
+                                      {above, {-0.5, y}, {0.5, y}}};
         solver.tick(world);
-        const Vec2 p = world.balls.position[0];
+        const Vec2 p = world.balls().position[0];
         REQUIRE(std::isfinite(p.x + p.y));
         CHECK(p.y > 0.25);
         if (time < 4.0) CHECK(std::fabs(p.x) < 0.5);
         // Until then the hands are still on their way in, to where they were kept from going.
-        if (time > 4.4) fastest_after = std::max(fastest_after, length(world.balls.velocity[0]));
+        if (time > 4.4) fastest_after = std::max(fastest_after, length(world.balls().velocity[0]));
     }
     MESSAGE("fastest after the hands open: ", fastest_after);
     CHECK(fastest_after < 2.0 * (1 + 1e-9));  // as fast as the hands open
@@ -371,15 +376,16 @@ TEST_CASE("contact: what hands jam is not thrown") {
     for (const double turn : {0.0, 0.3, 1.1, 2.5}) {
         CAPTURE(turn);
         World world = scenes::empty();
-        world.rate = 120.0;
-        world.model.lossy = true;
-        world.materials[0].restitution = world.kinds[0].restitution = 0.0;
+        world.edit_definition().rate = 120.0;
+        world.edit_definition().model.lossy = true;
+        world.edit_definition().materials[0].restitution =
+            world.edit_definition().kinds[0].restitution = 0.0;
         const Vec2 toward{std::cos(turn), std::sin(turn)};
         const Vec2 across = perpendicular(toward);
         add_ball(world, {.position = across * -2.0, .velocity = {}, .radius = 0.5});
         add_ball(world, {.position = across * -0.9, .velocity = {}, .radius = 0.45});
         add_ball(world, {.position = across * 0.3 + toward * 0.1, .velocity = {}, .radius = 0.43});
-        world.balls.restitution.assign(3, 0.0);
+        world.edit_balls().restitution.assign(3, 0.0);
         const CapsuleId ids[] = {
             add_capsule(world, {toward * 3.0 - across * 9.0, toward * 3.0 + across * 9.0, 0.1}, 0),
             add_capsule(world, {toward * -3.0 - across * 9.0, toward * -3.0 + across * 9.0, 0.1},
@@ -392,13 +398,13 @@ TEST_CASE("contact: what hands jam is not thrown") {
             const double away =
                 time < 1.5 ? 3.0 - 2.0 * time : std::clamp(2.0 * (time - 2.5), 0.0, 3.0);
             const Vec2 near = toward * away;
-            world.held_capsules = {{ids[0], near - across * 9.0, near + across * 9.0},
-                                   {ids[1], -near - across * 9.0, -near + across * 9.0}};
+            world.edit_held_capsules() = {{ids[0], near - across * 9.0, near + across * 9.0},
+                                          {ids[1], -near - across * 9.0, -near + across * 9.0}};
             solver.tick(world);
-            for (const Vec2 velocity : world.balls.velocity)
+            for (const Vec2 velocity : world.balls().velocity)
                 fastest = std::max(fastest, length(velocity));
             if (time > 2.5) continue;
-            for (const Vec2 position : world.balls.position)
+            for (const Vec2 position : world.balls().position)
                 REQUIRE(std::fabs(dot(position, toward)) < 0.7);
         }
         MESSAGE("fastest ", fastest, " between hands at 2");
@@ -414,11 +420,11 @@ TEST_CASE("contact: an edge in a hand comes down on a ball in a hand") {
     Solver solver({.kind = SolverKind::contact});
     for (int i = 1; i <= 120; ++i) {
         const double height = std::max(0.5, 8.0 - 0.1 * i);
-        world.held_capsules = {{lid, {5.0, height}, {15.0, height}}};
-        world.held_balls = {{world.balls.id[5], {10.0, 0.6}}};
+        world.edit_held_capsules() = {{lid, {5.0, height}, {15.0, height}}};
+        world.edit_held_balls() = {{world.balls().id[5], {10.0, 0.6}}};
         solver.tick(world);
     }
-    for (const Vec2 place : world.balls.position)
+    for (const Vec2 place : world.balls().position)
         CHECK((place.x > 0.0 && place.x < 20.0 && place.y > 0.0 && place.y < 60.0));
 }
 
@@ -426,10 +432,10 @@ TEST_CASE("contact: an edge in a hand comes down on a ball in a hand") {
 TEST_CASE(
     "contact: a disc that slides through hail rolls as fast in the end as one that does not") {
     World world = floor_world();
-    world.model.lossy = true;
-    world.model.spin = 0.5;
-    world.kinds[0] = {.radius = 0.5, .mass = 1.0, .restitution = 1.0};
-    world.materials[0].friction = 0.5;
+    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.spin = 0.5;
+    world.edit_definition().kinds[0] = {.radius = 0.5, .mass = 1.0, .restitution = 1.0};
+    world.edit_definition().materials[0].friction = 0.5;
     const double speed = 5.0;
     add_ball(world, {.position = {0.0, 0.5}, .velocity = {speed, 0.0}});
     for (int k = 0; k < 120; ++k) {
@@ -441,8 +447,8 @@ TEST_CASE(
     }
     run(world, 60);
     // Of the momentum about a point of the floor nothing is lost.
-    CHECK(world.balls.velocity[0].x == doctest::Approx(speed / 1.5).epsilon(1e-3));
-    CHECK(-0.5 * world.balls.spin[0] == doctest::Approx(speed / 1.5).epsilon(1e-3));
+    CHECK(world.balls().velocity[0].x == doctest::Approx(speed / 1.5).epsilon(1e-3));
+    CHECK(-0.5 * world.balls().spin[0] == doctest::Approx(speed / 1.5).epsilon(1e-3));
 }
 
 TEST_CASE("contact: four orders of magnitude of radii in one heap stay finite and inside") {
@@ -462,7 +468,7 @@ TEST_CASE("contact: four orders of magnitude of radii in one heap stay finite an
         }
     }
     run(world, 600);
-    for (const Vec2 p : world.balls.position) {
+    for (const Vec2 p : world.balls().position) {
         CHECK(std::fabs(p.x) < 30.0);
         CHECK(p.y > 0.0);
     }
@@ -473,18 +479,19 @@ TEST_SUITE("long") {
         for (const double friction : {0.0, 0.2}) {
             CAPTURE(friction);
             World world = scenes::bucket(100, 0.0);
-            world.rate = 60.0;
+            world.edit_definition().rate = 60.0;
             if (friction > 0.0) {
-                world.model.spin = 0.5;
-                world.balls.spin.assign(world.balls.size(), 0.0);
+                world.edit_definition().model.spin = 0.5;
+                world.edit_balls().spin.assign(world.balls().size(), 0.0);
             }
-            world.kinds[0].friction = world.materials[0].friction = friction;
+            world.edit_definition().kinds[0].friction =
+                world.edit_definition().materials[0].friction = friction;
             run(world, 3600);
-            const std::vector<Vec2> places = world.balls.position;
+            const std::vector<Vec2> places = world.balls().position;
             run(world, 60 * 3600);
             double furthest = 0.0;
             for (std::size_t i = 0; i < places.size(); ++i)
-                furthest = std::max(furthest, distance(places[i], world.balls.position[i]));
+                furthest = std::max(furthest, distance(places[i], world.balls().position[i]));
             MESSAGE("speed ", rms_speed(world), ", moved ", furthest);
             // With friction one that bears no other still rolls, by 0.0001 in the hour.
             CHECK(furthest < (friction > 0.0 ? 1e-3 : 1e-9));

@@ -18,13 +18,13 @@ namespace {
 
 World fast_gas(std::size_t count, double times) {
     World world = scenes::gas(count, 3);
-    for (Vec2& velocity : world.balls.velocity)
+    for (Vec2& velocity : world.edit_balls().velocity)
         velocity *= times;
     return world;
 }
 
 void hold_a_ball(World& world) {
-    world.held_balls = {{world.balls.id[5], world.balls.position[5] + Vec2{0.05, 0.0}}};
+    world.edit_held_balls() = {{world.balls().id[5], world.balls().position[5] + Vec2{0.05, 0.0}}};
 }
 
 }  // namespace
@@ -39,23 +39,23 @@ TEST_CASE("contact: only where nothing can press it is all flight") {
         {"a gas", [](World&) {}, true},
         {"on a torus",
          [](World& w) {
-             w.model.wrap = Box{{0, 0}, {200, 200}};
+             w.edit_definition().model.wrap = Box{{0, 0}, {200, 200}};
          },
          true},
-        {"that turns", [](World& w) { w.model.spin = 0.5; }, true},
-        {"through one-way edges", [](World& w) { w.model.one_way = true; }, true},
+        {"that turns", [](World& w) { w.edit_definition().model.spin = 0.5; }, true},
+        {"through one-way edges", [](World& w) { w.edit_definition().model.one_way = true; }, true},
         {"under gravity",
          [](World& w) {
-             w.model.gravity = Vec2{0.0, -1.0};
+             w.edit_definition().model.gravity = Vec2{0.0, -1.0};
          },
          false},
-        {"with drag", [](World& w) { w.model.drag = 0.1; }, false},
-        {"with a limit", [](World& w) { w.model.speed_limit = 20.0; }, false},
-        {"that loses energy", [](World& w) { w.model.lossy = true; }, false},
+        {"with drag", [](World& w) { w.edit_definition().model.drag = 0.1; }, false},
+        {"with a limit", [](World& w) { w.edit_definition().model.speed_limit = 20.0; }, false},
+        {"that loses energy", [](World& w) { w.edit_definition().model.lossy = true; }, false},
         {"with a ball in a hand", hold_a_ball, false},
         {"with an edge in a hand",
          [](World& w) {
-             w.held_capsules.push_back({w.capsules.id[0], {0, 0}, {1, 0}});
+             w.edit_held_capsules().push_back({w.capsules().id[0], {0, 0}, {1, 0}});
          },
          false},
     };
@@ -75,7 +75,7 @@ TEST_CASE("contact: flights are cut only where balls go far in a tick") {
     CHECK(flight_substeps(fast_gas(1000, 100.0), 1) == 1);
     CHECK(flight_substeps(fast_gas(1000, 1e9), 1000) == 1000);
     World points = fast_gas(10, 1.0);
-    points.balls.radius.assign(10, 0.0);
+    points.edit_balls().radius.assign(10, 0.0);
     CHECK(flight_substeps(points, 4) == 4);
 }
 
@@ -99,18 +99,18 @@ TEST_CASE("elastic flights: what is jammed keeps its energy, however often it bo
         CAPTURE(static_cast<int>(kind));
         // To and fro in a channel, 167,000 times a tick.
         World world = scenes::empty();
-        world.rate = 60.0;
+        world.edit_definition().rate = 60.0;
         add_capsule(world, {{-50.0, -1.5}, {50.0, -1.5}, 1.0}, 0);
         add_capsule(world, {{-50.0, 1.5001}, {50.0, 1.5001}, 1.0}, 0);
         add_ball(world, {.position = {0.0, 0.0}, .velocity = {0.3, 1000.0}, .radius = 0.5});
         const double energy = totals(world).kinetic_energy;
-        const auto bounces = world.ball_edge_collisions;
+        const auto bounces = world.ball_edge_collisions();
         Solver solver({.kind = kind});
         for (int i = 0; i < 5; ++i)
             solver.tick(world);
-        CHECK(world.ball_edge_collisions > bounces + 5 * 4000);
+        CHECK(world.ball_edge_collisions() > bounces + 5 * 4000);
         CHECK(totals(world).kinetic_energy == doctest::Approx(energy).epsilon(1e-11));
-        CHECK(std::abs(world.balls.position[0].y) < 1e-4);
+        CHECK(std::abs(world.balls().position[0].y) < 1e-4);
     }
 }
 
@@ -123,8 +123,8 @@ TEST_CASE("contact: all flight, it has the bits of swept, whatever its substeps"
         contact.tick(pressed);
         flights.tick(swept);
     }
-    CHECK(pressed.ball_ball_collisions > 100);
-    CHECK(pressed.homes.ball.empty());
+    CHECK(pressed.ball_ball_collisions() > 100);
+    CHECK(pressed.memory().homes.ball.empty());
     CHECK(fingerprint(pressed) == fingerprint(swept));
 }
 
@@ -137,13 +137,13 @@ TEST_CASE("contact: between flights and hands it goes on as a solver that never 
     for (int i = 0; i < 60; ++i) {
         const bool is_held = i % 7 >= 4;
         for (World* world : {&seen, &unseen}) {
-            world->held_balls.clear();
+            world->edit_held_balls().clear();
             if (is_held) hold_a_ball(*world);
         }
         solver.tick(seen);
         Solver stranger({.kind = SolverKind::contact});
         stranger.tick(unseen);
-        CHECK(seen.homes.ball.empty() == !is_held);
+        CHECK(seen.memory().homes.ball.empty() == !is_held);
         REQUIRE(fingerprint(seen) == fingerprint(unseen));
     }
 }

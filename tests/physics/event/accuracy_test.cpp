@@ -38,7 +38,7 @@ std::string text(double value) {
 }
 
 std::uint64_t collisions(const World& world) {
-    return world.ball_ball_collisions + world.ball_edge_collisions;
+    return world.ball_ball_collisions() + world.ball_edge_collisions();
 }
 
 // Collisions of a ball of mass 100^k that runs at a light one before a wall.
@@ -47,7 +47,7 @@ std::uint64_t collisions_of_blocks(int k, std::uint64_t who) {
     const double size = draw_size(-1, 1, who, 1);
     World world = scenes::empty();
     const double wall = draw(-3.0, 3.0, who, 2);
-    world.rate = draw(1.0, 200.0, who, 3) * speed / size;
+    world.edit_definition().rate = draw(1.0, 200.0, who, 3) * speed / size;
     add_capsule(world, {{wall, -5.0 * size}, {wall, 5.0 * size}, 0.0}, 0);
     const double light = wall + size * draw(1.5, 6.0, who, 4);
     add_ball(world, {.position = {light, 0.0}, .velocity = {}, .radius = size, .mass = 1.0});
@@ -72,8 +72,8 @@ struct Conserved {
 
 double sum_of_momenta(const World& world) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < world.balls.size(); ++i)
-        sum += length(world.balls.velocity[i]) / world.balls.inverse_mass[i];
+    for (std::size_t i = 0; i < world.balls().size(); ++i)
+        sum += length(world.balls().velocity[i]) / world.balls().inverse_mass[i];
     return sum;
 }
 
@@ -126,13 +126,13 @@ struct Bounces {
 
 Bounces bounce(const Bouncer& bouncer, double rate, double time) {
     World world = scenes::empty();
-    world.rate = rate;
-    world.model.gravity = Vec2{0.0, -bouncer.gravity};
-    world.materials[0].restitution = bouncer.restitution;
+    world.edit_definition().rate = rate;
+    world.edit_definition().model.gravity = Vec2{0.0, -bouncer.gravity};
+    world.edit_definition().materials[0].restitution = bouncer.restitution;
     const double wide = 4.0 * bouncer.radius;
     add_capsule(world, {{-wide, 0.0}, {wide, 0.0}, 0.0}, 0);
-    world.model.lossy = true;
-    world.balls.restitution.clear();
+    world.edit_definition().model.lossy = true;
+    world.edit_balls().restitution.clear();
     add_ball(world, {.position = {0.0, bouncer.height + bouncer.radius},
                      .velocity = {},
                      .radius = bouncer.radius});
@@ -143,8 +143,8 @@ Bounces bounce(const Bouncer& bouncer, double rate, double time) {
         for (const Contact& contact : solver.contacts())
             result.times.push_back(contact.time);
     }
-    result.rest = world.balls.position[0];
-    result.speed = world.balls.velocity[0];
+    result.rest = world.balls().position[0];
+    result.speed = world.balls().velocity[0];
     return result;
 }
 
@@ -153,16 +153,16 @@ std::vector<Vec2> cradle_velocities(std::size_t count, std::size_t in, double ga
                                     const std::vector<std::size_t>& order) {
     const World row = scenes::cradle(count, in, gap);
     World world = scenes::empty();
-    world.rate = rate;
+    world.edit_definition().rate = rate;
     for (const std::size_t place : order)
-        add_ball(world,
-                 {.position = row.balls.position[place], .velocity = row.balls.velocity[place]});
+        add_ball(world, {.position = row.balls().position[place],
+                         .velocity = row.balls().velocity[place]});
     Solver solver({.kind = SolverKind::event});
     while (world.time() < 12.0)
         solver.tick(world);
     std::vector<Vec2> velocities(count);
     for (std::size_t i = 0; i < count; ++i)
-        velocities[order[i]] = world.balls.velocity[i];
+        velocities[order[i]] = world.balls().velocity[i];
     return velocities;
 }
 
@@ -321,7 +321,7 @@ TEST_SUITE("long") {
         World world = scenes::gas(count, 5, true);
         // At rest as a whole.
         Vec2 mean = totals(world).momentum / static_cast<double>(count);
-        for (Vec2& v : world.balls.velocity)
+        for (Vec2& v : world.edit_balls().velocity)
             v -= mean;
         const double temperature =
             totals(world).kinetic_energy / static_cast<double>(count - 1);  // m = 1: kT
@@ -338,7 +338,7 @@ TEST_SUITE("long") {
                 virial += contact.impulse * 2.0;  // times the distance of the centres
             if (collisions(world) < next) continue;
             next += 100'000;
-            for (const Vec2 v : world.balls.velocity)
+            for (const Vec2 v : world.balls().velocity)
                 speeds.push_back(length(v));
         }
         const double n = static_cast<double>(count);

@@ -9,8 +9,8 @@ using namespace carom;
 
 TEST_CASE("cloth phases: a struck ball slips, rolls, then lies still") {
     World world = scenes::empty();
-    world.model.spin = 0.4;
-    world.model.cloth = Cloth{};
+    world.edit_definition().model.spin = 0.4;
+    world.edit_definition().model.cloth = Cloth{};
     add_ball(world, {.velocity = {1.0, 0.0}, .radius = 0.5, .roll = Vec2{}});
     EventParts parts(world);
     parts.cloth.begin_phase(0);
@@ -32,8 +32,8 @@ TEST_CASE("cloth phases: a struck ball slips, rolls, then lies still") {
 
 TEST_CASE("cloth phases: an edge takes the part of a roll that turns the ball into it") {
     World world = scenes::empty();
-    world.model.spin = 0.4;
-    world.model.cloth = Cloth{};
+    world.edit_definition().model.spin = 0.4;
+    world.edit_definition().model.cloth = Cloth{};
     add_capsule(world, {{0.0, -5.0}, {0.0, 5.0}, 0.0}, 0);
     add_ball(world,
              {.position = {0.5, 0.0}, .velocity = {0.0, 1.0}, .radius = 0.5, .roll = Vec2{-1, 1}});

@@ -40,7 +40,7 @@ std::size_t run(World& world, double seconds,
                 SolverSettings settings = {.kind = SolverKind::event}) {
     Solver solver(settings);
     std::size_t contacts = 0;
-    const auto ticks = static_cast<int>(seconds * world.rate + 0.5);
+    const auto ticks = static_cast<int>(seconds * world.rate() + 0.5);
     for (int i = 0; i < ticks; ++i) {
         CHECK(solver.tick(world) == TickOutcome::done);
         contacts += solver.contacts().size();
@@ -50,7 +50,7 @@ std::size_t run(World& world, double seconds,
 
 // In one tick that lasts so long.
 void run_at_once(World& world, double seconds) {
-    world.rate = 1.0 / seconds;
+    world.edit_definition().rate = 1.0 / seconds;
     Solver({.kind = SolverKind::event}).tick(world);
 }
 
@@ -66,8 +66,9 @@ Vec2 before_cut(double degrees, double way) {
 }
 
 bool all_are_still(const World& world) {
-    for (std::size_t i = 0; i < world.balls.size(); ++i)
-        if (!(world.balls.velocity[i] == Vec2{}) || !(world.balls.roll[i] == Vec2{})) return false;
+    for (std::size_t i = 0; i < world.balls().size(); ++i)
+        if (!(world.balls().velocity[i] == Vec2{}) || !(world.balls().roll[i] == Vec2{}))
+            return false;
     return true;
 }
 
@@ -93,9 +94,9 @@ TEST_CASE("event on cloth: slide and roll end when and where the closed forms sa
 
         // A little before the end it still slides.
         run_at_once(world, slides * 0.999);
-        CHECK(length(world.balls.velocity[0]) > speed * 5.0 / 7.0);
-        CHECK(length(world.balls.velocity[0] - world.balls.roll[0]) > 0.0);
-        CHECK(world.balls.spin[0] ==
+        CHECK(length(world.balls().velocity[0]) > speed * 5.0 / 7.0);
+        CHECK(length(world.balls().velocity[0] - world.balls().roll[0]) > 0.0);
+        CHECK(world.balls().spin[0] ==
               doctest::Approx(std::max(0.0, 40.0 - cloth.spin * slides * 0.999)).epsilon(1e-13));
 
         // A little after it, it rolls.
@@ -104,14 +105,14 @@ TEST_CASE("event on cloth: slide and roll end when and where the closed forms sa
         const double brake = cloth.roll * cloth.gravity;
         const double rolling = speed * 5.0 / 7.0;
         const double place = slid + rolling * more - brake * more * more / 2.0;
-        CHECK(length(later.balls.position[0] - way * place) < 1e-13 * place);
-        CHECK(length(later.balls.velocity[0] - way * (rolling - brake * more)) < 1e-13 * speed);
-        CHECK(later.balls.roll[0] == later.balls.velocity[0]);
+        CHECK(length(later.balls().position[0] - way * place) < 1e-13 * place);
+        CHECK(length(later.balls().velocity[0] - way * (rolling - brake * more)) < 1e-13 * speed);
+        CHECK(later.balls().roll[0] == later.balls().velocity[0]);
 
         // Then it lies still, for good.
         const double rolls = rolling * rolling / (2.0 * brake);
         run_at_once(last, slides + rolling / brake + 1e-6);
-        CHECK(length(last.balls.position[0] - way * (slid + rolls)) < 1e-13 * (slid + rolls));
+        CHECK(length(last.balls().position[0] - way * (slid + rolls)) < 1e-13 * (slid + rolls));
         CHECK(all_are_still(last));
     }
 }
@@ -131,10 +132,10 @@ TEST_CASE("event on cloth: a ball with any roll goes as the closed forms say, at
             solver.tick(world);
             if (i % 60 != 0) continue;
             const auto there = cloth_state_after(cloth, solid, start, world.time());
-            CHECK(length(world.balls.position[0] - Vec2(there.position)) < 1e-12);
-            CHECK(length(world.balls.velocity[0] - Vec2(there.velocity)) < 1e-12);
-            CHECK(length(world.balls.roll[0] - Vec2(there.roll)) < 1e-12);
-            CHECK(std::abs(world.balls.spin[0] - there.spin) < 1e-12);
+            CHECK(length(world.balls().position[0] - Vec2(there.position)) < 1e-12);
+            CHECK(length(world.balls().velocity[0] - Vec2(there.velocity)) < 1e-12);
+            CHECK(length(world.balls().roll[0] - Vec2(there.roll)) < 1e-12);
+            CHECK(std::abs(world.balls().spin[0] - there.spin) < 1e-12);
         }
     }
 }
@@ -154,7 +155,7 @@ TEST_CASE("event on cloth: two balls meet when their closed forms first touch, o
             start[i] = {Vector<double>(at), Vector<double>(velocity), Vector<double>(roll), 0.0};
         }
         const auto gap = [&](double time) {
-            const Cloth& cloth = *world.model.cloth;
+            const Cloth& cloth = *world.model().cloth;
             const auto a = cloth_state_after(cloth, solid, start[0], time);
             const auto b = cloth_state_after(cloth, solid, start[1], time);
             return length(a.position - b.position) - 2.0 * size_of_ball;
@@ -195,10 +196,10 @@ TEST_CASE("event on cloth: stun line, stop shot and the 30-degree rule are exact
         put(stun, {});
         put(stun, before_cut(cut, 1e-4), {speed, 0.0});
         Solver solver({.kind = SolverKind::event});
-        stun.rate = 1e4;
+        stun.edit_definition().rate = 1e4;
         while (solver.contacts().empty())
             solver.tick(stun);
-        CHECK(std::abs(degrees_between(stun.balls.velocity[0], stun.balls.velocity[1])) ==
+        CHECK(std::abs(degrees_between(stun.balls().velocity[0], stun.balls().velocity[1])) ==
               doctest::Approx(90.0).epsilon(2e-3));
         // The parabola of what is left of the tick bends that; the impulse itself is exact.
         CHECK(degrees_between({1.0, 0.0}, solver.contacts()[0].normal) ==
@@ -208,10 +209,10 @@ TEST_CASE("event on cloth: stun line, stop shot and the 30-degree rule are exact
         put(rolling, {});
         put(rolling, before_cut(cut, 0.01), {speed, 0.0}, {speed, 0.0});
         run_at_once(rolling, 0.01 / speed + 2.0 * speed / (7.0 * 0.2 * 9.81) + 0.001);
-        REQUIRE(rolling.balls.velocity[1] == rolling.balls.roll[1]);
+        REQUIRE(rolling.balls().velocity[1] == rolling.balls().roll[1]);
         const auto [sine, cosine] = sin_cos(cut * pi / 180.0);
         const double turned = std::atan2(sine * cosine, sine * sine + 0.4) * 180.0 / pi;
-        CHECK(degrees_between({1.0, 0.0}, rolling.balls.velocity[1]) ==
+        CHECK(degrees_between({1.0, 0.0}, rolling.balls().velocity[1]) ==
               doctest::Approx(turned).epsilon(1e-9));
         if (who == 0) {
             const double half = std::atan2(std::sqrt(3.0) / 4.0, 0.65) * 180.0 / pi;
@@ -223,8 +224,8 @@ TEST_CASE("event on cloth: stun line, stop shot and the 30-degree rule are exact
         // It slides without turning when they meet.
         put(stop, {-2.0 * size_of_ball - 1e-6, 0.0}, {speed, 0.0});
         run_at_once(stop, 0.5);
-        CHECK(std::abs(stop.balls.position[1].x + 2.0 * size_of_ball) < 1e-6);
-        CHECK(length(stop.balls.velocity[1]) < 2e-5);
+        CHECK(std::abs(stop.balls().position[1].x + 2.0 * size_of_ball) < 1e-6);
+        CHECK(length(stop.balls().velocity[1]) < 2e-5);
     }
 }
 
@@ -235,13 +236,13 @@ TEST_CASE("event on cloth: throw is what Coulomb's law gives, within the publish
             const double speed = draw(0.3, 5.0, who, 0);
             const double cut = draw(2.0, 60.0, who, 1);
             World world = cloth_table(0.95, mu);
-            world.rate = 1e6;
+            world.edit_definition().rate = 1e6;
             put(world, {});
             put(world, before_cut(cut, 1e-7), {speed, 0.0});
             Solver solver({.kind = SolverKind::event});
-            while (world.balls.velocity[0] == Vec2{})
+            while (world.balls().velocity[0] == Vec2{})
                 solver.tick(world);
-            const double thrown = cut + degrees_between({1.0, 0.0}, world.balls.velocity[0]);
+            const double thrown = cut + degrees_between({1.0, 0.0}, world.balls().velocity[0]);
             // The balls slip to the end, or stick: the slip is stopped by 1/7 of the speed across.
             const auto [sine, cosine] = sin_cos(cut * pi / 180.0);
             const double sticking = sine / 7.0 / (0.975 * cosine);
@@ -276,8 +277,8 @@ TEST_CASE(
             if (i % 24 == 0) deepest = std::max(deepest, deepest_overlap(world));
         }
         CHECK(all_are_still(world));
-        REQUIRE(world.balls.size() == 16);
-        for (const Vec2 position : world.balls.position) {
+        REQUIRE(world.balls().size() == 16);
+        for (const Vec2 position : world.balls().position) {
             CHECK(std::abs(position.x) <= 1.27 - size_of_ball + 1e-9);
             CHECK(std::abs(position.y) <= 0.635 - size_of_ball + 1e-9);
         }
@@ -290,18 +291,18 @@ TEST_CASE("event on cloth: a break has the same bits at 60 and at 1,000 ticks a 
     const World start = break_shot(5e-5, {10.0, 0.1}, {4.0, 0.0}, 30.0, 0.01);
     World slow = start;
     World fast = start;
-    slow.rate = 60.0;
-    fast.rate = 1000.0;
+    slow.edit_definition().rate = 60.0;
+    fast.edit_definition().rate = 1000.0;
     for (int second = 0; second < 12; ++second) {
         run(slow, 1.0);
         run(fast, 1.0);
-        REQUIRE(slow.balls.position == fast.balls.position);
-        REQUIRE(slow.balls.velocity == fast.balls.velocity);
-        REQUIRE(slow.balls.roll == fast.balls.roll);
-        REQUIRE(slow.balls.spin == fast.balls.spin);
+        REQUIRE(slow.balls().position == fast.balls().position);
+        REQUIRE(slow.balls().velocity == fast.balls().velocity);
+        REQUIRE(slow.balls().roll == fast.balls().roll);
+        REQUIRE(slow.balls().spin == fast.balls().spin);
     }
-    CHECK(slow.ball_ball_collisions > 50);
-    CHECK(slow.ball_ball_collisions == fast.ball_ball_collisions);
+    CHECK(slow.ball_ball_collisions() > 50);
+    CHECK(slow.ball_ball_collisions() == fast.ball_ball_collisions());
 }
 
 TEST_CASE("event on cloth: a snapshot goes on with the same bits, wherever it is taken") {
@@ -322,15 +323,15 @@ TEST_CASE("event on cloth: a break is the same in any order of the file") {
     World world = break_shot(5e-5, {10.0, 0.1}, {4.0, 0.0}, 30.0, 0.01);
     World turned = cloth_table(0.95, 0.05);
     put_cushions(turned);
-    const Balls& balls = world.balls;
+    const Balls& balls = world.balls();
     for (std::size_t i = balls.size(); i-- > 0;)
         put(turned, balls.position[i], balls.velocity[i], balls.roll[i], balls.spin[i]);
     run(world, 5.0);
     run(turned, 5.0);
-    const std::size_t last = world.balls.size() - 1;
+    const std::size_t last = world.balls().size() - 1;
     for (std::size_t i = 0; i <= last; ++i) {
-        CHECK(world.balls.position[i] == turned.balls.position[last - i]);
-        CHECK(world.balls.roll[i] == turned.balls.roll[last - i]);
+        CHECK(world.balls().position[i] == turned.balls().position[last - i]);
+        CHECK(world.balls().roll[i] == turned.balls().roll[last - i]);
     }
 }
 
@@ -339,7 +340,7 @@ TEST_CASE("event on cloth: swept comes to the same as its ticks grow short") {
     const auto scene = [](double rate) {
         World world = cloth_table(0.95, 0.05);
         put_cushions(world);
-        world.rate = rate;
+        world.edit_definition().rate = rate;
         put(world, {-0.5, 0.0}, {2.0, 0.25}, {0.5, 0.0}, 20.0);
         put(world, {0.2, 0.1});
         put(world, {0.8, -0.2});
@@ -347,15 +348,15 @@ TEST_CASE("event on cloth: swept comes to the same as its ticks grow short") {
     };
     World exact = scene(240.0);
     run(exact, 4.0);
-    CHECK(exact.ball_ball_collisions > 0);
-    CHECK(exact.ball_edge_collisions > 2);
+    CHECK(exact.ball_ball_collisions() > 0);
+    CHECK(exact.ball_edge_collisions() > 2);
     double before = 1.0;
     for (const double rate : {240.0, 1920.0, 15360.0}) {
         World swept = scene(rate);
         run(swept, 4.0, {.kind = SolverKind::swept});
         double worst = 0.0;
         for (std::size_t i = 0; i < 3; ++i)
-            worst = std::max(worst, length(swept.balls.position[i] - exact.balls.position[i]));
+            worst = std::max(worst, length(swept.balls().position[i] - exact.balls().position[i]));
         MESSAGE("swept at " << rate << " ticks a second is off by " << worst << " m");
         CHECK(worst < before / 4.0);
         before = worst;
@@ -374,7 +375,7 @@ TEST_CASE("event on cloth: with more digits it comes to the same") {
     run(precise, 12.0, {.kind = SolverKind::event, .extended = true});
     CHECK(all_are_still(precise));
     for (std::size_t i = 0; i < 3; ++i)
-        CHECK(length(world.balls.position[i] - precise.balls.position[i]) < 1e-11);
+        CHECK(length(world.balls().position[i] - precise.balls().position[i]) < 1e-11);
 }
 
 TEST_CASE("event on cloth: balls that touch and lie still stay, whoever is next to them") {
@@ -386,8 +387,8 @@ TEST_CASE("event on cloth: balls that touch and lie still stay, whoever is next 
     put(world, {-0.5, 0.0}, {}, {}, 80.0);                    // spins where it is
     const World before = world;
     CHECK(run(world, 10.0) == 0);
-    CHECK(world.balls.position == before.balls.position);
-    CHECK(world.balls.spin[3] == 0.0);
+    CHECK(world.balls().position == before.balls().position);
+    CHECK(world.balls().spin[3] == 0.0);
     CHECK(all_are_still(world));
 }
 
@@ -438,7 +439,7 @@ TEST_CASE("event on cloth: what turns towards what it touches pushes it in finit
         CHECK(contacts <= each.most);
         CHECK(all_are_still(world));
         CHECK(deepest < 2e-6 * size_of_ball);
-        for (const Vec2 position : world.balls.position)
+        for (const Vec2 position : world.balls().position)
             CHECK(position.y <= rail + 1e-8 * size_of_ball);
     }
 }
@@ -457,18 +458,18 @@ TEST_CASE("event on cloth: a hand that carries a ball, or an edge, pushes what l
         for (int i = 1; i <= 120; ++i) {
             const double x = i / 240.0;
             if (is_ball)
-                world.held_balls = {{BallId{1}, {-0.2 + x, 0.0}}};
+                world.edit_held_balls() = {{BallId{1}, {-0.2 + x, 0.0}}};
             else
-                world.held_capsules = {{edge, {x, -0.3}, {x, 0.3}}};
+                world.edit_held_capsules() = {{edge, {x, -0.3}, {x, 0.3}}};
             solver.tick(world);
         }
-        const double hand = is_ball ? world.balls.position[1].x + 2.0 * size_of_ball
-                                    : world.capsules.shape[0].start.x + size_of_ball;
+        const double hand = is_ball ? world.balls().position[1].x + 2.0 * size_of_ball
+                                    : world.capsules().shape[0].start.x + size_of_ball;
         CHECK(hand > 0.25);
 
-        CHECK(world.balls.position[0].x > hand - 1e-3 * size_of_ball);
-        world.held_balls.clear();
-        world.held_capsules.clear();
+        CHECK(world.balls().position[0].x > hand - 1e-3 * size_of_ball);
+        world.edit_held_balls().clear();
+        world.edit_held_capsules().clear();
         run(world, 30.0);
         CHECK(all_are_still(world));
     }
@@ -483,8 +484,8 @@ TEST_CASE("event on cloth: what is struck from outside begins anew, the others g
     Solver other({.kind = SolverKind::event});
     other.tick(copy);
     for (World* each : {&world, &copy}) {
-        each->balls.roll[3] = {1.5, 0.5};
-        each->balls.spin[4] = 12.0;
+        each->edit_balls().roll[3] = {1.5, 0.5};
+        each->edit_balls().spin[4] = 12.0;
     }
     for (int i = 0; i < 480; ++i) {
         solver.tick(world);
@@ -492,8 +493,8 @@ TEST_CASE("event on cloth: what is struck from outside begins anew, the others g
         Solver({.kind = SolverKind::event}).tick(copy);
         REQUIRE(fingerprint(copy) == fingerprint(world));
     }
-    CHECK(length(world.balls.roll[3]) > 0.0);
-    CHECK(length(world.balls.roll[3]) < 1.6);
+    CHECK(length(world.balls().roll[3]) > 0.0);
+    CHECK(length(world.balls().roll[3]) < 1.6);
 }
 
 TEST_CASE("event on cloth: it is what auto takes") {

@@ -12,8 +12,8 @@ namespace {
 
 World one_ball(bool has_gravity, Vec2 velocity = {}) {
     World world = scenes::empty();
-    world.model.lossy = true;
-    if (has_gravity) world.model.gravity = Vec2{0.0, -8.0};
+    world.edit_definition().model.lossy = true;
+    if (has_gravity) world.edit_definition().model.gravity = Vec2{0.0, -8.0};
     add_ball(world, {.velocity = velocity, .radius = 1.0});
     return world;
 }

@@ -9,6 +9,7 @@
 #include "physics/support/scenes.h"
 #include "physics/tick/totals.h"
 #include "physics/world/fingerprint.h"
+#include "physics/world/solver_access.h"
 
 using namespace carom;
 
@@ -22,11 +23,11 @@ double energy(const World& world) {
 // Gravity 10, 100 ticks a second, balls of radius 0.5 and no edges.
 World open_air(double restitution) {
     World world = scenes::empty();
-    world.rate = 100.0;
-    world.model.gravity = Vec2{0.0, -10.0};
-    world.kinds[0] = {.radius = 0.5, .mass = 1.0, .restitution = restitution};
-    world.materials[0].restitution = restitution;
-    world.model.lossy = restitution < 1.0;
+    world.edit_definition().rate = 100.0;
+    world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+    world.edit_definition().kinds[0] = {.radius = 0.5, .mass = 1.0, .restitution = restitution};
+    world.edit_definition().materials[0].restitution = restitution;
+    world.edit_definition().model.lossy = restitution < 1.0;
     return world;
 }
 
@@ -46,7 +47,7 @@ bool runs_into_a_heap(World world, int most) {
     Solver solver({.kind = SolverKind::event});
     for (int i = 0; i < most; ++i) {
         solver.tick(world);
-        if (!world.heaped.empty()) return true;
+        if (!world.memory().heaped.empty()) return true;
     }
     return false;
 }
@@ -84,17 +85,17 @@ TEST_CASE("event: what is not too dense is never handed over to contact") {
     // A gas of elastic balls whose walls lose a little, and one that is twice as dense.
     for (const double shrink : {1.0, 0.775}) {
         World gas = scenes::gas(300, 7);
-        gas.model.gravity = Vec2{0.0, -10.0};
-        gas.model.lossy = true;
-        gas.balls.restitution.assign(gas.balls.size(), 1.0);
-        gas.materials[0].restitution = 0.95;
-        for (Vec2& place : gas.balls.position)
+        gas.edit_definition().model.gravity = Vec2{0.0, -10.0};
+        gas.edit_definition().model.lossy = true;
+        gas.edit_balls().restitution.assign(gas.balls().size(), 1.0);
+        gas.edit_definition().materials[0].restitution = 0.95;
+        for (Vec2& place : gas.edit_balls().position)
             place *= shrink;
-        for (Capsule& wall : gas.capsules.shape) {
+        for (Capsule& wall : gas.edit_capsules().shape) {
             wall.start *= shrink;
             wall.end *= shrink;
         }
-        for (double& radius : gas.balls.radius)
+        for (double& radius : gas.edit_balls().radius)
             radius = std::min(radius, 0.99);
         CHECK_FALSE(runs_into_a_heap(gas, 240));
     }
@@ -106,8 +107,8 @@ TEST_CASE("event: too many impacts in quick succession with other balls make a h
     // The balls of a bucket that lose nothing stay in flight.
     CHECK_FALSE(runs_into_a_heap(scenes::bucket(40, 1.0), 240));
     // Only where gravity acts.
-    world.model.gravity.reset();
-    for (Vec2& velocity : world.balls.velocity)
+    world.edit_definition().model.gravity.reset();
+    for (Vec2& velocity : world.edit_balls().velocity)
         velocity = {0.0, -1.0};
     CHECK_FALSE(runs_into_a_heap(world, 240));
 }
@@ -139,36 +140,36 @@ TEST_CASE("event: the heap is what is crowded, and all that could meet it within
         World world = open_air(0.5);
         for (std::size_t i = 0; i < row.x.size(); ++i)
             add_ball(world, {.position = {row.x[i], 0.0}, .velocity = {row.speed[i], 0.0}});
-        world.heaped = row.heaped;
+        SolverAccess(world).memory().heaped = row.heaped;
         HybridStep hybrid;
         CHECK(hybrid.cluster_of(world) == row.heap);
     }
 
     // Across the seam of a torus; only those that meet one another; through a hand.
     World torus = open_air(0.5);
-    torus.model.wrap = Box{{0.0, 0.0}, {20.0, 20.0}};
+    torus.edit_definition().model.wrap = Box{{0.0, 0.0}, {20.0, 20.0}};
     for (const double x : {0.4, 19.4, 10.0})
         add_ball(torus, {.position = {x, 5.0}, .velocity = {}});
-    torus.heaped = balls({0});
+    SolverAccess(torus).memory().heaped = balls({0});
     HybridStep hybrid;
     CHECK(hybrid.cluster_of(torus) == balls({0, 1}));
 
     World layers = open_air(0.5);
-    layers.kinds.push_back(layers.kinds[0]);
-    layers.model.filtered = true;
-    layers.meets = {1, 0, 1, 0, 1, 1, 1, 1, 0};
+    layers.edit_definition().kinds.push_back(layers.kinds()[0]);
+    layers.edit_definition().model.filtered = true;
+    layers.edit_definition().meets = {1, 0, 1, 0, 1, 1, 1, 1, 0};
     add_ball(layers, {.kind = 0, .position = {0.0, 0.0}, .velocity = {}});
     add_ball(layers, {.kind = 1, .position = {0.5, 0.0}, .velocity = {}});
-    layers.heaped = balls({0});
+    SolverAccess(layers).memory().heaped = balls({0});
     CHECK(hybrid.cluster_of(layers) == balls({0}));
 
     World hand = open_air(0.5);
     const CapsuleId blade = add_capsule(hand, {{0.0, 1.0}, {9.0, 1.0}, 0.1}, 0);
     for (const double x : {0.0, 4.0, 8.0, 20.0})
         add_ball(hand, {.position = {x, 0.0}, .velocity = {}});
-    hand.heaped = balls({0});
+    SolverAccess(hand).memory().heaped = balls({0});
     CHECK(hybrid.cluster_of(hand) == balls({0}));
-    hand.held_capsules.push_back({blade, {0.0, 0.5}, {9.0, 0.5}});
+    hand.edit_held_capsules().push_back({blade, {0.0, 0.5}, {9.0, 0.5}});
     CHECK(hybrid.cluster_of(hand) == balls({0, 1, 2}));
 }
 
@@ -190,33 +191,33 @@ TEST_CASE("event: a ball comes back when nothing presses it on another and it ov
         World world = open_air(0.5);
         add_ball(world, {.position = {0.0, 9.0}, .velocity = {}});
         add_ball(world, {.position = {1.0 + row.gap, 9.0}, .velocity = {row.apart, 0.0}});
-        world.heaped = balls({0, 1});
+        SolverAccess(world).memory().heaped = balls({0, 1});
         Solver solver({.kind = SolverKind::event});
         solver.tick(world);
-        CHECK(world.heaped.empty() == row.comes_back);
+        CHECK(world.memory().heaped.empty() == row.comes_back);
         if (!row.comes_back) continue;
         // On an exact path, whatever tick it ends in.
-        const Vec2 place = world.balls.position[1];
-        const Vec2 velocity = world.balls.velocity[1];
+        const Vec2 place = world.balls().position[1];
+        const Vec2 velocity = world.balls().velocity[1];
         for (int i = 0; i < 50; ++i)
             solver.tick(world);
-        CHECK(world.heaped.empty());
-        CHECK(world.balls.position[1].x == doctest::Approx(place.x + 0.5 * velocity.x));
+        CHECK(world.memory().heaped.empty());
+        CHECK(world.balls().position[1].x == doctest::Approx(place.x + 0.5 * velocity.x));
         const double fallen = place.y + 0.5 * velocity.y - 5.0 * 0.25;
-        CHECK(std::abs(world.balls.position[1].y - fallen) < 1e-13 * 9.0);
+        CHECK(std::abs(world.balls().position[1].y - fallen) < 1e-13 * 9.0);
     }
     // What is pressed into the floor stays until it leaves it.
     World world = open_air(0.5);
     add_floor(world);
     add_ball(world, {.position = {0.0, 0.49}, .velocity = {}});
-    world.heaped = balls({0});
+    SolverAccess(world).memory().heaped = balls({0});
     Solver solver({.kind = SolverKind::event});
     solver.tick(world);
-    CHECK(world.heaped == balls({0}));
-    world.balls.velocity[0] = {0.0, 3.0};
+    CHECK(world.memory().heaped == balls({0}));
+    world.edit_balls().velocity[0] = {0.0, 3.0};
     for (int i = 0; i < 3; ++i)
         solver.tick(world);
-    CHECK(world.heaped.empty());
+    CHECK(world.memory().heaped.empty());
 }
 
 TEST_CASE("event: a bucket of balls comes to rest as a heap, without sinking into itself") {
@@ -243,9 +244,9 @@ TEST_CASE("event: a bucket of balls comes to rest as a heap, without sinking int
         MESSAGE("restitution ", restitution, ": gained in a tick ", most_gained / start,
                 ", deepest ", deepest, ", at rest ", deepest_overlap(world), ", KE ",
                 end.kinetic_energy, ", most contacts ", contacts, ", all ",
-                world.ball_ball_collisions);
-        CHECK(world.balls.size() == 120);
-        CHECK(world.heaped.size() > 60);
+                world.ball_ball_collisions());
+        CHECK(world.balls().size() == 120);
+        CHECK(world.memory().heaped.size() > 60);
         CHECK(most <= start * (1 + 1e-12));
         // What is taken apart is lifted a little: contact's promise.
         CHECK(most_gained < 2e-3 * start);
@@ -253,15 +254,15 @@ TEST_CASE("event: a bucket of balls comes to rest as a heap, without sinking int
         CHECK(deepest_overlap(world) < 1e-3);
         CHECK(end.kinetic_energy < 1e-9);
         // By events alone it has 4 million contacts within 5 s, up to 20,000 in a tick.
-        CHECK(world.ball_ball_collisions < 200'000);
-        for (const Vec2 place : world.balls.position)
+        CHECK(world.ball_ball_collisions() < 200'000);
+        for (const Vec2 place : world.balls().position)
             CHECK((place.x > 0.0 && place.x < 20.0 && place.y > 0.0));
         // What falls upon it from above is on an exact path until it arrives.
         const BallId late = add_ball(world, {.position = {10.0, 40.0}, .velocity = {}});
         for (int i = 0; i < 120; ++i)
             solver.tick(world);
-        CHECK(std::ranges::find(world.heaped, late) == world.heaped.end());
-        CHECK(std::abs(world.balls.position.back().y - 35.0) < 1e-12);
+        CHECK(std::ranges::find(world.memory().heaped, late) == world.memory().heaped.end());
+        CHECK(std::abs(world.balls().position.back().y - 35.0) < 1e-12);
         CHECK(deepest_overlap(world) < 1e-3);
     }
 }
@@ -283,8 +284,8 @@ TEST_CASE("event: a ball that lies a little in an edge slides off its end") {
             impacts += solver.contacts().size();
         }
         CHECK(impacts <= 2);
-        CHECK(world.balls.position[0].y == doctest::Approx(1.0 - 3.0 * 0.4 - 5.0 * 0.16));
-        CHECK(world.balls.position[1].y == doctest::Approx(19.0 + 8.0 * 0.4 - 5.0 * 0.16));
+        CHECK(world.balls().position[0].y == doctest::Approx(1.0 - 3.0 * 0.4 - 5.0 * 0.16));
+        CHECK(world.balls().position[1].y == doctest::Approx(19.0 + 8.0 * 0.4 - 5.0 * 0.16));
     }
 }
 
@@ -298,7 +299,8 @@ TEST_CASE("event: a ball that lies a little in an edge does not get through its 
             const double speed = 0.3 + 2.7 * share(1);
             const double angle = 2.4 * share(2) - 1.2;
             World world = open_air(0.5);
-            world.model.gravity = Vec2{10.0 * std::sin(angle), -10.0 * std::cos(angle)};
+            world.edit_definition().model.gravity =
+                Vec2{10.0 * std::sin(angle), -10.0 * std::cos(angle)};
             add_capsule(world, {{0.0, 0.0}, {20.0, 0.0}, 0.0}, 0);
             add_ball(world,
                      {.position = {0.5 * circle * (1.0 + 0.05 * share(3)), 0.5 - 0.5 * depth},
@@ -307,7 +309,7 @@ TEST_CASE("event: a ball that lies a little in an edge does not get through its 
             for (int i = 0; i < 50; ++i) {
                 int asked = 0;
                 REQUIRE(solver.tick(world, [&] { return ++asked < 30; }) == TickOutcome::done);
-                const Vec2 p = world.balls.position[0];
+                const Vec2 p = world.balls().position[0];
                 REQUIRE((p.x >= 0.0 ? std::abs(p.y) : length(p)) >
                         0.5 * (1.0 - 2.0 * depth) - 1e-6);
             }
@@ -327,25 +329,25 @@ TEST_CASE("event: a heap whose floor goes falls, and its balls come back to exac
     Solver solver({.kind = SolverKind::event});
     for (int i = 0; i < 600; ++i)
         solver.tick(world);
-    REQUIRE(world.heaped.size() > 20);
+    REQUIRE(world.memory().heaped.size() > 20);
     REQUIRE(totals(world).kinetic_energy < 1e-3);  // a ball may glide on under an arch
     remove_capsule(world, floor);
     for (int i = 0; i < 600; ++i)
         solver.tick(world);
-    CHECK(world.heaped.empty());
-    CHECK(world.pressed.empty());
+    CHECK(world.memory().heaped.empty());
+    CHECK(world.memory().pressed.empty());
     const World then = world;
     std::size_t impacts = 0;
     for (int i = 0; i < 100; ++i) {
         solver.tick(world);
         impacts += solver.contacts().size();
     }
-    CHECK(world.balls.size() == 30);
+    CHECK(world.balls().size() == 30);
     REQUIRE(impacts == 0);
-    for (std::size_t i = 0; i < world.balls.size(); ++i) {
+    for (std::size_t i = 0; i < world.balls().size(); ++i) {
         // Some hundred long by now.
-        const Vec2 fallen = then.balls.position[i] + then.balls.velocity[i] + Vec2{0.0, -5.0};
-        CHECK(distance(world.balls.position[i], fallen) < 1e-11);
+        const Vec2 fallen = then.balls().position[i] + then.balls().velocity[i] + Vec2{0.0, -5.0};
+        CHECK(distance(world.balls().position[i], fallen) < 1e-11);
     }
 }
 
@@ -354,22 +356,22 @@ TEST_CASE("event: a heap that somebody takes away leaves nothing behind") {
     Solver solver({.kind = SolverKind::event});
     for (int i = 0; i < 400; ++i)
         solver.tick(world);
-    REQUIRE(world.heaped.size() > 20);
-    while (world.balls.size() > 1)
-        remove_ball(world, world.balls.id[0]);
-    world.balls.position[0].y = 30.0;
+    REQUIRE(world.memory().heaped.size() > 20);
+    while (world.balls().size() > 1)
+        remove_ball(world, world.balls().id[0]);
+    world.edit_balls().position[0].y = 30.0;
     solver.tick(world);
-    CHECK(world.pressed.empty());
+    CHECK(world.memory().pressed.empty());
     World none = world;
-    remove_ball(none, none.balls.id[0]);
-    none.heaped = balls({3});
+    remove_ball(none, none.balls().id[0]);
+    SolverAccess(none).memory().heaped = balls({3});
     solver.tick(none);
-    CHECK(none.heaped.empty());
+    CHECK(none.memory().heaped.empty());
     // Other solvers know nothing of heaps.
-    world.heaped = balls({39});
+    SolverAccess(world).memory().heaped = balls({39});
     Solver swept({.kind = SolverKind::swept});
     swept.tick(world);
-    CHECK(world.heaped.empty());
+    CHECK(world.memory().heaped.empty());
 }
 
 TEST_CASE("event: with a heap, a copy goes on with the same bits, and so does another solver") {
@@ -377,9 +379,10 @@ TEST_CASE("event: with a heap, a copy goes on with the same bits, and so does an
         CAPTURE(has_spin);
         World world = scenes::bucket(120, 0.5);
         if (has_spin) {
-            world.model.spin = 0.5;
-            world.balls.spin.assign(world.balls.size(), 0.0);
-            world.kinds[0].friction = world.materials[0].friction = 0.3;
+            world.edit_definition().model.spin = 0.5;
+            world.edit_balls().spin.assign(world.balls().size(), 0.0);
+            world.edit_definition().kinds[0].friction =
+                world.edit_definition().materials[0].friction = 0.3;
         }
         World copied = world;
         Solver solver({.kind = SolverKind::event});
@@ -391,8 +394,9 @@ TEST_CASE("event: with a heap, a copy goes on with the same bits, and so does an
             Solver another({.kind = SolverKind::event});
             another.tick(copied);
             REQUIRE(fingerprint(copied) == fingerprint(world));
-            was_heaped = was_heaped || !world.heaped.empty();
-            was_parted = was_parted || (!world.heaped.empty() && world.heaped.size() < 110);
+            was_heaped = was_heaped || !world.memory().heaped.empty();
+            was_parted = was_parted ||
+                         (!world.memory().heaped.empty() && world.memory().heaped.size() < 110);
         }
         CHECK(was_heaped);
         CHECK(was_parted);
@@ -405,11 +409,11 @@ TEST_CASE("event: a hand goes its way once, above a heap and through it") {
     Solver solver({.kind = SolverKind::event});
     for (int i = 0; i < 900; ++i)
         solver.tick(world);
-    REQUIRE(world.heaped.size() > 100);
+    REQUIRE(world.memory().heaped.size() > 100);
     const auto go_to = [&](Vec2 low) {
-        world.held_capsules = {{blade, low, low + Vec2{0.0, 2.0}}};
+        world.edit_held_capsules() = {{blade, low, low + Vec2{0.0, 2.0}}};
         solver.tick(world);
-        return world.capsules.shape.back().start;
+        return world.capsules().shape.back().start;
     };
     // Above: it arrives exactly, tick after tick, and the heap does not notice.
     for (int i = 1; i <= 60; ++i) {
@@ -428,12 +432,12 @@ TEST_CASE("event: a hand goes its way once, above a heap and through it") {
     const World start = world;
     for (int i = 1; i <= 120; ++i)
         go_to({3.0 + 0.1 * i, before});
-    CHECK(world.capsules.shape.back().start.x > 5.0);
-    CHECK(world.balls.size() == 120);
-    for (const Vec2 place : world.balls.position)
+    CHECK(world.capsules().shape.back().start.x > 5.0);
+    CHECK(world.balls().size() == 120);
+    for (const Vec2 place : world.balls().position)
         CHECK((place.x > 0.0 && place.x < 20.0 && place.y > 0.0 && place.y < 60.0));
     // Let go: it comes to rest again.
-    world.held_capsules.clear();
+    world.edit_held_capsules().clear();
     for (int i = 0; i < 2000; ++i)
         solver.tick(world);
     CHECK(totals(world).kinetic_energy < 1e-9);
@@ -443,7 +447,8 @@ TEST_CASE("event: a hand goes its way once, above a heap and through it") {
     World other = start;
     for (int i = 1; i <= 20; ++i) {
         const Vec2 low{3.0 + 0.1 * i, before};
-        one.held_capsules = other.held_capsules = {{blade, low, low + Vec2{0.0, 2.0}}};
+        one.edit_held_capsules() =
+            other.edit_held_capsules() = {{blade, low, low + Vec2{0.0, 2.0}}};
         solver.tick(one);
         Solver({.kind = SolverKind::event}).tick(other);
     }
@@ -453,23 +458,23 @@ TEST_CASE("event: a hand goes its way once, above a heap and through it") {
 TEST_CASE("event: a tick with a heap that is given up leaves the world as it was") {
     World world = scenes::bucket(120, 0.5);
     Solver solver({.kind = SolverKind::event});
-    while (world.heaped.empty())
+    while (world.memory().heaped.empty())
         solver.tick(world);
     // Something that needs many events on its own, far from the heap.
     add_capsule(world, {{100.0, 0.0}, {100.0, 9.0}, 0.0}, 0);
     add_capsule(world, {{101.0 + 1e-6, 0.0}, {101.0 + 1e-6, 9.0}, 0.0}, 0);
-    const CapsuleId last{world.next_capsule - 1};
-    world.materials.push_back({.restitution = 1.0});
-    for (std::size_t i = world.capsules.size() - 2; i < world.capsules.size(); ++i)
-        world.capsules.material[i] = 1;
+    const CapsuleId last = world.capsules().id.back();
+    world.edit_definition().materials.push_back({.restitution = 1.0});
+    for (std::size_t i = world.capsules().size() - 2; i < world.capsules().size(); ++i)
+        world.edit_capsules().material[i] = 1;
     REQUIRE(index_of(world, last));
     add_ball(world, {.position = {100.5 + 5e-7, 5.0}, .velocity = {10.0, 0.0}});
     const World before = world;
     CHECK(solver.tick(world, [] { return false; }) == TickOutcome::given_up);
     CHECK(fingerprint(world) == fingerprint(before));
-    CHECK(world.heaped == before.heaped);
-    CHECK(world.paths == before.paths);
-    CHECK(world.pressed == before.pressed);
+    CHECK(world.memory().heaped == before.memory().heaped);
+    CHECK(world.memory().paths == before.memory().paths);
+    CHECK(world.memory().pressed == before.memory().pressed);
     World other = before;
     CHECK(solver.tick(world) == TickOutcome::done);
     Solver another({.kind = SolverKind::event});
@@ -480,20 +485,20 @@ TEST_CASE("event: a tick with a heap that is given up leaves the world as it was
 TEST_CASE("event: who goes over does not depend on the order of the balls") {
     World world = scenes::bucket(60, 0.5);
     Solver solver({.kind = SolverKind::event});
-    while (world.heaped.empty())
+    while (world.memory().heaped.empty())
         solver.tick(world);
-    const std::size_t count = world.balls.size();
+    const std::size_t count = world.balls().size();
     World turned = world;
     for (std::size_t i = 0; i < count; ++i) {
-        turned.balls.position[i] = world.balls.position[count - 1 - i];
-        turned.balls.velocity[i] = world.balls.velocity[count - 1 - i];
+        turned.edit_balls().position[i] = world.balls().position[count - 1 - i];
+        turned.edit_balls().velocity[i] = world.balls().velocity[count - 1 - i];
     }
     const auto number_there = [&](BallId id) {
         return BallId{static_cast<std::uint32_t>(count - 1 - number(id))};
     };
-    turned.heaped.clear();
-    for (std::size_t i = world.heaped.size(); i-- > 0;)
-        turned.heaped.push_back(number_there(world.heaped[i]));
+    SolverAccess(turned).memory().heaped.clear();
+    for (std::size_t i = world.memory().heaped.size(); i-- > 0;)
+        SolverAccess(turned).memory().heaped.push_back(number_there(world.memory().heaped[i]));
     HybridStep hybrid;
     std::vector<BallId> heap = hybrid.cluster_of(world);
     const std::vector<BallId> heap_there = hybrid.cluster_of(turned);
@@ -508,31 +513,32 @@ TEST_CASE("event: an elastic gas above a heap keeps its energy") {
     Solver solver({.kind = SolverKind::event});
     for (int i = 0; i < 1200; ++i)
         solver.tick(world);
-    REQUIRE(world.heaped.size() > 30);
+    REQUIRE(world.memory().heaped.size() > 30);
     REQUIRE(totals(world).kinetic_energy < 1e-9);
     // A lid, on which elastic balls bounce among elastic walls, so that no heap can tame them.
-    world.materials.push_back({.restitution = 1.0});
+    world.edit_definition().materials.push_back({.restitution = 1.0});
     add_capsule(world, {{-1.0, 10.0}, {21.0, 10.0}, 0.5}, 1);
-    for (std::size_t i = 0; i < world.capsules.size(); ++i)
-        world.capsules.material[i] = 1;
-    const std::size_t first = world.balls.size();
+    for (std::size_t i = 0; i < world.capsules().size(); ++i)
+        world.edit_capsules().material[i] = 1;
+    const std::size_t first = world.balls().size();
     for (int i = 0; i < 30; ++i)
         add_ball(world, {.position = {1.0 + 3.0 * (i % 6), 12.0 + 2.0 * (i / 6)},
                          .velocity = {3.0 - 0.7 * (i % 9), 0.1 * i},
                          .restitution = 1.0});
     const auto energy_above = [&] {
         double sum = 0.0;
-        for (std::size_t i = first; i < world.balls.size(); ++i)
-            sum += 0.5 * length_squared(world.balls.velocity[i]) + 10.0 * world.balls.position[i].y;
+        for (std::size_t i = first; i < world.balls().size(); ++i)
+            sum += 0.5 * length_squared(world.balls().velocity[i]) +
+                   10.0 * world.balls().position[i].y;
         return sum;
     };
     const double before = energy_above();
-    const std::uint64_t collisions = world.ball_ball_collisions;
+    const std::uint64_t collisions = world.ball_ball_collisions();
     for (int i = 0; i < 600; ++i)
         solver.tick(world);
-    CHECK(world.ball_ball_collisions - collisions > 100);
-    CHECK(world.heaped.size() > 30);
-    CHECK(world.heaped.back() < BallId{static_cast<std::uint32_t>(first)});
+    CHECK(world.ball_ball_collisions() - collisions > 100);
+    CHECK(world.memory().heaped.size() > 30);
+    CHECK(world.memory().heaped.back() < BallId{static_cast<std::uint32_t>(first)});
     MESSAGE("relative drift ", (energy_above() - before) / before);
     CHECK(energy_above() == doctest::Approx(before).epsilon(1e-12));
 }
@@ -541,13 +547,13 @@ TEST_CASE("event: fast balls that reach a heap by an impact of the same tick do 
     // A row of balls that lies under contact, and a shot that a heavier ball sends on towards it:
     // the shot is slow when the tick begins, and would be within the row when it ends.
     World world = open_air(0.9);
-    world.rate = 10.0;
+    world.edit_definition().rate = 10.0;
     add_floor(world);
     for (int i = 0; i < 6; ++i)
         add_ball(world, {.position = {1.0 * i, 0.5}, .velocity = {}});
     const BallId slow = add_ball(world, {.position = {-7.0, 0.5}, .velocity = {}});
     add_ball(world, {.position = {-9.5, 0.5}, .velocity = {50.0, 0.0}, .mass = 100.0});
-    world.heaped = balls({0, 1, 2, 3, 4, 5});
+    SolverAccess(world).memory().heaped = balls({0, 1, 2, 3, 4, 5});
     HybridStep hybrid;
     REQUIRE(hybrid.cluster_of(world) == balls({0, 1, 2, 3, 4, 5}));
     Solver solver({.kind = SolverKind::event});
@@ -559,5 +565,5 @@ TEST_CASE("event: fast balls that reach a heap by an impact of the same tick do 
                contact.b == number(slow);
     }));
     CHECK(deepest_overlap(world) < 0.26);
-    CHECK(world.balls.position[6].x < world.balls.position[0].x);
+    CHECK(world.balls().position[6].x < world.balls().position[0].x);
 }

@@ -9,12 +9,12 @@ using namespace carom;
 
 TEST_CASE("kinematic bodies: they go to their targets in a tick, or stop for the rest of it") {
     World world = scenes::empty();
-    world.rate = 2.0;
+    world.edit_definition().rate = 2.0;
     const BallId ball = add_ball(world, {.position = {0.0, 0.0}, .radius = 0.5});
     add_ball(world, {.position = {9.0, 9.0}, .velocity = {1.0, 0.0}, .radius = 0.5});
     const CapsuleId edge = add_capsule(world, {{5.0, 0.0}, {5.0, 1.0}, 0.0}, 0);
-    world.held_balls = {{ball, {1.0, 0.0}}};
-    world.held_capsules = {{edge, {6.0, 0.0}, {7.0, 1.0}}};
+    world.edit_held_balls() = {{ball, {1.0, 0.0}}};
+    world.edit_held_capsules() = {{edge, {6.0, 0.0}, {7.0, 1.0}}};
     EventParts parts(world);
     CHECK(parts.balls.plan(0).inverse_mass == 0.0);
     CHECK(parts.balls[0].line.motion == Motion::held);

@@ -26,13 +26,13 @@ TEST_CASE("event: many balls go on with the same bits, and while they become few
             if (tick == 3 || tick == 6)
                 for (World* each : {&world, &fresh})
                     for (int i = 0; i < 300; ++i)
-                        remove_ball(*each, each->balls.id[each->balls.size() - 1 - 7 * i]);
+                        remove_ball(*each, each->balls().id[each->balls().size() - 1 - 7 * i]);
             REQUIRE(solver.tick(world) == TickOutcome::done);
             REQUIRE(Solver({.kind = SolverKind::event}).tick(fresh) == TickOutcome::done);
             REQUIRE(fingerprint(world) == fingerprint(fresh));
         }
-        CHECK(world.balls.size() == 4'400);
-        CHECK(world.ball_ball_collisions > 1'000);
+        CHECK(world.balls().size() == 4'400);
+        CHECK(world.ball_ball_collisions() > 1'000);
     }
 }
 
@@ -44,23 +44,23 @@ TEST_CASE("event: whatever is done to one of very many balls, the solver sees it
     };
     const std::vector<Row> rows{
         {"nothing", [](World&) {}},
-        {"one turns", [](World& w) { w.balls.velocity[17].y = -w.balls.velocity[17].y; }},
+        {"one turns", [](World& w) { w.edit_balls().velocity[17].y = -w.balls().velocity[17].y; }},
         {"two exchange velocities",
-         [](World& w) { std::swap(w.balls.velocity[100], w.balls.velocity[8'000]); }},
+         [](World& w) { std::swap(w.edit_balls().velocity[100], w.edit_balls().velocity[8'000]); }},
         {"two exchange places",
-         [](World& w) { std::swap(w.balls.position[100], w.balls.position[101]); }},
+         [](World& w) { std::swap(w.edit_balls().position[100], w.edit_balls().position[101]); }},
         {"one moves by a hair",
          [](World& w) {
-             w.balls.position[8'500].x = std::nextafter(w.balls.position[8'500].x, 0);
+             w.edit_balls().position[8'500].x = std::nextafter(w.balls().position[8'500].x, 0);
          }},
         {"all turn back",
          [](World& w) {
-             for (Vec2& velocity : w.balls.velocity)
+             for (Vec2& velocity : w.edit_balls().velocity)
                  velocity = -velocity;
          }},
     };
     World world = scenes::gas(9'000, 1, false);
-    REQUIRE(world.balls.size() >= too_many_to_cache);
+    REQUIRE(world.balls().size() >= too_many_to_cache);
     Solver solver({.kind = SolverKind::event});
     for (const Row& row : rows) {
         CAPTURE(row.what);
@@ -70,7 +70,7 @@ TEST_CASE("event: whatever is done to one of very many balls, the solver sees it
         REQUIRE(solver.tick(world) == TickOutcome::done);
         REQUIRE(Solver({.kind = SolverKind::event}).tick(fresh) == TickOutcome::done);
         CHECK(fingerprint(world) == fingerprint(fresh));
-        CHECK(world.balls.position == fresh.balls.position);
-        CHECK(world.paths == fresh.paths);
+        CHECK(world.balls().position == fresh.balls().position);
+        CHECK(world.memory().paths == fresh.memory().paths);
     }
 }

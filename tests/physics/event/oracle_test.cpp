@@ -25,12 +25,13 @@ double draw(double low, double high, std::uint64_t who, std::uint64_t index) {
 // A few balls in a box with edges in it: pegs, thin walls, thick ones, all at a slant.
 World scene(std::uint64_t who) {
     World world = scenes::empty();
-    world.rate = 64.0;  // a tick's end is a double without rounding
+    world.edit_definition().rate = 64.0;  // a tick's end is a double without rounding
     const bool has_gravity = who % 4 != 3;
-    if (has_gravity) world.model.gravity = Vec2{draw(-3, 3, who, 0), draw(-12, -6, who, 1)};
+    if (has_gravity)
+        world.edit_definition().model.gravity = Vec2{draw(-3, 3, who, 0), draw(-12, -6, who, 1)};
     if (who % 2 == 1) {
-        world.kinds[0].restitution = draw(0.85, 1.0, who, 2);
-        world.materials[0].restitution = draw(0.85, 1.0, who, 3);
+        world.edit_definition().kinds[0].restitution = draw(0.85, 1.0, who, 2);
+        world.edit_definition().materials[0].restitution = draw(0.85, 1.0, who, 3);
     }
     scenes::add_walls(world, {{-6, -6}, {6, 6}});
     std::uint64_t n = 10;
@@ -42,18 +43,18 @@ World scene(std::uint64_t who) {
         n += 5;
     }
     const std::size_t count = 2 + who % 4;
-    while (world.balls.size() < count) {
+    while (world.balls().size() < count) {
         const Vec2 at{draw(-5, 5, who, n), draw(-5, 5, who, n + 1)};
         const double radius = draw(0.15, 0.6, who, n + 2);
         const Vec2 velocity{draw(-6, 6, who, n + 3), draw(-6, 6, who, n + 4)};
         const double mass = draw(0.2, 4.0, who, n + 5);
         n += 6;
         bool is_free = true;
-        for (const Capsule& c : world.capsules.shape)
+        for (const Capsule& c : world.capsules().shape)
             is_free &= distance(closest_point(c.start, c.end, at), at) > radius + c.radius + 0.05;
-        for (std::size_t i = 0; i < world.balls.size(); ++i)
+        for (std::size_t i = 0; i < world.balls().size(); ++i)
             is_free &=
-                distance(world.balls.position[i], at) > radius + world.balls.radius[i] + 0.05;
+                distance(world.balls().position[i], at) > radius + world.balls().radius[i] + 0.05;
         if (is_free)
             add_ball(world, {.position = at, .velocity = velocity, .radius = radius, .mass = mass});
     }
@@ -84,7 +85,7 @@ Worst compare(std::uint64_t who, bool extended, std::uint64_t ticks, double most
     const oracle::Number hair("1e-30");
     for (std::uint64_t k = 0; k < 3; ++k) {
         others.emplace_back(world);
-        for (std::size_t i = 0; i < world.balls.size(); ++i) {
+        for (std::size_t i = 0; i < world.balls().size(); ++i) {
             const auto some = [&](std::uint64_t n) {
                 return oracle::Number(hair * draw(-1, 1, who, 10'000 + 100 * k + 4 * i + n));
             };
@@ -94,7 +95,7 @@ Worst compare(std::uint64_t who, bool extended, std::uint64_t ticks, double most
     Solver solver({.kind = SolverKind::event, .extended = extended});
     Worst worst;
     std::vector<Contact> contacts;
-    while (world.tick < ticks) {
+    while (world.tick() < ticks) {
         solver.tick(world);
         contacts.insert(contacts.end(), solver.contacts().begin(), solver.contacts().end());
         const oracle::Number time(world.time());
@@ -102,12 +103,12 @@ Worst compare(std::uint64_t who, bool extended, std::uint64_t ticks, double most
         for (auto& other : others)
             other.run_until(time);
         double error = 0.0;
-        for (std::size_t i = 0; i < world.balls.size(); ++i) {
+        for (std::size_t i = 0; i < world.balls().size(); ++i) {
             const oracle::Point there = exact.position(i);
             for (const auto& other : others)
                 worst.growth =
                     std::max(worst.growth, distance_of(there, other.position(i)) / 1e-30);
-            const Vec2 p = world.balls.position[i];
+            const Vec2 p = world.balls().position[i];
             error = std::max(error, distance_of(there, {p.x, p.y}));
         }
         if (worst.growth > most_growth) break;
@@ -151,7 +152,7 @@ void check(bool extended, std::uint64_t count, std::uint64_t ticks) {
 TEST_CASE("oracle: a ball that falls is where Galileo says, and its bounces too") {
     oracle::use_many_digits();
     World world = scenes::empty();
-    world.model.gravity = Vec2{0.0, -8.0};
+    world.edit_definition().model.gravity = Vec2{0.0, -8.0};
     add_capsule(world, {{-5.0, 0.0}, {5.0, 0.0}, 0.0}, 0);
     add_ball(world, {.position = {0.5, 5.0}, .velocity = {1.0, 0.0}, .radius = 1.0});
     oracle::Oracle exact(world);

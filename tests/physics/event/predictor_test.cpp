@@ -48,8 +48,8 @@ TEST_CASE("predictor: an edge in the way comes before a ball behind it") {
 
 TEST_CASE("predictor: resting balls have no impact with one another, and are met by others") {
     World world = scenes::empty();
-    world.model.gravity = Vec2{0.0, -10.0};
-    world.model.lossy = true;
+    world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+    world.edit_definition().model.lossy = true;
     add_capsule(world, {{-9.0, 0.0}, {9.0, 0.0}, 0.0}, 0);
     add_ball(world, {.position = {0.0, 0.5}, .radius = 0.5});
     add_ball(world, {.position = {1.0, 0.5}, .radius = 0.5});

@@ -32,8 +32,8 @@ TEST_CASE("response: balls that overlap under pressure are separated, but never 
     for (const bool is_barred : {false, true}) {
         CAPTURE(is_barred);
         World world = scenes::empty();
-        world.model.gravity = Vec2{0.0, -10.0};
-        world.model.lossy = true;
+        world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+        world.edit_definition().model.lossy = true;
         const double depth = 2.0 * moving_rest_height;
         add_ball(world, {.position = {0.0, 0.0}, .velocity = {0.5, 0.0}, .radius = 0.5});
         add_ball(world, {.position = {1.0 - depth, 0.0}, .velocity = {-0.5, 0.0}, .radius = 0.5});

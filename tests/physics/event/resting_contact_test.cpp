@@ -14,8 +14,8 @@ namespace {
 
 World on_floor(Vec2 floor_end, Vec2 position, Vec2 velocity) {
     World world = scenes::empty();
-    world.model.gravity = Vec2{0.0, -10.0};
-    world.model.lossy = true;
+    world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+    world.edit_definition().model.lossy = true;
     add_capsule(world, {{-10.0, 0.0}, floor_end, 0.0}, 0);
     add_ball(world, {.position = position, .velocity = velocity, .radius = 0.5});
     return world;
@@ -39,7 +39,7 @@ TEST_CASE("resting contact: a ball on a level floor rests, slides, or flies off"
 
 TEST_CASE("resting contact: a slope gives the component of gravity along it") {
     EventParts parts(on_floor({10.0, -20.0}, {0.0, 0.0}, {}));
-    const Edge<double> edge(parts.world.capsules.shape[0], {});
+    const Edge<double> edge(parts.world.capsules().shape[0], {});
     const auto contact = contact_with(edge, Vector<double>{0.0, 0.0}, 0.5);
     const Vector<double> touching = Vector<double>{0.0, 0.0} - contact.normal * contact.gap;
     parts.trajectories.start(0, parts.scene.now, touching, {});

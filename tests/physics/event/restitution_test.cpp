@@ -18,9 +18,10 @@ constexpr double radius = 0.5;
 
 World lossy() {
     World world = scenes::empty();
-    world.model.gravity = Vec2{0.0, -gravity};
-    world.model.lossy = true;
-    world.kinds[0].restitution = world.materials[0].restitution = usual;
+    world.edit_definition().model.gravity = Vec2{0.0, -gravity};
+    world.edit_definition().model.lossy = true;
+    world.edit_definition().kinds[0].restitution =
+        world.edit_definition().materials[0].restitution = usual;
     return world;
 }
 

@@ -13,10 +13,10 @@ constexpr double coefficient = 0.2;
 
 World sliding(double speed) {
     World world = scenes::empty();
-    world.model.gravity = Vec2{0.0, -10.0};
-    world.model.lossy = true;
-    world.model.spin = 0.5;
-    world.materials[0].friction = coefficient;
+    world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.spin = 0.5;
+    world.edit_definition().materials[0].friction = coefficient;
     add_capsule(world, {{-100.0, 0.0}, {100.0, 0.0}, 0.0}, 0);
     add_ball(world, {.position = {0.0, 0.5}, .velocity = {speed, 0.0}, .radius = 0.5});
     return world;
@@ -47,9 +47,9 @@ TEST_CASE("side friction: two supports brake a spin until it is gone, to the las
     for (int i = 1; i <= 50; ++i) {
         CAPTURE(i);
         World world = sliding(0.0);
-        world.tick = 7;
+        world.edit_tick() = 7;
         const double spin = 0.1 * i;
-        world.balls.spin[0] = spin;
+        world.edit_balls().spin[0] = spin;
         EventParts parts(world);
         parts.trajectories.put_to_rest(0, {}, {});
         parts.friction.brake(0, 0.7);

@@ -21,10 +21,10 @@ namespace {
 // forces tiny steps.
 World sweeping() {
     World world = scenes::empty();
-    world.rate = 1.0;
+    world.edit_definition().rate = 1.0;
     add_ball(world, {.position = {-0.5 - 1e-11, 0.0}, .radius = 0.5});
     const CapsuleId edge = add_capsule(world, {{0.0, 0.0}, {10.0, 0.0}, 0.0}, 0);
-    world.held_capsules = {{edge, {0.0, 0.0}, {-10.0, 1.0}}};
+    world.edit_held_capsules() = {{edge, {0.0, 0.0}, {-10.0, 1.0}}};
     return world;
 }
 
@@ -32,7 +32,7 @@ World sweeping() {
 std::uint64_t iterations_of_tick(World world) {
     EventEngine<double> engine;
     std::vector<Contact> contacts;
-    std::vector<std::uint8_t> touched(world.balls.size());
+    std::vector<std::uint8_t> touched(world.balls().size());
     CHECK(engine.tick(world, contacts, touched, {}) == EventOutcome::done);
     CHECK(contacts.empty());
     return engine.iterations();
@@ -47,7 +47,7 @@ TEST_CASE("time of impact: a suspended search finds its impact") {
     CHECK(solver.tick(world) == TickOutcome::done);
     REQUIRE(!solver.contacts().empty());
     CHECK(solver.contacts().front().time == doctest::Approx(0.5).epsilon(1e-3));
-    CHECK(world.balls.velocity[0].y < -1.0);
+    CHECK(world.balls().velocity[0].y < -1.0);
 }
 
 // The token was once not asked before the search had ended.
@@ -57,12 +57,12 @@ TEST_CASE("time of impact: a tick with a long search can be cancelled") {
     int asked = 0;
     CHECK(solver.tick(world, [&] { return ++asked < 10; }) == TickOutcome::given_up);
     CHECK(asked == 10);
-    CHECK(world.tick == 0);
+    CHECK(world.tick() == 0);
     CHECK(solver.tick(world) == TickOutcome::done);
     World straight = sweeping();
     Solver(SolverSettings{.kind = SolverKind::event}).tick(straight);
-    CHECK(world.balls.velocity == straight.balls.velocity);
-    CHECK(world.balls.position == straight.balls.position);
+    CHECK(world.balls().velocity == straight.balls().velocity);
+    CHECK(world.balls().position == straight.balls().position);
 }
 
 // Drag acts alike on two balls at the same speed, so nothing presses them together. Bounded one by
@@ -73,8 +73,8 @@ TEST_CASE("time of impact: balls that drag carries side by side take few iterati
             CAPTURE(gap);
             CAPTURE(faster);
             World world = scenes::empty();
-            world.rate = 10.0;
-            world.model.drag = 0.5;
+            world.edit_definition().rate = 10.0;
+            world.edit_definition().model.drag = 0.5;
             add_ball(world, {.velocity = {10.0, 1.0}, .radius = 0.5});
             add_ball(
                 world,
@@ -90,14 +90,14 @@ TEST_CASE(
             CAPTURE(falls);
             CAPTURE(gap);
             World world = scenes::empty();
-            world.rate = 10.0;
-            if (falls) world.model.gravity = Vec2{0.0, -10.0};
+            world.edit_definition().rate = 10.0;
+            if (falls) world.edit_definition().model.gravity = Vec2{0.0, -10.0};
             // Beside the end of the edge, and not towards it.
             add_ball(world, {.position = {-0.5 - gap, 0.0}, .velocity = {0.0, 5.0}, .radius = 0.5});
             const Capsule shape{{0.0, 0.0}, {10.0, 0.0}, 0.0};
             const CapsuleId edge = add_capsule(world, shape, 0);
             const std::uint64_t fixed = iterations_of_tick(world);
-            world.held_capsules = {{edge, shape.start, shape.end}};
+            world.edit_held_capsules() = {{edge, shape.start, shape.end}};
             const std::uint64_t held = iterations_of_tick(world);
             CHECK(held <= fixed + 2);
         }

@@ -9,7 +9,7 @@ using namespace carom;
 
 TEST_CASE("trajectories: a start voids predictions and is logged") {
     World world = scenes::empty();
-    world.model.gravity = Vec2{0.0, -10.0};
+    world.edit_definition().model.gravity = Vec2{0.0, -10.0};
     add_ball(world, {.position = {1.0, 2.0}, .velocity = {3.0, 0.0}, .radius = 0.5});
     EventParts parts(world);
     const std::uint32_t version = parts.balls[0].version;
@@ -28,7 +28,7 @@ TEST_CASE("trajectories: a start voids predictions and is logged") {
 
 TEST_CASE("trajectories: on a torus they start in the frame, and images change") {
     World world = scenes::empty();
-    world.model.wrap = Box{{0.0, 0.0}, {10.0, 10.0}};
+    world.edit_definition().model.wrap = Box{{0.0, 0.0}, {10.0, 10.0}};
     add_ball(world, {.position = {5.0, 5.0}, .radius = 0.5});
     EventParts parts(world);
     const std::uint64_t changes = parts.trajectories.image_changes();
@@ -41,7 +41,7 @@ TEST_CASE("trajectories: on a torus they start in the frame, and images change")
 
 TEST_CASE("trajectories: a start keeps the spin as it is then") {
     World world = scenes::empty();
-    world.model.spin = 0.5;
+    world.edit_definition().model.spin = 0.5;
     add_ball(world, {.radius = 0.5, .spin = 4.0});
     EventParts parts(world);
     parts.trajectories.spin(0).rate = -1.0;

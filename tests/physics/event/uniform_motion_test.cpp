@@ -12,13 +12,13 @@ namespace {
 // Balls in contact and apart, of several sizes and weights, most of them in a crowd.
 World mixture(std::uint64_t seed, bool is_lossy) {
     World world = scenes::gas(400, seed, false);
-    world.rate = 20.0;
-    world.model.lossy = is_lossy;
-    if (is_lossy) world.balls.restitution.assign(world.balls.size(), 1.0);
-    for (std::size_t i = 0; i < world.balls.size(); ++i) {
-        world.balls.radius[i] = 1.0 - 0.25 * static_cast<double>(i % 3);
-        world.balls.inverse_mass[i] = static_cast<double>(1 + i % 5);
-        if (is_lossy) world.balls.restitution[i] = 0.5 + 0.1 * static_cast<double>(i % 6);
+    world.edit_definition().rate = 20.0;
+    world.edit_definition().model.lossy = is_lossy;
+    if (is_lossy) world.edit_balls().restitution.assign(world.balls().size(), 1.0);
+    for (std::size_t i = 0; i < world.balls().size(); ++i) {
+        world.edit_balls().radius[i] = 1.0 - 0.25 * static_cast<double>(i % 3);
+        world.edit_balls().inverse_mass[i] = static_cast<double>(1 + i % 5);
+        if (is_lossy) world.edit_balls().restitution[i] = 0.5 + 0.1 * static_cast<double>(i % 6);
     }
     // Some that touch in a row, so that one impact sets off others at the same instant.
     for (std::size_t i = 0; i < 6; ++i)
@@ -41,16 +41,16 @@ TEST_CASE("event: gases have the same bits by the short way and by the long") {
             CAPTURE(seed);
             World by_lines = mixture(seed, is_lossy);
             World by_all = by_lines;
-            by_all.model.filtered = true;
-            const std::size_t classes = by_all.kinds.size() + by_all.materials.size();
-            by_all.meets.assign(classes * classes, 1);
+            by_all.edit_definition().model.filtered = true;
+            const std::size_t classes = by_all.kinds().size() + by_all.materials().size();
+            by_all.edit_definition().meets.assign(classes * classes, 1);
             Solver short_way({.kind = SolverKind::event});
             Solver long_way({.kind = SolverKind::event});
             for (int tick = 0; tick < 30; ++tick) {
                 REQUIRE(short_way.tick(by_lines) == TickOutcome::done);
                 REQUIRE(long_way.tick(by_all) == TickOutcome::done);
                 REQUIRE(fingerprint(by_lines) == fingerprint(by_all));
-                REQUIRE(by_lines.paths == by_all.paths);
+                REQUIRE(by_lines.memory().paths == by_all.memory().paths);
                 REQUIRE(short_way.contacts().size() == long_way.contacts().size());
                 for (std::size_t i = 0; i < short_way.contacts().size(); ++i) {
                     const Contact& a = short_way.contacts()[i];
@@ -60,7 +60,7 @@ TEST_CASE("event: gases have the same bits by the short way and by the long") {
                     REQUIRE((a.approach == b.approach && a.impulse == b.impulse));
                 }
             }
-            CHECK(by_lines.ball_ball_collisions > 500);
-            CHECK(by_lines.ball_edge_collisions > 50);
+            CHECK(by_lines.ball_ball_collisions() > 500);
+            CHECK(by_lines.ball_edge_collisions() > 50);
         }
 }

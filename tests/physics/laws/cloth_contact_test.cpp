@@ -24,7 +24,7 @@ constexpr double radius = scenes::pool_ball;
 
 void run(World& world, SolverKind kind, double seconds) {
     Solver solver({.kind = kind});
-    const auto ticks = static_cast<int>(seconds * world.rate + 0.5);
+    const auto ticks = static_cast<int>(seconds * world.rate() + 0.5);
     for (int i = 0; i < ticks; ++i)
         solver.tick(world);
 }
@@ -120,17 +120,17 @@ TEST_CASE("a stun ball slides 12 v^2 / (49 mu g), then rolls at 5/7 v, then stop
         const double slides = 2.0 * 2.0 / (7.0 * 0.2 * 9.81);
         CHECK(slides == doctest::Approx(0.29).epsilon(0.01));
         run(world, kind, slides);
-        CHECK(world.balls.position[0].x ==
+        CHECK(world.balls().position[0].x ==
               doctest::Approx(12.0 * 4.0 / (49.0 * 0.2 * 9.81)).epsilon(0.01));
         const double rolling = 5.0 / 7.0 * 2.0;
-        CHECK(world.balls.velocity[0].x == doctest::Approx(rolling).epsilon(0.005));
-        CHECK(world.balls.roll[0].x == doctest::Approx(rolling).epsilon(0.01));
+        CHECK(world.balls().velocity[0].x == doctest::Approx(rolling).epsilon(0.005));
+        CHECK(world.balls().roll[0].x == doctest::Approx(rolling).epsilon(0.01));
         run(world, kind, rolling / (0.01 * 9.81) + 0.5);
-        CHECK(world.balls.velocity[0] == Vec2{});
-        CHECK(world.balls.roll[0] == Vec2{});
-        CHECK(world.balls.position[0].x ==
+        CHECK(world.balls().velocity[0] == Vec2{});
+        CHECK(world.balls().roll[0] == Vec2{});
+        CHECK(world.balls().position[0].x ==
               doctest::Approx(0.5 + rolling * rolling / (2.0 * 0.01 * 9.81)).epsilon(0.01));
-        CHECK(world.balls.position[0].y == 0.0);
+        CHECK(world.balls().position[0].y == 0.0);
     });
 }
 
@@ -139,10 +139,10 @@ TEST_CASE("side spin dies away by itself, and bends nothing") {
         World world = cloth_table(0.95, 0.05);
         put(world, {}, {1.0, 0.0}, {1.0, 0.0}, 30.0);
         run(world, kind, 1.0);
-        CHECK(world.balls.spin[0] == doctest::Approx(20.0).epsilon(1e-6));
-        CHECK(world.balls.position[0].y == 0.0);
+        CHECK(world.balls().spin[0] == doctest::Approx(20.0).epsilon(1e-6));
+        CHECK(world.balls().position[0].y == 0.0);
         run(world, kind, 3.0);
-        CHECK(world.balls.spin[0] == 0.0);
+        CHECK(world.balls().spin[0] == 0.0);
     });
 }
 
@@ -151,12 +151,12 @@ TEST_CASE("stun line: without spin, and elastic, the balls part at a right angle
         for (const double cut : {15.0, 30.0, 45.0, 60.0}) {
             CAPTURE(cut);
             World world = cloth_table(1.0, 0.0);
-            world.rate = 4800.0;
+            world.edit_definition().rate = 4800.0;
             put(world, {});
             put(world, before_cut(cut, 0.001), {3.0, 0.0});
-            run(world, kind, 2.0 / world.rate);
-            const Vec2 object = world.balls.velocity[0];
-            const Vec2 cue = world.balls.velocity[1];
+            run(world, kind, 2.0 / world.rate());
+            const Vec2 object = world.balls().velocity[0];
+            const Vec2 cue = world.balls().velocity[1];
             REQUIRE(length(object) > 0.0);
             const double wide = kind == SolverKind::swept || kind == SolverKind::event ? 1.0 : 6.0;
             CHECK(std::abs(degrees_between(object, cue)) == doctest::Approx(90.0).epsilon(0.01));
@@ -169,12 +169,12 @@ TEST_CASE("stun line: without spin, and elastic, the balls part at a right angle
 TEST_CASE("30-degree rule: half a ball, rolling, leaves at about 34 degrees") {
     for_each_solver([](SolverKind kind) {
         World world = cloth_table(1.0, 0.0);
-        world.rate = 960.0;
+        world.edit_definition().rate = 960.0;
         put(world, {});
         put(world, before_cut(30.0), {1.5, 0.0}, {1.5, 0.0});
         run(world, kind, 0.2 / 1.5 + 0.6);
-        const Vec2 cue = world.balls.velocity[1];
-        CHECK(length(cue - world.balls.roll[1]) < 1e-9);
+        const Vec2 cue = world.balls().velocity[1];
+        CHECK(length(cue - world.balls().roll[1]) < 1e-9);
         // tan = sin cos / (sin^2 + 2/5) at a cut of 30 degrees
         const double slack = kind == SolverKind::swept || kind == SolverKind::event ? 0.01 : 0.03;
         CHECK(degrees_between({1.0, 0.0}, cue) == doctest::Approx(33.67).epsilon(slack));
@@ -192,16 +192,16 @@ TEST_CASE("stop, follow and draw") {
             const double after = shot.after;
             CAPTURE(roll);
             World world = cloth_table(1.0, 0.0);
-            world.rate = 960.0;
+            world.edit_definition().rate = 960.0;
             put(world, {});
             put(world, {-2.0 * radius - 1e-4, 0.0}, {2.0, 0.0}, {2.0 * roll, 0.0});
             run(world, kind, 0.5);
             // By then the object ball rolls, and the cue ball does.
-            CHECK(std::abs(world.balls.velocity[1].x - 2.0 * after) < 0.03);
-            CHECK(world.balls.velocity[0].x == doctest::Approx(2.0 * 5.0 / 7.0).epsilon(0.06));
-            if (roll == 0.0) CHECK(std::abs(world.balls.position[1].x + 2.0 * radius) < 0.002);
-            if (roll > 0.0) CHECK(world.balls.position[1].x > 0.05);
-            if (roll < 0.0) CHECK(world.balls.position[1].x < -0.15);
+            CHECK(std::abs(world.balls().velocity[1].x - 2.0 * after) < 0.03);
+            CHECK(world.balls().velocity[0].x == doctest::Approx(2.0 * 5.0 / 7.0).epsilon(0.06));
+            if (roll == 0.0) CHECK(std::abs(world.balls().position[1].x + 2.0 * radius) < 0.002);
+            if (roll > 0.0) CHECK(world.balls().position[1].x > 0.05);
+            if (roll < 0.0) CHECK(world.balls().position[1].x < -0.15);
         }
     });
 }
@@ -218,9 +218,9 @@ TEST_CASE(
             put(world, {});
             put(world, before_cut(30.0, 1e-4), {speed, 0.0});
             Solver solver({.kind = kind});
-            while (world.balls.velocity[0] == Vec2{})
+            while (world.balls().velocity[0] == Vec2{})
                 solver.tick(world);
-            const double thrown = 30.0 + degrees_between({1.0, 0.0}, world.balls.velocity[0]);
+            const double thrown = 30.0 + degrees_between({1.0, 0.0}, world.balls().velocity[0]);
             CHECK(thrown == doctest::Approx(2.86).epsilon(0.03));
         }
         // Outside side spin that turns with the object ball's surface: no throw.
@@ -228,9 +228,9 @@ TEST_CASE(
         put(world, {});
         put(world, before_cut(30.0, 1e-5), {1.0, 0.0}, {}, -0.5 / radius);
         Solver solver({.kind = kind});
-        while (world.balls.velocity[0] == Vec2{})
+        while (world.balls().velocity[0] == Vec2{})
             solver.tick(world);
-        CHECK(std::abs(30.0 + degrees_between({1.0, 0.0}, world.balls.velocity[0])) < 0.15);
+        CHECK(std::abs(30.0 + degrees_between({1.0, 0.0}, world.balls().velocity[0])) < 0.15);
     });
 }
 
@@ -239,13 +239,13 @@ TEST_CASE("a cushion: the rebound keeps 0.85 across, and side spin runs or check
         if (kind == SolverKind::discrete || kind == SolverKind::substep) return;
         const auto rebound = [kind](Vec2 velocity, double spin) {
             World world = cloth_table(0.95, 0.05);
-            world.rate = 2000.0;
+            world.edit_definition().rate = 2000.0;
             add_capsule(world, {{-10.0, 1.0}, {10.0, 1.0}, 0.0}, 0);
             put(world, {0.0, 1.0 - radius - 1e-5}, velocity, velocity, spin);
             Solver solver({.kind = kind});
             solver.tick(world);
-            REQUIRE(world.balls.velocity[0].y < 0.0);
-            return world.balls.velocity[0];
+            REQUIRE(world.balls().velocity[0].y < 0.0);
+            return world.balls().velocity[0];
         };
         CHECK(rebound({0.0, 2.0}, 0.0).y == doctest::Approx(-1.7).epsilon(0.01));
         CHECK(std::abs(rebound({0.0, 2.0}, 0.0).x) < 1e-6);
@@ -272,9 +272,9 @@ TEST_CASE("a break: nothing is lost, energy falls, everything comes to rest") {
             CHECK_MESSAGE(now <= energy * (1.0 + slack) + 1e-12, "tick ", i, " ", now, " ", energy);
             energy = now;
         }
-        REQUIRE(world.balls.size() == 16);
+        REQUIRE(world.balls().size() == 16);
         CHECK(energy == 0.0);
-        for (const Vec2 position : world.balls.position) {
+        for (const Vec2 position : world.balls().position) {
             CHECK(std::abs(position.x) < scenes::half_table.x);
             CHECK(std::abs(position.y) < scenes::half_table.y);
         }

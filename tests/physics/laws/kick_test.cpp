@@ -14,8 +14,8 @@ namespace {
 /// One ball of radius 1 that falls on an edge from -5,0 to 5,0 at `speed`, at `x`.
 World above_an_edge(const Material& material, double x, double speed) {
     World world = scenes::empty();
-    world.rate = 100.0;
-    world.materials[0] = material;
+    world.edit_definition().rate = 100.0;
+    world.edit_definition().materials[0] = material;
     add_capsule(world, {{-5.0, 0.0}, {5.0, 0.0}, 0.0}, 0);
     add_ball(world, {.kind = 0, .position = {x, 1.3}, .velocity = {0.5, -speed}});
     return world;
@@ -23,10 +23,10 @@ World above_an_edge(const Material& material, double x, double speed) {
 
 Vec2 velocity_after_hit(World world, SolverKind kind) {
     Solver solver({.kind = kind});
-    for (int tick = 0; tick < 400 && world.ball_edge_collisions == 0; ++tick)
+    for (int tick = 0; tick < 400 && world.ball_edge_collisions() == 0; ++tick)
         solver.tick(world);
-    REQUIRE(world.ball_edge_collisions == 1);
-    return world.balls.velocity[0];
+    REQUIRE(world.ball_edge_collisions() == 1);
+    return world.balls().velocity[0];
 }
 
 }  // namespace
@@ -58,18 +58,18 @@ TEST_CASE("an edge that is out of the way lets balls pass until it is back, unde
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
         World world = above_an_edge({}, 0.0, 2.0);
-        set_side(world, world.capsules.id[0], Side::none);
+        set_side(world, world.capsules().id[0], Side::none);
         Solver solver({.kind = kind});
         for (int tick = 0; tick < 200; ++tick)
             solver.tick(world);
-        CHECK(world.ball_edge_collisions == 0);
-        CHECK(world.balls.position[0].y < -2.0);
-        set_side(world, world.capsules.id[0], Side::both);
-        world.balls.velocity[0].y = 2.0;
+        CHECK(world.ball_edge_collisions() == 0);
+        CHECK(world.balls().position[0].y < -2.0);
+        set_side(world, world.capsules().id[0], Side::both);
+        world.edit_balls().velocity[0].y = 2.0;
         for (int tick = 0; tick < 200; ++tick)
             solver.tick(world);
-        CHECK(world.ball_edge_collisions == 1);
-        CHECK(world.balls.position[0].y < -1.0);
+        CHECK(world.ball_edge_collisions() == 1);
+        CHECK(world.balls().position[0].y < -1.0);
     }
 }
 
@@ -77,15 +77,15 @@ TEST_CASE("a ball that lies on an edge falls when the edge goes, under every sol
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
         World world = above_an_edge({.restitution = 0.2}, 0.0, 0.0);
-        world.model.gravity = Vec2{0.0, -10.0};
-        world.balls.velocity[0].x = 0.0;
+        world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+        world.edit_balls().velocity[0].x = 0.0;
         Solver solver({.kind = kind});
         for (int tick = 0; tick < 300; ++tick)
             solver.tick(world);
-        CHECK(world.balls.position[0].y == doctest::Approx(1.0).epsilon(0.02));
-        set_side(world, world.capsules.id[0], Side::none);
+        CHECK(world.balls().position[0].y == doctest::Approx(1.0).epsilon(0.02));
+        set_side(world, world.capsules().id[0], Side::none);
         for (int tick = 0; tick < 100; ++tick)
             solver.tick(world);
-        CHECK(world.balls.position[0].y < -3.0);
+        CHECK(world.balls().position[0].y < -3.0);
     }
 }

@@ -18,18 +18,18 @@ constexpr double gravity = 10.0;
 
 World spinning(double inertia, double friction, double restitution) {
     World world = scenes::empty();
-    world.model.spin = inertia;
-    world.model.lossy = restitution < 1.0;
-    world.kinds[0].friction = friction;
-    world.kinds[0].restitution = restitution;
-    world.materials[0].friction = friction;
-    world.materials[0].restitution = restitution;
+    world.edit_definition().model.spin = inertia;
+    world.edit_definition().model.lossy = restitution < 1.0;
+    world.edit_definition().kinds[0].friction = friction;
+    world.edit_definition().kinds[0].restitution = restitution;
+    world.edit_definition().materials[0].friction = friction;
+    world.edit_definition().materials[0].restitution = restitution;
     return world;
 }
 
 void run(World& world, SolverKind kind, double seconds) {
     Solver solver({.kind = kind});
-    const auto ticks = static_cast<std::uint64_t>(std::round(seconds * world.rate));
+    const auto ticks = static_cast<std::uint64_t>(std::round(seconds * world.rate()));
     for (std::uint64_t i = 0; i < ticks; ++i)
         solver.tick(world);
 }
@@ -49,13 +49,13 @@ void for_each_solver(const std::function<void(SolverKind)>& body) {
 
 // How far off a solver that goes by ticks may be, in ticks of the motion that it is in.
 double slack(SolverKind kind, const World& world) {
-    return kind == SolverKind::event ? 1e-9 : 4.0 / world.rate;
+    return kind == SolverKind::event ? 1e-9 : 4.0 / world.rate();
 }
 
 // A ramp through the origin that falls to the right at `degrees`, and a ball on it.
 World ramp(double degrees, double inertia, double friction) {
     World world = spinning(inertia, friction, 0.5);
-    world.model.gravity = Vec2{0.0, -gravity};
+    world.edit_definition().model.gravity = Vec2{0.0, -gravity};
     const auto [sine, cosine] = sin_cos(degrees * pi / 180.0);
     add_capsule(world, {Vec2{-cosine, sine} * 50.0, Vec2{cosine, -sine} * 200.0, 0.0}, 0);
     add_ball(world, {.position = {sine, cosine}, .velocity = {}});
@@ -79,7 +79,7 @@ TEST_CASE("down a ramp a ball rolls where friction suffices, and slides where it
                     CAPTURE(mu);
                     World world = ramp(degrees, inertia, mu);
                     const Vec2 way = down(degrees);
-                    const Vec2 start = world.balls.position[0];
+                    const Vec2 start = world.balls().position[0];
                     const double seconds = 2.0;
                     run(world, kind, seconds);
                     const double sine = -way.y;
@@ -90,11 +90,11 @@ TEST_CASE("down a ramp a ball rolls where friction suffices, and slides where it
                     const double turning =
                         rolls ? along : mu * gravity * cosine / inertia;  // of the rim
                     const double off = slack(kind, world);
-                    CHECK(std::fabs(dot(world.balls.velocity[0], way) - along * seconds) <
+                    CHECK(std::fabs(dot(world.balls().velocity[0], way) - along * seconds) <
                           gravity * off);
-                    CHECK(std::fabs(world.balls.spin[0] + turning * seconds) <
+                    CHECK(std::fabs(world.balls().spin[0] + turning * seconds) <
                           gravity * off / inertia);
-                    CHECK(std::fabs(dot(world.balls.position[0] - start, way) -
+                    CHECK(std::fabs(dot(world.balls().position[0] - start, way) -
                                     0.5 * along * seconds * seconds) < gravity * seconds * off);
                 }
             }
@@ -109,8 +109,8 @@ TEST_CASE("a ball that is thrown along a floor slides until it rolls, and rolls 
             const double inertia = 0.4;
             const double mu = 0.25;
             World world = ramp(0.0, inertia, mu);
-            world.balls.velocity[0] = {6.0, 0.0};
-            world.balls.spin[0] = spin;
+            world.edit_balls().velocity[0] = {6.0, 0.0};
+            world.edit_balls().spin[0] = spin;
             run(world, kind, 4.0);
             // What turns about the point of contact is kept: v - c r w.
             const double rolling = (6.0 - inertia * spin) / (1.0 + inertia);
@@ -118,9 +118,9 @@ TEST_CASE("a ball that is thrown along a floor slides until it rolls, and rolls 
             REQUIRE(sliding < 3.5);
             const double way = 0.5 * (6.0 + rolling) * sliding + rolling * (4.0 - sliding);
             const double off = slack(kind, world);
-            CHECK(std::fabs(world.balls.velocity[0].x - rolling) < off);
-            CHECK(std::fabs(world.balls.spin[0] + rolling) < off);
-            CHECK(std::fabs(world.balls.position[0].x - way) < 6.0 * off);
+            CHECK(std::fabs(world.balls().velocity[0].x - rolling) < off);
+            CHECK(std::fabs(world.balls().spin[0] + rolling) < off);
+            CHECK(std::fabs(world.balls().position[0].x - way) < 6.0 * off);
         }
     });
 }
@@ -128,13 +128,13 @@ TEST_CASE("a ball that is thrown along a floor slides until it rolls, and rolls 
 TEST_CASE("a spun ball that is dropped bounces sideways, mirrored as it is spun") {
     for_each_solver([](SolverKind kind) {
         World world = spinning(0.5, 0.3, 0.6);
-        world.model.gravity = Vec2{0.0, -gravity};
+        world.edit_definition().model.gravity = Vec2{0.0, -gravity};
         add_capsule(world, {{-100, 0}, {100, 0}, 0}, 0);
         add_ball(world, {.position = {-20, 3}, .velocity = {}, .spin = -15.0});
         add_ball(world, {.position = {20, 3}, .velocity = {}, .spin = 15.0});
         add_ball(world, {.position = {0, 3}, .velocity = {}});
         run(world, kind, 0.8);
-        const Balls& balls = world.balls;
+        const Balls& balls = world.balls();
         CHECK(balls.velocity[0].x > 1.0);
         CHECK(balls.velocity[0].x == -balls.velocity[1].x);
         CHECK(balls.velocity[0].y == balls.velocity[1].y);
@@ -147,13 +147,13 @@ TEST_CASE("a spun ball that is dropped bounces sideways, mirrored as it is spun"
 TEST_CASE("balls that rub in free flight keep momentum and angular momentum, and gain no energy") {
     for_each_solver([](SolverKind kind) {
         World world = scenes::gas(100, 3);
-        world.model.spin = 0.4;
-        world.kinds[0].friction = 0.4;
-        const auto count = world.balls.size();
+        world.edit_definition().model.spin = 0.4;
+        world.edit_definition().kinds[0].friction = 0.4;
+        const auto count = world.balls().size();
         // Away from the walls: a gas that spreads.
-        world.capsules = {};
+        world.edit_capsules() = {};
         for (std::size_t i = 0; i < count; ++i)
-            world.balls.spin.push_back(random_between(-9, 9, 1, RandomStream::level, i, 0));
+            world.edit_balls().spin.push_back(random_between(-9, 9, 1, RandomStream::level, i, 0));
         const Totals before = totals(world);
         double last = before.kinetic_energy;
         Solver solver({.kind = kind});
@@ -164,7 +164,7 @@ TEST_CASE("balls that rub in free flight keep momentum and angular momentum, and
             last = now;
         }
         const Totals after = totals(world);
-        CHECK(world.ball_ball_collisions > 30);
+        CHECK(world.ball_ball_collisions() > 30);
         CHECK(after.kinetic_energy < 0.995 * before.kinetic_energy);
         CHECK(length(after.momentum - before.momentum) < 1e-10 * 1000.0);
         // Parting overlaps moves balls, and with them what they turn about the origin.
@@ -181,7 +181,7 @@ TEST_CASE("balls that rub in a box under gravity lose energy, and never gain any
         for (const double restitution : {1.0, 0.8}) {
             CAPTURE(restitution);
             World world = spinning(0.5, 0.3, restitution);
-            world.model.gravity = Vec2{0.0, -gravity};
+            world.edit_definition().model.gravity = Vec2{0.0, -gravity};
             scenes::add_walls(world, {{0, 0}, {20, 20}});
             for (int i = 0; i < 12; ++i)
                 add_ball(world, {.position = {2.5 + 5.0 * (i % 4), 4.0 + 5.0 * (i / 4)},
@@ -209,23 +209,23 @@ TEST_CASE(
     for_each_solver([](SolverKind kind) {
         World still = scenes::bucket(12, 0.7);
         World turning = still;
-        turning.model.spin = 0.5;
-        turning.balls.spin.assign(turning.balls.size(), 7.0);
+        turning.edit_definition().model.spin = 0.5;
+        turning.edit_balls().spin.assign(turning.balls().size(), 7.0);
         run(still, kind, 1.0);
         run(turning, kind, 1.0);
-        CHECK(turning.balls.position == still.balls.position);
-        CHECK(turning.balls.velocity == still.balls.velocity);
+        CHECK(turning.balls().position == still.balls().position);
+        CHECK(turning.balls().velocity == still.balls().velocity);
         // Whatever lies still in `swept`, and what rests, may have lost its spin.
         if (kind == SolverKind::discrete || kind == SolverKind::substep)
-            CHECK(turning.balls.spin == std::vector<double>(turning.balls.size(), 7.0));
+            CHECK(turning.balls().spin == std::vector<double>(turning.balls().size(), 7.0));
     });
 }
 
 TEST_CASE("a snapshot of turning balls goes on with the same bits") {
     for_each_solver([](SolverKind kind) {
         World world = ramp(10.0, 0.4, 0.2);
-        world.balls.velocity[0] = {-4.0, 1.0};
-        world.balls.spin[0] = 9.0;
+        world.edit_balls().velocity[0] = {-4.0, 1.0};
+        world.edit_balls().spin[0] = 9.0;
         World other = world;
         run(world, kind, 1.0);
         Solver first({.kind = kind});
@@ -235,9 +235,9 @@ TEST_CASE("a snapshot of turning balls goes on with the same bits") {
         Solver second({.kind = kind});
         for (int i = 0; i < 60; ++i)
             second.tick(copy);
-        CHECK(copy.balls.position == world.balls.position);
-        CHECK(copy.balls.velocity == world.balls.velocity);
-        CHECK(copy.balls.spin == world.balls.spin);
+        CHECK(copy.balls().position == world.balls().position);
+        CHECK(copy.balls().velocity == world.balls().velocity);
+        CHECK(copy.balls().spin == world.balls().spin);
     });
 }
 
@@ -274,11 +274,11 @@ TEST_CASE("event: a break of balls that rub is the same in any order of the file
         for (std::size_t i = 0; i < order.size(); ++i) {
             const std::size_t ball = order[i];
             if (shuffle == 0) {
-                velocities[ball] = world.balls.velocity[i];
-                spins[ball] = world.balls.spin[i];
+                velocities[ball] = world.balls().velocity[i];
+                spins[ball] = world.balls().spin[i];
             }
-            CHECK(length(world.balls.velocity[i] - velocities[ball]) < 1e-12);
-            CHECK(std::fabs(world.balls.spin[i] - spins[ball]) < 1e-12);
+            CHECK(length(world.balls().velocity[i] - velocities[ball]) < 1e-12);
+            CHECK(std::fabs(world.balls().spin[i] - spins[ball]) < 1e-12);
         }
     }
 }
@@ -290,7 +290,7 @@ TEST_CASE("event: where two edges hold a ball friction brakes its spin, and it s
     for (const bool is_groove : {true, false}) {
         CAPTURE(is_groove);
         World world = spinning(0.5, mu, 0.5);
-        world.model.gravity = Vec2{0.0, -gravity};
+        world.edit_definition().model.gravity = Vec2{0.0, -gravity};
         const double diagonal = std::sqrt(2.0);
         const Vec2 place = is_groove ? Vec2{0.0, diagonal} : Vec2{-1.0, 1.0};
         add_capsule(world, {{-50, is_groove ? 50.0 : 0.0}, {0, 0}, 0}, 0);
@@ -299,21 +299,21 @@ TEST_CASE("event: where two edges hold a ball friction brakes its spin, and it s
         const double pressed = is_groove ? diagonal : (1.0 + mu) / (1.0 + mu * mu);
         const double rate = mu * gravity * pressed / 0.5;
         run(world, SolverKind::event, 1.0);
-        CHECK(world.balls.spin[0] == doctest::Approx(spin + rate).epsilon(1e-12));
+        CHECK(world.balls().spin[0] == doctest::Approx(spin + rate).epsilon(1e-12));
         run(world, SolverKind::event, 3.0);
-        CHECK(world.balls.spin[0] == 0.0);
-        CHECK(world.balls.velocity[0] == Vec2{});
-        CHECK(world.balls.position[0] == place);
+        CHECK(world.balls().spin[0] == 0.0);
+        CHECK(world.balls().velocity[0] == Vec2{});
+        CHECK(world.balls().position[0] == place);
     }
 }
 
 TEST_CASE("event: a ball that is spun in a corner, away from the wall, rolls off") {
     World world = spinning(0.5, 0.3, 0.5);
-    world.model.gravity = Vec2{0.0, -gravity};
+    world.edit_definition().model.gravity = Vec2{0.0, -gravity};
     add_capsule(world, {{-50, 0}, {0, 0}, 0}, 0);
     add_capsule(world, {{0, 0}, {0, 50}, 0}, 0);
     add_ball(world, {.position = {-1, 1}, .velocity = {}, .spin = 20.0});
     run(world, SolverKind::event, 3.0);
-    CHECK(world.balls.velocity[0].x == doctest::Approx(-20.0 / 3.0).epsilon(1e-12));
-    CHECK(world.balls.spin[0] == doctest::Approx(20.0 / 3.0).epsilon(1e-12));
+    CHECK(world.balls().velocity[0].x == doctest::Approx(-20.0 / 3.0).epsilon(1e-12));
+    CHECK(world.balls().spin[0] == doctest::Approx(20.0 / 3.0).epsilon(1e-12));
 }

@@ -8,13 +8,13 @@ namespace carom::scenes {
 
 World cloth_table(double restitution, double friction, const Cloth& cloth) {
     World world = empty();
-    world.rate = 240.0;
-    world.model.spin = solid;
-    world.model.cloth = cloth;
-    world.kinds[0] = {
+    world.edit_definition().rate = 240.0;
+    world.edit_definition().model.spin = solid;
+    world.edit_definition().model.cloth = cloth;
+    world.edit_definition().kinds[0] = {
         .radius = pool_ball, .mass = 0.17, .restitution = restitution, .friction = friction};
-    world.materials[0] = {.restitution = 0.85, .friction = 0.2};
-    world.model.lossy = true;
+    world.edit_definition().materials[0] = {.restitution = 0.85, .friction = 0.2};
+    world.edit_definition().model.lossy = true;
     return world;
 }
 

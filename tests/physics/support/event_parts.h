@@ -29,30 +29,30 @@ struct EventParts {
 
     explicit EventParts(const World& start) : world(start) {
         scene.world = &world;
-        scene.field = field_of<Real>(world.model);
-        scene.period = world.model.wrap ? size(*world.model.wrap) : Vec2{};
+        scene.field = field_of<Real>(world.model());
+        scene.period = world.model().wrap ? size(*world.model().wrap) : Vec2{};
         scene.now = world.time();
-        scene.end = static_cast<double>(world.tick + 1) / world.rate;
-        const auto count = static_cast<std::uint32_t>(world.balls.size());
-        balls.resize(count, has_bends(world.model));
+        scene.end = static_cast<double>(world.tick() + 1) / world.rate();
+        const auto count = static_cast<std::uint32_t>(world.balls().size());
+        balls.resize(count, has_bends(world.model()));
         for (std::uint32_t i = 0; i < count; ++i) {
             balls.set_path(i, {});
-            balls.plan(i).inverse_mass = world.balls.inverse_mass[i];
-            balls[i].radius = world.balls.radius[i];
+            balls.plan(i).inverse_mass = world.balls().inverse_mass[i];
+            balls[i].radius = world.balls().radius[i];
         }
-        if (world.model.spin) trajectories.spins().assign(count, {});
+        if (world.model().spin) trajectories.spins().assign(count, {});
         kinematic.take();
         space.rebuild();
         cluster.reset(count);
         for (std::uint32_t i = 0; i < count; ++i) {
             const bool is_held = balls.plan(i).inverse_mass == 0.0;
             const Vector<Real> velocity =
-                is_held ? balls[i].line.velocity : Vector<Real>(world.balls.velocity[i]);
-            if (world.model.spin)
-                trajectories.spin(i) = {scene.now, world.balls.spin[i], 0.0, false};
-            trajectories.start(i, scene.now, Vector<Real>(world.balls.position[i]), velocity);
+                is_held ? balls[i].line.velocity : Vector<Real>(world.balls().velocity[i]);
+            if (world.model().spin)
+                trajectories.spin(i) = {scene.now, world.balls().spin[i], 0.0, false};
+            trajectories.start(i, scene.now, Vector<Real>(world.balls().position[i]), velocity);
             if (is_held) trajectories.hold(i);
-            if (world.model.cloth) balls.curve(i).center = Vector<Real>(world.balls.roll[i]);
+            if (world.model().cloth) balls.curve(i).center = Vector<Real>(world.balls().roll[i]);
         }
     }
     EventParts(const EventParts&) = delete;

@@ -106,21 +106,21 @@ void use_many_digits() {
 }
 
 Oracle::Oracle(const World& world) : now_(0) {
-    const Vec2 gravity = world.model.gravity.value_or(Vec2{});
+    const Vec2 gravity = world.model().gravity.value_or(Vec2{});
     gravity_ = {gravity.x, gravity.y};
-    for (std::size_t i = 0; i < world.balls.size(); ++i) {
-        const Vec2 p = world.balls.position[i];
-        const Vec2 v = world.balls.velocity[i];
-        const double e = world.model.lossy ? world.balls.restitution[i] : 1.0;
+    for (std::size_t i = 0; i < world.balls().size(); ++i) {
+        const Vec2 p = world.balls().position[i];
+        const Vec2 v = world.balls().velocity[i];
+        const double e = world.model().lossy ? world.balls().restitution[i] : 1.0;
         balls_.push_back(
-            {{p.x, p.y}, {v.x, v.y}, world.balls.radius[i], world.balls.inverse_mass[i], e});
+            {{p.x, p.y}, {v.x, v.y}, world.balls().radius[i], world.balls().inverse_mass[i], e});
     }
-    for (std::size_t i = 0; i < world.capsules.size(); ++i) {
-        const Capsule& c = world.capsules.shape[i];
+    for (std::size_t i = 0; i < world.capsules().size(); ++i) {
+        const Capsule& c = world.capsules().shape[i];
         edges_.push_back({{c.start.x, c.start.y},
                           {c.end.x, c.end.y},
                           c.radius,
-                          world.materials[world.capsules.material[i]].restitution});
+                          world.materials()[world.capsules().material[i]].restitution});
     }
     since_.assign(balls_.size(), Number(0));
     last_.assign(balls_.size(), nothing);

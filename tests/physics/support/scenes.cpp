@@ -17,8 +17,8 @@ double draw(std::uint64_t seed, std::uint64_t who, std::uint64_t index) {
 
 World empty() {
     World world;
-    world.kinds.push_back({.radius = 1.0, .mass = 1.0, .restitution = 1.0});
-    world.materials.push_back({});
+    world.edit_definition().kinds.push_back({.radius = 1.0, .mass = 1.0, .restitution = 1.0});
+    world.edit_definition().materials.push_back({});
     return world;
 }
 
@@ -32,7 +32,7 @@ void add_walls(World& world, const Box& box) {
 
 World gas(std::size_t count, std::uint64_t seed, bool torus) {
     World world = empty();
-    world.rate = 60.0;
+    world.edit_definition().rate = 60.0;
     const double side = std::sqrt(static_cast<double>(count) * pi / 0.3);
     const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
     const double pitch = side / static_cast<double>(columns);
@@ -49,13 +49,13 @@ World gas(std::size_t count, std::uint64_t seed, bool torus) {
                   .velocity = velocity});
     }
     double squares = 0.0;
-    for (const Vec2 v : world.balls.velocity)
+    for (const Vec2 v : world.balls().velocity)
         squares += length_squared(v);
     const double scale = 10.0 / std::sqrt(squares / static_cast<double>(count));
-    for (Vec2& v : world.balls.velocity)
+    for (Vec2& v : world.edit_balls().velocity)
         v *= scale;
     if (torus)
-        world.model.wrap = Box{{0.0, 0.0}, {side, side}};
+        world.edit_definition().model.wrap = Box{{0.0, 0.0}, {side, side}};
     else
         add_walls(world, {{0.0, 0.0}, {side, side}});
     return world;
@@ -63,9 +63,9 @@ World gas(std::size_t count, std::uint64_t seed, bool torus) {
 
 World bucket(std::size_t count, double restitution) {
     World world = empty();
-    world.model.gravity = Vec2{0.0, -10.0};
-    world.kinds[0] = {.radius = 0.5, .mass = 1.0, .restitution = restitution};
-    world.materials[0].restitution = restitution;
+    world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+    world.edit_definition().kinds[0] = {.radius = 0.5, .mass = 1.0, .restitution = restitution};
+    world.edit_definition().materials[0].restitution = restitution;
     add_walls(world, {{0.0, 0.0}, {20.0, 60.0}});
     for (std::size_t i = 0; i < count; ++i)
         add_ball(world,

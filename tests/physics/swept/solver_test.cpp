@@ -29,7 +29,7 @@ int escapes(SolverKind kind, double speed, double wall, int shots) {
     for (int shot = 0; shot < shots; ++shot) {
         const auto who = static_cast<std::uint64_t>(shot);
         World world = scenes::empty();
-        world.rate = 60.0;
+        world.edit_definition().rate = 60.0;
         const Vec2 corners[] = {{-50, -50}, {50, -50}, {50, 50}, {-50, 50}};
         for (int i = 0; i < 4; ++i)
             add_capsule(world, {corners[i], corners[(i + 1) % 4], wall}, 0);
@@ -38,7 +38,7 @@ int escapes(SolverKind kind, double speed, double wall, int shots) {
                          .velocity = aim * speed});
         for (int i = 0; i < 3; ++i)
             solver.tick(world);
-        const Vec2 p = world.balls.position[0];
+        const Vec2 p = world.balls().position[0];
         out += !(std::fabs(p.x) <= 49.0 + 1e-6 && std::fabs(p.y) <= 49.0 + 1e-6);
     }
     return out;
@@ -61,16 +61,16 @@ TEST_CASE("small fast balls do not pass through each other") {
     Solver solver({.kind = SolverKind::swept});
     for (const double speed : {1.0, 20.0, 1e3, 1e6}) {
         World world = scenes::empty();
-        world.rate = 60.0;
+        world.edit_definition().rate = 60.0;
         add_ball(world, {.position = {-10, 0}, .velocity = {speed, 0}, .radius = 0.1});
         add_ball(world, {.position = {10, 0}, .velocity = {-speed, 0}, .radius = 0.1});
         const int ticks = static_cast<int>(std::ceil(10.0 / speed * 60.0)) + 1;
         for (int i = 0; i < ticks; ++i)
             solver.tick(world);
-        CHECK(world.ball_ball_collisions == 1);
-        CHECK(world.balls.velocity[0].x == -speed);
-        CHECK(world.balls.velocity[1].x == speed);
-        CHECK(world.balls.position[0].x < world.balls.position[1].x);
+        CHECK(world.ball_ball_collisions() == 1);
+        CHECK(world.balls().velocity[0].x == -speed);
+        CHECK(world.balls().velocity[1].x == speed);
+        CHECK(world.balls().position[0].x < world.balls().position[1].x);
     }
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("two blocks and a wall count the digits of pi") {
         Solver solver({.kind = SolverKind::swept});
         for (int i = 0; i < 6000; ++i)
             solver.tick(world);
-        CHECK(world.ball_ball_collisions + world.ball_edge_collisions == digits[k]);
+        CHECK(world.ball_ball_collisions() + world.ball_edge_collisions() == digits[k]);
     }
 }
 
@@ -97,7 +97,7 @@ TEST_CASE("a cradle lets as many out as went in, the others stand still") {
                 for (int i = 0; i < 1200; ++i)
                     solver.tick(world);
                 for (std::size_t i = 0; i < count; ++i)
-                    CHECK(std::fabs(world.balls.velocity[i].x - (i + in >= count ? 1.0 : 0.0)) <
+                    CHECK(std::fabs(world.balls().velocity[i].x - (i + in >= count ? 1.0 : 0.0)) <
                           1e-9);
             }
         }
@@ -107,8 +107,8 @@ TEST_CASE("a cradle lets as many out as went in, the others stand still") {
 TEST_CASE("the order of the balls in the file does not change what happens") {
     World world = scenes::gas(150, 21);
     World backwards = world;
-    std::ranges::reverse(backwards.balls.position);
-    std::ranges::reverse(backwards.balls.velocity);
+    std::ranges::reverse(backwards.edit_balls().position);
+    std::ranges::reverse(backwards.edit_balls().velocity);
     Solver solver({.kind = SolverKind::swept});
     for (int i = 0; i < 60; ++i) {
         solver.tick(world);
@@ -117,7 +117,7 @@ TEST_CASE("the order of the balls in the file does not change what happens") {
     // Rounding differs where a pair is seen from the other side, and chaos makes it grow; not
     // further than this.
     for (std::size_t i = 0; i < 150; ++i)
-        CHECK(distance(world.balls.position[i], backwards.balls.position[149 - i]) < 1e-6);
+        CHECK(distance(world.balls().position[i], backwards.balls().position[149 - i]) < 1e-6);
 }
 
 TEST_CASE("nothing overlaps in a gas, and nothing leaves it") {
@@ -145,7 +145,7 @@ TEST_CASE("a heap comes to rest without sinking into itself, and gains no energy
         }
         CHECK(totals(world).kinetic_energy < 0.05);
         CHECK(deepest_overlap(world) < 1e-9);
-        CHECK(world.balls.size() == 150);
+        CHECK(world.balls().size() == 150);
         // An impact may be a little early or late on its parabola: see the header.
         CHECK(most_gain < 1e-2);
     }
@@ -153,31 +153,31 @@ TEST_CASE("a heap comes to rest without sinking into itself, and gains no energy
 
 TEST_CASE("a ball that rests stays where it is, to the bit") {
     World world = scenes::empty();
-    world.model.gravity = Vec2{0, -9.81};
-    world.materials[0].restitution = 0.5;
-    world.kinds[0].restitution = 0.5;
+    world.edit_definition().model.gravity = Vec2{0, -9.81};
+    world.edit_definition().materials[0].restitution = 0.5;
+    world.edit_definition().kinds[0].restitution = 0.5;
     add_capsule(world, {{-5, 0}, {5, 0}, 0.5}, 0);
     add_ball(world, {.position = {0, 1.5}, .velocity = {}});
     Solver solver({.kind = SolverKind::swept});
     for (int i = 0; i < 100; ++i)
         solver.tick(world);
-    const Vec2 there = world.balls.position[0];
+    const Vec2 there = world.balls().position[0];
     for (int i = 0; i < 10'000; ++i)
         solver.tick(world);
-    CHECK(world.balls.position[0] == there);
-    CHECK(world.balls.velocity[0] == Vec2{});
+    CHECK(world.balls().position[0] == there);
+    CHECK(world.balls().velocity[0] == Vec2{});
 }
 
 TEST_CASE("a ball slides down a frictionless ramp as the closed form says") {
     World world = scenes::empty();
-    world.model.gravity = Vec2{0, -10};
-    world.materials[0].restitution = 0.0;
+    world.edit_definition().model.gravity = Vec2{0, -10};
+    world.edit_definition().materials[0].restitution = 0.0;
     add_capsule(world, {{0, 0}, {400, -300}, 0}, 0);  // 3-4-5: acceleration 6 along it
     add_ball(world, {.position = Vec2{4, -3} + Vec2{0.6, 0.8}, .velocity = {}});
     Solver solver({.kind = SolverKind::swept});
     for (int i = 0; i < 480; ++i)
         solver.tick(world);
-    CHECK(length(world.balls.velocity[0]) == doctest::Approx(24.0).epsilon(1e-3));
+    CHECK(length(world.balls().velocity[0]) == doctest::Approx(24.0).epsilon(1e-3));
 }
 
 TEST_CASE("nothing balances beside the top of a peg: hardly any of gravity is left, but it pulls") {
@@ -187,16 +187,16 @@ TEST_CASE("nothing balances beside the top of a peg: hardly any of gravity is le
     for (const double share : {-0.03, -0.002, 0.001, 0.0198, 0.1, 0.2}) {
         CAPTURE(share);
         World world = scenes::empty();
-        world.model.gravity = Vec2{0.0, -9.81};
-        world.kinds[0] = {.radius = 0.0076, .mass = 0.001, .restitution = 1.0};
-        world.materials[0].restitution = 0.5;
+        world.edit_definition().model.gravity = Vec2{0.0, -9.81};
+        world.edit_definition().kinds[0] = {.radius = 0.0076, .mass = 0.001, .restitution = 1.0};
+        world.edit_definition().materials[0].restitution = 0.5;
         add_capsule(world, {peg, peg, 0.002}, 0);
         const Vec2 up{share, std::sqrt(1.0 - share * share)};
         add_ball(world, {.position = peg + up * 0.0096, .velocity = {}});
         Solver solver({.kind = SolverKind::swept});
         for (int i = 0; i < 120; ++i)
             solver.tick(world);
-        CHECK(world.balls.position[0].y < peg.y - 1.0);
+        CHECK(world.balls().position[0].y < peg.y - 1.0);
     }
 }
 
@@ -207,27 +207,27 @@ TEST_CASE("a hand pushes balls aside and stops where they cannot go") {
     add_ball(world, {.position = {2.5, 0}, .velocity = {}});
     Solver solver({.kind = SolverKind::swept});
     for (int i = 0; i < 240; ++i) {
-        world.held_balls = {{BallId{0}, {std::min(9.0, i * 0.05), 0}}};
+        world.edit_held_balls() = {{BallId{0}, {std::min(9.0, i * 0.05), 0}}};
         solver.tick(world);
         CHECK(deepest_overlap(world) < 1e-9);
     }
-    CHECK(world.balls.position[0].x > 6.0);  // it went on until the other was at the wall
-    CHECK(world.balls.position[0].x <= 9.0);
-    for (const Vec2 p : world.balls.position)
+    CHECK(world.balls().position[0].x > 6.0);  // it went on until the other was at the wall
+    CHECK(world.balls().position[0].x <= 9.0);
+    for (const Vec2 p : world.balls().position)
         CHECK(contains(Box{{-9.001, -9.001}, {9.001, 9.001}}, p));
     // And it does not go through a wall after the hand.
     for (int i = 0; i < 240; ++i) {
-        world.held_balls = {{BallId{0}, {0, 40}}};
+        world.edit_held_balls() = {{BallId{0}, {0, 40}}};
         solver.tick(world);
     }
-    CHECK(world.balls.position[0].y <= 9.0 + 1e-9);
+    CHECK(world.balls().position[0].y <= 9.0 + 1e-9);
 }
 
 TEST_CASE(
     "a closing edge squeezes balls without losing one, and gives way where there is no solution") {
     World world = scenes::empty();
-    world.materials[0].restitution = 0.8;
-    world.kinds[0].restitution = 0.8;
+    world.edit_definition().materials[0].restitution = 0.8;
+    world.edit_definition().kinds[0].restitution = 0.8;
     scenes::add_walls(world, {{0, 0}, {20, 10}});
     const CapsuleId lid = add_capsule(world, {{19, -2}, {19, 12}, 0.5}, 0);
     for (int i = 0; i < 20; ++i)
@@ -236,21 +236,21 @@ TEST_CASE(
     double fastest = 0.0;
     for (int i = 0; i < 600; ++i) {
         const double x = std::max(1.0, 19.0 - i * 0.05);
-        world.held_capsules = {{lid, {x, -2}, {x, 12}}};
+        world.edit_held_capsules() = {{lid, {x, -2}, {x, 12}}};
         solver.tick(world);
-        for (const Vec2 v : world.balls.velocity)
+        for (const Vec2 v : world.balls().velocity)
             fastest = std::max(fastest, length(v));
     }
-    for (std::size_t i = 0; i < world.balls.size(); ++i) {
-        const Vec2 p = world.balls.position[i];
+    for (std::size_t i = 0; i < world.balls().size(); ++i) {
+        const Vec2 p = world.balls().position[i];
         CHECK(std::isfinite(p.x));
         CHECK(p.x >= 1.0 - 1e-6);
-        CHECK(p.x <= world.capsules.shape.back().start.x - 1.5 + 1e-6);
+        CHECK(p.x <= world.capsules().shape.back().start.x - 1.5 + 1e-6);
         CHECK(p.y >= 1.0 - 1e-6);
         CHECK(p.y <= 9.0 + 1e-6);
     }
     CHECK(deepest_overlap(world) < 1e-6);
-    CHECK(world.capsules.shape.back().start.x >
+    CHECK(world.capsules().shape.back().start.x >
           7.0);             // 20 discs of area pi in 10 high do not fit in less
     CHECK(fastest < 50.0);  // the lid came at 6
 }
@@ -265,7 +265,7 @@ TEST_CASE("coincident and overlapping balls stay finite and gain nothing") {
     Solver solver({.kind = SolverKind::swept});
     for (int i = 0; i < 600; ++i)
         solver.tick(world);
-    for (const Vec2 p : world.balls.position)
+    for (const Vec2 p : world.balls().position)
         CHECK(contains(Box{{-19.1, -19.1}, {19.1, 19.1}}, p));
     CHECK(totals(world).kinetic_energy <= before * (1 + 1e-12));
 }
@@ -286,7 +286,7 @@ TEST_CASE("masses and radii far apart, and far from the origin") {
         for (int i = 0; i < 1200; ++i)
             solver.tick(world);
         CHECK(totals(world).kinetic_energy == doctest::Approx(before).epsilon(1e-9));
-        for (const Vec2 p : world.balls.position)
+        for (const Vec2 p : world.balls().position)
             CHECK(contains(grow(Box{there, there + Vec2{40, 40}}, 1e-3), p));
     }
 }

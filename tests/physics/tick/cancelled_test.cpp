@@ -12,16 +12,16 @@ namespace {
 // scatter.
 World busy(bool torus) {
     World world = scenes::gas(1000, 6, torus);
-    world.rate = 0.5;
-    world.model.scatter = 0.1;
-    world.balls.edge_contacts.assign(world.balls.size(), 0);
-    world.kinds.push_back({.radius = 0.3, .mass = 0.1, .restitution = 0.5});
-    world.emitters.push_back(
+    world.edit_definition().rate = 0.5;
+    world.edit_definition().model.scatter = 0.1;
+    world.edit_balls().edge_contacts.assign(world.balls().size(), 0);
+    world.edit_definition().kinds.push_back({.radius = 0.3, .mass = 0.1, .restitution = 0.5});
+    world.edit_emitters().push_back(
         {.kind = 1, .at = {-40, -40}, .velocity = {3, 1}, .every = 0.01, .count = 50});
     const CapsuleId dragged = add_capsule(world, {{10, 10}, {20, 12}, 0.2}, 0);
-    world.held_capsules.push_back({dragged, {14, 12}, {25, 15}});
+    world.edit_held_capsules().push_back({dragged, {14, 12}, {25, 15}});
     const CapsuleId turned = add_capsule(world, {{40, 30}, {46, 30}, 0.3}, 0);
-    world.flippers.push_back(
+    world.edit_flippers().push_back(
         {.capsule = turned, .length = 6.0, .rest = {1, 0}, .sweep = 1.0, .is_pressed = true});
     return world;
 }
@@ -47,17 +47,17 @@ TEST_CASE("a tick that is given up leaves the world as it was, wherever it stops
                 const auto outcome = solver.tick(world, [&] { return asked++ < given_up; });
                 if (outcome != TickOutcome::given_up) break;
                 REQUIRE(fingerprint(world) == fingerprint(start));
-                REQUIRE(world.next_ball == start.next_ball);
-                REQUIRE(world.model == start.model);
-                REQUIRE(world.balls.restitution.empty());
-                REQUIRE(world.balls.radius == start.balls.radius);
-                REQUIRE(world.held_capsules.size() == 1);
+                REQUIRE(world.next_ball() == start.next_ball());
+                REQUIRE(world.model() == start.model());
+                REQUIRE(world.balls().restitution.empty());
+                REQUIRE(world.balls().radius == start.balls().radius);
+                REQUIRE(world.held_capsules().size() == 1);
                 REQUIRE(solver.contacts().empty());
             }
             CHECK(given_up > 2);
             CHECK(fingerprint(world) == fingerprint(straight));
-            if (!torus) CHECK(world.balls.size() > start.balls.size());
-            CHECK(world.ball_ball_collisions == straight.ball_ball_collisions);
+            if (!torus) CHECK(world.balls().size() > start.balls().size());
+            CHECK(world.ball_ball_collisions() == straight.ball_ball_collisions());
         }
     }
 }
@@ -77,7 +77,7 @@ TEST_CASE("solvers whose ticks are bounded do not ask") {
     for (const SolverKind kind : {SolverKind::discrete, SolverKind::contact}) {
         CAPTURE(name(kind));
         World world = scenes::gas(5000, 6);
-        world.model.gravity = Vec2{0.0, -1.0};
+        world.edit_definition().model.gravity = Vec2{0.0, -1.0};
         const auto never = [] { return false; };
         CHECK(Solver({.kind = kind}).tick(world, never) == TickOutcome::done);
     }

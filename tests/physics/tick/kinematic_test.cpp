@@ -12,7 +12,7 @@ namespace {
 World world_with_held_edge() {
     World world = scenes::empty();
     const CapsuleId id = add_capsule(world, {{0, 0}, {4, 0}, 0.5}, 0);
-    world.held_capsules.push_back({.id = id, .start_target = {0, 0}, .end_target = {4, 2}});
+    world.edit_held_capsules().push_back({.id = id, .start_target = {0, 0}, .end_target = {4, 2}});
     return world;
 }
 
@@ -41,7 +41,7 @@ TEST_CASE("kinematic edge: it goes its share of the way, and no further once it 
 TEST_CASE("kinematic edge: its surface moves as the nearest point of its spine, until it stops") {
     const World world = world_with_held_edge();
     HeldEdge edge = aimed(world, 1.0);
-    const Capsule& shape = world.capsules.shape[0];
+    const Capsule& shape = world.capsules().shape[0];
     CHECK(surface_velocity(edge, shape, {2, 3}) == Vec2{0, 1});
     CHECK(surface_velocity(edge, shape, {9, 0}) == Vec2{0, 2});
     edge.share = 0.25;
@@ -52,7 +52,7 @@ TEST_CASE("kinematic edge: its surface moves as the nearest point of its spine, 
 
 TEST_CASE("kinematic edge: found by its capsule; one whose capsule is gone is not listed") {
     World world = world_with_held_edge();
-    world.held_capsules.push_back({.id = CapsuleId{99}});
+    world.edit_held_capsules().push_back({.id = CapsuleId{99}});
     std::vector<HeldEdge> edges;
     list_kinematic_edges(world, edges);
     CHECK(edges.size() == 1);
@@ -62,13 +62,13 @@ TEST_CASE("kinematic edge: found by its capsule; one whose capsule is gone is no
 
 TEST_CASE("a held ball is immovable, and on a torus goes the shorter way") {
     World world = scenes::empty();
-    world.model.wrap = Box{{0, 0}, {10, 10}};
+    world.edit_definition().model.wrap = Box{{0, 0}, {10, 10}};
     const BallId id = add_ball(world, {.position = {9, 5}});
     const HeldBall held{.id = id, .target = {1, 5}};
     CHECK(rest_of_way(world, held, {9, 5}) == Vec2{2, 0});
-    world.model.wrap.reset();
+    world.edit_definition().model.wrap.reset();
     CHECK(rest_of_way(world, held, {9, 5}) == Vec2{-8, 0});
-    world.held_balls.push_back(held);
+    world.edit_held_balls().push_back(held);
     std::vector<double> inverse_mass{1.0};
     make_held_balls_immovable(world, inverse_mass);
     CHECK(inverse_mass[0] == 0.0);

@@ -19,29 +19,29 @@ TEST_CASE("whatever is done to a world between ticks, a solver goes on as one th
     };
     const std::vector<Row> rows{
         {"nothing", [](World&) {}},
-        {"the last edge goes", [](World& w) { remove_capsule(w, w.capsules.id[1]); }},
-        {"the first edge goes", [](World& w) { remove_capsule(w, w.capsules.id[0]); }},
+        {"the last edge goes", [](World& w) { remove_capsule(w, w.capsules().id[1]); }},
+        {"the first edge goes", [](World& w) { remove_capsule(w, w.capsules().id[0]); }},
         {"an edge comes through balls",
          [](World& w) {
              add_capsule(w, {{0.0, 0.9}, {20.0, 0.9}, 0.0}, 0);
          }},
-        {"an edge moves", [](World& w) { w.capsules.shape[1].start.y = 0.01; }},
-        {"balls move into others", [](World& w) { w.balls.position[2].x += 1.3; }},
+        {"an edge moves", [](World& w) { w.edit_capsules().shape[1].start.y = 0.01; }},
+        {"balls move into others", [](World& w) { w.edit_balls().position[2].x += 1.3; }},
         {"all balls move up to the edge",
          [](World& w) {
-             for (Vec2& position : w.balls.position)
+             for (Vec2& position : w.edit_balls().position)
                  position.y -= 4e-4;
          }},
-        {"a ball goes", [](World& w) { remove_ball(w, w.balls.id[4]); }},
-        {"a ball grows", [](World& w) { w.balls.radius[3] = 1.2; }},
-        {"balls meet no more", [](World& w) { w.model.ball_ball = false; }},
+        {"a ball goes", [](World& w) { remove_ball(w, w.balls().id[4]); }},
+        {"a ball grows", [](World& w) { w.edit_balls().radius[3] = 1.2; }},
+        {"balls meet no more", [](World& w) { w.edit_definition().model.ball_ball = false; }},
     };
     for (const SolverKind kind : solvers_available()) {
         for (const Row& row : rows) {
             CAPTURE(name(kind));
             CAPTURE(row.what);
             World seen = scenes::empty();
-            seen.kinds[0].radius = 0.5;
+            seen.edit_definition().kinds[0].radius = 0.5;
             add_capsule(seen, {{-5.0, -5.0}, {-4.0, -5.0}, 0.0}, 0);
             add_capsule(seen, {{0.0, 0.0}, {20.0, 0.0}, 0.0}, 0);
             for (int i = 0; i < 8; ++i)

@@ -66,18 +66,18 @@ void check_rows(const Table& part, const Table& whole, const std::vector<std::ui
 // A world of three balls in which every column is in use, far apart, with a sink around one.
 World full() {
     World world = scenes::empty();
-    world.model.lossy = true;
-    world.model.scatter = 0.1;
-    world.model.spin = 0.4;
-    world.model.cloth = Cloth{};
+    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.scatter = 0.1;
+    world.edit_definition().model.spin = 0.4;
+    world.edit_definition().model.cloth = Cloth{};
     for (int i = 0; i < 3; ++i)
         add_ball(world, {.position = {9.0 * i, 1.0}});
-    const std::vector<BallId> ids = world.balls.id;
-    world.balls = filled<Balls>(3);
-    world.balls.id = ids;
-    world.balls.kind.assign(3, 0);
+    const std::vector<BallId> ids = world.balls().id;
+    world.edit_balls() = filled<Balls>(3);
+    world.edit_balls().id = ids;
+    world.edit_balls().kind.assign(3, 0);
     for (std::uint32_t i = 0; i < 3; ++i)
-        world.balls.position[i] = {9.0 * i, 1.0};
+        world.edit_balls().position[i] = {9.0 * i, 1.0};
     return world;
 }
 
@@ -128,13 +128,13 @@ TEST_CASE("a new ball has an entry in every column that its scene uses, and in n
     add_ball(world, {.position = {30.0, 1.0}, .spin = 2.0, .roll = Vec2{1.0, 2.0}});
     Balls::for_each_column([&](const auto& column) {
         CAPTURE(column.name);
-        CHECK((world.balls.*column.values).size() == 4);
+        CHECK((world.balls().*column.values).size() == 4);
     });
     World plain = scenes::empty();
     add_ball(plain, {});
     Balls::for_each_column([&](const auto& column) {
         CAPTURE(column.name);
-        CHECK((plain.balls.*column.values).size() == (column.is_used(plain.model) ? 1 : 0));
+        CHECK((plain.balls().*column.values).size() == (column.is_used(plain.model()) ? 1 : 0));
     });
 }
 
@@ -142,13 +142,14 @@ TEST_CASE("removing a ball, by a player or in a sink, keeps every column of the 
     const World start = full();
     World world = start;
     remove_ball(world, BallId{1});
-    check_rows(world.balls, start.balls, {0, 2});
+    check_rows(world.balls(), start.balls(), {0, 2});
 
     world = start;
-    world.counters = {0};
-    world.zones.push_back({.shape = {{0.0, 1.0}, {0.0, 1.0}, 1.0}, .effect = Zone::Effect::sink});
+    world.edit_ledger().counters = {0};
+    world.edit_definition().zones.push_back(
+        {.shape = {{0.0, 1.0}, {0.0, 1.0}, 1.0}, .effect = Zone::Effect::sink});
     drain_sinks(world);
-    check_rows(world.balls, start.balls, {1, 2});
+    check_rows(world.balls(), start.balls(), {1, 2});
 }
 
 TEST_CASE("taking back a tick restores every column") {
@@ -156,7 +157,7 @@ TEST_CASE("taking back a tick restores every column") {
     World world = start;
     TickUndo undo;
     undo.note(world);
-    world.balls = filled<Balls>(7);
+    world.edit_balls() = filled<Balls>(7);
     undo.take_back(world);
-    check_rows(world.balls, start.balls, {0, 1, 2});
+    check_rows(world.balls(), start.balls(), {0, 1, 2});
 }

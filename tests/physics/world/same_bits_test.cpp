@@ -13,20 +13,20 @@ using namespace carom;
 
 namespace {
 
-SumOfBits sum_of(const std::vector<TwoBits>& pairs) {
+SumOfBits sum_of(const std::vector<U64x2>& pairs) {
     SumOfBits sum;
-    for (const TwoBits& pair : pairs)
+    for (const U64x2& pair : pairs)
         sum.add(pair);
     return sum;
 }
 
-TwoBits bits_of(double x, double y) {
-    return std::bit_cast<TwoBits>(Two{x, y});
+U64x2 bits_of(double x, double y) {
+    return std::bit_cast<U64x2>(F64x2{x, y});
 }
 
 // Round numbers, most of whose bits are 0, and numbers like any other.
-std::vector<TwoBits> some_pairs(bool are_round) {
-    std::vector<TwoBits> pairs;
+std::vector<U64x2> some_pairs(bool are_round) {
+    std::vector<U64x2> pairs;
     for (std::uint32_t i = 0; i < 200; ++i) {
         const auto any = [i](std::uint64_t which) {
             return random_unit(1, RandomStream::lab, which, i) - 0.5;
@@ -44,10 +44,10 @@ constexpr std::uint64_t sign = std::uint64_t{1} << 63;
 
 TEST_CASE("sum of bits: the same for the same, another when one bit is another") {
     for (const bool are_round : {false, true}) {
-        std::vector<TwoBits> pairs = some_pairs(are_round);
+        std::vector<U64x2> pairs = some_pairs(are_round);
         const SumOfBits sum = sum_of(pairs);
         CHECK(sum == sum_of(pairs));
-        for (TwoBits& pair : pairs)
+        for (U64x2& pair : pairs)
             for (int lane = 0; lane < 2; ++lane)
                 for (int bit = 0; bit < 64; ++bit) {
                     pair[lane] ^= std::uint64_t{1} << bit;
@@ -61,32 +61,32 @@ TEST_CASE("sum of bits: the same for the same, another when one bit is another")
 
 TEST_CASE("sum of bits: what is done to several at once does not cancel") {
     for (const bool are_round : {false, true}) {
-        const std::vector<TwoBits> pairs = some_pairs(are_round);
+        const std::vector<U64x2> pairs = some_pairs(are_round);
         const SumOfBits sum = sum_of(pairs);
         for (std::size_t i = 0; i < pairs.size(); ++i)
             for (std::size_t j = i + 1; j < pairs.size(); ++j) {
-                std::vector<TwoBits> changed = pairs;
+                std::vector<U64x2> changed = pairs;
                 if (changed[i][0] != changed[j][0] || changed[i][1] != changed[j][1]) {
                     std::swap(changed[i], changed[j]);
                     REQUIRE(!(sum_of(changed) == sum));
                     changed = pairs;
                 }
                 for (const std::size_t at : {i, j})
-                    changed[at] ^= TwoBits{0, sign};
+                    changed[at] ^= U64x2{0, sign};
                 REQUIRE(!(sum_of(changed) == sum));
             }
         // As much there and back in a row, and all of it reversed.
         for (std::size_t i = 0; i + 2 < pairs.size(); ++i) {
-            std::vector<TwoBits> changed = pairs;
-            const TwoBits step{std::uint64_t{1} << 40, std::uint64_t{1} << 50};
+            std::vector<U64x2> changed = pairs;
+            const U64x2 step{std::uint64_t{1} << 40, std::uint64_t{1} << 50};
             changed[i] += step;
             changed[i + 1] -= step + step;
             changed[i + 2] += step;
             REQUIRE(!(sum_of(changed) == sum));
         }
-        std::vector<TwoBits> reversed = pairs;
-        for (TwoBits& pair : reversed)
-            pair ^= TwoBits{sign, sign};
+        std::vector<U64x2> reversed = pairs;
+        for (U64x2& pair : reversed)
+            pair ^= U64x2{sign, sign};
         CHECK(!(sum_of(reversed) == sum));
     }
 }

@@ -24,29 +24,29 @@ TEST_CASE("ids are given once, in ascending order, and survive removals") {
     CHECK(index_of(world, b) == 0);
     CHECK(index_of(world, c) == 1);
     CHECK_FALSE(index_of(world, a));
-    CHECK(world.removed.size() == 1);
+    CHECK(world.removed().size() == 1);
     remove_ball(world, a);
-    CHECK(world.removed.size() == 1);
+    CHECK(world.removed().size() == 1);
 }
 
 TEST_CASE("what a scene does not use costs no bytes, until it is used") {
     World world = scenes::empty();
     add_ball(world, {.position = {0, 0}, .velocity = {}});
     add_capsule(world, {{0, 0}, {1, 0}, 0}, 0);
-    CHECK(world.balls.restitution.empty());
-    CHECK(world.capsules.side.empty());
+    CHECK(world.balls().restitution.empty());
+    CHECK(world.capsules().side.empty());
     add_ball(world, {.position = {9, 0}, .velocity = {}, .restitution = 0.5});
-    CHECK(world.model.lossy);
-    CHECK(world.balls.restitution == std::vector<double>{1.0, 0.5});
+    CHECK(world.model().lossy);
+    CHECK(world.balls().restitution == std::vector<double>{1.0, 0.5});
     add_capsule(world, {{0, 5}, {1, 5}, 0}, 0, Side::left);
-    CHECK(world.model.one_way);
-    CHECK(world.capsules.side == std::vector<Side>{Side::both, Side::left});
-    CHECK(world.balls.spin.empty());
+    CHECK(world.model().one_way);
+    CHECK(world.capsules().side == std::vector<Side>{Side::both, Side::left});
+    CHECK(world.balls().spin.empty());
 }
 
 TEST_CASE("spin stays with its ball, and counts in the sums and in the fingerprint") {
     World world = scenes::empty();
-    world.model.spin = 0.4;
+    world.edit_definition().model.spin = 0.4;
     for (const double spin : {1.0, 2.0, 3.0, 4.0})
         add_ball(
             world,
@@ -55,23 +55,24 @@ TEST_CASE("spin stays with its ball, and counts in the sums and in the fingerpri
     CHECK(totals(world).kinetic_energy == doctest::Approx(0.5 * inertia * (1 + 4 + 9 + 16)));
     CHECK(totals(world).angular_momentum == doctest::Approx(inertia * (1 + 2 + 3 + 4)));
     remove_ball(world, BallId{1});
-    CHECK(world.balls.spin == std::vector<double>{1.0, 3.0, 4.0});
+    CHECK(world.balls().spin == std::vector<double>{1.0, 3.0, 4.0});
     World other = world;
-    other.balls.spin[0] = 1.5;
+    other.edit_balls().spin[0] = 1.5;
     CHECK(fingerprint(other) != fingerprint(world));
-    world.counters.push_back(0);
-    world.zones.push_back({.shape = {{27, 0}, {27, 0}, 1}, .effect = Zone::Effect::sink});
+    world.edit_ledger().counters.push_back(0);
+    world.edit_definition().zones.push_back(
+        {.shape = {{27, 0}, {27, 0}, 1}, .effect = Zone::Effect::sink});
     drain_sinks(world);
-    CHECK(world.balls.spin == std::vector<double>{1.0, 4.0});
+    CHECK(world.balls().spin == std::vector<double>{1.0, 4.0});
 }
 
 TEST_CASE("a ball that is elastic by its own key stays so when the scene begins to lose energy") {
     World world = scenes::empty();
-    world.kinds[0].restitution = 0.4;
+    world.edit_definition().kinds[0].restitution = 0.4;
     add_ball(world, {.position = {0, 0}, .velocity = {}, .restitution = 1.0});
-    CHECK_FALSE(world.model.lossy);
+    CHECK_FALSE(world.model().lossy);
     add_ball(world, {.position = {9, 0}, .velocity = {}});
-    CHECK(world.balls.restitution == std::vector<double>{1.0, 0.4});
+    CHECK(world.balls().restitution == std::vector<double>{1.0, 0.4});
 }
 
 TEST_CASE("the fingerprint sees every bit that moves") {
@@ -79,19 +80,19 @@ TEST_CASE("the fingerprint sees every bit that moves") {
     const std::uint64_t before = fingerprint(world);
     std::set<std::uint64_t> seen{before};
     World other = world;
-    other.balls.position[7].x = std::nextafter(other.balls.position[7].x, 1e9);
+    other.edit_balls().position[7].x = std::nextafter(other.balls().position[7].x, 1e9);
     CHECK(seen.insert(fingerprint(other)).second);
     other = world;
-    other.balls.velocity[19].y = -other.balls.velocity[19].y;
+    other.edit_balls().velocity[19].y = -other.balls().velocity[19].y;
     CHECK(seen.insert(fingerprint(other)).second);
     other = world;
-    ++other.tick;
+    ++other.edit_tick();
     CHECK(seen.insert(fingerprint(other)).second);
     other = world;
-    other.capsules.shape[2].end.x += 1e-9;
+    other.edit_capsules().shape[2].end.x += 1e-9;
     CHECK(seen.insert(fingerprint(other)).second);
     other = world;
-    std::swap(other.balls.position[3], other.balls.position[4]);
+    std::swap(other.edit_balls().position[3], other.edit_balls().position[4]);
     CHECK(seen.insert(fingerprint(other)).second);
     other = world;
     CHECK(fingerprint(other) == before);
@@ -100,7 +101,7 @@ TEST_CASE("the fingerprint sees every bit that moves") {
 
 TEST_CASE("totals of a known world") {
     World world = scenes::empty();
-    world.model.gravity = Vec2{0, -10};
+    world.edit_definition().model.gravity = Vec2{0, -10};
     add_ball(world, {.position = {2, 3}, .velocity = {1, 2}, .mass = 4.0});
     add_ball(world, {.position = {-1, 0}, .velocity = {0, -3}, .mass = 2.0});
     const Totals t = totals(world);
@@ -113,15 +114,16 @@ TEST_CASE("totals of a known world") {
 TEST_CASE("the deepest overlap agrees with looking at every pair") {
     for (const bool torus : {false, true}) {
         World world = scenes::gas(200, 4, torus);
-        for (double& radius : world.balls.radius)
+        for (double& radius : world.edit_balls().radius)
             radius *= 1.4;
         double deepest = 0.0;
-        const Vec2 size_of_torus = torus ? size(*world.model.wrap) : Vec2{1e9, 1e9};
+        const Vec2 size_of_torus = torus ? size(*world.model().wrap) : Vec2{1e9, 1e9};
         for (std::size_t i = 0; i < 200; ++i)
             for (std::size_t j = 0; j < i; ++j)
-                deepest = std::max(deepest, 2.8 - length(nearest_image(world.balls.position[i] -
-                                                                           world.balls.position[j],
-                                                                       size_of_torus)));
+                deepest =
+                    std::max(deepest, 2.8 - length(nearest_image(world.balls().position[i] -
+                                                                     world.balls().position[j],
+                                                                 size_of_torus)));
         CHECK(deepest > 0.1);
         const double by_cells = deepest_overlap(world);
         CHECK(by_cells >= deepest - 1e-12);  // edges may be deeper
@@ -150,13 +152,13 @@ TEST_CASE("random numbers are uniform, and each purpose has its own") {
 
 TEST_CASE("a census counts the balls that are in a zone now") {
     World world = scenes::empty();
-    world.counters = {0, 0};
-    world.zones.push_back({{{0, 0}, {0, 10}, 2}, Zone::Effect::census, 0});
-    world.zones.push_back({{{4, 0}, {4, 10}, 2}, Zone::Effect::census, 1});
+    world.edit_ledger().counters = {0, 0};
+    world.edit_definition().zones.push_back({{{0, 0}, {0, 10}, 2}, Zone::Effect::census, 0});
+    world.edit_definition().zones.push_back({{{4, 0}, {4, 10}, 2}, Zone::Effect::census, 1});
     add_ball(world, {.position = {1, 5}, .velocity = {}});
     add_ball(world, {.position = {5, 5}, .velocity = {}});
     add_ball(world, {.position = {4, 1}, .velocity = {}});
     add_ball(world, {.position = {40, 1}, .velocity = {}});
     CHECK(census(world) == std::vector<std::uint64_t>{1, 2});
-    CHECK(world.counters == std::vector<std::uint64_t>{0, 0});
+    CHECK(world.counters() == std::vector<std::uint64_t>{0, 0});
 }

@@ -19,8 +19,8 @@ namespace {
 Scene table(const Box& view) {
     Scene scene;
     scene.view = view;
-    scene.world.kinds.resize(3);
-    scene.world.materials.resize(2);
+    scene.world.edit_definition().kinds.resize(3);
+    scene.world.edit_definition().materials.resize(2);
     return scene;
 }
 
@@ -157,7 +157,7 @@ TEST_CASE("an outlined ball has a radius that shows where it heads") {
 
 )");
     // At rest it heads nowhere.
-    scene.world.balls.velocity[0] = {};
+    scene.world.edit_balls().velocity[0] = {};
     CHECK(Drawing(22, 11).draw(scene, options).text() == R"(
 
        _;~~~~;_
@@ -202,7 +202,7 @@ TEST_CASE("the last picture leaves nothing behind") {
         Drawing moved(20, 10);
         moved.draw(scene, in(renderer));
         Scene later = scene;
-        later.world.balls.position[0] = {8, 5};
+        later.world.edit_balls().position[0] = {8, 5};
         moved.draw(later, in(renderer));
         CHECK(moved.text() == Drawing(20, 10).draw(later, in(renderer)).text());
     }
@@ -210,7 +210,7 @@ TEST_CASE("the last picture leaves nothing behind") {
 
 TEST_CASE("on a torus, a ball across a side shows on both") {
     Scene scene = table({{0, 0}, {20, 10}});
-    scene.world.model.wrap = Box{{0, 0}, {20, 10}};
+    scene.world.edit_definition().model.wrap = Box{{0, 0}, {20, 10}};
     put_ball(scene, {19.5, 9.5}, 2.0);
     CHECK(Drawing(41, 11).draw(scene, in(ascii_renderer())).text() == R"(
 ::^:                               :^::::
@@ -337,8 +337,8 @@ TEST_CASE("a counter stands over each bin, staggered where there is no room side
         Zone zone;
         zone.shape = {{x, 0}, {x, 4}, 1.0};
         zone.counter = static_cast<std::uint32_t>(i);
-        scene.world.zones.push_back(zone);
-        scene.world.counters.push_back(static_cast<std::uint64_t>(1234 + i));
+        scene.world.edit_definition().zones.push_back(zone);
+        scene.world.edit_ledger().counters.push_back(static_cast<std::uint64_t>(1234 + i));
     }
     const std::string wide = Drawing(40, 12).draw(scene, in(ascii_renderer())).text();
     for (const char* count : {"1234", "1235", "1236", "1237"}) {
@@ -427,8 +427,8 @@ TEST_CASE("trails lie behind balls and edges, and go when they are switched off"
     options.trails = true;
     Drawing drawing(41, 6);
     for (int step = 0; step < 8; ++step) {
-        scene.world.balls.position[0].x += 1.5;
-        ++scene.world.tick;
+        scene.world.edit_balls().position[0].x += 1.5;
+        ++scene.world.edit_tick();
         drawing.draw(scene, options);
     }
     CHECK(drawing.text() == R"(
@@ -488,9 +488,9 @@ TEST_CASE("worlds that are not finite, windows without cells: nothing breaks") {
     const double infinity = std::numeric_limits<double>::infinity();
     for (const double x : {0.0, 1e300, -1e300, infinity, std::nan("")}) {
         put_ball(scene, {5, 5}, 1.0, {1, 2});
-        scene.world.balls.position.back() = {x, x};
+        scene.world.edit_balls().position.back() = {x, x};
         put_ball(scene, {5, 5}, 1.0);
-        scene.world.balls.velocity.back() = {x, -x};
+        scene.world.edit_balls().velocity.back() = {x, -x};
         add_capsule(scene.world, {{x, 0}, {3, x}, 0.0}, 0);
     }
     for (const Renderer& renderer : renderers()) {
@@ -508,7 +508,7 @@ TEST_CASE("worlds that are not finite, windows without cells: nothing breaks") {
             for (const auto& [columns, rows] : {std::pair{0, 0}, {1, 1}, {20, 8}, {300, 2}}) {
                 Drawing drawing(columns, rows);
                 for (int frame = 0; frame < 3; ++frame) {
-                    ++scene.world.tick;
+                    ++scene.world.edit_tick();
                     drawing.draw(scene, options, marks);
                 }
                 CHECK(drawing.canvas.columns() == columns);
@@ -528,8 +528,8 @@ TEST_CASE("speed colours go from slow to fast, and calm down slowly") {
     CHECK(drawing.canvas.at(11, 5).foreground == ink_of_scale(0.0, options.look).color);
     CHECK(drawing.canvas.at(31, 5).foreground == ink_of_scale(1.0, options.look).color);
     // A moment later the fast one has slowed down; it is not at once the fastest there is.
-    scene.world.balls.velocity[1] = {5, 0};
-    ++scene.world.tick;
+    scene.world.edit_balls().velocity[1] = {5, 0};
+    ++scene.world.edit_tick();
     drawing.draw(scene, options);
     CHECK(drawing.canvas.at(31, 5).foreground == ink_of_scale(0.5, options.look).color);
 }
@@ -568,7 +568,7 @@ TEST_CASE("copies that are one are a solid ball, and scattered ones a cloud arou
     CHECK(together.canvas.at(5, 5).glyph == U' ');
 
     for (std::size_t i = 0; i < copies.size(); ++i)
-        copies[i].balls.position[0].x = 8.0 + 24.0 * static_cast<double>(i) / 99.0;
+        copies[i].edit_balls().position[0].x = 8.0 + 24.0 * static_cast<double>(i) / 99.0;
     marks.copies = copies;
     Drawing apart(40, 10);
     apart.draw(scene, in(ascii_renderer()), marks);
@@ -589,9 +589,9 @@ TEST_CASE("a ball of one copy in two hundred is still seen, and one that is nowh
     Scene scene = table({{0.0, 0.0}, {40.0, 20.0}});
     put_ball(scene, {20.0, 10.0}, 2.0);
     std::vector<World> copies(200, scene.world);
-    copies[7].balls.position[0] = {5.0, 10.0};
-    copies[8].balls.position[0] = {std::numeric_limits<double>::quiet_NaN(), 10.0};
-    copies[9].balls.position[0] = {1e300, -1e300};
+    copies[7].edit_balls().position[0] = {5.0, 10.0};
+    copies[8].edit_balls().position[0] = {std::numeric_limits<double>::quiet_NaN(), 10.0};
+    copies[9].edit_balls().position[0] = {1e300, -1e300};
     Marks marks;
     marks.copies = copies;
     for (const Renderer* renderer : {&ascii_renderer(), &half_block_renderer()}) {

@@ -15,18 +15,18 @@ struct Path {
     Trails trails;
 
     Path() {
-        world.kinds.resize(1);
+        world.edit_definition().kinds.resize(1);
         BallSpec spec;
         spec.position = {2, 5};
         add_ball(world, spec);
     }
     void move_to(Vec2 position) {
-        world.balls.position[0] = position;
-        ++world.tick;
+        world.edit_balls().position[0] = position;
+        ++world.edit_tick();
     }
     void draw() {
         const Raster raster(braille_renderer(), 40, 10, 2.0);
-        const std::vector<Ink> inks(world.balls.size(), Ink{3, plain});
+        const std::vector<Ink> inks(world.balls().size(), Ink{3, plain});
         add_to_trails(trails, camera, raster, world, inks);
     }
     long lit() const {
@@ -55,12 +55,12 @@ TEST_CASE("trails fade while the world goes on, and stand while it stands") {
     path.draw();
     path.draw();
     CHECK(path.freshest() == 255);
-    path.world.balls = {};
-    ++path.world.tick;
+    path.world.edit_balls() = {};
+    ++path.world.edit_tick();
     path.draw();
     CHECK(path.freshest() < 255);
     for (int i = 0; i < 100; ++i) {
-        ++path.world.tick;
+        ++path.world.edit_tick();
         path.draw();
     }
     CHECK(path.lit() == 0);
@@ -68,10 +68,10 @@ TEST_CASE("trails fade while the world goes on, and stand while it stands") {
 
 TEST_CASE("a step back fades like a step forward") {
     Path path;
-    path.world.tick = 5;
+    path.world.edit_tick() = 5;
     path.draw();
-    path.world.balls = {};
-    path.world.tick = 4;
+    path.world.edit_balls() = {};
+    path.world.edit_tick() = 4;
     path.draw();
     CHECK(path.freshest() < 255);
 }
@@ -88,7 +88,7 @@ TEST_CASE("another camera starts trails anew") {
 
 TEST_CASE("a ball that goes over the side of a torus draws no line across") {
     Path path;
-    path.world.model.wrap = Box{{0, 0}, {20, 10}};
+    path.world.edit_definition().model.wrap = Box{{0, 0}, {20, 10}};
     path.draw();
     path.move_to({19, 5});
     path.draw();
@@ -102,7 +102,7 @@ TEST_CASE("a ball that is new starts where it is, and one that is gone leaves it
     spec.position = {10, 8};
     add_ball(path.world, spec);
     remove_ball(path.world, BallId{0});
-    ++path.world.tick;
+    ++path.world.edit_tick();
     path.draw();
     CHECK(path.lit() == 2);
     REQUIRE(path.trails.places.size() == 1);

@@ -130,11 +130,11 @@ int show_frames(Screen& screen, int count, RendererChoice renderer, const std::s
         return 1;
     }
     World world = loaded.scene->world;
-    const int ticks = level.empty() ? 1 : static_cast<int>(world.rate / 60.0 + 0.5);
+    const int ticks = level.empty() ? 1 : static_cast<int>(world.rate() / 60.0 + 0.5);
     Solver solver(
         {.kind = level.empty() ? SolverKind::discrete : pick_solver(world).settings.kind});
-    if (!level.empty() && world.balls.velocity[0] == Vec2{}) {
-        world.balls.velocity[0] = {0.7 * size(loaded.scene->view).x, 0.01};
+    if (!level.empty() && world.balls().velocity[0] == Vec2{}) {
+        world.edit_balls().velocity[0] = {0.7 * size(loaded.scene->view).x, 0.01};
     }
     ViewOptions options;
     options.renderer = renderer;
