@@ -10,6 +10,7 @@
 #include "carom/play/recording.h"
 #include "carom/text/version.h"
 #include "game/replay/replayer.h"
+#include "physics/version.h"
 #include "physics/world/fingerprint.h"
 
 namespace carom {
@@ -23,8 +24,8 @@ std::string seconds_of(std::uint64_t tick, double rate) {
 std::string difference(const Replayer& replayer, const Replay& replay) {
     if (!replayer.first_different()) return fmt::format("it differs {}", *replayer.failure());
     const FingerprintMark& mark = *replayer.first_different();
-    const std::string found =
-        hexadecimal(fingerprint(replayer.session().world(), replayer.session().game()));
+    const std::string found = hexadecimal(fingerprint(
+        replayer.session().world(), replayer.session().game(), replay.fingerprint_version));
     std::string where;
     if (mark.tick == 0)
         where = "it differs from the start, tick 0";
@@ -70,6 +71,11 @@ int verify(const VerifyOptions& options) {
             progress.update(replayer.session().world().tick());
     }
     if (const int signal = InterruptGuard::signal()) die_of(signal);
+    if (replayer.failure() && replay.physics_version != physics_version) {
+        print_error(fmt::format("'{}' was recorded under physics {}; this is physics {}",
+                                options.file, replay.physics_version, physics_version));
+        return 2;
+    }
     if (replayer.failure()) {
         const std::string text = fmt::format("{}: {}\n{}", options.file,
                                              difference(replayer, replay), other_program(replay));

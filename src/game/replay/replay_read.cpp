@@ -7,11 +7,13 @@
 #include "game/replay/replay_commands.h"
 #include "game/replay/replay_text.h"
 #include "level/text/text.h"
+#include "physics/world/fingerprint.h"
 
 namespace carom {
 namespace {
 
-constexpr std::uint64_t version = 2;
+constexpr std::uint64_t oldest_version = 2;
+constexpr std::uint64_t version = 3;
 constexpr std::string_view first_words = "carom replay ";
 
 /// A message and its remedy; none: all is well.
@@ -30,18 +32,19 @@ Wrong wrong_version(std::string_view first_line) {
                      "copy the file without converting its line ends"};
     if (!first_line.starts_with(first_words))
         return Fault{"this is not a recording of carom",
-                     "a recording begins with the line 'carom replay 2'; a level is played with "
+                     "a recording begins with the line 'carom replay 3'; a level is played with "
                      "carom play"};
     Words words(first_line.substr(first_words.size()));
     const auto found = words.integer<std::uint64_t>();
     if (!words.done())
         return Fault{"the version of this recording cannot be read",
-                     "the line should say: carom replay 2"};
-    if (found == version) return std::nullopt;
-    return Fault{fmt::format("the recording is of version {}, and this carom reads version {}",
-                             found, version),
-                 found < version ? "record the game again, or use the carom that recorded it"
-                                 : "use a newer carom"};
+                     "the line should say: carom replay 3"};
+    if (found >= oldest_version && found <= version) return std::nullopt;
+    return Fault{
+        fmt::format("the recording is of version {}, and this carom reads versions {} and {}",
+                    found, oldest_version, version),
+        found < version ? "record the game again, or use the carom that recorded it"
+                        : "use a newer carom"};
 }
 
 class ReplayReader {
@@ -85,6 +88,10 @@ class ReplayReader {
         Wrong wrong;
         if (keyword == "program") {
             replay_.program = words.take_rest();
+        } else if (keyword == "physics") {
+            replay_.physics_version = words.integer<int>();
+        } else if (keyword == "fingerprint") {
+            wrong = fingerprint_of_marks(words.integer<int>());
         } else if (keyword == "level") {
             replay_.level = words.take_rest();
             if (replay_.level.empty()) return Fault{"the level has no name", record_again};
@@ -127,6 +134,16 @@ class ReplayReader {
         if (wrong) return wrong;
         if (words.done()) return std::nullopt;
         return Fault{fmt::format("'{}' is not complete or not right", keyword), take_out};
+    }
+
+    Wrong fingerprint_of_marks(int number) {
+        if (number < 1) return Fault{"there is no such version of fingerprints", take_out};
+        if (number > fingerprint_version)
+            return Fault{fmt::format("the fingerprints are of version {}, and this carom knows {}",
+                                     number, fingerprint_version),
+                         "use a newer carom"};
+        replay_.fingerprint_version = number;
+        return std::nullopt;
     }
 
     Wrong file(std::size_t number) {

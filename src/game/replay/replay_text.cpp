@@ -24,7 +24,9 @@ std::string barred(std::string_view text) {
 std::string replay_text(const Replay& replay) {
     std::string text;
     const auto out = std::back_inserter(text);
-    fmt::format_to(out, "carom replay 2\nprogram {}\nlevel {}\n", replay.program, replay.level);
+    fmt::format_to(out, "carom replay 3\nprogram {}\nphysics {}\nfingerprint {}\nlevel {}\n",
+                   replay.program, replay.physics_version, replay.fingerprint_version,
+                   replay.level);
     for (std::size_t file = 0; file < replay.texts.size(); ++file)
         fmt::format_to(out, "file {}\n{}", file, barred(replay.texts[file]));
     for (const Include& include : replay.includes)

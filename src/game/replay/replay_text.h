@@ -22,8 +22,10 @@
 ///
 /// The text, one statement a line, numbers so that they read back to the same bits:
 ///
-///     carom replay 2
+///     carom replay 3
 ///     program 0.1.0                       the carom that recorded it
+///     physics 1                           the version of its physics (physics/version.h)
+///     fingerprint 2                       which fingerprint the marks are (fingerprint.h)
 ///     level galton.level                  what it was called: the rest of the line
 ///     file 0                              its text, each line behind a bar; what follows the last
 ///     |carom 1 "Galton board"             line end of a file stands behind the last bar, so that
@@ -65,12 +67,16 @@
 ///     stands 1100                         where the player stood; absent: at the end
 ///     end 1200                            the last tick
 ///
+/// A text that begins with `carom replay 2` has neither `physics` nor `fingerprint`: both are 1.
+///
 /// The lines `at` and `mark` are each in ascending order of ticks. Nothing may be missing but
 /// `include`, `set`, `at`, `mark`, `opponent`, `stance` and `stands`. `end` is the last line:
 /// without it the recording is not whole.
 namespace carom {
 
 struct Replay {
+    int physics_version = 1;         ///< under which it was recorded
+    int fingerprint_version = 1;     ///< that of the marks
     std::string program;             ///< version of the carom that recorded it; no line ends in it
     std::string level;               ///< no line ends in it
     std::vector<std::string> texts;  ///< the level's, then those of what it includes

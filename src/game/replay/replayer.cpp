@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "level/load.h"
+#include "physics/version.h"
 #include "physics/world/fingerprint.h"
 
 namespace carom {
@@ -30,6 +31,8 @@ IncludeResolver resolver_of(const Replay& replay) {
 Replay begin_replay(const Scene& scene, const SolverSettings& solver, std::string level,
                     std::span<const std::string> overrides) {
     Replay replay;
+    replay.physics_version = physics_version;
+    replay.fingerprint_version = fingerprint_version;
     replay.level = std::move(level);
     replay.texts = scene.texts;
     replay.includes = scene.includes;
@@ -45,13 +48,15 @@ Replay record(const Session& session, std::string level, std::span<const std::st
     Replay replay =
         begin_replay(session.scene(), session.first_solver(), std::move(level), overrides);
     replay.commands.assign(session.commands().begin(), session.commands().end());
+    replay.fingerprint_version = session.mark_version();
     replay.marks.assign(session.marks().begin(), session.marks().end());
     replay.end = session.latest();
     replay.stands = session.world().tick();
     const auto place =
         std::ranges::lower_bound(replay.marks, replay.stands, {}, &FingerprintMark::tick);
     if (place == replay.marks.end() || place->tick != replay.stands)
-        replay.marks.insert(place, {replay.stands, fingerprint(session.world(), session.game())});
+        replay.marks.insert(place, {replay.stands, fingerprint(session.world(), session.game(),
+                                                               replay.fingerprint_version)});
     return replay;
 }
 
@@ -81,6 +86,7 @@ std::variant<Scene, ReplayError> scene_of(const Replay& replay) {
 
 Replayer::Replayer(Replay replay, Scene scene, std::size_t rewind_bytes)
     : replay_(std::move(replay)), session_(std::move(scene), replay_.solver, rewind_bytes) {
+    session_.mark_with(replay_.fingerprint_version);
     session_.follow(replay_.commands, replay_.end);
     check();
 }
@@ -90,7 +96,8 @@ void Replayer::check() {
     while (!failure_ && next_mark_ < replay_.marks.size() &&
            replay_.marks[next_mark_].tick == session_.world().tick()) {
         const FingerprintMark& mark = replay_.marks[next_mark_++];
-        if (fingerprint(session_.world(), session_.game()) == mark.fingerprint) {
+        if (fingerprint(session_.world(), session_.game(), replay_.fingerprint_version) ==
+            mark.fingerprint) {
             last_equal_ = mark;
         } else {
             first_different_ = mark;

@@ -7,10 +7,10 @@
 namespace carom {
 namespace {
 
-std::uint64_t digest_of(const World& world, const PinballState& s) {
-    Digest digest(fingerprint(world));
-    // Ramps change the kinds of balls.
-    if (kinds_of_a_layer(world) < world.kinds().size())
+std::uint64_t digest_of(const World& world, const PinballState& s, int version) {
+    Digest digest(fingerprint(world, version));
+    // Ramps change the kinds of balls, which the first fingerprint of a world leaves out.
+    if (version == 1 && kinds_of_a_layer(world) < world.kinds().size())
         for (const ClassIndex kind : world.balls().kind)
             digest.add(std::uint64_t{kind});
     for (const std::uint64_t value : {static_cast<std::uint64_t>(s.phase),
@@ -123,11 +123,12 @@ bool is_plunger_pulled(const GameState& game) {
     return pinball && pinball->pull > 0.0;
 }
 
-std::uint64_t fingerprint(const World& world, const GameState& game) {
+std::uint64_t fingerprint(const World& world, const GameState& game, int version) {
     if (const auto* pool = std::get_if<PoolPlay>(&game))
-        return digest_of(fingerprint(world), *pool);
-    if (const auto* pinball = std::get_if<PinballState>(&game)) return digest_of(world, *pinball);
-    return fingerprint(world);
+        return digest_of(fingerprint(world, version), *pool);
+    if (const auto* pinball = std::get_if<PinballState>(&game))
+        return digest_of(world, *pinball, version);
+    return fingerprint(world, version);
 }
 
 std::size_t bytes_of(const GameState& game) {

@@ -14,6 +14,7 @@
 #include "game/pool/pool.h"
 #include "level/scene/scene.h"
 #include "physics/world/contact.h"
+#include "physics/world/fingerprint.h"
 #include "physics/world/world.h"
 
 /// The state of a game's rules beside the world. Both together are everything that the next tick
@@ -44,7 +45,8 @@ std::vector<Button> pressed_buttons(const GameState& game);
 bool is_plunger_pulled(const GameState& game);
 
 /// The fingerprint of both; without rules that of the world.
-std::uint64_t fingerprint(const World& world, const GameState& game);
+std::uint64_t fingerprint(const World& world, const GameState& game,
+                          int version = fingerprint_version);
 
 /// The memory that the state owns, beyond its own size, in bytes.
 std::size_t bytes_of(const GameState& game);

@@ -154,7 +154,7 @@ void Session::follow(std::vector<TimedCommand> commands, std::uint64_t end) {
 void Session::mark() {
     if (world_.tick() % mark_interval(world_.rate()) != 0) return;
     if (!marks_.empty() && marks_.back().tick >= world_.tick()) return;
-    marks_.push_back({world_.tick(), fingerprint(world_, game_)});
+    marks_.push_back({world_.tick(), fingerprint(world_, game_, mark_version_)});
 }
 
 // Returns false when the tick was cancelled.
@@ -247,6 +247,7 @@ void Session::restart() {
     log_.shrink_to_fit();
     history_.clear();
     marks_.clear();
+    mark_version_ = fingerprint_version;
     base_.reset();
     latest_ = 0;
     first_solver_ = solver_.settings();

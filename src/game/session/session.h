@@ -15,6 +15,7 @@
 #include "game/session/history.h"
 #include "level/scene/scene.h"
 #include "physics/solver.h"
+#include "physics/world/fingerprint.h"
 #include "physics/world/world.h"
 
 /// A game in progress: a scene, the player's commands, and the way back.
@@ -88,6 +89,11 @@ class Session {
     bool is_complete() const { return !base_; }
     /// One for each interval that has been reached, in ascending order of ticks.
     std::span<const FingerprintMark> marks() const { return marks_; }
+    /// Which fingerprint the marks are (physics/world/fingerprint.h).
+    int mark_version() const { return mark_version_; }
+    /// From now on marks are of this version: that of a recording which is followed. Pre: there are
+    /// none yet.
+    void mark_with(int version) { mark_version_ = version; }
     /// Lets the log outgrow its share of the memory, so that it stays complete.
     void keep_all_commands() { keeps_all_commands_ = true; }
 
@@ -137,6 +143,7 @@ class Session {
     std::vector<TimedCommand> log_;
     std::size_t executed_ = 0;  ///< commands of log_ that world_ has carried out
     std::vector<FingerprintMark> marks_;
+    int mark_version_ = fingerprint_version;
     std::uint64_t latest_ = 0;
     bool keeps_all_commands_ = false;
     bool is_following_ = false;

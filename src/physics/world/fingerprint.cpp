@@ -1,38 +1,108 @@
 #include "physics/world/fingerprint.h"
 
-#include <bit>
-
 #include <fmt/format.h>
+
+#include <cassert>
+
+#include "physics/world/hash.h"
 
 namespace carom {
 namespace {
 
-// One round a word, each a bijection of the state, so that no word can be lost.
-class Hash {
-  public:
-    void add(std::uint64_t word) {
-        state_ = (state_ ^ word) * 0x9fb21c651e98df25u;
-        state_ ^= state_ >> 32;
-    }
-    void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
-    void add(Vec2 v) {
-        add(v.x);
-        add(v.y);
-    }
-    void add(const Capsule& c) {
-        add(c.start);
-        add(c.end);
-        add(c.radius);
-    }
-    std::uint64_t state() const { return state_; }
+template <typename Table>
+void add_columns(Hash& hash, const Table& table) {
+    Table::for_each_column([&](const auto& column) { hash.add(table.*column.values); });
+}
 
-  private:
-    std::uint64_t state_ = 0x243f6a8885a308d3u;
-};
+void add_kinematic_bodies(Hash& hash, const World& world) {
+    for (const Flipper& flipper : world.flippers()) {
+        hash.add(flipper.capsule);
+        hash.add(flipper.progress);
+        hash.add(flipper.rate);
+        hash.add(flipper.is_pressed);
+    }
+    hash.add(std::uint64_t{world.held_balls().size()});
+    for (const HeldBall& held : world.held_balls()) {
+        hash.add(held.id);
+        hash.add(held.target);
+    }
+    hash.add(std::uint64_t{world.held_capsules().size()});
+    for (const HeldCapsule& held : world.held_capsules()) {
+        hash.add(held.id);
+        hash.add(held.start_target);
+        hash.add(held.end_target);
+        hash.add(held.is_driven);
+    }
+}
 
-}  // namespace
+void add_support(Hash& hash, const PathSupport& support) {
+    hash.add(support.by);
+    hash.add(support.across);
+    hash.add(support.along);
+    hash.add(support.number);
+}
 
-std::uint64_t fingerprint(const World& world) {
+void add_paths(Hash& hash, const SolverMemory& memory) {
+    hash.add(std::uint64_t{memory.paths.size()});
+    for (const BallPath& path : memory.paths) {
+        hash.add(path.id);
+        hash.add(path.quick);
+        hash.add(path.motion);
+        hash.add(path.time);
+        hash.add(path.position);
+        hash.add(path.velocity);
+    }
+    for (const PathBend& bend : memory.path_bends) {
+        hash.add(bend.acceleration);
+        hash.add(bend.center);
+        add_support(hash, bend.support);
+        add_support(hash, bend.second_support);
+        hash.add(bend.carriers);
+    }
+    for (const SpinPath& path : memory.spin_paths) {
+        hash.add(path.time);
+        hash.add(path.spin);
+        hash.add(path.rate);
+        hash.add(path.rolls);
+    }
+    hash.add(memory.paths_gravity);
+    hash.add(memory.paths_drag);
+}
+
+void add_memory(Hash& hash, const SolverMemory& memory) {
+    add_paths(hash, memory);
+    hash.add(std::uint64_t{memory.pressed.size()});
+    for (const PressedPair& pair : memory.pressed) {
+        hash.add(pair.ball);
+        hash.add(pair.other);
+        hash.add(pair.kind);
+        hash.add(pair.across);
+        hash.add(pair.along);
+        hash.add(pair.impulse);
+        hash.add(pair.rub);
+    }
+    hash.add(memory.homes.ball);
+    hash.add(memory.homes.place);
+    hash.add(memory.homes.margin);
+    hash.add(memory.heaped);
+}
+
+std::uint64_t fingerprint_2(const World& world) {
+    Hash hash;
+    hash.add(world.tick());
+    hash.add(world.model().gravity);
+    add_columns(hash, world.balls());
+    add_columns(hash, world.capsules());
+    add_kinematic_bodies(hash, world);
+    for (const Emitter& emitter : world.emitters())
+        hash.add(emitter.emitted);
+    hash.add(world.counters());
+    add_memory(hash, world.memory());
+    return hash.state();
+}
+
+// The order and the choice of what is added must never change: recordings were marked with it.
+std::uint64_t fingerprint_1(const World& world) {
     Hash hash;
     hash.add(world.tick());
     if (world.model().gravity) hash.add(*world.model().gravity);
@@ -108,6 +178,13 @@ std::uint64_t fingerprint(const World& world) {
     for (const BallId id : world.memory().heaped)
         hash.add(std::uint64_t{number(id)});
     return hash.state();
+}
+
+}  // namespace
+
+std::uint64_t fingerprint(const World& world, int version) {
+    assert(version >= 1 && version <= fingerprint_version);
+    return version == 1 ? fingerprint_1(world) : fingerprint_2(world);
 }
 
 std::string hexadecimal(std::uint64_t fingerprint) {

@@ -83,6 +83,29 @@ TEST_CASE("verify names the ticks among which the first difference is") {
     CHECK(has(verified.out, "it was recorded by carom 9"));
 }
 
+TEST_CASE("verify tells a change of the physics from a difference") {
+    const Folder folder;
+    const std::string text = replaced(folder.record({"--ticks", "300"}), "physics 1", "physics 99");
+    // The same bits are the same under any version.
+    CHECK(run_carom({"verify", folder.file("b.replay", text)}).exit_code == 0);
+    const std::string struck = replaced(text, "\nmark 120", "\nat 30 strike 0 1,1\nmark 120");
+    const Finished verified = run_carom({"verify", folder.file("c.replay", struck)});
+    CHECK(verified.exit_code == 2);
+    CHECK(has(verified.err, "was recorded under physics 99; this is physics 1"));
+    CHECK(verified.out.empty());
+}
+
+TEST_CASE("unfinished games of an older carom verify with the fingerprint they were marked with") {
+    for (const char* name : {"galton.resume", "three-bumpers.resume"}) {
+        CAPTURE(name);
+        const std::string file = std::string(CAROM_SOURCE_DIR "/tests/carom/play/samples/") + name;
+        CHECK(content(file).starts_with("carom replay 2\n"));
+        const Finished verified = run_carom({"verify", file});
+        CHECK(verified.exit_code == 0);
+        CHECK(has(verified.out, ": the same: "));
+    }
+}
+
 TEST_CASE("what is no whole recording is told with its line and a remedy") {
     const Folder folder;
     const std::string text = folder.record({"--ticks", "10"});
@@ -92,8 +115,9 @@ TEST_CASE("what is no whole recording is told with its line and a remedy") {
     };
     const Row table[] = {
         {text.substr(0, text.size() - 4), ": error: the recording is cut off here"},
-        {replaced(text, "replay 2", "replay 7"),
-         "b.replay:1:1: error: the recording is of version 7, and this carom reads version 2"},
+        {replaced(text, "replay 3", "replay 7"),
+         "b.replay:1:1: error: the recording is of version 7, and this carom reads versions 2 and "
+         "3"},
         {replaced(text, "v=7,3", "v=7,4"), "error: the level in it has been changed: its hash is"},
         {replaced(text, "|ball a", "|bell a"),
          "error: the level in it does not load: two.level:3:"},

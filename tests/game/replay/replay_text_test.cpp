@@ -10,6 +10,8 @@ namespace {
 
 Replay everything() {
     Replay replay;
+    replay.physics_version = 7;
+    replay.fingerprint_version = 2;
     replay.level = "levels/my gas.level";
     replay.program = "0.1.0";
     replay.texts = {"carom 1 \"A\"\r\n\n|#\x01\ninclude \"b c\"", "", "\n"};
@@ -103,15 +105,23 @@ TEST_CASE("a text without commands is enough") {
     CHECK_FALSE(std::get<Replay>(read).stance);
 }
 
+TEST_CASE("a recording without versions is of physics 1, marked with fingerprint 1") {
+    const auto read = read_replay(head + "end 1\n");
+    REQUIRE(std::holds_alternative<Replay>(read));
+    CHECK(std::get<Replay>(read).physics_version == 1);
+    CHECK(std::get<Replay>(read).fingerprint_version == 1);
+}
+
 TEST_CASE("what is wrong with a replay is told with its line") {
     const std::string cut_off = "the recording is cut off here: its last line, 'end', is missing";
     const std::string no_replay = "this is not a recording of carom";
     const std::string not_right = "'at' is not complete or not right";
     const Bad table[] = {
         {"", 1, "the file is empty"},
-        {"carom replay 1\n", 1, "the recording is of version 1, and this carom reads version 2"},
-        {"carom replay 3\nwhatever\n", 1,
-         "the recording is of version 3, and this carom reads version 2"},
+        {"carom replay 1\n", 1,
+         "the recording is of version 1, and this carom reads versions 2 and 3"},
+        {"carom replay 4\nwhatever\n", 1,
+         "the recording is of version 4, and this carom reads versions 2 and 3"},
         {"carom replay 2\r\n", 1, "the line ends are CR LF, which would change the level in it"},
         {"carom replay two\n", 1, "the version of this recording cannot be read"},
         {"\x7f"
@@ -129,6 +139,10 @@ TEST_CASE("what is wrong with a replay is told with its line") {
         {head + "include 0 1 b\nend 1\n", 9, "the file that this is about is missing"},
         {head + "frobnicate\nend 1\n", 9, "there is no statement 'frobnicate'"},
         {head + "at 1 jump 3\nend 1\n", 9, "there is no such command"},
+        {head + "fingerprint 0\nend 1\n", 9, "there is no such version of fingerprints"},
+        {head + "fingerprint 99\nend 1\n", 9,
+         "the fingerprints are of version 99, and this carom knows 2"},
+        {head + "physics one\nend 1\n", 9, "'physics' is not complete or not right"},
         {head + "opponent 5\nend 1\n", 9, "there is no such opponent"},
         {head + "stance 1 2 3 4 full guess 0\nend 1\n", 9, "'stance' is not complete or not right"},
         {head + "stance 1 2 3 4 full pocket\nend 1\n", 9, "'stance' is not complete or not right"},

@@ -2,9 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include "physics/solver.h"
 #include "physics/support/scenes.h"
 #include "physics/tick/emitters_and_sinks.h"
 #include "physics/tick/undo.h"
+#include "physics/world/solver_access.h"
 #include "physics/world/world.h"
 
 using namespace carom;
@@ -160,4 +162,34 @@ TEST_CASE("taking back a tick restores every column") {
     world.edit_balls() = filled<Balls>(7);
     undo.take_back(world);
     check_rows(world.balls(), start.balls(), {0, 1, 2});
+}
+
+TEST_CASE("a hybrid step moves every column of a ball there and back") {
+    World start = full();
+    start.edit_definition().model.gravity = Vec2{0.0, -1.0};
+    start.edit_definition().rate = 240.0;
+    start.edit_balls().radius.assign(3, 1.0);
+    start.edit_balls().edge_contacts = {5, 6, 7};
+    start.edit_balls().position = {{0.0, 0.0}, {1.9, 0.0}, {50.0, 0.0}};
+    World world = start;
+    SolverAccess(world).memory().heaped = {BallId{0}};
+    REQUIRE(Solver({.kind = SolverKind::event}).tick(world) == TickOutcome::done);
+    // Each part moves as it does alone.
+    World cluster = start;
+    remove_ball(cluster, BallId{2});
+    SolverAccess(cluster).memory().heaped = {BallId{0}};
+    Solver({.kind = SolverKind::event}).tick(cluster);
+    World free = start;
+    remove_ball(free, BallId{0});
+    remove_ball(free, BallId{1});
+    Solver({.kind = SolverKind::event}).tick(free);
+    Balls::for_each_column([&](const auto& column) {
+        CAPTURE(column.name);
+        const auto& values = world.balls().*column.values;
+        REQUIRE(values.size() == 3);
+        CHECK(values[0] == (cluster.balls().*column.values)[0]);
+        CHECK(values[1] == (cluster.balls().*column.values)[1]);
+        CHECK(values[2] == (free.balls().*column.values)[0]);
+    });
+    CHECK_FALSE(world.balls().velocity[2] == start.balls().velocity[2]);
 }
