@@ -3,7 +3,6 @@
 #include "physics/solver_table.h"
 #include "physics/tick/emitters_and_sinks.h"
 #include "physics/tick/undo.h"
-#include "physics/world/solver_access.h"
 
 namespace carom {
 namespace {
@@ -86,7 +85,6 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     const std::function<bool()> never_asked;
     const TickOutcome outcome = state.method->advance(
         world, {state.contacts, state.touched, can_cancel ? keep_going : never_asked});
-    SolverAccess(world).stamp_motion();
     if (outcome == TickOutcome::given_up) {
         state.contacts.clear();
         state.undo.take_back(world);

@@ -15,10 +15,12 @@ namespace {
 
 // Of what solvers remember in the world, `discrete`, `substep` and `swept` use nothing.
 void forget_all(World& world) {
+    SolverAccess(world).stamp_motion();
     forget_paths(world);
     SolverAccess(world).memory().heaped.clear();
     SolverAccess(world).memory().pressed.clear();
     SolverAccess(world).memory().homes.clear();
+    SolverAccess(world).stamp_memory();
 }
 
 TickOutcome outcome_of(const Patience& patience) {

@@ -2,7 +2,6 @@
 
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
-#include "physics/world/solver_access.h"
 
 // Balls lost their roll in the hybrid step of the solver `event`. The loader refuses cloth with
 // gravity, but a player can turn gravity on over a table with cloth: the engine then read a column
@@ -22,7 +21,7 @@ TEST_CASE("event: a hybrid step on cloth under gravity keeps the roll of every b
     add_ball(world, {.position = {50.0, 0.0}, .velocity = {3.0, 0.0}, .roll = Vec2{-2.0, 1.0}});
     world.edit_definition().model.gravity = Vec2{0.0, -1.0};
     const World start = world;
-    SolverAccess(world).memory().heaped = {BallId{0}};
+    world.edit_memory().heaped = {BallId{0}};
     Solver solver({.kind = SolverKind::event});
     REQUIRE(solver.tick(world) == TickOutcome::done);
     REQUIRE(world.balls().roll.size() == 3);

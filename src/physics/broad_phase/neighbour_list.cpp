@@ -4,7 +4,6 @@
 
 #include "geometry/closest.h"
 #include "physics/memory/prefetch.h"
-#include "physics/world/same_bits.h"
 
 namespace carom {
 
@@ -158,6 +157,7 @@ bool Neighbours::note_place(std::uint32_t ball, Vec2 position) {
 
 void Neighbours::note_scene(const World& world) {
     shapes_ = world.capsules().shape;
+    stamp_ = world.stamps().capsules;
     held_.clear();
     for (const HeldCapsule& held : world.held_capsules())
         held_.push_back(held.id);
@@ -172,7 +172,7 @@ bool Neighbours::is_scene_of(const World& world) const {
         return false;
     if (shapes_.size() != capsules.size()) return false;
     if (!std::ranges::equal(held_, world.held_capsules(), {}, {}, &HeldCapsule::id)) return false;
-    if (have_same_bits(shapes_, capsules.shape)) return true;
+    if (stamp_ == world.stamps().capsules) return true;
     for (std::size_t i = 0; i < shapes_.size(); ++i)
         if (shapes_[i] != capsules.shape[i] && !is_held(world, capsules.id[i])) return false;
     return true;

@@ -131,6 +131,7 @@ class Neighbours {
     std::vector<Vec2> reference_;  // where the balls were; empty with margin 0
     std::vector<double> radius_;   // the same
     std::vector<Capsule> shapes_;  // the same, of the capsules
+    Stamp stamp_{};                // of them
     std::vector<CapsuleId> held_;  // the same: in hands, and left out
     bool meet_balls_ = false;
     bool meet_edges_ = false;

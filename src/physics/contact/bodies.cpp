@@ -68,21 +68,14 @@ void ContactBodies::load(const World& world) {
     body[fixed] = {};
 }
 
-bool ContactBodies::reload(const World& world) {
+void ContactBodies::reload(const World& world) {
     const Balls& balls = world.balls();
-    if (fixed != balls.size()) return false;
     for (std::uint32_t i = 0; i < fixed; ++i) {
         const std::uint32_t index = ball[i];
-        const bool is_same = reference[i] == world.memory().homes.place[index] &&
-                             skin[i] == world.memory().homes.margin[index] &&
-                             radius[i] == balls.radius[index] &&
-                             body[i].inverse_mass == balls.inverse_mass[index];
-        if (!is_same) return false;
         position[i] = balls.position[index];
         body[i].velocity = balls.velocity[index];
         if (world.model().spin) body[i].surface_speed = balls.spin[index] * balls.radius[index];
     }
-    return true;
 }
 
 void ContactBodies::store(World& world) const {

@@ -68,9 +68,9 @@ struct ContactBodies {
 
     /// Everything anew, from World and its reference positions. Pre: `ball` is filled in.
     void load(const World& world);
-    /// Positions and velocities alone. False, and the bodies are of no use: radii, masses,
-    /// reference positions or skins are not those of the last tick.
-    bool reload(const World& world);
+    /// Positions and velocities alone. Pre: radii, masses, reference positions and skins are those
+    /// of the last tick.
+    void reload(const World& world);
     /// Positions, velocities and spins go back to the world.
     void store(World& world) const;
     /// Applies gravity and drag to the velocities, and notes what they were.

@@ -22,12 +22,12 @@ class ContactPairs {
     /// Finds the pairs of balls, and of balls and edges that nobody holds.
     void find(const World& world, const ContactBodies& bodies);
     /// Adds the pairs of kinematic edges, each with a body of its own; orders the pairs; takes over
-    /// the impulses of World::pressed.
+    /// the impulses of SolverMemory::pressed.
     void load(const World& world, const ContactSubstep& step, ContactBodies& bodies,
               std::span<const HeldEdge> edges);
 
-    /// Writes World::pressed: every pair that presses, ascending by its first ball. Marks their
-    /// balls in `touched` (by index in the world).
+    /// Writes SolverMemory::pressed: every pair that presses, ascending by its first ball. Marks
+    /// their balls in `touched` (by index in the world).
     void store_impulses(World& world, const ContactBodies& bodies,
                         std::vector<std::uint8_t>& touched);
 
@@ -62,7 +62,7 @@ class ContactPairs {
     ConstraintOrder order_;
     std::vector<ContactPair> pairs_;
     std::vector<std::uint32_t> kinematic_;
-    std::vector<std::uint32_t> first_impulse_;  // by index of a ball: into World::pressed
+    std::vector<std::uint32_t> first_impulse_;  // by index of a ball: into SolverMemory::pressed
     bool any_inelastic_ = false;
     bool is_listed_by_body_ = false;
     std::vector<std::uint32_t> begin_;  // by body, into by_body_

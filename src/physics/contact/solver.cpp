@@ -3,6 +3,7 @@
 #include "physics/contact/reference_positions.h"
 #include "physics/contact/tolerances.h"
 #include "physics/tick/emitters_and_sinks.h"
+#include "physics/world/solver_access.h"
 
 namespace carom {
 
@@ -32,9 +33,19 @@ void ContactSolver::tick(World& world, int substeps, std::vector<Contact>& conta
 void ContactSolver::begin(World& world) {
     if (!has_valid_reference_positions(world, step_))
         set_reference_positions(world, step_);
-    else if (kinematics_.is_empty() && environment_.is_unchanged(world) && bodies_.reload(world))
+    else if (kinematics_.is_empty() && has_pairs_of(world)) {
+        bodies_.reload(world);
         return;
+    }
     load(world);
+}
+
+// Whether nobody has changed what the pairs depend on, besides the motion of balls, since the last
+// tick left it.
+bool ContactSolver::has_pairs_of(const World& world) const {
+    const Stamps& now = world.stamps();
+    return now.definition == stamps_.definition && now.capsules == stamps_.capsules &&
+           now.roster == stamps_.roster && now.memory == stamps_.memory;
 }
 
 void ContactSolver::load(const World& world) {
@@ -43,14 +54,17 @@ void ContactSolver::load(const World& world) {
     pairs_.find(world, bodies_);
     kinematics_.load(world, bodies_);
     pairs_.load(world, step_, bodies_, kinematics_.edges());
-    environment_.note(world);
+    stamps_ = world.stamps();
 }
 
 void ContactSolver::store(World& world, std::vector<std::uint8_t>& touched) {
     bodies_.store(world);
     kinematics_.stop_held_balls(world, bodies_);
     pairs_.store_impulses(world, bodies_, touched);
-    environment_.note_impulses(world);
+    const SolverAccess access(world);
+    access.stamp_motion();
+    access.stamp_memory();
+    stamps_.memory = world.stamps().memory;
 }
 
 void ContactSolver::substep(World& world, double share_of_way, std::vector<Contact>& contacts) {

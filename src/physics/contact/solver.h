@@ -5,7 +5,6 @@
 
 #include "physics/contact/classification.h"
 #include "physics/contact/constraints.h"
-#include "physics/contact/environment.h"
 #include "physics/contact/impacts.h"
 #include "physics/contact/kinematics.h"
 
@@ -41,6 +40,7 @@ class ContactSolver {
 
   private:
     void begin(World& world);
+    bool has_pairs_of(const World& world) const;
     void load(const World& world);
     void store(World& world, std::vector<std::uint8_t>& touched);
     void substep(World& world, double share_of_way, std::vector<Contact>& contacts);
@@ -50,7 +50,7 @@ class ContactSolver {
     ContactBodies bodies_;
     ContactPairs pairs_;
     ContactKinematics kinematics_;
-    ContactEnvironment environment_;
+    Stamps stamps_;  // of the world for which the pairs were found
     ContactClassification classification_{step_, bodies_, pairs_, kinematics_};
     ContactConstraints constraints_{step_, bodies_, pairs_, classification_};
     ContactImpacts impacts_{step_, bodies_, pairs_, kinematics_, classification_};

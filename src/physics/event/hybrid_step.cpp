@@ -42,7 +42,8 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
             find_staying(world, SolverAccess(world).memory().heaped);
             return EventOutcome::done;
         }
-        take_part(world, false, free_);
+        if (attempt > 1 || !has_free_part_of(world)) take_part(world, false, free_);
+        free_stamps_.reset();
         const EventOutcome outcome =
             event.tick(free_.world, free_.contacts, free_.touched, keep_going);
         if (outcome == EventOutcome::cancelled) return outcome;
@@ -67,10 +68,9 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
         merge_contacts(contacts);
         SolverMemory& memory = SolverAccess(world).memory();
         SolverMemory& of_free = SolverAccess(free_.world).memory();
-        memory.paths.swap(of_free.paths);
-        memory.path_bends.swap(of_free.path_bends);
-        memory.spin_paths.swap(of_free.spin_paths);
-        memory.paths_sum = of_free.paths_sum;
+        memory.paths = of_free.paths;
+        memory.path_bends = of_free.path_bends;
+        memory.spin_paths = of_free.spin_paths;
         memory.paths_obstacles = world.held_capsules().empty() ? of_free.paths_obstacles : 0;
         memory.paths_gravity = of_free.paths_gravity;
         memory.paths_drag = of_free.paths_drag;
@@ -78,8 +78,28 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
         find_staying(cluster_.world, memory.heaped);
         memory.heaped.insert(memory.heaped.end(), of_free.heaped.begin(), of_free.heaped.end());
         std::ranges::sort(memory.heaped);
+        SolverAccess(world).stamp_motion();
+        SolverAccess(world).stamp_memory();
+        free_stamps_ = world.stamps();
         return outcome;
     }
+}
+
+// Whether the free part, as the last tick left it, is that of this tick. Prepares it if so.
+bool HybridStep::has_free_part_of(const World& world) {
+    if (free_stamps_ != world.stamps() || !world.held_balls().empty() ||
+        !world.held_capsules().empty())
+        return false;
+    std::size_t at = 0;
+    for (std::uint32_t i = 0; i < world.balls().size(); ++i) {
+        if (is_clustered_[i]) continue;
+        if (at == free_.ball.size() || free_.ball[at++] != i) return false;
+    }
+    if (at != free_.ball.size() || !free_.world.held_capsules().empty()) return false;
+    free_.world.edit_tick() = world.tick();
+    free_.contacts.clear();
+    free_.touched.assign(free_.ball.size(), 0);
+    return true;
 }
 
 const std::vector<BallId>& HybridStep::cluster_of(const World& world) {
@@ -182,7 +202,6 @@ void HybridStep::take_part(const World& world, bool of_cluster, Part& part) cons
     memory.paths = of_whole.paths;
     memory.path_bends = of_whole.path_bends;
     memory.spin_paths = of_whole.spin_paths;
-    memory.paths_sum = of_whole.paths_sum;
     memory.paths_obstacles = of_whole.paths_obstacles;
     memory.paths_gravity = of_whole.paths_gravity;
     memory.paths_drag = of_whole.paths_drag;

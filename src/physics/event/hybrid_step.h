@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "physics/broad_phase/fat_pairs.h"
@@ -16,20 +17,20 @@ namespace carom {
 /// everything else by `event`. The rule depends on the world alone, and not on the order of balls.
 ///
 /// *Dense* is a ball with more than `dense_collisions` collisions in quick succession, the last of
-/// them with another ball, where gravity acts and impacts lose energy. World::heaped names the
-/// dense balls at the end of a tick.
+/// them with another ball, where gravity acts and impacts lose energy. SolverMemory::heaped names
+/// the dense balls at the end of a tick.
 ///
-/// *The cluster* of a tick: the balls of World::heaped, all that could meet one of them within the
-/// tick, all that could meet those, and so on. A ball is assumed to get as far as its speed and a
-/// fall from rest take it: its *reach*. A held body belongs to the cluster if it could meet a ball
-/// of it; then so do all balls that it could meet.
+/// *The cluster* of a tick: the balls of SolverMemory::heaped, all that could meet one of them
+/// within the tick, all that could meet those, and so on. A ball is assumed to get as far as its
+/// speed and a fall from rest take it: its *reach*. A held body belongs to the cluster if it could
+/// meet a ball of it; then so do all balls that it could meet.
 ///
 /// *The tick.* `contact` steps the cluster in a world that holds only it and the edges; `event`
 /// advances the others on their exact trajectories in a world without it. An impact can make a ball
 /// faster than its reach allows: then its reach becomes twice the distance that it got. If that
 /// adds balls to the cluster, the tick is repeated; after `most_attempts`, `contact` steps all.
 ///
-/// *Coming back.* After the tick a ball stays in World::heaped while something presses it on
+/// *Coming back.* After the tick a ball stays in SolverMemory::heaped while something presses it on
 /// another ball, and while it overlaps a ball or an edge by more than `sunk` of its radius. All
 /// others start exact trajectories; those that touch the cluster belong to it again in the next
 /// tick.
@@ -50,8 +51,8 @@ class HybridStep {
     static constexpr int most_attempts = 4;
     static constexpr double sunk = 1e-5;
 
-    /// A tick of a world whose World::heaped is not empty. As EventEngine::tick; a tick that is
-    /// cancelled leaves the world as it was.
+    /// A tick of a world whose SolverMemory::heaped is not empty. As EventEngine::tick; a tick that
+    /// is cancelled leaves the world as it was.
     EventOutcome tick(World& world, EventEngine<double>& event, ContactSolver& contact,
                       std::vector<Contact>& contacts, std::vector<std::uint8_t>& touched,
                       const std::function<bool()>& keep_going);
@@ -71,6 +72,7 @@ class HybridStep {
     std::uint32_t root_of(std::uint32_t node);
     void unite(std::uint32_t a, std::uint32_t b);
     void take_part(const World& world, bool of_cluster, Part& part) const;
+    bool has_free_part_of(const World& world);
     bool widen_reaches(const World& world, const Part& part);
     bool widen(const World& world, const Contact& contact, const Part& part);
     bool widen_to(const World& world, std::uint32_t ball, Vec2 place);
@@ -89,6 +91,7 @@ class HybridStep {
     std::vector<double> margin_;
     std::vector<BallId> ids_;  // result of cluster_of
     Part free_;
+    std::optional<Stamps> free_stamps_;  // of the world that free_ is a part of
     Part cluster_;
 };
 

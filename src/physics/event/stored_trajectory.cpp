@@ -69,16 +69,4 @@ std::uint64_t sum_of_obstacles(const World& world) {
     return sum | 1;
 }
 
-std::uint64_t sum_of(const BallPath& path, const PathBend& bend) {
-    std::uint64_t sum = sum_of(path);
-    if (path.motion == Motion::free) return sum;
-    sum = stirred(stirred(sum, bend.center), bend.acceleration);
-    for (const PathSupport& by : {bend.support, bend.second_support})
-        sum = stirred(sum, static_cast<std::uint64_t>(by.by) |
-                               std::uint64_t{static_cast<std::uint8_t>(by.across)} << 8 |
-                               std::uint64_t{static_cast<std::uint8_t>(by.along)} << 16 |
-                               std::uint64_t{by.number} << 32);
-    return stirred(sum, std::uint64_t{bend.carriers});
-}
-
 }  // namespace carom

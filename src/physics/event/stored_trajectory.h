@@ -26,8 +26,8 @@ PathBend stored_bend(const World& world, const Trajectory<double>& path);
 std::uint32_t sum_of_carriers(const World& world, const PathSupport& support,
                               const PathSupport& second);
 
-/// World::paths_obstacles: a digest of the edges that nothing holds, of the radii, and of which
-/// kinds collide; never 0.
+/// SolverMemory::paths_obstacles: a digest of the edges that nothing holds, of the radii, and of
+/// which kinds collide; never 0.
 std::uint64_t sum_of_obstacles(const World& world);
 
 inline std::uint64_t stirred(std::uint64_t sum, std::uint64_t word) {
@@ -39,14 +39,5 @@ inline std::uint64_t stirred(std::uint64_t sum, double value) {
 inline std::uint64_t stirred(std::uint64_t sum, Vec2 v) {
     return stirred(stirred(sum, v.x), v.y);
 }
-/// What the trajectory adds to World::paths_sum. In uniform motion only the linear part counts.
-inline std::uint64_t sum_of(const BallPath& path) {
-    // Two chains, since each step of one waits for the last.
-    const auto motion = static_cast<std::uint64_t>(path.motion);
-    const std::uint64_t first = stirred(number(path.id), motion | std::uint64_t{path.quick} << 8);
-    const std::uint64_t second = stirred(1, path.time);
-    return stirred(stirred(first, path.position), stirred(second, path.velocity));
-}
-std::uint64_t sum_of(const BallPath& path, const PathBend& bend);
 
 }  // namespace carom

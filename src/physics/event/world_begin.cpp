@@ -40,12 +40,11 @@ auto WorldSync<Real>::begin_from(const World& world) -> Begun {
     constexpr std::uint64_t ticks_between_frame_checks = 64;
     if (!world.model().one_way && is_continued(world) &&
         (world.tick() % ticks_between_frame_checks != 0 || space_.cells().has_frame_of(world))) {
-        const bool turns = world.model().spin.has_value();
-        is_unchanged_ = are_left(world);
-        if (!turns && is_unchanged_) return Begun::continued;
+        is_unchanged_ = world.stamps().motion == left_.stamps.motion;
+        if (is_unchanged_) return Begun::continued;
         std::size_t changed = 0;
         for (std::uint32_t i = 0; i < balls_.size(); ++i)
-            changed += !is_position_left(i) || !is_velocity_left(i) || (turns && !is_turn_left(i));
+            changed += !is_position_left(i) || !is_velocity_left(i) || !is_turn_left(i);
         if (changed == 0) return Begun::continued;
         if (changed <= balls_.size() / 8 + 1) {
             apply_changes(world);

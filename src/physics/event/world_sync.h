@@ -14,7 +14,7 @@
 #include "physics/event/trajectories.h"
 #include "physics/event/uniform_motion.h"
 #include "physics/event/work_meter.h"
-#include "physics/world/same_bits.h"
+#include "physics/world/world.h"
 
 namespace carom {
 
@@ -58,27 +58,21 @@ class WorldSync {
     void write(World& world, bool has_stopped);
 
   private:
-    /// The world as the last tick left it.
+    /// What the last tick left in the world, to tell whether anybody has changed it since.
     struct Left {
         bool is_valid = false;
         std::uint64_t tick = 0;
-        double rate = 0.0;
+        Stamps stamps;
+        bool had_kinematic = false;  ///< kinematic bodies moved
+        // For other numbers than doubles, whose trajectories are not in the world:
         Model model;
-        /// All balls flew straight and are where their trajectories say: there are no copies.
-        bool on_lines = false;
-        KeptIds<BallId> ids;
-        SumOfBits position_sum;  ///< where they are on lines, and many
-        SumOfBits velocity_sum;
-        std::vector<Vec2> positions;  ///< where they are not on lines
-        std::vector<Vec2> velocities;
-        KeptBits<double> radii;
-        KeptBits<double> inverse_masses;
-        std::vector<std::uint8_t> meets;
-        Capsules capsules;
-        std::uint64_t paths_sum = 0;
-        /// By ball, PathBend::carriers; empty for doubles, whose trajectories are in the world.
-        std::vector<std::uint32_t> carriers;
-        bool had_hands = false;
+        std::vector<BallId> ids;
+        std::vector<std::uint32_t> carriers;  ///< by ball, as PathBend::carriers
+    };
+    /// Position and velocity as the world shows them.
+    struct Shown {
+        Vec2 position;
+        Vec2 velocity;
     };
 
     // world_begin.cpp
@@ -96,20 +90,19 @@ class WorldSync {
     bool has_passed_an_edge(std::uint32_t ball);
     // world_sync.cpp
     bool is_continued(const World& world) const;
-    bool are_left(const World& world) const;
+    Shown shown(std::size_t ball, const Real& time) const;
     bool is_position_left(std::uint32_t ball) const;
     bool is_velocity_left(std::uint32_t ball) const;
-    bool are_spins_left(const World& world) const;
     bool is_spin_left(std::uint32_t ball) const;
     bool is_roll_left(std::uint32_t ball) const;
     bool is_turn_left(std::uint32_t ball) const { return is_spin_left(ball) && is_roll_left(ball); }
     bool leaves_lines() const {
         return trajectories_.are_all_straight() && !scene_.world->model().speed_limit;
     }
-    bool is_summed() const { return balls_.size() >= too_many_to_cache; }
     void write_lines(World& world);
     void write_begun(World& world, std::span<const std::uint32_t> begun);
     void write_paths(World& world);
+    bool limit_speeds(World& world) const;
     void clear_paths(World& world);
     void store_paths(World& world);
     void write_spins(World& world);
@@ -129,7 +122,7 @@ class WorldSync {
     std::vector<std::uint32_t>& scatter_counts_;
     Left left_;
     bool is_rebuilt_ = false;
-    bool is_unchanged_ = false;  ///< positions and velocities are as the last tick left them
+    bool is_unchanged_ = false;  ///< nobody has moved or pushed a ball since the last tick
     std::vector<std::uint32_t> changed_;
     std::vector<std::uint8_t> is_kept_;    ///< by ball: its stored trajectory holds
     std::vector<std::int64_t> spin_from_;  ///< by ball: index of its stored spin; -1: none

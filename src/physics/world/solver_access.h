@@ -9,7 +9,7 @@ namespace carom {
 ///
 /// balls() gives no stamp, so it costs nothing in an inner loop: a solver that has written through
 /// it calls stamp_motion() before its tick ends, and changes no column that a tick does not move
-/// (Stamps::roster).
+/// (Stamps::roster). memory() gives none either: see stamp_memory().
 class SolverAccess {
   public:
     explicit SolverAccess(World& world) : world_(world) {}
@@ -19,6 +19,7 @@ class SolverAccess {
     SolverMemory& memory() const { return world_.memory_; }
 
     void stamp_motion() const { world_.stamps_.motion = new_stamp(); }
+    void stamp_memory() const { world_.stamps_.memory = new_stamp(); }
 
   private:
     World& world_;

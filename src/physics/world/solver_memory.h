@@ -117,9 +117,6 @@ struct SolverMemory {
     std::vector<SpinPath> spin_paths;  ///< beside `paths`; empty unless Model::spin
     Vec2 paths_gravity;       ///< what acted on `paths`: in another field they count no more
     double paths_drag = 0.0;  ///< 1/s
-    /// By which a solver recognises the paths that it left: the sum of sum_of (trajectory.h) over
-    /// them.
-    std::uint64_t paths_sum = 0;
     /// What they could meet when they were left: sum_of_obstacles (trajectory.h), or 0 where a
     /// kinematic edge moved. With another sum, a path that would have met an edge before now counts
     /// no more.

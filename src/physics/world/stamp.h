@@ -23,6 +23,10 @@ struct Stamps {
     /// Which balls there are, and all of their columns that no solver changes.
     Stamp roster{};
     Stamp motion{};  ///< the columns of Balls that a tick changes: position, velocity, spin ...
+    /// SolverMemory: what the last solver left for its next tick.
+    Stamp memory{};
+
+    friend bool operator==(const Stamps&, const Stamps&) = default;
 };
 
 }  // namespace carom

@@ -5,7 +5,6 @@
 
 #include "geometry/closest.h"
 #include "physics/world/columns.h"
-#include "physics/world/solver_access.h"
 
 namespace carom {
 namespace {
@@ -50,6 +49,11 @@ Balls& World::edit_balls() {
 Capsules& World::edit_capsules() {
     stamps_.capsules = new_stamp();
     return capsules_;
+}
+
+SolverMemory& World::edit_memory() {
+    stamps_.memory = new_stamp();
+    return memory_;
 }
 
 std::size_t World::bytes() const {
@@ -122,9 +126,11 @@ void set_layer(World& world, BallId id, std::uint8_t layer) {
 }
 
 void forget_paths(World& world) {
-    SolverAccess(world).memory().paths.clear();
-    SolverAccess(world).memory().path_bends.clear();
-    SolverAccess(world).memory().spin_paths.clear();
+    if (world.memory().paths.empty()) return;
+    SolverMemory& memory = world.edit_memory();
+    memory.paths.clear();
+    memory.path_bends.clear();
+    memory.spin_paths.clear();
 }
 
 void remove_ball(World& world, BallId id) {

@@ -73,6 +73,7 @@ class World {
     std::vector<HeldBall>& edit_held_balls() { return held_balls_; }
     std::vector<HeldCapsule>& edit_held_capsules() { return held_capsules_; }
     Ledger& edit_ledger() { return ledger_; }
+    SolverMemory& edit_memory();
     /// A new id. The caller adds the row.
     BallId take_ball_id() { return BallId{next_ball_++}; }
     CapsuleId take_capsule_id() { return CapsuleId{next_capsule_++}; }

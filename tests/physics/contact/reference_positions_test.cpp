@@ -7,7 +7,6 @@
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 #include "physics/world/fingerprint.h"
-#include "physics/world/solver_access.h"
 
 using namespace carom;
 
@@ -113,9 +112,8 @@ TEST_CASE("contact: a heap that somebody changes goes on as in a solver that nev
              remove_ball(w, w.balls().id[11]);
              add_ball(w, {.position = place, .velocity = {}});
          }},
-        {"a ball presses harder",
-         [](World& w) { SolverAccess(w).memory().pressed[20].impulse *= 1.5; }},
-        {"nothing presses", [](World& w) { SolverAccess(w).memory().pressed.clear(); }},
+        {"a ball presses harder", [](World& w) { w.edit_memory().pressed[20].impulse *= 1.5; }},
+        {"nothing presses", [](World& w) { w.edit_memory().pressed.clear(); }},
         {"other balls meet no more",
          [](World& w) {
              w.edit_definition().model.filtered = true;
@@ -127,7 +125,7 @@ TEST_CASE("contact: a heap that somebody changes goes on as in a solver that nev
          [](World& w) {
              w.edit_definition().model.gravity = Vec2{1.0, -9.0};
          }},
-        {"nobody has a home", [](World& w) { SolverAccess(w).memory().homes.clear(); }},
+        {"nobody has a home", [](World& w) { w.edit_memory().homes.clear(); }},
     };
     const Heap heap;
     for (const Row& row : rows) {

@@ -9,7 +9,6 @@
 #include "physics/support/scenes.h"
 #include "physics/tick/totals.h"
 #include "physics/world/fingerprint.h"
-#include "physics/world/solver_access.h"
 
 using namespace carom;
 
@@ -287,7 +286,7 @@ TEST_CASE("contact: a heap goes on from a snapshot with the same bits, impulses 
     }
     CHECK(fingerprint(once) == fingerprint(world));
     World forgetful = once;
-    SolverAccess(forgetful).memory().pressed.clear();
+    forgetful.edit_memory().pressed.clear();
     run(forgetful, 1);
     run(once, 1);
     CHECK(fingerprint(forgetful) != fingerprint(once));

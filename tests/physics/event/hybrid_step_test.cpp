@@ -9,7 +9,6 @@
 #include "physics/support/scenes.h"
 #include "physics/tick/totals.h"
 #include "physics/world/fingerprint.h"
-#include "physics/world/solver_access.h"
 
 using namespace carom;
 
@@ -140,7 +139,7 @@ TEST_CASE("event: the heap is what is crowded, and all that could meet it within
         World world = open_air(0.5);
         for (std::size_t i = 0; i < row.x.size(); ++i)
             add_ball(world, {.position = {row.x[i], 0.0}, .velocity = {row.speed[i], 0.0}});
-        SolverAccess(world).memory().heaped = row.heaped;
+        world.edit_memory().heaped = row.heaped;
         HybridStep hybrid;
         CHECK(hybrid.cluster_of(world) == row.heap);
     }
@@ -150,7 +149,7 @@ TEST_CASE("event: the heap is what is crowded, and all that could meet it within
     torus.edit_definition().model.wrap = Box{{0.0, 0.0}, {20.0, 20.0}};
     for (const double x : {0.4, 19.4, 10.0})
         add_ball(torus, {.position = {x, 5.0}, .velocity = {}});
-    SolverAccess(torus).memory().heaped = balls({0});
+    torus.edit_memory().heaped = balls({0});
     HybridStep hybrid;
     CHECK(hybrid.cluster_of(torus) == balls({0, 1}));
 
@@ -160,14 +159,14 @@ TEST_CASE("event: the heap is what is crowded, and all that could meet it within
     layers.edit_definition().meets = {1, 0, 1, 0, 1, 1, 1, 1, 0};
     add_ball(layers, {.kind = 0, .position = {0.0, 0.0}, .velocity = {}});
     add_ball(layers, {.kind = 1, .position = {0.5, 0.0}, .velocity = {}});
-    SolverAccess(layers).memory().heaped = balls({0});
+    layers.edit_memory().heaped = balls({0});
     CHECK(hybrid.cluster_of(layers) == balls({0}));
 
     World hand = open_air(0.5);
     const CapsuleId blade = add_capsule(hand, {{0.0, 1.0}, {9.0, 1.0}, 0.1}, 0);
     for (const double x : {0.0, 4.0, 8.0, 20.0})
         add_ball(hand, {.position = {x, 0.0}, .velocity = {}});
-    SolverAccess(hand).memory().heaped = balls({0});
+    hand.edit_memory().heaped = balls({0});
     CHECK(hybrid.cluster_of(hand) == balls({0}));
     hand.edit_held_capsules().push_back({blade, {0.0, 0.5}, {9.0, 0.5}});
     CHECK(hybrid.cluster_of(hand) == balls({0, 1, 2}));
@@ -191,7 +190,7 @@ TEST_CASE("event: a ball comes back when nothing presses it on another and it ov
         World world = open_air(0.5);
         add_ball(world, {.position = {0.0, 9.0}, .velocity = {}});
         add_ball(world, {.position = {1.0 + row.gap, 9.0}, .velocity = {row.apart, 0.0}});
-        SolverAccess(world).memory().heaped = balls({0, 1});
+        world.edit_memory().heaped = balls({0, 1});
         Solver solver({.kind = SolverKind::event});
         solver.tick(world);
         CHECK(world.memory().heaped.empty() == row.comes_back);
@@ -210,7 +209,7 @@ TEST_CASE("event: a ball comes back when nothing presses it on another and it ov
     World world = open_air(0.5);
     add_floor(world);
     add_ball(world, {.position = {0.0, 0.49}, .velocity = {}});
-    SolverAccess(world).memory().heaped = balls({0});
+    world.edit_memory().heaped = balls({0});
     Solver solver({.kind = SolverKind::event});
     solver.tick(world);
     CHECK(world.memory().heaped == balls({0}));
@@ -364,11 +363,11 @@ TEST_CASE("event: a heap that somebody takes away leaves nothing behind") {
     CHECK(world.memory().pressed.empty());
     World none = world;
     remove_ball(none, none.balls().id[0]);
-    SolverAccess(none).memory().heaped = balls({3});
+    none.edit_memory().heaped = balls({3});
     solver.tick(none);
     CHECK(none.memory().heaped.empty());
     // Other solvers know nothing of heaps.
-    SolverAccess(world).memory().heaped = balls({39});
+    world.edit_memory().heaped = balls({39});
     Solver swept({.kind = SolverKind::swept});
     swept.tick(world);
     CHECK(world.memory().heaped.empty());
@@ -496,9 +495,9 @@ TEST_CASE("event: who goes over does not depend on the order of the balls") {
     const auto number_there = [&](BallId id) {
         return BallId{static_cast<std::uint32_t>(count - 1 - number(id))};
     };
-    SolverAccess(turned).memory().heaped.clear();
+    turned.edit_memory().heaped.clear();
     for (std::size_t i = world.memory().heaped.size(); i-- > 0;)
-        SolverAccess(turned).memory().heaped.push_back(number_there(world.memory().heaped[i]));
+        turned.edit_memory().heaped.push_back(number_there(world.memory().heaped[i]));
     HybridStep hybrid;
     std::vector<BallId> heap = hybrid.cluster_of(world);
     const std::vector<BallId> heap_there = hybrid.cluster_of(turned);
@@ -553,7 +552,7 @@ TEST_CASE("event: fast balls that reach a heap by an impact of the same tick do 
         add_ball(world, {.position = {1.0 * i, 0.5}, .velocity = {}});
     const BallId slow = add_ball(world, {.position = {-7.0, 0.5}, .velocity = {}});
     add_ball(world, {.position = {-9.5, 0.5}, .velocity = {50.0, 0.0}, .mass = 100.0});
-    SolverAccess(world).memory().heaped = balls({0, 1, 2, 3, 4, 5});
+    world.edit_memory().heaped = balls({0, 1, 2, 3, 4, 5});
     HybridStep hybrid;
     REQUIRE(hybrid.cluster_of(world) == balls({0, 1, 2, 3, 4, 5}));
     Solver solver({.kind = SolverKind::event});

@@ -6,7 +6,6 @@
 #include "physics/support/scenes.h"
 #include "physics/tick/emitters_and_sinks.h"
 #include "physics/tick/undo.h"
-#include "physics/world/solver_access.h"
 #include "physics/world/world.h"
 
 using namespace carom;
@@ -172,12 +171,12 @@ TEST_CASE("a hybrid step moves every column of a ball there and back") {
     start.edit_balls().edge_contacts = {5, 6, 7};
     start.edit_balls().position = {{0.0, 0.0}, {1.9, 0.0}, {50.0, 0.0}};
     World world = start;
-    SolverAccess(world).memory().heaped = {BallId{0}};
+    world.edit_memory().heaped = {BallId{0}};
     REQUIRE(Solver({.kind = SolverKind::event}).tick(world) == TickOutcome::done);
     // Each part moves as it does alone.
     World cluster = start;
     remove_ball(cluster, BallId{2});
-    SolverAccess(cluster).memory().heaped = {BallId{0}};
+    cluster.edit_memory().heaped = {BallId{0}};
     Solver({.kind = SolverKind::event}).tick(cluster);
     World free = start;
     remove_ball(free, BallId{0});

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "physics/support/scenes.h"
-#include "physics/world/solver_access.h"
 
 using namespace carom;
 
@@ -33,7 +32,7 @@ World full() {
     world.edit_held_balls().push_back({.id = BallId{0}});
     world.edit_held_capsules().push_back({.id = CapsuleId{1}});
     world.edit_ledger().counters = {3};
-    SolverMemory& memory = SolverAccess(world).memory();
+    SolverMemory& memory = world.edit_memory();
     memory.paths.resize(2);
     memory.path_bends.resize(2);
     memory.spin_paths.resize(2);
@@ -75,7 +74,7 @@ struct Change {
 
 // One change for each thing that a tick or a command can change, columns apart.
 const std::vector<Change>& changes() {
-    const auto memory = [](World& w) -> SolverMemory& { return SolverAccess(w).memory(); };
+    const auto memory = [](World& w) -> SolverMemory& { return w.edit_memory(); };
     static const std::vector<Change> all{
         {"tick", [](World& w) { ++w.edit_tick(); }},
         {"gravity", [](World& w) { w.edit_definition().model.gravity = Vec2{}; }},
