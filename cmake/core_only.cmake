@@ -11,10 +11,6 @@ carom_layer(geometry)
 carom_layer(physics carom_geometry carom_fmt)
 carom_layer(level carom_physics)
 carom_layer(game carom_level)
-# Few, large translation units: these two layers then take a third of the time.
-set_target_properties(carom_level carom_game PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
-set_source_files_properties(src/level/values/value_math.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-
-add_executable(carom-fingerprints tests/golden/golden.cpp tests/golden/print_fingerprints.cpp)
+add_executable(carom-fingerprints tests/golden/golden.cpp tests/golden/trace.cpp tests/golden/print_fingerprints.cpp)
 target_include_directories(carom-fingerprints PRIVATE tests)
 target_link_libraries(carom-fingerprints PRIVATE carom_game)

@@ -32,9 +32,9 @@ std::uint64_t ticks_to_run(const RunOptions& options, double rate) {
 }
 
 // Where a run writes. Standard output can be only one of them.
-class Outputs {
+class RunOutputs {
   public:
-    explicit Outputs(const RunOptions& options) {
+    explicit RunOutputs(const RunOptions& options) {
         open(report_, options.report);
         open(events_, options.events);
         open(trace_, options.trace);
@@ -124,7 +124,7 @@ void tell_too_dense(const World& world) {
 // Runs until the end, a signal, a failing output, or a closed pipe. Returns the time that the
 // solver took, in seconds.
 double simulate(const Scene& scene, World& world, GameState& game, RunRecord& record,
-                Solver& solver, Outputs& outputs, Replay& replay, std::uint64_t ticks) {
+                Solver& solver, RunOutputs& outputs, Replay& replay, std::uint64_t ticks) {
     using Clock = std::chrono::steady_clock;
     Clock::duration cost{};
     bool is_told = false;
@@ -153,7 +153,7 @@ int run_scene(const RunOptions& options, const Scene& scene) {
         print_error(*why);
         return 2;
     }
-    Outputs outputs(options);
+    RunOutputs outputs(options);
     if (!outputs.error().empty()) {
         print_error(outputs.error());
         return 2;

@@ -24,7 +24,7 @@ constexpr std::string_view ending = ".resume";
 constexpr std::string_view left_ending = ".left";
 constexpr std::size_t most_files = 20;
 /// A day of dragging; what is longer is not ours.
-constexpr std::size_t most_bytes = std::size_t{256} << 20;
+constexpr std::size_t most_session_bytes = std::size_t{256} << 20;
 
 std::uint64_t hash_of(std::string_view text) {
     std::uint64_t hash = 0xcbf29ce484222325ull;  // FNV-1a
@@ -81,7 +81,7 @@ std::vector<InterruptedGame> interrupted_games(const std::string& folder, std::s
     for (const std::string& path : left_behind(folder)) {
         const std::string name = fs::path(path).filename().string();
         if (!level.empty() && !name.starts_with(stem_of(level))) continue;
-        const FileText read = read_file(path, most_bytes);
+        const FileText read = read_file(path, most_session_bytes);
         if (!read.text) continue;
         auto replay = read_replay(*read.text);
         auto* good = std::get_if<Replay>(&replay);

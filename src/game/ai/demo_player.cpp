@@ -12,7 +12,7 @@ namespace {
 
 constexpr double up_time = 0.12;       // s that a flipper stays up
 constexpr double rest_time = 0.10;     // s after that before it looks at the next ball
-constexpr double foresight = 0.010;    // s that it flips ahead of the ball
+constexpr double flip_lead = 0.010;    // s that it flips ahead of the ball
 constexpr double overreach = 0.4;      // radii over the flipper, then
 constexpr double pause_between = 4.0;  // s between two games
 constexpr double nudge_pause = 1.5;    // s between two nudges, so that the table does not tilt
@@ -49,7 +49,7 @@ void DemoPlayer::watch_flipper(const Scene& scene, const World& world, std::size
                                          RandomStream::player, flips_, which);
     for (std::size_t i = 0; i < world.balls().size(); ++i) {
         const Vec2 at = world.balls().position[i];
-        const Vec2 soon = at + world.balls().velocity[i] * foresight;
+        const Vec2 soon = at + world.balls().velocity[i] * flip_lead;
         const double gap = separation(Disc{soon, world.balls().radius[i]}, shape);
         if (gap > overreach * world.balls().radius[i] || !is_above(flipper, shape, at)) continue;
         const double place = closest_parameter(shape.start, shape.end, soon);

@@ -11,10 +11,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double energy(const Totals& sums) {
-    return sums.kinetic_energy + sums.potential_energy;
-}
-
 double sum_of_magnitudes(const World& world) {
     double sum = 0.0;
     for (std::size_t i = 0; i < world.balls().size(); ++i)
@@ -50,7 +46,7 @@ ConservationWatch::ConservationWatch(const World& start)
 
 void ConservationWatch::note(const World& world) {
     const Totals now = totals(world);
-    const double change = energy(now) - energy(start_);
+    const double change = now.energy() - start_.energy();
     const double counted = energy_ == Energy::kept ? std::fabs(change) : std::max(change, 0.0);
     largest_kinetic_ = std::max(largest_kinetic_, now.kinetic_energy);
     energy_change_ = std::isfinite(change) ? std::max(energy_change_, counted) : infinity;

@@ -10,12 +10,6 @@
 namespace carom {
 namespace {
 
-constexpr Dimension length_dimension{1, 0, 0, 0};
-constexpr Dimension mass_dimension{0, 1, 0, 0};
-constexpr Dimension time_dimension{0, 0, 1, 0};
-constexpr Dimension angle_dimension{0, 0, 0, 1};
-constexpr Dimension rate_dimension{0, 0, -1, 0};
-
 constexpr std::array units{Unit{"um", 1e-6, length_dimension},
                            Unit{"mm", 1e-3, length_dimension},
                            Unit{"cm", 1e-2, length_dimension},

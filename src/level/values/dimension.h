@@ -20,6 +20,12 @@ struct Dimension {
     friend constexpr bool operator==(const Dimension&, const Dimension&) = default;
 };
 
+inline constexpr Dimension length_dimension{1, 0, 0, 0};
+inline constexpr Dimension mass_dimension{0, 1, 0, 0};
+inline constexpr Dimension time_dimension{0, 0, 1, 0};
+inline constexpr Dimension angle_dimension{0, 0, 0, 1};
+inline constexpr Dimension rate_dimension{0, 0, -1, 0};
+
 constexpr Dimension operator*(const Dimension& a, const Dimension& b) {
     return {a.length + b.length, a.mass + b.mass, a.time + b.time, a.angle + b.angle};
 }

@@ -11,10 +11,6 @@
 namespace carom {
 namespace {
 
-constexpr Dimension length_dimension{1, 0, 0, 0};
-constexpr Dimension time_dimension{0, 0, 1, 0};
-constexpr Dimension angle_dimension{0, 0, 0, 1};
-
 constexpr std::array functions{
     FunctionFacts{"sqrt", Function::sqrt, 1}, FunctionFacts{"sin", Function::sin, 1},
     FunctionFacts{"cos", Function::cos, 1},   FunctionFacts{"tan", Function::tan, 1},

@@ -13,6 +13,8 @@ struct Totals {
     double potential_energy = 0.0;
     Vec2 momentum;
     double angular_momentum = 0.0;
+
+    double energy() const { return kinetic_energy + potential_energy; }
 };
 Totals totals(const World& world);
 

@@ -10,7 +10,7 @@ constexpr int motion_bit = 32;
 constexpr int wheel_bit = 64;
 constexpr int extra_bit = 128;
 
-std::uint8_t modifiers_in(int buttons) {
+std::uint8_t modifiers_of_buttons(int buttons) {
     int modifiers = no_modifier;
     if ((buttons & shift_bit) != 0) modifiers |= shift;
     if ((buttons & alt_bit) != 0) modifiers |= alt;
@@ -28,7 +28,7 @@ std::optional<InputEvent> event_in(int buttons, bool is_release) {
     if ((buttons & extra_bit) != 0) return std::nullopt;
     InputEvent event;
     event.kind = InputEvent::Kind::mouse;
-    event.modifiers = modifiers_in(buttons);
+    event.modifiers = modifiers_of_buttons(buttons);
     if ((buttons & wheel_bit) != 0) {
         if (is_release || (buttons & 3) > 1) return std::nullopt;
         event.action = (buttons & 3) == 0 ? wheel_up : wheel_down;

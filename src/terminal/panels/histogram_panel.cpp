@@ -13,8 +13,8 @@ namespace carom {
 
 namespace {
 
-constexpr int least_panel_columns = 12;
-constexpr int least_panel_rows = 4;
+constexpr int least_histogram_columns = 12;
+constexpr int least_histogram_rows = 4;
 
 // One bar of the picture: some bins together where there are more bins than columns.
 struct PictureBar {
@@ -117,7 +117,7 @@ std::vector<PanelText> words_of(const Histogram& histogram, const Look& look) {
 
 void draw_histogram(Canvas& canvas, const CellArea& area, const Histogram& histogram,
                     const Look& look) {
-    const bool is_too_small = area.columns < least_panel_columns || area.rows < least_panel_rows;
+    const bool is_too_small = area.columns < least_histogram_columns || area.rows < least_histogram_rows;
     if (is_too_small || histogram.counts.empty()) return;
     clear_area(canvas, area);
     const std::string title =
