@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "game/replay/replayer.h"
+#include "golden/trace.h"
 #include "level/load.h"
 #include "physics/solver.h"
 #include "physics/world/fingerprint.h"
@@ -47,7 +48,7 @@ LoadResult load(const fs::path& path) {
     return load_level(content(path).value_or(""), path.string(), options);
 }
 
-std::string line_for(const std::string& level, const Scene& scene, SolverKind kind) {
+GoldenRun run_of(const std::string& level, const Scene& scene, SolverKind kind) {
     // A level's own settings hold for its own solver.
     SolverSettings settings{.kind = kind};
     if (scene.solver && scene.solver->kind == kind) settings = *scene.solver;
@@ -58,24 +59,35 @@ std::string line_for(const std::string& level, const Scene& scene, SolverKind ki
             Vec2{0.9, 0.02} * scene.pool.cue->most_power;
     Solver solver(settings);
     const std::uint64_t ticks = ticks_for(world, kind);
-    while (world.tick() < ticks)
+    TraceRecorder trace(world, ticks);
+    while (world.tick() < ticks) {
         solver.tick(world);
-    return fmt::format("{} {} {} {}", level, name(kind), ticks, hexadecimal(fingerprint(world)));
+        trace.note(world);
+    }
+    return {fmt::format("{} {} {} {}", level, name(kind), ticks, hexadecimal(fingerprint(world))),
+            ticks, trace.lines()};
 }
 
-std::string line_for(const fs::path& path) {
+GoldenRun run_of(const fs::path& path) {
     const std::string file = path.filename().string();
     auto read = read_replay(content(path).value_or(""));
-    if (const auto* error = std::get_if<ReplayError>(&read)) return file + ": " + error->message;
+    if (const auto* error = std::get_if<ReplayError>(&read))
+        return {file + ": " + error->message, 0, {}};
     const Replay& replay = std::get<Replay>(read);
     auto scene = scene_of(replay);
-    if (const auto* error = std::get_if<ReplayError>(&scene)) return file + ": " + error->message;
+    if (const auto* error = std::get_if<ReplayError>(&scene))
+        return {file + ": " + error->message, 0, {}};
     Replayer replayer(replay, std::move(std::get<Scene>(scene)), 0);
-    while (replayer.advance(1000)) {
+    TraceRecorder trace(replayer.session().world(), replay.end);
+    bool goes_on = true;
+    while (goes_on) {
+        goes_on = replayer.advance(1);
+        trace.note(replayer.session().world());
     }
-    if (replayer.failure()) return file + ": " + *replayer.failure();
+    if (replayer.failure()) return {file + ": " + *replayer.failure(), 0, {}};
     const World& world = replayer.session().world();
-    return fmt::format("{} {} {}", file, world.tick(), hexadecimal(fingerprint(world)));
+    return {fmt::format("{} {} {}", file, world.tick(), hexadecimal(fingerprint(world))),
+            replay.end, trace.lines()};
 }
 
 std::vector<fs::path> files_in(const std::string& folder, std::string_view extension) {
@@ -88,29 +100,29 @@ std::vector<fs::path> files_in(const std::string& folder, std::string_view exten
 
 }  // namespace
 
-std::vector<std::string> fingerprint_lines(const std::string& folder,
-                                           const std::vector<std::string>& names) {
-    std::vector<std::string> lines;
+std::vector<GoldenRun> golden_levels(const std::string& folder,
+                                     const std::vector<std::string>& names) {
+    std::vector<GoldenRun> runs;
     for (const fs::path& path : files_in(folder, ".level")) {
         const std::string level = path.stem().string();
         if (!names.empty() && std::ranges::count(names, level) == 0) continue;
         const LoadResult loaded = load(path);
         if (!loaded.scene) {
-            lines.push_back(level + ": " + render(loaded.diagnostics.front()));
+            runs.push_back({level + ": " + render(loaded.diagnostics.front()), 0, {}});
             continue;
         }
         for (const SolverKind kind : solvers_available())
             if (supports(kind, loaded.scene->world.model()))
-                lines.push_back(line_for(level, *loaded.scene, kind));
+                runs.push_back(run_of(level, *loaded.scene, kind));
     }
-    return lines;
+    return runs;
 }
 
-std::vector<std::string> replay_lines(const std::string& folder) {
-    std::vector<std::string> lines;
+std::vector<GoldenRun> golden_replays(const std::string& folder) {
+    std::vector<GoldenRun> runs;
     for (const fs::path& path : files_in(folder, ".replay"))
-        lines.push_back(line_for(path));
-    return lines;
+        runs.push_back(run_of(path));
+    return runs;
 }
 
 }  // namespace carom::test

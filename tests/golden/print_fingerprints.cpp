@@ -11,10 +11,9 @@ int main(int count, char** arguments) {
         fmt::print(stderr, "usage: carom-fingerprints LEVELS REPLAYS [NAME]...\n");
         return 2;
     }
-    for (const std::string& line :
-         fingerprint_lines(arguments[1], {arguments + 3, arguments + count}))
-        fmt::print("{}\n", line);
-    for (const std::string& line : replay_lines(arguments[2]))
-        fmt::print("{}\n", line);
+    for (const GoldenRun& run : golden_levels(arguments[1], {arguments + 3, arguments + count}))
+        fmt::print("{}\n", run.line);
+    for (const GoldenRun& run : golden_replays(arguments[2]))
+        fmt::print("{}\n", run.line);
     return 0;
 }

@@ -129,10 +129,6 @@ void write_cost(JsonWriter& json, const RunRecord& record, double seconds) {
     json.end_object();
 }
 
-double energy(const Totals& sums) {
-    return sums.kinetic_energy + sums.potential_energy;
-}
-
 std::string summary_of_figures(const RunRecord& record, const World& world) {
     std::string lines;
     for (const Figure& figure : figures()) {
@@ -190,8 +186,8 @@ std::string report_json(std::string_view level, const Scene& scene, const World&
 
 std::string summary(const Scene& scene, const World& world, const RunRecord& record,
                     double seconds) {
-    const double start = energy(record.totals_start);
-    const double end = energy(totals(world));
+    const double start = record.totals_start.energy();
+    const double end = totals(world).energy();
     return fmt::format(
         "{}\n"
         "{} s simulated in {} ticks by {}, in {:.3g} s\n"

@@ -16,11 +16,7 @@ constexpr std::size_t most_levels = 32;
 // neighbouring cells; and what is looked for in cells is looked for this much further.
 constexpr double slack = 1e-9;
 
-<<<<<<< HEAD
 struct AxisRange {
-=======
-struct Extent {
->>>>>>> 6c1e76a (Compile each room as one unit in the release build)
     double low = 0.0;
     double high = 0.0;
 };
@@ -32,11 +28,7 @@ int exponent_of(double value) {
 
 // The part of `whole` in which most are: the middle four fifths of a sample, with as much again on
 // either side. A few that went far away must not make all cells large.
-<<<<<<< HEAD
 AxisRange most_of(std::span<const Vec2> centers, double Vec2::*axis, AxisRange whole) {
-=======
-Extent most_of(std::span<const Vec2> centers, double Vec2::*axis, Extent whole) {
->>>>>>> 6c1e76a (Compile each room as one unit in the release build)
     constexpr std::size_t most_samples = 64;
     std::array<double, most_samples> sample{};
     const std::size_t count = std::min(most_samples, centers.size());
@@ -49,7 +41,6 @@ Extent most_of(std::span<const Vec2> centers, double Vec2::*axis, Extent whole) 
     const double low = *low_place;
     std::nth_element(low_place, high_place, end);
     const double high = *high_place;
-<<<<<<< HEAD
     const AxisRange range{std::max(whole.low, low - (high - low)),
                           std::min(whole.high, high + (high - low))};
     return range.low <= range.high ? range : AxisRange{};
@@ -57,15 +48,6 @@ Extent most_of(std::span<const Vec2> centers, double Vec2::*axis, Extent whole) 
 
 // Outwards to a lattice, so that it seldom changes while the discs move about.
 AxisRange snapped(AxisRange range) {
-=======
-    const Extent range{std::max(whole.low, low - (high - low)),
-                      std::min(whole.high, high + (high - low))};
-    return range.low <= range.high ? range : Extent{};
-}
-
-// Outwards to a lattice, so that it seldom changes while the discs move about.
-Extent snapped(Extent range) {
->>>>>>> 6c1e76a (Compile each room as one unit in the release build)
     const double extent = range.high - range.low;
     if (!(extent > std::numeric_limits<double>::min()) || !std::isfinite(extent))
         return {range.low, range.low + 1.0};
@@ -81,13 +63,8 @@ Box where_most_are(std::span<const Vec2> centers) {
         low = {center.x < low.x ? center.x : low.x, center.y < low.y ? center.y : low.y};
         high = {center.x > high.x ? center.x : high.x, center.y > high.y ? center.y : high.y};
     }
-<<<<<<< HEAD
     const AxisRange across = snapped(most_of(centers, &Vec2::x, {low.x, high.x}));
     const AxisRange along = snapped(most_of(centers, &Vec2::y, {low.y, high.y}));
-=======
-    const Extent across = snapped(most_of(centers, &Vec2::x, {low.x, high.x}));
-    const Extent along = snapped(most_of(centers, &Vec2::y, {low.y, high.y}));
->>>>>>> 6c1e76a (Compile each room as one unit in the release build)
     return {{across.low, along.low}, {across.high, along.high}};
 }
 

@@ -81,7 +81,7 @@ TEST_CASE("games are told in sums and histograms") {
 }
 
 // With CAROM_PINBALL_FIGURES=FILE it writes what it saw there, and CAROM_BALLS says how many balls
-// it plays on each table: scripts/update-pinball.
+// it plays on each table: scripts/update pinball.
 TEST_SUITE("long") {
     TEST_CASE("10,000 balls on each table, none stuck, none lost") {
         const char* const wanted = std::getenv("CAROM_BALLS");

@@ -59,7 +59,7 @@ TEST_CASE("a match is told in one row") {
 }
 
 // With CAROM_POOL_FIGURES=FILE it writes there what came of neighbours, and CAROM_FRAMES says how
-// many frames each two of them play: scripts/update-pool.
+// many frames each two of them play: scripts/update pool.
 TEST_SUITE("long") {
     TEST_CASE("frames come to their end, and the steadier of two opponents wins more") {
         for (const std::string_view game : games)
