@@ -80,7 +80,7 @@ void PoolController::pass(PlayContext& play, double seconds) {
 }
 
 void PoolController::after_ticks(PlayContext& play, double) {
-    if (auto outcome = referee_.tell(play.session, names())) say(play, *std::move(outcome));
+    if (auto outcome = announcer_.tell(play.session, names())) say(play, *std::move(outcome));
 }
 
 bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
@@ -202,7 +202,7 @@ void PoolController::place_cue_ball(PlayContext& play) {
 bool PoolController::set_opponent(const Session& session, int steadiness) {
     if (!pool_of(session)) return false;
     opponent_.set_steadiness(steadiness);
-    referee_.skip(session, names());
+    announcer_.skip(session, names());
     return true;
 }
 

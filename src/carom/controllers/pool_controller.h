@@ -72,7 +72,7 @@ class PoolController : public FreeController {
 
     PoolAim aim_;
     bool aims_by_mouse_ = false;  ///< the left button is down, and the cue points at the mouse
-    Referee referee_;
+    ShotAnnouncer announcer_;
     PoolOpponent opponent_;
     PoolCoach coach_;
 };

@@ -16,7 +16,7 @@ void add_pool_title(const Session& session, const PlayerNames& names, HudInfo& i
     info.title = turn_text(*pool, names) + (clock.empty() ? "" : ", " + clock);
 }
 
-std::optional<std::string> Referee::tell(const Session& session, const PlayerNames& names) {
+std::optional<std::string> ShotAnnouncer::tell(const Session& session, const PlayerNames& names) {
     const PoolPlay* const pool = pool_of(session);
     if (!pool) return std::nullopt;
     std::string now = outcome_text(*pool, names);
@@ -25,7 +25,7 @@ std::optional<std::string> Referee::tell(const Session& session, const PlayerNam
     return told_.empty() ? std::nullopt : std::optional(told_);
 }
 
-void Referee::skip(const Session& session, const PlayerNames& names) {
+void ShotAnnouncer::skip(const Session& session, const PlayerNames& names) {
     if (const PoolPlay* const pool = pool_of(session)) told_ = outcome_text(*pool, names);
 }
 

@@ -18,7 +18,7 @@ const PoolPlay* pool_of(const Session& session);
 void add_pool_title(const Session& session, const PlayerNames& names, HudInfo& info);
 
 /// Tells the outcome of each shot once.
-class Referee {
+class ShotAnnouncer {
   public:
     /// The outcome, where it has changed since the last call and there is something to say.
     std::optional<std::string> tell(const Session& session, const PlayerNames& names);

@@ -29,7 +29,7 @@ void WatchController::pass(PlayContext& play, double seconds) {
 
 void WatchController::after_ticks(PlayContext& play, double seconds) {
     if (pinball_) pinball_->after_ticks(play, seconds, false);
-    if (auto outcome = referee_.tell(play.session, players)) say(play, *std::move(outcome));
+    if (auto outcome = announcer_.tell(play.session, players)) say(play, *std::move(outcome));
 }
 
 void WatchController::cut_panel(const PlayContext&, CellArea& area) {

@@ -27,7 +27,7 @@ class WatchController : public Controller {
     void set_high_scores(HighScores scores) override;
 
   private:
-    Referee referee_;
+    ShotAnnouncer announcer_;
     std::optional<PinballFeedback> pinball_;  ///< none: it is no pinball table
 };
 
