@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "physics/event/time_of_impact.h"
+#include "physics/event/motion/time_of_impact.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 

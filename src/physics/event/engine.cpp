@@ -1,6 +1,6 @@
 #include "physics/event/engine.h"
 
-#include "physics/event/tolerances.h"
+#include "physics/event/motion/tolerances.h"
 
 namespace carom {
 

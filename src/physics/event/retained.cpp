@@ -2,9 +2,9 @@
 #include <array>
 #include <cmath>
 
-#include "physics/event/stored_trajectory.h"
-#include "physics/event/time_of_impact.h"
-#include "physics/event/tolerances.h"
+#include "physics/event/motion/stored_trajectory.h"
+#include "physics/event/motion/time_of_impact.h"
+#include "physics/event/motion/tolerances.h"
 #include "physics/event/world_sync.h"
 
 // Which trajectories that were stored still hold when a tick rebuilds.

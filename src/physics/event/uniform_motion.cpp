@@ -4,8 +4,8 @@
 #include <type_traits>
 
 #include "geometry/f64x2.h"
-#include "physics/event/time_of_impact.h"
-#include "physics/event/tolerances.h"
+#include "physics/event/motion/time_of_impact.h"
+#include "physics/event/motion/tolerances.h"
 
 namespace carom {
 namespace {

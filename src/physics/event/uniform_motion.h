@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <limits>
 
-#include "physics/event/ball_table.h"
-#include "physics/event/predictor.h"
-#include "physics/event/response.h"
-#include "physics/event/scene.h"
-#include "physics/event/schedule.h"
-#include "physics/event/spatial_index.h"
-#include "physics/event/trajectories.h"
+#include "physics/event/impact/response.h"
+#include "physics/event/motion/ball_table.h"
+#include "physics/event/motion/scene.h"
+#include "physics/event/motion/spatial_index.h"
+#include "physics/event/motion/trajectories.h"
+#include "physics/event/schedule/predictor.h"
+#include "physics/event/schedule/schedule.h"
 
 namespace carom {
 

@@ -2,7 +2,7 @@
 #include <type_traits>
 
 #include "physics/broad_phase/capsule_cells.h"
-#include "physics/event/stored_trajectory.h"
+#include "physics/event/motion/stored_trajectory.h"
 #include "physics/event/world_sync.h"
 
 // How a tick begins: with the trajectories of the last one, with some changed, or rebuilt.

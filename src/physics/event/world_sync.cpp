@@ -4,7 +4,7 @@
 #include <array>
 #include <type_traits>
 
-#include "physics/event/stored_trajectory.h"
+#include "physics/event/motion/stored_trajectory.h"
 #include "physics/laws/free_motion.h"
 #include "physics/memory/prefetch.h"
 #include "physics/world/solver_access.h"

@@ -4,16 +4,16 @@
 #include <span>
 #include <vector>
 
-#include "physics/event/ball_table.h"
-#include "physics/event/cloth_phases.h"
-#include "physics/event/collapse_guard.h"
-#include "physics/event/kinematic_bodies.h"
-#include "physics/event/resting_contact.h"
-#include "physics/event/scene.h"
-#include "physics/event/spatial_index.h"
-#include "physics/event/trajectories.h"
+#include "physics/event/motion/ball_table.h"
+#include "physics/event/motion/kinematic_bodies.h"
+#include "physics/event/motion/scene.h"
+#include "physics/event/motion/spatial_index.h"
+#include "physics/event/motion/trajectories.h"
+#include "physics/event/motion/work_meter.h"
+#include "physics/event/rest/cloth_phases.h"
+#include "physics/event/rest/collapse_guard.h"
+#include "physics/event/rest/resting_contact.h"
 #include "physics/event/uniform_motion.h"
-#include "physics/event/work_meter.h"
 #include "physics/world/world.h"
 
 namespace carom {

@@ -117,7 +117,8 @@ std::vector<PanelText> words_of(const Histogram& histogram, const Look& look) {
 
 void draw_histogram(Canvas& canvas, const CellArea& area, const Histogram& histogram,
                     const Look& look) {
-    const bool is_too_small = area.columns < least_histogram_columns || area.rows < least_histogram_rows;
+    const bool is_too_small =
+        area.columns < least_histogram_columns || area.rows < least_histogram_rows;
     if (is_too_small || histogram.counts.empty()) return;
     clear_area(canvas, area);
     const std::string title =

@@ -5,20 +5,20 @@
 #include <utility>
 #include <vector>
 
-#include "physics/event/cloth_phases.h"
-#include "physics/event/collapse_guard.h"
-#include "physics/event/impact_cluster.h"
-#include "physics/event/kinematic_bodies.h"
-#include "physics/event/predictor.h"
-#include "physics/event/response.h"
-#include "physics/event/resting_contact.h"
-#include "physics/event/schedule.h"
-#include "physics/event/side_friction.h"
-#include "physics/event/spatial_index.h"
-#include "physics/event/supports.h"
-#include "physics/event/trajectories.h"
-#include "physics/event/transitions.h"
-#include "physics/event/work_meter.h"
+#include "physics/event/impact/impact_cluster.h"
+#include "physics/event/impact/response.h"
+#include "physics/event/motion/kinematic_bodies.h"
+#include "physics/event/motion/spatial_index.h"
+#include "physics/event/motion/trajectories.h"
+#include "physics/event/motion/work_meter.h"
+#include "physics/event/rest/cloth_phases.h"
+#include "physics/event/rest/collapse_guard.h"
+#include "physics/event/rest/resting_contact.h"
+#include "physics/event/rest/side_friction.h"
+#include "physics/event/rest/supports.h"
+#include "physics/event/schedule/predictor.h"
+#include "physics/event/schedule/schedule.h"
+#include "physics/event/schedule/transitions.h"
 
 namespace carom {
 

@@ -1,0 +1,143 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "physics/event/motion/ball_table.h"
+#include "physics/event/motion/kinematic_bodies.h"
+#include "physics/event/motion/scene.h"
+#include "physics/event/motion/spatial_index.h"
+#include "physics/event/motion/trajectories.h"
+#include "physics/laws/simultaneous_impact.h"
+
+namespace carom {
+
+/// A ball that takes part in an impact.
+template <typename Real>
+struct ClusterBody {
+    std::uint32_t ball = 0;
+    Vector<Real> position;
+    Real fastest{};     ///< its largest speed in the impact so far
+    Real spin{};        ///< Model::spin
+    Vector<Real> roll;  ///< Model::cloth
+    bool is_scanned = false;
+    bool is_changed = false;
+    bool is_moved = false;  ///< by position correction
+    bool was_resting = false;
+    std::uint32_t first_neighbour = 0;  ///< once it is scanned
+    std::uint32_t neighbours = 0;
+};
+
+/// A ball in the cells around a body's, at the instant of the impact.
+template <typename Real>
+struct Neighbour {
+    Vector<Real> offset;  ///< from its centre to the body's
+    Real reach;           ///< sum of the radii
+    std::uint32_t other = 0;
+    std::int8_t across = 0;  ///< periodic image that is near
+    std::int8_t along = 0;
+};
+
+/// Two things that touch in the impact: a body, and a body, an edge or a kinematic edge.
+template <typename Real>
+struct ContactPoint {
+    ImpactContact<Real> contact;
+    EventKind kind = EventKind::ball_ball;
+    std::uint32_t other = 0;  ///< ball or capsule
+    bool is_motorised = false;
+    PathSupport support;  ///< as which it would carry the body
+    Real gap{};
+    Vector<Real> surface_velocity;  ///< of a kinematic edge
+};
+
+/// What touches what at the instant of an impact: the bodies and contact points that take part. It
+/// starts with the two that the event names, and grows with each body that changes (`scan`).
+///
+/// Bodies touch within `contact_slop` of the smaller radius. Contact points are found in an order
+/// that depends on no cell.
+template <typename Real>
+class ImpactCluster {
+  public:
+    ImpactCluster(const EventScene<Real>& scene, const BallTable<Real>& balls,
+                  const SpatialIndex<Real>& space, const Trajectories<Real>& trajectories,
+                  const KinematicBodies<Real>& kinematic)
+        : scene_(scene),
+          balls_(balls),
+          space_(space),
+          trajectories_(trajectories),
+          kinematic_(kinematic) {}
+
+    /// The world has this many balls, none of which takes part in an impact.
+    void reset(std::size_t balls) { body_of_.assign(balls, BallRecord<Real>::none); }
+
+    /// Starts with the bodies and the contact point of an impact event, seen from the lower ball,
+    /// and scans them.
+    void begin(std::uint32_t ball, const BallEvent<Real>& event);
+    /// Adds all that the body touches, once.
+    void scan(std::uint32_t body);
+    /// The impact is over: no ball takes part any more. The neighbours stay until the next one.
+    void end();
+
+    std::vector<ClusterBody<Real>>& bodies() { return bodies_; }
+    /// Velocities and inverse masses, by body.
+    std::vector<ImpactBody<Real>>& motion() { return motion_; }
+    std::vector<ContactPoint<Real>>& contacts() { return contacts_; }
+    const std::vector<ClusterBody<Real>>& bodies() const { return bodies_; }
+    const std::vector<ImpactBody<Real>>& motion() const { return motion_; }
+    const std::vector<ContactPoint<Real>>& contacts() const { return contacts_; }
+
+    const Real& radius_of(std::uint32_t body) const { return balls_.radius(bodies_[body].ball); }
+    /// The radius that tolerances of the contact scale with.
+    Real smaller_radius(const ContactPoint<Real>& point) const;
+    /// The sum of the inverse masses: 0 if nothing can give way.
+    Real compliance(const ContactPoint<Real>& point) const;
+    /// Whether the body touches another ball.
+    bool touches_ball(std::uint32_t body) const;
+
+    /// Notes the speeds after a round. With `stops`, a speed that is rounding becomes 0.
+    void note_speeds(bool stops);
+
+    /// The body of a ball that takes part; BallRecord::none if it does not.
+    std::uint32_t body_of(std::uint32_t ball) const { return body_of_[ball]; }
+    /// The neighbours that `scan` has seen around a body; empty where they no longer hold, since
+    /// something has been moved, or where the body was not scanned. See `has_neighbours`.
+    std::span<const Neighbour<Real>> neighbours_of(const ClusterBody<Real>& body) const {
+        return {neighbours_.data() + body.first_neighbour, body.neighbours};
+    }
+    bool has_neighbours(const ClusterBody<Real>& body) const {
+        return body.is_scanned && !is_corrected_ && image_changes_ == trajectories_.image_changes();
+    }
+    /// Position correction has moved bodies.
+    void note_correction() { is_corrected_ = true; }
+
+  private:
+    std::uint32_t add_body(std::uint32_t ball);
+    void add_ball(std::uint32_t body, std::uint32_t other, int across, int along, bool is_certain);
+    void add_edge(std::uint32_t body, std::uint32_t capsule, int across, int along,
+                  bool is_certain);
+    void add_kinematic_edge(std::uint32_t body, const KinematicEdge<Real>& edge, bool is_certain);
+    bool may_touch(std::uint32_t body, const Neighbour<Real>& neighbour) const;
+    void find_neighbours(std::uint32_t body);
+    Real slop_at(std::uint32_t body, const Real& size, const Real& reach) const;
+
+    const EventScene<Real>& scene_;
+    const BallTable<Real>& balls_;
+    const SpatialIndex<Real>& space_;
+    const Trajectories<Real>& trajectories_;
+    const KinematicBodies<Real>& kinematic_;
+    std::vector<std::uint32_t> body_of_;  ///< by ball
+    std::vector<ClusterBody<Real>> bodies_;
+    std::vector<ImpactBody<Real>> motion_;  ///< by body
+    std::vector<ContactPoint<Real>> contacts_;
+    std::vector<Neighbour<Real>> neighbours_;  ///< the first `neighbour_count_` count
+    std::size_t neighbour_count_ = 0;
+    std::vector<std::uint32_t> close_;  ///< neighbours of `scan` that may touch
+    std::size_t close_count_ = 0;
+    std::vector<std::array<int, 3>> touching_;  ///< ball and image, to be sorted
+    std::uint64_t image_changes_ = 0;           ///< of Trajectories, when the impact began
+    bool is_corrected_ = false;
+};
+
+}  // namespace carom

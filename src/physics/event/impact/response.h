@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstdint>
+#include <memory_resource>
+#include <vector>
+
+#include "physics/event/impact/impact_cluster.h"
+#include "physics/event/impact/impact_friction.h"
+#include "physics/event/impact/position_correction.h"
+#include "physics/event/impact/restitution.h"
+#include "physics/event/motion/kinematic_bodies.h"
+#include "physics/event/motion/work_meter.h"
+#include "physics/event/rest/collapse_guard.h"
+#include "physics/event/rest/resting_contact.h"
+#include "physics/world/contact.h"
+
+namespace carom {
+
+/// What a tick tells of its impacts.
+struct ImpactRecord {
+    std::vector<Contact>& contacts;      ///< impulses, bodies by index
+    std::vector<std::uint8_t>& touched;  ///< by ball: whether an impact changed it
+};
+
+/// Resolves an impact: new trajectories for all balls that it changes.
+///
+///   cluster: the two bodies of the event, and all that they touch
+///   repeat
+///       approaching := contact points that approach faster than rounding and resting allow
+///       none: done
+///       pass simultaneous impulses (laws/simultaneous_impact.h), friction, kicks
+///       add what the changed bodies touch
+///   kinematic bodies that squeeze a ball stop
+///   separate balls that overlap (position_correction.h)
+///   start the trajectories, count the collisions, settle, freeze what the collapse guard says
+///
+/// Balls are *jammed* if half of `most_impact_rounds` (and of its share of contact points) does not
+/// suffice. From then on all contacts pass impulses without restitution, and frozen balls do not
+/// give way; after all of the rounds the rest is left as it is.
+///
+/// Momentum is conserved but for kinematic bodies and fixed edges; so is energy, but for
+/// restitution, friction, and the rules of restitution.h and collapse_guard.h.
+template <typename Real>
+class Response {
+  public:
+    struct Parts {
+        const EventScene<Real>& scene;
+        BallTable<Real>& balls;
+        SpatialIndex<Real>& space;
+        Trajectories<Real>& trajectories;
+        KinematicBodies<Real>& kinematic;
+        ImpactCluster<Real>& cluster;
+        RestingContact<Real>& rest;
+        const SideFriction<Real>& friction;
+        CollapseGuard<Real>& guard;
+        WorkMeter<Real>& work;
+        std::vector<std::uint32_t>& scatter_counts;
+    };
+    explicit Response(const Parts& parts);
+
+    /// Resolves the impact `event` of `ball`, now. The balls whose trajectories changed, ascending;
+    /// the caller predicts them, and `ball` in any case. Valid until the next call. The cluster
+    /// stays open, for predictions; the caller ends it.
+    const std::vector<std::uint32_t>& resolve(std::uint32_t ball, const BallEvent<Real>& event,
+                                              const ImpactRecord& record);
+
+  private:
+    bool run_rounds(std::vector<Contact>& contacts);
+    void find_approaching(bool is_first_round);
+    Real least_approach_of(const ContactPoint<Real>& point, bool is_of_event) const;
+    Real pressing_speed(const ContactPoint<Real>& point) const;
+    void pass_impulses(bool is_alone, std::vector<Contact>& contacts);
+    void prepare_group(bool is_alone);
+    void record_contact(std::size_t at, std::vector<Contact>& contacts);
+    void stop_all();
+    void hold_frozen();
+    bool is_squeezed(bool is_jammed);
+    bool hold_back(std::uint32_t body);
+    void start_trajectories(std::vector<std::uint8_t>& touched);
+
+    const EventScene<Real>& scene_;
+    BallTable<Real>& balls_;
+    SpatialIndex<Real>& space_;
+    Trajectories<Real>& trajectories_;
+    KinematicBodies<Real>& kinematic_;
+    ImpactCluster<Real>& cluster_;
+    RestingContact<Real>& rest_;
+    CollapseGuard<Real>& guard_;
+    WorkMeter<Real>& work_;
+    std::vector<std::uint32_t>& scatter_counts_;
+    Restitution<Real> restitution_;
+    ImpactFriction<Real> friction_;
+    PositionCorrection<Real> correction_;
+    std::vector<std::uint32_t> approaching_;  ///< contact points by index
+    std::vector<ImpactContact<Real>> group_;  ///< those
+    std::vector<Real> approach_;              ///< of those, length/s
+    std::pmr::unsynchronized_pool_resource memory_{{.largest_required_pool_block = 1 << 20}};
+    std::pmr::vector<Real> passed_{&memory_};  ///< normal impulses of those
+    std::vector<std::uint32_t> changed_;
+};
+
+}  // namespace carom

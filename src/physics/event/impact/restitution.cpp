@@ -1,0 +1,108 @@
+#include "physics/event/impact/restitution.h"
+
+#include <algorithm>
+
+#include "physics/event/motion/tolerances.h"
+#include "physics/laws/bounce.h"
+
+namespace carom {
+
+template <typename Real>
+double Restitution<Real>::of(const ContactPoint<Real>& point, bool is_alone) const {
+    const Real approach = approach_of<Real>(point.contact, cluster_.motion());
+    const double usual = point.kind == EventKind::ball_ball ? of_balls(point, is_alone, approach)
+                                                            : of_edge(point, is_alone, approach);
+    return scene_.world->model().cloth ? on_cloth(point, is_alone, usual) : usual;
+}
+
+template <typename Real>
+double Restitution<Real>::of_balls(const ContactPoint<Real>& point, bool is_alone,
+                                   const Real& approach) const {
+    const World& world = *scene_.world;
+    const ClusterBody<Real>& body = cluster_.bodies()[point.contact.a];
+    const Trajectory<Real> ours = balls_.path(body.ball);
+    const Trajectory<Real> theirs = balls_.path(point.other);
+    double restitution = 1.0;
+    if (world.model().lossy)
+        restitution =
+            std::min(world.balls().restitution[body.ball], world.balls().restitution[point.other]);
+    const bool is_pushed = cluster_.motion()[point.contact.a].inverse_mass == Real{} ||
+                           cluster_.motion()[point.contact.b].inverse_mass == Real{};
+    if (is_pushed && (ours.motion == Motion::held || theirs.motion == Motion::held))
+        return hand_restitution;
+    if (restitution < 1.0 && ours.recent_collisions > most_collisions_in_place &&
+        theirs.recent_collisions > most_collisions_in_place)
+        return 0.0;
+    if (!is_alone || !world.model().gravity) return restitution;
+    const Real press = -dot(ours.acceleration - theirs.acceleration, point.contact.normal);
+    if (!(press > Real{})) return restitution;
+    const Real rebound = approach * Real(restitution);
+    const Real small = cluster_.smaller_radius(point);
+    const Real height = rebound * rebound / (Real(2.0) * press);
+    const bool one_rests = body.was_resting || cluster_.bodies()[point.contact.b].was_resting;
+    if (one_rests) return height < Real(rest_height) * small ? 0.0 : restitution;
+    return height < Real(moving_rest_height) * small ? 1.0 : restitution;
+}
+
+template <typename Real>
+double Restitution<Real>::of_edge(const ContactPoint<Real>& point, bool is_alone,
+                                  const Real& approach) const {
+    const World& world = *scene_.world;
+    const std::uint32_t ball = cluster_.bodies()[point.contact.a].ball;
+    const Trajectory<Real> path = balls_.path(ball);
+    const double speed = static_cast<double>(approach);
+    const double surface = static_cast<double>(point.contact.surface);
+    double restitution = 1.0;
+    const Material& material = world.materials()[world.capsules().material[point.other]];
+    if (world.model().lossy) restitution = restitution_at(material, std::max(0.0, speed));
+    if (point.is_motorised && approach > Real{})
+        return driven_restitution(restitution, surface, speed);
+    if (point.kind == EventKind::kinematic_edge && point.contact.surface > Real{}) {
+        // What bounce_off gives, as a share of the approach.
+        Vec2 velocity(cluster_.motion()[point.contact.a].velocity);
+        const Vec2 normal(point.contact.normal);
+        const Exchange done = bounce_off(velocity, 1.0, normal, surface, restitution);
+        return done.approach > 0.0
+                   ? std::max(0.0, (dot(velocity, normal) - surface) / done.approach)
+                   : 0.0;
+    }
+    if (restitution < 1.0 && path.recent_collisions > most_collisions_in_place &&
+        !world.model().gravity)
+        return 0.0;
+    if (!is_alone || !world.model().gravity) return restitution;
+    const Real press = -dot(path.acceleration, point.contact.normal);
+    if (!(press > Real{})) return restitution;
+    const Real rebound = approach * Real(restitution);
+    return rebound * rebound < Real(2.0 * rest_height) * press * balls_.radius(ball) ? 0.0
+                                                                                     : restitution;
+}
+
+template <typename Real>
+double Restitution<Real>::on_cloth(const ContactPoint<Real>& point, bool is_alone,
+                                   double usual) const {
+    if (!is_alone) return usual;
+    const std::uint32_t ball = cluster_.bodies()[point.contact.a].ball;
+    Vector<Real> acceleration = balls_.curve(ball).acceleration;
+    bool is_kinematic =
+        point.kind == EventKind::kinematic_edge || balls_[ball].line.motion == Motion::held;
+    if (point.kind == EventKind::ball_ball) {
+        acceleration -= balls_.curve(point.other).acceleration;
+        is_kinematic = is_kinematic || balls_[point.other].line.motion == Motion::held;
+    }
+    const Real small = cluster_.smaller_radius(point);
+    const Real press = -dot(acceleration, point.contact.normal);
+    if (!(press > Real{})) return usual;
+    const auto rises = [&](double restitution, double height) {
+        const Real rebound =
+            approach_of<Real>(point.contact, cluster_.motion()) * Real(restitution);
+        return !(rebound * rebound < Real(2.0 * height) * press * small);
+    };
+    if (is_kinematic) return rises(1.0, 2.0 * moving_rest_height) ? usual : 1.0;
+    if (point.kind == EventKind::ball_ball) return rises(usual, cloth_rest_height) ? usual : 1.0;
+    return rises(usual, rest_height) ? usual : 0.0;
+}
+
+template class Restitution<double>;
+template class Restitution<DoubleDouble>;
+
+}  // namespace carom

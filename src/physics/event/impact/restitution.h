@@ -1,0 +1,43 @@
+#pragma once
+
+#include "physics/event/impact/impact_cluster.h"
+
+namespace carom {
+
+/// The coefficient of restitution of each contact point in an impact: the pair's own, but for the
+/// rules by which bodies come to rest and collapse stays finite.
+///
+///   pair                                    rebound rises less than       restitution
+///   ball pressed by gravity on an edge      rest_height                   0: it rests
+///   ball pressed on a resting ball          rest_height                   0: it rests
+///   two moving balls, pressed together      moving_rest_height            1: nothing more is lost
+///   ball and edge pressed by cloth          rest_height                   0
+///   two balls pressed by cloth              cloth_rest_height             1
+///   ball and kinematic body, by cloth       2 moving_rest_height          1
+///   more than most_collisions_in_place in place, no gravity, both         0
+///   ball pushed by a held ball              always                        hand_restitution
+///   kinematic edge that approaches          always                        laws/bounce.h
+///
+/// "Pressed": by the relative acceleration along the normal. Rules of rest apply to an impact that
+/// is alone, not to simultaneous ones. Heights are shares of the smaller radius (tolerances.h).
+template <typename Real>
+class Restitution {
+  public:
+    Restitution(const EventScene<Real>& scene, const BallTable<Real>& balls,
+                const ImpactCluster<Real>& cluster)
+        : scene_(scene), balls_(balls), cluster_(cluster) {}
+
+    /// `is_alone`: the contact point is the only one of the impact that approaches.
+    double of(const ContactPoint<Real>& point, bool is_alone) const;
+
+  private:
+    double of_balls(const ContactPoint<Real>& point, bool is_alone, const Real& approach) const;
+    double of_edge(const ContactPoint<Real>& point, bool is_alone, const Real& approach) const;
+    double on_cloth(const ContactPoint<Real>& point, bool is_alone, double usual) const;
+
+    const EventScene<Real>& scene_;
+    const BallTable<Real>& balls_;
+    const ImpactCluster<Real>& cluster_;
+};
+
+}  // namespace carom

@@ -1,0 +1,55 @@
+#include "physics/event/motion/kinematic_bodies.h"
+
+#include "physics/broad_phase/capsule_cells.h"
+
+namespace carom {
+
+template <typename Real>
+void KinematicBodies<Real>::take() {
+    const World& world = *scene_.world;
+    const Real duration = scene_.end - scene_.now;
+    for (const HeldBall& held : world.held_balls()) {
+        const auto index = index_of(world, held.id);
+        if (!index) continue;
+        Vec2 way = held.target - world.balls().position[*index];
+        if (world.model().wrap) way = nearest_image(way, scene_.period);
+        balls_.plan(*index).inverse_mass = Real{};
+        balls_[*index].line.velocity = Vector<Real>(way) / duration;
+    }
+    edges_.clear();
+    for (const HeldCapsule& held : world.held_capsules()) {
+        const auto index = index_of(world, held.id);
+        if (!index) continue;
+        const Capsule& shape = world.capsules().shape[*index];
+        KinematicEdge<Real> edge;
+        edge.capsule = static_cast<std::uint32_t>(*index);
+        edge.is_motorised = held.is_driven;
+        edge.edge.edge = Edge<Real>(shape, {});
+        edge.edge.start_velocity = Vector<Real>(held.start_target - shape.start) / duration;
+        edge.edge.end_velocity = Vector<Real>(held.end_target - shape.end) / duration;
+        edge.edge.time = scene_.now;
+        edge.edge.stop = scene_.end;
+        edges_.push_back(edge);
+    }
+}
+
+template <typename Real>
+void KinematicBodies<Real>::stop() {
+    for (KinematicEdge<Real>& edge : edges_) {
+        if (!(scene_.now < edge.edge.stop)) continue;
+        edge.edge.stop = scene_.now;
+        has_stopped_ = true;
+    }
+    for (std::uint32_t i = 0; i < balls_.size(); ++i) {
+        const LinearPart<Real>& line = balls_[i].line;
+        if (line.motion != Motion::held || line.velocity == Vector<Real>{}) continue;
+        trajectories_.start(i, scene_.now, trajectories_.state_now(i).position, {});
+        trajectories_.hold(i);
+        has_stopped_ = true;
+    }
+}
+
+template class KinematicBodies<double>;
+template class KinematicBodies<DoubleDouble>;
+
+}  // namespace carom

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "physics/event/motion/ball_table.h"
+#include "physics/event/motion/scene.h"
+#include "physics/event/motion/time_of_impact.h"
+#include "physics/event/motion/trajectories.h"
+
+namespace carom {
+
+/// An edge that a hand or a motor moves.
+template <typename Real>
+struct KinematicEdge {
+    std::uint32_t capsule = 0;
+    bool is_motorised = false;  ///< a solenoid drives it: its surface throws (driven_restitution)
+    MovingEdge<Real> edge;
+};
+
+/// The balls and edges that something outside of the physics moves: each goes to its target in
+/// uniform motion during the tick, and nothing pushes it. One that would squeeze a ball against
+/// something stops for the rest of the tick.
+template <typename Real>
+class KinematicBodies {
+  public:
+    KinematicBodies(const EventScene<Real>& scene, BallTable<Real>& balls,
+                    Trajectories<Real>& trajectories)
+        : scene_(scene), balls_(balls), trajectories_(trajectories) {}
+
+    /// Takes what is held in the scene's world for this tick. Held balls get inverse mass 0 and the
+    /// velocity to their target; their trajectories are started by the caller.
+    void take();
+
+    const std::vector<KinematicEdge<Real>>& edges() const { return edges_; }
+
+    /// Stops all of them now. Trajectories of other balls stay; all predictions are to be made
+    /// again, as `take_stopped` says.
+    void stop();
+    /// Whether something has stopped since the last call.
+    bool take_stopped() {
+        const bool stopped = has_stopped_;
+        has_stopped_ = false;
+        return stopped;
+    }
+
+  private:
+    const EventScene<Real>& scene_;
+    BallTable<Real>& balls_;
+    Trajectories<Real>& trajectories_;
+    std::vector<KinematicEdge<Real>> edges_;
+    bool has_stopped_ = false;
+};
+
+}  // namespace carom

@@ -1,0 +1,379 @@
+#include "physics/event/motion/time_of_impact.h"
+
+// All pairs of shapes in one file: they share the tolerances and the separation of two points.
+namespace carom {
+namespace {
+
+template <typename Real>
+const Real& lesser(const Real& a, const Real& b) {
+    return b < a ? b : a;
+}
+template <typename Real>
+const Real& greater(const Real& a, const Real& b) {
+    return a < b ? b : a;
+}
+
+template <typename Real>
+ToiTolerance<Real> tolerance(const Vector<Real>& position, const Real& reach, const Real& speeds,
+                             const Real& bound, const Real& small, const Real& pressing,
+                             double height = rest_height) {
+    const Real rounding = Real(approach_rounding<Real>) * speeds +
+                          Real(pressed_rounding) * square_root(pressing * small) +
+                          Real(least_approach);
+    const Real rest_speed =
+        bound > Real{} ? square_root(Real(2.0 * height) * bound * small) : Real{};
+    return {rounding_at(position, reach), greater(rounding, rest_speed)};
+}
+
+// The separation of two points at `offset` from one another, with the sum of the radii `reach`.
+template <typename Real>
+Separation<Real> separation_of(const Vector<Real>& offset, const Vector<Real>& velocity,
+                               const Vector<Real>& acceleration, const Real& reach) {
+    const Real away = length(offset);
+    if (!(away > Real{})) return {-reach, Real{}, Real{}, Real{}, Real{}, Real{}};
+    const Vector<Real> normal = offset / away;
+    const Real rate = dot(normal, velocity);
+    const Real across = cross(normal, velocity);
+    const Real normal_acceleration = dot(normal, acceleration);
+    return {
+        away - reach,     rate, across * across / away + normal_acceleration, normal_acceleration,
+        length(velocity), away};
+}
+
+// Adds what will hold from now on. Under drag all accelerations decay at the same rate: bodies will
+// never be pressed together more strongly than now. The acceleration of a turn predicts nothing.
+template <typename Real>
+Separation<Real> lasting_bound(Separation<Real> now, const Vector<Real>& acceleration, bool turns,
+                               bool has_drag) {
+    if (turns) {
+        now.center_distance = Real{};
+    } else if (has_drag) {
+        now.acceleration_bound = length(acceleration);
+        if (Real{} < now.normal_acceleration) now.normal_acceleration = Real{};
+    }
+    return now;
+}
+
+template <typename Real>
+Vector<Real> acceleration_at(const Trajectory<Real>& trajectory, const Field<Real>& field,
+                             const Vector<Real>& velocity) {
+    if (trajectory.motion == Motion::turning) return {};
+    if (!field.has_drag || trajectory.motion == Motion::held) return trajectory.acceleration;
+    return trajectory.acceleration - velocity * field.drag;
+}
+
+template <typename Real>
+Real end_of_search(const Trajectory<Real>& trajectory, const Field<Real>& field, const Real& end) {
+    return trajectory.motion == Motion::turning ? lesser(end, piece_end(trajectory, field)) : end;
+}
+
+// Time of impact with a fixed point, `reach` away from the ball's centre.
+template <typename Real>
+std::optional<Real> point_time_of_impact(const Trajectory<Real>& trajectory,
+                                         const Vector<Real>& point, const Real& reach,
+                                         const Real& small, const Field<Real>& field,
+                                         const Real& end, ToiSearch<Real>& search) {
+    // A ball that turns round this very point comes no nearer to it.
+    if (trajectory.motion == Motion::turning && trajectory.center == point) return std::nullopt;
+    const Real last = end_of_search(trajectory, field, end);
+    const Real bound = most_acceleration(trajectory, field, trajectory.time);
+    const auto limits = tolerance(trajectory.position, reach, length(trajectory.velocity), bound,
+                                  small, field.pressing);
+    if (!(bound > Real{}) && is_parabola(trajectory, field)) {
+        const Vector<Real> offset = trajectory.position - point;
+        const Real closing = -dot(offset, trajectory.velocity);
+        if (!(closing > Real{})) return std::nullopt;
+        const Separation<Real> now =
+            separation_of(offset, trajectory.velocity, Vector<Real>{}, reach);
+        if (now.distance <= limits.slop)
+            return now.velocity < -limits.rest_speed ? std::optional<Real>(trajectory.time)
+                                                     : std::nullopt;
+        const Real speed_squared = length_squared(trajectory.velocity);
+        const Real miss = cross(offset, trajectory.velocity);
+        const Real discriminant = speed_squared * reach * reach - miss * miss;
+        if (!(discriminant > Real{})) return std::nullopt;
+        // Both terms of the denominator are positive, so nothing cancels.
+        const Real time = trajectory.time + now.distance * (length(offset) + reach) /
+                                                (closing + square_root(discriminant));
+        return time <= end ? std::optional<Real>(time) : std::nullopt;
+    }
+    return first_time_of_impact<Real>(
+        [&](const Real& time) {
+            const BallState<Real> state = state_at(trajectory, field, time);
+            const Vector<Real> acceleration = acceleration_at(trajectory, field, state.velocity);
+            return lasting_bound(
+                separation_of(state.position - point, state.velocity, acceleration, reach),
+                acceleration, trajectory.motion == Motion::turning, field.has_drag);
+        },
+        trajectory.time, last, bound, limits, search);
+}
+
+// Time of impact with the side of an edge to which `normal` points. It counts where the foot of the
+// ball lies within the edge. `along` is the edge's unit direction, `whole` its length.
+template <typename Real>
+std::optional<Real> side_time_of_impact(const Trajectory<Real>& trajectory, const Edge<Real>& edge,
+                                        const Vector<Real>& along, const Real& whole,
+                                        const Vector<Real>& normal, const Real& radius,
+                                        const Field<Real>& field, const Real& end,
+                                        ToiSearch<Real>& search) {
+    const Real reach = radius + edge.radius;
+    const Vector<Real> offset = trajectory.position - edge.start;
+    const Real height = dot(normal, offset);
+    const Real rate = dot(normal, trajectory.velocity);
+    const Real bend = dot(normal, trajectory.acceleration);
+    const Real zero{};
+    const auto is_beside = [&](const Real& time) {
+        const Real place = dot(along, state_at(trajectory, field, time).position - edge.start);
+        return place >= zero && place <= whole;
+    };
+    std::optional<Real> found;
+    if (is_parabola(trajectory, field)) {
+        auto limits = tolerance(trajectory.position, reach, length(trajectory.velocity),
+                                bend < zero ? -bend : zero, radius, field.pressing);
+        limits.slop += rounding_at(offset, reach);
+        const Real gap = height - reach;
+        if (!(gap < -limits.slop)) {
+            const auto since = quadratic_time_of_impact<Real>({gap, rate, bend}, limits);
+            if (since) found = trajectory.time + *since;
+        } else {
+            const bool overlaps = height > zero && is_beside(trajectory.time);
+            if (overlaps && rate < -limits.rest_speed) return trajectory.time;
+            if (!(bend < zero)) return std::nullopt;
+            // The ball is below the side: it must rise above it and fall again.
+            const Real discriminant = rate * rate - Real(2.0) * bend * gap;
+            if (rate > zero && discriminant > zero)
+                found = trajectory.time + (rate + square_root(discriminant)) / -bend;
+            else if (overlaps)
+                found = trajectory.time + (rate + limits.rest_speed) / -bend;
+        }
+    } else {
+        const Real last = end_of_search(trajectory, field, end);
+        const Real bound = most_acceleration(trajectory, field, trajectory.time);
+        const auto limits = tolerance(trajectory.position, reach, length(trajectory.velocity),
+                                      bound, radius, field.pressing);
+        found = first_time_of_impact<Real>(
+            [&](const Real& time) -> Separation<Real> {
+                const BallState<Real> state = state_at(trajectory, field, time);
+                const Real up = dot(normal, state.position - edge.start);
+                // Behind the side, the distance is that to the side itself.
+                Separation<Real> now{up > zero ? up - reach : reach - up,
+                                     dot(normal, state.velocity), zero};
+                if (trajectory.motion == Motion::turning) return now;
+                const Real normal_acceleration =
+                    dot(normal, acceleration_at(trajectory, field, state.velocity));
+                now.acceleration_bound = normal_acceleration < zero ? -normal_acceleration : zero;
+                return now;
+            },
+            trajectory.time, last, bound, limits, search);
+    }
+    if (!found || !(*found <= end) || !is_beside(*found)) return std::nullopt;
+    return found;
+}
+
+template <typename Real>
+void take_earlier(std::optional<Real>& best, const std::optional<Real>& other) {
+    if (other && (!best || *other < *best)) best = other;
+}
+
+}  // namespace
+
+template <typename Real>
+Edge<Real> MovingEdge<Real>::at(const Real& when) const {
+    const Real since = lesser(when, stop) - time;
+    Edge<Real> moved = edge;
+    moved.start += start_velocity * since;
+    moved.end += end_velocity * since;
+    return moved;
+}
+
+template <typename Real>
+EdgeContact<Real> contact_with(const Edge<Real>& edge, const Vector<Real>& position,
+                               const Real& radius) {
+    const Vector<Real> span = edge.end - edge.start;
+    const Real square = length_squared(span);
+    const Real zero{};
+    const Real one(1.0);
+    Real place{};
+    if (square > zero) {
+        place = dot(position - edge.start, span) / square;
+        place = place < zero ? zero : (place > one ? one : place);
+    }
+    const Vector<Real> offset = position - (edge.start + span * place);
+    const Real away = length(offset);
+    Vector<Real> normal{zero, one};
+    if (place > zero && place < one) {
+        // Beside the spine.
+        const Vector<Real> left = perpendicular(span) / square_root(square);
+        normal = dot(left, offset) < zero ? -left : left;
+    } else if (away > zero) {
+        normal = offset / away;
+    }
+    return {away - radius - edge.radius, normal, place};
+}
+
+template <typename Real>
+std::optional<Real> ball_time_of_impact(const Trajectory<Real>& a, const Trajectory<Real>& b,
+                                        const Vector<Real>& shift, const Real& reach,
+                                        const Real& small, const Field<Real>& field,
+                                        const Real& end, ToiSearch<Real>& search) {
+    if (is_parabola(a, field) && is_parabola(b, field) && a.acceleration == b.acceleration) {
+        const auto time = straight_time_of_impact(a, b, a.acceleration, shift, reach, small, field);
+        return time && *time <= end ? time : std::nullopt;
+    }
+    const Real begin = greater(a.time, b.time);
+    const Real last = lesser(end_of_search(a, field, end), end_of_search(b, field, end));
+    if (last < begin) return std::nullopt;
+    Real bound = most_acceleration(a, field, begin) + most_acceleration(b, field, begin);
+    if (is_parabola(a, field) && is_parabola(b, field))
+        bound = length(a.acceleration - b.acceleration);
+    const auto separation_at = [&](const Real& time) {
+        const BallState<Real> at_a = state_at(a, field, time);
+        const BallState<Real> at_b = state_at(b, field, time);
+        const Vector<Real> acceleration =
+            acceleration_at(a, field, at_a.velocity) - acceleration_at(b, field, at_b.velocity);
+        return lasting_bound(separation_of(at_a.position - at_b.position - shift,
+                                           at_a.velocity - at_b.velocity, acceleration, reach),
+                             acceleration,
+                             a.motion == Motion::turning || b.motion == Motion::turning,
+                             field.has_drag);
+    };
+    const bool one_rests = a.motion == Motion::resting || b.motion == Motion::resting;
+    const bool on_cloth = is_on_cloth(a) || is_on_cloth(b);
+    const double height =
+        on_cloth ? unpressed_rest_height : (one_rests ? rest_height : moving_rest_height);
+    auto limits = tolerance(a.position, reach, length(a.velocity) + length(b.velocity), bound,
+                            small, field.pressing, height);
+    const bool is_kinematic = a.motion == Motion::held || b.motion == Motion::held;
+    if (on_cloth)
+        limits.rest_height =
+            Real(2.0 * (is_kinematic ? moving_rest_height : cloth_rest_height)) * small;
+    return first_time_of_impact<Real>(separation_at, begin, last, bound, limits, search);
+}
+
+namespace {
+
+// Whether the trajectory starts deeper in the edge than bodies that touch.
+template <typename Real>
+bool starts_inside(const Edge<Real>& edge, const Trajectory<Real>& trajectory, const Real& radius,
+                   const Field<Real>& field) {
+    const Real gap = contact_with(edge, trajectory.position, radius).gap;
+    if (!(gap < Real{})) return false;
+    const auto limits = tolerance(trajectory.position, radius + edge.radius,
+                                  length(trajectory.velocity), Real{}, radius, field.pressing);
+    return gap < -Real(4.0) * limits.slop;
+}
+
+// Time of impact with the nearest point of the whole edge, for a ball that starts inside of it or
+// slides along it. Ends and sides one by one would not do: the ball enters the circle of an end
+// while it is beside the edge, where there is no impact.
+template <typename Real>
+std::optional<Real> inside_time_of_impact(const Trajectory<Real>& trajectory,
+                                          const Edge<Real>& edge, const Real& radius,
+                                          const Field<Real>& field, const Real& end,
+                                          ToiSearch<Real>& search) {
+    const Real bound = most_acceleration(trajectory, field, trajectory.time);
+    const auto limits = tolerance(trajectory.position, radius + edge.radius,
+                                  length(trajectory.velocity), bound, radius, field.pressing);
+    return first_time_of_impact<Real>(
+        [&](const Real& time) -> Separation<Real> {
+            const BallState<Real> state = state_at(trajectory, field, time);
+            const auto contact = contact_with(edge, state.position, radius);
+            Separation<Real> now{contact.gap, dot(contact.normal, state.velocity), Real{}};
+            const Vector<Real> acceleration = acceleration_at(trajectory, field, state.velocity);
+            now.normal_acceleration = dot(contact.normal, acceleration);
+            now.relative_speed = length(state.velocity);
+            now.center_distance = contact.gap + radius + edge.radius;
+            return lasting_bound(now, acceleration, trajectory.motion == Motion::turning,
+                                 field.has_drag);
+        },
+        trajectory.time, end_of_search(trajectory, field, end), bound, limits, search);
+}
+
+// Whether the ball slides past at that time: beside the edge, without approaching its side.
+template <typename Real>
+bool slides_by(const Trajectory<Real>& trajectory, const Edge<Real>& edge, const Real& radius,
+               const Field<Real>& field, const Real& time) {
+    const BallState<Real> state = state_at(trajectory, field, time);
+    const auto contact = contact_with(edge, state.position, radius);
+    if (!(contact.place > Real{} && contact.place < Real(1.0))) return false;
+    const auto limits =
+        tolerance(state.position, radius, length(state.velocity), Real{}, radius, field.pressing);
+    return !(dot(contact.normal, state.velocity) < -limits.rest_speed);
+}
+
+}  // namespace
+
+template <typename Real>
+std::optional<Real> edge_time_of_impact(const Trajectory<Real>& trajectory, const Edge<Real>& edge,
+                                        const Real& radius, const Field<Real>& field,
+                                        const Real& end, ToiSearch<Real>& search) {
+    if (trajectory.motion == Motion::resting || trajectory.motion == Motion::still)
+        return std::nullopt;
+    if (!edge.is_point() && starts_inside(edge, trajectory, radius, field))
+        return inside_time_of_impact(trajectory, edge, radius, field, end, search);
+    const Real reach = radius + edge.radius;
+    std::optional<Real> best =
+        point_time_of_impact(trajectory, edge.start, reach, radius, field, end, search);
+    if (edge.is_point()) return best;
+    const Vector<Real> span = edge.end - edge.start;
+    const Real whole = length(span);
+    const Vector<Real> along = span / whole;
+    const Vector<Real> left = perpendicular(along);
+    take_earlier(best, point_time_of_impact(trajectory, edge.end, reach, radius, field,
+                                            best ? *best : end, search));
+    const std::optional<Real> at_end = best;
+    for (const Vector<Real>& normal : {left, -left})
+        take_earlier(best, side_time_of_impact(trajectory, edge, along, whole, normal, radius,
+                                               field, best ? *best : end, search));
+    if (best && best == at_end && slides_by(trajectory, edge, radius, field, *best))
+        return inside_time_of_impact(trajectory, edge, radius, field, end, search);
+    return best;
+}
+
+template <typename Real>
+std::optional<Real> moving_edge_time_of_impact(const Trajectory<Real>& trajectory,
+                                               const MovingEdge<Real>& edge, const Real& radius,
+                                               const Field<Real>& field, const Real& begin,
+                                               const Real& end, ToiSearch<Real>& search) {
+    const Real last = end_of_search(trajectory, field, end);
+    const bool moves = begin < edge.stop;
+    const Vector<Real> from = moves ? edge.start_velocity : Vector<Real>{};
+    const Vector<Real> to = moves ? edge.end_velocity : Vector<Real>{};
+    const Edge<Real> shape = edge.at(begin);
+    const Real whole = length(shape.end - shape.start);
+    const BallState<Real> now = state_at(trajectory, field, begin);
+    const Real speed = length(now.velocity) + greater(length(from), length(to));
+    Real bound = most_acceleration(trajectory, field, begin);
+    const Real zero{};
+    if (whole > zero) {
+        const Real turning = Real(2.0) * length(to - from) / whole;
+        bound += turning * (Real(2.0) * (speed + bound * (last - begin)) + turning * whole);
+    }
+    const auto separation_at = [&](const Real& time) -> Separation<Real> {
+        const BallState<Real> state = state_at(trajectory, field, time);
+        const auto contact = contact_with(edge.at(time), state.position, radius);
+        const Vector<Real> surface = from + (to - from) * contact.place;
+        return {contact.gap, dot(contact.normal, state.velocity - surface), zero};
+    };
+    auto limits = tolerance(now.position, radius, speed, bound, radius, field.pressing,
+                            is_on_cloth(trajectory) ? moving_rest_height : rest_height);
+    return first_time_of_impact<Real>(separation_at, begin, last, bound, limits, search);
+}
+
+#define CAROM_FOR(Real)                                                                            \
+    template Edge<Real> MovingEdge<Real>::at(const Real&) const;                                   \
+    template EdgeContact<Real> contact_with(const Edge<Real>&, const Vector<Real>&, const Real&);  \
+    template std::optional<Real> ball_time_of_impact(                                              \
+        const Trajectory<Real>&, const Trajectory<Real>&, const Vector<Real>&, const Real&,        \
+        const Real&, const Field<Real>&, const Real&, ToiSearch<Real>&);                           \
+    template std::optional<Real> edge_time_of_impact(const Trajectory<Real>&, const Edge<Real>&,   \
+                                                     const Real&, const Field<Real>&, const Real&, \
+                                                     ToiSearch<Real>&);                            \
+    template std::optional<Real> moving_edge_time_of_impact(                                       \
+        const Trajectory<Real>&, const MovingEdge<Real>&, const Real&, const Field<Real>&,         \
+        const Real&, const Real&, ToiSearch<Real>&);
+CAROM_FOR(double)
+CAROM_FOR(DoubleDouble)
+#undef CAROM_FOR
+
+}  // namespace carom

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "physics/event/motion/ball_table.h"
+#include "physics/event/motion/scene.h"
+#include "physics/event/motion/trajectories.h"
+
+namespace carom {
+
+/// Keeps the number of events finite where collisions accumulate: inelastic collapse, jammed balls,
+/// dense clusters.
+///
+/// Each ball counts its recent collisions (LinearPart::recent_collisions): under gravity, those in
+/// quick succession (`quick_succession`), forgotten at the same pace in a pause; without gravity,
+/// those in a row during which it hardly moved (`contact_slop`).
+///
+///   above dense_collisions (64)             the ball is in a dense cluster: `contact` takes it
+///   over
+///                                           when the tick ends (hybrid_step.h)
+///   above most_collisions_in_place (64),    impulses pass without restitution: see restitution.h
+///     no gravity
+///   above most_collisions_before_freezing   a slow ball is frozen: it rests without a support
+///   until
+///     (256), or above 64 when jammed        `thaw_time`. This loses energy and momentum, also in
+///     an
+///                                           elastic scene where the ball is jammed
+///
+/// A ball is *jammed* if its simultaneous impacts do not terminate (response.h). A ball jammed
+/// against a frozen one is frozen too. Source of the idea: Luding and McNamara, How to handle the
+/// inelastic collapse of a dissipative hard-sphere gas, Granular Matter 1, 1998.
+template <typename Real>
+class CollapseGuard {
+  public:
+    CollapseGuard(const EventScene<Real>& scene, BallTable<Real>& balls,
+                  Trajectories<Real>& trajectories)
+        : scene_(scene), balls_(balls), trajectories_(trajectories) {}
+
+    void begin_tick() { dense_.clear(); }
+
+    /// The count of a ball after an impact now; `before` is the trajectory that it ends, and
+    /// `position` where it is.
+    std::uint32_t count(std::uint32_t ball, const Trajectory<Real>& before,
+                        const Vector<Real>& position) const;
+    /// After the impact: freezes the ball if its count says so. Fast balls that rattle in a narrow
+    /// place are not frozen, nor are resting or held ones.
+    void freeze_if_due(std::uint32_t ball, bool is_jammed);
+    /// When a frozen ball is tried again, s. Pre: gravity.
+    Real thaw_time(std::uint32_t ball) const {
+        return balls_[ball].line.time + fall_time(ball) * Real(frozen_share);
+    }
+    static bool is_frozen(const Trajectory<Real>& path) {
+        return path.motion == Motion::resting && path.support.by == PathSupport::By::nothing;
+    }
+
+    /// An impact with another ball has left this count: the ball may be in a dense cluster.
+    void note_dense(std::uint32_t ball);
+    /// The balls that still are at the end of the tick, ascending. Valid until the next call.
+    const std::vector<std::uint32_t>& dense();
+
+  private:
+    Real fall_time(std::uint32_t ball) const;
+
+    const EventScene<Real>& scene_;
+    BallTable<Real>& balls_;
+    Trajectories<Real>& trajectories_;
+    std::vector<std::uint32_t> dense_;
+};
+
+}  // namespace carom

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "physics/event/motion/ball_table.h"
+#include "physics/event/motion/scene.h"
+#include "physics/event/motion/spatial_index.h"
+#include "physics/event/motion/trajectories.h"
+
+namespace carom {
+
+/// Something that a ball touches without an impact.
+template <typename Real>
+struct Support {
+    Vector<Real> normal;  ///< from it to the ball, unit
+    Vector<Real> center;  ///< of a round end or of a ball
+    bool is_side = false;
+    bool bears_weight = false;  ///< gravity presses the ball on it; else it may bar the way
+    PathSupport by;
+};
+
+/// What a ball lies on, or against: the contacts of a ball that is about to slide, turn or rest.
+/// The order of the results does not depend on the cells.
+template <typename Real>
+class Supports {
+  public:
+    Supports(const EventScene<Real>& scene, const BallTable<Real>& balls,
+             const SpatialIndex<Real>& space, const Trajectories<Real>& trajectories)
+        : scene_(scene), balls_(balls), space_(space), trajectories_(trajectories) {}
+
+    /// All supports of a ball whose trajectory starts now: sides that bear weight, then round ends
+    /// and balls that do, then those that only bar the way. A support counts if the ball is within
+    /// `contact_slop` of it and would not rise above `rest_height` from it. Balls count while they
+    /// rest; with `also_moving` also others, within four times `moving_rest_height`.
+    /// Valid until the next call.
+    const std::vector<Support<Real>>& of(std::uint32_t ball, bool also_moving);
+
+    /// An edge that the ball touches and that bars its way, if it moves with `velocity` and
+    /// something accelerates it: the first found.
+    std::optional<Support<Real>> barrier_to(std::uint32_t ball, const Vector<Real>& velocity,
+                                            const Vector<Real>& acceleration) const;
+
+  private:
+    void add(const LinearPart<Real>& line, const Real& size, Support<Real>& support,
+             std::vector<Support<Real>>& bearing);
+    void add_edge(const LinearPart<Real>& line, const Real& size, const Real& near,
+                  std::uint32_t capsule, Vec2 shift, PathSupport by);
+    void add_ball(const LinearPart<Real>& line, const Real& size, const Real& near,
+                  std::uint32_t other, PathSupport by);
+
+    const EventScene<Real>& scene_;
+    const BallTable<Real>& balls_;
+    const SpatialIndex<Real>& space_;
+    const Trajectories<Real>& trajectories_;
+    std::vector<Support<Real>> sides_;
+    std::vector<Support<Real>> points_;
+    std::vector<Support<Real>> bars_;
+};
+
+}  // namespace carom

@@ -1,0 +1,130 @@
+#include "physics/event/schedule/cell_transfers.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "geometry/conservative_advancement.h"
+#include "physics/event/motion/tolerances.h"
+#include "physics/event/motion/trajectory.h"
+
+namespace carom {
+namespace {
+
+template <typename Real>
+BallEvent<Real> transfer_at(const Real& time, std::uint32_t what) {
+    return {time, EventKind::cell_transfer, 0, 0, what, 0};
+}
+
+}  // namespace
+
+template <typename Real>
+inline void CellTransfers<Real>::predict_through(std::uint32_t side, std::uint32_t ball,
+                                                 const Trajectory<Real>& path, bool is_simple,
+                                                 const BallState<Real>& now, const Real& last,
+                                                 BallEvent<Real>& best) const {
+    const CellFrame& frame = cells_.frame();
+    const auto [columns, rows] = cell_transfer::steps[side];
+    const bool is_column = columns != 0;
+    const int place = is_column ? balls_.plan(ball).place.column : balls_.plan(ball).place.row;
+    const int count = is_column ? frame.columns : frame.rows;
+    const int way = columns + rows;
+    if (!frame.wraps && (way > 0 ? place >= count - 1 : place <= 0)) return;
+    const double origin = is_column ? frame.origin.x : frame.origin.y;
+    const double width = is_column ? frame.cell.x : frame.cell.y;
+    const Real border(origin + width * (way > 0 ? place + 1 : place));
+    const Real sign(static_cast<double>(way));
+    const auto along = [is_column](const Vector<Real>& v) { return is_column ? v.x : v.y; };
+    const ToiTolerance<Real> exact{};
+    if (is_simple) {
+        const bool is_straight = path.acceleration == Vector<Real>{};
+        if (is_straight && !(along(now.velocity) * sign > Real{})) return;
+        const auto since = quadratic_time_of_impact<Real>(
+            {(border - along(now.position)) * sign, -along(now.velocity) * sign,
+             -along(path.acceleration) * sign},
+            exact);
+        if (since) keep_earlier(ball, transfer_at<Real>(scene_.now + *since, side), best);
+        return;
+    }
+    // A parabola that goes no slower crosses a line a little behind the border no later. Whether
+    // the ball has crossed the border itself by then decides; if not, it predicts again.
+    const Real delay(
+        std::min(most_transfer_delay * width, 0.5 * (edge_reach - 1.0) * cells_.largest()));
+    const Real most = most_acceleration(path, scene_.field, scene_.now);
+    const auto since = quadratic_time_of_impact<Real>(
+        {(border - along(now.position)) * sign + delay, -along(now.velocity) * sign, -most}, exact);
+    if (!since) return;
+    const Real time = scene_.now + *since;
+    if (!(time < last)) return;
+    const Vector<Real> there = state_at(path, scene_.field, time).position;
+    const bool has_crossed = (border - along(there)) * sign <= Real{};
+    keep_earlier(ball, transfer_at(time, has_crossed ? side : cell_transfer::predict_again), best);
+}
+
+template <typename Real>
+void CellTransfers<Real>::predict(std::uint32_t ball, BallEvent<Real>& best) const {
+    const Trajectory<Real> path = balls_.path(ball);
+    if (cells_.is_oversized(balls_, ball) || path.motion == Motion::resting ||
+        path.motion == Motion::still)
+        return;
+    const BallState<Real> now = state_at(path, scene_.field, scene_.now);
+    const bool is_simple = is_parabola(path, scene_.field);
+    const Real last = path.motion == Motion::turning ? piece_end(path, scene_.field) : best.time;
+    for (std::uint32_t side = 0; side < cell_transfer::sides; ++side)
+        predict_through(side, ball, path, is_simple, now, last, best);
+}
+
+template <typename Real>
+void CellTransfers<Real>::predict_uniform(std::uint32_t ball, BallEvent<Real>& best) const {
+    const LinearPart<Real>& path = balls_[ball].line;
+    const CellPlace& own = balls_.plan(ball).place;
+    const CellFrame& frame = cells_.frame();
+    const Real zero{};
+    const Real never(std::numeric_limits<double>::infinity());
+    const auto crossing = [&](const Real& from, const Real& speed, int place, int count,
+                              double origin, double width) {
+        const int border = place + static_cast<int>(speed > zero);
+        if (speed == zero || (!frame.wraps && (border <= 0 || border >= count))) return never;
+        const Real time = path.time + (Real(origin + width * border) - from) / speed;
+        return time < scene_.now ? scene_.now : time;
+    };
+    const Real x = crossing(path.position.x, path.velocity.x, own.column, frame.columns,
+                            frame.origin.x, frame.cell.x);
+    const Real y = crossing(path.position.y, path.velocity.y, own.row, frame.rows, frame.origin.y,
+                            frame.cell.y);
+    const bool is_y = y < x;
+    Real time = x;
+    assign_if(is_y, time, y);
+    if (!(time < never)) return;
+    const auto to_x = static_cast<std::uint32_t>(!(path.velocity.x > zero));
+    const auto to_y = static_cast<std::uint32_t>(!(path.velocity.y > zero));
+    keep_earlier(ball, transfer_at(time, select(is_y, cell_transfer::up + to_y, to_x)), best);
+}
+
+template <typename Real>
+void CellTransfers<Real>::predict_restart(std::uint32_t ball, BallEvent<Real>& best) const {
+    const LinearPart<Real>& line = balls_[ball].line;
+    if (line.motion != Motion::free && !is_on_cloth(line)) return;
+    const Trajectory<Real> path = balls_.path(ball);
+    const Real far(most_periods * std::min(scene_.period.x, scene_.period.y));
+    // A rough bound first: nearly all balls have another event before.
+    const auto sum_of_parts = [](const Vector<Real>& v) { return absolute(v.x) + absolute(v.y); };
+    const Real since = best.time - path.time;
+    const Real most = sum_of_parts(path.velocity) + sum_of_parts(path.acceleration) * since;
+    if (most * since < far) return;
+    // |velocity| s + |acceleration| s^2 / 2 = far, by the root without cancellation. Drag only
+    // shortens the way.
+    const Real speed = length(path.velocity);
+    const Real acceleration = length(path.acceleration);
+    const Real root = speed + square_root(speed * speed + Real(2.0) * acceleration * far);
+    if (!(root > Real{})) return;
+    const Real time = path.time + Real(2.0) * far / root;
+    keep_earlier(
+        ball, transfer_at(time < scene_.now ? scene_.now : time, cell_transfer::restart_in_frame),
+        best);
+}
+
+template class CellTransfers<double>;
+template class CellTransfers<DoubleDouble>;
+
+}  // namespace carom

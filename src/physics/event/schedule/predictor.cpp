@@ -1,0 +1,282 @@
+#include "physics/event/schedule/predictor.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "physics/event/motion/time_of_impact.h"
+#include "physics/event/motion/tolerances.h"
+
+namespace carom {
+
+// Whether the ball's first collision can be known however far ahead, if the balls around it fly
+// too. One-way edges are tested whenever all is predicted anew, so that must happen at every cell.
+template <typename Real>
+bool Predictor<Real>::can_foresee(std::uint32_t ball) const {
+    return is_flying(ball) && space_.cells().oversized().empty() && !scene_.world->model().one_way;
+}
+
+template <typename Real>
+void Predictor<Real>::predict(std::uint32_t ball) {
+    BallEvent<Real> collision;
+    bool is_known = can_foresee(ball);
+    if (is_known && scene_.world->model().ball_ball)
+        space_.cells().for_each_near(balls_, ball, [&](std::uint32_t other, int across, int along) {
+            is_known = is_known && is_flying(other);
+            if (is_known) meet_flying(ball, other, across, along, collision);
+        });
+    if (!is_known) collision.kind = EventKind::unknown;
+    balls_.plan(ball).set_collision(collision);
+    choose_next(ball);
+}
+
+template <typename Real>
+void Predictor<Real>::predict_among(std::uint32_t ball,
+                                    std::span<const Neighbour<Real>> neighbours) {
+    if (!can_foresee(ball)) return predict(ball);
+    const Vector<Real> velocity = balls_[ball].line.velocity;
+    const bool has_gravity = scene_.world->model().gravity.has_value();
+    const bool is_filtered = scene_.world->model().filtered;
+    const BallRecord<Real>* const balls = balls_.data();
+    const Real now = scene_.now;
+    const Neighbour<Real>* const near = neighbours.data();
+    const auto count = static_cast<std::uint32_t>(neighbours.size());
+    const auto approach_to = [&](const Neighbour<Real>& other) {
+        const LinearPart<Real>& path = balls[other.other].line;
+        Vector<Real> relative = velocity - path.velocity;
+        if (has_gravity) relative += scene_.field.gravity * -(now - path.time);
+        return StraightApproach<Real>(other.offset, relative, other.reach);
+    };
+    // First selects, without branches, the neighbours that may be met, and those whose trajectories
+    // have started now too: their offsets may have changed.
+    selected_.resize(std::max<std::size_t>(selected_.size(), 2 * std::size_t{count}));
+    std::uint32_t* const approached = selected_.data();
+    std::uint32_t* const started = selected_.data() + count;
+    std::size_t approached_count = 0;
+    std::size_t started_count = 0;
+    int are_free = 1;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const LinearPart<Real>& path = balls[near[i].other].line;
+        const auto has_started = static_cast<int>(path.time == now);
+        are_free &= static_cast<int>(path.motion == Motion::free);
+        approached[approached_count] = started[started_count] = i;
+        approached_count += static_cast<std::size_t>(
+            static_cast<int>(approach_to(near[i]).is_impact()) & ~has_started);
+        started_count += static_cast<std::size_t>(has_started);
+    }
+    const bool is_known = are_free != 0;
+    BallEvent<Real> collision;
+    if (is_known) {
+        for (std::size_t i = 0; i < started_count; ++i) {
+            const Neighbour<Real>& other = near[started[i]];
+            meet_flying(ball, other.other, other.across, other.along, collision);
+        }
+        for (std::size_t i = 0; i < approached_count; ++i) {
+            const Neighbour<Real>& other = near[approached[i]];
+            if (is_filtered && !scene_.balls_collide(ball, other.other)) continue;
+            meet(ball, other.other, other.across, other.along, approach_to(other), now,
+                 other.offset, collision);
+        }
+    }
+    if (!is_known) collision.kind = EventKind::unknown;
+    balls_.plan(ball).set_collision(collision);
+    choose_next(ball);
+}
+
+template <typename Real>
+void Predictor<Real>::transfer(std::uint32_t ball, std::uint32_t side) {
+    bool is_known = balls_.plan(ball).collision().kind != EventKind::unknown;
+    if (side < cell_transfer::sides) {
+        const auto [columns, rows] = cell_transfer::steps[side];
+        space_.cells().step(balls_, ball, columns, rows);
+        if (is_known && scene_.world->model().ball_ball) {
+            BallEvent<Real> collision = balls_.plan(ball).collision();
+            space_.cells().for_each_new(balls_, ball, columns, rows,
+                                        [&](std::uint32_t other, int across, int along) {
+                                            is_known = is_known && is_flying(other);
+                                            if (is_known)
+                                                meet_flying(ball, other, across, along, collision);
+                                        });
+            balls_.plan(ball).set_collision(collision);
+        }
+    }
+    if (is_known)
+        choose_next(ball);
+    else
+        predict(ball);
+}
+
+// The first of all that can happen to the ball from now on, its collision being predicted.
+template <typename Real>
+void Predictor<Real>::choose_next(std::uint32_t ball) {
+    const Model& model = scene_.world->model();
+    const bool has_kinematic_edges = !kinematic_.edges().empty();
+    if (balls_[ball].line.motion == Motion::still && !has_kinematic_edges)
+        return choose_next_of_still(ball);
+    search_.begin_at(scene_.now);
+    const bool is_known = balls_.plan(ball).collision().kind != EventKind::unknown;
+    const bool is_uniform = is_known && !model.gravity;
+    BallEvent<Real> best;
+    best.time = Real(std::numeric_limits<double>::infinity());
+    if (!is_uniform || has_kinematic_edges)
+        best = {scene_.now + Real(search_horizon_ticks / scene_.world->rate()),
+                EventKind::cell_transfer,
+                0,
+                0,
+                cell_transfer::predict_again,
+                0};
+    if (is_known) keep_earlier(ball, balls_.plan(ball).collision(), best);
+    if (is_uniform)
+        transfers_.predict_uniform(ball, best);
+    else
+        transfers_.predict(ball, best);
+    if (model.wrap) transfers_.predict_restart(ball, best);
+    transitions_.predict(ball, best);
+    if (!is_known && model.ball_ball)
+        space_.for_each_ball_near(ball, [&](std::uint32_t other, int across, int along) {
+            predict_pair(ball, other, across, along, best);
+        });
+    if (model.ball_edge && balls_[ball].line.motion != Motion::resting) predict_edges(ball, best);
+    resume_searches(ball, best);
+    balls_.plan(ball).set_next_event(best);
+}
+
+// A ball that lies still on cloth is met by moving balls, or by nothing. Each of those predicts
+// again at its own next event, so this looks no further than that.
+template <typename Real>
+void Predictor<Real>::choose_next_of_still(std::uint32_t ball) {
+    BallEvent<Real> best;
+    search_.begin_at(scene_.now);
+    if (scene_.world->model().ball_ball)
+        space_.for_each_ball_near(ball, [&](std::uint32_t other, int across, int along) {
+            const BallEvent<Real> theirs = balls_.plan(other).next_event();
+            if (theirs.kind == EventKind::none) return;
+            BallEvent<Real> impact;
+            impact.time = theirs.time;
+            predict_pair(ball, other, across, along, impact);
+            if (impact.kind != EventKind::none) keep_earlier(ball, impact, best);
+        });
+    resume_searches(ball, best);
+    balls_.plan(ball).set_next_event(best);
+}
+
+// Suspended searches are repeated before anything that comes later than they have looked.
+template <typename Real>
+void Predictor<Real>::resume_searches(std::uint32_t ball, BallEvent<Real>& best) const {
+    if (!search_.resume_time) return;
+    keep_earlier(
+        ball,
+        {*search_.resume_time, EventKind::cell_transfer, 0, 0, cell_transfer::predict_again, 0},
+        best);
+}
+
+// Both balls fly.
+template <typename Real>
+void Predictor<Real>::meet_flying(std::uint32_t ball, std::uint32_t other, int across, int along,
+                                  BallEvent<Real>& best) {
+    if (!scene_.balls_collide(ball, other)) return;
+    const BallRecord<Real>& us = balls_[ball];
+    const BallRecord<Real>& them = balls_[other];
+    const StraightPair<Real> pair(us.line, them.line, scene_.field.gravity,
+                                  scene_.image_shift(across, along));
+    const StraightApproach<Real> approach(pair.offset, pair.velocity, us.radius + them.radius);
+    if (approach.is_impact())
+        meet(ball, other, across, along, approach, pair.begin, pair.offset, best);
+}
+
+// The two fly and are going to meet. As seen from the lower ball, so that both find the same bits.
+template <typename Real>
+void Predictor<Real>::meet(std::uint32_t ball, std::uint32_t other, int across, int along,
+                           const StraightApproach<Real>& approach, const Real& begin,
+                           const Vector<Real>& offset, BallEvent<Real>& best) {
+    const BallRecord<Real>& us = balls_[ball];
+    const BallRecord<Real>& them = balls_[other];
+    const Real small = us.radius < them.radius ? us.radius : them.radius;
+    auto time = straight_time_of_impact(
+        approach, balls_[std::min(ball, other)].line, balls_[std::max(ball, other)].line, begin,
+        offset, scene_.field.gravity, us.radius + them.radius, small, scene_.field);
+    if (!time) return;
+    if (*time < scene_.now) time = scene_.now;
+    keep_earlier(ball,
+                 {*time, EventKind::ball_ball, static_cast<std::int8_t>(across),
+                  static_cast<std::int8_t>(along), other, them.version},
+                 best);
+}
+
+// Whether the two may have an impact: not if neither moves, or if one rests on the other.
+template <typename Real>
+bool Predictor<Real>::may_meet(std::uint32_t ball, std::uint32_t other) const {
+    if (scene_.world->model().filtered && !scene_.balls_collide(ball, other)) return false;
+    const Motion ours = balls_[ball].line.motion;
+    const Motion theirs = balls_[other].line.motion;
+    const bool may_stay = ours == Motion::held || ours == Motion::resting || ours == Motion::still;
+    if (may_stay && theirs == ours) return false;
+    const auto rests_on = [this](std::uint32_t upper, std::uint32_t lower) {
+        const auto id = number(scene_.world->balls().id[lower]);
+        const AccelerationPart<Real>& curve = balls_.curve(upper);
+        return (curve.support.by == PathSupport::By::ball && curve.support.number == id) ||
+               (curve.second_support.by == PathSupport::By::ball &&
+                curve.second_support.number == id);
+    };
+    if (!balls_.may_curve()) return true;
+    return !(ours != Motion::free && rests_on(ball, other)) &&
+           !(theirs != Motion::free && rests_on(other, ball));
+}
+
+template <typename Real>
+void Predictor<Real>::predict_pair(std::uint32_t ball, std::uint32_t other, int across, int along,
+                                   BallEvent<Real>& best) {
+    if (!may_meet(ball, other)) return;
+    const Trajectory<Real> ours = balls_.path(ball);
+    const Trajectory<Real> theirs = balls_.path(other);
+    const Real our_radius = balls_.radius(ball);
+    const Real their_radius = balls_.radius(other);
+    // As seen from the lower ball, so that both find the same bits.
+    const Real reach = our_radius + their_radius;
+    const Real small = our_radius < their_radius ? our_radius : their_radius;
+    auto time = ball < other
+                    ? ball_time_of_impact(ours, theirs, scene_.image_shift(across, along), reach,
+                                          small, scene_.field, best.time, search_)
+                    : ball_time_of_impact(theirs, ours, scene_.image_shift(-across, -along), reach,
+                                          small, scene_.field, best.time, search_);
+    if (!time) return;
+    if (*time < scene_.now) time = scene_.now;
+    keep_earlier(ball,
+                 {*time, EventKind::ball_ball, static_cast<std::int8_t>(across),
+                  static_cast<std::int8_t>(along), other, balls_[other].version},
+                 best);
+}
+
+template <typename Real>
+void Predictor<Real>::predict_edges(std::uint32_t ball, BallEvent<Real>& best) {
+    const Trajectory<Real> path = balls_.path(ball);
+    space_.for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int across, int along) {
+        if (scene_.is_supported_by(path, capsule, across, along)) return;
+        const Edge<Real> edge(scene_.world->capsules().shape[capsule], shift);
+        auto time =
+            edge_time_of_impact(path, edge, balls_.radius(ball), scene_.field, best.time, search_);
+        if (!time) return;
+        if (*time < scene_.now) time = scene_.now;
+        if (!scene_.is_solid(capsule, state_at(path, scene_.field, *time).position, shift)) return;
+        keep_earlier(ball,
+                     {*time, EventKind::ball_edge, static_cast<std::int8_t>(across),
+                      static_cast<std::int8_t>(along), capsule, 0},
+                     best);
+    });
+    for (std::uint32_t i = 0; i < kinematic_.edges().size(); ++i) {
+        const KinematicEdge<Real>& edge = kinematic_.edges()[i];
+        if (!scene_.ball_collides_with(ball, edge.capsule)) continue;
+        const Real horizon = scene_.end < best.time ? scene_.end : best.time;
+        const Real begin = path.time < scene_.now ? scene_.now : path.time;
+        const auto time = moving_edge_time_of_impact(path, edge.edge, balls_.radius(ball),
+                                                     scene_.field, begin, horizon, search_);
+        if (!time) continue;
+        if (!scene_.is_solid(edge.capsule, state_at(path, scene_.field, *time).position, {}))
+            continue;
+        keep_earlier(ball, {*time, EventKind::kinematic_edge, 0, 0, i, 0}, best);
+    }
+}
+
+template class Predictor<double>;
+template class Predictor<DoubleDouble>;
+
+}  // namespace carom

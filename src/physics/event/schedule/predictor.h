@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "physics/event/impact/impact_cluster.h"
+#include "physics/event/motion/ball_table.h"
+#include "physics/event/motion/kinematic_bodies.h"
+#include "physics/event/motion/scene.h"
+#include "physics/event/motion/spatial_index.h"
+#include "physics/event/schedule/cell_transfers.h"
+#include "physics/event/schedule/transitions.h"
+
+namespace carom {
+
+/// Predicts a ball's next event, the first of: an impact with a ball, an edge or a kinematic edge,
+/// a transition, a cell transfer. Writes it into BallPlan; the caller updates the Schedule.
+///
+/// Two kinds of knowledge about collisions with balls:
+///
+///   foreseen   Balls in free flight without drag see each other move uniformly. The first ball
+///              that such a ball will meet is then known however far ahead (BallPlan::collision),
+///              and stays known from cell to cell: a transfer only tests the new neighbours.
+///   searched   Other pairs are searched no further than the ball's next event, and again after
+///              it. BallPlan::collision is unknown.
+///
+/// A prediction with a ball whose trajectory has changed since is void: its version differs. The
+/// loop notices when its turn comes, and predicts again. A ball that changes tests all its
+/// neighbours itself, so no impact is missed. Predictions depend on trajectories, and never on who
+/// asks: pairs are computed as seen from the lower ball.
+template <typename Real>
+class Predictor {
+  public:
+    Predictor(const EventScene<Real>& scene, BallTable<Real>& balls, SpatialIndex<Real>& space,
+              const KinematicBodies<Real>& kinematic, Transitions<Real>& transitions,
+              ToiSearch<Real>& search)
+        : scene_(scene),
+          balls_(balls),
+          space_(space),
+          kinematic_(kinematic),
+          transfers_(scene, balls, space.cells()),
+          transitions_(transitions),
+          search_(search) {}
+
+    /// Predicts everything anew: the trajectory has changed, or a prediction was void.
+    void predict(std::uint32_t ball);
+    /// The same right after an impact, from the neighbours that it has found around the ball.
+    void predict_among(std::uint32_t ball, std::span<const Neighbour<Real>> neighbours);
+    /// The ball goes to the adjacent cell on that side, or just predicts again: see cell_transfer.
+    void transfer(std::uint32_t ball, std::uint32_t side);
+
+    const CellTransfers<Real>& transfers() const { return transfers_; }
+
+    /// Sets `best` to the ball's next impact with an edge, fixed or kinematic, if that comes
+    /// before it.
+    void predict_edges(std::uint32_t ball, BallEvent<Real>& best);
+
+  private:
+    bool is_flying(std::uint32_t ball) const {
+        return balls_[ball].line.motion == Motion::free && !scene_.field.has_drag;
+    }
+    bool can_foresee(std::uint32_t ball) const;
+    void choose_next(std::uint32_t ball);
+    void choose_next_of_still(std::uint32_t ball);
+    void meet_flying(std::uint32_t ball, std::uint32_t other, int across, int along,
+                     BallEvent<Real>& best);
+    void meet(std::uint32_t ball, std::uint32_t other, int across, int along,
+              const StraightApproach<Real>& approach, const Real& begin, const Vector<Real>& offset,
+              BallEvent<Real>& best);
+    void predict_pair(std::uint32_t ball, std::uint32_t other, int across, int along,
+                      BallEvent<Real>& best);
+    bool may_meet(std::uint32_t ball, std::uint32_t other) const;
+    void resume_searches(std::uint32_t ball, BallEvent<Real>& best) const;
+
+    const EventScene<Real>& scene_;
+    BallTable<Real>& balls_;
+    SpatialIndex<Real>& space_;
+    const KinematicBodies<Real>& kinematic_;
+    CellTransfers<Real> transfers_;
+    Transitions<Real>& transitions_;
+    ToiSearch<Real>& search_;
+    std::vector<std::uint32_t> selected_;  ///< neighbours by index, for a moment
+};
+
+}  // namespace carom
