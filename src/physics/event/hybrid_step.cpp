@@ -95,7 +95,9 @@ bool HybridStep::has_free_part_of(const World& world) {
         if (is_clustered_[i]) continue;
         if (at == free_.ball.size() || free_.ball[at++] != i) return false;
     }
-    if (at != free_.ball.size() || !free_.world.held_capsules().empty()) return false;
+    const bool had_hands =
+        !free_.world.held_balls().empty() || !free_.world.held_capsules().empty();
+    if (at != free_.ball.size() || had_hands) return false;
     free_.world.edit_tick() = world.tick();
     free_.contacts.clear();
     free_.touched.assign(free_.ball.size(), 0);

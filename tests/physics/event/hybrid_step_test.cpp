@@ -454,6 +454,23 @@ TEST_CASE("event: a hand goes its way once, above a heap and through it") {
     CHECK(fingerprint(one) == fingerprint(other));
 }
 
+TEST_CASE("event: a ball that a hand lets go of above a heap is free at once") {
+    World world = scenes::bucket(120, 0.5);
+    const BallId held = add_ball(world, {.position = {10.0, 50.0}, .velocity = {}});
+    Solver solver({.kind = SolverKind::event});
+    for (int i = 0; i < 900; ++i) {
+        world.edit_held_balls() = {{held, {10.0, 50.0}}};
+        solver.tick(world);
+    }
+    REQUIRE(world.memory().heaped.size() > 100);
+    world.edit_held_balls().clear();
+    World copied = world;
+    solver.tick(world);
+    Solver({.kind = SolverKind::event}).tick(copied);
+    CHECK(world.balls().position[*index_of(world, held)].y < 50.0);
+    CHECK(fingerprint(copied) == fingerprint(world));
+}
+
 TEST_CASE("event: a tick with a heap that is given up leaves the world as it was") {
     World world = scenes::bucket(120, 0.5);
     Solver solver({.kind = SolverKind::event});
