@@ -207,9 +207,9 @@ TEST_CASE("a room can be taken in at a glance") {
     std::map<std::string, std::size_t> files;
     for (const Source& source : sources())
         ++files[source.name.substr(0, source.name.rfind('/'))];
-    for (const auto& [room, count] : files) {
-        INFO(room, " has ", count, " files");
-        CHECK(count <= most_files_in_a_room);
+    for (const auto& room : files) {
+        INFO(room.first, " has ", room.second, " files");
+        CHECK(room.second <= most_files_in_a_room);
     }
 }
 
