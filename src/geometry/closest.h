@@ -5,8 +5,8 @@
 /// Closest points, distances and containment.
 namespace carom {
 
-/// The parameter of the point of the segment nearest `point`: 0 at `start`, 1 at `end`. 0 for a
-/// segment without length.
+/// The parameter, 0 at `start` to 1 at `end`, of the point of the segment nearest `point`. 0 for a
+/// segment of length zero.
 inline double closest_parameter(Vec2 start, Vec2 end, Vec2 point) {
     const Vec2 span = end - start;
     const double along = dot(point - start, span);
@@ -15,20 +15,21 @@ inline double closest_parameter(Vec2 start, Vec2 end, Vec2 point) {
     return along >= whole ? 1.0 : along / whole;
 }
 
-/// The point of the segment nearest `point`.
+/// The point of the segment that is nearest `point`.
 inline Vec2 closest_point(Vec2 start, Vec2 end, Vec2 point) {
     const double t = closest_parameter(start, end, point);
     return t == 1.0 ? end : start + (end - start) * t;
 }
 
-/// The distance between the surfaces of two bodies, a length; negative by the depth of an overlap.
+/// The distance between the surfaces of two bodies, a length; negative where they overlap, by the
+/// depth of the overlap.
 double separation(const Disc& disc, const Disc& other);
 double separation(const Disc& disc, const Capsule& capsule);
 
 /// Whether `point` lies in the capsule or on its boundary.
 bool is_inside(const Capsule& capsule, Vec2 point);
 
-/// The slow path of direction(): scales the vector first, so that tiny and huge ones work too.
+/// The slow path of direction(): scales the vector first, so that tiny and huge vectors work too.
 Vec2 direction_by_scale(Vec2 v, Vec2 otherwise);
 
 /// The unit vector along `v`; `otherwise` if v is zero or not finite.

@@ -6,8 +6,8 @@
 
 #include "geometry/double_double.h"
 
-/// The time of impact (TOI) of two bodies, as the first time at which their distance goes from
-/// positive to negative: the root finders of the solver `event`.
+/// Root finders of the solver `event`: the time of impact (TOI) of two bodies is the first time at
+/// which their distance changes from positive to negative.
 ///
 /// A distance that grows, stays, or merely touches zero has no time of impact. An impact that has
 /// been resolved is therefore never found again.
@@ -21,25 +21,25 @@ struct Separation {
     Real distance;      ///< length; negative: depth of overlap
     Real velocity;      ///< its derivative, length/s; negative: approach
     Real acceleration;  ///< its second derivative, length/s^2
-    /// What turns the normal, where it is known: the relative acceleration along the normal,
-    /// length/s^2; the relative speed, length/s; the distance of the centres, length. All 0: not
-    /// known.
+    /// The terms that turn the normal, where they are known: the relative acceleration along the
+    /// normal, length/s^2; the relative speed, length/s; the distance of the centres, length. All
+    /// 0: not known.
     Real normal_acceleration{};
     Real relative_speed{};
     Real center_distance{};
-    /// From now on the second derivative is nowhere below -acceleration_bound, length/s^2.
+    /// From this time on the second derivative is nowhere below -acceleration_bound, length/s^2.
     /// Negative: not known.
     Real acceleration_bound{-1.0};
 };
 
-/// What counts as touching and what as an approach.
+/// The thresholds that decide what counts as touching and what as an approach.
 template <typename Real>
 struct ToiTolerance {
-    Real slop;        ///< length: bodies no further apart touch
-    Real rest_speed;  ///< length/s: bodies that touch and approach more slowly have no impact
-    /// Raises the rest speed of bodies that are pressed together: an approach more slowly than in a
-    /// fall through half of this height, with the acceleration that presses them, is no impact.
-    /// Length; 0: no such rule.
+    Real slop;        ///< length: bodies no further apart than this touch
+    Real rest_speed;  ///< length/s: touching bodies that approach more slowly have no impact
+    /// Raises the rest speed of bodies that are pressed together: an approach slower than a fall
+    /// through half this height, at the acceleration that presses them, is no impact. Length; 0
+    /// switches the rule off.
     Real rest_height{};
 
     Real rest_speed_at(const Separation<Real>& now) const {
@@ -50,13 +50,14 @@ struct ToiTolerance {
     }
 };
 
-/// Advancement of bodies that touch without a noticeable approach: a time, s, in which they do not
-/// begin one.
+/// Advancement of bodies that touch and do not approach noticeably: a time, s, within which no
+/// noticeable approach can begin.
 ///
-/// The acceleration bound alone allows steps of rest_speed / bound. They are far longer where the
-/// normal hardly turns: it turns by less than m in a time of m d / 2 v, and in sqrt(m d / bound),
-/// with d the distance of the centres and v the relative speed. For that long the separation's
-/// acceleration is at least normal_acceleration - m bound. The function takes the best of a few m.
+/// The acceleration bound alone allows steps of rest_speed / bound. Far longer steps are safe where
+/// the normal hardly turns: it turns by less than m in a time of m d / 2 v, and in sqrt(m d /
+/// bound), with d the distance of the centres and v the relative speed. For that long the
+/// acceleration of the separation is at least normal_acceleration - m bound. The function tries a
+/// few values of m and takes the best.
 template <typename Real>
 Real touching_step(const Separation<Real>& now, const Real& acceleration_bound,
                    const Real& rest_speed) {
@@ -86,8 +87,8 @@ Real touching_step(const Separation<Real>& now, const Real& acceleration_bound,
 /// Time of impact, >= 0, of bodies whose distance is exactly
 /// distance + velocity t + acceleration t^2 / 2, in closed form: no term cancels.
 ///
-/// Touching and approaching faster than `rest_speed`: 0. Touching, leaving or at rest, and
-/// accelerated together: when they approach again noticeably.
+/// Bodies that touch and approach faster than `rest_speed`: 0. Bodies that touch, are leaving or at
+/// rest, and are accelerated towards each other: the time at which they approach noticeably again.
 template <typename Real>
 std::optional<Real> quadratic_time_of_impact(const Separation<Real>& now,
                                              const ToiTolerance<Real>& tolerance) {
@@ -109,24 +110,24 @@ std::optional<Real> quadratic_time_of_impact(const Separation<Real>& now,
     return (now.velocity + square_root(discriminant)) / -now.acceleration;
 }
 
-/// What many searches share: the iterations they took, and until when the suspended ones found
-/// nothing.
+/// State shared by many searches: the iterations they took, and the earliest time at which a
+/// suspended search must resume.
 ///
-/// A search that takes too many iterations is suspended: it finds nothing, and notes how far it
-/// came. The caller repeats the search at that time, from the same beginning. Nothing is passed
-/// over then, and what is found does not depend on how often a search was suspended.
+/// A search that takes too many iterations is suspended: it reports no impact and notes the time
+/// that it has cleared. The caller repeats the search at that time, from the original beginning. So
+/// no impact is passed over, and the result does not depend on how often a search was suspended.
 template <typename Real>
 struct ToiSearch {
-    /// Iterations of one search after `now`, until it is suspended. A search that is repeated gets
-    /// as many as it takes to come to `now`, so that all repetitions together cost no more than a
-    /// few times one search.
+    /// Iterations that one search may take after `now` before it is suspended. A repeated search
+    /// gets as many as it needs to reach `now`, so all repetitions together cost no more than a few
+    /// times one search.
     static constexpr std::uint32_t most_iterations = 65536;
 
-    Real now{};                       ///< searches go on until later than this, s
-    std::optional<Real> resume_time;  ///< of the suspended search that came least far, s
+    Real now{};  ///< every search clears the time up to here before it is suspended, s
+    std::optional<Real> resume_time;  ///< the earliest time that a suspended search has cleared, s
     std::uint64_t iterations = 0;     ///< of all searches
 
-    /// The searches that follow start anew at `time`.
+    /// Searches that follow start at `time`.
     void begin_at(const Real& time) {
         now = time;
         resume_time.reset();
@@ -136,12 +137,12 @@ struct ToiSearch {
     }
 };
 
-/// Time of impact in begin..end of bodies on any trajectories, by conservative advancement.
+/// Time of impact in begin..end of bodies on arbitrary trajectories, by conservative advancement.
 ///
-/// `separation_at(t)`: the separation at time t. `acceleration_bound`, length/s^2, >= 0: as long as
-/// the bodies are apart, the second derivative of their distance is nowhere below its negative.
-/// Where Separation::acceleration_bound is far sharper, as for bodies that move side by side, the
-/// search uses that.
+/// `separation_at(t)`: the separation at time t. `acceleration_bound`, length/s^2, >= 0: while the
+/// bodies are apart, the second derivative of their distance is nowhere below its negative. Where
+/// Separation::acceleration_bound is far sharper, for example for bodies that move side by side,
+/// the search uses that bound instead.
 ///
 /// Method: after s seconds the distance is at least
 ///
@@ -150,8 +151,9 @@ struct ToiSearch {
 /// so its first root is a step that cannot pass over an impact; near the impact the steps shrink
 /// quadratically. The result is the first time at which the distance is at most `slop` and shrinks
 /// faster than the rest speed. It is late by no more than rounding, and no impact is passed over
-/// whose depth would reach `slop`. A separation that turns back before its overlap would reach
-/// 4 slop only grazes. Nothing found: none until `end`, or `search` has been told of a suspension.
+/// whose depth would reach `slop`. A separation that turns back before the overlap reaches 4 slop
+/// is a graze, not an impact. No result: there is no impact until `end`, or the search was
+/// suspended and `search` holds its resume time.
 ///
 /// Cost: one call of `separation_at` an iteration; usually under ten.
 template <typename Real, typename SeparationAt>

@@ -3,12 +3,12 @@
 #include <cmath>
 
 /// A number of about 32 digits: the sum of two doubles, of which `low` is at most half a unit in
-/// the last place of `high`. It exists so that the solver `event` can be run against itself at
-/// twice the precision, with the same bits on every machine.
+/// the last place of `high`. With it, a test compares the solver `event` with itself at twice the
+/// precision, with the same bits on every machine.
 ///
-/// Only + - * / and sqrt, without fused multiply-add. Relative error of each: at most 2^-102 (about
-/// 2e-31), for values whose size is between 1e-140 and 1e140. Infinities and what is not a number
-/// stay so in `high`; `low` then means nothing.
+/// Uses + - * / and sqrt only, no fused multiply-add. Relative error of each operation: at most
+/// 2^-102 (about 2e-31), for magnitudes between 1e-140 and 1e140. Infinities and NaN stay so in
+/// `high`; `low` then means nothing.
 /// Sources: Dekker, A floating-point technique for extending the available precision (1971); Knuth,
 /// The Art of Computer Programming, vol. 2, 4.2.2; Karp and Markstein (1997) for the root.
 namespace carom {
@@ -19,7 +19,7 @@ struct DoubleDouble {
 
     constexpr DoubleDouble() = default;
     constexpr DoubleDouble(double value)
-        : high(value) {}  // a double is a DoubleDouble: meant to be implicit
+        : high(value) {}  // implicit: every double is a DoubleDouble
     constexpr DoubleDouble(double h, double l) : high(h), low(l) {}
     constexpr explicit operator double() const { return high; }
 
@@ -44,13 +44,13 @@ constexpr DoubleDouble exact_sum(double a, double b) {
     return {sum, (a - (sum - part)) + (b - part)};
 }
 
-/// The same where |a| >= |b|.
+/// a + b exactly, for |a| >= |b|: cheaper than exact_sum.
 constexpr DoubleDouble exact_sum_of_ordered(double a, double b) {
     const double sum = a + b;
     return {sum, b - (sum - a)};
 }
 
-/// a * b exactly, as the rounded product and its error. Pre: sizes below 1e290.
+/// a * b exactly, as the rounded product and its error. Pre: magnitudes below 1e290.
 constexpr DoubleDouble exact_product(double a, double b) {
     constexpr double splitter = 134217729.0;  // 2^27 + 1
     const double product = a * b;
@@ -116,7 +116,7 @@ inline double absolute(double a) {
     return std::fabs(a);
 }
 
-/// The distance from 1 to the next number, as far as code that works with both must know it.
+/// The distance from 1 to the next number, for code that works with both number types.
 template <typename Real>
 inline constexpr double precision = 0.0;
 template <>

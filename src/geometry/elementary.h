@@ -1,7 +1,7 @@
 #pragma once
 
 /// The elementary functions of the deterministic core. They use + - * / and comparisons only, so
-/// their results have the same bits everywhere; those of libm differ between libraries.
+/// their results have the same bits on every machine; libm's differ between libraries.
 namespace carom {
 
 inline constexpr double pi = 3.14159265358979323846;

@@ -8,8 +8,8 @@
 namespace carom {
 namespace {
 
-// The time at which a point at `offset` from a fixed centre, with constant `velocity`, first comes
-// within `reach` of it.
+// The time at which a point at `offset` from a fixed centre, moving at constant `velocity`, first
+// comes within `reach` of it.
 std::optional<double> time_to_reach(Vec2 offset, Vec2 velocity, double reach, double horizon) {
     const double closing = -dot(offset, velocity);
     if (!(closing > 0.0)) return std::nullopt;
@@ -27,8 +27,8 @@ std::optional<double> time_to_reach(Vec2 offset, Vec2 velocity, double reach, do
     return time;
 }
 
-// The impact with the long sides of a capsule with length; none if the path meets an end first. The
-// caller decides whether they touch, so that rounding cannot turn contact into a gap.
+// The impact with the long sides of a capsule of non-zero length; none if the path meets an end
+// first. The caller decides whether they touch, so that rounding cannot turn contact into a gap.
 std::optional<Impact> side_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
                                   bool touching, double horizon) {
     const Vec2 span = capsule.end - capsule.start;
@@ -50,7 +50,7 @@ std::optional<Impact> side_impact(const Disc& disc, Vec2 velocity, const Capsule
     return Impact{time, perpendicular(along) * up};
 }
 
-// Whether a disc beside a capsule does not approach the line through the spine.
+// Whether a disc beside a capsule moves away from, or along, the line through the spine.
 bool is_leaving(const Disc& disc, Vec2 velocity, const Capsule& capsule) {
     const Vec2 span = capsule.end - capsule.start;
     return cross(span, disc.center - capsule.start) * cross(span, velocity) >= 0.0;
@@ -120,7 +120,7 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsul
     while (true) {
         Separation now = separation_at(time);
         if (now.gap < -near && time > before && separation_at(before).gap > near) {
-            // The minimum step overshot: bisect back to the contact.
+            // The minimum step overshot the contact: bisect back to it.
             double outside = before;
             for (int i = 0; i < 60 && now.gap < -near; ++i) {
                 const double middle = outside + (time - outside) / 2;

@@ -14,10 +14,10 @@ struct Impact {
     Vec2 normal;
 };
 
-/// A quick rejection test: true if a disc has no impact with a resting convex body within `horizon`
+/// A cheap rejection test: true if a disc has no impact with a resting convex body within `horizon`
 /// seconds. `offset` points from the nearest point of the body to the centre of the disc, `reach`
-/// is the sum of the radii, and `velocity` is constant. False: there may be an impact or not. Takes
-/// no root and no division.
+/// is the sum of the radii, and `velocity` is constant. False: there may or may not be an impact.
+/// Cost: a few multiplications, no root and no division.
 inline bool stays_apart(Vec2 offset, Vec2 velocity, double reach, double horizon) {
     // Since the body is convex, distance^2 at t >= offset^2 + 2 offset.velocity t. The factors
     // cover rounding, unless walls or paths are thousands of times as long as the reach. There, an
@@ -30,7 +30,7 @@ inline bool stays_apart(Vec2 offset, Vec2 velocity, double reach, double horizon
 /// First impact of `disc`, moving at constant `velocity`, with a resting `other`.
 ///
 /// Units: those of the level (length, length/s, s). Looks no further than `horizon` seconds ahead.
-/// Only approach counts: a disc that separates from the other, slides along it or merely grazes it
+/// Only approach counts: a disc that moves away from the other, slides along it or merely grazes it
 /// has no impact. So an impact that has been resolved is never found again.
 ///
 /// Degenerate cases, each of them a test:
@@ -43,18 +43,19 @@ inline bool stays_apart(Vec2 offset, Vec2 velocity, double reach, double horizon
 std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Disc& other,
                                    double horizon);
 
-/// First impact of a moving disc with a resting capsule, with units, approach and preconditions as
-/// for two discs. The distance from a capsule is convex along a straight path, so a disc that
-/// separates from it never hits it again.
+/// First impact of a moving disc with a resting capsule; units, approach and preconditions are
+/// those of two discs. The distance from a capsule is convex along a straight path, so a disc that
+/// moves away from it never hits it again.
 ///
 ///   start == end                               the capsule is a disc
 ///   centre of the disc on the spine            none: any motion separates them
 std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
                                    double horizon);
 
-/// First impact of a moving disc with a capsule whose ends have constant velocities. Found by
+/// First impact of a moving disc with a capsule whose ends have constant velocities. Method:
 /// conservative advancement with a minimum step of 1e-4 of the horizon, then bisection to 1e-12 of
-/// the sizes; a contact shorter than that step may be missed. `normal` is that at the impact.
+/// the sizes. A contact shorter than the minimum step may be missed. `normal` is the normal at the
+/// impact.
 std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
                                    Vec2 start_velocity, Vec2 end_velocity, double horizon);
 

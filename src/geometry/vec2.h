@@ -8,7 +8,7 @@
 /// same bits on every machine.
 namespace carom {
 
-/// A point or a free vector. Units: those of whatever it stands for (length, length/s, ...).
+/// A point or a free vector. Units: those of the quantity it holds (length, length/s, ...).
 struct Vec2 {
     double x = 0.0;
     double y = 0.0;

@@ -3,8 +3,8 @@
 #include "geometry/double_double.h"
 #include "geometry/vec2.h"
 
-/// A Vec2 over any number type, with the operations of vec2.h. The solver `event` computes with it,
-/// so that the same code runs with doubles and in higher precision.
+/// A Vec2 over any number type, with the operations of vec2.h. The solver `event` uses it, so that
+/// one source runs in doubles and in higher precision.
 namespace carom {
 
 template <typename Real>

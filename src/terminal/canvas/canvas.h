@@ -8,7 +8,7 @@
 #include "terminal/canvas/color.h"
 
 /// A picture in character cells. All drawing goes into a canvas, which tests read without a
-/// terminal; the screen then sends what changed.
+/// terminal; the screen then sends the cells that changed.
 namespace carom {
 
 enum Attribute : std::uint8_t { plain = 0, bold = 1, dim = 2, reverse = 4, underline = 8 };
@@ -22,11 +22,12 @@ struct Cell {
     friend bool operator==(const Cell&, const Cell&) = default;
 };
 
-/// Columns from the left, rows from the top, both from 0. Writing outside the canvas does nothing.
+/// Columns count from the left, rows from the top, both from 0. Writes outside the canvas do
+/// nothing.
 class Canvas {
   public:
     Canvas() = default;
-    Canvas(int columns, int rows);  ///< all blank; negative counts as 0
+    Canvas(int columns, int rows);  ///< all blank; negative sizes count as 0
 
     int columns() const { return columns_; }
     int rows() const { return rows_; }
@@ -43,8 +44,8 @@ class Canvas {
               Color background = default_color, std::uint8_t attributes = plain);
     void fill(const Cell& cell);
 
-    /// The glyphs alone, as UTF-8, rows ended by newlines, trailing blanks cut: for tests and
-    /// documents.
+    /// The glyphs as UTF-8, without colours, each row ended by a newline and without trailing
+    /// blanks: for tests and documents.
     std::string text() const;
 
   private:

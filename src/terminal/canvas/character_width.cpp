@@ -14,8 +14,9 @@ struct Range {
     char32_t last;
 };
 
-// Controls, marks that combine, invisible and bidirectional formatting, and wide characters; by the
-// blocks of Unicode, which is coarser than wcwidth() but the same on every system.
+// Control characters, combining marks, invisible and bidirectional formatting, and wide characters.
+// The ranges follow the blocks of Unicode, which is coarser than wcwidth() but equal on every
+// system.
 constexpr std::array not_one_column = std::to_array<Range>({
     {0x0000, 0x001F},   {0x007F, 0x009F},   {0x00AD, 0x00AD},   {0x0300, 0x036F},
     {0x0483, 0x0489},   {0x0591, 0x05C7},   {0x0600, 0x0605},   {0x0610, 0x061C},

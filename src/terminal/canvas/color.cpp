@@ -12,7 +12,7 @@ constexpr Color first_of_cube = 16;
 constexpr Color first_grey = 232;
 constexpr std::array<int, 6> cube_steps{0, 95, 135, 175, 215, 255};
 
-// xterm's values.
+// xterm's default values.
 constexpr std::array<Rgb, 16> system_colors{{{0, 0, 0},
                                              {205, 0, 0},
                                              {0, 205, 0},
@@ -39,7 +39,7 @@ int squared_distance(const Rgb& a, const Rgb& b) {
     return square(a.red - b.red) + square(a.green - b.green) + square(a.blue - b.blue);
 }
 
-// The cube is a product of three axes, so the nearest colour in it is the nearest on each.
+// The cube is a product of three axes, so the nearest colour in it is the nearest on each axis.
 Color nearest_of_palette(const Rgb& rgb) {
     const auto step_of = [](int channel) {
         return channel < 48 ? 0 : channel < 115 ? 1 : (channel - 35) / 40;
@@ -53,7 +53,7 @@ Color nearest_of_palette(const Rgb& rgb) {
     return is_grey ? grey : of_cube;
 }
 
-// Keeps the hue, and a dark colour must not vanish into a black background.
+// Keeps the hue, and keeps a dark colour from vanishing into a black background.
 Color color_of_eight(const Rgb& rgb) {
     const int most = std::max({rgb.red, rgb.green, rgb.blue});
     if (most < 48) return 0;

@@ -2,17 +2,17 @@
 
 #include <cstdint>
 
-/// Colours of cells, and what becomes of them on terminals that have fewer.
+/// Colours of cells, and how terminals with fewer colours show them.
 namespace carom {
 
-/// One of three: default_color; a number of xterm's palette of 256 (0 to 255); or 24 bits of red,
-/// green and blue, made by direct_color().
+/// One of three: default_color; an index into xterm's 256-colour palette (0 to 255); or 24 bits of
+/// red, green and blue, made by direct_color().
 using Color = std::int32_t;
 
 /// The terminal's own foreground or background.
 inline constexpr Color default_color = -1;
 
-/// The number of colours of a terminal that shows 24-bit colours.
+/// The number of colours of a terminal with 24-bit colour.
 inline constexpr int direct_colors = 1 << 24;
 
 /// Red, green and blue, each 0 to 255.
@@ -32,17 +32,16 @@ constexpr bool is_direct(Color color) {
     return color >= direct_colors;
 }
 
-/// Red, green and blue of a colour, by xterm's palette. A theme may change the first 16.
-/// Pre: color != default_color.
+/// Red, green and blue of a colour, according to xterm's palette. A terminal theme may change the
+/// first 16. Pre: color != default_color.
 Rgb rgb_of(Color color);
 
-/// Brightness as the eye sees it, 0 (black) to 1 (white).
+/// Perceived brightness, 0 (black) to 1 (white).
 double luminance(const Rgb& rgb);
 
-/// The nearest of the colours that a terminal of `colors` colours (8, 16, 256 or direct_colors)
-/// has: the colour itself where it can be shown, else a number of the palette. With 8 and 16
-/// colours the hue is kept. default_color stays itself, and with fewer than 8 colours everything
-/// becomes it.
+/// The nearest colour that a terminal of `colors` colours (8, 16, 256 or direct_colors) has: the
+/// colour itself where it can be shown, else a palette index. With 8 and 16 colours the hue is
+/// kept. default_color stays itself; with fewer than 8 colours every colour becomes default_color.
 Color color_for_terminal(Color color, int colors);
 
 }  // namespace carom

@@ -6,9 +6,9 @@ namespace carom {
 
 namespace {
 
-// Measured: DejaVu Sans Mono at 400 points, one character a label, each label's box (advance by
-// line height) reduced to 24 x 48 pixels with a box filter, and the ink of each of the six regions
-// averaged, 255 for a region that is all ink:
+// Measurement: DejaVu Sans Mono at 400 points, one character a label. Each label's box (advance by
+// line height) is reduced to 24 x 48 pixels with a box filter, and the ink of each of the six
+// regions is averaged; 255 is a region that is all ink:
 //   convert -font DejaVu-Sans-Mono -pointsize 400 label:X -filter box -resize '24x48!' gray:-
 constexpr std::array<RegionInk, printable_count> measured_ink = {{
     {0, 0, 0, 0, 0, 0},          //
@@ -108,8 +108,8 @@ constexpr std::array<RegionInk, printable_count> measured_ink = {{
     {0, 0, 46, 46, 0, 0},        // ~
 }};
 
-// Punctuation, and letters whose shape is plain. Leaving out the rest costs nothing that can be
-// measured, and looks calmer.
+// Punctuation, and letters of plain shape. Leaving out the others makes no measurable difference to
+// accuracy, and looks calmer.
 constexpr std::array shapes = std::to_array<ShapeGlyph>({
     {' ', ' '},  {'.', '.'},   {':', ':'},  {';', ';'},  {'-', '-'}, {'=', '='}, {'_', '_'},
     {'~', '~'},  {'+', '+'},   {'*', '*'},  {'"', '"'},  {'^', '^'}, {'|', '|'}, {'#', '#'},
@@ -120,9 +120,9 @@ constexpr std::array shapes = std::to_array<ShapeGlyph>({
     {'p', 'q'},  {'J', 'L'},   {'L', 'J'},
 });
 
-// What ink a level asks for. No character fills a region: the densest region of all is half ink, so
-// that is what a full region is measured against. The scale and the bend were found by trying some
-// sixty pairs on discs, rings and lines, and comparing the blurred pictures (see the test).
+// The ink that a level asks for. No character fills a region: the densest region of all is half
+// ink, so that is the scale for a full region. Scale and exponent were chosen by trying some sixty
+// pairs on discs, rings and lines and comparing the blurred pictures (see the test).
 constexpr double ink_of_full_region = 0.7 * 129.0;
 constexpr double bend = 0.7;
 

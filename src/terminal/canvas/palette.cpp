@@ -9,7 +9,8 @@ namespace carom {
 
 namespace {
 
-// How far a colour's hue and its strength are off: the distance of what is left without the grey.
+// The difference in hue and saturation: the distance of the colours after their grey part is
+// removed.
 int tint_error(const Rgb& a, const Rgb& b) {
     const int red = a.red - b.red;
     const int green = a.green - b.green;
@@ -19,10 +20,10 @@ int tint_error(const Rgb& a, const Rgb& b) {
     return square(red - grey) + square(green - grey) + square(blue - grey);
 }
 
-// `tint_weight`: how much more a wrong hue counts than a wrong brightness.
+// `tint_weight`: how much more an error in hue counts than one in brightness.
 Color nearest_color(const Rgb& wanted, int tint_weight) {
     const auto square = [](int x) { return x * x; };
-    constexpr int first_of_cube = 16;  // below it, themes change the colours
+    constexpr int first_of_cube = 16;  // terminal themes change the colours below
     int nearest = first_of_cube;
     int least = std::numeric_limits<int>::max();
     for (int color = first_of_cube; color < 256; ++color) {
@@ -37,7 +38,7 @@ Color nearest_color(const Rgb& wanted, int tint_weight) {
     return static_cast<Color>(nearest);
 }
 
-// A share of the colour on black, or on white.
+// The colour mixed with the background, black or white.
 Color mixed(int color, int percent, bool light_background, int tint_weight) {
     const Rgb full = rgb_of(color);
     const int white = light_background ? 255 * (100 - percent) : 0;
@@ -58,9 +59,9 @@ ShadeTable make_shades(bool light_background) {
     return table;
 }
 
-// From nothing to all of the colour.
+// From the background to the full colour.
 constexpr int fade_steps = 10;
-// Neighbouring steps of another hue would look like another ball.
+// The weight is high because neighbouring steps of another hue would look like another ball.
 constexpr int fade_tint_weight = 6;
 using FadeTable = std::array<std::array<Color, fade_steps + 1>, 256>;
 
@@ -73,15 +74,15 @@ FadeTable make_fades(bool light_background) {
     return table;
 }
 
-// A role's colour on each kind of terminal. Bold stands in for what fewer colours cannot say.
+// A role's colour on each kind of terminal. With few colours, bold and dim tell roles apart.
 struct RoleInk {
     Color dark_256;
     Color light_256;
     Color dark_16;
     Color light_16;
     Color of_8;
-    std::uint8_t attributes;       ///< with colours
-    std::uint8_t mono_attributes;  ///< without
+    std::uint8_t attributes;       ///< on a terminal with colours
+    std::uint8_t mono_attributes;  ///< on a terminal without
 };
 
 RoleInk role_ink(Role role) {
@@ -123,7 +124,7 @@ RoleInk role_ink(Role role) {
     return {};
 }
 
-// Orange, blue, green, pink, yellow, cyan, red, violet, white, and darker ones of the same.
+// Orange, blue, green, pink, yellow, cyan, red, violet and white, then darker shades of these.
 constexpr std::array<Color, 14> classes_256_dark = {215, 75,  120, 211, 228, 87,  203,
                                                     141, 255, 179, 68,  71,  168, 37};
 constexpr std::array<Color, 14> classes_256_light = {166, 26, 28, 162, 136, 30,  160,
@@ -164,7 +165,7 @@ Ink ink_of(Role role, const Look& look) {
 Ink ink_of_class(std::size_t number, const Look& look) {
     if (!look.has_colors()) return {};
     if (look.colors < 16) {
-        // On the second round through the colours bold makes the difference.
+        // The second time through the colours, bold makes the difference.
         const bool is_second = number / classes_8.size() % 2 == 1;
         return {nth(classes_8, number), is_second ? bold : plain};
     }

@@ -9,8 +9,8 @@ namespace carom {
 
 namespace {
 
-// A dot is lit or it is not; of a tone, those are lit that it exceeds: a pattern of 2 x 4 that
-// thins out evenly.
+// A dot is either lit or not. A tone lights the dots whose threshold it exceeds: a 2 x 4 pattern
+// that thins out evenly.
 constexpr std::array<int, 8> dot_thresholds = {16, 144, 208, 80, 48, 176, 240, 112};
 
 }  // namespace

@@ -9,12 +9,13 @@
 #include "terminal/canvas/palette.h"
 #include "terminal/canvas/renderer.h"
 
-/// Shapes onto a grid of samples, several in each cell, with smooth borders; and the samples into
-/// characters. What is painted later covers what was painted before.
+/// A raster paints shapes onto a grid of samples, several in each cell, with antialiased borders,
+/// and turns the samples into characters. Later shapes cover earlier ones.
 ///
-/// Places are in columns: x from the left edge of the raster, y from its top, *downwards*, both in
-/// widths of a cell, so that circles are circles. Shapes may lie outside, be of any size, and be
-/// not finite: what cannot be seen costs next to nothing, and what is not finite is not painted.
+/// Coordinates are in columns: x from the left edge of the raster, y from its top, *downwards*,
+/// both in cell widths, so that circles are circles. Shapes may lie outside and be of any size: a
+/// shape out of view costs next to nothing, and one with coordinates that are not finite is not
+/// painted.
 namespace carom {
 
 struct RasterPoint {
@@ -22,20 +23,20 @@ struct RasterPoint {
     double y = 0.0;
 };
 
-/// What a shape is painted with.
+/// How a shape is painted.
 struct Brush {
     Ink ink;
-    /// How solid its inside is, 0 to 255: a shade where pixels have colours, a pattern of dots in
-    /// dots. Its rim is always solid.
+    /// The opacity of its inside, 0 to 255: a shade on renderers with pixels, a pattern of dots on
+    /// renderers with dots. The rim is always opaque.
     std::uint8_t tone = 255;
-    /// Regions: the character of cells that are all inside; 0: the one that looks most solid.
+    /// Renderers with regions: the character for cells that lie all inside; 0: the densest one.
     char fill = 0;
 };
 
 class Raster {
   public:
-    /// All empty. `renderer` is a row of the table, which outlives every raster. Pre: aspect
-    /// (height of a cell over its width) positive and finite.
+    /// An empty raster. `renderer` is a row of the renderer table, which outlives every raster.
+    /// Pre: aspect (height of a cell over its width) is positive and finite.
     Raster(const Renderer& renderer, int columns, int rows, double aspect);
 
     const Renderer& renderer() const { return *renderer_; }
@@ -44,28 +45,28 @@ class Raster {
     double aspect() const { return aspect_; }
     int samples_across() const { return columns_ * renderer_->across; }
     int samples_down() const { return rows_ * renderer_->down; }
-    /// Half the width of the thinnest line that shows well, in columns.
+    /// Half the width, in columns, of the thinnest line that is clearly visible.
     double hairline() const { return renderer_->hairline; }
 
-    /// A disc, at least a dot: one too small for a sample lights the sample that it is in, and many
-    /// such in one cell make it denser. The rim has a `rim` as thick as that, in columns; 0: the
+    /// A disc. One too small to cover a sample lights the sample that contains its centre; many
+    /// such discs in one cell make the cell denser. `rim`: thickness of the rim, in columns; 0: the
     /// whole disc is inside.
     void disc(RasterPoint center, double radius, double rim, const Brush& brush);
-    /// A capsule, never thinner than a hairline. All of it is inside.
+    /// A capsule, drawn at least a hairline thick. All of it is inside.
     void capsule(RasterPoint start, RasterPoint end, double radius, const Brush& brush);
     /// A hairline from start to end, `strength` (0 to 255) of full.
     void line(RasterPoint start, RasterPoint end, const Ink& ink, std::uint8_t strength = 255);
-    /// Regions: a few characters in the row of `center`, as near to it as cells allow, in place
-    /// of what is there. Other renderers: nothing.
+    /// Renderers with regions: writes a few characters in the row of `center`, as near to it as
+    /// cells allow, in place of what is there. Other renderers: nothing.
     void stamp(RasterPoint center, std::string_view glyphs, const Ink& ink);
-    /// Lights one sample, if it is darker than `level`. Dots have no levels: the lower `level`, the
-    /// fewer of them are lit.
+    /// Lights one sample, if it is darker than `level`. Dots have no levels: a lower `level` lights
+    /// fewer of them.
     void sample(int across, int down, std::uint8_t level, const Ink& ink);
 
-    /// The level of one sample: 0 is empty, 255 full. Pre: within the raster.
+    /// The level of one sample: 0 is empty, 255 full. Pre: the sample lies within the raster.
     std::uint8_t level_at(int across, int down) const;
 
-    /// Writes every cell that is not empty, the raster's top left cell at column, row.
+    /// Writes every non-empty cell to the canvas, with the raster's top left cell at column, row.
     void show(Canvas& canvas, int column, int row, const Look& look) const;
 
   private:

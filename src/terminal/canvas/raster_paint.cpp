@@ -4,17 +4,17 @@
 
 #include "terminal/canvas/raster.h"
 
-/// Discs and capsules onto a raster: coverage from signed distance.
+/// Paints discs and capsules onto a raster: coverage is computed from the signed distance.
 namespace carom {
 
 namespace {
 
-// How much of a sample lies on the near side of a straight border, at `depth` widths within it.
+// The covered share of a sample whose centre lies `depth` sample widths inside a straight border.
 double covered(double depth) {
     return std::clamp(depth + 0.5, 0.0, 1.0);
 }
 
-// How far the interval from a to b is from x.
+// The distance from x to the interval from a to b.
 double distance_to(double x, double a, double b) {
     return std::max({0.0, a - x, x - b});
 }
@@ -27,8 +27,7 @@ bool is_finite(RasterPoint p) {
     return std::isfinite(p.x) && std::isfinite(p.y);
 }
 
-// What a shape makes of a sample: how much of it is covered, and how much of that is inside the
-// rim.
+// How a shape covers a sample: the covered share, and the part of it that is inside the rim.
 struct Cover {
     double outer = 0.0;
     double inner = 0.0;
@@ -36,7 +35,7 @@ struct Cover {
 
 }  // namespace
 
-// The width over which a border that runs across (dx, dy) passes a sample.
+// The filter width for a border with normal (dx, dy): the width over which it crosses a sample.
 double Raster::filter_width(double dx, double dy, double distance) const {
     if (distance < 1e-9) return std::max(width_, height_);
     return (width_ * std::abs(dx) + height_ * std::abs(dy)) / distance;
@@ -49,14 +48,14 @@ void Raster::paint_cell(int column, int row, const Brush& brush, Coverage covera
     const auto count = static_cast<std::size_t>(renderer_->across * renderer_->down);
     const std::size_t slots = renderer_->has_pixels() ? count : 1;
     std::array<double, most_samples> mine{};    // of each pixel, or of the cell
-    std::array<double, most_samples> theirs{};  // what is left of what was there
+    std::array<double, most_samples> theirs{};  // what remains of the earlier shapes
     bool is_all_inside = true;
     bool is_touched = false;
     for (std::size_t i = 0; i < count; ++i) {
         const Cover cover = coverage(corner.x + middles_[i].x, corner.y + middles_[i].y);
         const std::size_t slot = slots == 1 ? 0 : i;
-        // Solid on solid of the same colour is one shape: the pieces of a polyline do not add up
-        // where they overlap.
+        // Two opaque shapes of one colour merge: the pieces of a polyline do not add up where they
+        // overlap.
         const bool is_one = brush.tone == 255 && cell.colors[slot] == brush.ink.color;
         if (cover.outer > 0.0) {
             is_touched = true;
@@ -114,7 +113,7 @@ void Raster::disc(RasterPoint center, double radius, double rim, const Brush& br
         sample(across, down, static_cast<std::uint8_t>(level + (255 - level) * opacity), brush.ink);
         return;
     }
-    // Where no sample of a cell can see the border: the cell's corners are clear of it.
+    // The distance from the border beyond which all corners of a cell are clear of it.
     const double clearance = std::max(width_, height_);
     const double reach = radius + clearance;
     const double inner = radius - rim;
@@ -146,8 +145,9 @@ void Raster::disc(RasterPoint center, double radius, double rim, const Brush& br
 
 void Raster::capsule(RasterPoint start, RasterPoint end, double radius, const Brush& brush) {
     if (!is_finite(start) || !is_finite(end) || !std::isfinite(radius) || radius < 0.0) return;
-    // An upright or level line as thin as a pixel is one pixel thick wherever it stands, not two
-    // faint ones: of a row of bars, all look alike. (Characters have shapes for those between.)
+    // An axis-parallel line as thin as a pixel is drawn exactly one pixel thick wherever it lies,
+    // not as two faint ones, so that all bars in a row look alike. (Renderers with regions have
+    // characters for lines in between.)
     if (radius <= hairline() && !renderer_->has_regions()) {
         if (start.x == end.x) start.x = end.x = middle_of_sample(start.x, width_);
         if (start.y == end.y) start.y = end.y = middle_of_sample(start.y, height_);

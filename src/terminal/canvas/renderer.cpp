@@ -31,12 +31,12 @@ Cell show_dots(const CellSamples& samples, const Look&) {
     return {glyph, ink.color, default_color, ink.attributes};
 }
 
-// Without shades of a colour, a pixel is lit or it is not.
+// Where a colour has no shades, a pixel is either lit or not.
 int shade_of_level(std::uint8_t level, const Look& look) {
     return look.colors >= 256 ? (level * 3 + 127) / 255 : (level >= 112 ? 3 : 0);
 }
 
-// The upper half is drawn in the foreground, the lower in the background, unless one is empty.
+// The upper half is drawn in the foreground and the lower in the background, unless one is empty.
 Cell show_halves(const CellSamples& samples, const Look& look) {
     const Ink upper = samples.ink(0);
     const Ink lower = samples.ink(1);
@@ -52,7 +52,8 @@ Cell show_halves(const CellSamples& samples, const Look& look) {
     const Color bottom = shade(lower.color, below, look);
     if (above == 0) return {U'▄', bottom, default_color, lower.attributes};
     if (below == 0) return {U'▀', top, default_color, upper.attributes};
-    // The ground has the colour too: in many fonts a block leaves a seam at the edge of its cell.
+    // The background has the colour too: in many fonts a block leaves a seam at the edge of its
+    // cell.
     if (top == bottom) return {U'█', top, top, upper.attributes};
     return {U'▀', top, bottom, upper.attributes};
 }
@@ -65,7 +66,7 @@ constexpr std::array table{Renderer{.name = "ascii",
                                     .samples = Renderer::Samples::regions,
                                     .across = 2,
                                     .down = 3,
-                                    .hairline = 0.13,  // a font's stroke
+                                    .hairline = 0.13,  // the stroke of a font
                                     .gap = 0.28,
                                     .least_rimmed = 1.9,
                                     .level_of_dot = 0.7,

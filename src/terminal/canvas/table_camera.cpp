@@ -6,12 +6,13 @@
 namespace carom {
 namespace {
 
-// A smaller part than this shows too little of what comes.
+// The view shows at least this share of the table: less would hide too much of what lies ahead.
 constexpr double least_share = 0.6;
-// A spring that does not swing over: it takes about half a second.
+// A critically damped spring that settles in about half a second.
 constexpr double stiffness = 7.0;   // 1/s
-constexpr double foresight = 0.15;  // s that it looks ahead of the ball
-constexpr double calm = 0.15;       // of what is seen, to either side of the middle
+constexpr double foresight = 0.15;  // s; the camera aims at where the ball will be after this time
+constexpr double calm =
+    0.15;  // of the visible height; the ball moves freely this far to either side of the centre
 constexpr double longest_step = 0.02;
 
 }  // namespace
@@ -44,7 +45,7 @@ Camera TableCamera::look(const Box& table, double ball_radius, double ball_rows,
         seen_ = lowest_ = highest_ = speed_ = 0.0;
         return camera;
     }
-    // The first look is at the flippers.
+    // The first view is at the flippers.
     height_ = seen_ > 0.0 ? std::clamp(height_, low, high) : low;
     seen_ = seen;
     lowest_ = low;

@@ -9,7 +9,8 @@ namespace carom {
 
 namespace {
 
-// What is fast: the fastest ball of late. It falls slowly, so that colours do not flicker.
+// Keeps the recent top speed, which scales the colours. It decays slowly, so that colours do not
+// flicker.
 void remember_fastest(ViewMemory& memory, const World& world) {
     double fastest = 0.0;
     for (const Vec2 velocity : world.balls().velocity) {
@@ -58,7 +59,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     }
     paint_zones(raster, view);
     paint_lamps(raster, view);
-    // A cloud is wider than its balls, and would hide the walls that it leans on.
+    // A cloud extends beyond its balls, and would hide the walls that they rest on.
     if (!marks.copies.empty()) paint_cloud(raster, view);
     paint_edges(raster, view);
     paint_lit_edges(raster, view);

@@ -17,8 +17,9 @@
 #include "terminal/draw/table_marks.h"
 #include "terminal/draw/trails.h"
 
-/// Draws a world into a canvas. Start here: a camera says what is seen, view options say how, marks
-/// say what the player is doing, and the memory is what a picture needs to know of the one before.
+/// Draws a world into a canvas. Start here: a camera says which part is seen, view options say how,
+/// annotations say what the player points at and does, and the view memory carries state from one
+/// picture to the next.
 namespace carom {
 
 enum class ColorBy : std::uint8_t {
@@ -29,16 +30,16 @@ enum class ColorBy : std::uint8_t {
 };
 enum class BallStyle : std::uint8_t {
     filled,
-    outline  ///< with a radius that shows where the ball heads
+    outline  ///< with a radius that shows the direction of motion
 };
 enum class Labels : std::uint8_t {
     none,
-    automatic,  ///< without colour: on balls that are big enough
-    all         ///< the id at every ball
+    automatic,  ///< without colour: on balls that are large enough
+    all         ///< the id on every ball
 };
 
 struct ViewOptions {
-    RendererChoice renderer = nullptr;  ///< null: what suits the terminal
+    RendererChoice renderer = nullptr;  ///< null: the one that suits the terminal
     ColorBy color_by = ColorBy::kind;
     BallStyle ball_style = BallStyle::filled;
     Labels labels = Labels::automatic;
@@ -48,49 +49,50 @@ struct ViewOptions {
     Look look;
 };
 
-/// The renderer that the options come to on this terminal.
+/// The renderer that the options resolve to on this terminal.
 const Renderer& renderer_in_force(const ViewOptions& options);
 
-/// The cells of a uniform grid, or of the uniform part of what the solver uses.
+/// The cells of a uniform grid, or of the uniform part of the structure that the solver uses.
 struct CellGrid {
     Vec2 origin;
     double size = 0.0;  ///< length, > 0
 };
 
-/// A pulled cue.
+/// A cue that is pulled back.
 struct CueLine {
-    Vec2 ball;          ///< the middle of the ball, length
-    Vec2 hand;          ///< where the pull has got to
-    std::string speed;  ///< written beside it, as in "3.20 m/s"
+    Vec2 ball;          ///< its centre, length
+    Vec2 hand;          ///< how far back the cue is pulled, length
+    std::string speed;  ///< written beside it, such as "3.20 m/s"
 };
 
-/// What the player points at and does. Positions are of the world.
+/// Drawn over the world: what the player points at and does. Positions are in world coordinates.
 struct Marks {
     std::optional<BallId> selected_ball;
     std::optional<CapsuleId> selected_capsule;  ///< both of its ends get handles
     std::optional<Vec2> cursor;
     std::optional<CueLine> cue;
-    std::optional<Capsule> new_capsule;  ///< while an edge is being drawn
-    std::vector<Vec2> path;              ///< a line of dots, such as a predicted path
+    std::optional<Capsule> new_capsule;  ///< while the player draws an edge
+    std::vector<Vec2> path;              ///< dots along it, such as a predicted path
     std::optional<CellGrid> broad_phase;
-    /// Copies of the world: their balls are drawn in place of its own, as a density.
+    /// Copies of the world: their balls are drawn as a density, in place of the world's own.
     std::span<const World> copies;
     std::optional<PoolMarks> pool;
     std::optional<TableMarks> table;
-    std::optional<Vec2> divergence;  ///< where a ball left its twin in another picture
+    std::optional<Vec2>
+        divergence;  ///< where a ball diverged from its counterpart in the comparison run
 };
 
-/// What a picture remembers of those before it. One for each view; start with a fresh one for each
+/// What a picture needs to know about earlier pictures. One for each view; start afresh for each
 /// level.
 struct ViewMemory {
     Trails trails;
-    double fastest = 0.0;    ///< speed of the fastest ball of late, length/s
-    std::uint64_t tick = 0;  ///< of the world, when it was drawn
+    double fastest = 0.0;    ///< the recent top speed of the balls, length/s
+    std::uint64_t tick = 0;  ///< the world's tick when it was last drawn
 };
 
 /// Draws into camera.area, which is blanked first; nothing outside is touched. `world` may be ahead
-/// of `scene`, which gives the names. Balls and edges may lie anywhere, be of any size, and be not
-/// finite: what cannot be seen is not drawn. On a torus, what stands across a side shows on both.
+/// of `scene`, which provides the names. Balls and edges may lie anywhere, be of any size, and be
+/// not finite: what is out of view is not drawn. On a torus, a body across a side shows on both.
 void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const World& world,
                 std::span<const Contact> contacts, const Marks& marks, const ViewOptions& options,
                 ViewMemory& memory);

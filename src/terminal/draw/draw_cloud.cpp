@@ -5,13 +5,13 @@
 
 #include "terminal/draw/draw_parts.h"
 
-/// The balls of many copies of a world, as a density.
+/// Draws the balls of many copies of a world as a density.
 namespace carom {
 
 namespace {
 
-/// What covers one sample. The ink is that of the majority (Boyer and Moore's vote), if there is
-/// one.
+/// The coverage of one sample. Its ink is that of the majority, if there is one (Boyer and Moore's
+/// majority vote).
 struct Sample {
     std::uint32_t count = 0;
     std::uint32_t votes = 0;
@@ -31,13 +31,14 @@ class Cloud {
     int down() const { return down_; }
     const Sample& at(int across, int down) const { return samples_[index(across, down)]; }
 
-    /// Adds the samples whose middles the disc covers; the one that it is in, where it is smaller.
+    /// Adds the samples whose centres the disc covers; for a smaller disc, the sample that contains
+    /// its centre.
     void add(RasterPoint center, double radius, const Ink& ink) {
         const double x = center.x * per_column_;
         const double y = center.y * per_height_;
         const double half_width = radius * per_column_;
         const double half_height = radius * per_height_;
-        // Also false where something is not a number.
+        // NaN compares false, so a disc that is not finite is not seen.
         const bool is_seen = x + half_width >= 0.0 && x - half_width <= across_ &&
                              y + half_height >= 0.0 && y - half_height <= down_;
         if (!is_seen) return;
@@ -58,7 +59,7 @@ class Cloud {
     }
 
   private:
-    // The first and the last sample whose middle is not before, not after a place.
+    // The first row whose centre is not before `place`.
     static int row_from(double place) {
         return static_cast<int>(std::ceil(std::max(place, 0.0) - 0.5));
     }
@@ -88,7 +89,7 @@ class Cloud {
 
 void add_copy(Cloud& cloud, const View& view, const World& copy) {
     const Balls& balls = copy.balls();
-    std::size_t own = 0;  // the same ball in the world that has the inks
+    std::size_t own = 0;  // the ball with this id in the world that has the inks
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const std::vector<BallId>& ids = view.world.balls().id;
         while (own < ids.size() && ids[own] < balls.id[i])
@@ -111,7 +112,7 @@ bool is_lit(int across, int down, double share) {
     return share * 16.0 >= thresholds[place] - 0.5;
 }
 
-// An eye sees a quarter of the light as half of it.
+// The eye perceives a quarter of the light as half as bright.
 double brightness(double density) {
     return std::sqrt(std::min(1.0, density));
 }
@@ -125,7 +126,7 @@ void show_samples(Raster& raster, const Cloud& cloud, const View& view) {
         for (int across = 0; across < cloud.across(); ++across) {
             const Sample& sample = cloud.at(across, down);
             if (sample.count == 0) continue;
-            // Faint, but never nothing.
+            // Faint, but never invisible.
             const double share = 0.15 + 0.85 * brightness(sample.count / copies);
             Ink ink = sample.ink;
             if (is_shaded)
@@ -137,7 +138,7 @@ void show_samples(Raster& raster, const Cloud& cloud, const View& view) {
     }
 }
 
-// The share of a whole cell decides on its character.
+// The character of a cell is chosen by the covered share of the whole cell.
 void show_characters(Raster& raster, const Cloud& cloud, const View& view) {
     constexpr std::string_view ramp = ".:-=+*#%@";
     const int wide = cloud.across() / raster.columns();

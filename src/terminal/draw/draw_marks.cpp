@@ -2,17 +2,17 @@
 
 #include "terminal/draw/draw_parts.h"
 
-/// What the player points at and does, over the bodies.
+/// Draws, over the bodies, what the player points at and does.
 namespace carom {
 
 namespace {
 
-// Dots along a way, `spacing` columns apart.
+// Dots along a line, `spacing` columns apart.
 void paint_dots(Raster& raster, RasterPoint from, RasterPoint to, double spacing, const Ink& ink) {
     const double dx = to.x - from.x;
     const double dy = to.y - from.y;
     const double length = std::sqrt(dx * dx + dy * dy);
-    constexpr double most = 2000.0;  // longer ways leave the window
+    constexpr double most = 2000.0;  // longer lines leave the window
     if (!(length <= most)) return;
     for (double along = spacing; along < length; along += spacing) {
         const double share = along / length;
@@ -34,7 +34,7 @@ void paint_marks(Raster& raster, const View& view) {
         const RasterPoint ball = to_raster(view.camera, marks.cue->ball);
         const RasterPoint hand = to_raster(view.camera, marks.cue->hand);
         raster.line(ball, hand, cue_ink);
-        // The ball goes the other way.
+        // The ball goes the opposite way.
         paint_dots(raster, ball, {2.0 * ball.x - hand.x, 2.0 * ball.y - hand.y}, 1.5, cue_ink);
     }
     if (marks.new_capsule) {

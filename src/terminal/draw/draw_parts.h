@@ -8,11 +8,11 @@
 #include "terminal/canvas/raster.h"
 #include "terminal/draw/draw.h"
 
-/// The layers of a picture of the world, in the order in which draw_world puts them together. For
-/// files of this room alone.
+/// The layers of a picture of the world, in the order in which draw_world combines them. Private to
+/// this room.
 namespace carom {
 
-/// What all layers draw from.
+/// The input of all layers.
 struct View {
     const Camera& camera;
     const Scene& scene;
@@ -27,8 +27,8 @@ struct View {
 /// A world point, in the raster's columns.
 RasterPoint to_raster(const Camera& camera, Vec2 point);
 
-/// How far from where it is a body is shown: no offset, and on a torus those that bring an image of
-/// `bounds` into it over a side.
+/// The offsets at which a body is shown: zero, and on a torus also those that bring an image of
+/// `bounds` into the view across a side.
 struct Images {
     std::array<Vec2, 9> offsets{};
     std::size_t count = 0;
@@ -42,7 +42,8 @@ std::vector<Ink> ball_inks(const World& world, const ViewOptions& options,
                            const ViewMemory& memory);
 
 // Onto the raster, from back to front.
-/// The overlays that are on. The first row of the table is nearest to the bodies.
+/// The overlays that are on and lie under the bodies. The first row of the table is nearest to the
+/// bodies.
 void paint_overlays_below(Raster& raster, const View& view);
 void paint_overlays_above(Raster& raster, const View& view);
 void paint_zones(Raster& raster, const View& view);
@@ -54,18 +55,18 @@ void paint_lamps(Raster& raster, const View& view);
 void paint_lit_edges(Raster& raster, const View& view);
 void paint_marks(Raster& raster, const View& view);
 
-/// Gives the balls that have numbers the colours that go with them.
+/// Gives numbered balls their pool colours.
 void color_pool_balls(std::vector<Ink>& inks, const World& world, const PoolMarks& pool,
                       const Look& look);
 
-/// Balls of a table of pinball are of steel.
+/// Gives the balls of a pinball table the look of steel.
 void polish_balls(std::vector<Ink>& inks, const View& view);
 
 // Onto the canvas, over all shapes.
 void lay_cloth(Canvas& canvas, const View& view);
 void write_counters(Canvas& canvas, const View& view);
 void write_labels(Canvas& canvas, const View& view);
-/// Its number stands in the place of the characters that ASCII has for a ball.
+/// Whether the ball's number replaces the characters that ASCII has for a ball.
 bool hides_stamp(const View& view, BallId ball);
 void write_numbers(Canvas& canvas, const View& view);
 void write_marks(Canvas& canvas, const View& view);

@@ -5,7 +5,7 @@
 
 #include "terminal/draw/draw_parts.h"
 
-/// A pool table: its cloth, the balls' own colours and numbers, and the lines that help to aim.
+/// Draws a pool table: its cloth, the colours and numbers of balls, and the aiming lines.
 namespace carom {
 
 namespace {
@@ -16,9 +16,9 @@ constexpr Color white_256 = 255;
 constexpr Color black_256 = 16;
 
 struct BallColor {
-    Color full;    ///< of 256
-    Color system;  ///< of 16
-    Color deep;    ///< of 256, to be read on white
+    Color full;    ///< one of 256
+    Color system;  ///< one of 16
+    Color deep;    ///< one of 256, legible on white
 };
 // By number; a stripe has the colour of the solid 8 before it.
 constexpr std::array<BallColor, 9> ball_colors = {{{white_256, 15, 244},
@@ -60,7 +60,7 @@ void paint_dot(Raster& raster, RasterPoint at, const Ink& ink) {
         raster.disc(at, 0.0, 0.0, {ink, 255, '\0'});
 }
 
-// In ASCII the number is all of the ball, two or three columns wide.
+// In ASCII the number is all that is drawn of the ball, two or three columns wide.
 std::string label_of(const View& view, int number, double radius) {
     std::string text = std::to_string(number);
     if (!renderer_in_force(view.options).has_regions()) return text;
@@ -70,7 +70,7 @@ std::string label_of(const View& view, int number, double radius) {
     return text;
 }
 
-// Dots along a line that is bent, evenly spaced, in columns.
+// Dots along a curved line, evenly spaced, in columns.
 void paint_dotted(Raster& raster, const View& view, const std::vector<Vec2>& way, double spacing,
                   const Ink& ink) {
     constexpr double most = 2000.0;  // longer pieces leave the window
@@ -98,7 +98,7 @@ Ink ink_of_ball(const View& view, BallId ball) {
     return index ? view.inks[*index] : ink_of(Role::cue, view.options.look);
 }
 
-// A ring where a ball comes to lie, or a cross where it falls.
+// A ring where a ball comes to rest, or a cross where it is pocketed.
 void paint_end(Raster& raster, const View& view, Vec2 place, bool falls, double radius,
                const Ink& ink) {
     const RasterPoint at = to_raster(view.camera, place);
@@ -174,7 +174,7 @@ void lay_cloth(Canvas& canvas, const View& view) {
     const CellArea& area = view.camera.area;
     const CellPoint low = to_cells(view.camera, view.marks.pool->cloth->low);
     const CellPoint high = to_cells(view.camera, view.marks.pool->cloth->high);
-    // Whole cells: those whose middle lies on it.
+    // Whole cells: those whose centre lies on the cloth.
     const auto first = [](double from, int least) {
         return std::max(least, static_cast<int>(std::ceil(std::max(from, -1.0) - 0.5)));
     };
@@ -216,7 +216,7 @@ void write_numbers(Canvas& canvas, const View& view) {
         const bool is_dark = ball.number == 8;
         const Color white = look.colors >= 256 ? white_256 : Color{7};
         const Color black = look.colors >= 256 ? black_256 : Color{0};
-        // Stripes are white with a number of their colour.
+        // Stripes are white, with the number in their colour.
         if (look.has_colors())
             canvas.write(first, row, text,
                          inverse   ? deep_color_of(ball.number, look)

@@ -6,16 +6,16 @@
 
 #include "terminal/draw/draw_parts.h"
 
-/// Balls, edges and zones.
+/// Draws balls, edges and zones.
 namespace carom {
 
 namespace {
 
-// How the inside of a filled ball is told from an edge, and from a ball of another kind, without
-// colour: by its character, or by how many of its dots are lit. Edges are solid.
+// Without colour, the inside of a filled ball is told apart from an edge, and from a ball of
+// another kind, by its character or by how many of its dots are lit. Edges are solid.
 struct Texture {
-    std::array<std::string_view, 3> stamps;  ///< in ASCII, a ball of one to three columns
-    char fill;                               ///< the inside of a larger one
+    std::array<std::string_view, 3> stamps;  ///< in ASCII, for a ball of one to three columns
+    char fill;                               ///< the inside of a larger ball
     std::uint8_t tone;                       ///< of its dots
 };
 constexpr std::array<Texture, 6> textures = {{{{"o", "()", "(o)"}, ':', 130},
@@ -32,12 +32,12 @@ const Texture& texture_of(const View& view, std::size_t ball) {
     return textures[kind % textures.size()];
 }
 
-// In ASCII, the radii, in columns, from which a ball is one, two or three characters, and from
-// which it is a shape. Characters stay the same while the ball moves; shapes of so few cells would
-// flicker. Below the first a ball is a dot, which has a place within its cell.
+// ASCII: the radii, in columns, from which a ball is drawn as one, two or three characters, and
+// from which it is a shape. Characters do not change while the ball moves; shapes of so few cells
+// would flicker. Below the first radius a ball is a dot, whose position shows within the cell.
 constexpr std::array<double, 4> stamp_radii = {0.35, 0.75, 1.25, 1.9};
 
-// How many columns a stamp for this radius has; 0: none.
+// The width, in columns, of the stamp for this radius; 0: none.
 std::size_t stamp_width(const Raster& raster, double radius) {
     if (!raster.renderer().has_regions() || radius >= stamp_radii.back()) return 0;
     const auto above = std::upper_bound(stamp_radii.begin(), stamp_radii.end(), radius);
@@ -54,14 +54,14 @@ bool is_rimmed(const Raster& raster, const ViewOptions& options, double radius) 
 Brush rimmed_brush(const Raster& raster, const View& view, std::size_t ball) {
     const Ink ink = view.inks[ball];
     if (view.options.ball_style == BallStyle::outline) return {ink, 0, ' '};
-    // Pixels that are lit or dark have no pattern fine enough for an inside.
+    // Pixels that are either lit or dark have no pattern fine enough for an inside.
     if (raster.renderer().has_pixels()) return {ink, 0, '\0'};
     const Texture& texture = texture_of(view, ball);
     if (raster.renderer().has_regions()) return {ink, 0, texture.fill};
     return {ink, texture.tone, '\0'};
 }
 
-// A radius from the middle to where the ball heads, as far as its speed says anything.
+// A radius in the direction of motion, where the speed is large enough to have one.
 void paint_heading(Raster& raster, RasterPoint center, double radius, Vec2 velocity,
                    const Ink& ink) {
     const double speed = length(velocity);
@@ -99,7 +99,7 @@ RasterPoint to_raster(const Camera& camera, Vec2 point) {
 
 Images images_of(const Model& model, const Box& bounds) {
     Images images;
-    images.count = 1;  // where it is
+    images.count = 1;  // the body itself
     if (!model.wrap) return images;
     const Box& torus = *model.wrap;
     const Vec2 period = size(torus);
@@ -144,7 +144,7 @@ std::vector<Ink> ball_inks(const World& world, const ViewOptions& options,
         }
         case ColorBy::mass: {
             if (balls.size() == 0) break;
-            // By ratio: masses may span many powers of ten.
+            // Logarithmic: masses may span many powers of ten.
             const auto [least, most] =
                 std::minmax_element(balls.inverse_mass.begin(), balls.inverse_mass.end());
             const double heaviest = *least;
@@ -163,7 +163,7 @@ void paint_zones(Raster& raster, const View& view) {
     const Ink ink = ink_of(Role::zone, view.options.look);
     const double rim = 2.0 * raster.hairline();
     for (const Zone& zone : view.world.zones()) {
-        // A census lies between walls that show it; where balls vanish must be seen.
+        // Walls show where a counting zone is; a sink has none, and must be seen.
         if (zone.effect != Zone::Effect::sink) continue;
         const RasterPoint start = to_raster(view.camera, zone.shape.start);
         const RasterPoint end = to_raster(view.camera, zone.shape.end);

@@ -8,12 +8,12 @@
 #include "terminal/canvas/character_width.h"
 #include "terminal/draw/draw_parts.h"
 
-/// What is written over the shapes: counters, labels, and the marks of the player.
+/// Writes over the shapes: counters, labels, and annotations.
 namespace carom {
 
 namespace {
 
-// Within this many rows numbers over neighbouring bins may be staggered.
+// Numbers over neighbouring bins may be staggered over this many rows.
 constexpr int most_stagger = 3;
 
 bool is_within(const CellArea& area, int column, int row) {
@@ -21,7 +21,7 @@ bool is_within(const CellArea& area, int column, int row) {
            row < area.row + area.rows;
 }
 
-// A cell of the canvas; none where a place is out of the camera's area.
+// A cell of the canvas; none where a point is outside the camera's area.
 struct CellPlace {
     int column = 0;
     int row = 0;
@@ -48,7 +48,7 @@ void write_within(Canvas& canvas, const CellArea& area, CellPlace at, std::strin
     }
 }
 
-// Text on a ball: on blocks of colour it takes the ball's colour as its ground.
+// Text on a ball. On blocks of colour, the ball's colour is the background of the text.
 void write_on_ball(Canvas& canvas, const CellArea& area, CellPlace at, std::string_view text,
                    const Ink& ink, const Look& look) {
     for (int column = at.column; !text.empty(); ++column) {
@@ -69,7 +69,7 @@ void write_on_ball(Canvas& canvas, const CellArea& area, CellPlace at, std::stri
     }
 }
 
-// As short as a count can be said: 999, 12k, 3M.
+// A count in as few characters as possible: 999, 12k, 3M.
 std::string short_count(std::uint64_t count) {
     if (count < 10000) return fmt::format("{}", count);
     if (count < 10000000) return fmt::format("{}k", count / 1000);
@@ -85,7 +85,7 @@ std::string label_of(const View& view, std::size_t ball) {
     return fmt::format("{}", id);
 }
 
-// Brackets beside a ball, outside its rim.
+// Brackets on both sides of a ball, outside its rim.
 void bracket(Canvas& canvas, const View& view, std::size_t ball) {
     const Ink ink = ink_of(Role::selected, view.options.look);
     const auto write_at = [&](double x, std::string_view bracket) {
@@ -113,7 +113,7 @@ void write_counters(Canvas& canvas, const View& view) {
     const std::vector<std::uint64_t> counts = census(view.world);
     const Ink ink = ink_of(Role::counter, view.options.look);
     const CellArea& area = view.camera.area;
-    // Where the last number in each row of the stagger ends.
+    // The column where the last number in each row of the stagger ends.
     std::array<int, most_stagger> taken{};
     std::array<int, most_stagger> row_taken{};
     taken.fill(area.column - 1);
@@ -148,7 +148,7 @@ void write_labels(Canvas& canvas, const View& view) {
     const Balls& balls = view.world.balls();
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const double radius = balls.radius[i] * view.camera.columns_per_length;
-        // Inside there is room for as many columns as the chord of a row is wide.
+        // The room inside a ball is the chord of the row, in columns.
         const double half_row = 0.5 * view.camera.aspect;
         const double chord =
             radius > half_row ? 2.0 * std::sqrt(radius * radius - half_row * half_row) : 0.0;
@@ -193,7 +193,7 @@ void write_marks(Canvas& canvas, const View& view) {
         }
     }
     if (marks.cue) {
-        // Beside the hand, on the side away from the ball.
+        // Beside the pulled cue, on the side away from the ball.
         const bool is_left = marks.cue->hand.x < marks.cue->ball.x;
         const int width = columns_of(marks.cue->speed);
         if (auto at = cell_of(view.camera, marks.cue->hand)) {

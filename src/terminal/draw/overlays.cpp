@@ -10,7 +10,7 @@ namespace carom {
 
 namespace {
 
-// Lines of a grid nearer to each other than this, in columns, would hide what they lie under.
+// Grid lines closer together than this, in columns, would hide the picture.
 constexpr double closest_lines = 3.0;
 
 void paint_lattice(Raster& raster, const View& view, Vec2 origin, double spacing, const Ink& ink,
@@ -38,7 +38,7 @@ double round_spacing(double columns_per_length) {
     return power * (leading < 2.0 ? 1.0 : leading < 5.0 ? 2.0 : 5.0);
 }
 
-// A line with a head at its end, where samples are fine enough for one.
+// A line with an arrow head, where samples are fine enough for one.
 void paint_arrow(Raster& raster, RasterPoint from, RasterPoint to, const Ink& ink) {
     raster.line(from, to, ink);
     if (raster.renderer().across == 1) return;
@@ -53,20 +53,19 @@ void paint_arrow(Raster& raster, RasterPoint from, RasterPoint to, const Ink& in
     raster.line({to.x - ux + 0.6 * uy, to.y - uy - 0.6 * ux}, to, ink);
 }
 
-// Where a body that took part in a contact is now; none when it is gone.
+// The present position of a body that took part in a contact; none if the body is gone.
 std::optional<Vec2> place_of_ball(const World& world, std::uint32_t ball) {
     const auto index = index_of(world, BallId{ball});
     if (!index) return std::nullopt;
     return world.balls().position[*index];
 }
 
-// The ink of a lattice is faint; dots have no faint ink where there is no colour, so there are
-// fewer of them.
+// A grid is drawn in faint ink. Dots without colour have no faint ink, so fewer of them are lit.
 std::uint8_t lattice_strength(const Raster& raster) {
     return raster.renderer().has_dots() ? 110 : 255;
 }
 
-// Lines at round coordinates.
+// Grid lines at round coordinates.
 void paint_coordinates(Raster& raster, const View& view) {
     paint_lattice(raster, view, {}, round_spacing(view.camera.columns_per_length),
                   ink_of(Role::grid, view.options.look), lattice_strength(raster));
@@ -89,7 +88,7 @@ void paint_velocities(Raster& raster, const View& view) {
         const double speed = length(balls.velocity[i]);
         const double long_by = speed / view.memory.fastest * longest;
         if (!(long_by > 0.2) || !std::isfinite(speed)) continue;
-        // From the rim on, so that the ball stays in sight.
+        // The arrow starts at the rim, so that the ball stays visible.
         const Vec2 way = balls.velocity[i] / speed;
         const double radius = balls.radius[i] * view.camera.columns_per_length;
         const RasterPoint center = to_raster(view.camera, balls.position[i]);
@@ -99,7 +98,7 @@ void paint_velocities(Raster& raster, const View& view) {
     }
 }
 
-// A line between the two that met in the last tick.
+// A line between two bodies that collided in the last tick.
 void paint_contacts(Raster& raster, const View& view) {
     const Ink ink = ink_of(Role::contact, view.options.look);
     for (const Contact& contact : view.contacts) {
@@ -109,7 +108,7 @@ void paint_contacts(Raster& raster, const View& view) {
         const std::optional<Vec2> b =
             is_pair ? place_of_ball(view.world, contact.b) : std::optional(contact.point);
         if (!b) continue;
-        // Over the side of a torus the line would cross the whole picture.
+        // Across a side of a torus, the line would span the whole picture.
         const auto& torus = view.world.model().wrap;
         const Vec2 apart = *b - *a;
         if (torus && (std::abs(apart.x) > 0.5 * size(*torus).x ||

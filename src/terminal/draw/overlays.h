@@ -5,29 +5,29 @@
 #include <span>
 #include <string_view>
 
-/// Overlays: what a player can lay over the picture of a world, or under its bodies. An overlay is
-/// a row of the table in overlays.cpp and a function there, and a row of the table of actions
-/// (carom/controllers/action_table.cpp), which has its key and its help. What it needs to know
-/// beyond the world is in Marks (draw.h).
+/// Overlays are drawn over the picture of a world, or under its bodies. An overlay is a row of the
+/// table in overlays.cpp, a function there, and a row in the table of actions
+/// (carom/controllers/action_table.cpp), which has its key and its help. Data that it needs beyond
+/// the world comes in Annotations (draw.h).
 namespace carom {
 
 class Raster;
 struct View;
 
 struct Overlay {
-    std::string_view name;       ///< of the action that turns it on and off
-    std::string_view title;      ///< as a player reads it
+    std::string_view name;       ///< of the action that turns the overlay on and off
+    std::string_view title;      ///< shown to a player
     bool is_underneath = false;  ///< painted before the bodies
     void (*paint)(Raster& raster, const View& view) = nullptr;
 };
 
-/// In the order in which a player goes through them.
+/// All overlays, in the order in which a player cycles through them.
 std::span<const Overlay> overlays();
 
-/// Its place in the table. Pre: there is an overlay of that name.
+/// The index of an overlay in the table. Pre: there is an overlay of that name.
 std::size_t overlay_named(std::string_view name);
 
-/// Which overlays are on, by their place in the table.
+/// The overlays that are on, by their index in the table.
 class OverlaySet {
   public:
     static constexpr std::size_t most = 16;  ///< rows of the table

@@ -7,7 +7,7 @@
 #include "geometry/shapes.h"
 #include "physics/world/ids.h"
 
-/// What a picture of a pool table shows beyond the balls and the cushions.
+/// What a picture of a pool table shows besides balls and cushions.
 namespace carom {
 
 struct PoolMarks {
@@ -20,13 +20,13 @@ struct PoolMarks {
         Vec2 from;
         Vec2 to;
     };
-    /// Where a ball will go.
+    /// The predicted path of a ball.
     struct Track {
         BallId ball{};
         std::vector<Vec2> way;
-        bool falls = false;  ///< into a pocket, at its end
+        bool falls = false;  ///< into a pocket, at the end of its path
     };
-    /// Where a ball may come to lie.
+    /// A predicted resting position of a ball.
     struct Spot {
         BallId ball{};
         Vec2 place;
@@ -34,15 +34,15 @@ struct PoolMarks {
     };
 
     std::vector<Number> numbers;
-    std::optional<Box> cloth;    ///< drawn as such where there are colours for it
-    std::optional<Line> stick;   ///< the cue: from its tip to its butt
-    std::optional<Line> aim;     ///< from the ball to where it meets something
-    std::optional<Line> object;  ///< the way of the ball that it meets
+    std::optional<Box> cloth;    ///< drawn where the terminal has colours for it
+    std::optional<Line> stick;   ///< the cue, from its tip to its butt
+    std::optional<Line> aim;     ///< from the ball to its first impact
+    std::optional<Line> object;  ///< the path of the object ball
     std::optional<Line> tangent;
-    std::optional<Disc> ghost;  ///< the cue ball where it meets the other
+    std::optional<Disc> ghost;  ///< the ghost ball: the cue ball at the impact
     std::vector<Track> tracks;
     std::vector<Spot> spots;
-    std::optional<Vec2> called;  ///< the pocket
+    std::optional<Vec2> called;  ///< the called pocket
 };
 
 }  // namespace carom

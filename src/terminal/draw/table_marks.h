@@ -5,15 +5,15 @@
 
 #include "geometry/shapes.h"
 
-/// What a picture shows of a pinball table beside its edges.
+/// What a picture of a pinball table shows besides edges.
 namespace carom {
 
-/// A lamp under the glass, or an edge that lights up, as a target does.
+/// A lamp under the glass, or an edge that lights up, such as a target.
 struct TableLight {
     Capsule shape;
-    bool is_edge = false;    ///< drawn over the edge that it is; else under all of them
-    bool is_lit = false;     ///< edges: those that are not lit look as edges do
-    std::size_t family = 0;  ///< lights of one family have one colour
+    bool is_edge = false;    ///< drawn over its edge; else under all edges
+    bool is_lit = false;     ///< an edge that is not lit looks like any other edge
+    std::size_t family = 0;  ///< lights of one family share a colour
 };
 
 struct TableMarks {

@@ -7,12 +7,13 @@ namespace carom {
 
 namespace {
 
-// What is left of a trail after each picture: a third after about 25, nothing after 70.
+// The level of a trail one picture later: about a third remains after 25 pictures, nothing after
+// 70.
 std::uint8_t faded(std::uint8_t level) {
     return static_cast<std::uint8_t>(std::max(0, level - level / 24 - 1));
 }
 
-// Behind the balls: a fresh trail is two thirds as strong.
+// Trails stay behind the balls: a fresh trail is two thirds as strong as a ball.
 std::uint8_t shown(std::uint8_t level) {
     return static_cast<std::uint8_t>(level * 2 / 3);
 }
@@ -28,7 +29,7 @@ void start_anew(Trails& trails, const Camera& camera, const Raster& raster) {
     trails.places.clear();
 }
 
-// A place on the samples' grid.
+// A position on the grid of samples.
 struct SamplePoint {
     double across = 0.0;
     double down = 0.0;
@@ -56,7 +57,7 @@ void mark_way(Trails& trails, SamplePoint from, SamplePoint to, const Ink& ink) 
     const double across = to.across - from.across;
     const double down = to.down - from.down;
     const double length = std::max(std::abs(across), std::abs(down));
-    const double most = trails.across + trails.down;  // longer ways leave the window
+    const double most = trails.across + trails.down;  // longer paths leave the window
     if (!(length <= most)) return mark(trails, to, ink);
     const int steps = std::max(1, static_cast<int>(std::ceil(length)));
     for (int i = 1; i <= steps; ++i) {
@@ -65,7 +66,7 @@ void mark_way(Trails& trails, SamplePoint from, SamplePoint to, const Ink& ink) 
     }
 }
 
-// Whether a ball that was at `a` and is at `b` has gone over a side of the torus.
+// Whether a ball that moved from `a` to `b` crossed a side of the torus.
 bool has_wrapped(const Model& model, Vec2 a, Vec2 b) {
     if (!model.wrap) return false;
     const Vec2 half = size(*model.wrap) * 0.5;
@@ -84,7 +85,7 @@ void add_to_trails(Trails& trails, const Camera& camera, const Raster& raster, c
     }
     trails.tick = world.tick();
 
-    // Both lists ascend by id, so one pass finds where each ball was.
+    // Both lists ascend by id, so a single pass finds each ball's last position.
     std::vector<Trails::Place> places;
     places.reserve(world.balls().size());
     auto before = trails.places.cbegin();

@@ -9,7 +9,7 @@
 #include "terminal/canvas/palette.h"
 #include "terminal/canvas/raster.h"
 
-/// The trails of balls: each picture fades the trails of the one before and adds to them.
+/// The trails of balls: each picture fades the existing trails and adds new pieces.
 namespace carom {
 
 struct Trails {
@@ -17,19 +17,18 @@ struct Trails {
         BallId id{};
         Vec2 position;
     };
-    Camera camera;                     ///< that the levels were drawn for
-    std::uint64_t tick = 0;            ///< of the world, when they were
+    Camera camera;                     ///< for which the levels were drawn
+    std::uint64_t tick = 0;            ///< the world's tick when they were drawn
     int across = 0;                    ///< samples across camera.area
     int down = 0;                      ///< samples down
     std::vector<std::uint8_t> levels;  ///< row by row; 255 is fresh, 0 is none
     std::vector<Ink> inks;             ///< of each sample
-    std::vector<Place> places;         ///< of every ball, ascending by id
+    std::vector<Place> places;         ///< last position of every ball, ascending by id
 };
 
-/// Fades the trails and adds the path of each ball since the last call. Nothing fades while the
-/// world stands still. With another camera or another renderer, trails start anew.
-///
-/// `inks` has the ink of each ball by index.
+/// Fades the trails and adds each ball's path since the last call; `inks` has the ink of each ball
+/// by index. Nothing fades while the world is paused. A change of camera or renderer clears the
+/// trails.
 void add_to_trails(Trails& trails, const Camera& camera, const Raster& raster, const World& world,
                    std::span<const Ink> inks);
 

@@ -19,7 +19,7 @@ std::optional<bool> light_background_from(std::string_view colorfgbg) {
 
 std::optional<double> cell_aspect_from(int pixels_wide, int pixels_high, int columns, int rows) {
     if (columns <= 0 || rows <= 0) return std::nullopt;
-    // A window is not always a whole number of cells.
+    // Integer division, because a window is not always a whole number of cells.
     const int wide = pixels_wide / columns;
     const int high = pixels_high / rows;
     if (wide < 2 || high < 2 || high > 8 * wide || wide > 4 * high) return std::nullopt;

@@ -6,22 +6,22 @@
 #include "terminal/canvas/color.h"
 #include "terminal/input/input_sequence.h"
 
-/// The terminal's answers to carom's queries. An answer is never taken for a key, however late it
-/// comes.
+/// The terminal's answers to carom's queries. An answer is never mistaken for a key, however late
+/// it arrives.
 namespace carom {
 
 struct Answer {
     enum class Kind : std::uint8_t {
-        attributes,  ///< DA, to CSI c: sent last, so that all else has been answered before it
-        status,      ///< to CSI 5 n: everything sent before it has been drawn
+        attributes,  ///< DA, to CSI c: queried last, so its answer comes after all others
+        status,      ///< to CSI 5 n: the terminal has drawn everything sent before it
         mode,        ///< DECRPM, to CSI ? number $ p
         cell_size,   ///< to CSI 16 t
-        key_flags,   ///< to CSI ? u: the terminal has the kitty keyboard protocol
+        key_flags,   ///< to CSI ? u: the terminal supports the kitty keyboard protocol
         background   ///< to OSC 11 ; ?
     };
     Kind kind = Kind::attributes;
-    int number = 0;           ///< mode: which
-    bool is_offered = false;  ///< mode: it can be set and reset
+    int number = 0;           ///< mode: its number
+    bool is_offered = false;  ///< mode: whether it can be set and reset
     int pixels_wide = 0;      ///< cell_size
     int pixels_high = 0;      ///< cell_size
     Rgb color;                ///< background
@@ -35,8 +35,8 @@ std::optional<Answer> answer_in(const ControlSequence& sequence);
 /// The answer in an operating system command. `body`: the bytes between `ESC ]` and the terminator.
 std::optional<Answer> answer_in_command(std::string_view body);
 
-/// All queries of the start; device attributes, which every terminal answers, are the last, as a
-/// sentinel.
+/// All queries sent at the start. The last is for device attributes, which every terminal answers,
+/// so its answer marks the end.
 std::string_view capability_questions();
 
 }  // namespace carom

@@ -9,7 +9,8 @@ namespace {
 
 constexpr unsigned char escape_byte = 0x1b;
 constexpr unsigned char delete_byte = 0x7f;
-constexpr std::size_t longest_command = 256;  // of one whose text is kept; the rest is swallowed
+constexpr std::size_t longest_command =
+    256;  // bytes of a command whose text is kept; the rest is discarded
 constexpr std::size_t longest_csi = 128;
 constexpr std::string_view paste_end = "\033[201~";
 
@@ -94,7 +95,7 @@ void InputDecoder::take_ground(unsigned char byte) {
 
 void InputDecoder::take_utf8(unsigned char byte) {
     if (!continues_sequence(
-            static_cast<char>(byte))) {  // cut short: what came is dropped, this byte starts afresh
+            static_cast<char>(byte))) {  // interrupted: drop it, and start afresh with this byte
         begin(State::ground);
         return take_ground(byte);
     }
@@ -142,7 +143,7 @@ void InputDecoder::take_escape(unsigned char byte) {
 }
 
 void InputDecoder::take_csi(unsigned char byte) {
-    if (is_control(byte) || byte >= delete_byte) {  // cut short
+    if (is_control(byte) || byte >= delete_byte) {  // interrupted
         begin(State::ground);
         if (byte < 0x80) take_ground(byte);
         return;
@@ -169,7 +170,7 @@ void InputDecoder::finish_csi() {
     }
     emit_escape_before();
     if (was_cut) {
-        // Too long for anything that is known.
+        // Longer than any known sequence.
     } else if (const auto answer = answer_in(sequence)) {
         decoded_.answers.push_back(*answer);
     } else if (const auto mouse = mouse_event(sequence, mouse_unit_)) {
@@ -178,7 +179,7 @@ void InputDecoder::finish_csi() {
     begin(State::ground);
 }
 
-// OSC, DCS and their like: until ST, which is ESC and a backslash, or BEL.
+// OSC, DCS and similar strings, up to ST (ESC and a backslash) or BEL.
 void InputDecoder::take_command(unsigned char byte) {
     constexpr unsigned char bell = 7;
     constexpr unsigned char cancel = 0x18;
@@ -228,7 +229,7 @@ bool InputDecoder::take_from_table() {
     return true;
 }
 
-// ESC in front of what is no key was the Escape key: an answer or a report came right behind it.
+// An ESC right before an answer or a report, which are not keys, was the Escape key.
 void InputDecoder::emit_escape_before() {
     if (std::exchange(is_alt_, false)) emit(key_from_character(key::escape));
 }

@@ -9,10 +9,10 @@
 #include "terminal/input/keyboard.h"
 #include "terminal/input/mouse.h"
 
-/// Decodes the terminal's bytes into events, however reads split them.
+/// Decodes the terminal's bytes into events, however the bytes are split between reads.
 ///
-/// A sequence that is not understood is dropped whole: no part of it is ever taken for keys. A
-/// bracketed paste is dropped too.
+/// A sequence that is not understood is dropped whole: no part of it is ever taken for keys.
+/// Bracketed pastes are dropped too.
 namespace carom {
 
 struct DecodedInput {
@@ -22,23 +22,23 @@ struct DecodedInput {
 
 class InputDecoder {
   public:
-    /// Whether a sequence has begun and not ended.
+    /// The state of an unfinished sequence.
     enum class Pending : std::uint8_t {
         nothing,
-        escape,   ///< the byte ESC alone: the key, or the start of a sequence
-        sequence  ///< more than that: the rest is on its way, or will never come
+        escape,   ///< the byte ESC alone: the Escape key, or the start of a sequence
+        sequence  ///< longer: the rest is on its way, or will never come
     };
 
-    /// `utf8`: else each byte from 0xa0 up is a character of Latin-1.
+    /// `utf8` false: each byte from 0xa0 up is a character of Latin-1.
     explicit InputDecoder(bool utf8 = true, KeyTable keys = {});
 
     DecodedInput feed(std::string_view bytes);
     Pending pending() const;
-    /// Nothing more has come for a while: ESC alone is the Escape key, ESC and one character are
-    /// that character with Alt, and any other beginning is dropped.
+    /// Call it when no more bytes have come for a while. ESC alone becomes the Escape key, ESC and
+    /// one character become that character with Alt, and any other unfinished sequence is dropped.
     DecodedInput flush();
 
-    /// What the terminal's mouse reports count in from now on.
+    /// Sets the unit of coordinates in the mouse reports that follow.
     void set_mouse_unit(const MouseUnit& unit) { mouse_unit_ = unit; }
 
   private:
@@ -64,7 +64,7 @@ class InputDecoder {
     MouseUnit mouse_unit_;
     bool is_utf8_;
     State state_ = State::ground;
-    std::string bytes_;    // of what is pending
+    std::string bytes_;    // of the unfinished sequence
     bool is_alt_ = false;  // an ESC came before the ESC of this sequence
     std::uint8_t held_button_ = 0;
     DecodedInput decoded_;

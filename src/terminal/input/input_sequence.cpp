@@ -6,7 +6,7 @@
 namespace carom {
 namespace {
 
-// The field of this number in a text cut at every `separator`; none when there are fewer.
+// The field of this index in a text split at every `separator`; none when there are fewer.
 std::optional<std::string_view> field(std::string_view text, char separator, int index) {
     for (; index > 0; --index) {
         const std::size_t cut = text.find(separator);

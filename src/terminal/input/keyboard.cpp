@@ -5,8 +5,8 @@
 namespace carom {
 namespace {
 
-// Modifiers come as 1 plus a sum: 1 Shift, 2 Alt, 4 Ctrl, 8 Super, 16 Hyper, 32 Meta, 64 and 128
-// the locks.
+// Modifiers are encoded as 1 plus a sum: 1 Shift, 2 Alt, 4 Ctrl, 8 Super, 16 Hyper, 32 Meta, 64 and
+// 128 the locks.
 std::uint8_t modifiers_in(int parameter) {
     const int bits = std::max(0, parameter - 1);
     int modifiers = no_modifier;
@@ -21,7 +21,7 @@ InputEvent::Action action_in(int parameter) {
     return parameter == 3 ? release : parameter == 2 ? repeat : press;
 }
 
-// CSI and SS3 with a letter.
+// CSI or SS3 followed by a letter.
 char32_t key_of_letter(char final) {
     switch (final) {
         case 'A':
@@ -78,7 +78,7 @@ char32_t key_of_number(int number) {
     return 0;
 }
 
-// The codes that the kitty protocol gives to keys without a character, and to the keypad's.
+// The codes of the kitty protocol for keys without a character and for the keypad.
 char32_t key_of_code(int code) {
     constexpr std::u32string_view keypad = U"0123456789./*-+\r=,";
     constexpr int keypad_start = 57399;
@@ -110,7 +110,7 @@ bool is_letter(char32_t character) {
     return character >= U'a' && character <= U'z';
 }
 
-// A character that stands for itself: no control character, nothing of ours.
+// Whether a code point types itself: it is neither a control character nor one of key::.
 bool is_text(char32_t character) {
     return character >= U' ' && character != 0x7f && !(character >= 0x80 && character < 0xa0) &&
            character < key::up;
@@ -184,7 +184,7 @@ std::optional<InputEvent> Keyboard::from_code(const ControlSequence& sequence) {
         return event;
     }
     drop_shift(*event);
-    constexpr std::size_t most_held = 32;  // releases may be lost with the focus
+    constexpr std::size_t most_held = 32;  // bounded, since releases may be lost with the focus
     if (held != made_.end()) made_.erase(held);
     if (made_.size() == most_held) made_.erase(made_.begin());
     made_.emplace_back(code, event->key);

@@ -17,10 +17,10 @@
 /// ignored.
 namespace carom {
 
-/// The sequences that the terminal's keys send, by its description.
+/// The sequences that the terminal's keys send, according to its description.
 class KeyTable {
   public:
-    /// Sequences that do not start with ESC, or are shorter than 2 bytes, are left out.
+    /// Ignores sequences that do not start with ESC or are shorter than 2 bytes.
     void add(std::string_view sequence, char32_t key, std::uint8_t modifiers = no_modifier);
 
     struct Entry {
@@ -28,27 +28,27 @@ class KeyTable {
         char32_t key = 0;
         std::uint8_t modifiers = no_modifier;
     };
-    /// The key that sends exactly this.
+    /// The key that sends exactly this sequence.
     std::optional<InputEvent> find(std::string_view sequence) const;
 
   private:
-    std::vector<Entry> entries_;  // sorted by sequence, each once
+    std::vector<Entry> entries_;  // sorted by sequence, no duplicates
 };
 
-/// Turns sequences into keys. Remembers which character each key made, since its release does not
-/// say.
+/// Turns sequences into keys. It remembers which character each held key typed, since a release
+/// does not say.
 class Keyboard {
   public:
-    /// None: no key that carom knows, or the sequence is no key's.
+    /// None: not a key's sequence, or a key that carom does not know.
     std::optional<InputEvent> from_sequence(const ControlSequence& sequence);
 
   private:
     std::optional<InputEvent> from_code(const ControlSequence& sequence);
 
-    std::vector<std::pair<int, char32_t>> made_;  // key code, character; of keys held down
+    std::vector<std::pair<int, char32_t>> made_;  // key code and character of each held key
 };
 
-/// What follows ESC O.
+/// `final`: the byte after ESC O.
 std::optional<InputEvent> key_from_ss3(char final);
 
 /// A single character or control byte (0..31 and 127 stand for Ctrl and a letter, Tab, Enter,

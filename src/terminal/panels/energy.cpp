@@ -36,7 +36,7 @@ struct Range {
     double high = 0.0;
 };
 
-// Of everything that is drawn, 0 included.
+// The range of all drawn values, including 0.
 Range range_of(const std::vector<EnergyHistory::Sample>& samples,
                const std::array<Curve, 3>& drawn) {
     Range range;
@@ -67,13 +67,14 @@ void draw_curves(Canvas& canvas, const CellArea& area, const EnergyHistory& hist
     const double ticks = std::max(1.0, static_cast<double>(samples.back().tick) - first);
     const double height = raster.rows() * aspect;
     const auto place = [&](const EnergyHistory::Sample& sample, const Curve& curve) {
-        // A little inside, so that neither end of the range is cut.
+        // Slightly inside, so that neither end of the range is cut off.
         const double share = (curve.value(sample) - range.low) / (range.high - range.low);
         return RasterPoint{
             (static_cast<double>(sample.tick) - first) / ticks * (area.columns - 0.5),
             height - 0.4 - share * (height - 0.8)};
     };
-    const std::size_t skip = has_potential(samples) ? 0 : 2;  // one line says it all
+    const std::size_t skip =
+        has_potential(samples) ? 0 : 2;  // without potential energy, one curve is enough
     for (std::size_t c = skip; c < drawn.size(); ++c) {
         for (std::size_t i = 1; i < samples.size(); ++i) {
             raster.line(place(samples[i - 1], drawn[c]), place(samples[i], drawn[c]), drawn[c].ink);

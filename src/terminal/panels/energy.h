@@ -9,10 +9,11 @@
 #include "terminal/canvas/canvas.h"
 #include "terminal/canvas/palette.h"
 
-/// Energy over time: how it was, and a plot of it.
+/// The history of the energy, and a plot of it.
 namespace carom {
 
-/// Some hundred samples over all of the time so far: when it is full, every second one goes.
+/// Some hundred samples over the whole run. When it is full, every second sample is dropped and the
+/// spacing doubles.
 class EnergyHistory {
   public:
     struct Sample {
@@ -22,7 +23,8 @@ class EnergyHistory {
     };
     static constexpr std::size_t capacity = 512;
 
-    /// Takes it if it is due. A tick before the last: what is later is forgotten (a rewind).
+    /// Keeps the sample if it is due. A tick before the last is a rewind: later samples are
+    /// dropped.
     void add(const Sample& sample);
     void clear();
     const std::vector<Sample>& samples() const { return samples_; }
@@ -32,8 +34,8 @@ class EnergyHistory {
     std::uint64_t spacing_ = 1;
 };
 
-/// Fills `area`: kinetic, potential and total energy as three lines, with the range at the side.
-/// An area below 16 x 4 stays as it is.
+/// Draws into `area` kinetic, potential and total energy as three curves, with the range at the
+/// side. An area below 16 x 4 stays untouched.
 void draw_energy(Canvas& canvas, const CellArea& area, const EnergyHistory& history,
                  double tick_length, const Look& look);
 

@@ -19,14 +19,14 @@ double sum_of(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-// A class of the chi-square test.
+// One class of the chi-square test.
 struct JoinedBin {
     double count = 0.0;
     double expected = 0.0;
 };
 
-// Neighbours joined from the left until each class expects enough; what is left over at the right
-// joins the last.
+// Neighbours are joined from the left until each class expects enough; the remainder at the right
+// joins the last class.
 std::vector<JoinedBin> joined_bins(const Histogram& histogram, double total) {
     constexpr double enough = 5.0;
     const double shares = sum_of(histogram.expected);
@@ -46,7 +46,7 @@ std::vector<JoinedBin> joined_bins(const Histogram& histogram, double total) {
     return classes;
 }
 
-// P(a, x), the lower incomplete gamma function over gamma(a), by its series: best for x < a + 1.
+// P(a, x), the regularised lower incomplete gamma function, by its series: best for x < a + 1.
 double lower_gamma_series(double a, double x) {
     double term = 1.0 / a;
     double sum = term;

@@ -16,7 +16,7 @@ namespace {
 constexpr int least_histogram_columns = 12;
 constexpr int least_histogram_rows = 4;
 
-// One bar of the picture: some bins together where there are more bins than columns.
+// One drawn bar: several bins where there are more bins than columns.
 struct PictureBar {
     double count = 0.0;
     double expected = 0.0;
@@ -37,7 +37,7 @@ std::vector<PictureBar> bars_of(const Histogram& histogram, std::size_t together
     return bars;
 }
 
-// The top of a bar: how much of its last cell is filled, 0 to 1.
+// The top of a bar. `share`: the filled part of its last cell, 0 to 1.
 char32_t partial_block(double share, bool utf8) {
     if (utf8) {
         constexpr std::u32string_view blocks = U" ▁▂▃▄▅▆▇█";
@@ -47,13 +47,13 @@ char32_t partial_block(double share, bool utf8) {
     return blocks[static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * 3.0 + 0.5)];
 }
 
-// A level line at this height within its cell, 0 (bottom) to 1.
+// A horizontal line at this height within its cell, 0 (bottom) to 1.
 char32_t level_line(double share, bool utf8) {
     if (utf8) return share < 0.33 ? U'▁' : share < 0.67 ? U'─' : U'▔';
     return share < 0.33 ? U'_' : share < 0.67 ? U'-' : U'"';
 }
 
-// Bars and curve, from the bottom row of `area` upwards.
+// Draws bars and curve, from the bottom row of `area` upwards.
 void draw_bars(Canvas& canvas, const CellArea& area, const std::vector<PictureBar>& bars,
                const Look& look) {
     double most = 1.0;
@@ -73,7 +73,8 @@ void draw_bars(Canvas& canvas, const CellArea& area, const std::vector<PictureBa
             for (int up = 0; up < area.rows; ++up) {
                 const int row = area.row + area.rows - 1 - up;
                 const double filled = is_gap ? 0.0 : height - up;
-                // A full cell has the colour as its ground too: blocks leave seams in many fonts.
+                // A full cell gets the colour as its background too, since blocks leave seams in
+                // many fonts.
                 const bool is_full = filled >= 1.0 && look.has_colors() && look.utf8;
                 Cell cell{partial_block(filled, look.utf8), bar_ink.color,
                           is_full ? bar_ink.color : default_color, bar_ink.attributes};
@@ -89,7 +90,7 @@ void draw_bars(Canvas& canvas, const CellArea& area, const std::vector<PictureBa
     }
 }
 
-// What there is to say about it, in words; the most important first.
+// The statistics in words, the most important first.
 std::vector<PanelText> words_of(const Histogram& histogram, const Look& look) {
     const HistogramFit fit = fit_of(histogram);
     const Ink text = ink_of(Role::text, look);

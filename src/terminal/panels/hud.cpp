@@ -14,13 +14,13 @@ namespace carom {
 
 namespace {
 
-// One thing that a status line says. Numbers keep their width while they change, so that what
-// stands behind them stands still.
+// One item of a status line. Numbers keep their width while they change, so that the items behind
+// them do not move.
 struct Field {
     std::string label;
     std::string value;
     Ink ink;
-    int rank = 0;  ///< 0 stays longest
+    int rank = 0;  ///< the field of rank 0 is dropped last
 };
 
 constexpr int gap = 2;
@@ -37,7 +37,7 @@ int width_of(const std::vector<Field>& fields) {
     return width;
 }
 
-// The fields that fit into `columns`, the least important dropped first, in their order.
+// The fields that fit into `columns`, in their order; the least important are dropped first.
 std::vector<Field> those_that_fit(std::vector<Field> fields, int columns) {
     while (!fields.empty() && width_of(fields) > columns) {
         fields.erase(
@@ -53,12 +53,12 @@ std::string padded(std::string text, int width) {
     return text;
 }
 
-// Five digits, however large.
+// Five digits, whatever the magnitude.
 std::string quantity(double value) {
     return fmt::format("{:<10.5g}", value);
 }
 
-// A component that is only the other's rounding is 0.
+// A component that is only rounding of the other is shown as 0.
 std::string momentum(Vec2 p) {
     const double noise = 1e-9 * std::max(std::abs(p.x), std::abs(p.y));
     const auto component = [&](double value) { return std::abs(value) < noise ? 0.0 : value; };
@@ -81,7 +81,7 @@ Field drift_field(std::string_view label, double drift, int rank, const Look& lo
     return {std::string(label), padded(std::move(text), 8), ink_of(role, look), rank};
 }
 
-// "2817 of 3141", "5.9871 of 6": green once it is as it should be.
+// "2817 of 3141", "5.9871 of 6": green once the value is as expected.
 Field check_field(const HudCheck& check, int rank, const Look& look) {
     const std::string value = fmt::format("{:.8g}", check.value);
     const bool is_whole = check.tolerance == 0.0;
@@ -93,7 +93,7 @@ Field check_field(const HudCheck& check, int rank, const Look& look) {
             ink_of(holds ? Role::good : Role::text, look), rank};
 }
 
-// How the play goes: running or not, how fast, and how far back.
+// The state of play: running or paused, how fast, and how far back.
 Field state_field(const HudInfo& info, const Look& look) {
     if (info.is_paused) {
         const std::string_view sign = look.utf8 ? "‖ " : "|| ";
@@ -150,7 +150,7 @@ std::vector<Field> physics_fields(const HudInfo& info, const Look& look) {
     return fields;
 }
 
-// The model in force: as much of it as there is room for.
+// The model in force, as much of it as fits.
 Field model_field(const HudInfo& info, int columns, const Look& look) {
     Field field{"model",
                 info.terms.empty() ? "free discs" : fmt::format("{}", fmt::join(info.terms, ", ")),
@@ -191,7 +191,7 @@ struct Bar {
     }
 };
 
-// The first line stands out from the world above it.
+// The first line is highlighted against the world above it.
 Bar title_bar(Canvas& canvas, int row, const Look& look) {
     if (look.colors >= 256) {
         return {canvas, look, row, static_cast<Color>(look.light_background ? 254 : 236), plain};
@@ -217,11 +217,12 @@ void draw_physics(const Bar& bar, const HudInfo& info) {
     bar.write(1, fields);
 }
 
-// The title gets what the fields leave.
+// The title gets the room that the fields leave.
 void draw_first(const Bar& bar, const HudInfo& info, std::vector<Field> fields) {
     bar.clear();
     const int columns = bar.canvas.columns();
-    // Half of a line for a title, if it is that long; in a narrow window what it needs least.
+    // Half of the line is for the title, if it is that long; in a narrow window, the least that it
+    // needs.
     const int others =
         info.title_comes_first ? width_of(fields.front()) + gap + 2 : columns / 2 + 8;
     const int least_title = info.title_comes_first || columns >= 60
@@ -246,7 +247,7 @@ void draw_hints(const Bar& bar, const HudInfo& info) {
         bar.write(1, cut_to(info.message, columns), ink_of(role, bar.look));
         return;
     }
-    // There is no other line for it.
+    // A short window has no other line for this.
     const std::string& other = info.beside.empty() ? info.game : info.beside;
     if (hud_rows(bar.canvas.columns(), bar.canvas.rows()) == 2 && !other.empty()) {
         bar.write(1, cut_to(other, bar.canvas.columns() - 2), ink_of(Role::warning, bar.look));
@@ -279,7 +280,7 @@ void draw_hud(Canvas& canvas, const HudInfo& info, const Look& look) {
     std::vector<Field> play = play_fields(info, look);
     if (count == 0) return;
     if (count == 1) {
-        // One line for all: a message while there is one.
+        // With one line only, a message takes its place.
         if (!info.message.empty()) {
             draw_hints(top, info);
         } else {

@@ -14,13 +14,13 @@
 /// The status lines below the world.
 namespace carom {
 
-/// A key and what it does, for hints and for the help screen.
+/// A key and its action, for hints and for the help screen.
 struct KeyHelp {
     std::string keys;  ///< "space", "<- ->"
     std::string what;  ///< "pause"
 };
 
-/// What the level says a quantity should be, and what it is now.
+/// A quantity with the value that the level expects, and its value now.
 struct HudCheck {
     std::string quantity;  ///< "collisions"
     double measured = 0.0;
@@ -30,45 +30,46 @@ struct HudCheck {
 
 struct HudInfo {
     std::string title;
-    bool title_comes_first = false;  ///< it says how a game stands: other fields give way to it
-    std::string solver;              ///< with its settings, as "substep 4x15"
-    bool solver_is_picked = false;   ///< by carom, not by level or player
-    std::string reason;              ///< why it was picked; shown where there is room
-    std::string beside;  ///< what runs beside the game, and how it compares; may be empty
+    bool title_comes_first =
+        false;           ///< the title is the state of a game: other fields give way to it
+    std::string solver;  ///< with its settings, such as "substep 4x15"
+    bool solver_is_picked = false;  ///< chosen by carom, not by level or player
+    std::string reason;             ///< why it was chosen; shown where there is room
+    std::string beside;  ///< the comparison run or ensemble, and how it compares; may be empty
     double time = 0.0;   ///< s
     std::uint64_t tick = 0;
     std::uint64_t latest_tick = 0;   ///< more than `tick` after a step back
-    double ticks_per_second = 0.0;   ///< really run, measured
-    double rate = 0.0;               ///< ticks a second of the level's own time
+    double ticks_per_second = 0.0;   ///< the measured speed of play
+    double rate = 0.0;               ///< ticks a second in the level's own time
     std::vector<std::string> terms;  ///< the model in force
     std::size_t balls = 0;
     std::size_t clustered = 0;     ///< balls that `event` has handed over to `contact`
     std::uint64_t collisions = 0;  ///< since the start
     std::vector<HudCheck> checks;  ///< the most important first
-    std::string game;              ///< takes the place of the sums; may be empty
+    std::string game;              ///< shown in place of energy and momentum; may be empty
     double kinetic_energy = 0.0;
     std::optional<double> potential_energy;  ///< under gravity
     Vec2 momentum;
-    /// Relative change of the energy since the start; none where the model does not keep it.
+    /// Relative change of the energy since the start; none where the model does not conserve it.
     std::optional<double> energy_drift;
-    /// Relative change of the momentum since the start; none where it is not kept.
+    /// Relative change of the momentum since the start; none where it is not conserved.
     std::optional<double> momentum_drift;
-    double speed = 1.0;  ///< of play against the level's own time
+    double speed = 1.0;  ///< of play, relative to the level's own time
     bool is_paused = false;
-    std::string mode;     ///< "ascii", "mouse off", what is in force; may be empty
-    std::string message;  ///< takes the place of the hints
+    std::string mode;     ///< settings in force, such as "ascii" or "mouse off"; may be empty
+    std::string message;  ///< shown in place of the hints
     bool message_is_error = false;
     std::vector<KeyHelp> hints;  ///< the most useful first
 };
 
-/// How many rows the status lines take at the bottom of a window, 1 to 3.
+/// The number of rows that the status lines take at the bottom of a window, 1 to 3.
 int hud_rows(int columns, int rows);
 
-/// What is left above them for the world.
+/// The area above the status lines, which shows the world.
 CellArea world_area(int columns, int rows);
 
-/// Fills the rows below world_area(canvas.columns(), canvas.rows()). What does not fit is left out,
-/// the least important first.
+/// Fills the rows below world_area(canvas.columns(), canvas.rows()). Fields that do not fit are
+/// left out, the least important first.
 void draw_hud(Canvas& canvas, const HudInfo& info, const Look& look);
 
 }  // namespace carom

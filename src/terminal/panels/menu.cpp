@@ -4,15 +4,15 @@
 #include "terminal/panels/pages.h"
 #include "terminal/panels/panel.h"
 
-/// The menu: a list of levels, and what the selected one is about.
+/// The menu: a list of levels, and a description of the selected one.
 namespace carom {
 
 namespace {
 
 constexpr int title_rows = 2;
-constexpr int least_beside = 72;  ///< columns from which the preview stands beside the list
+constexpr int least_beside = 72;  ///< columns from which the preview is drawn beside the list
 
-// Where the parts of the menu are.
+// The layout of the menu.
 struct MenuLayout {
     CellArea list;
     CellArea preview;
@@ -36,7 +36,7 @@ MenuLayout layout_of(int columns, int rows, std::span<const MenuEntry> entries) 
     return {{1, title_rows, list, body}, {list + 4, title_rows, columns - list - 5, body}};
 }
 
-// A row of the list: an entry, or the heading of a group (entry: none).
+// A row of the list: an entry, or the heading of a group (then `entry` is none).
 struct ListRow {
     std::optional<std::size_t> entry;
     std::string_view heading;
@@ -56,7 +56,7 @@ std::vector<ListRow> rows_of(std::span<const MenuEntry> entries) {
     return rows;
 }
 
-// The first row of the list that is in sight: the selected entry keeps to the middle.
+// The first visible row of the list; the selected entry stays near the middle.
 std::size_t first_row_of(const std::vector<ListRow>& rows, std::size_t selected, int room) {
     const auto height = static_cast<std::size_t>(std::max(1, room));
     if (rows.size() <= height) return 0;
@@ -95,11 +95,11 @@ void draw_entry(Canvas& canvas, const CellArea& area, int row, const MenuEntry& 
     write_cut(canvas, titles, row, entry.title, title);
 }
 
-// The preview as it is drawn: the lines of a paragraph, which its author broke for an editor, are
-// joined and broken again for this window.
+// The preview as drawn. The author broke its paragraphs into lines for an editor; these are joined
+// and broken again for this window.
 std::vector<std::string> preview_lines(const MenuEntry& entry, int columns) {
-    // A line of so many columns goes on in the next, unless blanks set it out as a list, or the
-    // next is indented.
+    // A line this long continues in the next, unless blanks lay it out as a list or the next line
+    // is indented.
     constexpr int full_line = 70;
     std::vector<std::string> lines;
     std::string paragraph;
@@ -122,7 +122,7 @@ std::vector<std::string> preview_lines(const MenuEntry& entry, int columns) {
     return lines;
 }
 
-// How many rows of the preview its words take, a blank row below them included.
+// The number of rows that the text of the preview takes, including a blank row below it.
 int words_rows(const MenuEntry& entry, int columns) {
     return 3 + static_cast<int>(preview_lines(entry, columns).size());
 }

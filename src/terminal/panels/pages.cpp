@@ -13,8 +13,8 @@ namespace {
 
 // One line of a page.
 struct Line {
-    std::string left;  ///< a key, in strong ink; or nothing
-    int indent = 0;    ///< where `text` starts
+    std::string left;  ///< a key, in strong ink; may be empty
+    int indent = 0;    ///< the column where `text` starts
     std::string text;
     Ink ink;
 };
@@ -24,7 +24,7 @@ void write_centered(Canvas& canvas, int row, std::string_view text, const Ink& i
     canvas.write(column, row, text, ink.color, default_color, ink.attributes);
 }
 
-// The footer in the last row; on its right how far a scrolled page has got.
+// The footer in the last row; at its right, the position in a scrolled page.
 void draw_footer(Canvas& canvas, std::string_view footer, const PageExtent& extent,
                  const Look& look) {
     const int row = canvas.rows() - 1;
@@ -79,7 +79,7 @@ void draw_line(Canvas& canvas, int column, int row, const Line& line, const Look
                  line.ink.attributes);
 }
 
-// Sections in as many columns as fit, each as even in height as whole sections allow.
+// Sections in as many columns as fit, with heights as even as whole sections allow.
 std::vector<std::vector<Line>> columns_of_sections(std::span<const HelpSection> sections, int keys,
                                                    int count, int width, const Look& look) {
     std::vector<std::vector<Line>> parts;

@@ -11,10 +11,11 @@
 #include "terminal/canvas/palette.h"
 #include "terminal/panels/hud.h"
 
-/// Pages that fill the window: the menu, help, a text, and the one for a window that is too small.
+/// Pages that fill the window: the menu, help, a text, and the message for a window that is too
+/// small.
 namespace carom {
 
-/// Windows below this show nothing but a request for more.
+/// Smaller windows show nothing but a request for more room.
 inline constexpr int least_columns = 20;
 inline constexpr int least_rows = 8;
 bool is_too_small(int columns, int rows);
@@ -25,17 +26,17 @@ struct HelpSection {
     std::vector<KeyHelp> keys;
 };
 
-/// How far a page can be scrolled, in rows: 0 when all of it is in sight.
+/// How far a page can be scrolled, in rows: 0 when all of it is visible.
 struct PageExtent {
-    int scroll = 0;  ///< that was used: the one asked for, or the nearest there is
+    int scroll = 0;  ///< in use: the requested position, clamped
     int most = 0;
 };
 
-/// In as many columns as fit. `footer` says how to leave.
+/// Draws help in as many columns as fit. `footer` says how to leave.
 PageExtent draw_help(Canvas& canvas, std::span<const HelpSection> sections, int scroll,
                      std::string_view footer, const Look& look);
 
-/// Lines of text (the problems of a level, a message), wrapped at the window's edge.
+/// Draws lines of text (the errors of a level, a message), wrapped at the window's edge.
 PageExtent draw_text_page(Canvas& canvas, std::string_view title,
                           std::span<const std::string> lines, int scroll, std::string_view footer,
                           const Look& look);
@@ -43,21 +44,21 @@ PageExtent draw_text_page(Canvas& canvas, std::string_view title,
 struct MenuEntry {
     std::string name;                  ///< "galton"
     std::string title;                 ///< of the level
-    std::string group;                 ///< a heading is drawn where it changes
+    std::string group;                 ///< a heading is drawn where the group changes
     std::vector<std::string> preview;  ///< the level's opening comment
     bool is_broken = false;
 };
 
-/// The list with the selected entry in sight, and beside it (below it, in a narrow window) what the
-/// entry is about.
+/// Draws the list with the selected entry in view and, beside it (below it in a narrow window), a
+/// description of the entry.
 void draw_menu(Canvas& canvas, std::span<const MenuEntry> entries, std::size_t selected,
                std::string_view footer, const Look& look);
 
-/// Which entry the mouse points at.
+/// The entry under the mouse.
 std::optional<std::size_t> menu_entry_at(int columns, int rows, std::span<const MenuEntry> entries,
                                          std::size_t selected, int column, int row);
 
-/// Where a small picture of the selected level has room; empty in a small window.
+/// The room for a small picture of the selected level; empty in a small window.
 CellArea menu_picture_area(int columns, int rows, std::span<const MenuEntry> entries,
                            std::size_t selected);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int text_gap = 2;
 
-// Where each text goes: calls put(row, column, text).
+// Lays out the texts: calls put(row, column, text) for each.
 template <class Put>
 int flow(std::span<const PanelText> texts, int columns, Put put) {
     int row = 0;

@@ -9,10 +9,10 @@
 #include "terminal/canvas/canvas.h"
 #include "terminal/canvas/palette.h"
 
-/// Text in a part of the canvas: what panels and pages are made of.
+/// Text in a part of the canvas: the building blocks of panels and pages.
 namespace carom {
 
-/// A few words that stay together on a line.
+/// A few words that are kept together on a line.
 struct PanelText {
     std::string text;
     Ink ink;
@@ -23,13 +23,13 @@ void clear_area(Canvas& canvas, const CellArea& area);
 /// The first `columns` columns of UTF-8 text.
 std::string_view cut_to(std::string_view text, int columns);
 
-/// Writes into row `row` of the area, cut at its right edge. Rows outside the area: nothing.
+/// Writes into row `row` of the area, cut at its right edge. A row outside the area is ignored.
 void write_cut(Canvas& canvas, const CellArea& area, int row, std::string_view text,
                const Ink& ink);
 
-/// How many rows the texts take in so many columns, two blanks between them; at least 1.
+/// The number of rows that the texts take in so many columns, two blanks between them; at least 1.
 int rows_for(std::span<const PanelText> texts, int columns);
-/// Writes as many of them as fit.
+/// Writes as many of the texts as fit.
 void write_flowing(Canvas& canvas, const CellArea& area, std::span<const PanelText> texts);
 
 /// Breaks text at blanks so that no line is longer than `columns`; a longer word is cut.

@@ -94,7 +94,7 @@ class Writer {
         write_large(canvas_, area_.column, area_.row + row_, text, ink, look_);
         row_ += rows_of_digits(look_);
     }
-    // Light on a bar as wide as the panel, so that it is seen from the corner of an eye.
+    // Light text on a bar as wide as the panel, noticeable from the corner of an eye.
     void call(std::string_view text, const Ink& ink) {
         const int width = std::min(columns_of(text), area_.columns);
         const int left = (area_.columns - width) / 2;

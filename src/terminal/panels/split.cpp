@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-/// Stacked halves are harder to compare: they must show this much larger to be preferred.
+/// Stacked halves are harder to compare, so they must show this much larger to be preferred.
 constexpr double worth_stacking = 1.25;
 
 struct Half {

@@ -8,7 +8,7 @@
 #include "terminal/canvas/canvas.h"
 #include "terminal/canvas/palette.h"
 
-/// A window in two halves, each with a title over its picture.
+/// Split view: a window in two halves, each with a title over its picture.
 namespace carom {
 
 struct Split {
@@ -16,10 +16,10 @@ struct Split {
     CellArea first;
     CellArea second_title;
     CellArea second;   ///< as large as the first
-    CellArea divider;  ///< a column; empty where one half stands over the other
+    CellArea divider;  ///< a column; empty where the halves are stacked
 };
 
-/// Side by side, unless `view` shows larger with one half over the other.
+/// Side by side, unless `view` shows larger in stacked halves.
 Split split(const CellArea& area, const Box& view, double aspect);
 
 struct HalfTitle {
@@ -28,7 +28,7 @@ struct HalfTitle {
     std::uint64_t collisions = 0;
 };
 
-/// The titles and the divider.
+/// Draws the titles and the divider.
 void draw_split(Canvas& canvas, const Split& split, const HalfTitle& first, const HalfTitle& second,
                 const Look& look);
 

@@ -37,7 +37,7 @@ struct sigaction action_of(void (*handler)(int)) {
     return action;
 }
 
-// Signals that were ignored stay ignored (nohup).
+// Signals that were ignored (nohup) stay ignored.
 void pass_signals_on() {
     const struct sigaction action = action_of(pass_on);
     for (const int signal : passed_on) {
@@ -55,7 +55,7 @@ void stop_until_continued() {
     sigaction(SIGTSTP, &before, nullptr);
 }
 
-// The status with which the child ended. Stops when the child stops, and continues it afterwards.
+// The child's final status. This process stops when the child stops, and continues it afterwards.
 int wait_for(pid_t child) {
     for (;;) {
         int status = 0;
@@ -64,14 +64,14 @@ int wait_for(pid_t child) {
             return 0;
         }
         if (!WIFSTOPPED(status)) return status;
-        if (WSTOPSIG(status) == SIGSTOP) continue;  // the sender of STOP sends CONT
+        if (WSTOPSIG(status) == SIGSTOP) continue;  // the sender of STOP will send CONT too
         stop_until_continued();
         kill(child, SIGCONT);
     }
 }
 
-// Dies of the signal, so that the shell sees what killed the child. The child has left the core
-// file, if any.
+// Dies of the signal, so that the shell sees what killed the child. The core file, if any, is the
+// child's.
 int die_of(int signal) {
     const rlimit none{.rlim_cur = 0, .rlim_max = 0};
     setrlimit(RLIMIT_CORE, &none);
@@ -92,7 +92,7 @@ int run_supervised(const std::function<int()>& play, const std::string& resume_h
     for (const int signal : passed_on) {
         sigaddset(&held, signal);
     }
-    sigprocmask(SIG_BLOCK, &held, &held_before);  // none is lost around the fork
+    sigprocmask(SIG_BLOCK, &held, &held_before);  // no signal is lost around the fork
     [[maybe_unused]] const pid_t parent = getpid();
     const pid_t child = fork();
     if (child == 0) {
@@ -118,7 +118,7 @@ int run_supervised(const std::function<int()>& play, const std::string& resume_h
     std::string message =
         fmt::format("carom: the game was ended by signal {} ({})\n", signal, strsignal(signal));
     if (!resume_hint.empty()) message += resume_hint + '\n';
-    std::fputs(message.c_str(), stderr);  // which may be gone, and that is no fault
+    std::fputs(message.c_str(), stderr);  // fails harmlessly if standard error is gone
     return die_of(signal);
 }
 

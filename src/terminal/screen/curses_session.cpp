@@ -14,7 +14,7 @@ namespace carom {
 
 struct CursesSession::State {
     SCREEN* screen = nullptr;
-    std::FILE* output = nullptr;  // the terminal, apart from stdout and its buffer
+    std::FILE* output = nullptr;  // the terminal, separate from stdout and its buffer
     bool is_left = false;
 
     State() = default;
@@ -50,7 +50,7 @@ std::variant<CursesSession, std::string> CursesSession::start(const std::string&
     raw();
     noecho();
     nonl();
-    typeahead(-1);  // or a key that waits would keep it from taking the screen
+    typeahead(-1);  // or a pending key would keep ncurses from taking the screen
     curs_set(0);
     refresh();
     return CursesSession(std::move(state));
@@ -76,7 +76,7 @@ void CursesSession::set_size(int columns, int rows) {
 
 void CursesSession::leave() {
     if (std::exchange(state_->is_left, true)) return;
-    // ncurses takes the terminal to be in no style: the frames' last one is not its own.
+    // ncurses assumes plain style, but the last frame may have left another in force.
     const std::string plain_style = plain_style_bytes();
     [[maybe_unused]] const ssize_t written =
         write(fileno(state_->output), plain_style.data(), plain_style.size());

@@ -6,29 +6,30 @@
 
 #include "terminal/screen/frame_differ.h"
 
-/// The terminal in ncurses' hands: its description (terminfo), its modes, entering and leaving its
-/// other screen. ncurses does not draw: its window stays blank, and FrameDiffer makes the frames.
+/// ncurses' part in the front end: it knows the terminal's description (terminfo), sets its modes,
+/// and enters and leaves the alternate screen. ncurses does not draw: its window stays blank, and
+/// FrameDiffer makes the frames.
 namespace carom {
 
 class CursesSession {
   public:
-    /// Takes over the terminal on standard input and output: the other screen where there is one,
-    /// the cursor hidden, keys one by one and unechoed, line feeds that only go down.
-    /// `term`: the name of its description; xterm-256color where it is empty or not known. The
-    /// error is a sentence with its remedy.
+    /// Takes over the terminal on standard input and output: alternate screen where there is one,
+    /// cursor hidden, keys unbuffered and without echo, line feeds that only move down. `term`: the
+    /// name of the description; xterm-256color if it is empty or unknown. The error is a sentence
+    /// with its remedy.
     static std::variant<CursesSession, std::string> start(const std::string& term);
 
     CursesSession(CursesSession&&) noexcept;
     CursesSession& operator=(CursesSession&&) noexcept;
-    ~CursesSession();  ///< leaves
+    ~CursesSession();  ///< leaves the terminal
 
-    /// The size that the terminal's description and the environment give.
+    /// The size according to the terminal's description and the environment.
     int columns() const;
     int rows() const;
-    /// Where the cursor is put on leaving depends on the size. Pre: > 0.
+    /// Sets the window size, which decides where the cursor goes on leaving. Pre: > 0.
     void set_size(int columns, int rows);
 
-    /// Gives the terminal back for a while, and takes it again. Both write to it.
+    /// Releases the terminal for a while, and takes it again. Both write to it.
     void leave();
     void enter();
 

@@ -102,7 +102,7 @@ void append_movement(std::string& bytes, const TerminalDialect& dialect, int col
     const std::size_t absolute = is_first_column ? sequence_size(to.row + 1)
                                                  : 4 + digits(to.row + 1) + digits(to.column + 1);
     if (from) {
-        // Sideways first: a line feed at the margin may wrap.
+        // Columns first: a line feed at the margin may wrap.
         const Step along = sideways(dialect, columns, from->column, to.column);
         const Step across = up_or_down(dialect, from->row, to.row);
         if (along.size + across.size < absolute) {

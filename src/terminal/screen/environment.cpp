@@ -18,8 +18,8 @@ std::string variable(const char* name) {
     return value != nullptr ? value : "";
 }
 
-// Sets the locale's characters. A locale that is named and not installed, as often behind SSH,
-// still says what the terminal understands.
+// Sets the locale's character set. A locale that is named but not installed, as often over SSH,
+// still tells what the terminal understands.
 bool is_utf8_locale() {
     if (std::setlocale(LC_CTYPE, "") == nullptr) {
         std::string named = variable("LC_ALL");

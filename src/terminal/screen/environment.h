@@ -7,10 +7,10 @@
 namespace carom {
 
 struct TerminalEnvironment {
-    std::string terminal;  ///< the name of its description; empty: none is named
+    std::string terminal;  ///< the name of the terminfo description; empty: none is named
     bool is_utf8 = false;
     bool is_ssh = false;
-    bool is_light = false;           ///< its background, by COLORFGBG
+    bool is_light = false;           ///< the background is light, by COLORFGBG
     bool wants_no_colors = false;    ///< NO_COLOR
     bool has_direct_colors = false;  ///< shows 24-bit colours, by COLORTERM
 };
@@ -21,11 +21,12 @@ TerminalEnvironment read_terminal_environment();
 /// The value of a variable, empty where it is not set.
 using Variables = std::function<std::string(const char* name)>;
 
-/// Whether COLORTERM promises 24-bit colours. GNU screen inherits the promise and does not keep it.
+/// Whether COLORTERM promises 24-bit colours. GNU screen inherits the promise without keeping it,
+/// so it does not count.
 bool has_direct_colors(const Variables& variables);
 
 /// The name of the terminfo description to use: TERM, but xterm-256color for a terminal that sets
-/// TERM to xterm (8 colours) and shows by another variable that it has 256.
+/// TERM to xterm (8 colours) while another variable shows that it has 256.
 std::string described_terminal(const Variables& variables);
 
 }  // namespace carom

@@ -14,16 +14,16 @@ constexpr char32_t full_block = U'█';
 constexpr char32_t upper_half = U'▀';
 constexpr char32_t lower_half = U'▄';
 
-// What a style of a terminal without ECMA-48 costs, about.
+// The approximate cost, in bytes, of a style on a terminal without ECMA-48.
 constexpr std::size_t foreign_cost = 12;
-// Unchanged cells between two changes that may be written again: no jump is longer.
+// At most this many unchanged cells between two changes are written again instead of a jump.
 constexpr int longest_gap = 8;
 
 constexpr bool is_ascii(char32_t glyph) {
     return glyph >= U' ' && glyph < 0x7f;
 }
 
-// Marks show on blanks too.
+// Underline and reverse show on blanks too.
 bool is_marked(const SgrStyle& style) {
     return (style.attributes & (reverse | underline)) != 0;
 }
@@ -32,10 +32,10 @@ std::size_t glyph_size(char32_t glyph) {
     return glyph < 0x80 ? 1 : glyph < 0x800 ? 2 : glyph < 0x10000 ? 3 : 4;
 }
 
-// Without colours, a bright background behind dark text is told by reversing the cell.
+// Without colours, a bright background behind dark text is shown by reversing the cell.
 bool has_bright_ground(const Cell& cell) {
     if (cell.background == default_color) return false;
-    constexpr double own_ink = 0.9;  // of a dark terminal
+    constexpr double own_ink = 0.9;  // luminance of the default foreground, on a dark terminal
     const double ink = cell.foreground < 0 ? own_ink : luminance(rgb_of(cell.foreground));
     return luminance(rgb_of(cell.background)) > ink;
 }
@@ -85,8 +85,8 @@ FrameDiffer::Look FrameDiffer::look_of(const Cell& cell) const {
     const bool is_plain = style.attributes == plain;
     const bool is_block =
         look.glyph == full_block || look.glyph == upper_half || look.glyph == lower_half;
-    // One colour all over is a blank of that colour: a byte, and no ink beyond the cell's border,
-    // which the blocks of many fonts leave behind.
+    // A block of one colour all over is sent as a blank of that colour: one byte, and no seam at
+    // the cell's border, which blocks leave in many fonts.
     if (is_block && style.background >= 0 && style.foreground == style.background) {
         look.glyph = U' ';
     }
@@ -130,7 +130,7 @@ std::size_t FrameDiffer::index_of(int row, int column) const {
            static_cast<std::size_t>(column);
 }
 
-// From `column` on; the number of columns where there is none.
+// The next changed column from `column` on; the number of columns if there is none.
 int FrameDiffer::next_change(int row, int column) const {
     const std::size_t start = index_of(row, 0);
     while (column < columns_ && wanted(column) == shown_[start + static_cast<std::size_t>(column)])
@@ -138,7 +138,7 @@ int FrameDiffer::next_change(int row, int column) const {
     return column;
 }
 
-// How far the cells that look like the one at `column` reach.
+// The run of cells that look like the one at `column`.
 FrameDiffer::Run FrameDiffer::run_from(int row, int column) const {
     Run run{column, column};
     for (; run.end < columns_ && wanted(run.end) == wanted(column); ++run.end) {
@@ -148,7 +148,7 @@ FrameDiffer::Run FrameDiffer::run_from(int row, int column) const {
     return run;
 }
 
-// Brings the cursor to a cell: by writing what lies between again, where that is shorter.
+// Brings the cursor to a cell, by writing the cells in between again where that is shorter.
 void FrameDiffer::reach(int row, int column) {
     const int from = cursor_ && cursor_->row == row ? cursor_->column : column + 1;
     if (from < column && column - from <= longest_gap) {
@@ -171,8 +171,8 @@ void FrameDiffer::reach(int row, int column) {
     cursor_ = place;
 }
 
-// Erases the run of blanks at `column` where that is shorter than writing them; returns how far it
-// came. The cursor stays.
+// Erases the run of blanks at `column` where that is shorter than writing them. Returns how many it
+// erased. The cursor stays.
 int FrameDiffer::paint_blanks(int row, int column) {
     const Look& look = wanted(column);
     const bool can_erase = look.style.background < 0 || dialect_.erases_in_color;
@@ -198,13 +198,13 @@ int FrameDiffer::paint_blanks(int row, int column) {
     return run.last_change;
 }
 
-// Writes the cell at `column`, and equal ones behind it where one sequence repeats it. Returns how
-// many.
+// Writes the cell at `column`, and equal cells behind it where one sequence repeats it. Returns how
+// many cells it wrote.
 int FrameDiffer::paint_cells(int row, int column) {
     write(way_of(wanted(column), style_));
     if (!dialect_.has_repeat || !is_ascii(wanted(column).glyph)) return 1;
     const int more = run_from(row, column).last_change - column - 1;
-    // libvterm 0.3 takes the cursor to wait at the margin when a repetition ends one column before.
+    // libvterm 0.3 puts the cursor at the margin when a repetition ends one column before it.
     const bool reaches_margin = column + 1 + more >= columns_ - 1;
     if (reaches_margin || static_cast<std::size_t>(more) <= sequence_size(more)) return 1;
     append_sequence(out_, more, 'b');
@@ -212,7 +212,7 @@ int FrameDiffer::paint_cells(int row, int column) {
     return 1 + more;
 }
 
-// The cheapest of the ways to show a look. Where colours do not show, those in force stay.
+// The cheapest way to show a look. Colours that are not visible are left as they are.
 FrameDiffer::Way FrameDiffer::way_of(const Look& look, const std::optional<SgrStyle>& style) const {
     Way best{look.glyph, look.style, style_cost(style, look.style) + glyph_size(look.glyph)};
     if (best.cost <= 3 || !style || is_marked(look.style)) return best;

@@ -6,7 +6,8 @@ namespace {
 constexpr int synchronized_output = 2026;
 constexpr int pixel_reports = 1016;
 
-// Tell keys apart, report repeats and releases, all keys as sequences, with their text.
+// Distinguish all keys, report repeats and releases, and send all keys as sequences with their
+// text.
 constexpr std::string_view keys_on = "\033[>27u";
 constexpr std::string_view keys_off = "\033[<u";
 constexpr std::string_view paste_on = "\033[?2004h";
@@ -66,7 +67,7 @@ bool TerminalModes::measure(int pixels_wide, int pixels_high, int columns, int r
     return !does_window_tell_pixels_;
 }
 
-// A window is not always a whole number of cells, so the sizes were divided as integers.
+// Integer division, because a window is not always a whole number of cells.
 bool TerminalModes::learn_cell(int wide, int high) {
     if (!cell_aspect_from(wide, high, 1, 1)) return false;
     cell_wide_ = wide;

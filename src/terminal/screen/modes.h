@@ -8,20 +8,21 @@
 #include "terminal/input/mouse.h"
 #include "terminal/screen/screen.h"
 
-/// The terminal modes that ncurses does not know: the mouse, the kitty keyboard protocol, bracketed
-/// paste, synchronized output. Which are on depends on the player's options and on the terminal's
-/// answers. Pure: it makes the bytes, the caller sends them.
+/// The terminal modes that ncurses does not know: mouse, kitty keyboard protocol, bracketed paste,
+/// synchronized output. Which are on depends on the player's options and on the terminal's answers.
+/// Pure: it makes the bytes, the caller sends them.
 namespace carom {
 
 class TerminalModes {
   public:
     explicit TerminalModes(const ScreenOptions& options = {}) : options_(options) {}
 
-    /// Turns every mode on that is wanted and offered, from all modes off; and back off.
+    /// Turns on every mode that is wanted and offered, starting from all modes off; off() reverses
+    /// it.
     std::string on() const;
     std::string off() const;
 
-    /// Sets the mouse modes, from any state.
+    /// Sets the mouse modes, whatever is in force.
     std::string mouse() const;
     MouseMode mouse_mode() const { return options_.mouse; }
     void set_mouse_mode(MouseMode mode) { options_.mouse = mode; }
@@ -29,16 +30,16 @@ class TerminalModes {
     bool has_mouse_pixels() const;
     MouseUnit mouse_unit() const;
 
-    /// Sent before and after a frame, so that the terminal shows all of it at once.
+    /// Sent before and after a frame, so that the terminal shows it all at once.
     std::string_view before_frame() const;
     std::string_view after_frame() const;
 
-    /// The window's size in pixels and in cells; pixels 0 where it does not say. Returns whether
-    /// the terminal should be asked instead (cell_question).
+    /// Takes the window's size in pixels and in cells; pixels are 0 where unknown. Returns whether
+    /// the terminal should be queried instead (cell_question).
     bool measure(int pixels_wide, int pixels_high, int columns, int rows);
-    /// Learns from an answer; returns what to send because of it.
+    /// Learns from an answer; returns the bytes to send in response.
     std::string learn(const Answer& answer);
-    /// Copies what is known into `capabilities`.
+    /// Copies the known abilities into `capabilities`.
     void tell(Capabilities& capabilities) const;
 
   private:

@@ -6,19 +6,19 @@
 namespace carom {
 namespace {
 
-constexpr double blind_interval = 1.0 / 20.0;     // s; what a line of 9600 baud nearly carries
+constexpr double blind_interval = 1.0 / 20.0;     // s; about what a 9600 baud line carries
 constexpr double blind_after = 0.5;               // s without a first answer
-constexpr double stalled_after = 2.0;             // s without any more answers
+constexpr double stalled_after = 2.0;             // s without any further answer
 constexpr double urgent_interval = 0.004;         // s; a drag may send a thousand reports a second
 constexpr double stalled_urgent_interval = 0.25;  // s
-constexpr double early = 0.001;                   // s by which a frame may come before its time
+constexpr double early = 0.001;                   // s by which a frame may be early
 
 constexpr std::size_t least_window = 2;
-constexpr std::size_t most_kept = 256;  // frames remembered while nothing answers
-constexpr double short_queue = 0.015;   // s that a frame may have waited behind others
-constexpr double long_queue = 0.035;    // s at which too many frames are on their way
-constexpr double contentment = 5.0;     // s without another try for more
-constexpr double path_memory = 10.0;    // s after which a way that was shorter is history
+constexpr std::size_t most_kept = 256;  // unanswered frames remembered
+constexpr double short_queue = 0.015;   // s; a frame that waited no longer met no queue
+constexpr double long_queue = 0.035;    // s; a frame that waited longer met too many others
+constexpr double contentment = 5.0;     // s before the window may grow again
+constexpr double path_memory = 10.0;    // s after which the shortest round trip is measured again
 
 }  // namespace
 
@@ -62,10 +62,10 @@ double Pacing::seconds_to_frame(double now, bool urgent) const {
 void Pacing::drawn(double now, std::size_t bytes) {
     const double period = interval(now);
     const double late = now - next_due_;
-    // A frame in time keeps the beat; an urgent one, and one after a break, start it anew.
+    // A frame in time keeps the rhythm; an urgent frame, or one after a break, restarts it.
     next_due_ = late >= -early && late < period ? next_due_ + period : now + period;
     last_drawn_ = now;
-    if (is_stalled(now)) {  // what has not been answered by now never will be
+    if (is_stalled(now)) {  // frames not answered by now never will be
         lost_ += sent_.size();
         sent_.clear();
         window_ = least_window;
@@ -81,7 +81,8 @@ void Pacing::drawn(double now, std::size_t bytes) {
 }
 
 void Pacing::answered(std::size_t total, double now) {
-    lost_ = std::min(lost_, drawn_ - std::min(drawn_, total));  // it came after all
+    lost_ = std::min(
+        lost_, drawn_ - std::min(drawn_, total));  // one counted as lost was answered after all
     while (!sent_.empty() && drawn_ - sent_.size() < total + lost_) {
         const Sent frame = sent_.front();
         sent_.pop_front();
@@ -91,8 +92,8 @@ void Pacing::answered(std::size_t total, double now) {
     }
 }
 
-// A trip about as short as the shortest had no queue before it, so there is room for more frames;
-// a long one waited behind our own frames, or somebody else's.
+// A round trip about as short as the shortest met no queue, so there is room for more frames. A
+// long one waited behind carom's own frames, or behind other traffic.
 void Pacing::learn(const Sent& frame, double now) {
     round_trip_ = std::max(1.0e-6, now - frame.at);
     const std::size_t number = drawn_ - sent_.size();  // of frames answered or lost
@@ -103,18 +104,18 @@ void Pacing::learn(const Sent& frame, double now) {
     shortest_trip_ = std::min(shortest_trip_, round_trip_);
     const double queue = round_trip_ - shortest_trip_;
     if (queue <= short_queue) seen_short_ = now;
-    if (now - seen_short_ > path_memory) {  // the way may have become longer
+    if (now - seen_short_ > path_memory) {  // the link may have become slower
         is_probing_ = true;
         seen_short_ = now;
     }
     const double useful = std::ceil(shortest_trip_ * options_.frames_per_second) + 1.0;
     const auto most = std::max(least_window, static_cast<std::size_t>(std::min(useful, 64.0)));
     const bool is_limit = sent_.size() + 1 >= window_;
-    // What a change does shows only once a frame that was sent after it has been answered.
+    // The effect of a change shows only once a frame that was sent after it has been answered.
     if (number <= changed_at_ || frame.was_alone) return;
     const std::size_t before = window_;
     if (queue > long_queue) {
-        // As many as the way holds without a queue; and no trying out again for a while.
+        // As many frames as the link holds without a queue; then no growth for a while.
         window_ =
             static_cast<std::size_t>(static_cast<double>(window_) * shortest_trip_ / round_trip_);
         may_grow_at_ = now + contentment;

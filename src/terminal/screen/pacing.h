@@ -3,11 +3,11 @@
 #include <cstddef>
 #include <deque>
 
-/// When to draw the next frame, so that old frames never queue up on a slow link.
+/// Decides when to draw the next frame, so that old frames never queue up on a slow link.
 ///
 /// Every frame ends with a status query (Screen::show with FrameEnd::asks), and only a few frames
 /// may be unanswered at a time: two, or more where the round trip is long and the queue short. Pure
-/// arithmetic on times that the caller measures, in seconds of a monotonic clock:
+/// arithmetic on times, in seconds of a monotonic clock, that the caller measures:
 ///
 ///     if (pacing.may_draw(now, input_came)) {
 ///         bytes = screen.show(canvas, FrameEnd::asks);
@@ -19,12 +19,12 @@ namespace carom {
 
 struct PacingOptions {
     double frames_per_second = 60.0;  ///< most frames, > 0
-    double bytes_per_second = 0.0;    ///< most bytes on average; 0: no limit
+    double bytes_per_second = 0.0;    ///< average limit; 0: none
 
     friend bool operator==(const PacingOptions&, const PacingOptions&) = default;
 };
 
-/// For links that cannot be measured from here, because tmux or mosh answers in between.
+/// For links that cannot be measured from here, because tmux or mosh answers on the near side.
 inline constexpr PacingOptions low_bandwidth_pacing{.frames_per_second = 15.0,
                                                     .bytes_per_second = 4000.0};
 
@@ -33,19 +33,19 @@ class Pacing {
     explicit Pacing(const PacingOptions& options = {});
 
     /// Whether a frame may be sent now. `urgent`: there was input, whose effect the player wants to
-    /// see; such a frame waits for the link, but not for its regular time.
+    /// see. An urgent frame waits for the link, but not for its regular time.
     bool may_draw(double now, bool urgent = false) const;
     /// A frame of so many bytes was sent, and ended with a query.
     void drawn(double now, std::size_t bytes);
     /// The total number of answers since the start.
     void answered(std::size_t total, double now);
 
-    /// How long to wait for input before a frame (or an urgent one) may be sent, s; 0 where it may
-    /// be sent now. An answer ends the wait and may make it due earlier.
+    /// How long to wait for input before a frame (or an urgent one) may be sent, s; 0 if it may be
+    /// sent now. Any answer should end the wait, since it may make a frame due earlier.
     double seconds_to_frame(double now, bool urgent = false) const;
 
-    /// The terminal used to answer and has not for 2 s: the game should pause. A frame may be sent
-    /// every 2 s (every 0.25 s after input) to ask again; make sure that it is not empty
+    /// The terminal used to answer and has not done so for 2 s: the game should pause. A frame may
+    /// be sent every 2 s (every 0.25 s after input) to query again; make sure that it is not empty
     /// (Screen::redraw).
     bool is_stalled(double now) const;
     /// The terminal has not answered yet, half a second after the first frame: frames are sent at a
@@ -68,15 +68,15 @@ class Pacing {
 
     PacingOptions options_;
     std::deque<Sent> sent_;         // the unanswered frames, oldest first
-    std::size_t drawn_ = 0;         // frames ever
+    std::size_t drawn_ = 0;         // frames sent since the start
     std::size_t lost_ = 0;          // answers that are no longer expected
-    bool has_answers_ = false;      // ever
-    bool has_asked_again_ = false;  // stalled, and a frame was sent since
+    bool has_answers_ = false;      // at least one answer has come
+    bool has_asked_again_ = false;  // stalled, and a frame has been sent since
     std::size_t window_ = 2;
     /// Number of the last frame that does not yet show the effect of the last change of window_.
     std::size_t changed_at_ = 0;
     double may_grow_at_ = -1.0e9;
-    bool is_probing_ = false;  // one frame at a time, to measure the round trip anew
+    bool is_probing_ = false;  // one frame at a time, to measure the round trip without a queue
     double round_trip_ = 0.0;
     double shortest_trip_ = 0.0;  // the round trip without a queue; 0: not known
     double seen_short_ = 0.0;     // when a round trip was last about that short

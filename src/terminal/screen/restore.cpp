@@ -19,7 +19,7 @@ namespace {
 
 struct Restoration {
     std::atomic<bool> is_armed{false};
-    std::atomic<bool> answers{false};  // outlives the arming: answers come late
+    std::atomic<bool> answers{false};  // survives disarming: answers may come late
     termios modes{};
     std::size_t length = 0;
     std::array<char, 1000> bytes{};
@@ -44,7 +44,7 @@ void on_fatal_signal(int signal) {
     const auto* const found = std::find(fatal_signals.begin(), fatal_signals.end(), signal);
     sigaction(signal, &handlers_before[static_cast<std::size_t>(found - fatal_signals.begin())],
               nullptr);
-    raise(signal);  // arrives when this handler returns
+    raise(signal);  // takes effect when this handler returns
 }
 
 // Reads until the answer to CSI 5 n has come, or nothing has come for a second.

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double answer_patience = 0.25;  // s that open() waits for answers
 
-// COLORTERM is inherited by what knows nothing of it, so it counts only beside 256 colours.
+// Programs that know nothing of COLORTERM pass it on, so it counts only together with 256 colours.
 int colors_on_offer(const TerminalEnvironment& environment) {
     const int described = described_colors();
     const bool is_direct = described > 256 || (described == 256 && environment.has_direct_colors);
@@ -56,7 +56,7 @@ std::variant<Screen, ScreenError> Screen::open(const ScreenOptions& options) {
     state->enter();
     if (options.queries && is_modern_emulator()) {
         state->send(capability_questions());
-        constexpr int most_reads = 64;  // somebody may be typing meanwhile
+        constexpr int most_reads = 64;  // bounded, since somebody may be typing meanwhile
         for (int i = 0; i < most_reads && !state->has_answered_all; ++i) {
             if (!state->wait_once(answer_patience)) break;
         }

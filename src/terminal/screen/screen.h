@@ -12,11 +12,11 @@
 #include "terminal/input/capabilities.h"
 #include "terminal/input/input.h"
 
-/// The terminal that the player uses: shows canvases, reads keys and the mouse. The only room that
-/// includes ncurses. At most one screen is open at a time.
+/// The player's terminal: shows canvases, reads keys and the mouse. The only room that includes
+/// ncurses. At most one screen is open at a time.
 namespace carom {
 
-/// What the mouse reports. `off` leaves it to the terminal, so that text can be selected.
+/// What the mouse reports. `off` leaves the mouse to the terminal, so that text can be selected.
 enum class MouseMode : std::uint8_t {
     off,
     drag,   ///< buttons, the wheel, and motion while a button is held
@@ -24,28 +24,29 @@ enum class MouseMode : std::uint8_t {
 };
 
 struct ScreenOptions {
-    /// 0, 8, 16 or 256: this many at most; direct_colors: 24-bit colours, whatever TERM says.
-    /// None: as many as the terminal has, NO_COLOR honoured.
+    /// 0, 8, 16 or 256: at most this many; direct_colors: 24-bit colours, whatever TERM says. None:
+    /// as many as the terminal has, subject to NO_COLOR.
     std::optional<int> colors;
     std::optional<bool> light_background;  ///< overrides the terminal's answer
     MouseMode mouse = MouseMode::drag;
-    bool mouse_pixels = true;  ///< positions finer than a cell where the terminal offers them
-    bool key_release = true;   ///< ask for the release of keys where the terminal has it
-    bool queries = true;       ///< ask the terminal at all what it can do
+    bool mouse_pixels = true;  ///< positions finer than a cell, where the terminal offers them
+    bool key_release = true;   ///< ask for key releases, where the terminal has them
+    bool queries = true;       ///< query the terminal's abilities
 };
 
-/// Why there is no screen, in a sentence with its remedy.
+/// Why no screen could be opened, in a sentence with its remedy.
 struct ScreenError {
     std::string message;
 };
 
-/// Whether a frame ends with a question that the terminal answers once it has drawn it (pacing.h).
+/// Whether a frame ends with a query that the terminal answers once it has drawn the frame
+/// (pacing.h).
 enum class FrameEnd : std::uint8_t { silent, asks };
 
 class Screen {
   public:
-    /// Takes the terminal over: alternate screen, cursor hidden, keys one by one, signals caught.
-    /// Asks the terminal what it can do, and waits up to a quarter of a second for the answers.
+    /// Takes over the terminal: alternate screen, cursor hidden, keys unbuffered, signals caught.
+    /// Queries the terminal's abilities and waits up to a quarter of a second for the answers.
     /// Later answers still count: a resize event reports them.
     static std::variant<Screen, ScreenError> open(const ScreenOptions& options = {});
 
@@ -53,26 +54,26 @@ class Screen {
     Screen& operator=(Screen&&) noexcept;
     ~Screen();  ///< closes
 
-    /// What the terminal can do, as of the last wait(). A resize event reports a change.
+    /// The terminal's abilities as of the last wait(). A resize event reports a change.
     const Capabilities& capabilities() const;
 
-    /// Makes the terminal show the canvas, in one write of what changed. Cells outside the window
-    /// are not shown; where the canvas is smaller, the rest is blank. Returns the bytes written: 0
-    /// where nothing changed or the terminal is gone.
+    /// Makes the terminal show the canvas, in one write of the changed cells. Cells outside the
+    /// window are not shown; where the canvas is smaller, the rest is blank. Returns the bytes
+    /// written: 0 if nothing changed or the terminal is gone.
     std::size_t show(const Canvas& canvas, FrameEnd end = FrameEnd::silent);
-    /// What the last show() sent to change the picture, without synchronization and questions:
-    /// whole characters and sequences; empty where show() returned 0. The first frame of each size
-    /// clears the screen, so a recording can start there. Valid until the next show().
+    /// The bytes with which the last show() changed the picture, without synchronization and
+    /// queries: whole characters and sequences; empty if show() returned 0. The first frame of each
+    /// size clears the screen, so a recording can start there. Valid until the next show().
     std::string_view last_frame() const;
-    /// The next show() sends everything: for use after something else has written to the terminal.
+    /// The next show() sends every cell: for use after another program has written to the terminal.
     void redraw();
 
     /// Input and signals as events, in order. Returns as soon as there is one, at the latest after
-    /// about `seconds` (0: at once; negative: never). Ctrl-C and Ctrl-\ are `end` events; Ctrl-Z
+    /// about `seconds` (0: at once; negative: no limit). Ctrl-C and Ctrl-\ are `end` events; Ctrl-Z
     /// suspends the program before this returns. `also`: a file descriptor that ends the wait when
     /// it becomes readable.
     std::vector<InputEvent> wait(double seconds, int also = -1);
-    /// Frames shown with FrameEnd::asks that have been answered, since the start.
+    /// The number of frames shown with FrameEnd::asks that have been answered since the start.
     unsigned frames_answered() const;
 
     MouseMode mouse() const;

@@ -90,7 +90,7 @@ void SgrText::add_number(int number) {
 
 SgrText style_change(const std::optional<SgrStyle>& from, const SgrStyle& to, bool has_own_colors) {
     if (from == to) return {};
-    // Attributes cannot be taken back one by one on every terminal.
+    // Not every terminal can take attributes back one by one.
     if (!from || (from->attributes & ~to.attributes) != 0) return fresh_start(to);
     const bool returns_to_own = (to.foreground < 0 && from->foreground >= 0) ||
                                 (to.background < 0 && from->background >= 0);

@@ -8,8 +8,8 @@
 
 #include "terminal/canvas/canvas.h"
 
-/// Colours and attributes as terminals are told them: SGR sequences, ESC [ parameters m (ECMA-48
-/// 8.3.117, with xterm's extensions for 16, 256 and 2^24 colours).
+/// Encodes colours and attributes as SGR sequences, ESC [ parameters m (ECMA-48 8.3.117, with
+/// xterm's extensions for 16, 256 and 2^24 colours).
 namespace carom {
 
 struct SgrStyle {
@@ -20,8 +20,8 @@ struct SgrStyle {
     friend bool operator==(const SgrStyle&, const SgrStyle&) = default;
 };
 
-/// A sequence, or two for a reset followed by a style. Never longer than its buffer: both colours
-/// in 24 bits and all attributes take 48 bytes.
+/// One sequence, or two for a reset followed by a style. It cannot exceed its buffer: two 24-bit
+/// colours and all attributes take 48 bytes.
 class SgrText {
   public:
     std::string_view text() const { return {bytes_.data(), size_}; }
@@ -35,9 +35,9 @@ class SgrText {
     std::size_t size_ = 0;
 };
 
-/// The shortest way from one style to another; empty where they are equal. `from` is empty where
+/// The shortest change from one style to another; empty where they are equal. `from` is empty where
 /// the style in force is not known. `has_own_colors`: the terminal understands 39 and 49, which
-/// bring back its own foreground and background one by one.
+/// restore the default foreground and background separately.
 SgrText style_change(const std::optional<SgrStyle>& from, const SgrStyle& to, bool has_own_colors);
 
 }  // namespace carom

@@ -26,7 +26,7 @@ void on_signal(int signal) {
     const int errno_before = errno;
     note(signal);
     const char byte = static_cast<char>(signal);
-    // A full pipe holds news enough.
+    // A full pipe already reports enough.
     [[maybe_unused]] const ssize_t written = write(pipe_ends[1], &byte, 1);
     errno = errno_before;
 }
@@ -52,7 +52,7 @@ SignalPipe::SignalPipe() {
         }
     }
     struct sigaction action {};
-    action.sa_handler = on_signal;  // no SA_RESTART: a write to a stuck terminal is to be given up
+    action.sa_handler = on_signal;  // no SA_RESTART: a write to a stuck terminal must return
     sigemptyset(&action.sa_mask);
     for (std::size_t i = 0; i < caught.size(); ++i) {
         sigaction(caught[i], nullptr, &actions_before[i]);

@@ -2,34 +2,35 @@
 
 #include <vector>
 
-/// Signals as bytes in a pipe, so that poll() can wait for them and for the terminal at once.
+/// Delivers signals as bytes in a pipe, so that one poll() waits for them and for the terminal.
 namespace carom {
 
 /// INT, QUIT, TERM or HUP.
 bool ends_the_game(int signal);
 
-/// Catches WINCH, INT, QUIT, TERM, HUP, TSTP and CONT (not INT, QUIT, TERM, HUP or TSTP where they
-/// were ignored). Open it before ncurses starts, or ncurses takes some of them. One at a time.
+/// Catches WINCH, INT, QUIT, TERM, HUP, TSTP and CONT (INT, QUIT, TERM, HUP and TSTP only where
+/// they were not ignored). Open it before ncurses starts, or ncurses takes some of them. At most
+/// one exists at a time.
 class SignalPipe {
   public:
     SignalPipe();
     SignalPipe(const SignalPipe&) = delete;
     SignalPipe& operator=(const SignalPipe&) = delete;
-    /// Restores the previous handlers, except for a signal that has already asked for the end: it
-    /// is ignored from now on, so that it cannot kill a program that is ending in good order. (HUP
-    /// comes twice: from the terminal, and from the supervisor, which passes it on.)
+    /// Restores the previous handlers, except for a signal that has already requested the exit: it
+    /// is ignored from now on, so that it cannot kill a program that is exiting cleanly. (HUP comes
+    /// twice: from the terminal, and from the supervisor, which forwards it.)
     ~SignalPipe();
 
-    /// The terminal is gone: from now on HUP counts as received, though it may come later.
+    /// Call it when the terminal is gone: HUP then counts as received, though it may arrive later.
     void expect_hangup();
 
-    /// Readable when there is something to take.
+    /// A file descriptor, readable when there is a signal to take.
     int handle() const;
     /// The signals since the last call, in order.
     std::vector<int> take();
 
     /// Stops this process the way Ctrl-Z does, and returns when it is continued. Pre: the terminal
-    /// has been given back. A process group without a shell to continue it is not stopped.
+    /// has been released. A process group without a shell to continue it is not stopped.
     void stop();
 };
 

@@ -21,7 +21,7 @@ InputEvent event_of(InputEvent::Kind kind) {
     return event;
 }
 
-// Sends all of it, however long that takes. Gives up when the terminal is gone or carom is to end.
+// Sends all bytes, however long that takes. Gives up when the terminal is gone or carom must exit.
 bool Screen::State::send(std::string_view bytes) {
     while (!bytes.empty() && !is_gone) {
         const ssize_t written = write(STDOUT_FILENO, bytes.data(), bytes.size());
@@ -79,14 +79,14 @@ void Screen::State::enter() {
 void Screen::State::leave() {
     if (!std::exchange(is_open, false)) return;
     pollfd output{.fd = STDOUT_FILENO, .events = POLLOUT, .revents = 0};
-    if (poll(&output, 1, 200) == 0) tcflush(STDOUT_FILENO, TCOFLUSH);  // stuck: drop what is old
+    if (poll(&output, 1, 200) == 0) tcflush(STDOUT_FILENO, TCOFLUSH);  // stuck: drop old output
     std::string bytes = modes.off();
     if (capabilities.answers) {
         bytes += status_question;
         ++asked;
     }
     send(bytes);
-    // Answers that are still on their way must not land in the shell.
+    // Answers that are still on their way must not reach the shell.
     while (capabilities.answers && asked != answered && !is_gone) {
         if (!wait_once(1.0)) break;
     }
@@ -109,7 +109,7 @@ void Screen::State::suspend() {
     waiting.push_back(event_of(InputEvent::Kind::resize));
 }
 
-// Continued after STOP: other programs may have changed the terminal meanwhile, so set it up anew.
+// After STOP and CONT: other programs may have changed the terminal meanwhile, so set it up anew.
 void Screen::State::repair() {
     send(modes.off());
     curses->leave();

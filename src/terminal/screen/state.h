@@ -13,11 +13,11 @@
 #include "terminal/screen/screen.h"
 #include "terminal/screen/signals.h"
 
-/// The state of an open screen, and what Screen does with it.
+/// The state of an open screen, and the operations of Screen on it.
 namespace carom {
 
 struct Screen::State {
-    SignalPipe signals;  // before ncurses: it leaves alone what is caught already
+    SignalPipe signals;  // before ncurses, which leaves signals alone that are already caught
     std::optional<CursesSession> curses;
     FrameDiffer differ;
     TerminalModes modes;
@@ -28,10 +28,10 @@ struct Screen::State {
     std::vector<int> deferred;        // signals that arrived during send()
     std::string_view frame;           // the last one sent
     double idle = 0.0;                // s waited without input for the rest of a sequence
-    unsigned asked = 0;               // for the terminal's status
+    unsigned asked = 0;               // queries for the terminal's status
     unsigned answered = 0;            // at most `asked`
     bool does_answer_questions = false;
-    bool has_answered_all = false;  // the sentinel came back
+    bool has_answered_all = false;  // the answer to the last query has come
     bool is_open = false;
     bool is_gone = false;
 
@@ -56,7 +56,7 @@ struct Screen::State {
     bool wait_once(double seconds, int also = -1);
 };
 
-/// An event of that kind, and nothing more.
+/// An event of that kind, without further data.
 InputEvent event_of(InputEvent::Kind kind);
 
 }  // namespace carom

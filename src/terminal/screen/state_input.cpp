@@ -12,11 +12,11 @@
 
 #include "terminal/screen/state.h"
 
-/// What an open screen hears: answers of the terminal, keys, the mouse, and signals.
+/// Input of an open screen: the terminal's answers, keys, the mouse, and signals.
 namespace carom {
 namespace {
 
-constexpr double sequence_patience = 0.25;  // s until the rest of a sequence is given up
+constexpr double sequence_patience = 0.25;  // s to wait for the rest of a sequence
 constexpr double escape_step = 0.005;       // s that waiting for more than an ESC may cost a caller
 
 bool is_control_key(const InputEvent& event, char32_t key) {
@@ -95,7 +95,7 @@ void Screen::State::take_input() {
     hang_up();
 }
 
-// Waits for one thing of whatever kind; false when nothing came in that time.
+// Waits for one event of any kind; false if none came in that time.
 bool Screen::State::wait_once(double seconds, int also) {
     using enum InputDecoder::Pending;
     if (!deferred.empty()) {
@@ -109,7 +109,8 @@ bool Screen::State::wait_once(double seconds, int also) {
     if (pending != nothing) {
         const double left = std::max(escape_step, patience - idle);
         timeout = seconds < 0.0 ? left : std::min(left, std::max(seconds, escape_step));
-        // A wait that something else ends would tell nothing of how long it was.
+        // `also` would cut the wait short, and `idle` could not count it. So it is not polled
+        // while a sequence is pending, and the wait is short instead.
         if (also >= 0) timeout = std::min(timeout, escape_step);
         also = -1;
     }
@@ -129,7 +130,7 @@ bool Screen::State::wait_once(double seconds, int also) {
     }
     idle = 0.0;
     if (sources[1].revents != 0) {
-        take_signals();  // which may read the terminal, so that it is to be asked afresh
+        take_signals();  // may read the terminal, so poll it again
     } else if (sources[0].revents != 0) {
         take_input();
     }

@@ -9,7 +9,7 @@
 #include <array>
 #include <string_view>
 
-// Last, for it defines macros with names of everyday words.
+// Included last, since it defines macros with everyday names.
 #include <term.h>
 
 namespace carom {
@@ -48,7 +48,7 @@ constexpr std::array named_keys{
     NamedKey{"kNXT", key::page_down, shift},
     NamedKey{"kIC", key::insert, shift},
     NamedKey{"kDC", key::remove, shift},
-    // Extended names: what 5 (Ctrl) and 3 (Alt) stand for in xterm's.
+    // Extended names of xterm's: the suffix 5 means Ctrl, 3 means Alt.
     NamedKey{"kUP3", key::up, alt},
     NamedKey{"kDN3", key::down, alt},
     NamedKey{"kLFT3", key::left, alt},
@@ -65,7 +65,7 @@ const char* capability(const char* name) {
     return found == reinterpret_cast<const char*>(-1) ? nullptr : found;
 }
 
-// Without the padding that tputs() would turn into time.
+// The string without its padding, which tputs() would turn into delays.
 std::string unpadded(const char* text) {
     std::string result;
     for (std::string_view rest = text != nullptr ? text : ""; !rest.empty();) {
@@ -82,7 +82,7 @@ bool is_string(const char* name, std::string_view expected) {
     return unpadded(capability(name)) == expected;
 }
 
-// A terminal of 88 colours, or of any number between, is used as one of fewer.
+// A terminal of 88 colours, or of any other number in between, is used as one of fewer colours.
 int colors_in_use(int most) {
     if (most >= direct_colors) return direct_colors;
     const int known = described_colors();
@@ -94,7 +94,7 @@ int colors_in_use(int most) {
 struct DescribedAttribute {
     Attribute attribute;
     const char* capability;
-    int forbidden_in_color;  // its bit in "ncv"
+    int forbidden_in_color;  // the attribute's bit in "ncv"
 };
 constexpr std::array described_attribute_table{
     DescribedAttribute{bold, "bold", 32}, DescribedAttribute{dim, "dim", 16},
@@ -115,7 +115,7 @@ std::uint8_t attributes_in_color() {
     return attributes;
 }
 
-// Whether it moves and colours the way that all terminals since the VT100 do.
+// Whether the terminal moves and colours the way that all terminals since the VT100 do.
 bool is_ecma48(int colors) {
     const auto color = [](int number) {
         const char* const text = capability("setaf");
@@ -135,7 +135,7 @@ std::string described_move(int row, int column) {
     return unpadded(tiparm(capability("cup"), row, column));
 }
 
-// "setf" and "setb" count the colours of "setaf" and "setab" with red and blue exchanged.
+// "setf" and "setb" use the colour numbers of "setaf" and "setab" with red and blue exchanged.
 std::string described_color(const char* ansi, const char* other, int color) {
     if (const char* const text = capability(ansi)) return unpadded(tiparm(text, color));
     constexpr std::array exchanged{0, 4, 2, 6, 1, 5, 3, 7};
@@ -178,7 +178,7 @@ KeyTable described_keys() {
         const std::string name = fmt::format("kf{}", number);
         const char* const sent = capability(name.c_str());
         if (sent == nullptr) continue;
-        // The second twelve are the first with Shift.
+        // The second twelve function keys are the first with Shift.
         const bool is_shifted = number > 12;
         table.add(sent, key::f1 + (is_shifted ? number - 12 : number) - 1,
                   is_shifted ? shift : no_modifier);
