@@ -36,7 +36,7 @@ struct Perform {
 }  // namespace carom
 
 int main(int count, char** arguments) {
-    // A reader who closes a pipe is told of by the write that fails.
+    // A pipe closed by its reader is reported by the write that fails.
     std::signal(SIGPIPE, SIG_IGN);
     try {
         return std::visit(carom::Perform{}, carom::parse_options(count, arguments));

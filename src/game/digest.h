@@ -8,8 +8,8 @@
 
 namespace carom {
 
-/// Combines numbers into one of 64 bits, order included: for fingerprints of what a game
-/// remembers. Doubles count by their bits, so 0 and -0 differ.
+/// A hash combiner: combines numbers, in order, into one of 64 bits, for fingerprints of a game's
+/// state. Doubles are hashed by their bits, so 0 and -0 differ.
 class Digest {
   public:
     explicit Digest(std::uint64_t start) : value_(start) {}

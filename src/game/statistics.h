@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-/// What a set of counts comes to.
+/// Statistics of a set of counts.
 namespace carom {
 
 struct Moments {
@@ -12,7 +12,7 @@ struct Moments {
     double variance = 0.0;  ///< about the mean, divided by the total
 };
 
-/// Of the numbers 0, 1, 2 ... with these weights; all zero when nothing weighs anything.
+/// Of the numbers 0, 1, 2, ... with these weights; all zero if the weights are.
 template <class Weight>
 Moments moments_of(std::span<const Weight> weights) {
     Moments moments;

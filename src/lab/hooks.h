@@ -5,11 +5,11 @@
 
 namespace carom {
 
-/// Called tick by tick, and within long ticks, with the ticks done and the ticks to do. Returning
-/// false ends the work.
+/// Called tick by tick, and within long ticks, with the ticks done and the ticks in total.
+/// Returning false ends the work.
 using GoOn = std::function<bool(std::uint64_t done, std::uint64_t total)>;
 
-/// What the lab needs from its caller.
+/// Services that the lab needs from its caller.
 struct LabHooks {
     /// Seconds since any fixed moment: the lab has no clock of its own.
     std::function<double()> clock;

@@ -4,20 +4,20 @@
 #include <string>
 #include <string_view>
 
-/// JSON, written front to back.
+/// Writes JSON, front to back.
 namespace carom {
 
-/// The shortest decimal that reads back to the same double, always with a point or an exponent, so
-/// that readers that tell integers from doubles keep the sign of -0. `null` where JSON has no
-/// number: infinite, or not a number.
+/// The shortest decimal that reads back to the same double. It always has a point or an exponent,
+/// so that readers that distinguish integers from doubles keep the sign of -0. `null` for infinity
+/// and NaN, which JSON cannot express.
 std::string json_number(double value);
 
-/// `text` with quotes around it, and everything escaped that must be. Bytes that are not UTF-8 are
-/// replaced by U+FFFD, so the result always is.
+/// `text` in quotes, with all necessary escapes. Bytes that are not UTF-8 are replaced by U+FFFD,
+/// so the result is always valid UTF-8.
 std::string json_string(std::string_view text);
 
-/// Puts the commas and the line breaks where they belong. Keys and values alternate inside an
-/// object: what is begun must be ended, which is asserted.
+/// Adds the commas and line breaks. Keys and values alternate inside an object; every object and
+/// list that is opened must be closed, which is asserted.
 class JsonWriter {
   public:
     /// Whether the members of an object or a list stand on lines of their own.
@@ -51,7 +51,7 @@ class JsonWriter {
     void close(char bracket);
 
     std::string text_;
-    std::string layouts_;  // one character a nesting: 'l' lines, 'o' one line
+    std::string layouts_;  // one character per nesting level: 'l' lines, 'o' one line
     bool is_first_ = true;
     bool is_after_key_ = false;
 };

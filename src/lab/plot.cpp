@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-// Whole decades on a number of cells.
+// An axis of whole decades over a number of cells.
 struct Axis {
     int low = 0;  // exponents of ten
     int high = 0;
@@ -65,7 +65,7 @@ class Field {
 
     void put(Cell at, char mark) { cells_[at.row][at.column] = mark; }
 
-    // To the right at the height of the better known, then down to the next.
+    // A step of the staircase: to the right at the height of `from`, then down to `to`.
     void join(Cell from, Cell to) {
         for (int column = from.column + 1; column <= to.column; ++column)
             put({column, from.row}, '.');
@@ -75,7 +75,7 @@ class Field {
 
     std::string text() const {
         std::vector<std::string> labels(frame_.rows);
-        // Every decade where there is room for its label, else every second, third ...
+        // Labels every decade if there is room, else every second, third, ...
         const int step = (y_.high - y_.low) / y_.cells + 1;
         for (int decade = y_.high; decade >= y_.low; decade -= step)
             labels[y_.cells - 1 - y_.cell_of_decade(decade)] = fmt::format("1e{}", decade);

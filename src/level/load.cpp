@@ -9,8 +9,7 @@
 namespace carom {
 namespace {
 
-// A 64-bit FNV-1a hash of texts. It takes their lengths in too, so that it tells "ab","c" from
-// "a","bc".
+// A 64-bit FNV-1a hash of texts. It includes their lengths, so that "ab","c" and "a","bc" differ.
 class TextHash {
   public:
     void add(std::string_view text) {

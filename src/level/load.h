@@ -17,7 +17,7 @@ struct LoadResult {
     std::vector<Diagnostic> diagnostics;  ///< in order of file and line; at most 20
 };
 
-/// Loads `text`, the content of the level `file`. The name serves for messages and as the base of
+/// Loads `text`, the content of the level `file`. The name is used in messages and as the base of
 /// includes.
 ///
 /// Never crashes, hangs or throws, whatever the bytes: sizes, nesting and work are bounded. The

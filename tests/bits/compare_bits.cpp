@@ -1,5 +1,5 @@
-// Whether two programs compute the same bits: runs both on random scenes and recordings, and
-// compares all that they print, but for cost and fingerprint. See scripts/compare-bits.
+// Compares the bits that two programs compute: runs both on random scenes and recordings, and
+// compares all their output except cost and fingerprint. See scripts/compare-bits.
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -33,9 +33,9 @@ namespace carom::bits {
 namespace {
 
 constexpr rlim_t most_seconds = 20;  ///< of processor time, for one run of one program
-constexpr int most_refusals = 12;    ///< commands left out of a recording, before it is given up
+constexpr int most_refusals = 12;    ///< commands removed from a recording before it is abandoned
 
-/// What came of one run of one program: the name of an output, and its text.
+/// The result of one run of one program: the name of an output, and its text.
 struct Output {
     std::string name;
     std::string text;
@@ -62,8 +62,8 @@ std::string without_cost(const std::string& report) {
     return kept;
 }
 
-/// Runs a program in `folder`, its standard output and error in the files `out` and `err` there;
-/// says how it ended.
+/// Runs a program in `folder`, with standard output and error in the files `out` and `err` there;
+/// returns how it ended.
 std::string run(const std::vector<std::string>& words, const fs::path& folder) {
     std::vector<char*> arguments;
     for (const std::string& word : words)
@@ -125,7 +125,7 @@ Outputs outputs(const std::string& carom, const Case& made, const fs::path& fold
     std::vector<std::string> words = {carom};
     words.insert(words.end(), made.arguments.begin(), made.arguments.end());
     const std::string ended = run(words, folder);
-    // What was written by then depends on the clock.
+    // The output so far depends on the clock.
     if (ended.starts_with("signal")) return {{"its end", ended}};
     Outputs all = {{"its end", ended},
                    {"standard error", read(folder / "err")},
@@ -138,7 +138,7 @@ Outputs outputs(const std::string& carom, const Case& made, const fs::path& fold
     return all;
 }
 
-// Of a recording that was refused a command, the tick of that command.
+// The tick of the command that the game refused, in a recording that was rejected for it.
 std::optional<int> refused_at(const Outputs& outputs) {
     constexpr std::string_view words = "it differs at tick ";
     if (outputs.size() < 3) return std::nullopt;
@@ -148,7 +148,7 @@ std::optional<int> refused_at(const Outputs& outputs) {
     return std::atoi(text.c_str() + place + words.size());
 }
 
-/// How the first difference reads, where there is one.
+/// Describes the first difference, if there is one.
 std::optional<std::string> difference(const Outputs& old_outputs, const Outputs& new_outputs) {
     for (std::size_t i = 0; i < std::min(old_outputs.size(), new_outputs.size()); ++i) {
         if (old_outputs[i].text == new_outputs[i].text) continue;
@@ -244,7 +244,7 @@ class Comparison {
         made.text = write_recording(made.level, made.solver, made.commands);
     }
 
-    // What a player may not do ends a recording: it goes on without the commands of that tick.
+    // A refused command ends a recording: try again without the commands of that tick.
     Outputs old_outputs(Case& made, const fs::path& folder, std::vector<int>& refused) {
         write(folder / made.file, made.text);
         Outputs before = outputs(old_, made, folder / "old");
@@ -271,7 +271,7 @@ class Comparison {
 
     std::string old_, new_;
     fs::path folder_;  ///< for files of one run, preferably in memory
-    fs::path kept_;    ///< for what differs, and what the old program computed
+    fs::path kept_;    ///< for differing outputs, and results of the old program
     KeptOutputs memory_;
     std::atomic<std::uint64_t> next_ = 0;
     std::uint64_t end_ = 0;

@@ -13,9 +13,8 @@
 
 namespace carom::bits {
 
-/// What the old program computed in earlier comparisons, so that it need not run again: of each
-/// seed the digest of its outputs, and the ticks at which it refused a command. A text file, one
-/// seed a line.
+/// Cached results of the old program, so that it need not run again: for each seed, the digest of
+/// its outputs and the ticks at which it refused a command. A text file, one seed a line.
 class KeptOutputs {
   public:
     struct Entry {

@@ -7,7 +7,7 @@
 #include "bits/level_writer.h"
 #include "bits/scene_random.h"
 
-/// A random level as it grows: its text so far, its scales, and where things already lie.
+/// A random level under construction: its text so far, its scales, and the occupied places.
 namespace carom::bits {
 
 struct Point {
@@ -15,7 +15,7 @@ struct Point {
     double y = 0.0;
 };
 
-/// As levels and recordings write them; they read back to the same bits.
+/// Numbers in the syntax of levels and recordings; they read back to the same bits.
 std::string text_of(double value);
 std::string text_of(Point p);
 
@@ -32,29 +32,29 @@ struct Draft {
     Random& random;
     Level level;
     double length = 1.0;  ///< about the diameter of a ball
-    double speed = 1.0;   ///< a usual one: it takes a ball some lengths in the level's time
+    double speed = 1.0;   ///< a typical speed: a ball crosses some lengths within the level's time
     Point origin;
     std::vector<Disc> discs;  ///< balls
-    std::vector<Edge> edges;  ///< edges, or discs that have those within
+    std::vector<Edge> edges;  ///< edges, or discs that contain them
 
     void line(std::string_view text) { level.text.append(text) += '\n'; }
-    /// Notes where an edge lies, so that no ball starts there.
+    /// Records where an edge is, so that no ball starts there.
     void add_edge(Point a, Point b, double r);
     /// A point of the scene, from its lower left corner.
     Point at(double x, double y) const { return {origin.x + x, origin.y + y}; }
     /// Any point of the scene.
     Point place();
-    /// The name of a material with a blank, or nothing.
+    /// The name of a material, preceded by a blank, or nothing.
     std::string material();
     bool is_inside(Point p) const;
     /// Whether a disc overlaps nothing.
     bool fits(Point p, double r) const;
 };
 
-/// Bumpers, flippers and whatever else a pinball table has, anywhere.
+/// Bumpers, flippers and other pinball devices, anywhere.
 void add_pinball_parts(Draft& draft);
 void add_pockets(Draft& draft);
-/// Zones and bins that count balls or swallow them.
+/// Zones and bins that count or remove balls.
 void add_sinks(Draft& draft);
 void add_grid_of_pegs(Draft& draft);
 

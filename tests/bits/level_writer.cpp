@@ -36,7 +36,7 @@ class LevelWriter : Draft {
     }
 
   private:
-    // A time and a length that set all other scales, so that something happens in every scene.
+    // A time and a length set all other scales, so that something happens in every scene.
     void scales() {
         length = random.chance(0.75) ? 1.0 : random.decades(-3.0, 4.0);
         level.width = length * random.between(8.0, 40.0);
@@ -184,7 +184,7 @@ class LevelWriter : Draft {
             bool is_free = overlap_;
             for (int tries = 0; tries < 20 && !is_free; ++tries) {
                 p = place();
-                // Some touch the ball before them, exactly in one coordinate.
+                // Some touch the previous ball, exactly in one coordinate.
                 if (!discs.empty() && random.chance(0.3)) {
                     const Disc& other = discs.back();
                     p = random.chance(0.5) ? Point{other.at.x + (other.r + r), other.at.y}

@@ -4,11 +4,11 @@
 
 #include "bits/scene_random.h"
 
-/// Writes random levels: small scenes which between them use every term of the model, every solver
-/// and its settings, ready-made parts, and radii, masses and speeds over orders of magnitude.
+/// Writes random levels: small scenes that together use every term of the model, every solver with
+/// its settings, ready-made parts, and radii, masses and speeds over orders of magnitude.
 namespace carom::bits {
 
-/// A level, and what a writer of commands needs to know of it. Lengths are the level's.
+/// A level, and the data that a command writer needs. Lengths are the level's.
 struct Level {
     std::string text;
     int ticks = 0;
@@ -16,14 +16,14 @@ struct Level {
     double width = 0.0;  ///< the scene lies between 0,0 and width,height
     double height = 0.0;
     double radius = 0.0;  ///< of a typical ball
-    double time = 0.0;    ///< of all ticks
-    int balls = 0;        ///< those of the start; some of them may have been left out
+    double time = 0.0;    ///< of the whole run
+    int balls = 0;        ///< at the start; some of them may have been left out
     int edges = 0;
     bool has_cloth = false;
     bool has_buttons = false;
 };
 
-/// Most of these levels load. Some do not, which is for the caller to see: it costs little.
+/// Most of these levels load. The caller must handle those that do not: they cost little.
 Level write_level(Random& random);
 
 }  // namespace carom::bits

@@ -52,7 +52,7 @@ class CommandWriter {
         }
     }
 
-    // A hand takes something, goes on a way for some ticks, and mostly lets go.
+    // A drag: grabs an object, moves it for some ticks, and usually releases it.
     void hold(const std::string& what, int tick, int points) {
         const int last = std::min(level_.ticks - 1, tick + random_.integer(1, 40));
         double x[2] = {}, y[2] = {};

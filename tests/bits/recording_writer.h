@@ -8,8 +8,8 @@
 #include "bits/level_writer.h"
 #include "bits/scene_random.h"
 
-/// Writes recordings of players who take, throw, place, add and remove balls and edges, press
-/// buttons, and change gravity and the solver, all at random: see src/game/replay/replay_text.h.
+/// Writes recordings of players who grab, throw, place, add and remove balls and edges, press
+/// buttons, and change gravity and solver, all at random: see src/game/replay/replay_text.h.
 namespace carom::bits {
 
 struct TimedLine {
@@ -20,15 +20,15 @@ struct TimedLine {
 /// Commands for a level, in order of their ticks. The game may refuse some.
 std::vector<TimedLine> write_commands(Random& random, const Level& level);
 
-/// Of a level's text, as a recording names it.
+/// The hash of a level's text, as a recording has it.
 std::uint64_t level_hash(std::string_view text);
 
-/// A whole recording. Its fingerprints are wrong, at the last tick alone: who verifies it is told
-/// what the fingerprint is.
+/// A whole recording. It has a wrong fingerprint at the last tick only, so that verifying it prints
+/// the right one.
 std::string write_recording(const Level& level, const std::string& solver,
                             const std::vector<TimedLine>& commands);
 
-/// Any solver with its settings, as recordings write it.
+/// Any solver with its settings, in the syntax of recordings.
 std::string write_solver(Random& random, bool has_cloth);
 
 }  // namespace carom::bits

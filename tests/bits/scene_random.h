@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <span>
 
-/// The random numbers of fuzzed scenes: SplitMix64, the same on every machine for one seed.
+/// The random numbers of fuzzed scenes: SplitMix64, equal on every machine for a given seed.
 namespace carom::bits {
 
 class Random {
   public:
-    // Neighbouring seeds would otherwise draw the same numbers, one after the other.
+    // Otherwise neighbouring seeds would draw shifted copies of one sequence.
     explicit Random(std::uint64_t seed) : state_(seed) { state_ = bits() ^ 0x5851f42d4c957f2du; }
 
     std::uint64_t bits() {
@@ -22,7 +22,7 @@ class Random {
     double between(double low, double high) {
         return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
     }
-    /// Its logarithm is uniform: ten to the power of something between `low` and `high`.
+    /// Log-uniform: ten to the power of a uniform number between `low` and `high`.
     double decades(double low, double high) { return std::pow(10.0, between(low, high)); }
     /// One of low, low + 1, ..., high.
     int integer(int low, int high) {

@@ -12,11 +12,11 @@
 #include "golden/golden.h"
 #include "golden/trace.h"
 
-// The same bits everywhere: every level that ships, under every solver, must reach the state that
-// tests/golden/fingerprints.txt has for it, whatever the compiler and its options, and its balls
-// must go where tests/golden/traces.txt has them. `scripts/update golden` renews both files, for a
-// change that is meant to change the bits; `scripts/determinism` compares the fingerprints with
-// what many compilers and machines give.
+// Bits are equal everywhere: every level that ships, under every solver, must reach the state in
+// tests/golden/fingerprints.txt, whatever the compiler and its options, and its balls must follow
+// tests/golden/traces.txt. `scripts/update golden` renews both files after a change that is meant
+// to change the bits; `scripts/determinism` compares the fingerprints of many compilers and
+// machines.
 
 using namespace carom;
 
@@ -38,7 +38,7 @@ std::string name_of(const test::GoldenRun& run) {
     return run.line.substr(0, run.line.rfind(' '));
 }
 
-/// By the name of the run. The rows of a trace stand indented below it.
+/// By the name of the run. The rows of its trace are indented below it.
 std::map<std::string, std::vector<std::string>> golden_traces() {
     std::map<std::string, std::vector<std::string>> traces;
     std::vector<std::string>* rows = nullptr;

@@ -65,14 +65,13 @@ TEST_CASE("the decay functions keep their stated bounds, down to 0") {
     for (double x = 1e-9; x < 600.0; x *= 1.01) {
         const long double mean = -std::expm1(-static_cast<long double>(x)) / x;
         worst_mean = std::max(worst_mean, relative(mean_decay(x), mean));
-        // Below 1/2 the closed form cancels even in extended precision; its series takes its place.
+        // Below 1/2 the closed form cancels even in extended precision, so the series is used.
         long double series = 0.0L;
         for (int n = 30; n >= 3; --n)
             series = (series + 1.0L) * (-static_cast<long double>(x) / n);
         const long double ramp = x > 0.5 ? (1.0L - mean) / x : 0.5L * (1.0L + series);
         worst_mean = std::max(worst_mean, relative(mean_decay(x), mean));
-        // Below 1e-3 the closed form cancels even in extended precision; the series takes its
-        // place.
+        // Below 1e-3 the closed form cancels even in extended precision, so the series is used.
         worst_ramp = std::max(worst_ramp, relative(mean_decay_ramp(x), ramp));
     }
     CHECK(worst_mean <= 1e-15);

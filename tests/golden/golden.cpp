@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Ten balls take a tick in no time; thousands would take minutes in a build for debugging, and so
+// A tick of ten balls takes no time; one of thousands would take minutes in a debug build, and so
 // would the bounces of a heap, all of which `event` computes.
 std::uint64_t ticks_for(const World& world, SolverKind kind) {
     const bool may_heap = world.model().lossy && world.model().gravity;
@@ -49,11 +49,11 @@ LoadResult load(const fs::path& path) {
 }
 
 GoldenRun run_of(const std::string& level, const Scene& scene, SolverKind kind) {
-    // A level's own settings hold for its own solver.
+    // A level's settings apply to its own solver.
     SolverSettings settings{.kind = kind};
     if (scene.solver && scene.solver->kind == kind) settings = *scene.solver;
     World world = scene.world;
-    // A table at rest shows nothing: it is broken, a little off the straight way.
+    // A table at rest shows nothing, so break it, slightly off the straight line.
     if (scene.pool.cue)
         world.edit_balls().velocity[*index_of(world, scene.pool.cue->ball)] =
             Vec2{0.9, 0.02} * scene.pool.cue->most_power;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-/// The fingerprints that must be the same with every compiler, with every option and on every
-/// machine. Needs nothing above src/game, so that it can be built for machines without a terminal.
+/// Fingerprints that must be equal with every compiler, every option and on every machine. Needs
+/// nothing above src/game, so that it can be built for machines without a terminal.
 namespace carom::test {
 
 struct GoldenRun {
@@ -15,13 +15,14 @@ struct GoldenRun {
 };
 
 /// "LEVEL SOLVER TICKS FINGERPRINT" for every level of the folder under every solver, in order.
-/// `names`: of some levels only; empty: of all. A level that does not load gives the line
-/// "LEVEL: " and what is wrong with it, which is in no file of golden lines.
+/// `names`: only these levels; empty: all. A level that does not load gives "LEVEL: " and its
+/// error, which no golden file contains.
 std::vector<GoldenRun> golden_levels(const std::string& folder,
                                      const std::vector<std::string>& names = {});
 
-/// "FILE TICKS FINGERPRINT" for every recording (*.replay) of the folder, played to its end: what
-/// players do gives the same bits too. One that cannot be read or played gives "FILE: " and why.
+/// "FILE TICKS FINGERPRINT" for every recording (*.replay) of the folder, played to its end, since
+/// commands must give equal bits too. A recording that cannot be read or played gives "FILE: " and
+/// the reason.
 std::vector<GoldenRun> golden_replays(const std::string& folder);
 
 }  // namespace carom::test

@@ -2,9 +2,9 @@
 
 #include "golden/golden.h"
 
-// carom-fingerprints LEVELS REPLAYS [NAME]...: prints what tests/golden/fingerprints.txt holds for
-// the levels and the recordings of two folders. scripts/determinism builds it with many compilers,
-// options and machines.
+// carom-fingerprints LEVELS REPLAYS [NAME]...: prints the contents of tests/golden/fingerprints.txt
+// for the levels and the recordings of two folders. scripts/determinism builds it with many
+// compilers, options and machines.
 int main(int count, char** arguments) {
     using namespace carom::test;
     if (count < 3) {

@@ -28,7 +28,7 @@ TEST_CASE("event: a hybrid step on cloth under gravity keeps the roll of every b
     // `contact`, which steps the cluster, knows no cloth.
     CHECK(world.balls().roll[0] == start.balls().roll[0]);
     CHECK(world.balls().roll[1] == start.balls().roll[1]);
-    // The ball outside of the cluster slips, so its roll changes, as it does without a cluster.
+    // The ball outside the cluster slips, so its roll changes as it would without a cluster.
     World alone = start;
     remove_ball(alone, BallId{0});
     remove_ball(alone, BallId{1});

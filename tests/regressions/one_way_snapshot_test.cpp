@@ -4,8 +4,8 @@
 #include "physics/support/scenes.h"
 #include "physics/world/fingerprint.h"
 
-// Under `event`, a ball that passed a one-way edge from behind met it again in the run that went
-// on, but not in a run from a snapshot: different bits from the same state.
+// Under `event`, a ball that passed a one-way edge from behind met it again in the continuing run,
+// but not in a run from a snapshot: different bits from one state.
 
 using namespace carom;
 

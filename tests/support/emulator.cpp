@@ -81,14 +81,14 @@ void Emulator::send(std::string_view bytes) {
 }
 
 void Emulator::write(std::string_view bytes) {
-    // Answers must come in the order of the questions, whoever gives them.
+    // Answers must be in the order of the queries, whether libvterm or this class gives them.
     for (const char byte : bytes) {
         follow({&byte, 1});
         vterm_input_write(terminal_.get(), &byte, 1);
     }
 }
 
-// Keeps track of what libvterm does not tell.
+// Tracks the state that libvterm does not report.
 void Emulator::follow(std::string_view bytes) {
     for (const char byte : bytes) {
         if (byte == '\033') {

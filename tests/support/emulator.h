@@ -9,23 +9,22 @@
 #include <string>
 #include <string_view>
 
-/// A terminal in memory (libvterm): what a person would see of what a program wrote.
+/// A terminal in memory (libvterm): shows what a person would see.
 namespace carom::test {
 
-/// What it says of itself, beyond what libvterm knows.
+/// The terminal's answers to queries, beyond those of libvterm.
 struct EmulatorOptions {
-    bool answers = true;            ///< at all
-    bool has_key_protocol = false;  ///< kitty's
+    bool answers = true;            ///< to any query
+    bool has_key_protocol = false;  ///< the kitty protocol
     bool has_pixel_mouse = false;
     bool has_synchronized_output = false;
-    std::string background;  ///< such as "rgb:ffff/ffff/ffff"; empty: does not say
-    int cell_wide = 0;       ///< pixels; 0: does not say
+    std::string background;  ///< such as "rgb:ffff/ffff/ffff"; empty: no answer
+    int cell_wide = 0;       ///< pixels; 0: no answer
     int cell_high = 0;
 };
 
-/// What a person sees of a cell, in words that are equal for cells that look the same: a blank has
-/// no foreground, a full block is a blank of the other colour, and so on. Colours: -1 for the
-/// terminal's own.
+/// The visible look of a cell as text, equal for cells that look alike: a blank has no foreground,
+/// a full block is a blank of the other colour, and so on. Colours: -1 for the terminal's own.
 struct CellLook {
     char32_t glyph = U' ';
     int foreground = -1;
@@ -38,7 +37,7 @@ std::string described(const CellLook& look);
 
 class Emulator {
   public:
-    /// `reply` gets what the terminal sends back.
+    /// `reply` receives the terminal's answers.
     Emulator(int columns, int rows, const EmulatorOptions& options,
              std::function<void(std::string_view)> reply);
 
@@ -52,11 +51,12 @@ class Emulator {
     std::string row(int row) const;
     VTermScreenCell cell(int column, int row) const;
     CellLook look(int column, int row) const;
-    /// The number of the palette, or 0x1RRGGBB for a 24-bit colour; none: the terminal's own.
+    /// The palette index, or 0x1RRGGBB for a 24-bit colour; none: the terminal's own.
     std::optional<int> foreground(int column, int row) const;
     std::optional<int> background(int column, int row) const;
 
-    /// DEC private modes, such as 1049, 25, 1002: whether set (25, the cursor, is at the start).
+    /// Whether a DEC private mode is set, such as 1049, 25 or 1002 (25, the cursor, is set at the
+    /// start).
     bool mode(int number) const;
     /// Entries on the stack of the kitty keyboard protocol.
     int key_stack() const { return key_stack_; }
@@ -76,7 +76,7 @@ class Emulator {
     EmulatorOptions options_;
     std::function<void(std::string_view)> reply_;
     std::map<int, bool> modes_{{25, true}};
-    std::string begun_;  // a control sequence that is not whole yet
+    std::string begun_;  // an incomplete control sequence
     int key_stack_ = 0;
     unsigned bells_ = 0;
 };

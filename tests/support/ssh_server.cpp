@@ -56,7 +56,7 @@ bool is_listening(int port) {
     return connected;
 }
 
-// Runs it with its output in a file, and goes on.
+// Starts it in the background with its output in a file.
 pid_t run(std::vector<std::string> arguments, const std::string& output) {
     const pid_t process = fork();
     if (process != 0) return process;
@@ -100,7 +100,7 @@ std::optional<SshServer> SshServer::start() {
                                       << "PidFile none\nUsePAM no\nStrictModes no\n"
                                       << "PasswordAuthentication no\nPermitRootLogin yes\n"
                                       << "PrintMotd no\nPrintLastLog no\nAcceptEnv LC_ALL\n";
-    if (getuid() == 0) mkdir("/run/sshd", 0755);  // which sshd wants of root
+    if (getuid() == 0) mkdir("/run/sshd", 0755);  // sshd requires it when run by root
     server.process_ = run({*sshd, "-D", "-e", "-f", folder + "/config"}, log);
     for (int i = 0; i < 500 && !is_listening(server.port_); ++i) {
         usleep(10'000);

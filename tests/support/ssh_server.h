@@ -6,20 +6,20 @@
 #include <string>
 #include <vector>
 
-/// A real sshd on loopback, for the user who runs the tests, with keys of its own.
+/// A real sshd on loopback, for the user who runs the tests, with its own keys.
 namespace carom::test {
 
 class SshServer {
   public:
-    /// None where sshd, ssh or ssh-keygen is not installed.
+    /// None if sshd, ssh or ssh-keygen is not installed.
     static std::optional<SshServer> start();
     SshServer(SshServer&& other) noexcept;
     SshServer& operator=(SshServer&&) = delete;
     ~SshServer();  ///< ends it and removes its files
 
-    /// What to run to run `command` there, on a terminal.
+    /// The local command that runs `command` there, on a terminal.
     std::vector<std::string> client(const std::string& command) const;
-    /// A folder that is gone when the server is.
+    /// A folder that is deleted with the server.
     const std::string& folder() const { return folder_; }
     std::string log() const;
 

@@ -125,7 +125,7 @@ void TerminalProgram::hang_up() {
     terminal_ = -1;
 }
 
-// One round of what a terminal does; false when nothing came in that time.
+// One exchange between program and terminal; false if nothing came in that time.
 bool TerminalProgram::pump(double seconds) {
     std::array<pollfd, 2> sources{{{terminal_, POLLIN, 0}, {log_pipe_, POLLIN, 0}}};
     if (!to_send_.empty()) sources[0].events |= POLLOUT;

@@ -12,7 +12,7 @@
 
 #include "support/emulator.h"
 
-/// A program that runs on a terminal of its own, with an emulator at the other end.
+/// A program on a pseudo-terminal, with an emulator at the other end.
 namespace carom::test {
 
 struct ProgramOptions {
@@ -20,50 +20,51 @@ struct ProgramOptions {
     int rows = 24;
     int pixels_wide = 0;  ///< of the window
     int pixels_high = 0;
-    /// On top of the environment of the test; an empty value removes the variable. TERM is
-    /// xterm-256color and the locale C.UTF-8 where nothing else is said; NO_COLOR, COLORFGBG and
-    /// the variables of SSH are removed.
+    /// Added to the environment of the test; an empty value removes the variable. By default TERM
+    /// is xterm-256color and the locale C.UTF-8; NO_COLOR, COLORFGBG and the variables of SSH are
+    /// removed.
     std::map<std::string, std::string> environment;
     EmulatorOptions emulator;
 };
 
 class TerminalProgram {
   public:
-    /// The program finds a pipe as file descriptor 3; what it writes there is log().
+    /// The program gets a pipe as file descriptor 3; log() returns what it writes there.
     explicit TerminalProgram(const std::vector<std::string>& arguments,
                              const ProgramOptions& options = {});
     TerminalProgram(const TerminalProgram&) = delete;
     TerminalProgram& operator=(const TerminalProgram&) = delete;
-    ~TerminalProgram();  ///< kills it if it still runs
+    ~TerminalProgram();  ///< kills the program if it still runs
 
-    /// Keys, mouse reports: anything a terminal sends.
+    /// Sends keys or mouse reports: any bytes that a terminal sends.
     void send(std::string_view bytes);
     void resize(int columns, int rows);
     void signal(int number) const;
-    /// The terminal goes away, as when a connection is cut.
+    /// Closes the terminal, as when a connection is lost.
     void hang_up();
 
-    /// Lets the terminal do its part until `is_so`; false when that is not so after `seconds`.
+    /// Runs the terminal until `is_so` holds; false if it does not within `seconds`.
     bool wait_until(const std::function<bool()>& is_so, double seconds = 10.0);
     bool wait_for_text(std::string_view text, double seconds = 10.0);
     bool wait_for_log(std::string_view text, double seconds = 10.0);
-    /// Until nothing has come for so long.
+    /// Runs the terminal until nothing has come for so long.
     void settle(double seconds = 0.1);
-    /// As waitpid() gives it; none: it still runs.
+    /// The status of waitpid(); none: it still runs.
     std::optional<int> wait_for_end(double seconds = 10.0);
-    /// The same, with the terminal reading nothing meanwhile, like one that is stuck.
+    /// Waits while the terminal reads nothing, as if it were stuck.
     std::optional<int> wait_for_end_unread(double seconds);
-    std::optional<int> exit_status();  ///< of one that has returned
+    std::optional<int> exit_status();  ///< of a program that has exited
 
     const Emulator& screen() const { return emulator_; }
     const std::string& log() const { return log_; }
-    /// All that the program has written to the terminal.
+    /// All bytes that the program has written to the terminal.
     const std::string& output() const { return output_; }
     pid_t process() const { return process_; }
 
     termios modes() const;  ///< of the terminal, now
     const termios& modes_at_start() const { return modes_at_start_; }
-    /// Whether everything is as it was before the program started. Why not: in words.
+    /// What the program has left changed in the terminal, in words; empty if everything is as
+    /// before.
     std::string what_is_left_dirty() const;
 
   private:

@@ -15,7 +15,7 @@
 namespace carom {
 namespace {
 
-// The solver that the level names runs with the level's settings.
+// A solver of the kind that the level names runs with the level's settings.
 Choice choice_of(const CompareOptions::Side& side, const Scene& scene) {
     const SolverSettings own = solver_for(scene);
     return {own.kind == side.kind ? own : SolverSettings{.kind = side.kind},

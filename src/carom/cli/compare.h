@@ -4,9 +4,9 @@
 
 namespace carom {
 
-/// `carom compare`: runs a level under two solvers and says when they diverge. Returns the exit
+/// `carom compare`: runs a level under two solvers and reports when they diverge. Returns the exit
 /// code: 0 when they do not diverge, 1 when they do, 2 for a bad level or an output that cannot be
-/// written. INT, TERM and HUP end it: what is known by then is written, and the process dies of the
+/// written. INT, TERM and HUP end it: it writes its results so far, and the process dies of the
 /// signal.
 int compare(const CompareOptions& options);
 

@@ -24,7 +24,7 @@ InterruptGuard::InterruptGuard() {
     sigemptyset(&action.sa_mask);
     for (std::size_t i = 0; i < noted.size(); ++i) {
         ::sigaction(noted[i], nullptr, &before[i]);
-        // What the parent chose to ignore (nohup) stays ignored.
+        // Signals that the parent chose to ignore (nohup) stay ignored.
         if (before[i].sa_handler != SIG_IGN) ::sigaction(noted[i], &action, nullptr);
     }
 }

@@ -2,21 +2,21 @@
 
 namespace carom {
 
-/// While it lives, INT, TERM and HUP are only noted, so that the work can end in good order. At
-/// most one guard lives at a time.
+/// While a guard lives, INT, TERM and HUP are only recorded, so that the work can finish cleanly.
+/// At most one guard lives at a time.
 class InterruptGuard {
   public:
     InterruptGuard();
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
-    /// Restores what the signals did before.
+    /// Restores the previous effect of the signals.
     ~InterruptGuard();
 
-    /// The first signal that came; 0: none.
+    /// The first signal received; 0: none.
     static int signal();
 };
 
-/// Ends the process as `signal` would have, so that a shell sees what stopped it.
+/// Ends the process the way `signal` would have, so that a shell sees the cause.
 [[noreturn]] void die_of(int signal);
 
 }  // namespace carom

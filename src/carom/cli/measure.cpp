@@ -52,8 +52,8 @@ std::string text_of(const MeasureOptions& options, const Scene& scene,
     return text;
 }
 
-// The output files, opened before the work begins, so that one that cannot be written is reported
-// at once.
+// The output files. They are opened before the work begins, so that one that cannot be written is
+// reported at once.
 class Outputs {
   public:
     explicit Outputs(const MeasureOptions& options) {

@@ -4,10 +4,9 @@
 
 namespace carom {
 
-/// `carom measure`: prints cost against error, or writes it to files.
-/// Returns the exit code: 0, or 2 for a bad level or an output that cannot be written. INT, TERM
-/// and HUP end it after the tick that it is in: what was complete by then is written, and then the
-/// process dies of the signal.
+/// `carom measure`: prints cost against error, or writes it to files. Returns the exit code: 0, or
+/// 2 for a bad level or an output that cannot be written. INT, TERM and HUP end it after the
+/// current tick: complete results are written, and then the process dies of the signal.
 int measure(const MeasureOptions& options);
 
 }  // namespace carom

@@ -13,7 +13,7 @@ namespace {
 constexpr int bar_columns = 24;
 
 void write_to_terminal(std::string_view text) {
-    // A bar that cannot be drawn is not worth an error.
+    // A failure to draw the bar is not worth an error.
     [[maybe_unused]] const ssize_t put = ::write(STDERR_FILENO, text.data(), text.size());
 }
 

@@ -6,8 +6,8 @@
 
 namespace carom {
 
-/// A progress bar on standard error for work of more than a second, where standard error is a
-/// terminal; nothing otherwise. `clear` and the destructor remove it.
+/// A progress bar on standard error for work of more than a second. Draws nothing where standard
+/// error is not a terminal. `clear` and the destructor remove the bar.
 class Progress {
   public:
     explicit Progress(std::uint64_t total_ticks);
@@ -15,7 +15,7 @@ class Progress {
     Progress& operator=(const Progress&) = delete;
     ~Progress();
 
-    /// Redraws ten times a second at most, so it may be called every tick.
+    /// Redraws at most ten times a second, so it may be called every tick.
     void update(std::uint64_t ticks_done);
     void clear();
 
@@ -26,7 +26,7 @@ class Progress {
     bool is_terminal_;
     Clock::time_point start_;
     Clock::time_point next_;
-    std::size_t drawn_ = 0;  // columns that stand on the line
+    std::size_t drawn_ = 0;  // columns drawn on the line
 };
 
 }  // namespace carom

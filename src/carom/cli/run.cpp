@@ -31,7 +31,7 @@ std::uint64_t ticks_to_run(const RunOptions& options, double rate) {
     return static_cast<std::uint64_t>(std::round(options.time.value_or(default_seconds) * rate));
 }
 
-// Where a run writes. Standard output can be only one of them.
+// The outputs of a run. At most one of them is standard output.
 class RunOutputs {
   public:
     explicit RunOutputs(const RunOptions& options) {
@@ -62,7 +62,7 @@ class RunOutputs {
         }
     }
 
-    /// Nobody reads on: every output is a pipe that its reader has closed.
+    /// Every output is a pipe that its reader has closed, so there is nobody to run for.
     bool is_pointless() {
         bool pointless = any();
         for (const std::optional<OutputFile>* file : all()) {
@@ -96,7 +96,7 @@ bool to_standard_output(const RunOptions& options) {
            options.record == "-";
 }
 
-// Two outputs under one name would overwrite each other.
+// Two outputs with one name would overwrite each other.
 std::optional<std::string> clash(const RunOptions& options) {
     const std::array<const std::string*, 4> paths{&options.report, &options.events, &options.trace,
                                                   &options.record};
@@ -121,8 +121,8 @@ void tell_too_dense(const World& world) {
                     world.tick(), world.time()));
 }
 
-// Runs until the end, a signal, a failing output, or a closed pipe. Returns the time that the
-// solver took, in seconds.
+// Runs until the end, a signal, a failing output, or a closed pipe. Returns the time spent in the
+// solver, in seconds.
 double simulate(const Scene& scene, World& world, GameState& game, RunRecord& record,
                 Solver& solver, RunOutputs& outputs, Replay& replay, std::uint64_t ticks) {
     using Clock = std::chrono::steady_clock;

@@ -20,7 +20,7 @@ std::string seconds_of(std::uint64_t tick, double rate) {
     return fmt::format("{:.6g} s", static_cast<double>(tick) / rate);
 }
 
-// The first tick that differs, as exactly as the fingerprints tell.
+// The first tick that differs, as precisely as the fingerprints tell.
 std::string difference(const Replayer& replayer, const Replay& replay) {
     if (!replayer.first_different()) return fmt::format("it differs {}", *replayer.failure());
     const FingerprintMark& mark = *replayer.first_different();

@@ -8,13 +8,13 @@
 namespace carom {
 namespace {
 
-/// Of a radius: a ball that is further from the other run has diverged.
+/// In radii: a ball further from its counterpart in the other run has diverged.
 constexpr double tolerance = 0.01;
-/// Most memory for going back.
+/// The memory limit for the history.
 constexpr std::size_t rewind_bytes = std::size_t{16} << 20;
 
-/// The ball that is furthest from the same ball of `b`, in its own radii, if that is beyond the
-/// tolerance.
+/// The ball that is furthest, in its own radii, from its counterpart in `b`; none if all are within
+/// the tolerance.
 std::optional<std::size_t> diverged_ball(const World& a, const World& b) {
     std::optional<std::size_t> found;
     double most = tolerance;

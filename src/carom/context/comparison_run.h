@@ -9,16 +9,17 @@
 #include "game/session/history.h"
 #include "game/session/session.h"
 
-/// The game under another solver, for the second half of a split window.
+/// A comparison run: the game under another solver, for the second half of a split window.
 namespace carom {
 
-/// Starts from the state of a session and follows it: the same ticks, and the same commands but for
-/// changes of the solver. A command that does not apply here, such as one about a ball that is
-/// gone, is left out. A comparison run goes back when the session does. If the session goes back
-/// beyond its start, it starts again there.
+/// Starts from the state of a session and follows it, with the same ticks and the same commands
+/// except changes of the solver. A command that does not apply here, such as one about a ball that
+/// is gone, is skipped. A comparison run goes back when the session does. If the session goes back
+/// beyond the start of the run, the run restarts there.
 class ComparisonRun {
   public:
-    /// When a ball was first further than 1 % of its radius from the same ball of the session.
+    /// The first time at which a ball was further than 1 % of its radius from its counterpart in
+    /// the session.
     struct Divergence {
         std::uint64_t tick = 0;
         double time = 0.0;  ///< s
@@ -29,9 +30,9 @@ class ComparisonRun {
     /// Pre: solver.kind is one of solvers_available().
     ComparisonRun(const Session& session, const SolverSettings& solver);
 
-    /// Computes ticks up to the session's: true. `may_go_on` is asked between ticks and
-    /// `keep_going` within long ones; where one of them says no, the rest is left to the next call.
-    /// Called after every tick of the session, it misses no divergence.
+    /// Computes ticks up to the session's. Returns false if stopped: `may_go_on` is asked between
+    /// ticks and `keep_going` within long ticks, and the next call continues. If called after every
+    /// tick of the session, it misses no divergence.
     bool follow(const Session& session, const MayGoOn& may_go_on, const KeepGoing& keep_going);
 
     const SolverSettings& solver() const { return solver_.settings(); }
@@ -60,7 +61,7 @@ class ComparisonRun {
 /// The commands of a session that were given at this tick.
 std::span<const TimedCommand> commands_at(const Session& session, std::uint64_t tick);
 
-/// Whether both are in the same state under the same laws.
+/// Whether both worlds are in the same state under the same laws.
 bool is_same_state(const World& a, const World& b);
 
 }  // namespace carom

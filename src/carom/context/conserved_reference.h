@@ -7,19 +7,19 @@
 #include "game/session/session.h"
 #include "physics/tick/totals.h"
 
-/// How far energy and momentum have drifted since something from outside last changed them.
+/// Measures the drift of energy and momentum since the last change from outside.
 namespace carom {
 
-/// Energy and momentum at that moment.
+/// The reference: energy and momentum at the moment of that change.
 class ConservedReference {
   public:
-    /// The present becomes the reference: a command has changed the world.
+    /// Makes the present the reference: a command has changed the world.
     void set(const World& world);
-    /// Sets it where commands of a recording have been obeyed since the last call.
+    /// Renews the reference where commands of a recording have been applied since the last call.
     void watch_commands(const Session& session);
     std::uint64_t tick() const { return tick_; }
 
-    /// Relative change; none where the reference has no energy, or no momentum.
+    /// Relative change; none if the reference has no energy, or no momentum.
     std::optional<double> energy_drift(const Totals& sums) const;
     std::optional<double> momentum_drift(const Totals& sums) const;
 

@@ -7,11 +7,11 @@
 
 #include "terminal/input/input.h"
 
-/// Keys, and how they are written in the preferences file and on the screen.
+/// Keys, and their notation in the preferences file and on the screen.
 namespace carom {
 
-/// A key with the modifiers held down with it. Shift counts only for keys without a character: a
-/// capital letter is a key of its own.
+/// A key with its modifiers. Shift counts only for keys without a character: a capital letter is a
+/// key of its own.
 struct Key {
     char32_t code = 0;
     std::uint8_t modifiers = no_modifier;
@@ -22,12 +22,12 @@ struct Key {
 /// The key of an event. Pre: the event is of kind `key`.
 Key key_of(const InputEvent& event);
 
-/// Reads a key as the preferences file writes it: "a", "?", "space", "ctrl-x", "shift-up", "f1",
+/// Parses a key as written in the preferences file: "a", "?", "space", "ctrl-x", "shift-up", "f1",
 /// "hash", "equals". None: there is no such key.
 std::optional<Key> key_named(std::string_view text);
-/// Writes a key so that key_named() reads it back.
+/// Writes a key so that key_named() parses it.
 std::string key_text(const Key& key);
-/// Writes a key for hints and help: short, as in "esc".
+/// A short form of the key for hints and help, such as "esc".
 std::string shown_key(const Key& key);
 
 }  // namespace carom

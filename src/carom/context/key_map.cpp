@@ -5,7 +5,7 @@
 namespace carom {
 namespace {
 
-/// The keys of a row of the table.
+/// The default keys of a row of the table.
 std::vector<Key> default_keys(const Action& action) {
     std::vector<Key> keys;
     std::string_view text = action.keys;
@@ -17,7 +17,7 @@ std::vector<Key> default_keys(const Action& action) {
     return keys;
 }
 
-/// The group that the action is in; null: none.
+/// The group that contains the action; null: none.
 const ActionGroup* group_of(const Action& wanted) {
     for (const ActionGroup& group : action_groups())
         if (&action(group.first) <= &wanted && &wanted <= &action(group.last)) return &group;

@@ -9,23 +9,23 @@
 #include "carom/context/key.h"
 #include "terminal/panels/pages.h"
 
-/// Which key does what. Of each layer (KeyLayer), a key does one thing at most; an action may have
+/// Maps keys to actions. In each layer (KeyLayer) a key has at most one action; an action may have
 /// several keys.
 namespace carom {
 
 class KeyMap {
   public:
-    KeyMap();  ///< the default keys
+    KeyMap();  ///< starts with the default keys
 
-    /// Null: the key does nothing, in no layer.
+    /// Binds a key to an action; null: the key does nothing, in no layer.
     void bind(const Key& key, const Action* action);
-    /// Null: the key does nothing in this layer.
+    /// The action of a key in a layer; null: none.
     const Action* action_of(const Key& key, KeyLayer layer = KeyLayer::common) const;
-    /// The button of a pinball table that the key holds; none: it is no key of a button.
+    /// The button of a pinball table that the key presses; none: no button has this key.
     std::optional<Button> button_of(const Key& key) const;
-    /// In the order in which they were bound.
+    /// The keys of an action, in the order in which they were bound.
     std::vector<Key> keys_of(const Action& action) const;
-    /// The action's first key, for hints; empty when it has none. Pre: there is such an action.
+    /// The action's first key, for hints; empty if it has none. Pre: there is such an action.
     std::string hint(std::string_view action_name) const;
 
     /// All actions with their keys, and the mouse, for the help page.

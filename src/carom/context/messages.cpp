@@ -5,7 +5,7 @@
 namespace carom {
 namespace {
 
-/// How long a message stays, s.
+/// The time that a message stays visible, s.
 constexpr double message_time = 4.0;
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-/// Panels stand to the right of the world in a window at least this wide, else below it.
+/// In a window at least this wide, panels are to the right of the world, else below it.
 constexpr int wide = 70;
 constexpr int least_panel_columns = 24;
 constexpr int least_panel_rows = 7;

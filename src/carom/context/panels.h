@@ -10,7 +10,7 @@ namespace carom {
 
 class Panels {
   public:
-    /// Shows those that the scene asks for.
+    /// Shows the panels that the scene asks for.
     explicit Panels(const Scene& scene);
 
     static bool has_histogram(const Scene& scene);
@@ -18,9 +18,10 @@ class Panels {
     void toggle_energy() { shows_energy_ = !shows_energy_; }
     bool is_histogram_drawn() const { return histogram_area_.rows > 0; }
 
-    /// Takes the room for the panels from `area`; none where `is_split`, or where it is too small.
+    /// Takes the room for the panels from `area`; nothing where `is_split`, or where the area is
+    /// too small.
     void cut(CellArea& area, const Scene& scene, bool is_split);
-    /// Takes a sample of the energy.
+    /// Adds a sample of the energy.
     void sample(const World& world);
     void clear() { energy_.clear(); }
     void draw(Canvas& canvas, const Session& session, const Look& look) const;

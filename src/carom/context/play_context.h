@@ -17,24 +17,24 @@
 #include "carom/context/pointer_tool.h"
 #include "game/session/session.h"
 
-/// A game that is being played, in its parts: what actions and controllers work on. Each part
-/// answers one question and has a header of its own.
+/// The parts of a game in play: the data that actions and controllers work on. Each part has a
+/// header of its own.
 namespace carom {
 
-/// What the player asks of the program around the game.
+/// A player's requests to the program around the game.
 enum class PlayRequest : std::uint8_t { none, quit, menu, save, toggle_mouse, resume };
 
-/// Where the player points, with the mouse or the cursor keys, and what is in hand there.
+/// The pointer, moved by the mouse or the cursor keys, and the tool it holds.
 struct Pointer {
-    Vec2 at;  ///< in the world; the mouse or the cursor, whichever moved last
+    Vec2 at;  ///< in the world; of the mouse or the cursor, whichever moved last
     PointerTool tool;
     bool shows_cursor = false;
-    bool cue_is_armed = false;  ///< the next press on a ball pulls the cue
+    bool cue_is_armed = false;  ///< the next press on a ball starts pulling the cue
     std::optional<CellPoint> panning_from{};
-    std::optional<std::uint8_t> pressed{};  ///< the button of the mouse that the tool follows
+    std::optional<std::uint8_t> pressed{};  ///< the mouse button that the tool follows
 };
 
-/// A page that covers the game, which waits meanwhile.
+/// A page that covers the game; the game waits meanwhile.
 struct CoveringPage {
     enum class Kind : std::uint8_t { none, help, explanation };
     Kind kind = Kind::none;
@@ -44,11 +44,11 @@ struct CoveringPage {
     void open(Kind which) { *this = {which, 0}; }
 };
 
-/// What is known of the terminal, and its bell.
+/// The known abilities of the terminal, and its bell.
 struct TerminalState {
     bool mouse_is_off = false;
     bool tells_key_release = false;
-    bool rings = false;        ///< the player wants the bell, for what kicks at a pinball table
+    bool rings = false;        ///< the player wants the bell for kicks at a pinball table
     bool bell_is_due = false;  ///< to be rung once
 };
 
@@ -70,33 +70,33 @@ struct PlayContext {
     KeepGoing keep_going;
     std::optional<Vec2> last_gravity;
     bool solver_is_picked = false;  ///< by carom, not by the level or the player
-    bool needs_draw = true;         ///< something that is drawn has changed
+    bool needs_draw = true;         ///< a visible state has changed
     std::unique_ptr<Controller> controller;
 };
 
 void say(PlayContext& play, std::string message);
 void complain(PlayContext& play, std::string message);
 
-/// Applies a command and says `done`, or complains of why it was refused.
+/// Applies a command and shows the message `done`, or the reason for the refusal.
 void obey(PlayContext& play, const Command& command, std::string done);
-/// The present is the reference for drift: see ConservedReference.
+/// Makes the present the reference for drift: see ConservedReference.
 void set_reference(PlayContext& play);
 
-/// A recording is watched: only time and view obey the keys.
+/// Whether a recording is being watched: then keys control only time and view.
 bool is_watching(const PlayContext& play);
-/// The game is paused and computes nothing.
+/// Whether the game is paused and computes nothing.
 bool stands_still(const PlayContext& play);
-/// Lets the companion follow the game: false while it is still behind.
+/// Advances the companion to the game's tick; false while it is still behind.
 bool keep_up(PlayContext& play, const MayGoOn& may_go_on);
 
-/// How near the pointer something must be to be meant, as a length.
+/// How close to the pointer an object must be to be picked, a length.
 double slack(const PlayContext& play);
 std::optional<BallId> ball_at_pointer(const PlayContext& play);
 void move_pointer(PlayContext& play, Vec2 to);
 /// Moves the cursor by so many cells, inside the camera's area, and shows it.
 void move_cursor(PlayContext& play, double columns, double rows);
 
-/// " m/s", or nothing where the level has natural units.
+/// " m/s", or empty where the level has natural units.
 std::string_view speed_unit(const Scene& scene);
 
 }  // namespace carom

@@ -13,9 +13,9 @@ constexpr double gears[] = {0.01, 0.02, 0.05, 0.1,  0.2,   0.5,   1.0,   2.0,
 constexpr int normal_gear = 6;
 constexpr int last_gear = static_cast<int>(std::size(gears)) - 1;
 
-/// A search gives up after this much of the level's own time, s.
+/// A search stops after this much game time, s.
 constexpr double longest_search = 600.0;
-/// Over how long the speed is measured, s of the player's time.
+/// The window over which the speed is measured, s of wall-clock time.
 constexpr double window = 0.5;
 
 }  // namespace

@@ -5,16 +5,16 @@
 #include "level/scene/scene.h"
 #include "physics/solver.h"
 
-/// Solvers as the player chooses and reads them.
+/// How the player chooses a solver, and how its settings are displayed.
 namespace carom {
 
-/// The solver of this kind with the level's settings, where the level names it, else with defaults.
+/// The settings for this kind: the level's, if the level names this solver, else the defaults.
 SolverSettings settings_of(SolverKind kind, const Scene& scene);
 
-/// "swept", "substep 4x15": a solver with those of its settings that are not the default.
+/// "swept", "substep 4x15": a solver with its non-default settings.
 std::string solver_text(const SolverSettings& settings);
 
-/// The next kind in the order of solvers_available() that supports the model, round and round.
+/// The next kind that supports the model, in the cyclic order of solvers_available().
 SolverKind next_solver_kind(SolverKind current, const Model& model);
 
 }  // namespace carom

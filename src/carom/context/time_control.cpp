@@ -23,7 +23,7 @@ void tell_outcome(PlayContext& play) {
         complain(play, "too dense for events: time stood still");
 }
 
-/// One tick; false at the end of a recording.
+/// Computes one tick; false at the end of a recording.
 bool step(PlayContext& play) {
     play.companion.follow_closely(play.session, play.keep_going);
     const bool is_done = play.session.step_forward();

@@ -2,7 +2,7 @@
 
 #include "carom/context/play_context.h"
 
-/// The player's command of time: pause, single ticks, a search, the way back.
+/// The player's control of time: pause, single ticks, search, rewind.
 namespace carom {
 
 void toggle_pause(PlayContext& play);
@@ -16,8 +16,8 @@ void faster(PlayContext& play);
 void normal_speed(PlayContext& play);
 void restart(PlayContext& play);
 
-/// Lets `seconds` of the player's time pass: computes ticks as far as `may_go_on` allows, and says
-/// what came of them. What runs beside the game keeps up with it, or the game waits.
+/// Lets `seconds` of wall-clock time pass: computes ticks as long as `may_go_on` allows, and
+/// reports the results. The game waits for its companion where that is behind.
 void advance_time(PlayContext& play, double seconds, const MayGoOn& may_go_on);
 
 }  // namespace carom

@@ -2,7 +2,7 @@
 
 #include "carom/context/play_context.h"
 
-/// The player's command of the view: how the world is drawn, what is drawn over it, from where.
+/// The player's control of the view: drawing options, overlays, camera.
 namespace carom {
 
 void next_renderer(PlayContext& play);
@@ -18,9 +18,9 @@ void toggle_energy(PlayContext& play);
 void toggle_following(PlayContext& play);
 void next_comparison(PlayContext& play);
 void toggle_ensemble(PlayContext& play);
-/// Turns a switch of the view over, and says "NAME on" or "NAME off".
+/// Toggles a switch of the view, and shows the message "NAME on" or "NAME off".
 void toggle(PlayContext& play, bool& what, std::string_view name);
-/// Magnifies around the middle of the view.
+/// Zooms around the centre of the view.
 void zoom(PlayContext& play, double factor);
 void pan(PlayContext& play, double columns, double rows);
 

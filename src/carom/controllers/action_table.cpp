@@ -24,7 +24,7 @@ constexpr double pan_columns = 4.0;
 constexpr double pan_rows = 2.0;
 constexpr double zoom_factor = 1.25;
 
-/// Cancels what is in hand; then puts the cursor away; then leaves the game.
+/// In this order: cancels the tool, hides the cursor, leaves the game.
 void escape(Play& play) {
     Pointer& pointer = play.pointer;
     if (!pointer.tool.is_empty() || pointer.cue_is_armed) {
@@ -56,8 +56,8 @@ void open_page(Play& play) {
     play.page.open(page);
 }
 
-// The columns: name, default keys, help, section of the help page, where it applies, what it does,
-// what it does at a pool table instead.
+// The columns: name, default keys, help, section of the help page, where it applies, effect, effect
+// at a pool table instead.
 constexpr Action rows[] = {
     {"pause", "space", "pause, go on", "Time", anywhere, toggle_pause},
     {"step-forward", ".", "one tick forward", "Time", anywhere, step_forward},

@@ -14,7 +14,7 @@ void press_cue(PlayContext& play, const InputEvent& event) {
     play.pointer.pressed = event.button;
 }
 
-/// Takes what is at the pointer; where nothing is, the press drags the view.
+/// Grabs the object at the pointer; a press on empty space drags the view.
 void press_left(PlayContext& play, const InputEvent& event) {
     Pointer& pointer = play.pointer;
     if (pointer.tool.take(play.session.world(), pointer.at, slack(play))) {
@@ -38,7 +38,7 @@ void FreeController::perform(PlayContext& play, const Action& action) {
 void FreeController::press(PlayContext& play, const InputEvent& event) {
     Pointer& pointer = play.pointer;
     if (pointer.tool.has_new_edge() || pointer.tool.has_cue()) {
-        // A key began it, and the mouse goes on: from here, if it has not gone anywhere yet.
+        // A key started the action and the mouse takes it over.
         pointer.pressed = event.button;
         return;
     }
@@ -55,7 +55,7 @@ void FreeController::press(PlayContext& play, const InputEvent& event) {
 
 void FreeController::release(PlayContext& play, const InputEvent& event) {
     Pointer& pointer = play.pointer;
-    // Some terminals do not say which button was let go.
+    // Some terminals do not report which button was released; such a report counts for any.
     if (!pointer.pressed || (event.button != 0 && event.button != *pointer.pressed)) return;
     pointer.pressed.reset();
     if (take_release(play)) return;

@@ -13,13 +13,14 @@ class FreeController : public Controller {
     bool drags_anything() const override { return true; }
 
   protected:
-    /// A press with nothing in hand, before free play takes it. True: it was for this controller.
+    /// Offers a press with an empty tool to the derived controller first. True: it was consumed.
     virtual bool take_press(PlayContext&, const InputEvent&) { return false; }
-    /// The tool's button came up, before free play opens the tool. True: likewise.
+    /// Offers the release of the tool's button to the derived controller first. True: it was
+    /// consumed.
     virtual bool take_release(PlayContext&) { return false; }
 };
 
-/// The buttons of the mouse as events number them.
+/// The numbers of the mouse buttons in events.
 inline constexpr std::uint8_t left_button = 1;
 inline constexpr std::uint8_t middle_button = 2;
 inline constexpr std::uint8_t right_button = 3;

@@ -5,7 +5,7 @@
 #include "carom/context/controller.h"
 #include "game/session/session.h"
 
-/// The way of playing that a session calls for.
+/// Makes the controller for a session's way of playing.
 namespace carom {
 
 std::unique_ptr<Controller> make_controller(const Session& session);

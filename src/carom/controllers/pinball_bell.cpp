@@ -7,7 +7,7 @@
 namespace carom {
 namespace {
 
-constexpr double bell_pause = 0.12;  // s between two bells at least
+constexpr double bell_pause = 0.12;  // s; least time between two bells
 
 std::uint64_t last_flash(const PinballState& state) {
     std::uint64_t last = 0;
@@ -23,7 +23,7 @@ bool PinballBell::rings(const Session& session, double seconds) {
     const auto& state = std::get<PinballState>(session.game());
     const std::uint64_t flash = last_flash(state);
     const bool is_new = flash > heard_flash_ || state.held.size() > heard_held_;
-    heard_flash_ = flash;  // less than before after a step back
+    heard_flash_ = flash;  // it decreases after a step back
     heard_held_ = state.held.size();
     if (!is_new || since_bell_ < bell_pause) return false;
     since_bell_ = 0.0;

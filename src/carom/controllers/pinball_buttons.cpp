@@ -59,7 +59,7 @@ std::vector<command::Press> PinballButtons::release_mouse(std::uint8_t mouse) {
     std::vector<command::Press> released;
     for (std::size_t i = 0; i < held_.size(); ++i) {
         Held& held = held_[i];
-        // Some terminals do not say which button was let go.
+        // Some terminals do not report which button was released; such a report counts for all.
         if (!held.mouse || (mouse != 0 && mouse != *held.mouse)) continue;
         held.mouse.reset();
         if (std::exchange(held.is_down, false)) released.push_back({static_cast<Button>(i), false});

@@ -10,9 +10,10 @@
 namespace carom {
 namespace {
 
-constexpr double full_pull_rows = 6.0;  // of the screen, over which the plunger is drawn back
+// Rows of the screen over which the mouse pulls the plunger fully.
+constexpr double full_pull_rows = 6.0;
 
-/// The plunger on which a ball lies, near this place.
+/// The plunger near `at` that has a ball resting on it; null: none.
 const Device* plunger_at(const Session& session, Vec2 at) {
     const double near = 3.0 * session.scene().world.balls().radius[0];
     if (!is_on_plunger(session.scene(), session.world())) return nullptr;

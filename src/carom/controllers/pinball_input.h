@@ -8,44 +8,43 @@
 #include "carom/controllers/pinball_buttons.h"
 #include "game/session/session.h"
 
-/// How a player presses the buttons of a pinball table, with keys or with the mouse. What the calls
-/// return is for the caller to apply.
+/// Input at a pinball table: keys and mouse press buttons. The caller applies the returned
+/// commands.
 namespace carom {
 
 class PinballInput {
   public:
-    /// An event of a button's key.
+    /// Takes an event of a button's key.
     std::vector<command::Press> take_key(Button button, const InputEvent& event) {
         return buttons_.take(button, event);
     }
-    /// The left button of the mouse is the left flipper, the right one the right flipper, the
-    /// middle one the plunger; where a ball lies on the plunger, a press of the left button there
-    /// pulls it. `at`: where the mouse is, in the world. None: the press is meant for something
-    /// else.
+    /// Left mouse button: left flipper; right: right flipper; middle: plunger. A press of the left
+    /// button on a plunger with a ball pulls that plunger. `at`: the mouse position in the world.
+    /// None: the event is not for the table.
     std::optional<std::vector<command::Press>> take_mouse(const InputEvent& event, Vec2 at,
                                                           const Session& session);
-    /// A press on the plunger that is dragged pulls it by hand: the further, the stronger.
-    /// `row`: height of a row of the screen, length. None: the event is meant for something else.
+    /// While the plunger is dragged, the mouse pulls it by hand: the further, the stronger. `row`:
+    /// height of a row of the screen, length. None: the event is not for the plunger.
     std::optional<command::Pull> drag_plunger(const InputEvent& event, Vec2 at, double row);
 
-    /// The buttons that come up as `seconds` pass.
+    /// Returns the buttons that come up as `seconds` pass.
     std::vector<command::Press> pass(double seconds) { return buttons_.pass(seconds); }
-    /// Every button comes up.
+    /// Releases every button.
     std::vector<command::Press> release_all() { return buttons_.let_go(); }
 
-    /// Flippers stay where a press puts them, or are up only while it lasts. Returns the mode in
-    /// force now, as a sentence.
+    /// Switches between flippers that toggle and flippers that are up only while held. Returns the
+    /// new mode as a sentence.
     std::string next_flipper_mode();
-    /// The mode in force, for the status line: "up while held".
+    /// The current mode, for the status line: "up while held".
     std::string flipper_mode() const;
-    /// The terminal tells when a key is let go.
+    /// The terminal reports key releases.
     void set_tells_release() { buttons_.set_tells_release(true); }
 
   private:
-    /// The mouse has pressed on the plunger here, and has dragged it or not.
+    /// The plunger that the mouse holds, from where, and whether it has been dragged.
     struct Grip {
         Vec2 from;
-        Vec2 direction;  ///< in which balls are sent
+        Vec2 direction;  ///< in which the plunger sends balls
         bool has_pulled = false;
     };
     PinballButtons buttons_;

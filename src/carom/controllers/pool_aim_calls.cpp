@@ -4,7 +4,7 @@
 #include "game/commands/aiming.h"
 #include "game/referees/referee.h"
 
-/// What the next shot calls.
+/// The call of the next shot.
 namespace carom {
 
 bool PoolAim::call_pocket(const Session& session, Vec2 place) {
@@ -36,7 +36,7 @@ std::string PoolAim::next_call(const Session& session) {
                : "calls what the aim pockets; click a pocket for another";
 }
 
-// What the aim pockets, of the balls that count; or the pocket that was chosen.
+// The pocket that the player called, or the legal ball and pocket that the forecast shows.
 PoolCall PoolAim::call(const Session& session) const {
     const PoolPlay* game = play(session);
     if (!game || game->rules.phase != PoolPhase::playing) return {};

@@ -8,21 +8,21 @@
 #include "game/session/session.h"
 #include "terminal/panels/hud.h"
 
-/// What a game of pool tells the player, whether it is played or watched.
+/// Messages of a game of pool, in play and in a watched recording.
 namespace carom {
 
-/// The state of the session's game of pool; null where none is played.
+/// The state of the session's game of pool; null if there is none.
 const PoolPlay* pool_of(const Session& session);
 
-/// Puts the score, the turn and the shot clock into the title. No game of pool: nothing.
+/// Puts the score, the turn and the shot clock into the title. Does nothing without a game of pool.
 void add_pool_title(const Session& session, const PlayerNames& names, HudInfo& info);
 
-/// Tells the outcome of each shot once.
+/// Announces the outcome of each shot once.
 class ShotAnnouncer {
   public:
-    /// The outcome, where it has changed since the last call and there is something to say.
+    /// The outcome, if it has changed since the last call and is worth announcing.
     std::optional<std::string> tell(const Session& session, const PlayerNames& names);
-    /// Counts the present outcome as told.
+    /// Treats the present outcome as announced.
     void skip(const Session& session, const PlayerNames& names);
 
   private:

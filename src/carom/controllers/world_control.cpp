@@ -9,13 +9,13 @@
 namespace carom {
 namespace {
 
-/// Gravity for a scene without: a fall through the view takes about a second and a half.
+/// Default gravity for a scene without: a fall through the view takes about a second and a half.
 Vec2 gentle_gravity(const Scene& scene) {
     if (scene.unit != LengthUnit::natural && size(scene.view).y > 1.0) return {0.0, -9.81};
     return {0.0, -size(scene.view).y};
 }
 
-/// Gravity as it is, or as it would be turned on.
+/// The present gravity, or the gravity that toggling would turn on.
 Vec2 gravity_when_on(PlayContext& play) {
     const Scene& scene = play.session.scene();
     const std::optional<Vec2>& gravity = play.session.world().model().gravity;
@@ -24,7 +24,7 @@ Vec2 gravity_when_on(PlayContext& play) {
 }
 
 void set_gravity(PlayContext& play, std::optional<Vec2> gravity) {
-    // -0 would be shown as such.
+    // Turns -0 into 0 for display.
     if (gravity) *gravity += Vec2{0.0, 0.0};
     obey(play, command::SetGravity{gravity},
          gravity ? fmt::format("gravity {:.3g},{:.3g}", gravity->x, gravity->y) : "gravity off");

@@ -2,13 +2,14 @@
 
 #include "carom/context/play_context.h"
 
-/// The player's command of the laws of the world: solver and gravity.
+/// The player's control of the laws of the world: solver and gravity.
 namespace carom {
 
 void next_solver(PlayContext& play);
-/// On: as it last was, else as the level says, else gentle for the size of the scene.
+/// Turns gravity off or on. On: the last used value, else the level's, else a default for the size
+/// of the scene.
 void toggle_gravity(PlayContext& play);
-/// A quarter turn, counter-clockwise.
+/// Rotates gravity by a quarter turn, counter-clockwise.
 void turn_gravity(PlayContext& play);
 
 }  // namespace carom

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t buffer_bytes = std::size_t{1} << 16;
 
-// Where a rename must go: the file that a chain of symbolic links ends at, if it exists.
+// The target of a rename: the existing file at the end of a chain of symbolic links.
 std::string resolved(const std::string& path) {
     char* real = ::realpath(path.c_str(), nullptr);
     if (real == nullptr) return path;
@@ -139,7 +139,7 @@ void OutputFile::commit() {
     if (::rename(temporary_.c_str(), path_.c_str()) != 0) return fail();
     temporary_.clear();
     discard();
-    // The name itself reaches the disk with its folder; a folder that cannot be synced is left so.
+    // The new name reaches the disk when its folder is synced; a failure to sync is ignored.
     const int folder = open_again_on_signal(folder_of(path_).c_str(), O_RDONLY | O_DIRECTORY);
     if (folder >= 0) {
         ::fsync(folder);

@@ -7,13 +7,14 @@
 #include <string_view>
 #include <vector>
 
-/// High scores. They live in one small text file in the user's data folder: a first line that names
-/// the format, then one line a score:
+/// High scores, kept in one small text file in the user's data folder: a first line with the
+/// format, then one line a score:
 ///
 ///     carom high scores 1
 ///     three-bumpers 123450 ABC
 ///
-/// the name of the table, the points, the initials. A file in another format is never written over.
+/// with the name of the table, the points, and the initials. A file in another format is never
+/// overwritten.
 namespace carom {
 
 struct HighScore {
@@ -28,31 +29,31 @@ struct HighScores {
     std::vector<HighScore> lines;
     std::size_t most = 5;
 
-    /// Whether this score would be among them.
+    /// Whether this score would be on the list.
     bool takes(std::int64_t score) const;
-    /// Of equal scores, the older stands first.
+    /// Among equal scores, the older comes first.
     void add(const HighScore& score);
 };
 
 struct HighScoresText {
     HighScores scores;
-    std::optional<std::string> problem;  ///< a sentence: the file cannot be used
+    std::optional<std::string> problem;  ///< set if the file cannot be used: a sentence
 };
-/// Of this table. `file` is for the message.
+/// Parses the scores of `table`. `file` is for the error message.
 HighScoresText read_high_scores(std::string_view text, std::string_view table, std::size_t most,
                                 std::string_view file);
-/// The text with the table's lines in place of those that it had; all else stays. Pre: the text can
-/// be read, or is empty.
+/// The text with the table's lines replaced; everything else stays. Pre: the text can be parsed, or
+/// is empty.
 std::string with_high_scores(std::string_view text, std::string_view table,
                              const HighScores& scores);
 
-/// Reads the high scores from the user's file; a user without one has none yet.
+/// Reads the user's file; empty for a user without one.
 HighScoresText load_high_scores(std::string_view table, std::size_t most);
-/// Adds one to the user's file, which is read again for it, and returns the table's scores now. The
-/// new text takes the place of the old at once or not at all.
+/// Rereads the user's file, adds one score, and returns the table's scores. The file is replaced at
+/// once or not at all.
 HighScoresText keep_high_score(std::string_view table, std::size_t most, const HighScore& score);
 
-/// By which a level is known there: its file's name without folder and ending.
+/// The name of a level in the file: its file name without folder and extension.
 std::string high_scores_name(std::string_view level_path);
 
 }  // namespace carom

@@ -38,7 +38,7 @@ std::string title_of(const std::string& path) {
     return std::string(line.substr(open + 1, close - open - 1));
 }
 
-// Whether `path` stays inside `folder` once all symbolic links are followed.
+// Whether `path` stays inside `folder` after all symbolic links are resolved.
 bool is_inside(const fs::path& folder, const fs::path& path) {
     std::error_code error;
     const fs::path root = fs::weakly_canonical(folder.empty() ? "." : folder, error);

@@ -11,7 +11,7 @@
 #include "game/replay/replayer.h"
 #include "game/session/session.h"
 
-/// A level with all that changes it, which can be opened again and again.
+/// A level with all the options that change it, which can be opened again and again.
 namespace carom {
 
 struct LevelSource {
@@ -23,25 +23,25 @@ struct LevelSource {
     std::size_t rewind_bytes = Session::default_rewind_bytes;
 };
 
-/// What the command line says of a level; `argument`: the level as the user names it.
+/// The level and options of the command line; `argument`: the level as the user names it.
 LevelSource source_of(const PlayOptions& options, const std::string& argument);
 
 LoadedLevel load(const LevelSource& source);
 
-/// Why a level cannot be played, line by line.
+/// The reasons why a level cannot be played, line by line.
 using Problems = std::vector<std::string>;
 
-/// A text, line by line.
+/// Splits a text into lines.
 Problems lines_of(std::string_view text);
 
 struct OpenedGame {
     Session session;
-    bool solver_is_picked = false;      ///< by carom
+    bool solver_is_picked = false;      ///< by carom, not by the level or the player
     std::vector<std::string> warnings;  ///< first lines only: "file:line:col: warning: ..."
 };
 std::variant<OpenedGame, Problems> open_game(const LevelSource& source);
 
-/// The level of an unfinished game, ready to be replayed up to where it stood.
+/// The level of an unfinished game, ready to be replayed up to the point of interruption.
 std::variant<Replayer, Problems> reopen_game(const Replay& replay, std::size_t rewind_bytes);
 
 }  // namespace carom

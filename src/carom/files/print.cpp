@@ -34,7 +34,7 @@ void print_note(std::string_view text) {
     while (!text.empty()) {
         const ssize_t put = ::write(STDERR_FILENO, text.data(), text.size());
         if (put > 0) text.remove_prefix(static_cast<std::size_t>(put));
-        // There is nowhere left to complain to.
+        // Standard error failed too: there is nowhere to report it.
         if (put < 0 && errno != EINTR) return;
     }
 }

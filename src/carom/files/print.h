@@ -6,20 +6,20 @@
 
 #include "level/text/diagnostic.h"
 
-/// What carom writes for people to the two standard streams.
+/// Output for people on the two standard streams.
 namespace carom {
 
-/// To standard output. False when it could not be written (standard error then says why); a
-/// closed pipe is no fault.
+/// Prints to standard output. False if it could not be written (standard error then says why); a
+/// closed pipe is no error.
 bool print_out(std::string_view text);
 
-/// "carom: error: SENTENCE" to standard error.
+/// Prints "carom: error: SENTENCE" to standard error.
 void print_error(std::string_view sentence);
 
-/// To standard error, as it is.
+/// Prints to standard error, unchanged.
 void print_note(std::string_view text);
 
-/// To standard error, one after another, with a line that counts them when they are several.
+/// Prints diagnostics to standard error, followed by a count if there are several.
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics);
 
 }  // namespace carom

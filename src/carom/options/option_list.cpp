@@ -16,7 +16,7 @@ namespace {
 
 using Text = const std::string&;
 
-/// How an option is listed. `value` names what stands behind it; empty for a flag.
+/// A row of the option list. `value` names the option's argument; empty for a flag.
 struct Row {
     const char* name;
     const char* value;
@@ -32,7 +32,7 @@ class Command {
 
     CLI::App& app() { return app_; }
 
-    /// The value is what `parse` makes of the option's name and of the text behind it.
+    /// `parse` turns the option's name and its argument into the value.
     template <class Target, class Parse>
     void add(const Row& row, Target& target, const Parse& parse) {
         const auto take = [&target, parse, option = row.name](Text text) {
@@ -67,7 +67,7 @@ class Command {
     /// --rate, --seed and --set.
     template <class Options>
     void add_level_options(Options& options);
-    /// --solver, and those.
+    /// --solver, --rate, --seed and --set.
     template <class Options>
     void add_simulation_options(Options& options);
 
@@ -81,7 +81,7 @@ auto number(double least, double most) {
     };
 }
 
-// A whole number from `least` to `most`; `mistake` says so.
+// A whole number from `least` to `most`; otherwise `mistake` is the error.
 auto count(std::uint64_t least, std::uint64_t most, const char* mistake) {
     return [=](std::string_view option, Text text) {
         const std::uint64_t value = whole_number(option, text);

@@ -6,13 +6,13 @@ namespace CLI {
 class App;
 }
 
-/// Which commands and options there are, as `--help` lists them: one row an option, with the place
-/// that its value goes to.
+/// The commands and options, in the order of `--help`: one row an option, with the variable that
+/// receives its value.
 namespace carom {
 
-/// What each command is asked for. Only that of the command that was typed is filled in.
+/// The options of each command. Only those of the typed command are filled in.
 struct CommandOptions {
-    PlayOptions play;  ///< also of `replay`, and without a command
+    PlayOptions play;  ///< also for `replay`, and without a command
     RunOptions run;
     MeasureOptions measure;
     CompareOptions compare;
@@ -20,7 +20,7 @@ struct CommandOptions {
     CheckOptions check;
 };
 
-/// `options` must outlive the parsing, which throws BadValue for a value that does not fit.
+/// `options` must outlive parsing. Parsing throws BadValue for an invalid value.
 void add_commands(CLI::App& app, CommandOptions& options);
 
 }  // namespace carom

@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-// The whole text as a number; none when it is not one, or does not fit.
+// Parses the whole text as a number; none if it is not one, or is out of range.
 template <class Number>
 std::optional<Number> parsed(std::string_view text) {
     Number number{};
@@ -100,7 +100,7 @@ double duration(std::string_view option, const std::string& text) {
         std::string_view name;
         double seconds;
     };
-    // A unit that ends in the name of another one comes before it.
+    // A unit that ends in another unit's name comes before it.
     for (const Unit& unit :
          {Unit{"ns", 1e-9}, Unit{"us", 1e-6}, Unit{"ms", 1e-3}, Unit{"s", 1.0}}) {
         if (!text.ends_with(unit.name)) continue;

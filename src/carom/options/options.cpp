@@ -11,7 +11,7 @@
 #include "carom/text/suggest.h"
 #include "carom/text/version.h"
 
-// What was typed, understood, and what to say where it cannot be.
+// Parses the command line, and reports errors in it.
 namespace carom {
 namespace {
 
@@ -23,7 +23,7 @@ UsageAnswer mistake(const CLI::App* command, std::string_view what) {
             .exit_code = 2};
 }
 
-// What CLI11 could make nothing of.
+// Reports an argument that CLI11 could not interpret.
 UsageAnswer unknown_option(const CLI::App* command, std::string_view spelling) {
     std::vector<std::string> names;
     for (const CLI::Option* option : command->get_options()) {
@@ -54,7 +54,7 @@ const CLI::App* chosen(const CLI::App& app) {
     return commands.empty() ? &app : commands.front();
 }
 
-// What is wrong with options that do not go together; none when they do.
+// The conflict between options that exclude each other; none if there is none.
 std::optional<std::string> conflict(const RunOptions& run) {
     if (run.time && run.ticks) return "--time and --ticks cannot stand together";
     return std::nullopt;

@@ -9,18 +9,18 @@
 #include "carom/options/play_options.h"
 #include "physics/solver.h"
 
-/// The command line, understood.
+/// The parsed command line.
 namespace carom {
 
-/// `carom run LEVEL`. Paths: "-" is standard output, empty is none.
+/// `carom run LEVEL`. Paths: "-" is standard output; empty: not written.
 struct RunOptions {
     std::string level;
-    std::optional<SolverSettings> solver;  ///< none: the level's, else carom picks
+    std::optional<SolverSettings> solver;  ///< none: the level's, or else carom picks one
     std::optional<double> rate;            ///< ticks a second
     std::optional<std::uint64_t> seed;
     std::vector<std::string> overrides;  ///< level statements, from --set
 
-    std::optional<double> time;  ///< s; none, and no `ticks` either: 10
+    std::optional<double> time;  ///< s; default 10 if `ticks` is absent too
     std::optional<std::uint64_t> ticks;
     std::string report;
     std::string events;
@@ -29,20 +29,20 @@ struct RunOptions {
     bool explain = false;
 };
 
-/// `carom measure LEVEL`. Paths as above.
+/// `carom measure LEVEL`. Paths: "-" is standard output; empty: not written.
 struct MeasureOptions {
     std::string level;
-    std::optional<double> rate;  ///< the level's, ticks a second
+    std::optional<double> rate;  ///< of the level, ticks a second
     std::optional<std::uint64_t> seed;
     std::vector<std::string> overrides;
 
     std::optional<double> time;  ///< s
     std::optional<int> repeats;
-    std::vector<double> rates;        ///< to try, ticks a second; empty: the usual ones
-    std::vector<SolverKind> solvers;  ///< to try; empty: all
+    std::vector<double> rates;        ///< to measure, ticks a second; empty: the usual ones
+    std::vector<SolverKind> solvers;  ///< to measure; empty: all
     std::optional<double> horizon;    ///< s
     std::optional<double> tolerance;  ///< ball radii
-    std::optional<double> budget;     ///< s a tick of the level
+    std::optional<double> budget;     ///< s of computation per tick of the level
     std::string csv;
     std::string json;
 };
@@ -50,11 +50,11 @@ struct MeasureOptions {
 /// `carom compare LEVEL`
 struct CompareOptions {
     std::string level;
-    std::optional<double> rate;  ///< the level's, ticks a second
+    std::optional<double> rate;  ///< of the level, ticks a second
     std::optional<std::uint64_t> seed;
     std::vector<std::string> overrides;
 
-    /// The two; a rate of its own where one was given, as in swept@480.
+    /// One of the two solvers; its own rate if one was given, as in swept@480.
     struct Side {
         SolverKind kind = SolverKind::swept;
         std::optional<double> rate;
@@ -62,7 +62,7 @@ struct CompareOptions {
     std::vector<Side> solvers;        ///< two
     std::optional<double> time;       ///< s
     std::optional<double> tolerance;  ///< ball radii
-    std::optional<double> nudge;      ///< ball radii that the second starts away from the first
+    std::optional<double> nudge;  ///< initial displacement of the second run's balls, ball radii
     std::string json;
 };
 
@@ -80,7 +80,7 @@ struct CheckOptions {
 /// `carom list`
 struct ListOptions {};
 
-/// The command line itself is answered: by help, the version, or what is wrong with it.
+/// The answer to the command line itself: help, the version, or an error.
 struct UsageAnswer {
     std::string text;
     int exit_code = 0;  ///< 0: the text is for standard output; 2: for standard error
@@ -89,7 +89,7 @@ struct UsageAnswer {
 using Request = std::variant<PlayOptions, RunOptions, MeasureOptions, CompareOptions, VerifyOptions,
                              CheckOptions, ListOptions, UsageAnswer>;
 
-/// Never throws or exits: a mistake is an UsageAnswer with exit code 2.
+/// Never throws or exits: an error is a UsageAnswer with exit code 2.
 Request parse_options(int count, const char* const* arguments);
 
 }  // namespace carom

@@ -4,20 +4,20 @@
 #include <string>
 #include <vector>
 
-/// Notices when files are saved, for `--watch`.
+/// Detects when files are saved, for `--watch`.
 namespace carom {
 
-/// Looks when asked: asks the system for size, time and identity first, and reads only what these
-/// say may have changed. Editors that write in place, that rename a new file over the old, or that
-/// take the file away for a moment are all the same to it; saving without a change is no change.
+/// Checks when asked. It compares size, time and identity first, and reads only files for which
+/// these differ. It handles editors that write in place, that rename a new file over the old, and
+/// that remove the file for a moment. Saving without a change is no change.
 class FileWatcher {
   public:
     FileWatcher() = default;
-    /// What the files say now is what they are compared with.
+    /// Later contents are compared with the contents now.
     explicit FileWatcher(std::vector<std::string> paths);
 
-    /// Whether the contents of any file have changed since the last time that this said so. A file
-    /// that is not there has not changed: it is expected back.
+    /// Whether the contents of any file have changed since this last returned true. A missing file
+    /// has not changed: it is expected to reappear.
     bool has_changed();
 
   private:

@@ -18,17 +18,17 @@
 #include "terminal/input/input.h"
 #include "terminal/panels/pages.h"
 
-/// The menu: unfinished games, the levels of the current folder and those that ship, and beside
-/// them a small moving picture of the selected level.
+/// The menu: unfinished games, the levels of the current folder and those that ship, with a small
+/// moving picture of the selected level.
 namespace carom {
 
-/// Something to choose.
+/// An entry that can be chosen.
 struct MenuItem {
     std::string name;
     std::string title;
     std::string group;
     std::string path;                              ///< of the level
-    std::optional<InterruptedGame> interrupted{};  ///< to resume
+    std::optional<InterruptedGame> interrupted{};  ///< the unfinished game to resume, if it is one
 };
 
 /// Items for unfinished games, the levels of the current folder, and the levels that ship.
@@ -38,8 +38,8 @@ class Menu {
   public:
     using Load = std::function<LoadedLevel(const std::string& path)>;
 
-    /// `load` reads a level for its picture. `choose`: the name of the item to select first, or its
-    /// level's path; an unfinished game comes before its level.
+    /// `load` loads a level for its picture. `choose`: the name of the item to select first, or its
+    /// level's path; an unfinished game takes precedence over its level.
     Menu(std::vector<MenuItem> items, Load load, std::string_view choose = {});
 
     struct Quit {};
@@ -52,12 +52,12 @@ class Menu {
     void touch() { needs_draw_ = true; }
     void draw(Canvas& canvas, double aspect, const ViewOptions& view);
 
-    /// The items that match the search, and the selected one. Null: none matches.
+    /// The items that match the search, and the selected one (null if none match).
     std::vector<const MenuItem*> shown() const;
     const MenuItem* selected() const;
 
   private:
-    /// What is known of a level once it has been read.
+    /// The loaded data of a level.
     struct Known {
         std::vector<std::string> preview;
         bool is_broken = false;
@@ -72,7 +72,7 @@ class Menu {
     std::vector<MenuItem> items_;
     Load load_;
     std::string search_;
-    std::size_t selected_ = 0;  ///< of shown()
+    std::size_t selected_ = 0;  ///< index into shown()
     std::map<std::string, Known> known_;
 
     double seconds_on_selected_ = 0.0;

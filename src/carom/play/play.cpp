@@ -39,7 +39,7 @@ PreferencesText preferences_of_user() {
     return read_preferences(read_file(*path).text.value_or(""), *path);
 }
 
-/// The title of an asciinema recording: what is played, without the folders.
+/// The title of an asciinema recording: what is played, without folders.
 std::string title_of(const PlayOptions& options) {
     const auto name = [](const std::string& path) {
         return std::filesystem::path(path).filename().string();

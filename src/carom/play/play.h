@@ -2,7 +2,7 @@
 
 #include "carom/options/play_options.h"
 
-/// Playing in a terminal: `carom`, the menu, and `carom play LEVEL`.
+/// Plays in a terminal: `carom`, the menu, and `carom play LEVEL`.
 namespace carom {
 
 /// Plays until the player quits or the terminal is gone. Returns the exit code: 0, or 2 when the

@@ -10,19 +10,21 @@
 namespace carom {
 namespace {
 
-/// Share of the time between two frames that ticks may take in the thread that draws; the rest is
-/// for drawing and input.
+/// Share of the frame interval that ticks may take in the drawing thread; the rest is for drawing
+/// and input.
 constexpr double share_of_ticks = 0.75;
-/// Ticks that take this long, s, are computed beside: a key should not have to wait for them.
+/// Ticks that take longer than this, s, are computed in the second thread, so that keys do not wait
+/// for them.
 constexpr double heavy = 0.002;
-/// Share of the time between two frames that ticks may take when something has come that does not
-/// end them, such as the motion of a mouse.
+/// Share of the frame interval that ticks may take after input that does not cancel them, such as
+/// mouse motion.
 constexpr double awaited_share = 0.25;
-/// A gap between two turns of the loop (a stopped process, a busy machine) counts up to this, s.
+/// The longest time that one turn of the loop may count (after a suspended process or on a busy
+/// machine), s.
 constexpr double longest_gap = 0.25;
-/// With nothing to do, so long, s.
+/// The longest wait when there is nothing to do, s.
 constexpr double longest_wait = 60.0;
-/// How often a long tick is interrupted to look for input, s.
+/// The interval at which a long tick checks for input, s.
 constexpr double look_interval = 0.002;
 
 }  // namespace
@@ -56,13 +58,13 @@ void PlayLoop::run() {
 
 void PlayLoop::turn() {
     const double now = seconds_now();
-    // While the terminal shows nothing, the game waits.
+    // The game waits while the terminal does not respond.
     const bool is_stalled = pacing_.is_stalled(now);
     const double passed = is_stalled ? 0.0 : std::min(now - last_, longest_gap);
     last_ = now;
     const bool is_running = program_.seconds_to_change(now) <= 0.0;
     const bool is_beside = is_running && is_heavy();
-    // Where ticks take longer than a frame, what a key has done is shown before them.
+    // When ticks take longer than a frame, the effect of a key is drawn before the next tick.
     const bool is_answer = is_running && !is_beside && input_came_ && ticks_took_ > frame_;
     if (is_answer) ticks_took_ = 0.0;
     if (!is_beside && !is_answer) {
@@ -109,13 +111,13 @@ void PlayLoop::advance_beside(double passed, double now) {
             return seconds_now() < now + frame_ * (is_awaited_ ? awaited_share : 1.0);
         });
         const double took = seconds_now() - start;
-        // What was given up says nothing of how long the next ones will take.
+        // The time of a cancelled tick says nothing about the next.
         ticks_took_ = gives_up_ ? std::max(ticks_took_, took) : took;
     });
 }
 
-// Until the ticks that are computed beside have come to their end. `owes_picture`: one that shows
-// what a key did had to wait for the terminal; ticks are given up for it too, once it need not.
+// Waits until the second thread has finished its ticks. `owes_picture`: a picture that shows the
+// effect of a key is waiting for the terminal; once it may be drawn, the tick is cancelled for it.
 void PlayLoop::listen(bool owes_picture, std::vector<InputEvent>& events) {
     while (!worker_.is_done() && !gives_up_) {
         double seconds = longest_wait;
@@ -155,7 +157,7 @@ std::vector<InputEvent> PlayLoop::take_seen() {
 }
 
 Canvas PlayLoop::draw(bool is_stalled) {
-    if (is_stalled) screen_.redraw();  // so that there is something to answer
+    if (is_stalled) screen_.redraw();  // so that the terminal has something to answer
     Canvas canvas(screen_.capabilities().columns, screen_.capabilities().rows);
     program_.draw(canvas);
     input_came_ = false;
@@ -169,12 +171,12 @@ void PlayLoop::show(const Canvas& canvas, double now) {
     if (asciinema_) asciinema_->add(now, canvas.columns(), canvas.rows(), screen_.last_frame());
 }
 
-// For input, or the time of the next frame.
+// Waits for input, or for the time of the next frame.
 void PlayLoop::wait(bool is_late, std::vector<InputEvent>& events) {
     const double now = seconds_now();
     double seconds = program_.seconds_to_change(now);
     if (seconds < frame_ || is_late) {
-        // Ticks that take all the time there is leave none to wait in.
+        // Ticks that use up all the time leave none to wait in.
         const double least = ticks_took_ > heavy && !is_late ? 0.0 : 0.001;
         seconds = std::max(pacing_.seconds_to_frame(now, input_came_), least);
     }
@@ -183,7 +185,7 @@ void PlayLoop::wait(bool is_late, std::vector<InputEvent>& events) {
     pacing_.answered(screen_.frames_answered(), seconds_now());
 }
 
-// What is done for one may take long, and more may come meanwhile.
+// Handling one event may take long, and more may arrive meanwhile.
 void PlayLoop::handle(std::vector<InputEvent> events) {
     for (; !events.empty() && !program_.is_over(); events = take_seen()) {
         for (const InputEvent& event : events) {

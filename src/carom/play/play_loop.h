@@ -9,28 +9,28 @@
 #include "terminal/screen/pacing.h"
 #include "terminal/screen/screen.h"
 
-/// The loop of a game on a screen: time, picture, input, and again.
+/// The main loop of a game on a screen: time, picture, input, repeat.
 namespace carom {
 
-/// s on a clock that does not go back.
+/// Seconds on a monotonic clock.
 double seconds_now();
 
 MouseMode mouse_mode(const ScreenRequests& requests);
 
-/// Where ticks are cheap, one thread does everything. Where they are not, and there is a second
-/// core, a second thread computes them while the first draws, waits for the terminal and reads
-/// input, so a key is answered at once however heavy the scene is.
+/// Where ticks are cheap, one thread does everything. Where they are expensive and there is a
+/// second core, a second thread computes them while the first draws, waits for the terminal and
+/// reads input, so that keys are answered at once however heavy the scene.
 ///
-/// While the second thread computes ticks, the program belongs to it: the first thread calls
-/// nothing but Program::ends_tick(). When a key comes, the tick is cancelled, the key is handled
-/// between two ticks, and the picture that shows its effect is drawn before the next tick is begun.
+/// While the second thread computes ticks, it owns the program: the first thread calls nothing but
+/// Program::ends_tick(). When a key arrives, the tick is cancelled, the key is handled between two
+/// ticks, and the picture that shows its effect is drawn before the next tick starts.
 class PlayLoop {
   public:
-    /// `asciinema`: the recording that is made, or none. All must outlive the loop.
+    /// `asciinema`: the recording in progress, or null. All arguments must outlive the loop.
     PlayLoop(Program& program, Screen& screen, const PacingOptions& pacing,
              AsciinemaRecording* asciinema);
 
-    /// Returns when the program is over.
+    /// Returns when the program has ended.
     void run();
 
   private:
@@ -51,20 +51,21 @@ class PlayLoop {
     Screen& screen_;
     Pacing pacing_;
     AsciinemaRecording* asciinema_;
-    double frame_;  ///< s from one to the next
+    double frame_;  ///< s between frames
     double last_ = 0.0;
-    bool input_came_ = true;   ///< and has not been shown
-    double ticks_took_ = 0.0;  ///< when the game last ran, s
+    bool input_came_ = true;   ///< input has arrived whose effect is not drawn yet
+    double ticks_took_ = 0.0;  ///< the last time the game ran, s
 
-    // Input that is seen while a tick is computed in this thread.
+    // Input that arrives while a tick is computed in this thread.
     double next_look_ = 0.0;
     bool ends_tick_ = false;
     std::vector<InputEvent> seen_;
 
-    // Between the two threads.
-    bool is_beside_ = false;                ///< changes only while the worker rests
-    std::atomic<bool> is_awaited_ = false;  ///< something came: no more ticks than must be
-    std::atomic<bool> gives_up_ = false;    ///< nor the one that is being computed
+    // Shared between the two threads.
+    bool is_beside_ = false;  ///< changes only while the worker is idle
+    /// Input has arrived: compute no more ticks than necessary.
+    std::atomic<bool> is_awaited_ = false;
+    std::atomic<bool> gives_up_ = false;  ///< cancel the tick that is being computed
     Worker worker_;
 };
 

@@ -42,7 +42,7 @@ std::string_view name_in(const Named<T> (&table)[n], T value) {
     return {};
 }
 
-/// What is wrong with a value; none when it was taken.
+/// The error in a value; none if it was accepted.
 using Wrong = std::optional<std::string>;
 
 template <typename T, std::size_t n, typename Target>
@@ -106,7 +106,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// One line taken apart; `name` is empty where nothing is stated.
+/// One parsed line; `name` is empty if the line states nothing.
 struct Statement {
     std::string_view name;
     std::string_view value;
@@ -123,7 +123,7 @@ Statement statement_of(std::string_view line) {
     return statement;
 }
 
-/// Calls `visit(line)` for each line, without its end.
+/// Calls `visit(line)` for each line, without its line end.
 void for_each_line(std::string_view text, const std::function<void(std::string_view)>& visit) {
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
@@ -132,7 +132,7 @@ void for_each_line(std::string_view text, const std::function<void(std::string_v
     }
 }
 
-/// A mistake, and the part of the line that it is about.
+/// An error, and the part of the line that it is about.
 struct Mistake {
     std::string_view where;
     std::string message;
@@ -191,7 +191,7 @@ std::string with_setting(std::string_view text, std::string_view name, std::stri
     for_each_line(text, [&](std::string_view line) {
         const Statement statement = statement_of(line);
         if (statement.has_equals && statement.name == name) {
-            // Of several lines the last has counted so far: the first is mended, the others go.
+            // Of several lines the last was in force: the first is changed, the others are removed.
             if (!is_set) {
                 const auto comment = line.find('#');
                 result += fmt::format("{} = {}", name, value);

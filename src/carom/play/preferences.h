@@ -9,8 +9,8 @@
 #include "carom/options/play_options.h"
 #include "terminal/draw/draw.h"
 
-/// The player's preferences, kept in a small text file that may be edited. Its grammar, one
-/// statement a line, `#` starts a comment:
+/// The player's preferences, kept in a small text file that may be edited. Its grammar is one
+/// statement a line; `#` starts a comment:
 ///
 ///     p = pause               a key and the action that it does; `none` for nothing
 ///     ctrl-up = zoom-in
@@ -38,26 +38,26 @@ struct Preferences {
     bool bell = false;
 };
 
-/// A line with a mistake has no effect, all others do.
+/// A line with an error has no effect; all others do.
 struct PreferencesText {
     Preferences preferences;
     std::vector<std::string> problems;  ///< "file:line:col: error: ..."
 };
 PreferencesText read_preferences(std::string_view text, std::string_view file);
 
-/// The text with `name = value` instead of what it said of `name`, or at its end; everything else,
-/// comments too, stays.
+/// The text with the value of `name` replaced, or with `name = value` appended. Everything else,
+/// including comments, stays.
 std::string with_setting(std::string_view text, std::string_view name, std::string_view value);
 
 std::string_view text_of(ColorBy by);
 std::string_view text_of(BallStyle style);
 
 /// carom/preferences in the user's configuration folder ($XDG_CONFIG_HOME, else ~/.config). None:
-/// the user has no such place.
+/// the user has no such folder.
 std::optional<std::string> preferences_path();
 
-/// Writes one setting into the user's file. What went wrong, if anything; a file that cannot be
-/// read is left as it is. A user who has no such place wants none.
+/// Writes one setting into the user's file and returns the error, if any. A file that cannot be
+/// read is left alone. For a user without such a folder, does nothing.
 std::optional<std::string> write_preference(std::string_view name, std::string_view value);
 
 }  // namespace carom

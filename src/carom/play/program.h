@@ -16,54 +16,54 @@
 #include "carom/play/running_game.h"
 #include "terminal/input/capabilities.h"
 
-/// All of playing but the terminal and the clock: which page is shown, and the files around it. The
-/// page is the menu, a running game, a notice, or a game that is being resumed.
+/// The whole program except the terminal and the clock: the page that is shown, and the files
+/// around it. The page is the menu, a running game, a notice, or a game that is being resumed.
 namespace carom {
 
-/// What the program asks of the screen.
+/// Requests of the program to the screen.
 struct ScreenRequests {
     bool mouse = true;    ///< false: the mouse is left to the terminal
-    bool motion = false;  ///< and motion without a button matters
+    bool motion = false;  ///< motion without a button matters
 };
 
 class Program {
   public:
     Program(PlayOptions options, PreferencesText preferences);
 
-    /// Goes to the page that the options ask for. The problems when a level was named that cannot
-    /// be played (and is not watched until it can).
+    /// Opens the page that the options ask for. Returns the problems if a named level cannot be
+    /// played (and is not under --watch).
     std::optional<Problems> start();
 
     void set_capabilities(const Capabilities& capabilities);
-    /// `now`: s on a clock that does not go back.
+    /// `now`: s on a monotonic clock.
     void handle(const InputEvent& event, double now);
     void advance(double seconds, double now, const MayGoOn& may_go_on);
-    /// Asked now and then within long ticks, wherever they are computed; false gives them up.
+    /// Asked now and then within long ticks, in whichever thread; false cancels the tick.
     void set_keep_going(const KeepGoing& keep_going);
-    /// A game is on the screen: then advance() may be called in another thread. While it runs,
-    /// nothing else is called but ends_tick().
+    /// Whether a game is on the screen: then advance() may be called in another thread. While it
+    /// runs, only ends_tick() may be called.
     bool is_playing() const { return std::holds_alternative<RunningGame>(page_); }
-    /// Whether a tick that is being computed shall be given up for it.
+    /// Whether this event should cancel a tick that is being computed.
     bool ends_tick(const InputEvent& event) const;
     bool needs_draw() const;
     void draw(Canvas& canvas);
-    /// How long to wait for input at most, s.
+    /// The longest time to wait for input, s.
     double seconds_to_change(double now) const;
 
-    /// Whether the terminal's bell shall ring now, once.
+    /// Whether the terminal's bell should ring now; true once.
     bool take_bell();
     bool is_over() const { return is_over_; }
     ScreenRequests screen_requests() const;
 
-    /// The game is interrupted: writes what is needed to resume it, and the recording.
+    /// The game is interrupted: writes the files needed to resume it, and the recording.
     void interrupt();
-    /// The game that was left last can be resumed.
+    /// Whether the game that was left last can be resumed.
     bool is_kept() const { return is_kept_; }
-    /// A recording that could not be written: for the player, once the screen is closed.
+    /// A recording that could not be written: told to the player once the screen is closed.
     const std::optional<std::string>& lost_recording() const { return lost_recording_; }
 
   private:
-    /// A page of text; about a watched level with errors, it stays until they are fixed.
+    /// A page of text. One about the errors of a level under --watch stays until they are fixed.
     struct Notice {
         std::string title;
         Problems lines;
@@ -72,11 +72,11 @@ class Program {
         FileWatcher watch{};
         bool needs_draw = true;
 
-        /// A key that moves the text; false: it is another key.
+        /// Scrolls the text; false: the key does not scroll.
         bool scroll_with(const InputEvent& event);
         void draw(Canvas& canvas, const Look& look, bool is_tried_again);
     };
-    /// An unfinished game that is being replayed up to where it stood.
+    /// An unfinished game that is being replayed up to the point of interruption.
     struct Resuming {
         InterruptedGame game;
         Replayer replayer;
@@ -86,7 +86,7 @@ class Program {
     };
 
     void show_menu(std::string_view choose);
-    /// None: it is on; else the problems.
+    /// Opens a level. None: it is on the screen; else the problems.
     std::optional<Problems> open(const LevelSource& source);
     std::optional<Problems> open_recording();
     void open_or_tell(const LevelSource& source);
@@ -107,7 +107,7 @@ class Program {
 
     void reload(RunningGame& game);
     ViewOptions view() const;
-    /// Writes what the player has changed by keys into the preferences file.
+    /// Writes the settings that the player has changed by keys into the preferences file.
     void keep_preferences(const ViewOptions& before, const ViewOptions& after);
     void keep_setting(std::string_view name, std::string_view value);
 
@@ -116,14 +116,14 @@ class Program {
     std::vector<std::string> preference_problems_;
     Capabilities capabilities_;
     ViewOptions view_;
-    std::optional<Recording> recording_;  ///< of the game that is played, until it ends
+    std::optional<Recording> recording_;  ///< of the current game, until it ends
     std::optional<std::string> lost_recording_;
     bool mouse_ = true;
     bool is_kept_ = false;
-    bool has_told_lost_settings_ = false;  ///< once is enough
+    bool has_told_lost_settings_ = false;  ///< told only once
     bool is_over_ = false;
     double next_autosave_ = 0.0;
-    double next_look_ = 0.0;  ///< at watched files
+    double next_look_ = 0.0;  ///< time of the next check of watched files
     KeepGoing keep_going_;
     std::variant<std::monostate, Menu, RunningGame, Notice, Resuming> page_;
 };

@@ -17,7 +17,7 @@ namespace {
 constexpr double autosave_interval = 5.0;  // s
 constexpr double watch_interval = 0.2;     // s
 constexpr double never = std::numeric_limits<double>::infinity();
-/// Ticks of a game that is being resumed between two looks at the clock.
+/// Ticks between two looks at the clock while a game is being resumed.
 constexpr std::uint64_t ticks_at_once = 16;
 
 bool is_key_press(const InputEvent& event) {

@@ -17,7 +17,7 @@
 namespace carom {
 namespace {
 
-/// A day of dragging; what is longer is no recording.
+/// About a day of dragging; a longer file is not a recording.
 constexpr std::size_t most_bytes = std::size_t{256} << 20;
 
 std::string_view line_of(std::string_view text, int line) {

@@ -17,20 +17,20 @@ struct OpenedReplay {
     Scene scene;
 };
 
-/// Reads a replay, loads the level in it, and looks whether this carom has its solver. Else the
-/// errors, as people read them: with file, line and remedy, and a line end.
+/// Reads a replay, loads its level, and checks that this carom has its solver. On failure returns
+/// the errors as shown to people: with file, line and remedy, and a line end.
 std::variant<OpenedReplay, std::string> open_replay(const std::string& path);
 
-/// A recording that is being made. The file appears under its name only when it is written whole;
-/// what stood there before stays until then.
+/// A recording in progress. The file appears under its name only when it is complete; until then an
+/// existing file stays.
 class Recording {
   public:
     explicit Recording(std::string path) : path_(std::move(path)) {}
 
     const std::string& path() const { return path_; }
-    /// Why nothing could be written there, so that a player learns of it before the game.
+    /// The reason why nothing can be written there, for the player to learn before the game.
     std::optional<std::string> obstacle() const;
-    /// The session so far. `level`: the path of its file. What went wrong, if anything.
+    /// Writes the session so far; `level`: the path of its file. Returns the error, if any.
     std::optional<std::string> write(const Session& session, const std::string& level,
                                      std::span<const std::string> overrides) const;
 
@@ -38,7 +38,7 @@ class Recording {
     std::string path_;
 };
 
-/// What a level is called in a recording: its file's name, since the folders are the player's own.
+/// The name of a level in a recording: its file name only, since folders are private to the player.
 std::string name_in_recording(const std::string& level);
 
 }  // namespace carom

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view ending = ".resume";
 constexpr std::string_view left_ending = ".left";
 constexpr std::size_t most_files = 20;
-/// A day of dragging; what is longer is not ours.
+/// About a day of dragging; a longer file is not carom's.
 constexpr std::size_t most_session_bytes = std::size_t{256} << 20;
 
 std::uint64_t hash_of(std::string_view text) {
@@ -37,7 +37,7 @@ std::string stem_of(std::string_view level) {
     return fmt::format("{}-{:016x}", fs::path(level).stem().string(), hash_of(level));
 }
 
-/// The process that the name of a file ends in; 0 when it is none of ours.
+/// The process id at the end of a file's name; 0 if the file is not carom's.
 pid_t process_of(const std::string& name) {
     if (!name.ends_with(ending)) return 0;
     const std::size_t end = name.size() - ending.size();
@@ -57,7 +57,7 @@ std::int64_t saved_at(const std::string& path) {
     return ::stat(path.c_str(), &status) == 0 ? status.st_mtim.tv_sec : 0;
 }
 
-/// Files of games that were left or whose processes run no more, newest first, then by name.
+/// Files of games that were left or whose processes have ended, newest first, then by name.
 std::vector<std::string> left_behind(const std::string& folder) {
     std::vector<std::pair<std::int64_t, std::string>> found;
     std::error_code error;

@@ -11,7 +11,7 @@
 #include "carom/play/recording.h"
 #include "carom/play/resume.h"
 
-/// A game that is being played, with the files around it.
+/// A running game, with the files around it.
 namespace carom {
 
 struct RunningGame {
@@ -19,19 +19,19 @@ struct RunningGame {
     Player player;
     FileWatcher watch;
     ResumeFile resume_file;
-    std::optional<InterruptedGame> offer{};  ///< what the action "take-up" would resume
+    std::optional<InterruptedGame> offer{};  ///< the game that the action "take-up" would resume
     std::uint64_t saved_tick = 0;
     std::size_t saved_commands = 0;
     std::optional<ShotSetup> saved_setup{};
-    std::vector<FingerprintMark> expected{};  ///< of a recording that is watched
+    std::vector<FingerprintMark> expected{};  ///< fingerprints of a watched recording
     std::size_t marks_compared = 0;
 
-    /// Writes the resume file, where the game has changed since it was written last.
+    /// Writes the resume file, if the game has changed since it was last written.
     void autosave();
     bool is_saved() const;
-    /// The game ends in good order. True: it is a match of pool that is not won, and is kept.
+    /// Ends the game normally. True: it is a match of pool that is not won, and it is kept.
     bool leave();
-    /// Tells where a recording that is watched differs from what was recorded.
+    /// Tells the player where a watched recording differs from the replay.
     void compare_marks();
     /// Saves the world as a level file in the current folder.
     void save_level();

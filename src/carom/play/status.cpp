@@ -28,7 +28,7 @@ std::string mode_of(const PlayContext& play) {
     return mode;
 }
 
-/// Collects hints by the names of actions; an action without a key gives none.
+/// Collects hints by action name; an action without a key gives none.
 struct Hints {
     const KeyMap& keys;
     std::vector<KeyHelp> lines;
@@ -39,7 +39,7 @@ struct Hints {
     }
 };
 
-/// What can be done with what is in hand, else with time.
+/// The actions for the held object, else those for time.
 void add_first_hints(const PlayContext& play, Hints& hints) {
     const PointerTool& tool = play.pointer.tool;
     const bool is_paused = play.clock.is_paused();
@@ -88,14 +88,14 @@ std::vector<KeyHelp> hints_of(const PlayContext& play) {
     return std::move(hints.lines);
 }
 
-/// What the level expects, as it stands in its file, as far as the world knows how it goes.
+/// The level's expectations, in the order of its file, with the values known so far.
 std::vector<HudCheck> checks_of(const PlayContext& play) {
     std::vector<HudCheck> checks;
     const Scene& scene = play.session.scene();
     if (scene.overridden) return checks;
     for (const Expect& expect : scene.expects) {
         if (expect.what.kind->scope == QuantityScope::run) continue;
-        // The histogram says these.
+        // The histogram panel shows these.
         if (is_of_bins(expect.what.kind) && play.panels.is_histogram_drawn()) continue;
         if (const auto measured = measure(expect.what, play.session.world(), nullptr))
             checks.push_back({expect.quantity, *measured, expect.value, expect.tolerance});

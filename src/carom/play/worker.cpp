@@ -13,8 +13,8 @@
 namespace carom {
 namespace {
 
-/// While it lives, threads that are made take no signals but those of their own faults: a signal is
-/// to interrupt the first thread, which may be stuck in a write to the terminal.
+/// While it lives, new threads receive no signals but those of their own faults: other signals must
+/// interrupt the first thread, which may be stuck in a write to the terminal.
 class SignalsBlocked {
   public:
     SignalsBlocked() {

@@ -6,8 +6,8 @@
 #include <mutex>
 #include <thread>
 
-/// A second thread, for one job at a time. A job owns what it works on from start() to finish(): no
-/// other thread touches it meanwhile, so it needs no lock.
+/// A second thread that runs one job at a time. From start() to finish() a job owns the data it
+/// works on: no other thread touches it, so no lock is needed.
 namespace carom {
 
 class Worker {
@@ -17,17 +17,17 @@ class Worker {
     Worker& operator=(const Worker&) = delete;
     ~Worker();  ///< waits for the job to end
 
-    /// False where the system gave no thread: then no job can be started.
+    /// False if the system could not create the thread: then no job can be started.
     bool is_there() const { return thread_.joinable(); }
 
-    /// Pre: is_there(), and no job that has not been finished.
+    /// Pre: is_there(), and finish() has been called for the previous job.
     void start(std::function<void()> job);
-    /// Whether the job has ended; finish() is still to be called.
+    /// Whether the job has ended; finish() must still be called.
     bool is_done() const;
-    /// Waits for the end of the job. Throws what the job threw.
+    /// Waits for the end of the job. Rethrows an exception of the job.
     void finish();
 
-    /// For poll(): readable from the end of a job to its finish().
+    /// For poll(): readable from the end of a job until its finish().
     int handle() const { return pipe_ends_[0]; }
 
   private:
@@ -37,7 +37,8 @@ class Worker {
     std::condition_variable changed_;
     std::function<void()> job_;
     std::exception_ptr failure_;
-    bool is_started_ = false;  // guarded by mutex_, as all above: a job that is not finished
+    // Guarded by mutex_, like the members above: a job has not been finished yet.
+    bool is_started_ = false;
     bool is_done_ = false;
     bool is_over_ = false;
     int pipe_ends_[2] = {-1, -1};

@@ -6,8 +6,8 @@
 
 namespace carom {
 
-/// The end of a sentence about a mistyped word: "; did you mean 'NAME'?", or nothing when no
-/// candidate is near.
+/// The end of a sentence about a mistyped word: "; did you mean 'NAME'?", or empty if no candidate
+/// is similar.
 std::string suggestion(std::string_view typed, const std::vector<std::string_view>& candidates);
 
 }  // namespace carom

@@ -4,7 +4,7 @@
 
 namespace carom {
 
-/// Of this carom, such as "0.1.0".
+/// The version of this program, such as "0.1.0".
 std::string_view version();
 
 }  // namespace carom

@@ -11,17 +11,18 @@ namespace carom {
 namespace {
 
 constexpr double up_time = 0.12;       // s that a flipper stays up
-constexpr double rest_time = 0.10;     // s after that before it looks at the next ball
-constexpr double flip_lead = 0.010;    // s that it flips ahead of the ball
-constexpr double overreach = 0.4;      // radii over the flipper, then
+constexpr double rest_time = 0.10;     // s after that before it considers the next ball
+constexpr double flip_lead = 0.010;    // s by which it flips ahead of the ball
+constexpr double overreach = 0.4;      // radii above the flipper at which it flips
 constexpr double pause_between = 4.0;  // s between two games
 constexpr double nudge_pause = 1.5;    // s between two nudges, so that the table does not tilt
 
-// Where along a flipper it likes to meet a ball: another place each time, so that the ball goes
-// another way. 0 is the pivot.
+// The point along a flipper where it prefers to meet a ball; it varies, so that shots vary. 0 is
+// the pivot.
 constexpr double nearest_place = 0.42;
 constexpr double farthest_place = 0.80;
-constexpr double last_place = 0.97;  // beyond it the ball is lost, so it flips at the latest here
+// Beyond it the ball is lost, so this is the latest point to flip.
+constexpr double last_place = 0.97;
 
 std::uint64_t ticks(const World& world, double seconds) {
     return static_cast<std::uint64_t>(seconds * world.rate() + 0.5);
@@ -38,7 +39,7 @@ bool is_above(const Flipper& flipper, const Capsule& shape, Vec2 at) {
 
 }  // namespace
 
-// A ball that comes down on it, and is nearly there.
+// Plans a flip for a ball that comes down on the flipper and is nearly there.
 void DemoPlayer::watch_flipper(const Scene& scene, const World& world, std::size_t which) {
     const Flipper& flipper = world.flippers()[which];
     Hand& hand = hands_[index(scene.table.flipper_buttons[which])];
@@ -53,7 +54,8 @@ void DemoPlayer::watch_flipper(const Scene& scene, const World& world, std::size
         const double gap = separation(Disc{soon, world.balls().radius[i]}, shape);
         if (gap > overreach * world.balls().radius[i] || !is_above(flipper, shape, at)) continue;
         const double place = closest_parameter(shape.start, shape.end, soon);
-        // What rolls down to the tip is waited for; what falls on it is not.
+        // It waits for a ball that rolls towards the tip, but not for one that falls on the
+        // flipper.
         const Vec2 along = shape.end - shape.start;
         const double rolls = dot(world.balls().velocity[i], along) / dot(along, along);
         const double falls = std::fabs(cross(along, world.balls().velocity[i])) / length(along);
@@ -66,7 +68,7 @@ void DemoPlayer::watch_flipper(const Scene& scene, const World& world, std::size
     }
 }
 
-// A ball falls between the flippers, and a push to the side may bring it to one of them.
+// Whether a ball falls between the flippers, where a push to the side may bring it to one of them.
 bool DemoPlayer::wants_nudge(const World& world, const PinballState& state) const {
     if (world.flippers().size() < 2 || state.tilt_meter > 0.05) return false;
     if (world.tick() < nudged_at_ + ticks(world, nudge_pause)) return false;
@@ -89,7 +91,7 @@ bool DemoPlayer::wants_nudge(const World& world, const PinballState& state) cons
 
 std::vector<command::Press> DemoPlayer::play(const Scene& scene, const World& world,
                                              const PinballState& state) {
-    // After a step back, what it had in mind is in a future that no longer is.
+    // After a step back, its plans belong to a future that no longer exists.
     if (world.tick() < seen_until_) *this = {};
     seen_until_ = world.tick();
     std::vector<command::Press> presses;
@@ -104,7 +106,7 @@ std::vector<command::Press> DemoPlayer::play(const Scene& scene, const World& wo
 
     if (state.phase == PinballState::Phase::over) {
         if (begins_at_ == 0) begins_at_ = world.tick() + ticks(world, pause_between);
-        // Down and up again: the next tick lets go.
+        // Press and release: the next tick releases the button.
         set(Button::plunger, world.tick() >= begins_at_ && !state.is_down[index(Button::plunger)]);
         return presses;
     }

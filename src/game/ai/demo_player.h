@@ -11,7 +11,7 @@
 
 /// The AI player of pinball. It presses the same buttons as a person, sees no more than a person
 /// sees, and makes similar mistakes. Its play is a function of the world and of its own past, never
-/// of a clock, so its games are the same on every machine.
+/// of a clock, so its games are equal on every machine.
 namespace carom {
 
 class DemoPlayer {
@@ -25,7 +25,7 @@ class DemoPlayer {
     struct Hand {
         std::uint64_t up_from = 0;
         std::uint64_t up_until = 0;
-        std::uint64_t busy_until = 0;  ///< until then it looks at no other ball
+        std::uint64_t busy_until = 0;  ///< until then it considers no other ball
     };
     void watch_flipper(const Scene& scene, const World& world, std::size_t flipper);
     bool wants_nudge(const World& world, const PinballState& state) const;
@@ -33,7 +33,7 @@ class DemoPlayer {
     std::array<Hand, 2> hands_{};
     std::uint64_t seen_until_ = 0;
     std::uint64_t flips_ = 0;
-    std::uint64_t begins_at_ = 0;  ///< the tick at which it begins another game
+    std::uint64_t begins_at_ = 0;  ///< the tick at which it starts another game
     std::uint64_t nudged_at_ = 0;
     Button nudge_ = Button::nudge_up;
 };

@@ -15,7 +15,7 @@ namespace {
 
 /// How far ahead a shot is simulated, s.
 constexpr double foresight = 40.0;
-/// How far ahead to measure the throw of a cut, s.
+/// How far ahead to simulate when measuring the throw of a cut, s.
 constexpr double short_foresight = 1.6;
 
 constexpr std::size_t most_trials = 150;
@@ -25,7 +25,7 @@ constexpr std::size_t most_lines = 8;
 constexpr std::size_t most_placed_lines = 10;
 constexpr double value_of_miss = -0.4;
 
-// `v` turned as `from` would have to be to become `to`. Pre: both of length 1.
+// `v` rotated by the angle from `from` to `to`. Pre: both are unit vectors.
 Vec2 turned(Vec2 v, Vec2 from, Vec2 to) {
     const double c = dot(from, to);
     const double s = cross(from, to);
@@ -69,7 +69,7 @@ void ShotPlanner::propose() {
     propose_hits(from);
 }
 
-// Full on the apex ball, with the cue ball in the middle or to the sides.
+// Full hits on the apex ball, with the cue ball at the centre or to the sides.
 void ShotPlanner::propose_break() {
     const BallId cue = *play_.balls[cue_ball];
     const Vec2 head = head_spot(scene_);
@@ -88,8 +88,8 @@ void ShotPlanner::propose_break() {
     }
 }
 
-// Throw: friction between the balls turns the object ball a little off the line of centres. One
-// simulation measures the throw, and the aim is turned back by it.
+// Throw: friction between the balls turns the object ball slightly off the line of centres. One
+// simulation measures the throw, and the aim is turned back by as much.
 Vec2 ShotPlanner::corrected(const PotLine& line, std::optional<Vec2> place, double speed) {
     if (line.way != PotLine::Way::direct || line.cut_cosine > 0.9995) return line.direction;
     const World world = world_with(place);
@@ -176,14 +176,14 @@ void ShotPlanner::propose_hits(Vec2 from) {
                         way * speed, object);
             }
     if (!trials_.empty()) return;
-    // No legal ball can be reached by a line that geometry finds: shoot round the table.
+    // No line that geometry finds reaches a legal ball: shoot in all directions.
     for (const Vec2 way : {Vec2{1.0, 0.0}, Vec2{0.0, 1.0}, Vec2{-1.0, 0.0}, Vec2{0.0, -1.0},
                            Vec2{0.8, 0.6}, Vec2{-0.8, 0.6}, Vec2{-0.8, -0.6}, Vec2{0.8, -0.6}})
         for (const double speed : {2.0, 4.0})
             add(CandidateShot::Kind::kick, {}, way * std::min(speed, most_speed_), cue);
 }
 
-// Ball in hand: places on the line to a pocket and a little beside it, for an angle.
+// Ball in hand: positions on the line to a pocket and a little beside it, for an angle.
 void ShotPlanner::propose_placed() {
     const BallId cue = *play_.balls[cue_ball];
     const double radius = world_.balls().radius[*index_of(world_, cue)];
@@ -245,8 +245,8 @@ void ShotPlanner::work(int tries) {
     }
 }
 
-// Simulates the next shot once without noise. It cannot miss here, so its value is weighted by the
-// chance that geometry gives it.
+// Simulates the next shot once without noise. Without noise it cannot miss, so its value is
+// weighted by the chance of success that geometry predicts.
 void ShotPlanner::try_next() {
     Trial& trial = trials_[next_++];
     const Forecast ahead = try_out(trial, trial.shot.strike);
@@ -259,7 +259,7 @@ void ShotPlanner::try_next() {
     if (next_ == trials_.size()) begin_testing();
 }
 
-// Keeps the best, to be simulated again and again with noise: the same noise for all.
+// Keeps the best shots, to be simulated repeatedly with noise: the same noise for each.
 void ShotPlanner::begin_testing() {
     std::ranges::stable_sort(
         trials_, [](const Trial& a, const Trial& b) { return a.first_value > b.first_value; });
@@ -289,7 +289,7 @@ void ShotPlanner::finish() {
     }
     std::ranges::stable_sort(
         trials_, [](const Trial& a, const Trial& b) { return a.shot.value > b.shot.value; });
-    // Up to three that differ in more than speed and spin.
+    // Up to three shots that differ in more than speed and spin.
     for (const Trial& trial : trials_) {
         const auto is_same = [&](const CandidateShot& other) {
             return other.kind == trial.shot.kind && other.ball == trial.shot.ball &&

@@ -11,12 +11,12 @@
 #include "game/session/forecast.h"
 
 /// The planner of the AI player at pool. It proposes candidate shots by geometry, simulates each on
-/// the engine, then simulates the best ones again with execution noise, and ranks them by what they
-/// leave on the table. The work is bounded by a number of shots, never by a clock, so one position
-/// gives one shot on every machine.
+/// the engine, then simulates the best ones again with execution noise, and ranks them by the
+/// position they leave. The work is bounded by a number of shots, never by a clock, so a position
+/// gives the same shot on every machine.
 namespace carom {
 
-/// Levels of skill: how much noise there is in the shots of the AI player.
+/// Levels of skill, which set the execution noise of the AI player.
 inline constexpr int least_skill = 1;
 inline constexpr int most_skill = 4;
 ShotNoise shot_noise(int skill);
@@ -26,13 +26,14 @@ std::string_view skill_text(int skill);
 struct CandidateShot {
     enum class Kind : std::uint8_t { break_off, straight, cut, bank, kick, safety, push_out };
     Kind kind = Kind::cut;
-    std::optional<Vec2> place;  ///< where the cue ball is put first
+    std::optional<Vec2> place;  ///< where to place the cue ball first
     PoolCall call;
     command::Strike strike;   ///< without noise
     std::optional<int> ball;  ///< the number of the ball that is aimed at
     int pocket = 0;           ///< the pocket aimed at, if any
-    double value = 0.0;       ///< -1 (lost) to 1 (won), mean over the noisy tries
-    double success = 0.0;  ///< share of the noisy tries after which the player goes on, or has won
+    double value = 0.0;       ///< -1 (lost) to 1 (won), mean over the trials with noise
+    /// Share of the trials with noise after which the player continues or has won.
+    double success = 0.0;
     std::optional<int> leaves;  ///< the easiest ball afterwards, without noise
 };
 
@@ -45,7 +46,8 @@ class ShotPlanner {
     /// One decision simulates about this many shots.
     static constexpr int most_tries = 320;
 
-    /// Pre: the balls lie still, the phase is breaking or playing; the scene outlives it.
+    /// Pre: the balls are at rest, the phase is breaking or playing; the scene outlives the
+    /// planner.
     ShotPlanner(const Scene& scene, const World& world, const PoolPlay& play,
                 const SolverSettings& solver, const ShotNoise& error, std::uint64_t seed);
 
@@ -59,7 +61,7 @@ class ShotPlanner {
     enum class Stage : std::uint8_t { trying, testing, done };
     struct Trial {
         CandidateShot shot;
-        double chance = 1.0;  ///< that it succeeds, by geometry
+        double chance = 1.0;  ///< probability of success, by geometry
         double first_value = 0.0;
         double sum = 0.0;
         int went_on = 0;
@@ -107,7 +109,7 @@ std::vector<Command> commands_of(const Scene& scene, const PoolPlay& play,
                                  const CandidateShot& shot, const ShotNoise& error,
                                  std::uint64_t seed);
 
-/// The seed of one decision: another one for each shot of each frame.
+/// The random seed of a decision, different for each shot of each frame.
 std::uint64_t decision_seed(const World& world, const PoolPlay& play);
 
 }  // namespace carom

@@ -8,7 +8,7 @@
 #include "game/referees/referee.h"
 #include "physics/world/random.h"
 
-/// What a shot says, and what it does.
+/// Describes a shot in words, and turns it into commands.
 namespace carom {
 namespace {
 
@@ -20,7 +20,7 @@ std::size_t row_of(int skill) {
     return static_cast<std::size_t>(skill - least_skill);
 }
 
-// The shot itself draws noise that no simulation has seen.
+// The executed shot draws noise that no simulation has used.
 constexpr std::uint64_t of_the_hand = 1u << 20;
 
 }  // namespace

@@ -12,14 +12,14 @@
 namespace carom {
 namespace {
 
-/// Cuts thinner than about 78 degrees are left to others.
+/// Cuts thinner than about 78 degrees are not proposed.
 constexpr double least_cosine = 0.2;
-/// A bank or a kick is that much harder than its line: cushions are not mirrors.
+/// The factor by which a bank or a kick is harder than its line: cushions are not perfect mirrors.
 constexpr double cushion_factor = 0.25;
 
 struct Cushion {
     bool is_upright = false;
-    double at = 0.0;  ///< of the middle of a ball that touches it
+    double at = 0.0;  ///< coordinate of the centre of a ball that touches it
 };
 
 std::array<Cushion, 4> cushions(const Box& cloth, double radius) {
@@ -34,7 +34,7 @@ Vec2 mirrored(Vec2 place, const Cushion& cushion) {
     return {place.x, 2.0 * cushion.at - place.y};
 }
 
-// Where the line meets the cushion; none when it does not between the two.
+// Where the line crosses the cushion; none if it does not cross it between the two points.
 std::optional<Vec2> meeting(Vec2 from, Vec2 image, const Cushion& cushion) {
     const double start = cushion.is_upright ? from.x : from.y;
     const double end = cushion.is_upright ? image.x : image.y;
@@ -44,7 +44,8 @@ std::optional<Vec2> meeting(Vec2 from, Vec2 image, const Cushion& cushion) {
 }
 
 bool is_near_pocket(const Scene& scene, const Box& cloth, Vec2 place) {
-    constexpr double berth = 0.09;  // of the table's width: a cushion's end is no cushion
+    // Share of the table's width: near a pocket a cushion does not reflect.
+    constexpr double berth = 0.09;
     for (std::size_t i = 0; i < scene.pool.pockets.size(); ++i)
         if (length(place - mouth(scene, cloth, static_cast<int>(i))) < berth * size(cloth).y)
             return true;
@@ -62,7 +63,7 @@ Ball ball_of(const World& world, BallId id) {
     return {id, world.balls().position[i], world.balls().radius[i]};
 }
 
-// How squarely a ball comes into a pocket: cosine of the angle to the pocket's axis.
+// How straight a ball enters a pocket: the cosine of the angle to the pocket's axis.
 double squareness(const Scene& scene, const Box& cloth, int pocket, Vec2 way) {
     const Vec2 place =
         scene.world.zones()[scene.pool.pockets[static_cast<std::size_t>(pocket)]].shape.start;
@@ -70,8 +71,8 @@ double squareness(const Scene& scene, const Box& cloth, int pocket, Vec2 way) {
     return length(axis) > 0.0 ? dot(way, axis) / length(axis) : 1.0;
 }
 
-// How far the angle of the strike may be off: the ball has half a mouth to spare at its end, and
-// the way before it multiplies what is wrong.
+// The admissible error of the strike's angle: half a mouth of room at the pocket, divided by the
+// path lengths that magnify the error.
 double tolerance_of(double object_way, double cue_way, double cut_cosine, double squareness,
                     double radius) {
     const double spare = radius * squareness;
@@ -180,7 +181,7 @@ std::optional<Box> cloth_box(const Scene& scene) {
         pockets.low = {std::min(pockets.low.x, place.x), std::min(pockets.low.y, place.y)};
         pockets.high = {std::max(pockets.high.x, place.x), std::max(pockets.high.y, place.y)};
     }
-    // Where pockets are neither in the middle of a side nor in a corner.
+    // For pockets that are neither at the middle of a side nor in a corner.
     const Vec2 from = center(pockets) + size(pockets) * 0.125;
     const auto reach = [&](Vec2 way) {
         double nearest = length(size(pockets));

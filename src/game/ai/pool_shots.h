@@ -9,14 +9,14 @@
 #include "level/scene/scene.h"
 #include "physics/world/world.h"
 
-/// Shots that geometry alone proposes: lines on which a ball can be pocketed, or at least hit.
+/// Candidate shots by geometry alone: lines on which a ball can be pocketed, or at least hit.
 namespace carom {
 
 /// The cloth between the noses of the cushions; none where the level has no pockets. For a
 /// rectangular table with upright sides.
 std::optional<Box> cloth_box(const Scene& scene);
 
-/// Where to aim a ball so that it falls: the middle of the pocket's mouth.
+/// Where to aim a ball to pocket it: the centre of the pocket's mouth.
 Vec2 mouth(const Scene& scene, const Box& cloth, int pocket);
 
 /// A line on which the struck ball sends another into a pocket.
@@ -33,7 +33,7 @@ struct PotLine {
     Vec2 ghost;               ///< where the struck ball hits the object
     double cut_cosine = 1.0;  ///< of the angle between the paths of the two balls
     double distance = 0.0;    ///< of both paths together, length
-    /// How far off the aim may be, radians: the larger, the easier. Only for comparison.
+    /// The admissible error of the aim, radians: the larger, the easier. Only for comparison.
     double tolerance = 0.0;
 };
 

@@ -8,7 +8,8 @@
 /// Static evaluation of a position at pool: nothing is simulated.
 namespace carom {
 
-/// The chance of a pot, 0..1, with an error of the bearing of this standard deviation, degrees.
+/// The probability of a pot, 0..1, when the error of the bearing has this standard deviation,
+/// degrees.
 double pot_chance(const PotLine& line, double bearing_error);
 
 struct Outlook {
@@ -20,7 +21,7 @@ struct Outlook {
     double chance = 0.0;  ///< of pocketing it
 };
 
-/// Pre: the balls lie still.
+/// Pre: the balls are at rest.
 Outlook outlook(const Scene& scene, const World& world, const PoolPlay& play, const Box& cloth,
                 double bearing_error);
 

@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-/// Nearly normal, of mean 0 and deviation 1: the sum of 12 uniform numbers, less 6.
+/// Approximately normal, mean 0, standard deviation 1: the sum of 12 uniform numbers, minus 6.
 double deviate(std::uint64_t seed, std::uint64_t who, std::uint64_t index) {
     double sum = -6.0;
     for (std::uint64_t i = 0; i < 12; ++i)
@@ -25,7 +25,7 @@ ShotNoise operator*(const ShotNoise& error, double factor) {
 
 command::Strike with_noise(const command::Strike& strike, const ShotNoise& error, double most,
                            std::uint64_t seed, std::uint64_t index) {
-    constexpr double least = 0.02;  // of the speed that was meant
+    constexpr double least = 0.02;  // of the intended speed
     const double speed = length(strike.velocity);
     if (!(speed > 0.0)) return strike;
     const double off = error.speed * deviate(seed, 1, index);
@@ -39,7 +39,7 @@ command::Strike with_noise(const command::Strike& strike, const ShotNoise& error
     if (strike.follow != 0.0) result.follow += error.tip * deviate(seed, 3, index);
     const double out = std::sqrt(result.side * result.side + result.follow * result.follow);
     if (out > command::Strike::most_offset) {
-        // A hair inside, so that rounding does not make the tip slip.
+        // Slightly inside the limit, so that rounding does not make the tip slip.
         const double factor = command::Strike::most_offset * (1.0 - 1e-12) / out;
         result.side *= factor;
         result.follow *= factor;

@@ -5,9 +5,9 @@
 namespace carom {
 namespace {
 
-/// Further than any table is long, in radii of the ball.
+/// Longer than any table, in radii of the ball.
 constexpr double far = 1000.0;
-/// A tangent this short is the rounding of a full hit.
+/// A shorter tangent is the rounding error of a full hit.
 constexpr double full = 1e-6;
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include "geometry/vec2.h"
 #include "physics/world/world.h"
 
-/// Aiming lines by geometry alone: what the struck ball would hit on a straight line, and in which
-/// directions the two balls would leave. session/forecast.h says what really happens.
+/// Aiming lines by geometry alone: what the struck ball would hit on a straight line, and the
+/// directions in which the two balls would leave. session/forecast.h simulates what really happens.
 namespace carom {
 
 struct AimLine {
@@ -22,11 +22,11 @@ struct AimLine {
     double cut_cosine = 0.0;
 };
 
-/// None when the ball does not exist, or the direction is 0. Looks at all bodies once.
+/// None if the ball does not exist, or the direction is 0. Cost: one pass over all bodies.
 std::optional<AimLine> aim_line(const World& world, BallId ball, Vec2 direction);
 
-/// The ghost ball: where the centre of a ball of this radius must be at the hit for `object` to
-/// leave towards `target`. Pre: object and target differ.
+/// The ghost ball: the centre of a ball of this radius at the hit that sends `object` towards
+/// `target`. Pre: object and target differ.
 Vec2 ghost_place(Vec2 object, double object_radius, double radius, Vec2 target);
 
 }  // namespace carom

@@ -6,7 +6,7 @@ namespace carom {
 namespace {
 
 using namespace command;
-/// Where something with this id is, or belongs, in a list in ascending order of id.
+/// The position of the entry with this id, or its insertion point, in a list sorted by id.
 template <typename Held, typename Id>
 auto place_of(std::vector<Held>& held, Id id) {
     return std::ranges::lower_bound(held, id, {}, &Held::id);
@@ -21,8 +21,8 @@ void take(std::vector<Held>& all, const Held& hold) {
         all.insert(place, hold);
 }
 
-/// A player can bring together what could not meet when the level was loaded, and then the model
-/// must know it.
+/// A player can bring together bodies that could not meet when the level was loaded, so the model
+/// must include those collisions.
 void widen_model(World& world) {
     for (const ClassIndex kind : world.balls().kind) {
         for (std::size_t other = 0; other < world.kinds().size() && !world.model().ball_ball;
@@ -43,7 +43,8 @@ struct Execute {
     void operator()(const Strike& strike) const {
         const std::size_t i = *index_of(world, strike.ball);
         world.edit_balls().velocity[i] = strike.velocity;
-        // An impulse m v at that height and side gives the angular momentum m v r times either.
+        // An impulse m v at that height and side gives the angular momentum m v r times each
+        // offset.
         if (world.model().cloth)
             world.edit_balls().roll[i] = strike.velocity * (strike.follow / *world.model().spin);
         if (world.model().cloth || strike.side != 0.0)
@@ -114,7 +115,7 @@ bool is_place(const Command& command) {
            std::holds_alternative<PlaceCapsule>(command);
 }
 
-/// The ball or edge that a command moves by hand; none for other commands.
+/// The ball or edge that a command drags; none for other commands.
 struct Moved {
     std::size_t how = 0;
     std::uint32_t what = 0;

@@ -10,22 +10,22 @@
 #include "physics/solver.h"
 #include "physics/world/world.h"
 
-/// What a player can do to a world, as plain data. Lengths, speeds and masses are in the units of
-/// the world.
+/// Commands: a player's changes to a world, as plain data. Lengths, speeds and masses are in the
+/// units of the world.
 namespace carom {
 
 namespace command {
-/// A stroke of the cue: the ball gets this velocity. A tip that hits the ball off its centre also
-/// spins it: `side` to the right and `follow` up, both as shares of the radius. `side` needs
-/// Model::spin, `follow` needs Model::cloth; `follow` = Model::spin makes the ball roll at once.
+/// A stroke of the cue, which gives the ball this velocity. A tip that hits the ball off its centre
+/// also spins it: `side` to the right and `follow` up, both in radii. `side` needs Model::spin,
+/// `follow` needs Model::cloth; `follow` = Model::spin makes the ball roll at once.
 struct Strike {
-    static constexpr double most_offset = 0.5;  ///< further out, a tip slips off
+    static constexpr double most_offset = 0.5;  ///< beyond this offset the tip slips off
     BallId ball{};
     Vec2 velocity;
     double side = 0.0;
     double follow = 0.0;
 };
-/// Takes hold of a ball, or moves the ball that is held.
+/// Grabs a ball, or moves the ball that is held.
 struct HoldBall {
     BallId ball{};
     Vec2 target;
@@ -33,7 +33,7 @@ struct HoldBall {
 struct DropBall {
     BallId ball{};
 };
-/// Takes hold of an edge, or moves the edge that is held: the targets of its two ends.
+/// Grabs an edge, or moves the edge that is held: the targets of its two ends.
 struct HoldCapsule {
     CapsuleId capsule{};
     Vec2 start_target;
@@ -73,7 +73,7 @@ struct SetGravity {
 struct SetSolver {
     SolverSettings settings;
 };
-/// A button of the game goes down or up (game_state.h).
+/// Presses or releases a button of the game (game_state.h).
 struct Press {
     Button button = Button::left_flipper;
     bool is_down = false;
@@ -83,7 +83,7 @@ struct Pull {
     double share = 0.0;
     bool lets_go = false;
 };
-/// Pool: the call for the next shot; the last call counts.
+/// Pool: calls the next shot; the last call counts.
 struct CallShot {
     PoolCall call;
 };
@@ -91,7 +91,7 @@ struct CallShot {
 struct Decide {
     PoolChoice choice = PoolChoice::take_table;
 };
-/// Pool: begins the next frame.
+/// Pool: starts the next frame.
 struct RackAgain {};
 }  // namespace command
 
@@ -108,27 +108,26 @@ struct TimedCommand {
     Command command;
 };
 
-/// Why a command cannot be carried out, as a sentence for the player; none when it can. A command
-/// is refused when it names a body that does not exist, when a number in it is not finite or out of
-/// range, and when it would make a ball or an edge overlap a body that it collides with. A world
-/// alone has no buttons and no referee: see game_state.h. Cost: linear in the bodies.
+/// Why a command cannot be executed, as a sentence for the player; none if it can. A command is
+/// refused if it names a body that does not exist, if a number in it is not finite or out of range,
+/// or if it would make a ball or an edge overlap a body that it collides with. A world alone has no
+/// buttons and no referee: see game_state.h. Cost: linear in the bodies.
 std::optional<std::string> refusal(const World& world, const Command& command);
 
-/// Carries out a command. SetSolver, and commands of games, leave the world as it is. Bodies are
+/// Executes a command. SetSolver, and commands of games, leave the world unchanged. Bodies are
 /// added by the rules of add_ball and add_capsule. Pre: the command is not refused.
 void execute(World& world, const Command& command);
 
 /// Whether `later`, right after `earlier`, belongs to the same gesture. A gesture is a drag from
-/// taking hold to letting go, a run of placings, or a call with its shot. Undo takes back a whole
-/// gesture.
+/// grab to release, a run of placements, or a call with its shot. Undo reverts a whole gesture.
 bool continues_gesture(const Command& earlier, const Command& later);
 
-/// Whether the command moves an edge by hand. Edges do not obstruct each other, so two such
-/// commands of one tick may change places.
+/// Whether the command drags an edge. Edges do not obstruct each other, so the order of two such
+/// commands in one tick does not matter.
 bool moves_capsule(const Command& command);
 
-/// Whether both commands move the same ball or edge by hand: of two such in one gesture and one
-/// tick only the later one counts.
+/// Whether both commands drag the same ball or edge: within one gesture and one tick, only the
+/// later one counts.
 bool moves_same_hand(const Command& earlier, const Command& later);
 
 }  // namespace carom

@@ -7,14 +7,14 @@
 #include "game/commands/picking.h"
 #include "geometry/closest.h"
 
-/// Which commands a world cannot carry out, and why.
+/// The commands that a world refuses, and why.
 namespace carom {
 namespace {
 
 using namespace command;
 using Refusal = std::optional<std::string>;
 
-/// Bodies that lie in each other by less than this share of a ball's radius only touch.
+/// Bodies that overlap by less than this share of a ball's radius only touch.
 constexpr double touching = 1e-9;
 
 bool is_finite(Vec2 v) {
@@ -42,7 +42,7 @@ Refusal unless_finite(bool finite, std::string_view what) {
     return fmt::format("{} is not a number", what);
 }
 
-/// How deep a ball would lie in an edge; negative: how far they are apart.
+/// The depth to which a ball overlaps an edge; negative: the distance between them.
 double depth(const World& world, const Disc& ball, const Capsule& edge) {
     const Vec2 middle = (edge.start + edge.end) * 0.5;
     const Disc beside{middle + offset(world, middle, ball.center), ball.radius};

@@ -7,19 +7,19 @@
 namespace carom {
 namespace {
 
-/// The signed distance in (-span/2, span/2] that is `d` on a circle of this length.
+/// The signed distance in (-span/2, span/2] that is equivalent to `d` on a circle of this length.
 double nearest_image(double d, double span) {
     const double turns = std::floor(d / span + 0.5);
     return d - turns * span;
 }
 
-/// Keeps the nearest of what it is offered; the earlier where they tie.
+/// Keeps the nearest of the candidates offered; the earlier one in a tie.
 template <typename T>
 class Nearest {
   public:
     explicit Nearest(double limit) : limit_(limit) {}
 
-    /// `distance` is what the limit is on; `then` decides among equals.
+    /// `distance` is compared with the limit; `then` breaks ties.
     void offer(const T& what, double distance, double then = 0.0) {
         if (distance > limit_) return;
         if (found_ && (distance > distance_ || (distance == distance_ && then >= then_))) return;
@@ -36,7 +36,7 @@ class Nearest {
     std::optional<T> found_;
 };
 
-/// `point` moved to the image nearest the edge.
+/// The image of `point` that is nearest to the edge.
 Vec2 beside(const World& world, const Capsule& edge, Vec2 point) {
     const Vec2 middle = (edge.start + edge.end) * 0.5;
     return middle + offset(world, middle, point);

@@ -16,8 +16,8 @@ namespace {
 using Phase = PinballState::Phase;
 
 constexpr double full_pull = 1.0;     // s until the plunger is pulled all the way
-constexpr double launch_pause = 0.6;  // s from the serve of a ball to its launch by itself
-// The range of launches by the table itself, as shares of the plunger's travel.
+constexpr double launch_pause = 0.6;  // s from the serve of a ball to its automatic launch
+// The range of automatic launches, as shares of the plunger's travel.
 constexpr double least_own_pull = 0.5;
 constexpr double most_own_pull = 0.9;
 
@@ -101,11 +101,11 @@ void update_plunger(Pinball game) {
     if (state.is_down[static_cast<std::size_t>(Button::plunger)])
         state.pull = std::min(1.0, state.pull + game.world.tick_length() / full_pull);
     if (state.launch_at == 0 || game.now() < state.launch_at) return;
-    // Launches vary: a table that always launches alike soon plays alike.
+    // Launches vary, so that games differ.
     const double pull = random_between(least_own_pull, most_own_pull, game.world.seed(),
                                        RandomStream::player, state.games, game.world.next_ball());
     const bool is_launched = launch(game, pull);
-    // The ball may not have settled on the plunger yet; after a while it is not waited for.
+    // The ball may not have settled on the plunger yet; the table waits for a limited time only.
     if (!is_launched && game.now() < state.launch_at + game.ticks(launch_patience)) return;
     state.launch_at = 0;
     if (!is_launched) return;

@@ -9,10 +9,10 @@
 namespace carom {
 namespace {
 
-// The slowest approach that counts as a hit, in ball radii a second: a ball that rolls along an
-// edge touches it in every tick.
+// The lowest approach speed that counts as a hit, in ball radii a second: a ball that rolls along
+// an edge touches it in every tick.
 constexpr double softest_hit = 4.0;
-// How long a kicker flashes, s.
+// The time that a kicker flashes, s.
 constexpr double flash = 0.15;
 
 bool is_in_the_way(const World& world, const Capsule& shape) {
@@ -22,7 +22,7 @@ bool is_in_the_way(const World& world, const Capsule& shape) {
     return false;
 }
 
-/// Balls that lie on this plunger, by index.
+/// The indices of the balls that rest on this plunger.
 std::vector<std::size_t> lying_on(const World& world, const Device& plunger) {
     std::vector<std::size_t> lying;
     for (const CapsuleId id : plunger.capsules) {
@@ -99,7 +99,7 @@ void visit_zones(Pinball game) {
         const Device& place = table.devices[visit.device];
         const std::size_t ball = *index_of(game.world, visit.ball);
         if (place.kind == DeviceKind::spinner) {
-            // The rim of the vane is as fast as the ball that pushes it.
+            // The rim of the vane moves as fast as the ball that pushes it.
             constexpr double half_turns_per_length = 1.0 / 3.14159265358979323846;
             const double rim = game.world.zones()[*place.zone].shape.radius;
             game.state.turning[visit.device] =

@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-// A hole scatters the balls that it ejects; otherwise every shot from it would be the same.
+// A hole scatters the balls it ejects; otherwise every shot from it would be equal.
 constexpr double hole_scatter = 0.05;  // radians to either side
 
 void send_on(Pinball game, const PinballState::Held& held, std::size_t ball) {
@@ -52,8 +52,8 @@ bool is_held(const PinballState& state, BallId ball) {
     return std::ranges::count(state.held, ball, &PinballState::Held::ball) > 0;
 }
 
-// A layer follows from where a ball is, not from how it came there, so there is no state. A ball
-// can go back down a ramp that it went up, but not up one that it came down.
+// A ball's layer follows from its position alone, so there is no state. A ball can go back down a
+// ramp that it went up, but not up one that it came down.
 void cross_ramps(Pinball game) {
     World& world = game.world;
     for (std::uint32_t device = 0; device < game.table().devices.size(); ++device) {

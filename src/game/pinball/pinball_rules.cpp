@@ -5,7 +5,7 @@
 
 #include "game/pinball/pinball_table.h"
 
-// Carries out the rules that the author of a table wrote.
+// Executes the rules that the author of a table wrote.
 namespace carom {
 namespace {
 
@@ -41,7 +41,7 @@ void begin_multiball(Pinball game, std::int64_t wanted) {
 
 void follow(Pinball game, std::uint32_t group, Rule::When when, int depth);
 
-// Lights the first device that is not lit. When that completes the group, its `all` rules apply.
+// Lights the first unlit device. If that completes the group, its `all` rules apply.
 void advance(Pinball game, std::uint32_t group, int depth) {
     for (const std::uint32_t device : game.table().groups[group].devices) {
         if (game.state.is_lit[device] != 0) continue;

@@ -10,10 +10,10 @@
 namespace carom {
 namespace {
 
-constexpr double patience = 5.0;  // s without progress by a radius
+constexpr double patience = 5.0;  // s in which a ball has moved less than a radius
 constexpr std::uint32_t most_kicks = 4;
 constexpr double kick = 60.0;          // radii a second
-constexpr double off_the_table = 8.0;  // radii outside of what the camera shows
+constexpr double off_the_table = 8.0;  // radii beyond the camera's view
 
 bool is_off(const Pinball& game, std::size_t ball) {
     const Box table = grow(game.scene.view, off_the_table * game.radius());
@@ -31,7 +31,7 @@ bool is_cradled(const Pinball& game, std::size_t ball) {
     });
 }
 
-// The direction away from the nearest edge, turned a little to one side or the other.
+// The direction away from the nearest edge, turned randomly to one side or the other.
 Vec2 way_out(const Pinball& game, std::size_t ball) {
     const World& world = game.world;
     const Vec2 at = world.balls().position[ball];
@@ -54,7 +54,7 @@ Vec2 way_out(const Pinball& game, std::size_t ball) {
 
 void take_back(Pinball game, BallId ball) {
     remove_ball(game.world, ball);
-    ++game.state.removals_seen;  // it is not drained
+    ++game.state.removals_seen;  // so that the removal does not count as a drain
     ++game.state.lost;
     ++game.state.to_serve;
     game.state.serves_itself = true;

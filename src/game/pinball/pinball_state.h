@@ -10,11 +10,11 @@
 
 namespace carom {
 
-/// The state of a game of pinball beside the world. Times are ticks.
+/// The state of a game of pinball besides the world. Times are in ticks.
 struct PinballState {
     enum class Phase : std::uint8_t {
         playing,
-        counting,  ///< the ball has drained, and its bonus is shown
+        counting,  ///< the ball has drained, and its bonus is being shown
         over       ///< the plunger starts another game
     };
     Phase phase = Phase::playing;
@@ -27,12 +27,12 @@ struct PinballState {
     std::int64_t multiplier = 1;  ///< of the bonus
     std::uint64_t games = 1;
 
-    /// The ball in play has been launched, so the ball saver runs.
+    /// The ball in play has been launched, so the ball saver is running.
     bool is_launched = false;
     std::uint64_t save_until = 0;
-    std::uint32_t to_serve = 0;   ///< balls that wait to be served to the plunger
-    bool serves_itself = false;   ///< the table launches them by itself
-    std::uint64_t launch_at = 0;  ///< of the launch by itself; 0: none
+    std::uint32_t to_serve = 0;   ///< balls waiting to be served to the plunger
+    bool serves_itself = false;   ///< the table launches them automatically
+    std::uint64_t launch_at = 0;  ///< of the automatic launch; 0: none
     double pull = 0.0;            ///< of the plunger, 0..1
 
     std::array<bool, button_count> is_down{};
@@ -42,15 +42,14 @@ struct PinballState {
     std::uint32_t warnings = 0;
     bool is_tilted = false;
 
-    /// By PinballTable::devices.
+    /// Indexed like PinballTable::devices.
     std::vector<std::uint8_t> is_lit;
-    /// Kickers flash for a moment: for the eye alone, and in no fingerprint.
+    /// End of each kicker's flash; only displayed, and in no fingerprint.
     std::vector<std::uint64_t> flash_until;
-    std::vector<std::uint64_t> lit_until;  ///< 0: until something unlights it
-    std::vector<std::uint8_t>
-        is_rising;                ///< drop targets that wait to rise until no ball is in the way
-    std::vector<double> turning;  ///< spinners: half turns a second
-    std::vector<double> turned;   ///< spinners: of a half turn
+    std::vector<std::uint64_t> lit_until;  ///< 0: until something switches it off
+    std::vector<std::uint8_t> is_rising;   ///< drop targets waiting for room to rise
+    std::vector<double> turning;           ///< spinners: half turns a second
+    std::vector<double> turned;            ///< spinners: fraction of a half turn
 
     struct Visit {
         std::uint32_t device = 0;
@@ -77,10 +76,10 @@ struct PinballState {
     std::vector<Progress> progress;  ///< ascending by ball
 
     std::uint64_t removals_seen = 0;
-    std::uint64_t drained = 0;   ///< balls, saved ones included
-    std::uint64_t searches = 0;  ///< kicks that a ball search gave
-    std::uint64_t lost = 0;      ///< balls served again because no search freed them, or because
-                                 ///< they were off the table
+    std::uint64_t drained = 0;   ///< balls, including saved ones
+    std::uint64_t searches = 0;  ///< kicks by the ball search
+    std::uint64_t lost = 0;      ///< balls served again because no kick freed them, or because
+                                 ///< they had left the table
 
     std::string message;
     std::uint64_t message_until = 0;

@@ -9,10 +9,10 @@
 #include "level/scene/scene.h"
 #include "physics/world/world.h"
 
-/// What the files of pinball share.
+/// Declarations shared by the files of pinball.
 namespace carom {
 
-/// A table, its world, and the state of the game, while the rules are applied to a tick.
+/// A table, its world, and the state of the game, while the rules process a tick.
 struct Pinball {
     const Scene& scene;
     World& world;
@@ -20,12 +20,12 @@ struct Pinball {
 
     const PinballTable& table() const { return scene.table; }
     std::uint64_t now() const { return world.tick(); }
-    /// A time as whole ticks, at least one.
+    /// A time in whole ticks, at least one.
     std::uint64_t ticks(double seconds) const {
         const double ticks = seconds * world.rate() + 0.5;
         return ticks < 1.0 ? 1 : static_cast<std::uint64_t>(ticks);
     }
-    /// The radius of the table's first ball: the unit of speeds and lengths that no level states.
+    /// The radius of the table's first ball: the unit for speeds and lengths that levels leave out.
     double radius() const {
         return scene.world.balls().size() > 0 ? scene.world.balls().radius[0] : 1.0;
     }
@@ -38,16 +38,16 @@ struct Pinball {
     }
 };
 
-/// Switches a light on, until further notice, or off (pinball_rules.cpp).
+/// Switches a light on, without a time limit, or off (pinball_rules.cpp).
 void set_lit(Pinball game, std::uint32_t device, bool is_lit);
 
-/// Switches off lights whose time is over (pinball_rules.cpp).
+/// Switches off lights whose time has expired (pinball_rules.cpp).
 void expire_lights(Pinball game);
 
-/// Applies the rules to what happened to a device (pinball_rules.cpp).
+/// Applies the rules to an event of a device (pinball_rules.cpp).
 void apply_rules(Pinball game, std::uint32_t device, Rule::When when);
 
-/// Raises drop targets that are due, as soon as no ball is in the way (pinball_devices.cpp).
+/// Raises drop targets that are due, once no ball is in the way (pinball_devices.cpp).
 void raise_targets(Pinball game);
 void hit_devices(Pinball game, std::span<const Contact> contacts);
 void visit_zones(Pinball game);
@@ -59,7 +59,7 @@ void update_holes(Pinball game);
 bool is_held(const PinballState& state, BallId ball);
 void cross_ramps(Pinball game);
 
-/// Launches the balls on a plunger with this share of its speed. False: there were none.
+/// Launches the balls on a plunger with this share of its speed. False: there are none.
 bool launch(Pinball game, double pull);
 
 /// Extends the ball saver to at least this long from now.

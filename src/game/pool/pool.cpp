@@ -41,7 +41,7 @@ bool is_free(const World& world, Vec2 place, double radius) {
     return true;
 }
 
-// The nearest free place from `spot` along `way`; where there is none, in the other direction.
+// The nearest free position from `spot` along `way`; if there is none, in the opposite direction.
 Vec2 free_place(const World& world, Vec2 spot, Vec2 way, double radius) {
     constexpr int most_steps = 400;
     const double step = 0.05 * radius;
@@ -88,7 +88,7 @@ void carry_out(const Scene& scene, World& world, PoolPlay& play, const PoolRulin
         put_back(scene, world, play, cue_ball);
 }
 
-// A time in s as whole ticks, rounded up.
+// A time in s, in whole ticks, rounded up.
 std::uint64_t ticks_of(double seconds, double rate) {
     constexpr double most = 1e15;
     const double ticks = std::min(seconds * rate, most);
@@ -244,7 +244,7 @@ std::optional<int> number_of(const PoolPlay& play, BallId ball) {
 }
 
 Vec2 head_spot(const Scene& scene) {
-    // The head spot lies as far from the middle of the table as the foot spot.
+    // The head spot is as far from the centre of the table as the foot spot.
     Vec2 middle;
     for (const std::uint32_t pocket : scene.pool.pockets)
         middle += scene.world.zones()[pocket].shape.start;

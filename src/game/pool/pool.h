@@ -12,23 +12,23 @@
 #include "physics/world/contact.h"
 #include "physics/world/world.h"
 
-/// A match of pool on a table. It notes what a shot does, asks the referee when the balls lie
-/// still, and carries out the ruling, such as putting a ball back on its spot.
+/// A match of pool on a table. It records each shot, asks the referee when the balls are at rest,
+/// and carries out the ruling, for example by spotting a ball.
 namespace carom {
 
-/// Pure state: a copy beside a copy of the world continues with the same bits.
+/// Plain state: a copy together with a copy of the world continues with the same bits.
 struct PoolPlay {
     PoolState rules;
     /// Ball n; none: it is off the table.
     std::array<std::optional<BallId>, 16> balls{};
     PoolCall call;  ///< for the next shot
     bool is_shooting = false;
-    PoolShot shot;               ///< what the present shot did so far, or the last one did
-    std::optional<int> shooter;  ///< of that shot; none: nobody has shot in this frame
+    PoolShot shot;               ///< the record of the present or the last shot
+    std::optional<int> shooter;  ///< of that shot; none: no shot in this frame yet
     PoolFoul last_foul = PoolFoul::none;
     std::uint32_t shots = 0;
     int breaker = 0;                        ///< of this frame
-    std::array<std::uint32_t, 2> frames{};  ///< won by each, in this match
+    std::array<std::uint32_t, 2> frames{};  ///< won by each player in this match
     std::uint32_t race = 0;                 ///< frames that win the match; 0: no end
     std::uint64_t clock = 0;                ///< shot clock, ticks; 0: none
     std::uint64_t clock_from = 0;           ///< the tick at which the shot clock started
@@ -39,35 +39,35 @@ struct PoolPlay {
 /// None unless the scene's game has a referee (referees/referee.h).
 std::optional<PoolPlay> begin_pool(const Scene& scene, int breaker = 0);
 
-/// Why this ball cannot be struck now, as a sentence; none when it can.
+/// Why this ball cannot be struck now, as a sentence; none if it can.
 std::optional<std::string> refusal_to_shoot(const PoolPlay& play, BallId ball);
-/// Why the cue ball cannot be placed there; none when it can. Overlaps are refused elsewhere.
+/// Why the cue ball cannot be placed there; none if it can. Overlaps are refused elsewhere.
 std::optional<std::string> refusal_to_place(const Scene& scene, const PoolPlay& play, BallId ball,
                                             Vec2 place);
-/// Why a command is against the rules, or cannot be carried out by the world; none when it can. A
-/// player may strike the cue ball, and place it when it is in hand; nothing else.
+/// Why a command is against the rules, or cannot be executed by the world; none if it can. A player
+/// may strike the cue ball, and place it when it is in hand; nothing else.
 std::optional<std::string> refusal(const Scene& scene, const World& world, const PoolPlay& play,
                                    const Command& command);
 
 /// Pre: not refused.
 void execute(const Scene& scene, World& world, PoolPlay& play, const Command& command);
 
-/// Notes that the cue ball has been struck. Pre: not refused.
+/// Records that the cue ball has been struck. Pre: not refused.
 void begin_shot(PoolPlay& play);
 
-/// Notes what the tick did. When the balls lie still the shot is judged: spotted balls come back,
-/// and so does a pocketed cue ball. Pre: called after every tick of `world`, with its contacts.
+/// Records the events of a tick. When the balls are at rest the shot is judged: spotted balls and a
+/// pocketed cue ball return. Pre: called after every tick of `world`, with its contacts.
 void update_pool(const Scene& scene, World& world, PoolPlay& play,
                  std::span<const Contact> contacts);
 
 /// Pre: the choice is one of play.rules.choices.
 void make_choice(const Scene& scene, World& world, PoolPlay& play, PoolChoice choice);
 
-/// Begins the next frame, which the other player breaks, or restarts a frame that is not over.
-/// After the last frame of a match another match begins. Pre: no ball rolls.
+/// Starts the next frame, which the other player breaks, or restarts an unfinished frame. After the
+/// last frame of a match another match starts. Pre: no ball is moving.
 void rack_again(const Scene& scene, World& world, PoolPlay& play);
 
-/// The winner of the match; none: it goes on, or has no end.
+/// The winner of the match; none: it is not decided, or has no end.
 std::optional<int> match_winner(const PoolPlay& play);
 
 /// Ticks left on the shot clock; none: no clock is running.
@@ -76,22 +76,22 @@ std::optional<std::uint64_t> time_left(const World& world, const PoolPlay& play)
 /// The rack of the scene's game. Pre: it is a game of pool.
 const Rack& rack_of(const Scene& scene);
 
-/// The number of the ball; none: it is not one of the game's.
+/// The number of the ball; none: it is not one of the game's balls.
 std::optional<int> number_of(const PoolPlay& play, BallId ball);
 
-/// Whether no ball moves or rolls; balls may still spin on the spot.
+/// Whether no ball moves or rolls; balls may still spin in place.
 bool lies_still(const World& world);
 
 /// The head spot: the middle of the head string, where the cue ball starts.
 Vec2 head_spot(const Scene& scene);
 
-/// Whether a ball can lie there, on the cloth and not over a pocket; other balls do not count. For
-/// a convex table.
+/// Whether a ball can be placed there, on the cloth and not over a pocket; other balls are ignored.
+/// For a convex table.
 bool is_on_table(const Scene& scene, const World& world, Vec2 place, double radius);
 
-/// The digest of all of it, combined with `start`.
+/// The digest of the whole state, combined with `start`.
 std::uint64_t digest_of(std::uint64_t start, const PoolPlay& play);
-/// The memory that it owns, beyond its own size, in bytes.
+/// The memory that the state owns, without sizeof, in bytes.
 std::size_t bytes_of(const PoolPlay& play);
 
 }  // namespace carom

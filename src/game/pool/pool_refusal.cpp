@@ -5,7 +5,7 @@
 #include "game/pool/pool.h"
 #include "game/referees/referee.h"
 
-/// Which commands the rules of pool refuse, and why.
+/// The commands that the rules of pool refuse, and why.
 namespace carom {
 namespace {
 

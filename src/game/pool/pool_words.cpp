@@ -11,7 +11,7 @@ const std::string& name_of(const PlayerNames& names, int player) {
     return names[static_cast<std::size_t>(player)];
 }
 
-// "you: wins the frame", or the match when that was its last frame.
+// "you: wins the frame", or the match if that was its last frame.
 std::string win_text(const PoolPlay& play, const PlayerNames& names) {
     if (const auto winner = match_winner(play))
         return fmt::format("{}: wins the match {}:{}", name_of(names, *winner),
@@ -20,7 +20,7 @@ std::string win_text(const PoolPlay& play, const PlayerNames& names) {
     return name_of(names, *play.rules.winner) + ": wins the frame";
 }
 
-// What the player plays for: ", solids, 5 left", ", on the 8", ", on the 3".
+// The player's target: ", solids, 5 left", ", on the 8", ", on the 3".
 std::string target_text(const PoolState& rules) {
     if (rules.phase == PoolPhase::breaking) return "";
     return ", " + rules.referee->target_text(rules);

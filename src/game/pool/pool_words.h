@@ -7,24 +7,24 @@
 #include "game/pool/pool.h"
 #include "level/scene/scene.h"
 
-/// A game of pool in words, for status lines and reports.
+/// Describes a game of pool in words, for status lines and reports.
 namespace carom {
 
 using PlayerNames = std::array<std::string, 2>;
 
-/// "top left", "bottom middle": as the table is drawn. Pre: a pocket of the scene.
+/// "top left", "bottom middle": as seen on the screen. Pre: a pocket of the scene.
 std::string pocket_name(const Scene& scene, int pocket);
 
 std::string_view foul_text(PoolFoul foul);  ///< empty for none
 std::string_view choice_text(PoolChoice choice);
 
-/// "the 3 into the top left"; "safety"; empty when nothing is called.
+/// "the 3 into the top left"; "safety"; empty if nothing is called.
 std::string call_text(const Scene& scene, const PoolCall& call);
 
-/// Whose turn it is, and what to do: "1:0 player 1, solids, 5 left: ball in hand".
+/// Whose turn it is, and the task: "1:0 player 1, solids, 5 left: ball in hand".
 std::string turn_text(const PoolPlay& play, const PlayerNames& names);
 
-/// The time left for a shot, in seconds rounded up: "23 s". Empty where no clock is running.
+/// The time left for a shot, in seconds rounded up: "23 s". Empty if no clock is running.
 std::string clock_text(const World& world, const PoolPlay& play);
 
 /// The outcome of the last shot: "foul: the cue ball fell. player 2: ball in hand". Empty before

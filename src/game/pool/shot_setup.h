@@ -2,20 +2,20 @@
 
 #include <cstdint>
 
-/// What a pool player has set up between two shots. Neither the rules nor the world knows it, but a
-/// resumed game brings it back.
+/// The shot that a player has set up between two shots. It belongs neither to the rules nor to the
+/// world, but a resumed game restores it.
 namespace carom {
 
 /// How much of the coming shot is drawn.
 enum class Aids : std::uint8_t {
     none,   ///< only the cue
     ghost,  ///< straight lines: the ghost ball, and the directions after the hit
-    full,   ///< and a forecast until all balls lie still
-    cloud   ///< and the ends of 20 forecasts with execution noise
+    full,   ///< and a forecast until all balls are at rest
+    cloud   ///< and the final positions of 20 forecasts with execution noise
 };
 
 struct ShotSetup {
-    /// What is called for the next shot: whatever the aim pockets, a chosen pocket, ...
+    /// The call for the next shot: the ball and pocket that the aim gives, a chosen pocket, ...
     enum class Intent : std::uint8_t { automatic, pocket, safety, push_out };
 
     double bearing = 0.0;  ///< degrees, counter-clockwise from the right
@@ -24,7 +24,7 @@ struct ShotSetup {
     double follow = 0.0;   ///< tip offset upwards, a share of the radius
     Aids aids = Aids::full;
     Intent intent = Intent::automatic;
-    int pocket = 0;  ///< that was chosen
+    int pocket = 0;  ///< the chosen pocket
 
     friend bool operator==(const ShotSetup&, const ShotSetup&) = default;
 };

@@ -3,14 +3,14 @@
 #include "game/referees/referee.h"
 #include "game/referees/ruling.h"
 
-/// 9-ball: the lowest ball is hit first, nothing is called, and pocketing the 9 wins. The 9 on the
-/// break wins, or is spotted where `PoolOptions` says so, as in some leagues.
+/// 9-ball: the lowest ball must be hit first, nothing is called, and pocketing the 9 wins. The 9 on
+/// the break wins, or is spotted if `PoolOptions` says so, as in some leagues.
 namespace carom {
 namespace {
 
 constexpr int nine = 9;
 
-// Notes one more foul in a row, and says whether it loses the frame.
+// Counts one more consecutive foul, and returns whether it loses the frame.
 bool counts_to_loss(PoolState& state, int player) {
     int& fouls = state.fouls[static_cast<std::size_t>(player)];
     ++fouls;

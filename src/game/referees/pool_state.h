@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-/// What the rules of pool speak of, whatever the game: shots, calls, fouls, choices, and the state
-/// of a rack. Nothing here knows the table: balls go by their numbers.
+/// The vocabulary of all pool rules: shots, calls, fouls, choices, and the state of a rack. Nothing
+/// here knows the table: balls are identified by their numbers.
 namespace carom {
 
 class Referee;
@@ -17,7 +17,7 @@ inline constexpr int cue_ball = 0;
 /// The two groups of 8-ball: 1 to 7, and 9 to 15.
 enum class PoolGroup : std::uint8_t { solids, stripes };
 
-/// What a shot did.
+/// The record of a shot.
 struct PoolShot {
     struct Pocketed {
         int ball = 0;
@@ -26,20 +26,20 @@ struct PoolShot {
         friend bool operator==(const Pocketed&, const Pocketed&) = default;
     };
     std::optional<int> first_hit;    ///< the first ball that the cue ball hit
-    bool rail_after_hit = false;     ///< some ball hit a cushion after that
+    bool rail_after_hit = false;     ///< a ball hit a cushion after that
     std::uint32_t railed = 0;        ///< bit n: object ball n hit a cushion
-    std::vector<Pocketed> pocketed;  ///< in order, the cue ball too
+    std::vector<Pocketed> pocketed;  ///< in order, including the cue ball
 
     friend bool operator==(const PoolShot&, const PoolShot&) = default;
 };
 
-/// What the player called before the shot.
+/// The player's call before the shot.
 struct PoolCall {
     enum class Kind : std::uint8_t {
         none,      ///< nothing; in a game of called shots no ball counts then
         pot,       ///< this ball into this pocket
-        safety,    ///< the turn passes whatever falls
-        push_out,  ///< the shot may break the rules of first hit and cushion: see may_push_out
+        safety,    ///< the turn passes whatever is pocketed
+        push_out,  ///< the shot is free of the rules on first hit and cushion: see may_push_out
     };
     Kind kind = Kind::none;
     int ball = 0;
@@ -52,21 +52,21 @@ enum class PoolFoul : std::uint8_t {
     none,
     scratch,     ///< the cue ball was pocketed
     no_hit,      ///< the cue ball hit no ball
-    wrong_ball,  ///< the cue ball first hit a ball that it must not
+    wrong_ball,  ///< the cue ball first hit an illegal ball
     no_rail,     ///< nothing was pocketed and no ball hit a cushion after the first hit
     weak_break,  ///< 9-ball: nothing was pocketed, and fewer than four balls hit a cushion
     time,        ///< the player did not shoot before the shot clock ran out
 };
 
-/// Where the cue ball may be put before the next shot.
+/// Where the cue ball may be placed before the next shot.
 enum class CueInHand : std::uint8_t { no, behind_head_string, anywhere };
 
 /// What the player whose turn it is must decide before the next shot.
 enum class PoolChoice : std::uint8_t {
-    take_table,   ///< shoot from where the balls lie
-    break_again,  ///< the balls are racked again, and the player who chooses breaks
+    take_table,   ///< shoot from the present position
+    break_again,  ///< the balls are racked again, and the choosing player breaks
     let_break,    ///< the balls are racked again, and the opponent breaks
-    spot_eight,   ///< the 8 comes back on its spot, and the player who chooses shoots
+    spot_eight,   ///< the 8 is spotted, and the choosing player shoots
     return_push,  ///< the player who pushed out must shoot again
 };
 
@@ -74,24 +74,24 @@ enum class PoolPhase : std::uint8_t { breaking, choosing, playing, over };
 
 struct PoolOptions {
     bool nine_on_break_wins = true;
-    int fouls_that_lose = 3;  ///< 9-ball: in a row; 0: never
+    int fouls_that_lose = 3;  ///< 9-ball: consecutive fouls; 0: never
 
     friend bool operator==(const PoolOptions&, const PoolOptions&) = default;
 };
 
 /// One rack in progress. Players are 0 and 1. Made by begin_rack.
 struct PoolState {
-    const Referee* referee = nullptr;  ///< whose rules apply: never null after begin_rack
+    const Referee* referee = nullptr;  ///< the rules that apply; never null after begin_rack
     PoolOptions options;
     PoolPhase phase = PoolPhase::breaking;
-    int player = 0;          ///< whose turn it is, also to choose
+    int player = 0;          ///< whose turn it is, to shoot or to choose
     std::uint32_t down = 0;  ///< bit n: ball n is off the table for good
     /// 8-ball: the group of player 0; none: the table is open.
     std::optional<PoolGroup> group;
     CueInHand in_hand = CueInHand::behind_head_string;
     bool may_push_out = false;   ///< 9-ball: the shot after the break may be a push-out
-    std::array<int, 2> fouls{};  ///< 9-ball: in a row, by player
-    /// What may be chosen in the phase `choosing`; `take_table` first where it is among them.
+    std::array<int, 2> fouls{};  ///< 9-ball: consecutive, by player
+    /// The options in the phase `choosing`; `take_table` comes first if it is among them.
     std::vector<PoolChoice> choices;
     std::optional<int> winner;
 
@@ -101,10 +101,10 @@ struct PoolState {
 /// Whether the ball is off the table for good.
 bool is_down(const PoolState& state, int ball);
 
-/// What a referee rules after a shot, a choice, or time that ran out.
+/// A referee's ruling on a shot, a choice, or an expired clock.
 struct PoolRuling {
     PoolFoul foul = PoolFoul::none;
-    std::vector<int> respot;  ///< balls to put back on the foot spot, the cue ball never
+    std::vector<int> respot;  ///< balls to spot; never the cue ball
     bool rerack = false;      ///< all balls are racked again (only after a choice)
     PoolState next;
 

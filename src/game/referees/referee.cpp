@@ -7,7 +7,7 @@
 
 namespace carom {
 
-// Each is in a file of its own.
+// Each is defined in a file of its own.
 const Referee& eight_ball_referee();
 const Referee& nine_ball_referee();
 

@@ -5,7 +5,7 @@
 
 #include "game/referees/pool_state.h"
 
-/// What referees have in common: questions about a shot, and the pieces of a ruling.
+/// Building blocks of referees: questions about a shot, and the pieces of a ruling.
 namespace carom {
 
 /// The ball's bit in sets such as PoolState::down. Pre: 0 <= ball < 32.
@@ -24,13 +24,13 @@ bool is_open_break(const PoolShot& shot);
 /// The first of the fouls that every game has: scratch, no hit, wrong ball, no rail.
 PoolFoul common_foul(const PoolState& state, const PoolShot& shot);
 
-/// A ruling to begin with: the phase is playing, nobody has ball in hand, and what the shot
-/// pocketed is down.
+/// The initial ruling: the phase is playing, nobody has ball in hand, and the balls that the shot
+/// pocketed are down.
 PoolRuling ruling_after(const PoolState& state, const PoolShot& shot);
 
 void pass_turn(PoolState& state);
 void win(PoolState& state, int player);
-/// Has the player whose turn it is choose. Pre: `choices` is not empty.
+/// Lets the player whose turn it is choose. Pre: `choices` is not empty.
 void let_choose(PoolState& state, std::vector<PoolChoice> choices);
 /// Puts a pocketed ball back on the foot spot.
 void spot(PoolRuling& ruling, int ball);

@@ -12,8 +12,8 @@
 
 namespace carom {
 
-/// The words of one line, taken from the left. A word that is missing or wrong gives none, and so
-/// does everything after it.
+/// The words of one line, taken from the left. A missing or invalid word gives none, and so does
+/// every word after it.
 class Words {
   public:
     explicit Words(std::string_view line) : rest_(line) {}
@@ -26,7 +26,7 @@ class Words {
         return word;
     }
     std::string_view rest() const { return rest_; }
-    /// All that is left of the line.
+    /// The rest of the line.
     std::string_view take_rest() { return std::exchange(rest_, {}); }
     bool done() const { return !failed_ && rest_.empty(); }
     void fail() { failed_ = true; }
@@ -50,7 +50,7 @@ class Words {
         if (comma == std::string_view::npos) return failed<Vec2>();
         return {real_of(word->substr(0, comma)), real_of(word->substr(comma + 1))};
     }
-    /// The number of `key=number`, if that is what comes next.
+    /// The number of `key=number`, if that comes next.
     std::optional<double> optional_real(std::string_view key) {
         if (!rest_.starts_with(key)) return std::nullopt;
         return real_of(next()->substr(key.size()));

@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-/// What file number `i` is called while the level is loaded: no two are called the same.
+/// The name of file number `i` while the level is loaded; names are unique.
 std::string file_name(const Replay& replay, std::size_t i) {
     return i == 0 ? replay.level : fmt::format("{}, file {}", replay.level, i);
 }

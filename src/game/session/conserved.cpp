@@ -26,7 +26,7 @@ bool keeps_energy(const World& world) {
 
 bool keeps_momentum(const World& world) {
     const bool has_edges = world.model().ball_edge && world.capsules().size() > 0;
-    // Losses between balls keep momentum; drag, limits and a stop do not.
+    // Losses between balls conserve momentum; drag, limits and a stop do not.
     const Model& model = world.model();
     return is_closed(world) && !has_edges && !model.gravity && !model.drag && !model.stop_speed &&
            !model.speed_limit;

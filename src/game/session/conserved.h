@@ -2,17 +2,17 @@
 
 #include "physics/world/world.h"
 
-/// Which sums physics keeps in this world from now on, so that a change of them is an error of the
-/// solver and not of the scene.
+/// The sums that physics conserves in this world from now on, so that a change of them is an error
+/// of the solver and not an effect of the scene.
 namespace carom {
 
-/// Kinetic and potential energy together: nothing takes it (losses, drag, limits), nothing brings
-/// it (emitters, hands), nothing carries it away (sinks), and its potential part has one value
-/// everywhere (no gravity on a torus).
+/// Whether kinetic plus potential energy is conserved: nothing dissipates it (losses, drag,
+/// limits), nothing adds it (emitters, dragged bodies), nothing removes it (sinks), and potential
+/// energy is single-valued (no gravity on a torus).
 bool keeps_energy(const World& world);
 
-/// Momentum: as energy, but losses between balls keep it, and edges that balls meet and gravity do
-/// not.
+/// Whether momentum is conserved. The conditions are those of energy, except that losses between
+/// balls are allowed, while gravity and edges that balls can hit are not.
 bool keeps_momentum(const World& world);
 
 }  // namespace carom

@@ -6,7 +6,7 @@
 
 namespace carom {
 
-/// What the world's fingerprint was after a tick and after all commands of that tick.
+/// The world's fingerprint after a tick and after all commands of that tick.
 struct FingerprintMark {
     std::uint64_t tick = 0;
     std::uint64_t fingerprint = 0;
@@ -14,12 +14,12 @@ struct FingerprintMark {
     friend bool operator==(const FingerprintMark&, const FingerprintMark&) = default;
 };
 
-/// Ticks between the marks of a recording: those of a simulated second, but at least one.
+/// The ticks between the marks of a recording: one simulated second, but at least one tick.
 constexpr std::uint64_t mark_interval(double rate) {
     return rate < 1.5 ? 1 : static_cast<std::uint64_t>(rate + 0.5);
 }
 
-/// The first tick at which both have a mark and these differ. Both in ascending order of ticks.
+/// The first tick at which both have a mark and the marks differ. Pre: both ascend by tick.
 inline std::optional<std::uint64_t> first_difference(std::span<const FingerprintMark> one,
                                                      std::span<const FingerprintMark> other) {
     for (std::size_t i = 0, j = 0; i < one.size() && j < other.size();) {

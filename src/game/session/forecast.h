@@ -10,14 +10,15 @@
 #include "physics/solver.h"
 #include "physics/world/world.h"
 
-/// The outcome of a shot, in advance: the engine runs ahead on a copy until the balls lie still.
-/// The forecast is exact to the last bit unless somebody acts before.
+/// Predicts the outcome of a shot: the engine runs ahead on a copy until the balls are at rest. The
+/// forecast is exact to the last bit unless a command intervenes.
 namespace carom {
 
 struct Forecast {
     struct Track {
         BallId ball{};
-        std::vector<Vec2> way;  ///< its position now, and after each tick while it moves
+        std::vector<Vec2>
+            way;  ///< its present position, and its position after each tick while it moves
         std::optional<std::uint32_t> zone;  ///< the zone that removes it; none: it stays
     };
     /// For each ball that moves, ascending by ball; empty unless asked for.

@@ -9,7 +9,7 @@ namespace {
 
 std::uint64_t digest_of(const World& world, const PinballState& s, int version) {
     Digest digest(fingerprint(world, version));
-    // Ramps change the kinds of balls, which the first fingerprint of a world leaves out.
+    // Ramps change the kinds of balls, which fingerprint version 1 leaves out.
     if (version == 1 && kinds_of_a_layer(world) < world.kinds().size())
         for (const ClassIndex kind : world.balls().kind)
             digest.add(std::uint64_t{kind});

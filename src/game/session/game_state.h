@@ -17,25 +17,25 @@
 #include "physics/world/fingerprint.h"
 #include "physics/world/world.h"
 
-/// The state of a game's rules beside the world. Both together are everything that the next tick
-/// depends on, so a copy of both continues with the same bits.
+/// The state of a game's rules, besides the world. Together they determine the next tick
+/// completely, so a copy of both continues with the same bits.
 namespace carom {
 
-/// One alternative a family of games; std::monostate where there are no rules.
+/// One alternative for each family of games; std::monostate without rules.
 using GameState = std::variant<std::monostate, PinballState, PoolPlay>;
 
 /// The state at the start of the scene.
 GameState begin_game(const Scene& scene);
 
-/// Applies the rules to what the tick did. Pre: called after every tick of `world`, with its
+/// Applies the rules to the results of a tick. Pre: called after every tick of `world`, with its
 /// contacts.
 void update_game(const Scene& scene, World& world, GameState& game,
                  std::span<const Contact> contacts);
 
-/// As refusal(world, command), with the commands and the rules of the game.
+/// refusal(world, command), extended by the commands and the rules of the game.
 std::optional<std::string> refusal(const Scene& scene, const World& world, const GameState& game,
                                    const Command& command);
-/// As execute(world, command). Pre: the command is not refused.
+/// execute(world, command), extended by the commands of the game. Pre: the command is not refused.
 void execute(const Scene& scene, World& world, GameState& game, const Command& command);
 
 /// The buttons that are down.
@@ -44,14 +44,14 @@ std::vector<Button> pressed_buttons(const GameState& game);
 /// Whether the plunger is pulled, by a button or by hand.
 bool is_plunger_pulled(const GameState& game);
 
-/// The fingerprint of both; without rules that of the world.
+/// The fingerprint of world and rules; without rules that of the world.
 std::uint64_t fingerprint(const World& world, const GameState& game,
                           int version = fingerprint_version);
 
-/// The memory that the state owns, beyond its own size, in bytes.
+/// The memory that the state owns, without sizeof, in bytes.
 std::size_t bytes_of(const GameState& game);
 
-/// The counts that reports list, by name: score, ball ...
+/// The counts that reports list, by name: score, ball, ...
 std::vector<std::pair<std::string, std::uint64_t>> tallies(const GameState& game);
 
 }  // namespace carom

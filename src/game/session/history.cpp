@@ -23,17 +23,17 @@ void History::keep(const World& world, const SolverSettings& solver, const GameS
     if (place != snapshots_.end() && tick_of(*place) == world.tick()) return;
     Kept kept{{world, solver, game}, 0};
     kept.bytes = bytes_of(kept.snapshot.world) +
-                 bytes_of(kept.snapshot.game);  // of the copy: it has no room to spare
+                 bytes_of(kept.snapshot.game);  // of the copy, which has no spare capacity
     if (kept.bytes > limit_) return;
     bytes_ += kept.bytes;
     snapshots_.insert(place, std::move(kept));
     if (bytes_ > limit_) thin(world.tick());
 }
 
-// Walks away from the present on both sides. A snapshot goes when the gap that it leaves, between
-// the last that stayed and the next to come, is no more than the next one's distance from the
-// present over the sharpness. The sharpness is lowered until a quarter of the room is free, so that
-// thinning is rare.
+// Walks away from the present on both sides. A snapshot is dropped if the gap that it leaves,
+// between the last one kept and the next one, is no more than the next one's distance from the
+// present divided by the sharpness. The sharpness is lowered until a quarter of the memory is free,
+// so that thinning is rare.
 void History::thin(std::uint64_t present) {
     const auto count = static_cast<std::ptrdiff_t>(snapshots_.size());
     const auto middle =
@@ -70,7 +70,7 @@ void History::thin(std::uint64_t present) {
     std::vector<Kept> thinned;
     bytes_ = 0;
     for (std::ptrdiff_t i = 0; i < count; ++i) {
-        // At sharpness 0 only the present stays; it may still be too much for a lowered limit.
+        // At sharpness 0 only the present is kept; it may still exceed a lowered limit.
         if (!stays[static_cast<std::size_t>(i)] || bytes_ + at(i).bytes > limit_) continue;
         bytes_ += at(i).bytes;
         thinned.push_back(std::move(snapshots_[static_cast<std::size_t>(i)]));

@@ -8,41 +8,41 @@
 #include "physics/solver.h"
 #include "physics/world/world.h"
 
-/// Snapshots of a world, in bounded memory, for the way back.
+/// Snapshots of a world, in bounded memory, for rewinding.
 namespace carom {
 
-/// Everything that the next tick depends on, beside the commands that follow.
+/// Together with the commands that follow, everything that the next tick depends on.
 struct Snapshot {
     World world;
     SolverSettings solver;
     GameState game{};
 };
 
-/// What a snapshot of the world occupies, in bytes; without the game.
+/// The size of a snapshot of the world, without the game, in bytes.
 std::size_t bytes_of(const World& world);
 
 /// Invariants: ascending by tick, no tick twice; bytes() <= the limit.
 class History {
   public:
-    /// Ticks between snapshots where they are densest, unless offered more often.
+    /// Ticks between snapshots where they are densest, unless more are offered.
     static constexpr std::uint64_t spacing = 8;
 
     explicit History(std::size_t limit_bytes) : limit_(limit_bytes) {}
 
-    /// Keeps a snapshot when it helps: not when the same tick is there, and not when one alone is
-    /// over the limit. Where the limit is reached, snapshots are thinned: of all that are kept, two
-    /// neighbours stand the farther apart the farther they are from this one, in proportion.
+    /// Adds a snapshot, unless there is one of this tick, or it alone exceeds the limit. At the
+    /// limit, snapshots are thinned: the spacing of those that are kept is proportional to their
+    /// distance from this one.
     void keep(const World& world, const SolverSettings& solver, const GameState& game = {});
 
-    /// The last snapshot at or before `tick`; null when there is none.
+    /// The last snapshot at or before `tick`; null if there is none.
     const Snapshot* at_or_before(std::uint64_t tick) const;
     bool has(std::uint64_t tick) const;
 
-    /// Forgets the snapshots at `tick` and after it; before `tick`.
+    /// Drops the snapshots at `tick` and after it (forget_from), or before it (forget_before).
     void forget_from(std::uint64_t tick);
     void forget_before(std::uint64_t tick);
     void clear();
-    /// Thins around `present` where the new limit asks for it.
+    /// Thins around `present` if the new limit requires it.
     void set_limit(std::size_t limit_bytes, std::uint64_t present);
 
     std::size_t bytes() const { return bytes_; }

@@ -14,17 +14,17 @@
 namespace carom {
 namespace {
 
-/// A line is broken after this many points.
+/// The number of points after which a line is broken.
 constexpr std::size_t points_a_line = 6;
 
-/// The mass whose inverse this is. Exact, since it is the inverse of some mass: 1/(1/(1/m)) has the
+/// The mass with this inverse. Exact, since the inverse came from some mass: 1/(1/(1/m)) has the
 /// bits of 1/m.
 double mass_of(double inverse_mass) {
     return 1.0 / inverse_mass;
 }
 
-/// What the loader, which does `read`, turns into exactly `wanted`: within a few units in the last
-/// place of the guess.
+/// The number that the loader, modelled by `read`, turns into exactly `wanted`. Searches within a
+/// few units in the last place of the guess.
 template <typename Read>
 double unread(double guess, double wanted, Read read) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -43,7 +43,7 @@ double degrees_of(double radians) {
     return unread(radians * 180.0 / pi, radians, [](double x) { return x * pi / 180.0; });
 }
 
-/// In rad/s, which the loader holds in degrees for a while.
+/// In rad/s; the loader converts through degrees.
 double spin_of(double spin) {
     constexpr double degrees = 180.0 / pi;
     return unread(spin, spin, [](double x) { return x * degrees / degrees; });
@@ -92,7 +92,7 @@ class LevelWriter {
         line("rate {}", world_.rate());
         line("seed {}", world_.seed());
         if (scene_.solver) line("solver {}", settings_text(*scene_.solver, SettingsText::used));
-        // A game of pool needs a rack, which is written here as single balls.
+        // A game of pool needs a rack, but the balls are written one by one here.
         if (scene_.game != "sandbox" && !referee_of(scene_.game)) line("game {}", scene_.game);
         line("world {} {}", place(scene_.view.low), place(scene_.view.high));
     }
@@ -113,8 +113,8 @@ class LevelWriter {
         if (deepest_overlap(world_) > 0.0) line("use overlap");
     }
 
-    // "ball" and "edge" may name the kind and the material of unnamed bodies. They read back as the
-    // same, except in `collide`, where the words mean all balls and all edges.
+    // "ball" and "edge" may name the kind and the material of unnamed bodies. They read back
+    // unchanged, except in `collide`, where these words mean all balls and all edges.
     void name_classes() {
         kinds_ = scene_.kind_names;
         materials_ = scene_.material_names;
@@ -161,7 +161,7 @@ class LevelWriter {
         return {};
     }
 
-    /// Whether capsule i + 1 goes on where capsule i ends, as one line.
+    /// Whether capsule i + 1 continues where capsule i ends, as one line.
     bool goes_on(std::size_t i) const {
         const Capsules& capsules = world_.capsules();
         if (i + 1 >= capsules.size()) return false;
@@ -217,7 +217,7 @@ class LevelWriter {
         text_ += closes ? " close\n" : "\n";
     }
 
-    // In the order of their counters, which keep that order when the level is loaded.
+    // In the order of their counters, which the loader keeps.
     void zones() {
         for (std::size_t i = 0; i < world_.zones().size(); ++i) {
             const Zone& zone = world_.zones()[i];
@@ -240,7 +240,7 @@ class LevelWriter {
             std::string name_text;
             if (id < scene_.ball_names.size()) name_text = scene_.ball_names[id];
             text_ += "ball ";
-            // Names with a suffix belong to copies; here each ball is a statement of its own.
+            // Suffixed names belong to copies; here each ball is a statement of its own.
             std::ranges::replace(name_text, '.', '_');
             if (!name_text.empty()) text_ += name_text + " ";
             const Kind& kind = world_.kinds()[balls.kind[i]];

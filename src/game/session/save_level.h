@@ -9,13 +9,13 @@ namespace carom {
 
 /// The present state as a level file: `world` is the scene's world as it is now.
 ///
-/// load_level reads it back to a world that is the same bit by bit in its balls (position,
-/// velocity, radius, mass, restitution, kind), its edges, its model, kinds, materials, seed and
-/// rate. The title, the author's opening comment, the names and what is shown are kept.
+/// load_level reads it back to a world that is equal bit by bit in its balls (position, velocity,
+/// radius, mass, restitution, kind), its edges, its model, kinds, materials, seed and rate. The
+/// title, the author's opening comment, the names and the display settings are kept.
 ///
-/// A level begins at time 0, so some state is reset: time, counters and counts of collisions, the
-/// numbers of balls and edges (in the same order, without gaps), the draws of scatter; emitters
-/// keep the balls that they have yet to add. `expect` statements are left out, since they belong to
+/// A level starts at time 0, so some state is reset: time, counters and collision counts, the ids
+/// of balls and edges (in the same order, without gaps), the random draws of scatter; emitters keep
+/// the balls that they have yet to add. `expect` statements are left out, since they belong to
 /// another start.
 ///
 /// Levels with `units` are written in `units m`, whatever the author's unit was: conversion from it

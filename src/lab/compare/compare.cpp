@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-// The RMS difference at which the two runs are unrelated, in radii.
+// The RMS difference from which the two runs are unrelated, in radii.
 constexpr double elsewhere = 1.0;
 // Where exponential growth saturates, in radii: balls this far apart hit different partners.
 constexpr double saturation = 0.1;
@@ -20,7 +20,7 @@ struct Runner {
     Solver solver;
     World world;
     std::vector<Meeting> meetings;
-    std::uint64_t period = 1;  // ticks between two instants of comparison
+    std::uint64_t period = 1;  // ticks between two comparisons
 };
 
 Runner runner_of(const Scene& scene, const Choice& choice, double common) {
@@ -29,7 +29,7 @@ Runner runner_of(const Scene& scene, const Choice& choice, double common) {
     return runner;
 }
 
-// Returns false when it was interrupted.
+// Returns false if it was interrupted.
 bool run_period(Runner& runner, const std::function<bool()>& keep_going) {
     for (std::uint64_t i = 0; i < runner.period; ++i) {
         if (runner.solver.tick(runner.world, keep_going) == TickOutcome::given_up) return false;
@@ -78,12 +78,12 @@ Comparison compare(const Scene& scene, const CompareSettings& settings, const Go
             !(note_difference(comparison, first.world, second.world, time) <= elsewhere);
     }
 
-    // Where the runs diverged, a contact that only one of them had is the reason.
+    // Where the runs diverged, a contact that only one of them had is the cause.
     const double together = comparison.time() - 2.0 / common;
     const double until =
         comparison.divergence ? std::max(comparison.divergence->time, together) : together;
     comparison.contact = first_difference(first.meetings, second.meetings, until);
-    // Without divergence the difference is rounding, whose growth means nothing.
+    // Without divergence the difference is rounding, and its growth means nothing.
     if (comparison.divergence) {
         std::vector<GrowthPoint> points;
         for (const DifferenceAt& apart : comparison.differences)

@@ -26,7 +26,7 @@ std::string ball_text(const Scene& scene, std::uint32_t ball) {
     return name.empty() ? fmt::format("ball {}", ball) : fmt::format("ball {} ({})", ball, name);
 }
 
-// The other one of the two bodies in the contact.
+// The other body of the contact.
 std::string partner_text(const Scene& scene, const Meeting& meeting, std::uint32_t ball) {
     if (meeting.kind == ContactKind::ball_edge) return fmt::format("edge {}", meeting.b);
     return ball_text(scene, meeting.a == ball ? meeting.b : meeting.a);
@@ -73,7 +73,7 @@ std::string growth_text(const Comparison& comparison) {
                        growth.doubling_time, growth.from, growth.to);
 }
 
-// About `most` of the differences, evenly spread, the first and the last among them.
+// About `most` of the differences, evenly spread, including the first and the last.
 std::vector<DifferenceAt> thinned(const std::vector<DifferenceAt>& all, std::size_t most) {
     std::vector<DifferenceAt> some;
     const std::size_t last = all.size() - 1;

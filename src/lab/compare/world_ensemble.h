@@ -16,7 +16,7 @@ namespace carom {
 
 struct EnsembleSettings {
     std::size_t copies = 200;  ///< >= 1
-    double size = 1e-6;        ///< largest offset of a ball at the start, each way, a length
+    double size = 1e-6;        ///< largest offset of a ball at the start, along each axis, a length
     std::uint64_t seed = 0;
 };
 
@@ -30,21 +30,21 @@ class WorldEnsemble {
     /// ticks. Returns false when one of them says no; the next call continues from there.
     bool step(const std::function<bool()>& may_go_on = {},
               const std::function<bool()>& keep_going = {});
-    /// Carries out a command in every copy in which it is not refused. Pre: the last step() was
+    /// Executes a command in every copy that does not refuse it. Pre: the last step() returned
     /// true.
     void execute(const Command& command);
 
     /// The worlds. After a step() that returned false, some are a tick ahead.
     std::span<const World> copies() const { return copies_; }
     double time() const { return copies_.front().time(); }
-    /// The root mean square distance of the copies of a ball from its first copy, in its radii, for
-    /// the ball for which that is largest. 0 with one copy, or without balls.
+    /// For each ball, the root mean square distance of its copies from its first copy, in its
+    /// radii; returns the largest. 0 with one copy, or without balls.
     double spread() const;
 
   private:
     Solver solver_;
     std::vector<World> copies_;
-    std::size_t next_ = 0;  ///< the copy that is advanced next
+    std::size_t next_ = 0;  ///< the copy to advance next
 };
 
 /// The number of balls of all copies in each cell of a grid.
@@ -57,8 +57,8 @@ struct Density {
         return counts[row * columns + column];
     }
 };
-/// Over `view`, high sides excluded. A ball counts in the cell of its centre, and not at all
-/// outside of the view. `only` counts the copies of that ball alone. Pre: the view has an area;
+/// The density over `view`, high sides excluded. A ball counts in the cell of its centre, and not
+/// at all outside the view. `only`: counts only the copies of that ball. Pre: the view has an area;
 /// columns and rows are at least 1.
 Density density(std::span<const World> copies, const Box& view, std::size_t columns,
                 std::size_t rows, std::optional<BallId> only = {});

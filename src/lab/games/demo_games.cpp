@@ -34,7 +34,7 @@ double round_up(double width) {
     return round;
 }
 
-// The last bar counts everything beyond it.
+// The last bar counts all larger values.
 std::string histogram(std::vector<double> values, std::string_view title) {
     if (values.empty()) return {};
     std::ranges::sort(values);

@@ -17,7 +17,7 @@ bool is_same_pair(const Meeting& x, const Meeting& y) {
     return pair_of(x) == pair_of(y);
 }
 
-// The indices of the contacts, by pair of bodies, and within a pair in their order.
+// The indices of the contacts, sorted by pair of bodies; within a pair they keep their order.
 std::vector<std::size_t> by_pair(std::span<const Meeting> meetings) {
     std::vector<std::size_t> order(meetings.size());
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -26,7 +26,7 @@ std::vector<std::size_t> by_pair(std::span<const Meeting> meetings) {
     return order;
 }
 
-// For each contact of the run, the index of its true partner, or `none`.
+// For each contact of the run, the index of its counterpart in the truth, or `none`.
 std::vector<std::size_t> partners(std::span<const Meeting> truth, std::span<const Meeting> given) {
     std::vector<std::size_t> partner(given.size(), none);
     const std::vector<std::size_t> in_truth = by_pair(truth);
@@ -47,7 +47,7 @@ std::vector<std::size_t> partners(std::span<const Meeting> truth, std::span<cons
     return partner;
 }
 
-// The indices of the contacts of every ball, ball by ball, in their order.
+// The indices of the contacts of every ball, ball by ball, in order.
 struct OfBall {
     std::uint32_t ball = 0;
     std::size_t place = 0;
@@ -63,10 +63,10 @@ std::vector<OfBall> by_ball(std::span<const Meeting> meetings) {
     return all;
 }
 
-// Marks all of `places` but one longest increasing subsequence (patience sorting).
+// Annotations all of `places` except one longest increasing subsequence (patience sorting).
 void mark_out_of_order(std::span<const std::size_t> places, const std::vector<std::size_t>& value,
                        std::vector<bool>& marked) {
-    std::vector<std::size_t> tails;  // by length: where in `places` its best subsequence ends
+    std::vector<std::size_t> tails;  // by length: the end of the best subsequence in `places`
     std::vector<std::size_t> before(places.size(), none);
     for (std::size_t i = 0; i < places.size(); ++i) {
         const auto at = std::ranges::lower_bound(tails, value[places[i]], {},
@@ -86,7 +86,7 @@ void mark_out_of_order(std::span<const std::size_t> places, const std::vector<st
     }
 }
 
-// Ball by ball, the indices of its contacts, without repeats in a row.
+// For each ball, the indices of its contacts, without consecutive repeats.
 std::vector<std::vector<std::size_t>> distinct_by_ball(std::span<const Meeting> meetings,
                                                        std::uint32_t balls) {
     std::vector<std::vector<std::size_t>> found(balls);

@@ -6,7 +6,7 @@
 
 #include "level/scene/scene.h"
 
-/// How far two worlds that began alike are from each other.
+/// Measures how far two worlds with one start are apart.
 namespace carom {
 
 /// The positions of all balls at one instant.
@@ -16,23 +16,23 @@ struct Positions {
 };
 Positions positions_of(const World& world);
 
-/// Distances of the balls that are in both worlds; infinite where a position is not finite.
+/// Distances of the balls that exist in both worlds; infinite if a position is not finite.
 struct Difference {
-    double rms = 0.0;  ///< root mean square distance of a ball from its twin
+    double rms = 0.0;  ///< root mean square distance of a ball from its counterpart
     double max = 0.0;
-    std::optional<BallId> farthest;  ///< the ball whose distance is `max`; none where that is 0
-    std::size_t unpaired = 0;        ///< balls that only one of the two has
+    std::optional<BallId> farthest;  ///< the ball with the distance `max`; none if that is 0
+    std::size_t unpaired = 0;        ///< balls that only one of the two worlds has
 };
 
-/// `torus`: the size of a wrapped world, whose nearest images count.
+/// `torus`: the size of a wrapped world, in which distances are to the nearest image.
 Difference difference(const Positions& a, const Positions& b, const std::optional<Vec2>& torus);
 Difference difference(const World& a, const World& b);
 
-/// The size of the torus, where the world is one.
+/// The size of the torus, if the world is one.
 std::optional<Vec2> torus_of(const World& world);
 
 /// The mean radius of the balls at the start and of those that emitters will add: the unit of
-/// length of reported errors. 1 where there are none.
+/// length of reported errors. 1 without balls.
 double mean_radius(const World& world);
 
 }  // namespace carom

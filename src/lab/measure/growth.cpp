@@ -9,7 +9,7 @@ namespace {
 
 struct Line {
     double slope = 0.0;
-    double misfit = 0.0;  // sum of the squares of what is left
+    double misfit = 0.0;  // sum of the squared residuals
 };
 
 Line fit(const std::vector<double>& x, const std::vector<double>& y) {
@@ -41,7 +41,7 @@ std::optional<Growth> exponential_growth(std::span<const GrowthPoint> points, do
     double birth = points.empty() ? 0.0 : points.front().time;
     for (const GrowthPoint& point : points) {
         if (!std::isfinite(point.difference) || point.difference > saturation) break;
-        // A difference that vanishes again is no growth.
+        // A difference that vanishes again has not grown.
         if (point.difference <= 0.0) {
             time.clear();
             age_log.clear();
@@ -49,7 +49,7 @@ std::optional<Growth> exponential_growth(std::span<const GrowthPoint> points, do
             birth = point.time;
             continue;
         }
-        // When it begins, a difference has age 0, which has no logarithm.
+        // At its start a difference has age 0, which has no logarithm.
         if (point.time <= birth) continue;
         time.push_back(point.time);
         age_log.push_back(std::log2(point.time - birth));

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-/// How a small difference grows: doubling again and again where there is chaos.
+/// How a small difference grows: exponentially in a chaotic scene.
 namespace carom {
 
 struct GrowthPoint {
@@ -13,17 +13,17 @@ struct GrowthPoint {
 
 struct Growth {
     double doubling_time = 0.0;  ///< s
-    double from = 0.0;           ///< s: the part that was fitted
+    double from = 0.0;           ///< s: the start of the fitted part
     double to = 0.0;
 };
 
-/// The doubling time of the exponential part of `points`, which are in order of time: a line of
-/// least squares through the logarithms of the differences, from the first that is not zero to the
-/// first above `saturation`, where the two have nothing to do with each other any more.
+/// The doubling time of the exponential part of `points`, which are in order of time. The fit is a
+/// least-squares line through the logarithms of the differences, from the first non-zero one to the
+/// first above `saturation`, where the two runs are no longer related.
 ///
-/// None when there are fewer than 5 points in that part, when the difference grows less than
-/// eightfold along the line, or when a power of the time since the difference began fits better
-/// (two balls that fly apart steadily are no chaos).
+/// None if that part has fewer than 5 points, if the difference grows less than eightfold along the
+/// line, or if a power of the time since the difference began fits better (two balls that separate
+/// steadily are not chaos).
 std::optional<Growth> exponential_growth(std::span<const GrowthPoint> points, double saturation);
 
 }  // namespace carom

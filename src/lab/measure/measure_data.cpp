@@ -85,7 +85,7 @@ void write_rows(JsonWriter& json, const Measurement& measurement) {
     json.end_list();
 }
 
-// `row` is the choice that was picked.
+// `row`: the choice that was picked.
 void write_pick(JsonWriter& json, std::string_view key, double asked,
                 std::optional<std::size_t> row, const Measurement& measurement) {
     json.key(key);
@@ -114,13 +114,13 @@ void write_picks(JsonWriter& json, const Measurement& measurement,
     json.end_object();
 }
 
-// Reads back to the same double; empty where there is no value.
+// Reads back to the same double; empty without a value.
 std::string csv_number(const std::optional<double>& value) {
     if (!value || !std::isfinite(*value)) return {};
     return fmt::format("{}", *value);
 }
 
-// A cell and a comma for each figure.
+// For each figure, its cell and a comma.
 std::string csv_figures(const Measured& row) {
     std::string cells;
     for (std::size_t i = 0; i < figures().size(); ++i) {
@@ -129,7 +129,7 @@ std::string csv_figures(const Measured& row) {
     return cells;
 }
 
-// Empty where the solver does not use that count.
+// Empty if the solver does not use that count.
 std::string csv_count(const SolverSettings& solver, std::string_view name) {
     for (const SolverCount& count : counts_of(solver.kind))
         if (count.name == name) return fmt::format("{}", solver.*count.value);

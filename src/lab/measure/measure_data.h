@@ -6,17 +6,17 @@
 
 #include "lab/measure/measure.h"
 
-/// What `carom measure` writes for programs; docs/command-line.md lists the keys and the columns.
+/// The output of `carom measure` for programs; docs/command-line.md lists the keys and columns.
 namespace carom {
 
-/// One JSON object. All of it but what stands under `cost` and `picks` is deterministic. `level` is
-/// the level's name as it was asked for; `budget` and `tolerance` as on the command line, none
-/// where they were not asked for.
+/// One JSON object. Everything except the objects `cost` and `picks` is deterministic. `level`: the
+/// level's name as the user gave it; `budget` and `tolerance`: as on the command line, none if
+/// absent.
 std::string measure_json(std::string_view level, const Measurement& measurement,
                          const std::optional<double>& budget,
                          const std::optional<double>& tolerance);
 
-/// A line of names, and a row for each choice and horizon. Empty cells stand for what there is not.
+/// CSV: a line of names, and a row for each choice and horizon. Missing values are empty cells.
 std::string measure_csv(const Measurement& measurement);
 
 }  // namespace carom

@@ -69,7 +69,7 @@ std::string heading(std::string_view title, const Measurement& measurement) {
         measurement.repeats, reference_text(measurement.reference), believed(measurement));
 }
 
-// The first columns of every table.
+// The first columns, which all tables share.
 std::vector<std::string> first_cells(const Measurement& measurement, std::size_t row,
                                      const std::vector<bool>& front) {
     const Choice& choice = measurement.rows[row].choice;
@@ -94,8 +94,8 @@ std::string cost_table(const Measurement& measurement, const std::vector<bool>& 
     return table.text();
 }
 
-// The figures of the table of faults: those that are counts stand after the faults in the order of
-// contacts, the others before.
+// The figures of the table of faults: counts come after the faults in the order of contacts, the
+// others before.
 template <class Use>
 void for_each_figure(bool is_count, const Use& use) {
     for (std::size_t i = 0; i < figures().size(); ++i) {
@@ -135,7 +135,7 @@ std::string fault_table(const Measurement& measurement, const std::vector<bool>&
     return table.text();
 }
 
-// At most five of the horizons, the last among them.
+// At most five of the horizons, including the last.
 std::vector<std::size_t> shown_horizons(const Measurement& measurement) {
     constexpr std::size_t most = 5;
     const std::size_t count = measurement.horizons.size();

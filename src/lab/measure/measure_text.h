@@ -5,18 +5,18 @@
 
 #include "lab/measure/measure.h"
 
-/// What `carom measure` prints for people.
+/// The output of `carom measure` for people.
 namespace carom {
 
-/// What was measured, against what, and how long that can be believed; the tables of cost, error
-/// and faults; the error by horizon; and the plot. At most 80 columns wide, ASCII.
+/// The subject, the reference, and how long it can be trusted; the tables of cost, error and
+/// faults; the error by horizon; and the plot. At most 80 columns wide, ASCII.
 std::string measure_text(std::string_view title, const Measurement& measurement);
 
-/// The answer to --budget, a line: the most accurate choice whose tick of the level costs so many
-/// seconds or less; or that there is none, and what the cheapest costs.
+/// The answer to --budget, one line: the most accurate choice whose tick of the level takes at most
+/// so many seconds; or that there is none, and the cost of the cheapest.
 std::string budget_answer(const Measurement& measurement, double budget);
 
-/// The answer to --tolerance, a line: the cheapest choice whose error is that or less, in radii.
+/// The answer to --tolerance, one line: the cheapest choice with at most that error, in radii.
 std::string tolerance_answer(const Measurement& measurement, double tolerance);
 
 }  // namespace carom

@@ -6,8 +6,9 @@
 
 namespace carom {
 
-/// Perturbs a start: moves every ball by a random offset of at most `size` each way, which depends
-/// on `seed`, `copy` and the ball alone. Balls that touched may overlap by that much.
+/// Perturbs a start: moves every ball by a random offset of at most `size` along each axis. The
+/// offset depends on `seed`, `copy` and the ball alone. Balls that touched may overlap by that
+/// much.
 void nudge(World& world, double size, std::uint64_t seed, std::uint64_t copy);
 
 }  // namespace carom

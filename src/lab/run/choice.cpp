@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-// Relative: rates such as 33.3 and 99.9 are not multiples to the last bit.
+// Relative tolerance: rates such as 33.3 and 99.9 are not exact multiples.
 constexpr double rounding = 1e-9;
 
 void add_new(std::vector<Choice>& choices, const Choice& choice) {

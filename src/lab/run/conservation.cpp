@@ -18,7 +18,7 @@ double sum_of_magnitudes(const World& world) {
     return sum;
 }
 
-// A sink takes a ball with the potential energy it has, which may be below zero.
+// A sink removes a ball together with its potential energy, which may be below zero.
 bool may_gain_energy(const World& world) {
     const bool has_sink = std::ranges::any_of(
         world.zones(), [](const Zone& zone) { return zone.effect == Zone::Effect::sink; });

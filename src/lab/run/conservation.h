@@ -6,7 +6,7 @@
 #include "physics/tick/totals.h"
 #include "physics/world/world.h"
 
-/// Watches conserved quantities, tick by tick.
+/// Monitors conserved quantities, tick by tick.
 namespace carom {
 
 class ConservationWatch {

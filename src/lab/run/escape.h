@@ -8,17 +8,18 @@
 
 namespace carom {
 
-/// Counts balls outside of a closed outline (a closed edge, a box) in which they started.
+/// Counts balls outside a closed outline (a closed edge, a box) in which they started.
 ///
-/// Inside is judged by the even-odd rule for the ball's centre against the spines of the outline's
-/// capsules, so a ball that is merely pressed into a wall is inside. Removed balls do not count. A
-/// ball of an emitter starts at its place at the end of the tick in which it was added.
+/// A ball is inside if its centre is, by the even-odd rule, inside the spines of the outline's
+/// capsules; so a ball that is merely pressed into a wall is inside. Removed balls do not count.
+/// The start of a ball from an emitter is its position at the end of the tick in which it was
+/// added.
 class EscapeWatch {
   public:
-    /// `scene` is read here only.
+    /// `scene` is read only in the constructor.
     explicit EscapeWatch(const Scene& scene);
 
-    /// Notes where new balls start. Pre: called after every tick.
+    /// Records where new balls start. Pre: called after every tick.
     void note_births(const World& world);
 
     std::size_t escaped(const World& world) const;
@@ -35,7 +36,7 @@ class EscapeWatch {
     static bool is_inside(const Outline& outline, Vec2 point);
 
     std::vector<Outline> outlines_;
-    // By ball number: the outlines that it started in.
+    // By ball number: the outlines in which it started.
     std::vector<std::vector<std::uint32_t>> homes_;
 };
 

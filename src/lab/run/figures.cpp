@@ -49,7 +49,7 @@ std::vector<Figure> fields() {
     };
 }
 
-// Figures for `expect` alone: reports have them in objects and lists.
+// Figures only for `expect`: reports have them in objects and lists.
 std::vector<Figure> expected_only() {
     using W = const World&;
     return {

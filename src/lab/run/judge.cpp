@@ -20,13 +20,13 @@ std::optional<double> chi_square(std::span<const double> counts, std::span<const
     for (std::size_t i = 0; i < counts.size(); ++i) {
         const double expected = total * shares[i] / whole;
         const double off = counts[i] - expected;
-        // An empty bin in which nothing is expected adds nothing.
+        // An empty bin with no expected balls adds nothing.
         if (expected > 0.0 || off > 0.0) sum += off * off / expected;
     }
     return sum;
 }
 
-// A quantity of bins. Only "count" is asked of bins without balls.
+// A quantity of bins. Only "count" is defined for bins without balls.
 struct BinsRow {
     std::string_view name;
     std::optional<double> (*value)(std::span<const double> counts, std::span<const double> shares);

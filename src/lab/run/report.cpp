@@ -18,7 +18,7 @@ std::string_view name_at(const std::vector<std::string>& names, std::size_t inde
     return index < names.size() ? std::string_view(names[index]) : std::string_view();
 }
 
-// The mass as the level gave it: 1/(1/m) is m only up to rounding.
+// The level's value of the mass: 1/(1/m) is m only up to rounding.
 double mass_of(const World& world, std::size_t ball) {
     const double inverse = world.balls().inverse_mass[ball];
     const double of_kind = world.kinds()[world.balls().kind[ball]].mass;
@@ -76,8 +76,8 @@ void write_totals(JsonWriter& json, std::string_view key, const Totals& sums) {
     json.end_object();
 }
 
-// A list for each group, in order, then a number for each counter outside of groups, then the
-// counts of the game.
+// Writes a list for each group, in order, then a number for each counter outside of groups, then
+// the counts of the game.
 void write_counters(JsonWriter& json, const Scene& scene, const World& world,
                     const RunRecord& record) {
     const std::vector<std::uint64_t> counts = census(world);
@@ -139,7 +139,7 @@ std::string summary_of_figures(const RunRecord& record, const World& world) {
     return lines;
 }
 
-// ", or +1.2e-13 of it": the drift, for when both numbers print alike.
+// ", or +1.2e-13 of it": the drift, for when both numbers print identically.
 std::string change_of(double start, double end) {
     if (start == 0.0 || start == end) return {};
     return fmt::format(", or {:+.1e} of it", (end - start) / std::abs(start));

@@ -13,32 +13,32 @@
 
 namespace carom {
 
-/// What a run notes on its way, for its report.
+/// The data that a run collects for its report.
 struct RunRecord {
     SolverSettings solver;
     Totals totals_start;
     RunWatch watch;
     std::uint64_t ball_ticks = 0;  ///< the number of balls, summed over the ticks
     /// By Scene::expects. An expectation with a time is judged after the tick nearest to it; one
-    /// without, at the end.
+    /// without a time, at the end.
     std::vector<Judgement> judgements;
     /// The counts of a game, by name; noted at the end.
     std::vector<std::pair<std::string, std::uint64_t>> tallies;
 };
 
-/// Notes the start, and judges what is due at time 0.
+/// Records the start, and judges expectations due at time 0.
 RunRecord begin_record(const Scene& scene, const SolverSettings& solver);
 
 /// Pre: called after every tick of `world`, which began as scene.world.
 void note_tick(RunRecord& record, const Scene& scene, const World& world);
 
-/// Judges what is due at the end. Not called for an interrupted run.
+/// Judges expectations due at the end. Not called for an interrupted run.
 void note_end(RunRecord& record, const Scene& scene, const World& world);
 
-/// Whether some expectation was judged and does not hold.
+/// Whether an expectation was judged and does not hold.
 bool has_failure(const RunRecord& record);
 
-/// The solver of a scene where no option names one: the level's, else what pick_solver picks.
+/// The solver if no option names one: the level's, else the choice of pick_solver.
 SolverSettings solver_for(const Scene& scene);
 
 }  // namespace carom

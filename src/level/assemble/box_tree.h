@@ -5,11 +5,11 @@
 
 #include "geometry/shapes.h"
 
-/// A static bounding-volume hierarchy: finds which of many boxes overlap a box.
+/// A static bounding-volume hierarchy: finds the boxes that overlap a given box.
 namespace carom {
 
-/// Building takes O(n log n). A query takes O(log n) for each box found, and more where long boxes
-/// cross.
+/// Cost: building takes O(n log n). A query takes O(log n) for each box found, and more where long
+/// boxes cross.
 class BoxTree {
   public:
     explicit BoxTree(std::vector<Box> boxes);

@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-// The distance from a number to the next larger double.
+// The distance from a coordinate to the next larger double.
 double spacing_at(double coordinate) {
     const double size = std::abs(coordinate);
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(size) + 1) - size;

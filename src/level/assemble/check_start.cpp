@@ -13,7 +13,8 @@
 namespace carom {
 namespace {
 
-// The depth of overlap that rounding explains: authors compute touching places, and 0.1*3 != 0.3.
+// The depth of overlap that rounding explains: authors compute positions at contact, and 0.1*3 !=
+// 0.3.
 double rounding(Vec2 at, double reach) {
     return 1e-9 * reach + 1e-14 * (std::abs(at.x) + std::abs(at.y));
 }
@@ -89,8 +90,8 @@ class StartCheck {
         return edge.side == Side::left ? side > 0.0 : side < 0.0;
     }
 
-    // The first edge that a ball of this kind overlaps, and the depth. `span` is the place of the
-    // ball in the file.
+    // The first edge that a ball of this kind overlaps, and the depth. `span` is the ball's
+    // position in the file.
     std::optional<std::pair<const CapsuleIr*, double>> edge_around(const BoxTree& tree,
                                                                    const Disc& disc,
                                                                    ClassIndex kind,

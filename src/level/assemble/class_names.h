@@ -13,7 +13,7 @@
 namespace carom {
 
 /// Finds the kinds or the materials of a level by name, and records which are used. The default
-/// class, of balls or edges that name none, has the index after the last name.
+/// class, for balls or edges without a class name, has the index after the last name.
 class ClassNames {
   public:
     explicit ClassNames(const std::vector<std::string_view>& names) : used_(names.size(), false) {
@@ -28,7 +28,7 @@ class ClassNames {
         return static_cast<ClassIndex>(found->second);
     }
     bool has(std::string_view name) const { return index_.contains(name); }
-    /// The default class, of balls or edges that name none.
+    /// The default class, for balls or edges without a class name.
     ClassIndex default_class() {
         is_default_used_ = true;
         return static_cast<ClassIndex>(used_.size());

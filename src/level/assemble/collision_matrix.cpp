@@ -48,7 +48,7 @@ class MatrixBuilder {
         return true;
     }
 
-    // The classes that a word of `collide` stands for; empty: an error, which is reported.
+    // The classes that a word of `collide` denotes; empty: an error, which is reported.
     const std::vector<std::size_t>& classes_of(const Word& word) {
         std::vector<std::size_t>& known = classes_[word.text];
         if (known.empty()) known = find_classes(word);

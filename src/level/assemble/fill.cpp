@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint32_t attempts = 300;
 constexpr std::uint64_t max_fill_tests = 200'000'000;
 
-// What a random number is for: each purpose has a stream of its own.
+// The purpose of a random number; each purpose has a stream of its own.
 enum class Purpose : std::uint64_t { mass = 1, radius, place, shift, direction, speed, gaussian };
 
 class FillRandom {
@@ -52,7 +52,7 @@ Vec2 random_direction(const FillRandom& chance, std::uint64_t ball) {
     }
 }
 
-// A standard Gaussian cut at -8 and 8, by rejection sampling.
+// A standard Gaussian truncated at -8 and 8, by rejection sampling.
 double gaussian(const FillRandom& chance, std::uint64_t ball, std::uint64_t component) {
     for (std::uint64_t draw = component;; draw += 4) {
         const double x = 16.0 * chance.unit(Purpose::gaussian, ball, draw) - 8.0;
@@ -112,7 +112,7 @@ void draw_velocities(const FillIr& fill, const FillRandom& chance, std::vector<F
 
 class FillPlacer {
   public:
-    /// `tests` counts tests of obstacles over all fills (Context::fill_tests).
+    /// `tests` counts obstacle tests over all fills (Context::fill_tests).
     FillPlacer(const FillIr& fill, const Obstacles& obstacles, const FillRandom& chance,
                std::vector<FilledBall>& balls, std::uint64_t& tests)
         : fill_(fill),
@@ -121,7 +121,7 @@ class FillPlacer {
           tests_(tests),
           keeps_apart_(obstacles.each_other),
           tree_(boxes_near(obstacles, fill.box)) {
-        // The tree has the obstacles that overlap the box: first the discs, then the capsules.
+        // The tree holds the obstacles that overlap the box: first the discs, then the capsules.
         for (const Disc& disc : obstacles.discs) {
             if (overlaps(bounds(disc), fill.box)) near_discs_.push_back(disc);
         }
@@ -132,7 +132,7 @@ class FillPlacer {
         tests_ += cost_of_entry * (near_discs_.size() + near_capsules_.size());
     }
 
-    /// Places all balls at random, else on a lattice. Gives how many found a place.
+    /// Places all balls at random, else on a lattice. Returns how many were placed.
     std::uint32_t place() {
         const std::uint32_t placed = at_random();
         if (placed == fill_.count || is_exhausted()) return placed;
@@ -140,7 +140,7 @@ class FillPlacer {
     }
 
   private:
-    /// Gives how many balls were placed before one found no place.
+    /// Returns the number of balls placed before one found no room.
     std::uint32_t at_random() {
         std::vector<std::uint32_t> order(balls_.size());
         std::iota(order.begin(), order.end(), 0u);
@@ -159,7 +159,7 @@ class FillPlacer {
         return placed;
     }
 
-    /// Places all balls on a lattice, or gives the number of sites of the densest lattice.
+    /// Places all balls on a lattice, or returns the number of sites of the densest lattice.
     std::uint32_t on_lattice() {
         double largest = 0.0;
         for (const FilledBall& ball : balls_)
@@ -220,8 +220,8 @@ class FillPlacer {
         return false;
     }
 
-    // A random place around the site, within its cell and the box; the site itself if that place is
-    // not free.
+    // A random position around the site, within its cell and the box; the site itself if that
+    // position is not free.
     Vec2 shifted(Vec2 site, double radius, double pitch, std::uint32_t i) {
         const double room =
             (0.5 * pitch - radius) * 0.7;  // a square inside the circle of that radius

@@ -21,7 +21,7 @@ struct FilledBall {
 struct Obstacles {
     std::vector<Disc> discs;
     std::vector<Capsule> capsules;
-    bool each_other = true;  ///< nor may they overlap each other
+    bool each_other = true;  ///< the balls must not overlap each other either
 };
 
 struct FillObstacles {
@@ -39,17 +39,17 @@ struct FillDefaults {
 };
 
 /// Places the balls of a fill inside its box, so that they overlap neither each other nor the
-/// obstacles. If they do not fit, tries again with the solid obstacles alone. None: they still do
+/// obstacles. If they do not fit, tries again with only the solid obstacles. None: they still do
 /// not fit, which is reported.
 ///
-/// Larger balls come first; each takes the first free one of 300 random places. If a ball finds
-/// none (packings above about 0.5), all balls go on a lattice instead, with random shifts as far as
-/// there is room. Placement fails only if the densest lattice has too few sites, or if all fills
+/// Larger balls come first; each takes the first free one of 300 random positions. If a ball finds
+/// none (at packings above about 0.5), all balls go on a lattice instead, with random shifts as far
+/// as there is room. Placement fails only if the densest lattice has too few sites, or if all fills
 /// together have tested obstacles 200 million times.
 ///
 /// The random numbers of ball i depend on the seed, the number of the fill and i alone. A velocity
-/// has a speed from a range and a random direction. With rms=, velocities are Gaussian, cut at 8
-/// standard deviations, and scaled so that their root mean square is exactly the one given.
+/// has a speed from a range and a random direction. With rms=, velocities are Gaussian, truncated
+/// at 8 standard deviations, and scaled so that their root mean square is exactly the given value.
 ///
 /// 1,000,000 balls at a packing of 0.3 take about a second.
 std::optional<std::vector<FilledBall>> place_fill(const FillIr& fill, const FillDefaults& defaults,

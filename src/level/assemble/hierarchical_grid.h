@@ -5,11 +5,11 @@
 
 #include "geometry/shapes.h"
 
-/// A hierarchical grid: tells whether a disc overlaps discs that were added, whatever their sizes.
+/// A hierarchical grid: tells whether a disc overlaps any disc added before, whatever their sizes.
 namespace carom {
 
 /// Each level is a grid for radii within a factor of 2, so that a query visits at most nine cells
-/// of each. Discs must be added, and queried, from large to small.
+/// of each level. Discs must be added, and queried, from large to small.
 class HierarchicalGrid {
   public:
     /// `radii` are those of all discs to be added. Pre: sorted from large to small; all > 0.
@@ -17,7 +17,7 @@ class HierarchicalGrid {
 
     /// Adds a disc. Pre: its centre lies in the box.
     void add(const Disc& disc);
-    /// Whether the disc overlaps a disc that was added. Pre: it is no larger than those.
+    /// Whether the disc overlaps a disc added before. Pre: it is no larger than those.
     bool touches(const Disc& disc) const;
 
   private:

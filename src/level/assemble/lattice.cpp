@@ -61,7 +61,7 @@ Lattice widest_lattice(const Box& box, double radius, std::size_t count,
         while (pitch < widest && site_count(box, radius, pitch * step, is_hexagonal) >= wanted) {
             pitch *= step;
         }
-        // Obstacles may close sites, so a closer pitch may be needed than the count suggests.
+        // Obstacles may block sites, so a closer pitch than the count suggests may be needed.
         while (true) {
             std::vector<Vec2> sites = make_sites(box, radius, pitch, is_hexagonal, is_open);
             if (sites.size() >= count) {

@@ -15,9 +15,9 @@ struct Lattice {
 };
 
 /// The square or hexagonal lattice of widest pitch (within 2 %) with at least `count` open sites. A
-/// disc of `radius` at a site lies in the box; `is_open` tells whether a site may be used. Examines
-/// at most 4 count + 1000 sites at a time. If no lattice has enough sites, gives the one of pitch
-/// 2 radius that has more; it may have none. Pre: radius > 0.
+/// disc of `radius` at a site lies in the box; `is_open` tells whether a site may be used. If no
+/// lattice has enough sites, returns the one of pitch 2 radius that has more; it may have none.
+/// Cost: examines at most 4 count + 1000 sites for each pitch that it tries. Pre: radius > 0.
 Lattice widest_lattice(const Box& box, double radius, std::size_t count,
                        const std::function<bool(Vec2)>& is_open);
 

@@ -167,7 +167,7 @@ void PinballAssembly::check(bool has_balls) {
     collect_devices();
     for (const RuleIr& rule : ir_.rules)
         resolve_rule(rule);
-    // A missing part may be one that has an error.
+    // A missing part may be one whose statement has an error.
     if (!context_.reporter.has_errors()) check_game(has_balls);
 }
 

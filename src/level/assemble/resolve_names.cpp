@@ -99,7 +99,7 @@ class Resolver {
         return edges;
     }
 
-    // Takes a word before the points as a name, and warns if it resembles a material.
+    // Takes a word before the points as the name, and warns if it resembles a material.
     void take_name(const Word& word, bool may_be_material, ResolvedEdges& edges) {
         if (!is_identifier(word.text)) {
             context_.reporter.error("not-a-name", word.span(),
@@ -200,7 +200,7 @@ class Resolver {
     }
 
     void warn_unused() {
-        // A statement with an error may be the one that uses the name.
+        // The statement that uses the name may be one with an error.
         if (context_.reporter.has_errors()) return;
         const auto warn = [&](const Word& name, std::string_view what) {
             if (!name.source->included_from.empty() || name.source->name == "--set") return;

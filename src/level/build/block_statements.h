@@ -4,7 +4,7 @@
 
 #include "level/language/statement.h"
 
-/// The statements by which the interpreter (build/interpreter.h) runs other statements, or gives
+/// Statements with which the interpreter (build/interpreter.h) runs other statements, or gives
 /// names a value. They need Frame::interpreter.
 namespace carom {
 

@@ -66,7 +66,8 @@ bool Interpreter::count_step(const Node& node) {
     return false;
 }
 
-// `stands_at` is the place in the file, also if `node` is an override that replaces the statement.
+// `stands_at` is the position in the file, even if `node` is an override that replaces the
+// statement.
 void Interpreter::run_statement(const Node& node, const Frame& frame, const Span& stands_at) {
     const Statement& statement = *node.statement;
     if (!is_first_of_its_kind(statement, stands_at)) return;
@@ -113,8 +114,8 @@ void Interpreter::run_body(const Node& node, const Frame& frame, const Transform
     run_all(node.body, inner);
 }
 
-// A statement of --set that replaced none of the file: a setting that the file lacks is run, a let
-// that the file lacks is an error.
+// A statement of --set that replaced none in the file: a setting missing from the file is run; a
+// let missing from the file is an error.
 void Interpreter::run_unused_override(const Node& node, const Frame& frame) {
     if (node.statement->name != "let") {
         run_statement(node, frame, node.keyword().span());

@@ -9,16 +9,16 @@
 #include "level/build/source_store.h"
 #include "level/ir/arguments.h"
 
-/// Runs the statements of a level, expands its blocks and its includes, and so fills the
+/// Runs the statements of a level and expands its blocks and includes. The result is the
 /// intermediate representation (Context::ir).
 namespace carom {
 
-/// Runs trees of statements. It knows how statements are run, not what they do: that is the action
-/// in a statement's row of the table (language/statement.h).
+/// Runs trees of statements. It knows how statements are run, not what they do: their effect is the
+/// action in their row of the table (language/statement.h).
 ///
-/// A level is data from strangers, so the work is bounded: 1,000,000 statements, 100,000,000
-/// characters read, 32 nested blocks, 200 errors. At a limit the interpreter reports an error (for
-/// the last limit, the errors themselves are the report) and stops.
+/// A level is untrusted data, so the work is bounded: 1,000,000 statements, 100,000,000 characters
+/// read, 32 nested blocks, 200 errors. At a limit the interpreter reports an error (for the last
+/// limit, the errors themselves are the report) and stops.
 class Interpreter {
   public:
     Interpreter(const LoadOptions& options, SourceStore& store, Context& context);
@@ -35,7 +35,7 @@ class Interpreter {
     /// Counts a statement against the limits; false: a limit is reached.
     bool count_step(const Node& node);
     bool is_stopped() const { return is_stopped_; }
-    /// A number for a mirror image; each call gives another.
+    /// A number for a mirror image; each call returns a new one.
     int new_image() { return ++images_; }
 
     Scope& globals() { return globals_; }

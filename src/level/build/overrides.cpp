@@ -7,8 +7,8 @@
 namespace carom {
 namespace {
 
-// What a statement sets: of two statements with the same key, one replaces the other. Empty: --set
-// cannot change it.
+// The setting that a statement changes: of two statements with the same setting, one replaces the
+// other. Empty: --set cannot change it.
 std::string setting(const Node& node) {
     const std::string_view name = node.statement->name;
     switch (node.statement->settable) {

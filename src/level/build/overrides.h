@@ -7,7 +7,7 @@
 
 #include "level/build/source_store.h"
 
-/// Statements of --set. Each replaces the statement of the file that sets the same thing
+/// Statements of --set. Each replaces the statement of the file for the same setting
 /// (Statement::settable).
 namespace carom {
 
@@ -24,7 +24,7 @@ class Overrides {
     std::vector<const Node*> unused() const;
 
   private:
-    std::map<std::string, const Node*> statements_;  ///< by what they set
+    std::map<std::string, const Node*> statements_;  ///< by setting
     std::map<std::string, Word, std::less<>> lets_;
     std::vector<const Node*> let_nodes_;
     std::set<std::string> used_;

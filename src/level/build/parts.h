@@ -29,7 +29,7 @@ class Parts {
     /// reported.
     std::optional<Placed> bind(const Arguments& arguments, const Scope& scope);
 
-    /// Warns of parts that are never placed, but for those of included files.
+    /// Warns of parts that are never placed, except those of included files.
     void warn_unplaced();
 
   private:

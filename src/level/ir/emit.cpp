@@ -10,7 +10,8 @@ Side turned(Side side, const Transform& transform) {
     return side == Side::left ? Side::right : Side::left;
 }
 
-// A statement, and the word by which its bindings differ: a map draws with several materials.
+// The key of a binding: a statement, and the word by which its bindings differ, since a map draws
+// with several materials.
 BindingKey key_of(const Node* node, const std::optional<Word>& word) {
     return {node, word ? word->text.data() : nullptr};
 }

@@ -6,9 +6,9 @@
 /// in the coordinates of the frame.
 namespace carom {
 
-/// Counts balls to come. False: the level has too many, which is reported once.
+/// Reserves room for balls. False: the level has too many, which is reported once.
 bool reserve_balls(std::uint64_t count, const Span& at, Context& context);
-/// Starts a chain: capsules that are pieces of one edge. Gives its index.
+/// Starts a chain: capsules that are pieces of one edge. Returns its index.
 int begin_chain(bool is_closed, Context& context);
 /// Adds a capsule. False: the level has too many, which is reported once.
 bool emit_capsule(const Capsule& shape, Side side, int binding, int chain, const Span& at,

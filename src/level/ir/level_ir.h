@@ -9,7 +9,7 @@
 #include "level/scene/scene.h"
 #include "level/values/expression.h"
 
-/// The intermediate representation (IR) of a level: its arithmetic is done and its blocks are
+/// The intermediate representation (IR) of a level. Its arithmetic is done and its blocks are
 /// expanded, but its names are not resolved, since a kind or a material may be declared after its
 /// use. An XIr is the IR of an X of the scene. All numbers are in the units of the world (SI or
 /// natural, radians).
@@ -148,7 +148,7 @@ struct FillIr {
     Box box;
     double least_radius = 0.0;  ///< 0: that of the kind
     double most_radius = 0.0;
-    std::optional<Word> radius_of_mass;  ///< r=, if it is an expression of the mass m
+    std::optional<Word> radius_of_mass;  ///< r=, if it is an expression in the mass m
     Scope scope;                         ///< the variables that radius_of_mass uses
     double least_mass = 0.0;             ///< 0: that of the kind
     double most_mass = 0.0;
@@ -243,7 +243,7 @@ struct LevelIr {
     std::vector<ShowIr> shows;
     std::vector<ExpectIr> expects;
     std::map<std::string, LegendIr, std::less<>> legends;  ///< by letter
-    /// Names of balls, edges and bins that stand for error values: their statements had errors, so
+    /// Names of balls, edges and bins that are error values: their statements had errors, so
     /// references to them are not reported.
     std::vector<std::string> error_names;
     std::uint64_t balls_reserved = 0;  ///< balls of all statements, fills and emitters

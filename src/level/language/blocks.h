@@ -5,8 +5,8 @@
 #include "level/language/statement_table.h"
 #include "level/text/words.h"
 
-/// Lines of words to a tree: the statements between mirror, repeat, part or map and its `end` are
-/// the body of that statement.
+/// Parses lines of words into a tree: the statements between mirror, repeat, part or map and its
+/// `end` are the body of that statement.
 namespace carom {
 
 /// One statement of a source. It has at least one word.

@@ -5,8 +5,8 @@
 
 #include "level/values/dimension.h"
 
-/// A row of the statement table: what a statement is called, what it takes, and the function that
-/// carries it out. The parser, the messages, the manual and the interpreter all work from it.
+/// A row of the statement table: a statement's name, its arguments, and the function that executes
+/// it. The parser, the messages, the manual and the interpreter all use it.
 namespace carom {
 
 struct Arguments;
@@ -42,7 +42,7 @@ struct KeyRule {
     Measure measure = Measure::number;
     Bound bound = Bound::any;
     bool is_required = false;
-    bool repeats = false;     ///< may be given any number of times, one place each: at=
+    bool repeats = false;     ///< may be given any number of times, one position each: at=
     bool needs_spin = false;  ///< a value other than 0 is an error without `use spin`
 };
 
@@ -58,15 +58,15 @@ enum class Settable {
     by_name  ///< it replaces the file's statement of the same name and first plain word
 };
 
-/// Carries out one statement: changes the context's intermediate representation, and reports
-/// errors. Everything that it places passes through the frame's transform.
+/// Executes one statement: changes the context's intermediate representation, and reports errors.
+/// Everything that it places passes through the frame's transform.
 using StatementAction = void (*)(const Arguments&, const Frame&, Context&);
 
 /// A statement, or one of several that share a keyword ("use gravity").
 struct Statement {
     std::string_view name;
     std::string_view usage;  ///< its line in the grammar
-    /// Null: the header (statements/header.h) or the block parser has dealt with it.
+    /// Null: handled by the header (statements/header.h) or the block parser.
     StatementAction action = nullptr;
     Place place = Place::anywhere;
     bool opens_block = false;
@@ -78,15 +78,15 @@ struct Statement {
     Measure point_measure = Measure::length;
     std::vector<KeyRule> keys{};
     std::vector<std::string_view> flags{};
-    bool takes_any_key = false;     ///< let, part and place: the author invents the keys
+    bool takes_any_key = false;     ///< let, part and place: the author chooses the keys
     bool takes_lone_signs = false;  ///< a sign may be a word of its own, such as a lone comma
     bool is_unique = false;         ///< a second one is an error
     Settable settable = Settable::no;
-    /// The action runs even when the arguments have errors, so that what the statement declares
-    /// exists and its uses are not reported too.
+    /// The action runs even if the arguments have errors, so that its declarations exist and their
+    /// uses are not reported too.
     bool runs_with_errors = false;
-    /// Its plain words may name balls, edges or bins. When the statement has an error, those names
-    /// stand for error values (LevelIr::error_names).
+    /// Its plain words may name balls, edges or bins. If the statement has an error, those names
+    /// are error values (LevelIr::error_names).
     bool binds_names = false;
 };
 

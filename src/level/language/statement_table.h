@@ -7,11 +7,11 @@
 
 #include "level/language/statement.h"
 
-/// Looks statements up by name. The rows themselves come from the families of statements
-/// (level/statements); build/all_statements.h puts them together.
+/// Looks up statements by name. The rows come from the families of statements (level/statements);
+/// build/all_statements.h combines them.
 namespace carom {
 
-/// Invariant: the rows do not change or move, so pointers to them stay valid as long as the table.
+/// Invariant: rows never change or move, so pointers to them stay valid as long as the table.
 class StatementTable {
   public:
     explicit StatementTable(std::vector<Statement> rows) : rows_(std::move(rows)) {}

@@ -22,8 +22,8 @@ struct IncludedFile {
 using IncludeResolver =
     std::function<std::optional<IncludedFile>(std::string_view from, std::string_view path)>;
 
-/// What the caller of the loader sets. The seed, the rate and the solver outrank those of the
-/// level.
+/// Settings from the caller of the loader. The seed, the rate and the solver take precedence over
+/// those of the level.
 struct LoadOptions {
     IncludeResolver resolve_include;     ///< absent: every include is an error
     std::vector<std::string> overrides;  ///< statements that replace the file's, from --set

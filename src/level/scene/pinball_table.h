@@ -10,13 +10,13 @@
 #include "geometry/vec2.h"
 #include "physics/world/ids.h"
 
-/// The devices of a pinball table and the rules that its author has written. They are data; the
-/// game runs them (game/pinball/pinball.h).
+/// The devices of a pinball table and the rules that its author has written, as plain data; the
+/// game executes them (game/pinball/pinball.h).
 namespace carom {
 
 enum class DeviceKind : std::uint8_t {
     edge,        ///< an edge, arc, peg or box that a rule names
-    flipper,     ///< World::flippers moves it
+    flipper,     ///< moved through World::flippers
     bumper,      ///< kicks: Material::kick
     slingshot,   ///< kicks
     plunger,     ///< launches balls that rest on it
@@ -27,7 +27,7 @@ enum class DeviceKind : std::uint8_t {
     spinner,     ///< a zone with a vane that a passing ball spins
     kickback,    ///< a zone that sends balls back while it is lit
     drain,       ///< a zone that removes balls from play
-    lamp,        ///< a light, and nothing else
+    lamp,        ///< a light only
     hole,        ///< a saucer: a zone that holds a ball for a time, then ejects it
     ramp         ///< a zone that moves passing balls to another layer
 };
@@ -36,7 +36,7 @@ enum class DeviceKind : std::uint8_t {
 struct DeviceTraits {
     DeviceKind kind;
     std::string_view name;         ///< the keyword of its statement
-    bool is_zone = false;          ///< balls enter it, and do not bounce off it
+    bool is_zone = false;          ///< balls enter it instead of bouncing off
     bool has_light = false;        ///< rules may light it: `light NAME`
     bool completes_group = false;  ///< it takes part in `on NAME all`
 };
@@ -69,7 +69,7 @@ constexpr const DeviceTraits& traits(DeviceKind kind) {
     return device_traits[static_cast<std::size_t>(kind)];
 }
 
-/// One device. A statement that draws several makes several.
+/// One device. A statement with several positions makes several devices.
 struct Device {
     DeviceKind kind = DeviceKind::edge;
     std::uint32_t group = 0;            ///< index into PinballTable::groups
@@ -119,7 +119,7 @@ struct RuleAction {
     What what = What::score;
     std::int64_t amount = 0;
     bool adds = false;     ///< bonus, multiplier
-    double seconds = 0.0;  ///< save: how long; light: how long, or 0 until it is put out
+    double seconds = 0.0;  ///< save: how long; light: how long, or 0 until it is switched off
     std::uint32_t group = 0;
     std::string text;
 };
@@ -134,8 +134,9 @@ struct Rule {
     std::uint32_t group = 0;
     When when = When::hit;
     struct Need {
-        std::optional<std::uint32_t> group;  ///< needs all of this group lit; none: needs multiball
-        bool is_not = false;                 ///< `unless`: the need is negated
+        std::optional<std::uint32_t>
+            group;            ///< this whole group must be lit; none: multiball must be on
+        bool is_not = false;  ///< `unless`: the condition is negated
     };
     std::vector<Need> needs;
     std::vector<RuleAction> actions;
@@ -149,7 +150,7 @@ struct PinballTable {
     std::vector<Button> flipper_buttons;  ///< by World::flippers
     std::vector<Rule> rules;
 
-    bool is_game = false;     ///< the level says `game pinball`: balls are counted, and rules run
+    bool is_game = false;     ///< the level says `game pinball`: balls are counted and rules apply
     std::uint32_t balls = 3;  ///< of a game
     double save = 10.0;       ///< ball saver at the start of a ball, s
     std::uint32_t warnings = 3;    ///< nudges before the tilt

@@ -8,10 +8,10 @@ namespace {
 
 using enum QuantityScope;
 
-// Energies, momenta and angular momentum are of all balls; the potential energy is 0 at the origin,
-// about which the angular momentum is taken.
+// Energies, momenta and angular momentum are sums over all balls. The potential energy is 0 at the
+// origin; the angular momentum is about the origin.
 constexpr std::array<QuantityRow, 25> rows{{
-    {"collisions", world},  // of balls and with edges together
+    {"collisions", world},  // of balls with balls and with edges
     {"ball_ball", world},
     {"ball_edge", world},
     {"kinetic_energy", world},
@@ -21,19 +21,19 @@ constexpr std::array<QuantityRow, 25> rows{{
     {"momentum_y", world},
     {"angular_momentum", world},
     {"time", world},     // s since the start
-    {"escaped", run},    // balls outside the closed outline that they started in
+    {"escaped", run},    // balls outside the closed outline in which they started
     {"overlap", run},    // the deepest at the end of any tick, a length
-    {"balls", world},    // that are there
-    {"removed", world},  // balls that are no longer there
+    {"balls", world},    // balls that exist
+    {"removed", world},  // balls that have been removed
     {"x", ball},
     {"y", ball},
     {"vx", ball},
     {"vy", ball},
     {"speed", ball},
-    {"w", ball},               // spin, rad/s, counter-clockwise; 0 where balls do not turn
+    {"w", ball},               // spin, rad/s, counter-clockwise; 0 in a model without spin
     {"count", bins},           // balls in all bins
-    {"mean", bins},            // of the bins' numbers
-    {"variance", bins},        // of the bins' numbers (divided by the count)
+    {"mean", bins},            // of the bin numbers
+    {"variance", bins},        // of the bin numbers (divided by the count)
     {"variance_ratio", bins},  // variance over that of the expected shares
     {"chi_square", bins},      // sum of (counted - expected)^2 / expected over the bins
 }};

@@ -12,15 +12,15 @@
 #include "physics/solver.h"
 #include "physics/world/world.h"
 
-/// The result of loading a level: the world at its start, and what belongs to the level but not to
-/// the world, such as names, views and experiments.
+/// The result of loading a level: the world at its start, and the data that belong to the level but
+/// not to the world, such as names, views and experiments.
 namespace carom {
 
-/// The unit of lengths that the level writes without one. The scene itself is in SI units, or, for
-/// `natural`, in the level's own.
+/// The unit of lengths written without one. The scene itself is in SI units, or, for `natural`, in
+/// the level's own.
 enum class LengthUnit : std::uint8_t { natural, millimetre, centimetre, metre, inch };
 
-/// A panel that the level wants beside the world.
+/// A panel that the level shows beside the world.
 struct Show {
     enum class What : std::uint8_t { histogram, energy };
     What what = What::histogram;
@@ -50,8 +50,8 @@ struct Group {
     std::vector<std::uint32_t> counters;
 };
 
-/// An include of one file in another, both as indices into Scene::files. `path` is what the include
-/// says.
+/// An include of one file in another, both as indices into Scene::files. `path`: as written in the
+/// include.
 struct Include {
     std::size_t from = 0;
     std::size_t file = 0;
@@ -62,7 +62,7 @@ struct Include {
 
 struct Scene {
     std::string file;
-    std::string title;  ///< fit for a terminal, like the comment
+    std::string title;  ///< safe to print on a terminal, like the comment
     /// The comment at the top of the file, without its marks and common indentation. It says what
     /// the level shows and what to try.
     std::vector<std::string> comment;
@@ -88,8 +88,8 @@ struct Scene {
     std::vector<std::string> texts;  ///< by index of `files`
     std::vector<Include> includes;   ///< in the order of first use
     std::uint64_t text_hash = 0;
-    /// An override, or an option for the solver, rate or seed, changes what the level says, so its
-    /// `expect` statements are not judged.
+    /// An override, or an option for the solver, rate or seed, was given. It changes the level's
+    /// meaning, so its `expect` statements are not judged.
     bool overridden = false;
     /// The game to play; "sandbox" where the level names none.
     std::string game = "sandbox";

@@ -178,7 +178,7 @@ void build_cradle(const Arguments& arguments, const Frame& frame, Context& conte
         ball.velocity = {is_moving ? arguments.number_or("v", 0.0) : 0.0, 0.0};
         emit_ball(ball, frame, context);
     }
-    // The walls stand twice the swing from the ends of the row, and send the outer balls back.
+    // The walls are twice the swing away from the ends of the row, and send the outer balls back.
     const double wall = half + radius + 2.0 * swing;
     EdgeBinding binding{arguments.node, {}, false, arguments.word("material")};
     const int edges = bind_edges(std::move(binding), context);

@@ -7,7 +7,7 @@
 namespace carom {
 namespace {
 
-// Whether a kind or a material may be called so.
+// Whether the name is available for a kind or a material.
 bool is_free(const Word& name, Context& context) {
     Reporter& reporter = context.reporter;
     if (!is_identifier(name.text)) {

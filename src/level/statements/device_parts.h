@@ -8,12 +8,11 @@ namespace carom {
 
 bool has_units(const Context& context);
 
-/// A size that a device has where the author gives none: `metres` in a level with units, else
-/// `natural`.
+/// The default size of a device: `metres` in a level with units, else `natural`.
 double default_size(double metres, double natural, const Context& context);
 
-/// The material of a device where the author names none. Without units there are no speeds by which
-/// it could soften.
+/// The default material of a device. In a level without units it does not soften, since no speed
+/// scale is known.
 Material default_material(Material material, const Context& context);
 
 /// An index into LevelIr::edge_bindings for the statement's device. `material`: absent for a device
@@ -23,7 +22,7 @@ int bind_device(const Arguments& arguments, const std::optional<Material>& mater
 
 Origin origin_of(const Arguments& arguments, const Frame& frame);
 
-/// Adds the device to the intermediate representation; gives its index there.
+/// Adds the device to the intermediate representation; returns its index there.
 int add_device(DeviceIr device, Context& context);
 
 /// Adds the device and the capsule that is its shape. An end of the capsule near another edge is
@@ -35,7 +34,7 @@ void emit_device_capsule(const Capsule& shape, Side side, DeviceIr device, const
 void emit_device_zone(const Capsule& shape, Zone::Effect effect, DeviceIr device, const Span& at,
                       const Frame& frame, Context& context);
 
-/// The value of a key that says up, down, left or right, as a unit vector. None: reported.
+/// The value of a key that is up, down, left or right, as a unit vector. None: reported.
 std::optional<Vec2> read_direction(const Arguments& arguments, std::string_view key,
                                    Context& context);
 

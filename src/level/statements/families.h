@@ -4,8 +4,8 @@
 
 #include "level/language/statement.h"
 
-/// The families of statements: each file holds the rows of its statements and the functions that
-/// carry them out, so that a new statement is a row and a function in one file.
+/// The families of statements. Each file holds the rows of its statements and their functions, so
+/// that a new statement is a row and a function in one file.
 namespace carom {
 
 std::vector<Statement> header_statements();   ///< carom, physics, units (header.cpp)

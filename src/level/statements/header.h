@@ -14,8 +14,8 @@ inline constexpr int format_version = 1;
 void read_header(const std::vector<Node>& nodes, const SourceText& source, Scene& scene,
                  Context& context);
 
-/// Checks the header of an included file: it may have a line `carom`, and must have the units of
-/// the level if it has units.
+/// Checks the header of an included file: it may have a line `carom`, and if it states units, they
+/// must be the level's.
 void read_fragment_header(const std::vector<Node>& nodes, Context& context);
 
 }  // namespace carom

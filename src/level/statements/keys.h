@@ -6,7 +6,7 @@
 namespace carom::keys {
 
 inline constexpr KeyRule at{"at", KeyShape::pair, Measure::length, Bound::any, true};
-/// at=X,Y as often as the author likes, one place each.
+/// at=X,Y any number of times, one position each.
 inline constexpr KeyRule places{"at", KeyShape::pair, Measure::length, Bound::any, true, true};
 inline constexpr KeyRule kind{"kind", KeyShape::word};
 inline constexpr KeyRule material{"material", KeyShape::word};

@@ -93,7 +93,7 @@ class MapBuilder {
         return is_line(c) || is_joint(c);
     }
 
-    // A joint draws nothing, but lines that run into it meet in its middle.
+    // A joint draws nothing, but lines that run into it meet at its centre.
     bool is_joint(std::string_view c) const { return c == "+" && !legends_.contains(c); }
 
     bool check_letters() {
@@ -151,8 +151,8 @@ class MapBuilder {
             ++length;
         const int last_row = row + (length - 1) * down;
         const int last_column = column + (length - 1) * right;
-        // A line that ends at a cell of another line extends to the middle of that cell and joins
-        // it.
+        // A line that ends at a cell of another line is extended to the centre of that cell and
+        // joins it.
         const Vec2 half{0.5 * down, 0.5 * right};
         if (joins(row - down, column - right)) from -= half;
         if (joins(last_row + down, last_column + right)) to += half;

@@ -7,13 +7,13 @@
 namespace carom {
 namespace {
 
-// Measured on tables, and taken from the authors of simulators: docs/levels.md lists them.
+// Measured on real tables, and taken from simulators: docs/levels.md lists the sources.
 constexpr Material rubber{.restitution = 0.8, .soften = 0.43, .friction = 0.6};
 constexpr Material drop_target{.restitution = 0.38, .friction = 0.25};
 constexpr Material standing_target{.restitution = 0.33, .friction = 0.25};
 constexpr Material steel{.restitution = 0.4, .friction = 0.15};
 
-// The slowest hit that kicks, m/s. A level without units has no such default.
+// The slowest hit that triggers a kick, m/s. A level without units has no such default.
 constexpr double softest_hit = 0.1;
 
 void take_kick(const Arguments& arguments, Material& material, const Context& context) {
@@ -21,7 +21,7 @@ void take_kick(const Arguments& arguments, Material& material, const Context& co
     material.kick_from = arguments.number_or("from", default_size(softest_hit, 0.0, context));
 }
 
-// The button that moves the flipper. key=auto goes by where it points after mirroring.
+// The button that moves the flipper. key=auto depends on the direction after mirroring.
 std::optional<Button> button_of(const Arguments& arguments, Vec2 rest, Context& context) {
     const std::optional<Word> key = arguments.word("key");
     if (!key || key->text == "auto")
@@ -79,7 +79,7 @@ void build_bumper(const Arguments& arguments, const Frame& frame, Context& conte
     }
 }
 
-// Whether the points are two for each device; reports an odd one.
+// Whether the number of points is even, two for each device; reports an odd one.
 bool are_ends_paired(const Arguments& arguments, Context& context) {
     if (arguments.points.size() % 2 == 0) return true;
     context.reporter.error("device-end-missing", arguments.point_words.back().span(),
@@ -88,8 +88,8 @@ bool are_ends_paired(const Arguments& arguments, Context& context) {
     return false;
 }
 
-// Makes a device of each two points: a slingshot, droptarget, target or gate of this material. A
-// gate stops the balls that come from the side to which `pass` points.
+// Makes a device for each two points: a slingshot, droptarget, target or gate of this material. A
+// gate stops balls that come from the side to which `pass` points.
 void build_edges(DeviceKind kind, Material material, const std::optional<Vec2>& pass,
                  const Arguments& arguments, const Frame& frame, Context& context) {
     if (!are_ends_paired(arguments, context)) return;

@@ -7,7 +7,7 @@
 namespace carom {
 namespace {
 
-// The zone of a device that has no r=.
+// The zone radius of a device without r=.
 double zone_radius(const Arguments& arguments, Context& context) {
     return arguments.number_or("r", default_size(0.015, 1.0, context));
 }
@@ -19,7 +19,7 @@ DeviceIr device_at(Vec2 at, const Device& device, int binding, const Arguments& 
     return made;
 }
 
-// Makes a device of each at=: a round zone that detects balls.
+// Makes a device for each at=: a round zone that detects balls.
 void build_zones(const Device& device, const Arguments& arguments, const Frame& frame,
                  Context& context) {
     const double radius = zone_radius(arguments, context);
@@ -49,7 +49,7 @@ void build_kickback(const Arguments& arguments, const Frame& frame, Context& con
     build_zones(device, arguments, frame, context);
 }
 
-// A hole aims at the point toward=, so each place has its own direction.
+// A hole aims at the point toward=, so each position has its own direction.
 void build_hole(const Arguments& arguments, const Frame& frame, Context& context) {
     Device device{.kind = DeviceKind::hole};
     device.most_speed = arguments.number_or("speed", 0.0);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double row_height = 0.86602540378443865;  // sqrt(3)/2: equal gaps all around
 
-// The places of a rack, row by row from the apex, in units of the distance between neighbours: x
+// The positions of a rack, row by row from the apex, in units of the distance between neighbours: x
 // away from the apex, y to the left.
 std::vector<Vec2> places_of(const RackLayout& layout) {
     std::vector<Vec2> places;
@@ -29,7 +29,7 @@ std::vector<Vec2> places_of(const RackLayout& layout) {
     return places;
 }
 
-// Puts one ball of each group into the rear corners, where both would be of one group.
+// Puts one ball of each group into the rear corners, if both have balls of one group.
 void part_groups(const RackLayout& layout, std::vector<int>& numbers) {
     const std::size_t right = numbers.size() - 1;
     const std::size_t left = numbers.size() - static_cast<std::size_t>(layout.rows.back());
@@ -46,8 +46,8 @@ void part_groups(const RackLayout& layout, std::vector<int>& numbers) {
     }
 }
 
-// The number of the ball at each place: shuffled by the seed, but for the places that the rules
-// prescribe.
+// The number of the ball at each position: shuffled by the seed, except where the rules prescribe
+// it.
 std::vector<int> numbers_of(const RackLayout& layout, std::uint64_t seed) {
     std::vector<int> numbers(static_cast<std::size_t>(layout.balls()));
     std::iota(numbers.begin(), numbers.end(), 1);

@@ -10,7 +10,7 @@ namespace {
 
 using What = RuleAction::What;
 
-// The value that an action takes after its name.
+// The argument of an action.
 enum class Takes { points, sum, count, time, name, name_and_time, text, nothing };
 
 struct ActionShape {

@@ -4,8 +4,8 @@
 
 namespace carom {
 
-/// Carries out `on NAME ...`: adds a pinball rule to the intermediate representation. Reports words
-/// that are no rule; the names in it are looked up later (assemble/pinball_assembly.h).
+/// Executes `on NAME ...`: adds a pinball rule to the intermediate representation. Reports words
+/// that do not form a rule; its names are resolved later (assemble/pinball_assembly.h).
 void add_rule(const Arguments& arguments, const Frame& frame, Context& context);
 
 }  // namespace carom

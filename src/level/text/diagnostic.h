@@ -11,11 +11,11 @@ enum class Severity { error, warning };
 
 /// A stable name for a kind of fault, such as "unknown-kind": words of lower-case letters and
 /// digits joined by '-'. Tests and tools match it, since the message may change; players do not see
-/// it. Two places that find the same fault share a code.
+/// it. Two places that report the same fault share a code.
 class FaultCode {
   public:
     constexpr FaultCode() = default;
-    /// Does not compile where the text is not of that form.
+    /// Does not compile if the text is not of that form.
     consteval FaultCode(const char* text) : text_(text) {
         for (const char c : text_)
             if (!(c >= 'a' && c <= 'z') && !(c >= '0' && c <= '9') && c != '-') throw "not a code";

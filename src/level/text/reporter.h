@@ -7,7 +7,7 @@
 
 #include "level/text/text.h"
 
-/// Collects the diagnostics of a load, at most one of each severity a place.
+/// Collects the diagnostics of a load, at most one of each severity for each position.
 namespace carom {
 
 inline constexpr std::size_t max_diagnostics = 20;
@@ -20,11 +20,10 @@ class Reporter {
     void warning(FaultCode code, const Span& at, std::string message, std::string remedy = {});
 
     bool has_errors() const { return errors_ > 0; }
-    /// Calls of error() so far. A caller that sees it grow knows that a function that it called has
-    /// reported an error.
+    /// The number of calls of error() so far. If it grew, a called function has reported an error.
     std::size_t errors() const { return errors_; }
 
-    /// The first max_diagnostics, ordered by source, line and column. Where there are more, errors
+    /// The first max_diagnostics, ordered by source, line and column. If there are more, errors
     /// come before warnings.
     std::vector<Diagnostic> diagnostics() const;
 

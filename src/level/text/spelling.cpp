@@ -7,7 +7,7 @@
 namespace carom {
 
 int edit_distance(std::string_view a, std::string_view b) {
-    // The dynamic programme needs only the last three rows of its table.
+    // The dynamic program needs only the last three rows of its table.
     std::vector<int> before(b.size() + 1);
     std::vector<int> last(b.size() + 1);
     std::vector<int> row(b.size() + 1);

@@ -8,7 +8,7 @@
 
 #include "level/text/diagnostic.h"
 
-/// The text of a level, and places in it. Columns count characters (code points), not bytes.
+/// The text of a level, and positions in it. Columns count characters (code points), not bytes.
 namespace carom {
 
 /// A file, an include, or a statement of --set. Words and spans point into it, so it must not move
@@ -21,7 +21,7 @@ struct SourceText {
     int order = 0;                            ///< diagnostics are sorted by it first
 };
 
-/// A place in a source. Line and column from 1.
+/// A position in a source. Line and column from 1.
 struct Span {
     const SourceText* source = nullptr;
     int line = 1;

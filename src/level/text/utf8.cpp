@@ -24,7 +24,7 @@ std::size_t character_length(std::string_view text, std::size_t i) {
     const std::size_t length = sequence_length(text[i]);
     if (length <= 1) return length;
     if (i + length > text.size()) return 0;
-    // The second byte tells overlong forms, surrogates and code points beyond U+10FFFF apart.
+    // The second byte distinguishes overlong forms, surrogates and code points beyond U+10FFFF.
     const unsigned first = byte_at(text, i);
     const unsigned second = byte_at(text, i + 1);
     const unsigned low = first == 0xe0 ? 0xa0 : first == 0xf0 ? 0x90 : 0x80;

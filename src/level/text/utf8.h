@@ -4,30 +4,30 @@
 #include <string>
 #include <string_view>
 
-/// UTF-8 to code points and back (RFC 3629). The only place that knows how the bytes are laid out.
+/// UTF-8 to code points and back (RFC 3629). The only place that knows the byte layout.
 namespace carom {
 
-/// What decode_utf8 gives for a byte that is not part of valid UTF-8: U+FFFD, the replacement
+/// The result of decode_utf8 for a byte that is not part of valid UTF-8: U+FFFD, the replacement
 /// character.
 inline constexpr char32_t not_a_character = 0xFFFD;
 
 struct DecodedCharacter {
     char32_t character = not_a_character;
-    std::size_t bytes = 0;  ///< how many were read, >= 1
+    std::size_t bytes = 0;  ///< bytes read, >= 1
 };
 
-/// How many bytes a sequence that starts with this byte has, 1 to 4; 0 where no sequence starts so.
+/// The length in bytes of a sequence that starts with this byte, 1 to 4; 0 if none does.
 std::size_t sequence_length(char lead);
 
-/// Whether the byte is the second or a later one of a sequence.
+/// Whether the byte is the second or a later byte of a sequence.
 bool continues_sequence(char byte);
 
-/// Bytes of the valid sequence at `i`, or 0: overlong forms, surrogates, code points beyond
-/// U+10FFFF and truncated sequences are not valid. Pre: i < text.size().
+/// The length in bytes of the valid sequence at `i`, or 0: overlong forms, surrogates, code points
+/// beyond U+10FFFF and truncated sequences are not valid. Pre: i < text.size().
 std::size_t character_length(std::string_view text, std::size_t i = 0);
 
-/// The first code point of `text`; `not_a_character` and one byte where character_length is 0.
-/// Pre: text is not empty.
+/// The first code point of `text`; `not_a_character` and one byte if character_length is 0. Pre:
+/// text is not empty.
 DecodedCharacter decode_utf8(std::string_view text);
 
 /// Pre: character <= U+10FFFF and not a surrogate.

@@ -12,8 +12,8 @@
 /// continues on the next.
 namespace carom {
 
-/// Characters between blanks, or a text in quotes, quotes included. A word is never empty and lies
-/// within one line.
+/// Characters between blanks, or a text in quotes, including the quotes. A word is never empty and
+/// lies within one line.
 struct Word {
     std::string_view text;
     const SourceText* source = nullptr;

@@ -10,7 +10,8 @@
 /// Physical dimensions, and the units of the level language.
 namespace carom {
 
-/// Exponents of the base dimensions. All zero: a bare number, which takes the dimension of its use.
+/// Exponents of the base dimensions. All zero: a bare number, which takes the dimension of its
+/// context.
 struct Dimension {
     int length = 0;
     int mass = 0;
@@ -88,9 +89,9 @@ enum class Measure {
 Dimension dimension_of(Measure measure);
 /// "a length", "a whole number", ...
 std::string described(Measure measure);
-/// An example value, as a level with these units writes it: "2", "0.8m/s".
+/// An example value in a level with these units: "2", "0.8m/s".
 std::string_view sample(Measure measure, LengthUnit unit);
-/// `number`, in the units of the world, as the level would write it, to 6 digits: -0.2, 0.003kg.
+/// `number`, in the units of the world, as written in a level, to 6 digits: -0.2, 0.003kg.
 std::string written(double number, Measure measure, LengthUnit unit);
 
 }  // namespace carom

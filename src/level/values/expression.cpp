@@ -13,8 +13,8 @@
 namespace carom {
 namespace {
 
-// A recursive-descent parser of one word, which evaluates as it parses. An empty result is an error
-// that has been reported, or the use of an error value; callers pass it on.
+// A recursive-descent parser of one word, which evaluates as it parses. An empty result means an
+// error that has been reported, or the use of an error value; callers pass it on.
 class Parser {
   public:
     Parser(const Word& word, const Scope& scope, const ExpressionRules& rules, Reporter& reporter)
@@ -107,7 +107,7 @@ class Parser {
         return left;
     }
 
-    // A sign binds looser than ^: -2^2 is -4.
+    // A sign binds less tightly than ^: -2^2 is -4.
     Result power() {
         if (peek() == '-' || peek() == '+') {
             const bool is_negative = peek() == '-';
@@ -208,7 +208,7 @@ class Parser {
                            did_you_mean(name, function_names(),
                                         "there are sqrt sin cos tan abs min max floor ceil round"));
         }
-        // A variable hides a constant or a function of the same name.
+        // A variable hides a constant or a function of its name.
         const Variable* variable = scope_.find(name);
         if (!variable && name == "pi") return Value{pi, {}};
         if (!variable && function) {

@@ -31,8 +31,8 @@ struct Scope {
 
 struct ExpressionRules {
     LengthUnit unit = LengthUnit::natural;
-    /// Names that the file defines somewhere at top level, with their lines: for the message about
-    /// a use before the definition.
+    /// Names that the file defines later at top level, with their lines: for the message about a
+    /// use before the definition.
     const std::map<std::string, int, std::less<>>* defined_later = nullptr;
 };
 

@@ -16,9 +16,9 @@ inline constexpr double largest_number = 1e300;
 /// A number with its unit, or a fault.
 struct Literal {
     Value value;
-    std::size_t length = 0;  ///< bytes that it takes
+    std::size_t length = 0;  ///< bytes that it occupies
     FaultCode code;
-    std::string fault;  ///< empty: the value holds
+    std::string fault;  ///< empty: the value is valid
     std::string remedy;
     std::size_t fault_at = 0;  ///< the byte at which the faulty part begins
     std::size_t fault_length = 0;

@@ -10,11 +10,11 @@
 /// The operators and functions of expressions, on values with dimensions.
 namespace carom {
 
-/// A value, or the fault for which there is none.
+/// A value, or the fault that prevents one.
 struct Outcome {
     Value value;
     FaultCode code;
-    std::string fault;  ///< empty: the value holds
+    std::string fault;  ///< empty: the value is valid
     std::string remedy;
 };
 
@@ -42,8 +42,8 @@ struct FunctionFacts {
 const FunctionFacts* function_named(std::string_view name);
 std::vector<std::string_view> function_names();
 
-/// The function of `a`, or, for min and max, of `a` and `b`. Angles are in degrees; floor, ceil and
-/// round take bare numbers.
+/// Applies the function to `a`, or, for min and max, to `a` and `b`. Angles are in degrees; floor,
+/// ceil and round take bare numbers.
 Outcome applied(Function function, Value a, Value b, LengthUnit unit);
 
 }  // namespace carom

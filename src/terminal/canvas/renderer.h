@@ -25,8 +25,8 @@ struct CellSamples {
     /// for the whole cell.
     std::array<Color, most_samples> colors{};
     std::array<std::uint8_t, most_samples> attributes{};
-    char fill =
-        '\0';  ///< regions: the character of a cell that is all inside; 0: chosen by the levels
+    /// Regions: the character of a cell that is all inside; 0: chosen by the levels.
+    char fill = '\0';
 
     Ink ink(std::size_t sample = 0) const { return {colors[sample], attributes[sample]}; }
 };

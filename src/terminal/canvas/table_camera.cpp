@@ -11,8 +11,8 @@ constexpr double least_share = 0.6;
 // A critically damped spring that settles in about half a second.
 constexpr double stiffness = 7.0;   // 1/s
 constexpr double foresight = 0.15;  // s; the camera aims at where the ball will be after this time
-constexpr double calm =
-    0.15;  // of the visible height; the ball moves freely this far to either side of the centre
+// Of the visible height; the ball moves freely this far to either side of the centre.
+constexpr double calm = 0.15;
 constexpr double longest_step = 0.02;
 
 }  // namespace

@@ -9,8 +9,8 @@ namespace {
 
 constexpr unsigned char escape_byte = 0x1b;
 constexpr unsigned char delete_byte = 0x7f;
-constexpr std::size_t longest_command =
-    256;  // bytes of a command whose text is kept; the rest is discarded
+// Bytes of a command whose text is kept; the rest is discarded.
+constexpr std::size_t longest_command = 256;
 constexpr std::size_t longest_csi = 128;
 constexpr std::string_view paste_end = "\033[201~";
 

@@ -18,7 +18,6 @@ struct MouseUnit {
 /// Decodes an SGR report (mode 1006 or 1016): CSI < buttons ; x ; y, then M (press, motion, wheel)
 /// or m (release). None for buttons that carom does not use (horizontal wheel, 8 and up) and for
 /// other sequences.
-/// what is no report.
 std::optional<InputEvent> mouse_event(const ControlSequence& sequence, const MouseUnit& unit = {});
 
 /// Decodes an X10 report, CSI M and three bytes, for terminals without SGR reports. It does not say

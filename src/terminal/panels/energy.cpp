@@ -73,8 +73,8 @@ void draw_curves(Canvas& canvas, const CellArea& area, const EnergyHistory& hist
             (static_cast<double>(sample.tick) - first) / ticks * (area.columns - 0.5),
             height - 0.4 - share * (height - 0.8)};
     };
-    const std::size_t skip =
-        has_potential(samples) ? 0 : 2;  // without potential energy, one curve is enough
+    // Without potential energy, one curve is enough.
+    const std::size_t skip = has_potential(samples) ? 0 : 2;
     for (std::size_t c = skip; c < drawn.size(); ++c) {
         for (std::size_t i = 1; i < samples.size(); ++i) {
             raster.line(place(samples[i - 1], drawn[c]), place(samples[i], drawn[c]), drawn[c].ink);

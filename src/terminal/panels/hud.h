@@ -30,9 +30,9 @@ struct HudCheck {
 
 struct HudInfo {
     std::string title;
-    bool title_comes_first =
-        false;           ///< the title is the state of a game: other fields give way to it
-    std::string solver;  ///< with its settings, such as "substep 4x15"
+    /// The title is the state of a game: other fields give way to it.
+    bool title_comes_first = false;
+    std::string solver;             ///< with its settings, such as "substep 4x15"
     bool solver_is_picked = false;  ///< chosen by carom, not by level or player
     std::string reason;             ///< why it was chosen; shown where there is room
     std::string beside;  ///< the comparison run or ensemble, and how it compares; may be empty

@@ -17,8 +17,8 @@ struct TerminalDialect {
     /// The attributes that it has and can combine with colours.
     std::uint8_t attributes = bold | dim | reverse | underline;
     std::uint8_t attributes_in_color = bold | dim | reverse | underline;
-    bool has_own_colors =
-        true;  ///< SGR 39 and 49 restore the default foreground and background separately
+    /// SGR 39 and 49 restore the default foreground and background separately.
+    bool has_own_colors = true;
     bool erases_in_color = true;  ///< erased cells take the current background
     bool has_erase_line = true;   ///< EL, ESC [ K
     bool has_erase_cells = true;  ///< ECH, ESC [ n X

@@ -81,8 +81,8 @@ void Pacing::drawn(double now, std::size_t bytes) {
 }
 
 void Pacing::answered(std::size_t total, double now) {
-    lost_ = std::min(
-        lost_, drawn_ - std::min(drawn_, total));  // one counted as lost was answered after all
+    // A frame that was counted as lost may have been answered after all.
+    lost_ = std::min(lost_, drawn_ - std::min(drawn_, total));
     while (!sent_.empty() && drawn_ - sent_.size() < total + lost_) {
         const Sent frame = sent_.front();
         sent_.pop_front();

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A tick is a second of a gas that makes millions of collisions in it: many seconds of work.
+// A tick is one second of a gas with millions of collisions: many seconds of work.
 std::string level(const std::string& solver) {
     return "carom 1 \"Long ticks\"\nrate 1\nsolver " + solver + R"(
 kind light r=0.5
@@ -44,7 +44,7 @@ TEST_CASE("play answers keys inside a long tick") {
     REQUIRE(game.wait_for_text("Long ticks"));
     game.send(".");
     game.settle();
-    // The tick is under way; each of these ends it, and is shown before the next one is begun.
+    // The tick is under way; each of these cancels it, and is shown before the next tick starts.
     game.send("?");
     CHECK(game.wait_for_text("any key goes back"));
     game.send("x");

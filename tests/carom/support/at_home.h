@@ -5,7 +5,7 @@
 
 namespace carom::test {
 
-/// For a program whose person's home is the folder: preferences and games are kept there.
+/// For a program whose user's home is the folder: preferences and games are kept there.
 inline ProgramOptions at_home(const TemporaryFolder& folder) {
     ProgramOptions options;
     options.columns = 120;

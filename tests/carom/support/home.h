@@ -18,7 +18,8 @@ inline std::string contents(const std::filesystem::path& path) {
     return text.str();
 }
 
-/// A person's home, with a folder of levels in which the program runs; all of it goes again.
+/// A user's home, with a folder of levels in which the program runs; all of it is deleted at the
+/// end.
 struct Home {
     std::filesystem::path path =
         std::filesystem::temp_directory_path() / ("carom-home-" + std::to_string(::getpid()));

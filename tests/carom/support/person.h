@@ -54,7 +54,7 @@ struct PersonAtWindow {
         player.handle(event);
     }
     void drag(Vec2 from, Vec2 to, std::uint8_t button = 1, std::uint8_t modifiers = no_modifier) {
-        const Camera camera = player.camera();  // of the beginning, whatever is dragged
+        const Camera camera = player.camera();  // the camera at the start, whatever is dragged
         const auto at = [&](Vec2 place) { return to_cells(camera, place); };
         mouse_in_cells(InputEvent::Action::press, at(from), button, modifiers);
         mouse_in_cells(InputEvent::Action::move, at((from + to) * 0.5), button, modifiers);

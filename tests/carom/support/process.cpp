@@ -51,7 +51,7 @@ Pipe make_pipe() {
     ::_exit(127);
 }
 
-// Reads what there is; false at the end.
+// Reads the available bytes; false at the end.
 bool drain(int descriptor, std::string& into) {
     std::array<char, 65536> chunk;
     const ssize_t got = ::read(descriptor, chunk.data(), chunk.size());

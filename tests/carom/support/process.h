@@ -7,21 +7,21 @@
 namespace carom::test {
 
 struct Finished {
-    int exit_code = -1;  ///< 128 + n where signal n ended it
+    int exit_code = -1;  ///< 128 + n if signal n ended it
     std::string out;
     std::string err;
 };
 
-/// Starts the built `carom` with these arguments, an empty standard input, and CAROM_LEVELS set to
-/// `levels` (unset where that is empty); waits for its end. `interrupt_after`: sends INT after so
-/// many bytes have come on standard output, 0 never.
+/// Runs the built `carom` with these arguments, an empty standard input, and CAROM_LEVELS set to
+/// `levels` (unset if that is empty), and waits for its end. `interrupt_after`: sends INT after so
+/// many bytes on standard output; 0: never.
 Finished run_carom(const std::vector<std::string>& arguments, const std::string& levels = {},
                    std::size_t interrupt_after = 0);
 
-/// The same, but standard output is a pipe that is closed after its first `bytes`.
+/// Runs it with standard output as a pipe that is closed after its first `bytes`.
 Finished run_carom_into_closed_pipe(const std::vector<std::string>& arguments, std::size_t bytes);
 
-/// A folder of its own for a test, removed with all that is in it.
+/// A folder for a test, deleted with all its contents.
 class TemporaryFolder {
   public:
     TemporaryFolder();
@@ -33,14 +33,14 @@ class TemporaryFolder {
     const std::string& path() const { return path_; }
     /// Writes a file into it and returns its path.
     std::string file(const std::string& name, const std::string& text) const;
-    /// The names of what is in it, in order.
+    /// The names of its files, sorted.
     std::vector<std::string> names() const;
 
   private:
     std::string path_;
 };
 
-/// A file's bytes; fails the test when it cannot be read.
+/// A file's bytes; fails the test if it cannot be read.
 std::string content(const std::string& path);
 
 }  // namespace carom::test

@@ -9,7 +9,8 @@
 
 #include "game/referees/referee.h"
 
-/// Shots, states and cases for tests of referees: who shoots next, with what in hand, and why.
+/// Shots, states and cases for tests of referees: who shoots next, where the cue ball may be
+/// placed, and why.
 namespace carom::rulings {
 
 inline constexpr PoolCall no_call{};
@@ -20,7 +21,7 @@ inline PoolCall pot(int ball, int pocket) {
     return {PoolCall::Kind::pot, ball, pocket};
 }
 
-/// A shot that hit `first`, then a cushion, and pocketed these.
+/// A shot that first hit `first`, then drove a ball to a cushion, and pocketed these balls.
 inline PoolShot shot(std::optional<int> first, std::vector<PoolShot::Pocketed> pocketed = {},
                      bool rail = true) {
     return {first, rail, 0, std::move(pocketed)};

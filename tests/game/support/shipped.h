@@ -7,10 +7,10 @@
 
 namespace carom::test {
 
-/// A level that ships, by name: "eight-ball".
+/// Loads a shipped level by name: "eight-ball".
 Scene shipped_level(const std::string& name);
 
-/// The ball of that name, which must be there.
+/// The ball of that name, which must exist.
 BallId named(const Scene& scene, std::string_view name);
 
 }  // namespace carom::test

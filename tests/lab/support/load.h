@@ -8,7 +8,7 @@
 
 namespace carom::test {
 
-/// The scene of a level that consists of `statements`. Fails the test where they have an error.
+/// The scene of a level made of `statements`. Fails the test if they have an error.
 inline Scene load(const std::string& statements) {
     LoadResult result = load_level("carom 1 \"A test\"\n" + statements, "test.level");
     for (const Diagnostic& diagnostic : result.diagnostics)

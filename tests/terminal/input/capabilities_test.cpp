@@ -17,7 +17,7 @@ TEST_CASE("COLORFGBG") {
 
 TEST_CASE("the aspect of a cell, from whole pixels") {
     CHECK(cell_aspect_from(800, 480, 80, 24) == 2.0);
-    CHECK(cell_aspect_from(725, 360, 80, 24) == doctest::Approx(15.0 / 9.0));  // padding is no cell
+    CHECK(cell_aspect_from(725, 360, 80, 24) == doctest::Approx(15.0 / 9.0));  // padding is ignored
     CHECK_FALSE(cell_aspect_from(0, 0, 80, 24));
     CHECK_FALSE(cell_aspect_from(800, 480, 0, 0));
     CHECK_FALSE(cell_aspect_from(80, 24, 80, 24));

@@ -39,7 +39,7 @@ unsigned long terminal_writes = 0;
 unsigned long terminal_bytes = 0;
 }  // namespace
 
-// Takes the place of the C library's in this program and the libraries that it loads.
+// Replaces the C library's write() in this program and the libraries that it loads.
 extern "C" ssize_t write(int handle, const void* bytes, size_t length) {
     if (handle != 3 && isatty(handle) != 0) {
         ++terminal_writes;
@@ -167,7 +167,7 @@ int show_frames(Screen& screen, int count, RendererChoice renderer, const std::s
     return 0;
 }
 
-// Many random pictures, a few cells different each time; then the last one, cell by cell.
+// Many random pictures, each differing in a few cells; then the last one, cell by cell.
 int show_random(Screen& screen, int count) {
     const Capabilities& capabilities = screen.capabilities();
     Canvas canvas(capabilities.columns, capabilities.rows);

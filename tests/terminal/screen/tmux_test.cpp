@@ -26,7 +26,7 @@ TEST_CASE("inside tmux") {
     std::ofstream(folder + "/inside")
         << CAROM_TERMINAL_PROBE << " events 3>" << log << "\necho LEFT $?\nsleep 60\n";
     {
-        // With its mouse on, tmux hands reports on to the program that wants them.
+        // With its mouse on, tmux passes reports on to programs that ask for them.
         TerminalProgram program(
             {"sh", "-c", tmux + "new-session 'sh " + folder + "/inside' \\; set -g mouse on"});
         REQUIRE(program.wait_for_text("probe 80x23"));

@@ -2,13 +2,13 @@
 
 #include <string_view>
 
-/// A typical terminal font (DejaVu Sans Mono), to see what characters look like without a screen.
+/// A typical terminal font (DejaVu Sans Mono), to show how characters look without a screen.
 namespace carom::test {
 
-inline constexpr int font_columns = 8;  ///< pixels of a cell
+inline constexpr int font_columns = 8;  ///< pixels in a cell
 inline constexpr int font_rows = 16;
 
-/// How much ink a pixel of a printable ASCII character has, 0 to 1. Pre: x and y within the cell.
+/// The ink of a pixel of a printable ASCII character, 0 to 1. Pre: x and y within the cell.
 double font_ink(char glyph, int x, int y);
 
 }  // namespace carom::test
