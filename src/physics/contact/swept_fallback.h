@@ -8,7 +8,7 @@
 /// pair can ever press: whatever meets, bounces at that instant. Between impacts all fly straight,
 /// on paths that are exact however long they are, so cutting a tick into substeps changes nothing
 /// but the last digits. That is just what `swept` does, in less memory and in one piece. It takes
-/// up to SweptSolver::most_impacts a ball one by one, so a jam of elastic balls costs more.
+/// up to swept_tolerance::most_impacts a ball one by one, so a jam of elastic balls costs more.
 namespace carom {
 
 /// Whether the next tick of this world is such a one. Depends on the model and on who holds what.

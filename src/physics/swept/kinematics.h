@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "physics/tick/kinematic.h"
+
+namespace carom {
+
+/// The held and driven edges of the solver `swept` within a substep. They go straight to where they
+/// are aimed; one that comes against a frozen ball stops for the rest of the substep. Held balls
+/// are bodies with inverse mass 0 among the paths.
+class SweptKinematics {
+  public:
+    /// Begins a substep: each edge is aimed to go `per_second` (1/s) of its remaining way.
+    void begin(const World& world, double per_second) {
+        list_kinematic_edges(world, edges_);
+        for (HeldEdge& edge : edges_)
+            aim(edge, world, per_second);
+    }
+    /// Moves the edges in the world to where they are `duration` s into the substep.
+    void finish(World& world, double duration) const;
+
+    bool is_empty() const { return edges_.empty(); }
+    std::span<const HeldEdge> edges() const { return edges_; }
+    /// Null for an edge that is fixed.
+    const HeldEdge* find(std::uint32_t capsule) const { return find_edge(edges(), capsule); }
+    /// Where any edge is, kinematic or fixed.
+    Capsule shape_at(const World& world, std::uint32_t capsule, double now) const {
+        const HeldEdge* const edge = find(capsule);
+        return edge ? carom::shape_at(*edge, world, now) : world.capsules().shape[capsule];
+    }
+    /// Stops the edge. Predictions of impacts with it become void. Pre: it is kinematic.
+    void stop(std::uint32_t capsule, double now) {
+        HeldEdge& edge = *find_edge(std::span<HeldEdge>(edges_), capsule);
+        edge.stopped_at = now;
+        edge.version = 1;
+    }
+
+  private:
+    std::vector<HeldEdge> edges_;
+};
+
+}  // namespace carom

@@ -1,0 +1,198 @@
+#include "physics/swept/paths.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/broad_phase/cell_frame.h"
+#include "physics/contact/swept_fallback.h"
+#include "physics/swept/tolerances.h"
+#include "physics/tick/kinematic.h"
+#include "physics/world/solver_access.h"
+
+namespace carom {
+namespace {
+
+// What supports with the normals `first` and `second` (unit, or 0) leave of `gravity`: the nearest
+// acceleration that leads into neither.
+Vec2 left_by_supports(Vec2 gravity, Vec2 first, Vec2 second) {
+    const auto along = [gravity](Vec2 normal) {
+        return gravity - normal * std::min(0.0, dot(gravity, normal));
+    };
+    const Vec2 by_first = along(first);
+    if (dot(by_first, second) >= 0.0) return by_first;
+    const Vec2 by_second = along(second);
+    if (dot(by_second, first) >= 0.0) return by_second;
+    return {};
+}
+
+}  // namespace
+
+SweptSubstep swept_substep(const World& world, int count) {
+    const Model& model = world.model();
+    SweptSubstep step;
+    step.duration = world.tick_length() / count;
+    step.terms = terms_of(world);
+    step.flight = flight_over(model.drag, step.duration);
+    step.gravity = model.gravity.value_or(Vec2{});
+    step.torus = model.wrap ? size(*model.wrap) : Vec2{};
+    step.rest_speed =
+        model.gravity ? swept_tolerance::resting_approach * length(*model.gravity) * step.duration
+                      : 0.0;
+    step.keeps_energy = is_flight_only(world);
+    return step;
+}
+
+void SweptPaths::begin_tick(const World& world) {
+    inverse_mass_ = world.balls().inverse_mass;
+    make_held_balls_immovable(world, inverse_mass_);
+}
+
+void SweptPaths::begin(const World& world, double share_of_way) {
+    const Balls& balls = world.balls();
+    paths_.resize(balls.size());
+    resting_.resize(world.model().gravity ? balls.size() : 0);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        Vec2 velocity = balls.velocity[i];
+        if (world.model().speed_limit) velocity = limited(velocity, *world.model().speed_limit);
+        paths_[i] = SweptPath{.chord = {.position = balls.position[i]}, .start_velocity = velocity};
+        paths_[i].chord.velocity =
+            world.model().cloth
+                ? chord_velocity(world, static_cast<std::uint32_t>(i), velocity, step_.gravity, 0.0)
+                : travel(step_.flight, velocity, step_.gravity) / step_.duration;
+    }
+    for (const HeldBall& held : world.held_balls()) {
+        const auto index = index_of(world, held.id);
+        if (!index) continue;
+        paths_[*index].chord.velocity =
+            rest_of_way(world, held, balls.position[*index]) * (share_of_way / step_.duration);
+    }
+    spin_rate_.assign(world.model().spin ? balls.size() : 0, 0.0);
+}
+
+void SweptPaths::finish(World& world) const {
+    Balls& balls = SolverAccess(world).balls();
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const auto ball = static_cast<std::uint32_t>(i);
+        const SweptPath& path = paths_[i];
+        const double since = step_.duration - path.chord.time;
+        Vec2 position = position_at(ball, step_.duration);
+        if (world.model().wrap) position = wrapped(position, *world.model().wrap);
+        balls.position[i] = position;
+        if (world.model().spin)
+            balls.spin[i] = (path.is_frozen && !step_.keeps_energy) || is_held(ball)
+                                ? 0.0
+                                : balls.spin[i] + spin_rate_[i] * since;
+        if (path.is_frozen || is_held(ball)) {
+            balls.velocity[i] = is_held(ball) ? Vec2{} : path.start_velocity;
+            if (world.model().cloth) balls.roll[i] = {};
+        } else if (world.model().cloth) {
+            const auto after = on_cloth(world, ball, path.start_velocity, since);
+            balls.velocity[i] = Vec2(after.velocity);
+            balls.roll[i] = Vec2(after.roll);
+            balls.spin[i] = after.spin;
+        } else {
+            balls.velocity[i] = final_velocity(world, ball);
+        }
+    }
+}
+
+// Pre: the ball flies.
+inline Vec2 SweptPaths::final_velocity(const World& world, std::uint32_t ball) const {
+    const SweptPath& path = paths_[ball];
+    const Flight flight = path.chord.time == 0.0
+                              ? step_.flight
+                              : flight_over(world.model().drag, step_.duration - path.chord.time);
+    const Vec2 velocity = velocity_after(flight, path.start_velocity, gravity_on(ball));
+    return world.model().speed_limit ? limited(velocity, *world.model().speed_limit) : velocity;
+}
+
+Vec2 SweptPaths::velocity_at(const World& world, std::uint32_t ball, double now) const {
+    const SweptPath& path = paths_[ball];
+    if (is_held(ball) || path.is_frozen) return path.chord.velocity;
+    const double since = now - path.chord.time;
+    if (world.model().cloth)
+        return Vec2(on_cloth(world, ball, path.start_velocity, since).velocity);
+    const Flight flight = flight_over(world.model().drag, since);
+    const Vec2 gravity = gravity_on(ball);
+    Vec2 velocity = velocity_after(flight, path.start_velocity, gravity);
+    const double pull = length(gravity);
+    if (pull > 0.0 && !world.model().drag) {
+        const Vec2 down = gravity / pull;
+        const double fall = dot(velocity, down);
+        const double there = std::sqrt(fall * fall + pull * pull * since * (step_.duration - now));
+        velocity += down * ((fall < 0.0 ? -there : there) - fall);
+    }
+    return velocity;
+}
+
+Vec2 SweptPaths::chord_velocity(const World& world, std::uint32_t ball, Vec2 velocity, Vec2 gravity,
+                                double now) const {
+    const double left = step_.duration - now;
+    if (world.model().cloth && left > 0.0)
+        return Vec2(on_cloth(world, ball, velocity, left).position) / left;
+    return carom::chord_velocity(world.model().drag, velocity, gravity, left);
+}
+
+Disc SweptPaths::bounding_disc(const World& world, std::uint32_t ball, double now) const {
+    const Vec2 half = paths_[ball].chord.velocity * (0.5 * (step_.duration - now));
+    const Vec2 center = position_at(ball, now) + half;
+    // Wider by more than rounding takes.
+    constexpr double hair = 1e-14;
+    const double size = std::fabs(center.x) + std::fabs(center.y);
+    return {center, world.balls().radius[ball] + length(half) + hair * size};
+}
+
+Box SweptPaths::bounding_box(const World& world, std::uint32_t ball, double now) const {
+    const Vec2 from = position_at(ball, now);
+    const Vec2 to = from + paths_[ball].chord.velocity * (step_.duration - now);
+    return grow(join({from, from}, {to, to}), world.balls().radius[ball]);
+}
+
+bool SweptPaths::redirect(const World& world, std::uint32_t ball, double now, Vec2 velocity) {
+    SweptPath& path = paths_[ball];
+    path.chord.position = position_at(ball, now);
+    path.chord.time = now;
+    if (path.is_frozen) {
+        path.chord.velocity = {};
+    } else {
+        path.start_velocity = velocity;
+        path.chord.velocity =
+            is_held(ball) ? velocity : chord_velocity(world, ball, velocity, gravity_on(ball), now);
+    }
+    return path.version++ == 0;
+}
+
+void SweptPaths::count_impact(const World& world, std::uint32_t ball, Vec2 velocity,
+                              bool is_resting) {
+    SweptPath& path = paths_[ball];
+    if (path.is_frozen) return;
+    ++path.impacts;
+    if (is_resting) ++path.resting_impacts;
+    const int most = swept_tolerance::most_resting_impacts * (world.model().cloth ? 2 : 1);
+    if (path.resting_impacts < most && path.impacts < swept_tolerance::most_impacts) return;
+    path.is_frozen = true;
+    path.is_grounded = true;
+    path.start_velocity = step_.keeps_energy ? velocity : Vec2{};
+}
+
+void SweptPaths::rest_on(const World& world, std::uint32_t ball, Vec2 normal) {
+    if (!world.model().gravity || !(dot(normal, step_.gravity) < 0.0)) return;
+    SweptPath& path = paths_[ball];
+    path.is_grounded = true;
+    SweptRest& rest = resting_[ball];
+    if (!path.is_resting) rest = {};
+    path.is_resting = true;
+    if (dot(rest.support, normal) < 0.999) rest.other_support = rest.support;
+    rest.support = normal;
+    rest.gravity = left_by_supports(step_.gravity, rest.support, rest.other_support);
+    if (world.model().spin) spin_rate_[ball] = 0.0;
+}
+
+void SweptPaths::end_rest(std::uint32_t ball) {
+    SweptPath& path = paths_[ball];
+    path.is_resting = false;
+    path.is_grounded = path.is_frozen;
+    if (!spin_rate_.empty()) spin_rate_[ball] = 0.0;
+}
+
+}  // namespace carom

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/shapes.h"
+#include "physics/ccd/chord.h"
+#include "physics/laws/cloth.h"
+#include "physics/memory/large_pages.h"
+#include "physics/swept/substep.h"
+
+namespace carom {
+
+/// A ball in a substep: its chord, and where the flight or slide along it began. It fills one cache
+/// line, since memory is what a gas of many balls costs.
+struct alignas(64) SweptPath {
+    Chord chord;
+    Vec2 start_velocity;  ///< of the parabola, at chord.time; of a frozen ball, at the end
+    std::uint32_t version : 29 = 0;     ///< counts its changes of path
+    std::uint32_t is_frozen : 1 = 0;    ///< until the substep ends
+    std::uint32_t is_grounded : 1 = 0;  ///< rests on something that does not give way
+    std::uint32_t is_resting : 1 = 0;   ///< has resting contacts
+    std::uint16_t impacts = 0;
+    std::uint16_t resting_impacts = 0;
+};
+
+/// The resting contacts of a ball.
+struct SweptRest {
+    Vec2 gravity;  ///< what the supports leave of it, with friction, length/s^2
+    Vec2 support;  ///< normals of the last two supports, 0 where there is none
+    Vec2 other_support;
+};
+
+/// Where every ball is within a substep of the solver `swept`, and how fast.
+///
+/// A path is the chord of the parabola from where a ball is to where free motion takes it by the
+/// end of the substep: so free flight is exact, and an impact is early or late by at most g h^2 / 8
+/// of height. Its velocity is that of the parabola where the parabola has the height of the chord,
+/// so an elastic bounce keeps the energy to rounding. On cloth the path is the chord of the exact
+/// motion through sliding, rolling and rest.
+///
+/// A ball that rests on something immovable feels only the gravity along it. A frozen ball stays
+/// where it is until the substep ends; it loses its velocity, except in a scene that is all elastic
+/// flight (contact/swept_fallback.h), where it only loses time. A held ball goes straight to its
+/// target.
+///
+/// Positions and velocities in the world are those of the start of the substep until `finish`; spin
+/// and roll in the world are those at the time of a ball's last change of path.
+class SweptPaths {
+  public:
+    explicit SweptPaths(const SweptSubstep& step) : step_(step) {}
+
+    /// Takes up the masses for a tick.
+    void begin_tick(const World& world);
+    /// Begins a substep; held balls go `share_of_way` of their remaining way in it.
+    void begin(const World& world, double share_of_way);
+    /// Ends it: positions, velocities, spin and roll go to the world.
+    void finish(World& world) const;
+
+    std::size_t size() const { return paths_.size(); }
+    const SweptPath& operator[](std::uint32_t ball) const { return paths_[ball]; }
+    /// 0: held. 1/mass.
+    const double& inverse_mass(std::uint32_t ball) const { return inverse_mass_[ball]; }
+    bool is_held(std::uint32_t ball) const { return inverse_mass_[ball] == 0.0; }
+    /// Pre: it is resting.
+    const SweptRest& rest(std::uint32_t ball) const { return resting_[ball]; }
+
+    Vec2 position_at(std::uint32_t ball, double now) const {
+        return paths_[ball].chord.position_at(now);
+    }
+    /// Velocity on the parabola where it is as high as the chord is now.
+    Vec2 velocity_at(const World& world, std::uint32_t ball, double now) const;
+    /// Velocity along the chord of the motion that would start now at `velocity`. A held or frozen
+    /// ball is not asked for.
+    Vec2 chord_velocity(const World& world, std::uint32_t ball, Vec2 velocity, Vec2 gravity,
+                        double now) const;
+    Vec2 gravity_on(std::uint32_t ball) const {
+        return paths_[ball].is_resting ? resting_[ball].gravity : step_.gravity;
+    }
+    /// A disc, and a box, that hold everything that the ball can touch from now to the end of the
+    /// substep.
+    Disc bounding_disc(const World& world, std::uint32_t ball, double now) const;
+    Box bounding_box(const World& world, std::uint32_t ball, double now) const;
+
+    /// From now on the ball moves from where it is, at first at `velocity`, which a frozen ball
+    /// does not take. Predictions along its old path become void. Whether this is its first change
+    /// of path in the substep.
+    bool redirect(const World& world, std::uint32_t ball, double now, Vec2 velocity);
+    /// Counts an impact which the ball leaves at `velocity`, and freezes it after too many.
+    void count_impact(const World& world, std::uint32_t ball, Vec2 velocity, bool is_resting);
+    /// The ball has come to rest on something immovable; `normal` points from there to the ball.
+    void rest_on(const World& world, std::uint32_t ball, Vec2 normal);
+    /// A bounce has taken the ball off what it rested on.
+    void end_rest(std::uint32_t ball);
+
+    // Turning: spin.cpp. Pre, for all of these: Model::spin.
+
+    /// Advances spin, and roll on cloth, to `now` in the world.
+    void advance_spin(World& world, std::uint32_t ball, double now) const;
+    /// Friction of the weight of a ball that has just come to rest on an edge, whose surface moves
+    /// at `surface`: a constant acceleration for the rest of the substep, enough to stop the slip
+    /// by then, gravity along the edge included, but no more than `coefficient` allows. So a
+    /// rolling ball accelerates by g sin / (1 + inertia), and the end of a slip is rounded to a
+    /// substep. Where two edges share the weight, it brakes the spin alone.
+    void apply_rest_friction(World& world, std::uint32_t ball, Vec2 surface, double coefficient,
+                             double now, Vec2& velocity);
+    /// A ball on cloth that is pressed `most_resting_impacts` times in a substep rolls at once as
+    /// it would after the slip.
+    void stop_sliding_if_pressed(World& world, std::uint32_t ball, Vec2& velocity) const;
+
+  private:
+    ClothState<double> on_cloth(const World& world, std::uint32_t ball, Vec2 velocity,
+                                double duration) const;
+    Vec2 final_velocity(const World& world, std::uint32_t ball) const;
+
+    const SweptSubstep& step_;
+    LargeVector<SweptPath> paths_;
+    std::vector<SweptRest> resting_;  // of the balls that rest; empty without gravity
+    std::vector<double> inverse_mass_;
+    std::vector<double> spin_rate_;  // rad/s^2 since the path's time; empty unless Model::spin
+};
+
+}  // namespace carom

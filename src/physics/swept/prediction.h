@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "physics/swept/candidates.h"
+#include "physics/swept/kinematics.h"
+#include "physics/swept/paths.h"
+#include "physics/swept/schedule.h"
+
+namespace carom {
+
+/// Predicts the impacts of the solver `swept`: the first of each ball along its path, which goes
+/// into the schedule. A prediction is void once either body has changed its path; then the ball
+/// predicts anew.
+///
+/// An approach of two bodies that touch which is no more than rounding is no impact.
+class SweptPrediction {
+  public:
+    SweptPrediction(const SweptSubstep& step, const SweptPaths& paths,
+                    const SweptKinematics& kinematics, SweptCandidates& candidates,
+                    SweptSchedule& schedule)
+        : step_(step),
+          paths_(paths),
+          kinematics_(kinematics),
+          candidates_(candidates),
+          schedule_(schedule) {}
+
+    /// All balls, when the substep begins. Of each pair, the ball with the lower number predicts.
+    void predict_at_start(const World& world);
+    /// All balls anew from `now` on. Pre: the schedule is empty.
+    void predict_all(const World& world, double now);
+    /// One ball from `now` on.
+    void predict(const World& world, std::uint32_t ball, double now);
+
+    /// Whether the other body has changed its path since the prediction.
+    bool is_void(const SweptEvent& event) const;
+    /// In scenes of many balls: prefetches what the next events of the schedule need.
+    void prefetch(const World& world) const;
+
+  private:
+    template <Terms terms>
+    void predict_pairs_at_start(const World& world);
+    template <Terms terms>
+    void predict_one(const World& world, std::uint32_t ball, double now, bool only_higher);
+    template <Terms terms>
+    void predict_ball(const World& world, std::uint32_t ball, std::uint32_t other, double now,
+                      std::optional<SweptEvent>& best) const;
+    template <Terms terms>
+    void predict_edge(const World& world, std::uint32_t ball, std::uint32_t capsule, Vec2 shift,
+                      double now, std::optional<SweptEvent>& best) const;
+
+    const SweptSubstep& step_;
+    const SweptPaths& paths_;
+    const SweptKinematics& kinematics_;
+    SweptCandidates& candidates_;
+    SweptSchedule& schedule_;
+};
+
+}  // namespace carom

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "physics/laws/free_motion.h"
+#include "physics/world/terms.h"
+
+/// What the parts of the solver `swept` share besides the world: the constants of a substep. A
+/// plain record.
+namespace carom {
+
+struct SweptSubstep {
+    double duration = 0.0;    ///< s
+    double start_time = 0.0;  ///< s since the start of the simulation
+    Terms terms;
+    Flight flight;  ///< over the substep
+    Vec2 gravity;
+    Vec2 torus;                 ///< width and height; 0 on a plane
+    double rest_speed = 0.0;    ///< a slower approach does not bounce, length/s
+    bool keeps_energy = false;  ///< a frozen ball keeps its velocity
+};
+
+/// The constants for a tick of `world` in `count` substeps.
+SweptSubstep swept_substep(const World& world, int count);
+
+}  // namespace carom

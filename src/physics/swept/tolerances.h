@@ -1,0 +1,31 @@
+#pragma once
+
+// clang-format off
+/// Every threshold of the solver `swept`, in one table.
+///
+/// | constant             | value | unit                           | ten times larger / smaller |
+/// |----------------------|-------|--------------------------------|----------------------------|
+/// | resting_approach     | 1.5   | g h (gravity over a substep)   | low bounces are lost / resting balls cost ever more impacts |
+/// | resting_restitution  | 1e-6  | share of the approach          | resting balls hop / rounding makes them meet again |
+/// | noise                | 1e-14 | share of the speeds            | slow contacts are lost / rounding counts as contact |
+/// | most_resting_impacts | 16    | of a ball in a substep         | piles cost more / sliding balls freeze |
+/// | most_impacts         | 4096  | of a ball in a substep         | jams cost more / fast balls between walls freeze |
+// clang-format on
+namespace carom::swept_tolerance {
+
+/// A pair that loses energy and approaches slower than this many times the speed that gravity gives
+/// in a substep does not bounce.
+inline constexpr double resting_approach = 1.5;
+/// A ball that comes to rest separates at this share of its approach, so that rounding does not
+/// make it meet again.
+inline constexpr double resting_restitution = 1e-6;
+/// An approach slower than this share of the speeds of two bodies that touch, and of what gravity
+/// gives, is rounding.
+inline constexpr double noise = 1e-14;
+/// A ball freezes after so many impacts in a substep that leave it resting; on cloth after twice
+/// as many, since at the first limit it stops sliding.
+inline constexpr int most_resting_impacts = 16;
+/// A ball freezes after so many impacts of any kind in a substep.
+inline constexpr int most_impacts = 4096;
+
+}  // namespace carom::swept_tolerance
