@@ -38,8 +38,7 @@ GoalLine line_of(const SceneResults& scene, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE(
-    "goals: a pile goes by Box2D 3 in the same run, and without it by what was measured once") {
+TEST_CASE("goals: a pile is compared with Box2D 3 in the same run, or with a stored measurement") {
     SceneResults scene = pile();
     CHECK(line_of(scene, "residual").measured == doctest::Approx(6e-5 / 3e-5));
     CHECK(line_of(scene, "residual").verdict() == Verdict::short_of_it);
@@ -49,7 +48,7 @@ TEST_CASE(
     CHECK(line_of(scene, "residual").measured == doctest::Approx(0.75));
     CHECK(line_of(scene, "residual").verdict() == Verdict::wanted);
     CHECK(line_of(scene, "overlap").measured == doctest::Approx(0.25));
-    // Its own time in another language counts for nothing.
+    // A time measured in another language is ignored.
     CHECK(line_of(scene, "time").measured ==
           doctest::Approx(0.25 / scene.scene.box2d3_by_chipmunk));
 }

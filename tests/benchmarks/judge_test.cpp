@@ -11,7 +11,7 @@ using namespace carom::bench;
 
 namespace {
 
-// Two discs of radius 1 and mass 1 that part, each at speed 1.
+// Two discs of radius 1 and mass 1 that separate, each at speed 1.
 struct Pair {
     World world;
     SceneList list;
@@ -31,7 +31,7 @@ struct Pair {
 
 }  // namespace
 
-TEST_CASE("who changes nothing has no error, no drift and no overlap") {
+TEST_CASE("a run identical to the reference has no error, no drift and no overlap") {
     const Pair pair;
     const Accuracy accuracy = judge(pair.world, pair.list, {pair.frame}, pair.frame);
     CHECK(accuracy.error == 0.0);
@@ -40,7 +40,7 @@ TEST_CASE("who changes nothing has no error, no drift and no overlap") {
     CHECK(accuracy.residual_speed == 1.0);
 }
 
-TEST_CASE("drift, overlap, residual speed and error are those of the frames") {
+TEST_CASE("drift, overlap, residual speed and error are computed from the frames") {
     const Pair pair;
     Frame seen = pair.frame;
     seen.balls[0] = {1.5, 0.0, -2.0, 0.0};
@@ -51,7 +51,7 @@ TEST_CASE("drift, overlap, residual speed and error are those of the frames") {
     CHECK(*accuracy.error == doctest::Approx(std::sqrt(3.5 * 3.5 / 2)).epsilon(1e-12));
 }
 
-TEST_CASE("frames before those that count show in nothing but the error") {
+TEST_CASE("frames before the judged ones count only in the error") {
     Pair pair;
     pair.list.plan.measured_from = 100;
     Frame later = pair.frame;
@@ -63,13 +63,13 @@ TEST_CASE("frames before those that count show in nothing but the error") {
     CHECK(*accuracy.error > 1.0);
 }
 
-TEST_CASE("a scene that takes energy away has no drift") {
+TEST_CASE("a dissipative scene has no drift") {
     Pair pair;
     pair.list.restitution = 0.5;
     CHECK_FALSE(judge(pair.world, pair.list, {pair.frame}, {}).energy_drift);
 }
 
-TEST_CASE("frames are read as they were written, and one that was cut short is none") {
+TEST_CASE("frames are read back as written, and a truncated file has none") {
     const Pair pair;
     const std::string path = std::string(CAROM_BINARY_DIR) + "/judge_test.frames";
     {

@@ -48,7 +48,7 @@ TEST_CASE("a level becomes a list of its balls, edges and terms") {
     CHECK(scene.list->capsules[0].radius == 0.25);
 }
 
-TEST_CASE("balls of emitters stand in the list at the tick in which they come") {
+TEST_CASE("balls of emitters are listed at the tick in which they appear") {
     const ListedScene scene =
         listed("rate 60\nkind k r=1\nspawn k at=0,5 v=0,-1 every=0.05 count=3\nedge -9,-9 9,-9");
     REQUIRE(scene.list);
@@ -59,13 +59,13 @@ TEST_CASE("balls of emitters stand in the list at the tick in which they come") 
     CHECK(scene.list->balls[2].y == 5.0);
 }
 
-TEST_CASE("what the list cannot say is refused, not dropped") {
+TEST_CASE("features that the list cannot express are refused, not dropped") {
     CHECK_FALSE(listed("use drag 1\nball at=0,0").list);
     CHECK_FALSE(listed("ball at=0,0\nzone 9,9 9,9 r=1 sink").list);
     CHECK_FALSE(listed("material soft e=0.5\nball at=0,0\nedge soft 0,-9 9,-9").list);
 }
 
-TEST_CASE("the scenes have the balls that the benchmark says") {
+TEST_CASE("the scenes have the number of balls that the benchmark states") {
     CHECK(listed_file("gas.level", {}).balls.size() == 1'000);
     CHECK(listed_file("gas.level", {"let n=100"}).balls.size() == 100);
     CHECK(listed_file("pile.level", {}).balls.size() == 2'000);

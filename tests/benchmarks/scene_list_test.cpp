@@ -4,7 +4,7 @@
 
 using namespace carom::bench;
 
-TEST_CASE("the list of a scene is read back as it was, bit by bit") {
+TEST_CASE("a scene list reads back bit by bit") {
     SceneList list{.rate = 60.0,
                    .gravity_x = 0.1,
                    .gravity_y = -10.0,
@@ -24,7 +24,7 @@ TEST_CASE("the list of a scene is read back as it was, bit by bit") {
     CHECK(read->restitution == 1.0 / 3.0);
 }
 
-TEST_CASE("what is no list of a scene is refused") {
+TEST_CASE("a text that is not a scene list is refused") {
     CHECK_FALSE(parse_scene_list("rate 60\nwind 3\n"));
     CHECK_FALSE(parse_scene_list("gravity 0\n"));
     CHECK_FALSE(parse_scene_list("ball 0 1 2 x 4 5 6\n"));

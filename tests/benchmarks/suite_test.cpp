@@ -9,7 +9,7 @@
 using namespace carom;
 using namespace carom::bench;
 
-TEST_CASE("each run of a pile falls from a lattice of its own, and all other scenes are one") {
+TEST_CASE("each run of a pile starts from its own lattice, and all other scenes are fixed") {
     int piles = 0;
     for (const BenchScene& scene : bench_scenes(false)) {
         CAPTURE(scene.name);

@@ -37,11 +37,11 @@ bool has_a_term(const World& world) {
 
 }  // namespace
 
-TEST_CASE("the bare gas has no term at all") {
+TEST_CASE("the bare gas uses no term") {
     CHECK_FALSE(has_a_term(world_of(bare_scene(gas()))));
 }
 
-TEST_CASE("each scene has its term in force, and without it the model of the bare gas") {
+TEST_CASE("each scene uses its term, and without it the model of the bare gas") {
     const World bare = world_of(bare_scene(gas()));
     for (const TermScene& scene : term_scenes(gas())) {
         CAPTURE(scene.term);

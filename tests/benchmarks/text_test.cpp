@@ -30,7 +30,7 @@ TEST_CASE("figures are short") {
     CHECK(grouped(-10'000.0) == "-10,000");
 }
 
-TEST_CASE("the guard tells what has changed by more than it may, and what is not in both") {
+TEST_CASE("the guard reports changes beyond the limit, and rows missing on either side") {
     const auto written = parse_guard("# for people\ngas event 1000\ngas swept 1000\nold event 5\n");
     REQUIRE(written.size() == 3);
     const auto none = guard_differences(written, written, 0.0);

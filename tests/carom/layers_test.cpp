@@ -9,8 +9,8 @@
 
 #include "carom/support/process.h"
 
-// The house of docs/architecture.md: who may include whom, and what the deterministic core may not
-// use.
+// The layers of docs/architecture.md: which may include which, and what the deterministic core may
+// not use.
 
 namespace {
 
@@ -47,7 +47,7 @@ std::vector<Source> sources() {
     return found;
 }
 
-// What stands between the quotes or the brackets of an #include; empty: the line is none.
+// The text between the quotes or brackets of an #include; empty: the line is not one.
 std::string included(const std::string& line) {
     if (!line.starts_with("#include")) return {};
     const std::size_t open = line.find_first_of("\"<");
@@ -59,7 +59,7 @@ bool is_name_part(char c) {
     return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-// The word as a whole word, comments left out.
+// Finds the word as a whole word, outside comments.
 bool uses(std::string_view line, std::string_view word) {
     line = line.substr(0, line.find("//"));
     for (std::size_t at = line.find(word); at != line.npos; at = line.find(word, at + 1)) {
@@ -72,7 +72,7 @@ bool uses(std::string_view line, std::string_view word) {
     return false;
 }
 
-// The name of the type that the line begins to define at the outermost level; empty: none.
+// The name of the type that the line starts to define at the outermost level; empty: none.
 std::string defined_type(const std::string& line) {
     for (const std::string_view keyword : {"struct ", "class ", "enum class ", "enum "}) {
         if (!line.starts_with(keyword)) continue;
@@ -80,7 +80,7 @@ std::string defined_type(const std::string& line) {
         if (line.compare(begin, 8, "alignas(") == 0) begin = line.find(") ", begin) + 2;
         std::size_t end = begin;
         while (end < line.size() && (is_name_part(line[end]) || line[end] == ':'))
-            ++end;  // with the type that it is part of
+            ++end;  // including the type that it is nested in
         const bool is_declared_only = end < line.size() && line[end] == ';';
         return is_declared_only ? "" : line.substr(begin, end - begin);
     }
@@ -98,8 +98,8 @@ const std::map<std::string, std::vector<std::string>> may_include{
 };
 
 // Rooms in the order in which they build on one another: each includes only its own files and those
-// of rooms above it. A layer's own files, outside of its rooms, are the last row of the layer, but
-// for the leaves of `lab` and `game`.
+// of rooms above it. A layer's own files, outside of its rooms, come last in the layer, except for
+// the leaves of `lab` and `game`.
 const std::vector<std::string> rooms{
     "geometry",
     "physics/memory",
@@ -155,14 +155,14 @@ const std::vector<std::string> rooms{
     "carom",
 };
 
-// Files are read from here, so a folder of more than these is one in which nobody finds anything.
+// The largest number of files in a folder; in a larger one nobody finds anything.
 constexpr std::size_t most_files_in_a_room = 40;
 
 const std::vector<std::string> core{"geometry", "physics", "level", "game"};
 
 }  // namespace
 
-TEST_CASE("a layer includes only what stands to its left") {
+TEST_CASE("a layer includes only layers to its left") {
     for (const Source& source : sources()) {
         CAPTURE(source.name);
         const auto allowed = may_include.find(source.layer);
@@ -203,7 +203,7 @@ TEST_CASE("only the physics writes to a world without stamping it") {
     }
 }
 
-TEST_CASE("a room can be taken in at a glance") {
+TEST_CASE("a room has few enough files to survey") {
     std::map<std::string, std::size_t> files;
     for (const Source& source : sources())
         ++files[source.name.substr(0, source.name.rfind('/'))];
@@ -213,7 +213,7 @@ TEST_CASE("a room can be taken in at a glance") {
     }
 }
 
-TEST_CASE("ncurses is included by the screen alone") {
+TEST_CASE("only the screen includes ncurses") {
     for (const Source& source : sources()) {
         if (source.name.starts_with("terminal/screen/")) {
             continue;
@@ -244,7 +244,7 @@ TEST_CASE("the core uses nothing that differs between machines or runs") {
         CAPTURE(source.name);
         for (const std::string& line : source.lines) {
             CAPTURE(line);
-            // Stamps are given in several threads, and no result depends on them.
+            // Stamps are assigned in several threads, but no result depends on their values.
             const bool is_stamp = source.name == "physics/world/stamp.cpp";
             if (!is_stamp || included(line) != "atomic")
                 CHECK(std::ranges::find(headers, included(line)) == headers.end());
@@ -254,9 +254,9 @@ TEST_CASE("the core uses nothing that differs between machines or runs") {
     }
 }
 
-// One namespace holds all layers: two types of one name in it are undefined behaviour that no
+// All layers share one namespace. Two types with one name in it are undefined behaviour that no
 // compiler reports, since no file sees both.
-TEST_CASE("a type name in a header stands for one type") {
+TEST_CASE("a type name in a header denotes one type") {
     std::map<std::string, std::string> defined_in;
     for (const Source& source : sources()) {
         if (!source.name.ends_with(".h")) continue;

@@ -4,7 +4,7 @@
 
 using namespace carom;
 
-TEST_CASE("the closest point of a segment may be an end or between") {
+TEST_CASE("the closest point of a segment may be an end or an interior point") {
     const Vec2 a{1.0, 1.0};
     const Vec2 b{5.0, 1.0};
     CHECK(closest_point(a, b, {3.0, 7.0}) == Vec2{3.0, 1.0});
@@ -14,7 +14,7 @@ TEST_CASE("the closest point of a segment may be an end or between") {
     CHECK(closest_parameter(a, a, {9.0, -2.0}) == 0.0);
 }
 
-TEST_CASE("separation is negative for an overlap, by its depth") {
+TEST_CASE("separation of overlapping bodies is minus the depth") {
     CHECK(separation(Disc{{0, 0}, 1}, Disc{{3, 0}, 1}) == 1.0);
     CHECK(separation(Disc{{0, 0}, 1}, Disc{{0, 0}, 2}) == -3.0);
     CHECK(separation(Disc{{2, 3}, 1}, Capsule{{0, 0}, {4, 0}, 0.5}) == 1.5);

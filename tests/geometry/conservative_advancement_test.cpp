@@ -50,7 +50,7 @@ struct Quartic {
     }
 };
 
-// The polynomial that has these roots, of either sign in front.
+// The polynomial with these roots; the sign in front is random.
 Quartic with_roots(const std::array<double, 4>& roots, double front) {
     Quartic result{{front, 0, 0, 0, 0}};
     for (std::size_t n = 0; n < 4; ++n) {
@@ -61,7 +61,7 @@ Quartic with_roots(const std::array<double, 4>& roots, double front) {
     return result;
 }
 
-// By dense samples, then bisection: the first time at which the distance goes below zero.
+// Dense sampling, then bisection: the first time at which the distance becomes negative.
 std::optional<double> sampled_impact(const Quartic& quartic, double end, int samples) {
     double before = 0.0;
     bool was_open = quartic.c[0] > 0.0;
@@ -89,7 +89,7 @@ std::optional<double> found_impact(const Quartic& quartic, double begin, double 
 
 }  // namespace
 
-TEST_CASE("time of impact: the first root of random quartics is found, as dense samples find it") {
+TEST_CASE("time of impact: the first root of random quartics agrees with dense sampling") {
     Draws draws(1);
     const double end = 3.0;
     int impacts = 0;
@@ -99,7 +99,7 @@ TEST_CASE("time of impact: the first root of random quartics is found, as dense 
         for (double& root : roots)
             root = draws.between(-1.0, 4.0);
         std::sort(roots.begin(), roots.end());
-        // Roots that samples cannot tell apart have a test of their own.
+        // Roots too close for the samples have a test of their own.
         bool is_clear = std::fabs(roots[0]) > 0.01;
         for (std::size_t i = 1; i < 4; ++i)
             is_clear &= roots[i] - roots[i - 1] > 0.01 && std::fabs(roots[i]) > 0.01;
@@ -147,7 +147,7 @@ TEST_CASE("time of impact: a resolved impact is not found again, but the next on
     }
 }
 
-TEST_CASE("time of impact: two roots are found however near each other, and a near miss is none") {
+TEST_CASE("time of impact: two roots are found however close, and a near miss is none") {
     Draws draws(3);
     for (int round = 0; round < 2000; ++round) {
         CAPTURE(round);
@@ -171,7 +171,7 @@ TEST_CASE("time of impact: two roots are found however near each other, and a ne
     }
 }
 
-TEST_CASE("time of impact: a parabola's is exact to rounding") {
+TEST_CASE("time of impact: that of a parabola is exact to rounding") {
     Draws draws(4);
     int impacts = 0;
     for (int round = 0; round < 20'000; ++round) {
@@ -187,17 +187,17 @@ TEST_CASE("time of impact: a parabola's is exact to rounding") {
             quadratic_time_of_impact<DoubleDouble>(wide, {DoubleDouble(slop), DoubleDouble(1e-9)});
         const double discriminant =
             now.velocity * now.velocity - 2.0 * now.acceleration * now.distance;
-        // A graze is a matter of rounding.
+        // For a graze, rounding decides.
         if (std::fabs(discriminant) < 1e-9 * now.velocity * now.velocity) continue;
         REQUIRE(found.has_value() == exact.has_value());
-        // None only where the parabola stays positive.
+        // No impact is allowed only if the parabola stays positive.
         CHECK(found.has_value() ==
               (now.acceleration < 0.0 || (now.velocity < 0.0 && discriminant > 0.0)));
         if (!found) continue;
         ++impacts;
         const double condition = now.velocity * now.velocity / std::fabs(discriminant) + 1.0;
         CHECK(std::fabs(*found / exact->high - 1.0) < 4e-16 * condition);
-        // The root, put back, in twice the precision.
+        // The residual of the root, computed in twice the precision.
         const DoubleDouble t = *exact;
         const DoubleDouble left =
             wide.distance + wide.velocity * t + wide.acceleration * t * t * DoubleDouble(0.5);
@@ -208,7 +208,7 @@ TEST_CASE("time of impact: a parabola's is exact to rounding") {
     CHECK(impacts > 5000);
 }
 
-TEST_CASE("time of impact: bodies that slop have one only while they approach") {
+TEST_CASE("time of impact: touching bodies have one only while they approach") {
     const ToiTolerance<double> exact{0.0, 0.0};
     CHECK(quadratic_time_of_impact<double>({0.0, -1.0, 0.0}, exact) == 0.0);
     CHECK_FALSE(quadratic_time_of_impact<double>({0.0, 0.0, 0.0}, exact).has_value());
@@ -220,7 +220,7 @@ TEST_CASE("time of impact: bodies that slop have one only while they approach") 
     // Overlapping.
     CHECK(quadratic_time_of_impact<double>({-0.1, -1.0, 0.0}, exact) == 0.0);
     CHECK_FALSE(quadratic_time_of_impact<double>({-0.1, 1.0, 0.0}, exact).has_value());
-    // Pressed together without speed: once they approach noticeably.
+    // Pressed together without speed: when they approach noticeably.
     CHECK(quadratic_time_of_impact<double>({0.0, 0.0, -2.0}, {0.0, 1e-3}) == 5e-4);
 }
 
@@ -246,7 +246,7 @@ TEST_CASE("time of impact: a sharp acceleration bound keeps the iterations few")
 
 // Bodies that stay 1e-8 apart until they meet: far more iterations than one search may take.
 TEST_CASE(
-    "time of impact: a suspended search says how far it came, and finds the same when resumed") {
+    "time of impact: a suspended search reports its progress, and finds the same when resumed") {
     const auto separation_at = [](double t) {
         const double after = t < 0.5 ? 0.0 : t - 0.5;
         return Separation<double>{1e-8 - after * after, -2.0 * after, 0.0};

@@ -10,7 +10,7 @@ using namespace carom;
 
 namespace {
 
-// A small generator, so that geometry's tests need nothing above geometry.
+// A small generator, since the tests of geometry use nothing above geometry.
 class Draws {
   public:
     explicit Draws(std::uint64_t seed) : state_(seed) {}
@@ -18,7 +18,7 @@ class Draws {
     double between(double low, double high) {
         return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
     }
-    // Of either sign, uniform in the exponent.
+    // Random sign, log-uniform magnitude.
     double sized(int low, int high) {
         const double value = std::ldexp(between(1.0, 2.0), static_cast<int>(between(low, high)));
         return bits() % 2 == 0 ? value : -value;
@@ -38,24 +38,24 @@ class Draws {
     std::uint64_t state_;
 };
 
-// 128 bits, of both compilers' own.
+// 128-bit integers, an extension of both compilers.
 __extension__ using Whole = unsigned __int128;
 __extension__ using SignedWhole = __int128;
 
 constexpr int rounds = 20'000;
-constexpr double unit = 0x1p-102;  // the error that the header states
+constexpr double unit = 0x1p-102;  // the error stated in the header
 
 bool is_normal(const DoubleDouble& a) {
     return a.high == a.high + a.low;
 }
-// Whether they are the same but for `units` of rounding, of the size of `scale`.
+// Whether both agree within `units` of rounding, relative to `scale`.
 bool are_near(const DoubleDouble& a, const DoubleDouble& b, double units, double scale) {
     return std::fabs((a - b).high) <= units * unit * std::fabs(scale);
 }
 
 }  // namespace
 
-TEST_CASE("wide: the sum of two doubles and its error are exact") {
+TEST_CASE("double-double: the sum of two doubles and its error are exact") {
     Draws draws(1);
     for (int i = 0; i < rounds; ++i) {
         const double a = draws.sized(-40, 40);
@@ -63,7 +63,7 @@ TEST_CASE("wide: the sum of two doubles and its error are exact") {
         const DoubleDouble sum = exact_sum(a, b);
         CHECK(sum.high == a + b);
         CHECK(is_normal(sum));
-        // Taking away what was added leaves nothing: the doubles in between are exact.
+        // Subtracting the summands leaves nothing: all intermediate results are exact.
         CHECK(sum - DoubleDouble(a) == DoubleDouble(b));
         CHECK(sum - DoubleDouble(b) == DoubleDouble(a));
         CHECK(sum == exact_sum(b, a));
@@ -71,10 +71,10 @@ TEST_CASE("wide: the sum of two doubles and its error are exact") {
     }
 }
 
-TEST_CASE("wide: the product of two doubles and its error are exact") {
+TEST_CASE("double-double: the product of two doubles and its error are exact") {
     Draws draws(2);
     for (int i = 0; i < rounds; ++i) {
-        // Numbers of 26 bits have exact products, of which the parts' products can be told.
+        // Numbers of 26 bits have exact products, so the products of the parts are known.
         const double a = std::floor(draws.between(0x1p51, 0x1p52)) + 0x1p52;
         const double b = std::floor(draws.between(0x1p51, 0x1p52)) + 0x1p52;
         const auto whole = static_cast<Whole>(a) * static_cast<Whole>(b);
@@ -83,12 +83,12 @@ TEST_CASE("wide: the product of two doubles and its error are exact") {
         const auto back =
             static_cast<SignedWhole>(product.high) + static_cast<SignedWhole>(product.low);
         CHECK(static_cast<Whole>(back) == whole);
-        // Scaling by a power of two changes nothing.
+        // Scaling by a power of two is exact.
         CHECK(exact_product(a * 0x1p-400, b * 0x1p300).low == product.low * 0x1p-100);
     }
 }
 
-TEST_CASE("wide: identities hold to 102 bits") {
+TEST_CASE("double-double: identities hold to 102 bits") {
     Draws draws(3);
     for (int i = 0; i < rounds; ++i) {
         const DoubleDouble a = draws.wide(-30, 30);
@@ -117,7 +117,7 @@ TEST_CASE("wide: identities hold to 102 bits") {
     }
 }
 
-TEST_CASE("wide: exact where the result is a double") {
+TEST_CASE("double-double: exact where the result is a double") {
     Draws draws(4);
     for (int i = 0; i < rounds; ++i) {
         const double a = std::floor(draws.between(1.0, 0x1p26));
@@ -130,7 +130,7 @@ TEST_CASE("wide: exact where the result is a double") {
     CHECK(square_root(2.25) == 1.5);
 }
 
-TEST_CASE("wide: order is that of the sums") {
+TEST_CASE("double-double: ordered by the value of the sum") {
     Draws draws(5);
     for (int i = 0; i < rounds; ++i) {
         const DoubleDouble a = draws.wide(-3, 3);
@@ -146,13 +146,13 @@ TEST_CASE("wide: order is that of the sums") {
     CHECK(absolute(DoubleDouble(0.0, -1e-30)) == DoubleDouble(0.0, 1e-30));
 }
 
-TEST_CASE("wide: the root of two has 31 right digits") {
-    // sqrt(2) = 1.41421356237309504880168872420969807856967...; the double nearest to it, and what
-    // is left, which is known to 16 digits of its own.
+TEST_CASE("double-double: the root of two has 31 correct digits") {
+    // sqrt(2) = 1.41421356237309504880168872420969807856967...; the nearest double, and the
+    // remainder, which is known to 16 digits.
     const DoubleDouble root = square_root(DoubleDouble(2.0));
     CHECK(root.high == 1.4142135623730951);
     CHECK(root.low == doctest::Approx(-9.667293313452913e-17).epsilon(1e-14));
-    // A third of one, and back.
+    // A third of one, times three.
     const DoubleDouble third = DoubleDouble(1.0) / DoubleDouble(3.0);
     CHECK(std::fabs((third * DoubleDouble(3.0) - DoubleDouble(1.0)).high) <= unit);
 }

@@ -76,7 +76,7 @@ TEST_CASE("degenerate cases of disc and capsule") {
     CHECK(first_impact(Disc{{5, 3}, 1}, {0, -1}, line, 10)->time == 2.0);
 }
 
-TEST_CASE("an impact that was resolved is not found again") {
+TEST_CASE("a resolved impact is not found again") {
     std::mt19937_64 engine(7);
     for (int i = 0; i < 20'000; ++i) {
         const Capsule wall{{uniform(engine, -5, 5), uniform(engine, -5, 5)},
@@ -95,7 +95,7 @@ TEST_CASE("an impact that was resolved is not found again") {
 
 TEST_CASE("a disc that touches a capsule and approaches has an impact at time 0") {
     // Regression: a ball that slid down a ramp fell through it. Two ways of computing the distance
-    // disagreed: one said contact, the other a gap of 1e-16.
+    // disagreed: one found contact, the other a gap of 1e-16.
     std::mt19937_64 engine(17);
     for (int i = 0; i < 20'000; ++i) {
         CAPTURE(i);
@@ -139,7 +139,7 @@ TEST_CASE("impacts agree with a slow oracle") {
 }
 
 // The gap is convex in time, so ternary search finds its minimum.
-TEST_CASE("bodies that stay apart by the quick test have no impact") {
+TEST_CASE("bodies that the rejection test separates have no impact") {
     std::mt19937_64 engine(17);
     int apart = 0;
     int met = 0;
@@ -199,7 +199,7 @@ TEST_CASE("an impact at a grazing angle of 1e-8 rad is found, on the near side")
     CHECK(impact->normal == Vec2{0, 1});
 }
 
-TEST_CASE("a translating capsule gives the same impact as a resting one in its frame") {
+TEST_CASE("a translating capsule gives the impact of a resting one in its frame") {
     std::mt19937_64 engine(13);
     int found = 0;
     for (int i = 0; i < 500; ++i) {

@@ -32,7 +32,7 @@ TEST_CASE("numbers read back to the same double") {
     }
 }
 
-TEST_CASE("what JSON has no number for is null") {
+TEST_CASE("values that JSON cannot express are null") {
     CHECK(json_number(std::numeric_limits<double>::infinity()) == "null");
     CHECK(json_number(-std::numeric_limits<double>::infinity()) == "null");
     CHECK(json_number(std::nan("")) == "null");
@@ -60,7 +60,7 @@ TEST_CASE("strings are escaped, and always UTF-8") {
         CHECK(json_string(row.text) == row.json);
 }
 
-TEST_CASE("the writer puts commas and lines where they belong") {
+TEST_CASE("the writer adds commas and line breaks") {
     JsonWriter json;
     using Layout = JsonWriter::Layout;
     json.begin_object(Layout::lines);

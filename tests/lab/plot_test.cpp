@@ -7,7 +7,7 @@
 
 using namespace carom;
 
-TEST_CASE("a plot has its decades, its points and its front") {
+TEST_CASE("a plot shows its decades, its points and its front") {
     const std::vector<PlotPoint> points{
         {1e-2, 1e-0, 'A', true}, {1e-1, 1e-1, 'b', false}, {1e0, 1e-4, 'C', true}};
     const std::string plot =
@@ -24,7 +24,7 @@ TEST_CASE("a plot has its decades, its points and its front") {
           "          cost\n");
 }
 
-TEST_CASE("an error of zero has a line of its own") {
+TEST_CASE("an error of zero is drawn on a separate line") {
     const std::string plot =
         log_log_plot(std::vector<PlotPoint>{{1, 0, 'Z', true}, {1, 1e-3, 'x', false}},
                      {.columns = 8, .rows = 4, .x_name = "", .y_name = ""});
@@ -32,7 +32,7 @@ TEST_CASE("an error of zero has a line of its own") {
     CHECK(plot.find("x") < plot.find("Z"));
 }
 
-TEST_CASE("what cannot be drawn is left out") {
+TEST_CASE("points that cannot be drawn are left out") {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const PlotFrame frame{.columns = 8, .rows = 4, .x_name = "", .y_name = ""};
     CHECK(log_log_plot({}, frame).empty());
@@ -44,7 +44,7 @@ TEST_CASE("what cannot be drawn is left out") {
     CHECK(plot.find('x') != plot.npos);
 }
 
-TEST_CASE("a point on the front is seen where others fall into its cell") {
+TEST_CASE("a point on the front is drawn over others in its cell") {
     const PlotFrame frame{.columns = 8, .rows = 4, .x_name = "", .y_name = ""};
     const std::string plot = log_log_plot(
         std::vector<PlotPoint>{{1, 1, 'F', true}, {1, 1, 'x', false}, {1, 1, 'y', false}}, frame);

@@ -4,7 +4,7 @@
 
 using namespace carom;
 
-TEST_CASE("a table is as wide as what stands in it") {
+TEST_CASE("columns are as wide as their widest cell") {
     Table table({"<name", "n", "<"});
     table.add({"a", "12345", "x"});
     table.add({"longer", "1", ""});

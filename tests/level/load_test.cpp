@@ -360,7 +360,7 @@ TEST_CASE("collide sets the collision matrix") {
     CHECK(world.model().ball_ball);
 }
 
-TEST_CASE("balls that do not collide may start in one place") {
+TEST_CASE("balls that do not collide may start at one position") {
     CHECK(rendered(load_lines("collide ball edge\nball a at=0,0\nball b at=0,0\n")) == "");
     CHECK(rendered(load_lines("use overlap\nball a at=0,0\nball b at=0,0\nedge 0,0 9,0\n")) == "");
 }

@@ -8,7 +8,7 @@
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 
-// A program of its own, since it counts what every operator new is asked for.
+// A separate program, since it replaces operator new to count allocations.
 namespace {
 
 std::size_t allocations = 0;
@@ -58,7 +58,7 @@ using namespace carom;
 
 namespace {
 
-/// A scene, and what is done to it before each tick.
+/// A scene, and the changes made to it before each tick.
 struct Scene {
     const char* name;
     World world;
@@ -107,8 +107,8 @@ std::vector<Scene> all_scenes() {
 
 }  // namespace
 
-// Warm is a solver that has been through the same ticks once: what it needs then, it has.
-TEST_CASE("nothing is allocated in a tick once a scene has warmed up") {
+// A solver is warm once it has computed these ticks before: then it has all the memory it needs.
+TEST_CASE("a warmed-up scene allocates nothing in a tick") {
     constexpr int ticks = 120;
     for (const Scene& scene : all_scenes()) {
         for (const SolverKind kind : solvers_available()) {

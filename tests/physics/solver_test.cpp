@@ -25,7 +25,7 @@ double energy(const World& world) {
 
 }  // namespace
 
-TEST_CASE("an elastic gas keeps its energy in every solver") {
+TEST_CASE("an elastic gas conserves energy in every solver") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
         World world = scenes::gas(300, 5);
@@ -38,7 +38,7 @@ TEST_CASE("an elastic gas keeps its energy in every solver") {
     }
 }
 
-TEST_CASE("a gas on a torus keeps its momentum in every solver") {
+TEST_CASE("a gas on a torus conserves momentum in every solver") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
         World world = scenes::gas(300, 6, true);
@@ -46,7 +46,7 @@ TEST_CASE("a gas on a torus keeps its momentum in every solver") {
         const Totals before = totals(world);
         run(world, solver, 600);
         const Totals after = totals(world);
-        // Against the sum of magnitudes, 300 balls of mass 1 at about 10.
+        // Relative to the sum of magnitudes, 300 balls of mass 1 at about 10.
         CHECK(std::fabs(after.momentum.x - before.momentum.x) < 1e-12 * 3000);
         CHECK(std::fabs(after.momentum.y - before.momentum.y) < 1e-12 * 3000);
         CHECK(after.kinetic_energy == doctest::Approx(before.kinetic_energy).epsilon(1e-12));
@@ -81,7 +81,7 @@ TEST_CASE("free flight under gravity and drag follows the closed form in every s
     }
 }
 
-TEST_CASE("one ball hits another as the closed form says, in every solver") {
+TEST_CASE("one ball hits another according to the closed form, in every solver") {
     for (const SolverKind kind : solvers_available()) {
         for (const double restitution : {1.0, 0.8, 0.5, 0.0}) {
             CAPTURE(name(kind));
@@ -94,7 +94,7 @@ TEST_CASE("one ball hits another as the closed form says, in every solver") {
             run(world, solver, 120);
             const double v1 = (2 * 3 + 5 * -1 + 5 * restitution * (-1 - 3)) / 7.0;
             const double v2 = (2 * 3 + 5 * -1 + 2 * restitution * (3 + 1)) / 7.0;
-            // At restitution 0 swept parts them by a millionth of the approach.
+            // At restitution 0 swept separates them by a millionth of the approach.
             CHECK(world.balls().velocity[0].x == doctest::Approx(v1).epsilon(1e-5));
             CHECK(world.balls().velocity[1].x == doctest::Approx(v2).epsilon(1e-5));
             if (restitution > 0) CHECK(world.ball_ball_collisions() == 1);
@@ -102,7 +102,7 @@ TEST_CASE("one ball hits another as the closed form says, in every solver") {
     }
 }
 
-TEST_CASE("restitution of a soft edge falls with the speed") {
+TEST_CASE("the restitution of a soft edge decreases with speed") {
     for (const SolverKind kind : solvers_available()) {
         World world = scenes::empty();
         world.edit_definition().materials[0] = {.restitution = 0.8, .soften = 0.5};
@@ -115,7 +115,7 @@ TEST_CASE("restitution of a soft edge falls with the speed") {
     }
 }
 
-TEST_CASE("the same world gives the same bits, and a snapshot goes on as if it had never stopped") {
+TEST_CASE("a world gives the same bits again, and a snapshot continues as if never interrupted") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
         for (World world :
@@ -128,7 +128,7 @@ TEST_CASE("the same world gives the same bits, and a snapshot goes on as if it h
             World half = world;
             run(half, second, 150);
             World copy = half;
-            run(other, second, 40);  // the same solver serves another world in between
+            run(other, second, 40);  // the solver serves another world in between
             run(copy, second, 150);
             CHECK(fingerprint(copy) == fingerprint(once));
             CHECK(fingerprint(copy) != fingerprint(half));
@@ -136,7 +136,7 @@ TEST_CASE("the same world gives the same bits, and a snapshot goes on as if it h
     }
 }
 
-TEST_CASE("contacts go by id, also where some are missing, in every solver") {
+TEST_CASE("contacts are matched by id, even if some ids are missing, in every solver") {
     for (const SolverKind kind : solvers_available())
         for (const bool has_gaps : {false, true}) {
             CAPTURE(name(kind));
@@ -155,7 +155,7 @@ TEST_CASE("contacts go by id, also where some are missing, in every solver") {
                     const auto b = index_of(world, BallId{contact.b});
                     REQUIRE(a);
                     REQUIRE(b);
-                    // No further than the fastest have flown since.
+                    // No further than the fastest balls have flown since.
                     const double way =
                         length(world.balls().position[*a] - world.balls().position[*b]);
                     const double speed =
@@ -182,7 +182,7 @@ TEST_CASE("no ball falls faster than the limit, tick after tick, in every solver
             const double before = world.balls().position[0].y;
             run(world, solver, 1);
             CHECK(length(world.balls().velocity[0]) <= 2.0 * (1 + 1e-15));
-            // In a tick gravity may add what the limit takes away at its end.
+            // In a tick gravity may add what the limit removes at its end.
             const double way = before - world.balls().position[0].y;
             CHECK(way <= (2.0 + 10.0 / world.rate()) / world.rate());
             CHECK(way >= 2.0 / world.rate() * (1 - 1e-12));
@@ -190,15 +190,15 @@ TEST_CASE("no ball falls faster than the limit, tick after tick, in every solver
     }
 }
 
-TEST_CASE("collide keeps pairs apart, and a sink counts and removes") {
+TEST_CASE("the collision matrix keeps pairs from colliding, and a sink counts and removes") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
         World world = scenes::empty();
         world.edit_definition().kinds.push_back(world.kinds()[0]);
         world.edit_definition().materials.push_back({});
         world.edit_definition().model.filtered = true;
-        // Classes: kinds 0 and 1, materials 0 and 1. Kind 0 meets material 1 only; kind 1 meets
-        // kind 1.
+        // Classes: kinds 0 and 1, materials 0 and 1. Kind 0 collides with material 1 only; kind 1
+        // with kind 1.
         world.edit_definition().meets = {0, 0, 0, 1,  //
                                          0, 1, 0, 0,  //
                                          0, 0, 0, 0,  //
@@ -225,7 +225,7 @@ TEST_CASE("collide keeps pairs apart, and a sink counts and removes") {
     }
 }
 
-TEST_CASE("a one-way edge stops balls on its side only") {
+TEST_CASE("a one-way edge stops balls on one side only") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
         World world = scenes::empty();
@@ -240,8 +240,8 @@ TEST_CASE("a one-way edge stops balls on its side only") {
     }
 }
 
-// Events look at edges where a ball goes from cell to cell, and its centre is on the edge then.
-TEST_CASE("event: a one-way edge along the border of cells lets through what comes from behind") {
+// The solver tests edges at cell transfers, when the ball's centre is on the edge.
+TEST_CASE("event: a one-way edge on a cell border lets a ball from behind pass") {
     const auto start = [](double x) {
         World world = scenes::empty();
         scenes::add_walls(world, {{0, 0}, {60, 60}});
@@ -291,7 +291,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("emitters give birth on time, all of them, and wait while their place is taken") {
+TEST_CASE("emitters add their balls on time, and wait while the place is taken") {
     for (const SolverKind kind : solvers_available()) {
         World world = scenes::empty();
         world.edit_emitters().push_back(
@@ -309,7 +309,7 @@ TEST_CASE("emitters give birth on time, all of them, and wait while their place 
         World blocked = scenes::empty();
         blocked.edit_emitters().push_back({.kind = 0, .at = {0, 0}, .every = 0.1, .count = 3});
         run(blocked, solver, 240);
-        CHECK(blocked.balls().size() == 1);  // it never leaves, so no other has room
+        CHECK(blocked.balls().size() == 1);  // it never leaves, so there is no room for another
         CHECK(blocked.emitters()[0].emitted == 1);
     }
 }
@@ -330,12 +330,12 @@ TEST_CASE("drag, a stop speed and a speed limit") {
         falling.edit_definition().model.speed_limit = 7.0;
         add_ball(falling, {.position = {0, 0}, .velocity = {0, 0.2}});
         run(falling, solver, 120);
-        // It does not hang at the top, and falls no faster than the limit.
+        // It does not stop at the apex, and falls no faster than the limit.
         CHECK(length(falling.balls().velocity[0]) == doctest::Approx(7.0).epsilon(1e-12));
     }
 }
 
-TEST_CASE("the picked solver is one that is there") {
+TEST_CASE("the picked solver is an available one") {
     for (const World& world : {scenes::gas(10, 1), scenes::bucket(1000, 0.3), scenes::empty()}) {
         const SolverPick pick = pick_solver(world);
         CHECK(std::ranges::find(solvers_available(), pick.settings.kind) !=
@@ -344,7 +344,7 @@ TEST_CASE("the picked solver is one that is there") {
     }
 }
 
-TEST_CASE("a zero without its sign goes on from a snapshot with the same bits") {
+TEST_CASE("a positive zero continues from a snapshot with the same bits") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
         World world = scenes::gas(40, 1);

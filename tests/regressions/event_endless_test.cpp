@@ -26,7 +26,7 @@ bool ends(World& world, int ticks) {
 
 }  // namespace
 
-TEST_CASE("event: a ball on a cell border that moves along it is not transferred back and forth") {
+TEST_CASE("event: a ball that moves along a cell border is not transferred back and forth") {
     // The borders may lie anywhere.
     for (int cells = 1; cells <= 12; ++cells)
         for (int cell = 0; cell < cells; ++cell) {
@@ -63,7 +63,7 @@ TEST_CASE("event: a ball that starts turning on a cell border is not transferred
 }
 
 TEST_CASE(
-    "event: a ball that slides past the end of an edge that it overlaps by rounding goes on") {
+    "event: a ball that slides past the end of an edge, overlapping it by rounding, continues") {
     for (int depth = -20; depth <= 60; ++depth) {
         CAPTURE(depth);
         World world = scenes::empty();
@@ -86,15 +86,15 @@ TEST_CASE("event: a ball dragged into a wedge stays in it") {
         const BallId ball = add_ball(world, {.position = {20.0, 0.0}, .radius = 0.5});
         world.edit_held_balls() = {{ball, {2.0, target}}};
         REQUIRE(ends(world, 60));
-        // Both edges are as far away as they can be.
+        // Both edges are as far away as possible.
         const double deepest = 0.5 * std::sqrt(100.0 * 100.0 + 5.0 * 5.0) / 5.0;
         CHECK(world.balls().position[0].x == doctest::Approx(deepest).epsilon(1e-6));
         CHECK(std::abs(world.balls().position[0].y) < 1e-6);
     }
 }
 
-// A ball jammed among three others was left with the smallest denormal as its speed, and no impact
-// takes a share of that away.
+// A ball jammed among three others was left with the smallest denormal as its speed. Rounding kept
+// impacts from reducing it further.
 TEST_CASE("event: an approach at the smallest representable speed is no impact") {
     const Edge<double> wall(Capsule{{0.0, -1.0}, {0.0, 1.0}, 0.0}, {});
     const Edge<double> peg(Capsule{{0.0, 0.0}, {0.0, 0.0}, 0.0}, {});
@@ -111,8 +111,8 @@ TEST_CASE("event: an approach at the smallest representable speed is no impact")
     }
 }
 
-// A ball was pushed into a wedge until it had hardly any speed left, and met one side of the wedge
-// again and again.
+// A ball was pushed into a wedge until it had hardly any speed left. Then it met one side of the
+// wedge again and again.
 TEST_CASE("event: a slip on cloth that is shorter than the clock resolves ends at once") {
     World world = scenes::empty();
     world.edit_definition().model.spin = 0.4;

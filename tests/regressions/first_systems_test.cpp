@@ -10,7 +10,7 @@
 #include "physics/support/scenes.h"
 #include "physics/tick/totals.h"
 
-// Faults that users of the first systems ran into, one test each. carom does not have the fault; if
+// Faults that users of the first systems reported, one test each. carom does not have the fault; if
 // it is inherent in the baseline solver, the test measures it.
 
 using namespace carom;
@@ -57,7 +57,7 @@ TEST_CASE("in a row of touching balls, separating one pair pushes the next toget
     CHECK(deepest_overlap(discrete) < after_one);
     MESSAGE("overlap of a pressed row under discrete: ", after_one, " after one tick, ",
             deepest_overlap(discrete), " after a hundred");
-    // `swept` never lets a row be pressed together.
+    // `swept` never lets a row overlap.
     World swept = scenes::empty();
     for (int i = 0; i < 6; ++i)
         add_ball(swept, {.position = {2.0 * i, 0}, .velocity = {}});
@@ -184,7 +184,7 @@ TEST_CASE("admired for running in 2 MB: ten thousand balls are well inside it") 
     CHECK(bytes / 10'000 == 54);  // an elastic gas: no restitution, no counts, no spin
 }
 
-TEST_CASE("a squeeze without a solution blasts out") {
+TEST_CASE("a squeeze without a solution explodes") {
     // `substep` showed it first. The lid closes on more balls than there is room for, then opens.
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));

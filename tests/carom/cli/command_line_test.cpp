@@ -28,7 +28,7 @@ std::size_t lines(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("usage that is wrong says what is wrong, and what was probably meant") {
+TEST_CASE("wrong usage gets an error and a suggestion") {
     const TemporaryFolder folder;
     const std::string level = folder.file("ramp.level", ramp);
     struct Row {
@@ -93,7 +93,7 @@ TEST_CASE("a run without outputs prints a summary") {
     CHECK(has(finished.out, "10 s simulated in 1200 ticks"));
 }
 
-TEST_CASE("reports go where they are sent and nowhere else") {
+TEST_CASE("reports are written where they are sent and nowhere else") {
     const TemporaryFolder folder;
     const std::string level = folder.file("ramp.level", ramp);
     const Finished finished =
@@ -142,7 +142,7 @@ TEST_CASE("options override the level") {
     CHECK(has(report, "\"gravity 0,-1.6\""));
 }
 
-TEST_CASE("the explanation makes way for an output on standard output") {
+TEST_CASE("the explanation is left out when standard output carries a report") {
     const TemporaryFolder folder;
     const std::string level = folder.file("ramp.level", ramp);
     const Finished alone = run_carom({"run", level, "--explain", "--ticks", "1"});
@@ -153,7 +153,7 @@ TEST_CASE("the explanation makes way for an output on standard output") {
     CHECK(has(beside.err, "model   gravity 0,-9.81\n"));
 }
 
-TEST_CASE("an expectation that fails is exit code 1") {
+TEST_CASE("a failed expectation is exit code 1") {
     const TemporaryFolder folder;
     const std::string level =
         folder.file("expect.level",
@@ -167,7 +167,7 @@ TEST_CASE("an expectation that fails is exit code 1") {
     CHECK(has(changed.out, "not judged"));
 }
 
-TEST_CASE("check tells all that is wrong, in every level") {
+TEST_CASE("check reports all errors in every level") {
     const TemporaryFolder folder;
     const std::string good = folder.file("good.level", ramp);
     const std::string bad = folder.file(
@@ -182,14 +182,14 @@ TEST_CASE("check tells all that is wrong, in every level") {
     CHECK(has(finished.err, "there is no level"));
 }
 
-TEST_CASE("a bad level does not run, and leaves no output behind") {
+TEST_CASE("a bad level does not run, and writes no output") {
     const TemporaryFolder folder;
     const std::string bad = folder.file("bad.level", "carom 1 \"bad\"\nball a at=0,0 r=-1\n");
     CHECK(run_carom({"run", bad, "--report", folder.path("report")}).exit_code == 2);
     CHECK(folder.names() == std::vector<std::string>{"bad.level"});
 }
 
-TEST_CASE("levels that ship are found by name, and listed with their titles") {
+TEST_CASE("shipped levels are found by name, and listed with their titles") {
     const TemporaryFolder folder;
     folder.file("ramp.level", ramp);
     folder.file("another.level", "# no first line\n");
@@ -201,7 +201,7 @@ TEST_CASE("levels that ship are found by name, and listed with their titles") {
     CHECK(run_carom({"list"}, folder.path("nowhere")).exit_code == 2);
 }
 
-TEST_CASE("includes are found beside the level and among those that ship, and nowhere else") {
+TEST_CASE("includes are found beside the level and among the shipped levels, and nowhere else") {
     const TemporaryFolder shipped;
     const TemporaryFolder folder;
     shipped.file("common.level", "carom 1 \"common\"\nball c at=9,9\n");
@@ -220,7 +220,7 @@ TEST_CASE("includes are found beside the level and among those that ship, and no
     CHECK(run_carom({"check", up}, shipped.path()).exit_code == 2);
 }
 
-TEST_CASE("outputs that cannot be written are exit code 2, and leave nothing behind") {
+TEST_CASE("outputs that cannot be written are exit code 2, and leave no files") {
     const TemporaryFolder folder;
     const std::string level = folder.file("ramp.level", ramp);
     for (const char* option : {"--report", "--events", "--trace"}) {
@@ -235,7 +235,7 @@ TEST_CASE("outputs that cannot be written are exit code 2, and leave nothing beh
     CHECK(folder.names() == std::vector<std::string>{"ramp.level"});
 }
 
-TEST_CASE("a reader who closes the pipe ends the run, without a word") {
+TEST_CASE("a closed pipe ends the run silently") {
     const TemporaryFolder folder;
     const std::string level = folder.file("ramp.level", ramp);
     const Finished finished =
@@ -244,7 +244,7 @@ TEST_CASE("a reader who closes the pipe ends the run, without a word") {
     CHECK(finished.err.empty());
 }
 
-TEST_CASE("an interrupt ends a run in good order") {
+TEST_CASE("an interrupted run exits cleanly") {
     const TemporaryFolder folder;
     const std::string level = folder.file("ramp.level", ramp);
     const Finished finished = run_carom(

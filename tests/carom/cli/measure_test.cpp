@@ -95,7 +95,7 @@ TEST_CASE("the options of compare") {
     CHECK(options.json == "x");
 }
 
-TEST_CASE("what measure and compare cannot be asked is said") {
+TEST_CASE("invalid options of measure and compare are reported") {
     struct Row {
         std::vector<const char*> arguments;
         std::string message;
@@ -133,7 +133,7 @@ TEST_CASE("what measure and compare cannot be asked is said") {
     }
 }
 
-TEST_CASE("measure prints tables, or writes files, and is the same every time but for the cost") {
+TEST_CASE("measure prints tables, or writes files, and all but the cost is reproducible") {
     const TemporaryFolder folder;
     const std::string level = folder.file("crowd.level", crowd);
     const std::vector<std::string> call{"measure",  level, "--time",      "0.3",
@@ -158,7 +158,7 @@ TEST_CASE("measure prints tables, or writes files, and is the same every time bu
     CHECK(kept.substr(0, picks) == without_cost(run_carom(to_files).out).substr(0, picks));
 }
 
-TEST_CASE("measure does not begin what it could not write") {
+TEST_CASE("measure does not start if its output cannot be written") {
     const TemporaryFolder folder;
     const std::string level = folder.file("crowd.level", crowd);
     const Finished finished =

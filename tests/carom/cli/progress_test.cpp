@@ -10,7 +10,7 @@
 using carom::test::TemporaryFolder;
 using carom::test::TerminalProgram;
 
-TEST_CASE("a long run shows a bar on a terminal, and takes it away") {
+TEST_CASE("a long run shows a bar on a terminal, and removes it") {
     const TemporaryFolder folder;
     const std::string level = folder.file("one.level", "carom 1 \"one\"\nball a at=0,0 v=1,0\n");
     TerminalProgram program({CAROM_BINARY_DIR "/carom", "run", level, "--time", "1e8", "--report",

@@ -31,7 +31,7 @@ struct Pair {
 
 }  // namespace
 
-TEST_CASE("a rival under the same solver never parts, commands and all") {
+TEST_CASE("a comparison run under the session's solver never diverges, whatever the commands") {
     Pair pair(swept);
     pair.run(50);
     CHECK_FALSE(pair.session.apply(command::AddBall{ball_at_rest({4.0, 26.0})}));
@@ -42,7 +42,7 @@ TEST_CASE("a rival under the same solver never parts, commands and all") {
     CHECK_FALSE(pair.comparison.divergence());
 }
 
-TEST_CASE("a rival keeps its own solver when the session changes its") {
+TEST_CASE("a comparison run keeps its own solver when the session changes its solver") {
     Pair pair(swept);
     pair.run(10);
     pair.session.apply(command::SetSolver{discrete});
@@ -51,7 +51,7 @@ TEST_CASE("a rival keeps its own solver when the session changes its") {
     CHECK(pair.comparison.divergence());
 }
 
-TEST_CASE("the divergence is the first tick at which a ball is a hundredth of a radius off") {
+TEST_CASE("the divergence is the first tick at which a ball is off by a hundredth of a radius") {
     Pair pair(discrete);
     std::uint64_t expected = 0;
     while (expected == 0) {
@@ -92,7 +92,7 @@ TEST_CASE(
     CHECK(pair.comparison.divergence()->tick == parted);
 }
 
-TEST_CASE("before its beginning, and after a restart, a rival begins anew") {
+TEST_CASE("before its start, and after a restart, a comparison run restarts") {
     Pair pair(discrete);
     pair.run(30);
     ComparisonRun late(pair.session, discrete);
@@ -106,7 +106,7 @@ TEST_CASE("before its beginning, and after a restart, a rival begins anew") {
     CHECK(late.start_time() == 0.0);
 }
 
-TEST_CASE("what is done at its beginning is part of the beginning") {
+TEST_CASE("commands at the tick of its start belong to the start") {
     Pair pair(swept);
     pair.session.apply(command::AddBall{ball_at_rest({4.0, 26.0})});
     pair.follow();
@@ -116,17 +116,17 @@ TEST_CASE("what is done at its beginning is part of the beginning") {
     CHECK(is_same_state(pair.comparison.world(), pair.session.world()));
 }
 
-TEST_CASE("a command about a ball that only the session has is left out") {
+TEST_CASE("a command about a ball that only the session has is skipped") {
     Pair pair(discrete);
     pair.run(200);
-    // Free there, but perhaps not here; either way the rival goes on.
+    // There is room in the session, but perhaps not here; either way the run continues.
     pair.session.apply(command::RemoveBall{BallId{3}});
     pair.run(5);
     CHECK(pair.comparison.world().balls().size() == 8);
     CHECK(pair.comparison.world().tick() == 205);
 }
 
-TEST_CASE("a rival that may not go on takes the rest up later") {
+TEST_CASE("an interrupted comparison run continues with the next call") {
     Pair pair(discrete);
     for (int i = 0; i < 10; ++i)
         pair.session.step_forward();

@@ -14,7 +14,7 @@ constexpr SolverSettings swept{.kind = SolverKind::swept};
 
 }  // namespace
 
-TEST_CASE("the swarm follows the session, whose game its first copy is") {
+TEST_CASE("an ensemble follows the session, and its first copy is the session's game") {
     Session session(busy_box(), swept);
     Ensemble ensemble(session);
     CHECK(ensemble.copies().size() == 200);
@@ -33,7 +33,7 @@ TEST_CASE("the swarm follows the session, whose game its first copy is") {
     CHECK(is_same_state(ensemble.copies().front(), session.world()));
 }
 
-TEST_CASE("a swarm spreads to a radius, once") {
+TEST_CASE("an ensemble reports once when its spread reaches a radius") {
     Session session(busy_box(), swept);
     Ensemble ensemble(session);
     while (!ensemble.time_of_a_radius() && session.world().tick() < 6000) {
@@ -49,7 +49,7 @@ TEST_CASE("a swarm spreads to a radius, once") {
     CHECK(*ensemble.time_of_a_radius() == time);
 }
 
-TEST_CASE("when the session goes back, the swarm begins anew there") {
+TEST_CASE("when the session goes back, the ensemble restarts there") {
     Session session(busy_box(), swept);
     Ensemble ensemble(session);
     for (int i = 0; i < 100; ++i)
@@ -61,7 +61,7 @@ TEST_CASE("when the session goes back, the swarm begins anew there") {
     CHECK(ensemble.spread() < 1e-8);
 }
 
-TEST_CASE("a swarm that is interrupted between its copies comes to the same") {
+TEST_CASE("an ensemble interrupted between copies computes the same bits") {
     Session session(busy_box(), swept);
     Ensemble at_once(session);
     Ensemble in_bits(session);

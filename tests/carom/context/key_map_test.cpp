@@ -18,7 +18,7 @@ InputEvent press(char32_t code, std::uint8_t modifiers = no_modifier) {
 
 }  // namespace
 
-TEST_CASE("keys are written so that they read back") {
+TEST_CASE("key names read back") {
     const Key keys[] = {
         {U'a', no_modifier},       {U'?', no_modifier},       {U'#', no_modifier},
         {U'=', no_modifier},       {U'é', no_modifier},       {key::space, no_modifier},
@@ -30,7 +30,7 @@ TEST_CASE("keys are written so that they read back") {
     }
 }
 
-TEST_CASE("key names are understood or refused") {
+TEST_CASE("key names are parsed or rejected") {
     CHECK(key_named("ctrl-alt-x") == Key{U'x', control | alt});
     CHECK(key_named("-") == Key{U'-', no_modifier});
     CHECK(key_named("ctrl--") == Key{U'-', control});
@@ -41,13 +41,13 @@ TEST_CASE("key names are understood or refused") {
     }
 }
 
-TEST_CASE("shift belongs to keys without a character only") {
+TEST_CASE("shift counts only for keys without a character") {
     CHECK(key_of(press(U'G', shift)) == Key{U'G', no_modifier});
     CHECK(key_of(press(key::up, shift)) == Key{key::up, shift});
     CHECK(key_of(press(U'x', control)) == Key{U'x', control});
 }
 
-TEST_CASE("every action has a name of its own, and a key") {
+TEST_CASE("every action has a unique name, and a key") {
     const KeyMap keys;
     std::set<std::string_view> names;
     for (const std::string_view name_text : action_names()) {
@@ -64,7 +64,7 @@ TEST_CASE("every action has a name of its own, and a key") {
     CHECK(action_named("explode") == nullptr);
 }
 
-TEST_CASE("the keys that the game is known by") {
+TEST_CASE("the well-known keys keep their actions") {
     const KeyMap keys;
     const auto action = [&](const char* key) { return keys.action_of(*key_named(key)); };
     CHECK(action("space") == action_named("pause"));
@@ -73,7 +73,7 @@ TEST_CASE("the keys that the game is known by") {
     CHECK(action("q") == action_named("quit"));
 }
 
-TEST_CASE("a key does one thing, and the last word counts") {
+TEST_CASE("a key has one action, and the last binding counts") {
     KeyMap keys;
     const Key p{U'p', no_modifier};
     keys.bind(p, action_named("pause"));
@@ -85,7 +85,7 @@ TEST_CASE("a key does one thing, and the last word counts") {
     CHECK(keys.keys_of(action("pause")) == std::vector<Key>{{key::space, no_modifier}});
 }
 
-TEST_CASE("help tells of every action that has a key, as it is now") {
+TEST_CASE("help lists every action that has a key, with its present keys") {
     KeyMap keys;
     keys.bind({U'v', no_modifier}, nullptr);
     keys.bind({U'i', control}, action_named("renderer"));
@@ -101,7 +101,7 @@ TEST_CASE("help tells of every action that has a key, as it is now") {
     CHECK(all.find("up: move the cursor") != std::string::npos);
 }
 
-TEST_CASE("keys of a pinball table are bound like all others, and leave the others alone") {
+TEST_CASE("keys of a pinball table are bound like others, and leave other layers alone") {
     KeyMap keys;
     const Key z{U'z', no_modifier};
     const Key p{U'p', no_modifier};
@@ -122,7 +122,7 @@ TEST_CASE("keys of a pinball table are bound like all others, and leave the othe
     CHECK(keys.hint("left-flipper") == "left");
 }
 
-TEST_CASE("the help page lists the mouse and pinball last, with the keys that are bound") {
+TEST_CASE("the help page lists the mouse and pinball last, with the bound keys") {
     KeyMap keys;
     const auto lines_of_last = [&] {
         std::string lines;

@@ -20,7 +20,7 @@ Session session() {
 
 }  // namespace
 
-TEST_CASE("as many ticks are run as the time asks for, however it is cut into frames") {
+TEST_CASE("the number of ticks depends on the time, not on the frames") {
     for (const int frames : {30, 60, 77, 144, 1000}) {
         CAPTURE(frames);
         Session game = session();
@@ -44,7 +44,7 @@ TEST_CASE("gears go from a hundredth to a thousandfold") {
     CHECK(clock.speed() == 1.0);
 }
 
-TEST_CASE("slow motion runs a tick now and then") {
+TEST_CASE("slow motion computes a tick now and then") {
     Session game = session();
     PlaybackClock clock;
     for (int i = 0; i < 100; ++i)
@@ -55,7 +55,7 @@ TEST_CASE("slow motion runs a tick now and then") {
     CHECK(game.world().tick() <= 12);
 }
 
-TEST_CASE("a pause stands still") {
+TEST_CASE("a paused clock computes nothing") {
     Session game = session();
     PlaybackClock clock;
     clock.pause(true);
@@ -64,14 +64,14 @@ TEST_CASE("a pause stands still") {
     CHECK(clock.advance(game, 1.0 / 120.0, always) == 1);
 }
 
-TEST_CASE("where the machine is too slow the game slows down, says so, and does not fall behind") {
+TEST_CASE("on a slow machine the game slows down, says so, and does not fall ever further behind") {
     Session game = session();
     PlaybackClock clock;
     for (int frame = 0; frame < 60; ++frame)
-        CHECK(clock.advance(game, 1.0 / 60.0, never) == 1);  // at least one: it goes on
+        CHECK(clock.advance(game, 1.0 / 60.0, never) == 1);  // at least one: time passes
     CHECK(clock.is_behind());
     CHECK(clock.ticks_per_second() == doctest::Approx(60.0).epsilon(0.05));
-    CHECK(clock.advance(game, 1.0 / 60.0, always) <= 3);  // nothing is made up for
+    CHECK(clock.advance(game, 1.0 / 60.0, always) <= 3);  // missed ticks are not made up for
     for (int frame = 0; frame < 60; ++frame)
         clock.advance(game, 1.0 / 60.0, always);
     CHECK_FALSE(clock.is_behind());

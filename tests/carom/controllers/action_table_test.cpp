@@ -19,7 +19,7 @@ std::string_view where_text(Where where) {
     return texts[static_cast<std::size_t>(where)];
 }
 
-/// Keys as the table has them, each as code.
+/// The keys of the table, each in code quotes.
 std::string code_of(std::string_view keys) {
     std::string text = "`";
     for (const char c : keys)
@@ -27,7 +27,7 @@ std::string code_of(std::string_view keys) {
     return text + "`";
 }
 
-/// The list of docs/command-line.md, as the table of actions wants it.
+/// The list in docs/command-line.md, generated from the table of actions.
 std::string list_of_actions() {
     std::string text = "| action | keys | does | applies |\n|---|---|---|---|\n";
     for (const Action& action : actions())
@@ -38,14 +38,14 @@ std::string list_of_actions() {
 
 }  // namespace
 
-TEST_CASE("docs/command-line.md lists every action, with its keys and what it does") {
+TEST_CASE("docs/command-line.md lists every action, with its keys and effect") {
     const std::string manual = carom::test::content(CAROM_SOURCE_DIR "/docs/command-line.md");
     const std::string list = list_of_actions();
     INFO("it should hold exactly this:\n", list);
     CHECK(manual.find("\n" + list + "\n") != std::string::npos);
 }
 
-TEST_CASE("of each layer, a default key belongs to one action") {
+TEST_CASE("within a layer, a default key belongs to one action") {
     const KeyMap keys;
     std::set<std::pair<KeyLayer, std::string_view>> seen;
     for (const Action& action : actions()) {
@@ -62,7 +62,7 @@ TEST_CASE("of each layer, a default key belongs to one action") {
     }
 }
 
-TEST_CASE("what an action does fits where it applies") {
+TEST_CASE("an action's effect fits where it applies") {
     for (const Action& action : actions()) {
         CAPTURE(action.name);
         const bool is_for_pool =
@@ -73,7 +73,7 @@ TEST_CASE("what an action does fits where it applies") {
     }
 }
 
-TEST_CASE("groups and notes of the help page name actions") {
+TEST_CASE("groups and notes of the help page refer to existing actions") {
     for (const ActionGroup& group : action_groups()) {
         CHECK(action_named(group.first));
         CHECK(action_named(group.last));
@@ -82,7 +82,7 @@ TEST_CASE("groups and notes of the help page name actions") {
         CHECK((note.action.empty() || action_named(note.action)));
 }
 
-TEST_CASE("every overlay has an action of its name, with a key, that turns it on and off") {
+TEST_CASE("every overlay has an action of its name, with a key, that toggles it") {
     for (const Overlay& overlay : overlays()) {
         CAPTURE(overlay.name);
         const Action* const action = action_named(overlay.name);

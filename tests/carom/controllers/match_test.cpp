@@ -4,7 +4,7 @@
 
 #include "carom/support/home.h"
 
-// A match of pool that is left in the middle, and gone on with another day.
+// A match of pool that is left unfinished and resumed another day.
 
 using namespace carom;
 using carom::test::Home;
@@ -20,7 +20,7 @@ PlayOptions at_the_table(int opponent) {
     return options;
 }
 
-// Breaks, and waits until the balls lie still.
+// Breaks, and waits until the balls are at rest.
 void break_off(Running& running) {
     REQUIRE_FALSE(running.program.start());
     running.look();
@@ -31,7 +31,7 @@ void break_off(Running& running) {
     REQUIRE_FALSE(running.sees("the balls roll"));
 }
 
-// The status of the match: whose turn it is, and how much time is left.
+// The status of the match: whose turn it is, and the time left.
 std::string title_of(Running& running) {
     const std::string screen = running.look();
     const std::size_t at = screen.find("0:0 to 3, ");
@@ -47,7 +47,7 @@ PlayOptions resuming() {
 
 }  // namespace
 
-TEST_CASE("a match that is left stands as it stood: score, turn, clock, aim, what is called") {
+TEST_CASE("a resumed match keeps score, turn, clock, aim and call") {
     const Home home;
     Running before(at_the_table(0));
     break_off(before);
@@ -72,7 +72,7 @@ TEST_CASE("a match that is left stands as it stood: score, turn, clock, aim, wha
     CHECK(title_of(after) == title);
     CHECK(after.sees("1.90 m/s"));
     CHECK(after.sees("follow 0.05"));
-    // The break is still there to be taken back.
+    // The break can still be undone.
     after.key(U'u');
     CHECK(after.sees("to break"));
     after.key(U'q');
@@ -81,7 +81,7 @@ TEST_CASE("a match that is left stands as it stood: score, turn, clock, aim, wha
     CHECK(nothing.program.start());
 }
 
-TEST_CASE("a match against carom is gone on with against the same hand") {
+TEST_CASE("a match against carom resumes against an opponent of equal skill") {
     const Home home;
     {
         Running before(at_the_table(2));
@@ -102,7 +102,7 @@ TEST_CASE("a match against carom is gone on with against the same hand") {
     CHECK(after.sees("against carom, 3 of 4"));
 }
 
-TEST_CASE("a table at which nobody has shot is not kept") {
+TEST_CASE("a table without a shot is not kept") {
     const Home home;
     Running running(at_the_table(0));
     REQUIRE_FALSE(running.program.start());

@@ -22,7 +22,7 @@ std::optional<Button> button_of(const InputEvent& event) {
     return KeyMap().button_of(key_of(event));
 }
 
-/// The buttons under the default keys.
+/// The buttons of the default keys.
 struct Keyboard : PinballButtons {
     using PinballButtons::take;
     std::vector<command::Press> take(const InputEvent& event) {
@@ -33,9 +33,9 @@ struct Keyboard : PinballButtons {
 
 }  // namespace
 
-TEST_CASE("where keys tell their release, a flipper is up exactly as long as its key is down") {
+TEST_CASE("with key releases, a flipper is up exactly while its key is down") {
     Keyboard keys;
-    // The first key teaches that releases are told.
+    // The first release shows that releases are reported.
     keys.take(typed(U'z'));
     keys.take(typed(U'z', InputEvent::Action::release));
     REQUIRE(keys.tells_release());
@@ -50,12 +50,12 @@ TEST_CASE("where keys tell their release, a flipper is up exactly as long as its
     CHECK_FALSE(released[0].is_down);
 }
 
-TEST_CASE("elsewhere a press holds for a set time, and repeats hold on") {
+TEST_CASE("without key releases, a press holds for a set time, and repeats extend it") {
     Keyboard keys;
     CHECK(keys.take(typed(key::left)).size() == 1);
     CHECK(keys.pass(0.1).empty());
     CHECK(keys.pass(0.11).size() == 1);
-    // The terminal begins to repeat, 30 times a second.
+    // The terminal starts to repeat, 30 times a second.
     CHECK(keys.take(typed(key::left)).size() == 1);
     for (int i = 0; i < 30; ++i) {
         CHECK(keys.pass(0.033).empty());
@@ -65,7 +65,7 @@ TEST_CASE("elsewhere a press holds for a set time, and repeats hold on") {
     CHECK(keys.pass(0.1).size() == 1);
 }
 
-TEST_CASE("other keys are not the table's") {
+TEST_CASE("other keys do not belong to the table") {
     Keyboard keys;
     CHECK(keys.take(typed(U'q')).empty());
     CHECK_FALSE(button_of(typed(U'?')).has_value());
@@ -75,7 +75,7 @@ TEST_CASE("other keys are not the table's") {
     CHECK(button_of(typed(key::enter)) == Button::plunger);
 }
 
-TEST_CASE("where flippers toggle, a press raises one and the next lowers it") {
+TEST_CASE("in toggle mode, a press raises a flipper and the next lowers it") {
     Keyboard keys;
     keys.set_toggles(true);
     CHECK(keys.take(typed(U'z')).size() == 1);
@@ -85,11 +85,11 @@ TEST_CASE("where flippers toggle, a press raises one and the next lowers it") {
     const auto lowered = keys.take(typed(U'z'));
     REQUIRE(lowered.size() == 1);
     CHECK_FALSE(lowered[0].is_down);
-    // The plunger does not.
+    // The plunger does not toggle.
     CHECK(keys.take(typed(key::enter)).size() == 1);
 }
 
-TEST_CASE("a button of the mouse holds until it is let go, whatever keys do") {
+TEST_CASE("a mouse button holds until it is released, whatever the keys do") {
     Keyboard keys;
     CHECK(keys.press_mouse(1, Button::left_flipper).size() == 1);
     CHECK(keys.press_mouse(3, Button::right_flipper).size() == 1);
@@ -98,7 +98,7 @@ TEST_CASE("a button of the mouse holds until it is let go, whatever keys do") {
     const auto released = keys.release_mouse(3);
     REQUIRE(released.size() == 1);
     CHECK(released[0].button == Button::right_flipper);
-    // A terminal that does not say which.
+    // A terminal that does not report which button.
     CHECK(keys.release_mouse(0).size() == 1);
     CHECK_FALSE(keys.has_mouse());
 }

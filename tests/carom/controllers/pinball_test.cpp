@@ -21,11 +21,11 @@ namespace {
 
 const MayGoOn always = [] { return true; };
 
-// Of a window of 40: three are for the status.
+// Of the 40 rows of the window, three show the status.
 constexpr int table_rows = 37;
 
-// Nothing moves but what the player moves: one ball lies in the lane at the right, on the plunger,
-// and one beneath the bumper waits for a push.
+// Only the player moves anything: one ball rests on the plunger in the lane at the right, and one
+// beneath the bumper waits for a push.
 const char* const level = R"(carom 1 "A small table"
 units mm
 rate 1000
@@ -63,7 +63,7 @@ Session session_of(const char* text) {
     return Session(std::move(*loaded.scene), solver);
 }
 
-/// A person's folders; all of it goes again.
+/// A user's folders, deleted at the end of the test.
 struct TableHome {
     fs::path path = fs::temp_directory_path() / ("carom-table-" + std::to_string(::getpid()));
     TableHome() {
@@ -126,7 +126,7 @@ struct AtTable {
         return window.text();
     }
     bool sees(const std::string& text) { return look().find(text) != std::string::npos; }
-    /// Of the table, without the panel and the lines below.
+    /// The table, without the panel and the lines below it.
     std::size_t picture() {
         look();
         std::string rows;
@@ -139,7 +139,7 @@ struct AtTable {
 
 }  // namespace
 
-TEST_CASE("where the terminal tells releases, the first press already holds the flipper up") {
+TEST_CASE("with key releases, the first press already holds the flipper up") {
     const TableHome home;
     for (const bool tells : {true, false}) {
         CAPTURE(tells);
@@ -158,7 +158,7 @@ TEST_CASE("where the terminal tells releases, the first press already holds the 
     }
 }
 
-TEST_CASE("releases of the kitty protocol bring a flipper down at once") {
+TEST_CASE("a release in the kitty protocol lowers a flipper at once") {
     const TableHome home;
     TerminalProgram game({CAROM_BINARY_DIR "/carom", "play", home.table()},
                          {.columns = 100, .rows = 40, .emulator = {.has_key_protocol = true}});
@@ -175,7 +175,7 @@ TEST_CASE("releases of the kitty protocol bring a flipper down at once") {
     const auto never = [] { return false; };
     game.wait_until(never, 0.3);
     const std::size_t at_rest = picture();
-    // As kitty sends it under the flags that carom asks for: z goes down, repeats, comes up.
+    // The bytes of kitty under the flags that carom asks for: z is pressed, repeats, is released.
     game.send("\033[122;;122u");
     REQUIRE(game.wait_until([&] { return picture() != at_rest; }));
     game.wait_until(never, 0.3);
@@ -185,7 +185,7 @@ TEST_CASE("releases of the kitty protocol bring a flipper down at once") {
     CHECK_FALSE(game.wait_until([&] { return picture() != up; }, 0.3));
     game.send("\033[122;1:3u");
     CHECK(game.wait_until([&] { return picture() == at_rest; }, 1.0));
-    // The arrows too, with a lock on; the other flipper stays down meanwhile.
+    // Arrow keys too, with Caps Lock or Num Lock on; the other flipper stays down meanwhile.
     game.send("\033[1;65:1D");
     CHECK(game.wait_until([&] { return picture() == up; }, 1.0));
     game.send("\033[1;65:3D");
@@ -195,7 +195,7 @@ TEST_CASE("releases of the kitty protocol bring a flipper down at once") {
     CHECK(game.screen().key_stack() == 0);
 }
 
-TEST_CASE("the plunger is drawn with the mouse, and the further the stronger") {
+TEST_CASE("the mouse pulls the plunger, stronger the further it is dragged") {
     using enum InputEvent::Action;
     constexpr double row = 0.02;
     const Session session = session_of(level);
@@ -217,12 +217,12 @@ TEST_CASE("the plunger is drawn with the mouse, and the further the stronger") {
     REQUIRE(pull.has_value());
     CHECK(pull->share == doctest::Approx(0.25));
     CHECK(pull->lets_go);
-    // The hand is empty now.
+    // The tool is empty now.
     CHECK_FALSE(input.drag_plunger(mouse(move), grip, row).has_value());
     CHECK_FALSE(input.take_mouse(mouse(release), grip, session).has_value());
 }
 
-TEST_CASE("a press on the plunger that is not drawn pulls it as its key does") {
+TEST_CASE("a press on the plunger without a drag acts like its key") {
     using enum InputEvent::Action;
     const Session session = session_of(level);
     const Vec2 grip{0.38, 0.1};
@@ -234,14 +234,14 @@ TEST_CASE("a press on the plunger that is not drawn pulls it as its key does") {
     REQUIRE(released->size() == 1);
     CHECK(released->front().button == Button::plunger);
     CHECK_FALSE(released->front().is_down);
-    // Elsewhere the same button is a flipper, and nothing is drawn.
+    // Elsewhere the button is a flipper's, and no plunger is pulled.
     const auto flipper = input.take_mouse(mouse(press), {0.1, 0.1}, session);
     REQUIRE(flipper.has_value());
     CHECK(flipper->front().button == Button::left_flipper);
     CHECK_FALSE(input.drag_plunger(mouse(move), {0.1, 0.0}, 0.02).has_value());
 }
 
-TEST_CASE("the bell rings for what kicks and for holes, and not too often") {
+TEST_CASE("the bell rings for kicks and holes, but not too often") {
     Session session = session_of(level);
     PinballBell bell;
     CHECK_FALSE(bell.rings(session, 1.0));
@@ -264,14 +264,14 @@ TEST_CASE("the bell rings for what kicks and for holes, and not too often") {
     CHECK(bell.rings(session, 1.0));
 }
 
-TEST_CASE("the bell is off until a key asks for it, and that is kept") {
+TEST_CASE("the bell is off until a key turns it on, and the setting is kept") {
     const TableHome home;
     {
         AtTable table(home);
         CHECK_FALSE(table.program.take_bell());
         table.key(U'l');
         CHECK(table.sees("bell"));
-        CHECK(table.program.take_bell());  // so that one hears whether there is one
+        CHECK(table.program.take_bell());  // an audible sample for the player
         CHECK_FALSE(table.program.take_bell());
     }
     std::ifstream file(home.path / "config/carom/preferences");
@@ -282,7 +282,7 @@ TEST_CASE("the bell is off until a key asks for it, and that is kept") {
     CHECK_FALSE(read_preferences("", "p").preferences.bell);
 }
 
-TEST_CASE("high scores and the way flippers are held stay when the level is loaded again") {
+TEST_CASE("high scores and the flipper mode survive a reload of the level") {
     const TableHome home;
     home.write("data/carom/high-scores", "carom high scores 1\nwork 4321 XYZ\n");
     AtTable table(home, true, true);
@@ -298,14 +298,14 @@ TEST_CASE("high scores and the way flippers are held stay when the level is load
     CHECK(table.sees("XYZ"));
     CHECK(table.sees("4,321"));
     CHECK(table.sees("each press turns one over"));
-    // As many lines as the level wants now.
+    // The number of lines that the level has now.
     changed.replace(changed.find("highscores=3"), 12, "highscores=0");
     home.write("work.level", changed);
     table.pass(0.5);
     CHECK_FALSE(table.sees("XYZ"));
 }
 
-TEST_CASE("a flipper is bound to another key in the preferences, and hints say so") {
+TEST_CASE("a flipper can be bound to another key in the preferences, and hints show it") {
     const TableHome home;
     AtTable table(home, true, false, "p = left-flipper\nz = none\nleft = none\n");
     const std::size_t at_rest = table.picture();

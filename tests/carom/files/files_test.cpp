@@ -22,14 +22,14 @@ TEST_CASE("a file is read whole, up to a limit") {
     CHECK(*read_file("/dev/null").text == "");
 }
 
-TEST_CASE("what cannot be read says why") {
+TEST_CASE("reading errors state the reason") {
     const TemporaryFolder folder;
     CHECK_FALSE(read_file(folder.path("none")).text.has_value());
     CHECK(read_file("none").error == "cannot read 'none': No such file or directory");
     CHECK(read_file(folder.path()).error == "cannot read '" + folder.path() + "': Is a directory");
 }
 
-TEST_CASE("a file appears when it is complete, and not before") {
+TEST_CASE("a file appears only when it is complete") {
     const TemporaryFolder folder;
     const std::string path = folder.file("out", "old");
     {
@@ -49,7 +49,7 @@ TEST_CASE("a file appears when it is complete, and not before") {
     CHECK(folder.names() == std::vector<std::string>{"out"});
 }
 
-TEST_CASE("the mode and the link of a file that is replaced stay") {
+TEST_CASE("replacing a file keeps its mode and its symbolic link") {
     const TemporaryFolder folder;
     const std::string target = folder.file("target", "old");
     ::chmod(target.c_str(), 0600);
@@ -62,7 +62,7 @@ TEST_CASE("the mode and the link of a file that is replaced stay") {
     CHECK((status.st_mode & 0777) == 0600);
 }
 
-TEST_CASE("what cannot be written says why, and leaves nothing behind") {
+TEST_CASE("writing errors state the reason, and leave no files") {
     const TemporaryFolder folder;
     CHECK(*write_file_atomically("/nowhere/x", "text") ==
           "cannot write '/nowhere/x': No such file or directory");
@@ -73,7 +73,7 @@ TEST_CASE("what cannot be written says why, and leaves nothing behind") {
     CHECK(folder.names().empty());
 }
 
-TEST_CASE("what is written at length arrives in order") {
+TEST_CASE("a long text arrives in order") {
     const TemporaryFolder folder;
     std::string expected;
     OutputFile file(folder.path("long"));

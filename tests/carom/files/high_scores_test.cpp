@@ -9,7 +9,7 @@
 
 using namespace carom;
 
-TEST_CASE("a score is taken where it is among the best") {
+TEST_CASE("a score is accepted if it is among the best") {
     HighScores scores{{}, 2};
     CHECK_FALSE(scores.takes(0));
     scores.add({"AAA", 100});
@@ -36,7 +36,7 @@ TEST_CASE("lines of one table are read and written, all others stay") {
     CHECK(with_high_scores("", "table", {{{"ABC", 1}}, 5}) == "carom high scores 1\ntable 1 ABC\n");
 }
 
-TEST_CASE("what is no file of scores is told, with its line") {
+TEST_CASE("a file in another format is reported, with its line") {
     CHECK(read_high_scores("hello\n", "t", 5, "f").problem->find("no file of high scores") !=
           std::string::npos);
     for (const char* line : {"t 5", "t five ABC", "t -5 ABC", "t 5 AB", "t 5 abc", "t 5 ABC x", "",
@@ -49,7 +49,7 @@ TEST_CASE("what is no file of scores is told, with its line") {
     }
 }
 
-TEST_CASE("scores are kept in the user's data folder, and a broken file is left as it is") {
+TEST_CASE("scores are kept in the user's data folder, and a broken file stays untouched") {
     const auto folder = std::filesystem::temp_directory_path() / "carom-high-scores-test";
     std::filesystem::remove_all(folder);
     const char* before = std::getenv("XDG_DATA_HOME");
@@ -72,7 +72,7 @@ TEST_CASE("scores are kept in the user's data folder, and a broken file is left 
     std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("a level is known by its file's name") {
+TEST_CASE("a level is identified by its file name") {
     CHECK(high_scores_name("/a/b/three-bumpers.level") == "three-bumpers");
     CHECK(high_scores_name("my table.level") == "my_table");
 }

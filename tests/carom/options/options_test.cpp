@@ -23,7 +23,7 @@ Options parse_as(const std::vector<const char*>& arguments) {
 
 }  // namespace
 
-TEST_CASE("nothing, or play without a level, is the menu") {
+TEST_CASE("no command, or play without a level, opens the menu") {
     for (const std::vector<const char*>& arguments :
          {std::vector<const char*>{}, std::vector<const char*>{"play"}}) {
         const PlayOptions options = parse_as<PlayOptions>(arguments);
@@ -99,7 +99,7 @@ TEST_CASE("check takes several levels, and statements") {
     CHECK(options.overrides == std::vector<std::string>{"seed 3"});
 }
 
-TEST_CASE("a mistake is an answer, and the first one counts") {
+TEST_CASE("an error is an answer, and the first one counts") {
     const auto answer = parse_as<UsageAnswer>({"run", "pi", "--rate", "fast", "--seed", "slow"});
     CHECK(answer.exit_code == 2);
     CHECK(answer.text.find("--rate") != std::string::npos);
@@ -115,7 +115,7 @@ TEST_CASE("recordings are made, watched and verified") {
     CHECK(watch.level.empty());
     CHECK(watch.paused);
     CHECK(watch.fps == 30.0);
-    // Which game would it be?
+    // It would be unclear which game.
     CHECK(parse_as<UsageAnswer>({"play", "--record", "a.replay"}).exit_code == 2);
     CHECK(parse_as<PlayOptions>({"play", "--resume", "--record", "a"}).record == "a");
     CHECK(parse_as<PlayOptions>({"play", "--cast", "a.cast"}).cast == "a.cast");

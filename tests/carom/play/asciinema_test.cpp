@@ -29,7 +29,7 @@ struct Event {
     std::string data;
 };
 
-/// What a JSON string that starts at `at` says. Of escapes, only those that carom writes.
+/// Decodes the JSON string that starts at `at`. Knows only the escapes that carom writes.
 std::string unquoted(const std::string& line, std::size_t at) {
     REQUIRE(line[at] == '"');
     std::string text;
@@ -73,7 +73,7 @@ struct Film {
         }
     }
 
-    /// What somebody sees at the end who plays it in a terminal of the header's size.
+    /// The final picture of a playback in a terminal of the header's size.
     Emulator played() const {
         const auto number = [&](const char* key) {
             return std::stoi(header.substr(header.find(key) + std::string(key).size()));
@@ -93,7 +93,7 @@ struct Film {
     }
 };
 
-/// All cells of a screen, in words that are equal where they look the same.
+/// All cells of a screen as text, equal for cells that look alike.
 std::vector<std::string> seen(const Emulator& screen) {
     std::vector<std::string> cells;
     for (int row = 0; row < screen.rows(); ++row)
@@ -108,7 +108,7 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("the lines of a cast are JSON, whatever is shown") {
+TEST_CASE("the lines of an asciinema recording are JSON, whatever is shown") {
     CHECK(asciinema_header({.columns = 80, .rows = 24, .title = "a \"b\"", .terminal = "xterm"}) ==
           "{\"version\": 2, \"width\": 80, \"height\": 24, \"title\": \"a \\\"b\\\"\", "
           "\"env\": {\"TERM\": \"xterm\"}}\n");
@@ -120,7 +120,7 @@ TEST_CASE("the lines of a cast are JSON, whatever is shown") {
     CHECK(asciinema_event(0.0, 'o', "\xe2\x96") == "[0.000000, \"o\", \"\uFFFD\uFFFD\"]\n");
 }
 
-TEST_CASE("a cast tells sizes and times from its first picture on") {
+TEST_CASE("an asciinema recording has sizes and times from its first picture on") {
     const TemporaryFolder folder;
     const std::string file = folder.path("a.cast");
     AsciinemaRecording cast(file, "title", "");
@@ -142,7 +142,7 @@ TEST_CASE("a cast tells sizes and times from its first picture on") {
           "[2.000000, \"o\", \"\\u001b[m\\u001b[25;1H\\u001b[?25h\"]\n");
 }
 
-TEST_CASE("a cast that showed nothing, or was not finished, leaves nothing behind") {
+TEST_CASE("an asciinema recording without a picture, or not finished, leaves no file") {
     const TemporaryFolder folder;
     const std::string old = folder.file("old.cast", "precious");
     {
@@ -154,14 +154,14 @@ TEST_CASE("a cast that showed nothing, or was not finished, leaves nothing behin
     CHECK(folder.names().size() == 1);
 }
 
-TEST_CASE("a cast on a full disk is told") {
+TEST_CASE("an asciinema recording on a full disk is reported") {
     AsciinemaRecording cast("/dev/full", "", "");
     REQUIRE_FALSE(cast.obstacle());
     cast.add(0.0, 80, 24, "one");
     CHECK(cast.finish(1.0).value_or("").find("'/dev/full'") != std::string::npos);
 }
 
-TEST_CASE("who plays a cast sees what was on the screen, however the game ended") {
+TEST_CASE("the playback of an asciinema recording shows the screen, however the game ended") {
     const TemporaryFolder folder;
     const std::string level_file = folder.file("two.level", level);
     const std::string file = folder.path("a.cast");
@@ -198,7 +198,7 @@ TEST_CASE("who plays a cast sees what was on the screen, however the game ended"
     game.send("x");
     if (is_suspended) {
         game.send("\x1a");
-        // Nobody could make it go on again, so the system lets it go on at once.
+        // Nobody could continue it, so the system does so at once.
         const auto has_left = [&] {
             return game.output().find("\033[?1049l") != std::string::npos;
         };
@@ -209,7 +209,7 @@ TEST_CASE("who plays a cast sees what was on the screen, however the game ended"
     game.settle(0.3);
     const std::string text = game.screen().text();
     const std::vector<std::string> cells = seen(game.screen());
-    CHECK_FALSE(has(folder.names(), "a.cast"));  // until it is whole
+    CHECK_FALSE(has(folder.names(), "a.cast"));  // until it is complete
     if (ending == 0)
         game.send("q");
     else
@@ -225,12 +225,12 @@ TEST_CASE("who plays a cast sees what was on the screen, however the game ended"
     CHECK(played.columns() == 110);
     CHECK(played.text() == text);
     CHECK((seen(played) == cells));
-    CHECK(played.mode(25));  // the cursor is back
+    CHECK(played.mode(25));  // the cursor is visible again
     CHECK_FALSE(played.mode(1049));
     CHECK_FALSE(played.mode(1002));
 }
 
-TEST_CASE("a cast where none can be written is told before the game") {
+TEST_CASE("an asciinema recording that cannot be written is reported before the game") {
     const TemporaryFolder folder;
     const std::string level_file = folder.file("two.level", level);
     for (const std::string& place :

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder that goes with the test.
+/// A folder that is deleted at the end of the test.
 struct Folder {
     fs::path path = fs::temp_directory_path() / ("carom-watch-" + std::to_string(::getpid()));
     Folder() { fs::create_directories(path); }
@@ -26,7 +26,7 @@ void write(const std::string& path, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a file that is saved with another content has changed, once") {
+TEST_CASE("saving a file with other content is reported once") {
     const Folder folder;
     write(folder.file("a"), "one");
     write(folder.file("b"), "two");
@@ -37,7 +37,7 @@ TEST_CASE("a file that is saved with another content has changed, once") {
     CHECK_FALSE(watch.has_changed());
 }
 
-TEST_CASE("saving the same content is no change") {
+TEST_CASE("saving unchanged content is no change") {
     const Folder folder;
     write(folder.file("a"), "one");
     FileWatcher watch({folder.file("a")});
@@ -45,16 +45,16 @@ TEST_CASE("saving the same content is no change") {
     CHECK_FALSE(watch.has_changed());
 }
 
-TEST_CASE("an editor that renames a new file over the old one is seen") {
+TEST_CASE("an editor that renames a new file over the old one is noticed") {
     const Folder folder;
     write(folder.file("a"), "one");
     FileWatcher watch({folder.file("a")});
-    write(folder.file("new"), "ONE");  // of the same size
+    write(folder.file("new"), "ONE");  // of equal size
     fs::rename(folder.file("new"), folder.file("a"));
     CHECK(watch.has_changed());
 }
 
-TEST_CASE("a file that is away for a moment is waited for") {
+TEST_CASE("a file that vanishes for a moment is waited for") {
     const Folder folder;
     write(folder.file("a"), "one");
     FileWatcher watch({folder.file("a")});
@@ -64,7 +64,7 @@ TEST_CASE("a file that is away for a moment is waited for") {
     CHECK(watch.has_changed());
 }
 
-TEST_CASE("a file that was not there yet is seen when it comes") {
+TEST_CASE("a file that did not exist is noticed when it appears") {
     const Folder folder;
     FileWatcher watch({folder.file("a")});
     CHECK_FALSE(watch.has_changed());

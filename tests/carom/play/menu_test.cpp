@@ -46,7 +46,7 @@ struct Visitor {
 
 }  // namespace
 
-TEST_CASE("arrows choose, enter plays") {
+TEST_CASE("arrows select, enter plays") {
     Visitor visitor;
     CHECK(visitor.selected() == "balls");
     visitor.key(key::up);
@@ -85,7 +85,7 @@ TEST_CASE("q and escape leave") {
     CHECK(std::holds_alternative<Menu::Quit>(visitor.key(key::escape)));
 }
 
-TEST_CASE("the chosen level is read after a moment, and lives") {
+TEST_CASE("the selected level is loaded after a moment, and its picture moves") {
     Visitor visitor;
     visitor.menu.advance(0.01, always);
     CHECK(visitor.loads == 0);
@@ -99,14 +99,14 @@ TEST_CASE("the chosen level is read after a moment, and lives") {
     CHECK(visitor.loads == 1);
 }
 
-TEST_CASE("a broken level says so") {
+TEST_CASE("a broken level is reported") {
     Visitor visitor;
     visitor.key(key::down);
     visitor.menu.advance(0.2, always);
     CHECK(visitor.look().find("mistakes") != std::string::npos);
 }
 
-TEST_CASE("an empty menu is no trap") {
+TEST_CASE("an empty menu can be left") {
     Menu menu({}, [](const std::string&) { return LoadedLevel{}; });
     menu.advance(1.0, always);
     Canvas window(80, 24);

@@ -13,7 +13,7 @@ using namespace carom::test;
 
 namespace {
 
-// Ticks of a few milliseconds: where there are two cores, they are computed beside the drawing.
+// Ticks of a few milliseconds: with two cores, they are computed in the second thread.
 const char* const heavy_level = R"(carom 1 "Heavy ticks"
 rate 60
 solver event
@@ -22,7 +22,7 @@ box 0,0 440,240
 fill light count=5000 box=0,0,440,240 speed=400
 )";
 
-// The ticks that the status line says; -1 where it says none.
+// The tick in the status line; -1 if it shows none.
 int tick_of(const Emulator& screen) {
     const std::string text = screen.text();
     const std::size_t at = text.find("tick ");
@@ -31,7 +31,8 @@ int tick_of(const Emulator& screen) {
 
 }  // namespace
 
-TEST_CASE("a heavy game obeys keys, the mouse, new sizes and the end, whatever is being computed") {
+TEST_CASE(
+    "a heavy game handles keys, the mouse, new sizes and the end, whatever is being computed") {
     const TemporaryFolder folder;
     const std::string file = folder.path("game.replay");
     TerminalProgram game({CAROM_BINARY_DIR "/carom", "play",
@@ -47,9 +48,9 @@ TEST_CASE("a heavy game obeys keys, the mouse, new sizes and the end, whatever i
         game.send(mouse_drag(0, 41 + i, 11));
         game.send(mouse_release(0, 41 + i, 11));
         game.send(i % 2 == 0 ? "c" : "t");
-        game.wait_until([] { return false; }, 0.02);  // it never stops drawing
+        game.wait_until([] { return false; }, 0.02);  // it keeps drawing
     }
-    // A key that does nothing, and a click on nothing, hold no tick up.
+    // A key without an action, and a click on nothing, do not delay a tick.
     game.send("@" + mouse_press(1, 1, 1) + mouse_release(1, 1, 1));
     game.resize(100, 30);
     const int now = tick_of(game.screen());
@@ -79,6 +80,6 @@ TEST_CASE("a heavy game obeys keys, the mouse, new sizes and the end, whatever i
     REQUIRE(end);
     CHECK(*end == 0);
     CHECK(game.what_is_left_dirty().empty());
-    // Computed beside or not, commands came between the same ticks as when it is played again.
+    // In either thread, commands come between the same ticks when it is replayed.
     CHECK(run_carom({"verify", file}).exit_code == 0);
 }

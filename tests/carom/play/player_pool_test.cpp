@@ -22,7 +22,7 @@ Session session_of(const std::string& level) {
     return Session(std::move(scene), solver);
 }
 
-/// Somebody at a table, with keys and a mouse.
+/// A person at a table, with keys and a mouse.
 struct Person : test::PersonAtWindow {
     explicit Person(const std::string& level) : Person(session_of(level)) {}
     explicit Person(Session session) : PersonAtWindow(std::move(session), 120, 36) {}
@@ -53,7 +53,7 @@ struct Person : test::PersonAtWindow {
 
 }  // namespace
 
-TEST_CASE("a break by keys: enter shoots, and the referee tells what it came to") {
+TEST_CASE("a break by keys: enter shoots, and the referee reports the outcome") {
     Person person("eight-ball");
     CHECK(person.sees("player 1: to break"));
     CHECK(person.sees("8.00 m/s"));
@@ -85,7 +85,7 @@ TEST_CASE("arrows turn the aim by a degree, with control by a twentieth; shift m
     CHECK(strike.side == -0.05);
 }
 
-TEST_CASE("the ball in hand is dragged to its place, and put nowhere else") {
+TEST_CASE("the ball in hand is dragged to a legal place, and nowhere else") {
     Person person("eight-ball");
     person.drag(person.cue(), {-1.0, 0.3});
     CHECK(distance(person.cue(), {-1.0, 0.3}) < 0.02);
@@ -102,7 +102,7 @@ TEST_CASE("the ball in hand is dragged to its place, and put nowhere else") {
     CHECK_FALSE(person.play().is_shooting);
 }
 
-TEST_CASE("a pull with the right button shoots the other way, as hard as it is long") {
+TEST_CASE("a pull with the right button shoots the opposite way, harder for a longer pull") {
     Person person("nine-ball");
     const Vec2 from = person.cue();
     person.drag(from, from - Vec2{0.6, 0.0}, 3);
@@ -111,7 +111,7 @@ TEST_CASE("a pull with the right button shoots the other way, as hard as it is l
     CHECK(std::abs(person.last_strike().y) < 0.2);
 }
 
-TEST_CASE("a press on the cloth points the cue there, and shoots nothing") {
+TEST_CASE("a press on the cloth points the cue there, without shooting") {
     Person person("eight-ball");
     person.drag({0.0, -0.2}, {0.0, 0.4});
     CHECK(person.player.session().commands().empty());
@@ -120,7 +120,7 @@ TEST_CASE("a press on the cloth points the cue there, and shoots nothing") {
     CHECK(way.y / way.x == doctest::Approx(0.4 / 0.635).epsilon(0.05));
 }
 
-TEST_CASE("after a weak break the choices stand in the last line, and a digit takes one") {
+TEST_CASE("after a weak break the last line lists the choices, and a digit takes one") {
     Person person("eight-ball");
     for (int i = 0; i < 75; ++i)
         person.key(key::down);
@@ -136,7 +136,7 @@ TEST_CASE("after a weak break the choices stand in the last line, and a digit ta
     CHECK(person.play().rules.player == 1);
 }
 
-TEST_CASE("undo takes the shot back") {
+TEST_CASE("undo reverts the shot") {
     Person person("nine-ball");
     const auto before =
         fingerprint(person.player.session().world(), person.player.session().game());
@@ -147,7 +147,7 @@ TEST_CASE("undo takes the shot back") {
     CHECK(person.sees("player 1: to break"));
 }
 
-TEST_CASE("an aim is called by what it pockets, a safety by its key") {
+TEST_CASE("the aim calls the ball that it pockets, and a key calls a safety") {
     Person person("eight-ball");
     person.key(key::enter);
     person.wait();
@@ -165,7 +165,7 @@ TEST_CASE("an aim is called by what it pockets, a safety by its key") {
     CHECK(call->call.kind == PoolCall::Kind::safety);
 }
 
-TEST_CASE("against carom: it takes its turn, and undo comes back to the person's") {
+TEST_CASE("against carom: it takes its turn, and undo goes back to the person's turn") {
     Person person("nine-ball");
     REQUIRE(person.player.set_opponent(2));
     CHECK(person.sees("you: to break"));
@@ -185,7 +185,7 @@ TEST_CASE("against carom: it takes its turn, and undo comes back to the person's
     }
 }
 
-TEST_CASE("the coach aims as it would shoot, and says why") {
+TEST_CASE("the coach sets up its shot, and explains it") {
     Person person("nine-ball");
     person.key(U'C');
     for (int i = 0; i < 200 && !person.sees("of 3:") && !person.sees("1 of "); ++i)
@@ -196,14 +196,14 @@ TEST_CASE("the coach aims as it would shoot, and says why") {
     CHECK(person.play().is_shooting);
 }
 
-TEST_CASE("there is no opponent where there is no game of pool") {
+TEST_CASE("there is no opponent without a game of pool") {
     Person person("drill-stop");
     CHECK_FALSE(person.player.set_opponent(2));
     person.key(U'O');
     CHECK(person.sees("no game of pool"));
 }
 
-TEST_CASE("help for the aim: none, lines, the shot, a cloud that is computed bit by bit") {
+TEST_CASE("aiming aids: none, lines, a forecast, a cloud that is computed in steps") {
     Person person("drill-half-ball");
     const auto dots = [&] {
         const std::string text = person.look();
@@ -221,8 +221,8 @@ TEST_CASE("help for the aim: none, lines, the shot, a cloud that is computed bit
     CHECK_FALSE(person.sees("cut"));
 }
 
-// The cue went on pointing past the rack once.
-TEST_CASE("the cue follows the ball in hand to its place, unless the person has aimed") {
+// Regression: the cue went on pointing past the rack.
+TEST_CASE("the cue follows the ball in hand, unless the person has aimed") {
     for (const bool has_aimed : {false, true}) {
         CAPTURE(has_aimed);
         Person person("eight-ball");
@@ -232,12 +232,12 @@ TEST_CASE("the cue follows the ball in hand to its place, unless the person has 
         const Vec2 way = person.player.session().scene().pool.racks[0].foot - person.cue();
         person.key(key::enter);
         const double off = cross(person.last_strike(), way) / length(person.last_strike());
-        // The balls of a rack are off their places by a hair.
+        // The balls of a rack are displaced by tiny random shifts.
         CHECK((std::abs(off) < 1e-3) != has_aimed);
     }
 }
 
-TEST_CASE("the clock is seen, its last seconds are told, and its end passes the turn") {
+TEST_CASE("the clock is shown, its last seconds are announced, and its end passes the turn") {
     Scene scene = test::shipped_level("eight-ball");
     scene.pool.clock = 8.0;
     const SolverSettings solver = pick_solver(scene.world).settings;
@@ -252,7 +252,7 @@ TEST_CASE("the clock is seen, its last seconds are told, and its end passes the 
     CHECK_FALSE(person.sees("6 s left"));
     pass(2.0);
     CHECK(person.sees("4 s left"));
-    // A pause stops it.
+    // A pause stops the clock.
     person.key(U' ');
     pass(20.0);
     CHECK(person.sees("4 s left"));

@@ -9,7 +9,7 @@
 
 using namespace carom;
 
-TEST_CASE("an empty text leaves everything as it comes") {
+TEST_CASE("an empty text changes nothing") {
     const PreferencesText read = read_preferences("", "preferences");
     CHECK(read.problems.empty());
     CHECK_FALSE(read.preferences.renderer);
@@ -51,7 +51,7 @@ TEST_CASE("settings and keys are read") {
     CHECK(p.keys.action_of({key::up, control}) == action_named("zoom-in"));
 }
 
-TEST_CASE("a mistake is told with its place, and the rest counts") {
+TEST_CASE("an error is reported with its place, and the rest counts") {
     struct Row {
         const char* text;
         const char* problem;
@@ -78,7 +78,7 @@ TEST_CASE("a mistake is told with its place, and the rest counts") {
     }
 }
 
-TEST_CASE("a setting is changed where it stands, and everything else stays") {
+TEST_CASE("a setting is changed in place, and everything else stays") {
     const std::string text =
         "# my preferences\n"
         "renderer = ascii  # best\n"
@@ -93,7 +93,7 @@ TEST_CASE("a setting is changed where it stands, and everything else stays") {
     CHECK(with_setting("no end", "trails", "on") == "no end\ntrails = on\n");
 }
 
-TEST_CASE("what is kept reads back") {
+TEST_CASE("kept settings read back") {
     for (const std::string_view name : renderer_choice_names()) {
         const std::string text = with_setting("", "renderer", name);
         CHECK(read_preferences(text, "p").preferences.renderer == renderer_choice(name));

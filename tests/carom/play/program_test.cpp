@@ -46,7 +46,7 @@ TEST_CASE("a level named on the command line is played") {
     CHECK(running.program.is_over());
 }
 
-TEST_CASE("a level that is not there or has mistakes is told") {
+TEST_CASE("a missing or faulty level is reported") {
     const Home home;
     home.write("bad.level", "carom 1 \"Bad\"\nball at=0,0 r=-1\n");
     auto problems = Running(playing("nowhere.level")).program.start();
@@ -57,7 +57,7 @@ TEST_CASE("a level that is not there or has mistakes is told") {
     CHECK(problems->front().find("bad.level:2:") != std::string::npos);
 }
 
-TEST_CASE("a watched level is loaded again when it is saved; mistakes leave the old one playing") {
+TEST_CASE("a watched level is reloaded when it is saved; errors leave the old one playing") {
     const Home home;
     PlayOptions options = playing("test.level");
     options.watch = true;
@@ -77,7 +77,7 @@ TEST_CASE("a watched level is loaded again when it is saved; mistakes leave the 
     CHECK_FALSE(running.sees("error"));
 }
 
-TEST_CASE("a watched level that begins with mistakes is waited for") {
+TEST_CASE("a watched level that starts with errors is waited for") {
     const Home home;
     home.write("bad.level", "carom 1 \"Bad\"\nball at=0,0 r=-1\n");
     PlayOptions options = playing("bad.level");
@@ -90,7 +90,7 @@ TEST_CASE("a watched level that begins with mistakes is waited for") {
     CHECK(running.sees("A test"));
 }
 
-TEST_CASE("a game that is cut off is taken up where it stood") {
+TEST_CASE("an interrupted game is resumed at the point of interruption") {
     const Home home;
     const pid_t child = ::fork();
     if (child == 0) {
@@ -151,7 +151,7 @@ TEST_CASE("a game that is cut off is taken up where it stood") {
     }
 }
 
-TEST_CASE("a game is kept every few seconds, so that even a kill loses little") {
+TEST_CASE("a game is saved every few seconds, so that even a kill loses little") {
     const Home home;
     Running running(playing("test.level"));
     REQUIRE_FALSE(running.program.start());
@@ -164,7 +164,7 @@ TEST_CASE("a game is kept every few seconds, so that even a kill loses little") 
     CHECK(fs::is_empty(folder));
 }
 
-TEST_CASE("what is changed by keys is preferred from then on, and a person's comments stay") {
+TEST_CASE("settings changed by keys are kept, and so are a person's comments") {
     const Home home;
     fs::create_directories(home.preferences().parent_path());
     std::ofstream(home.preferences()) << "# mine\nrenderer = ascii\nz = quit\n";
@@ -177,8 +177,8 @@ TEST_CASE("what is changed by keys is preferred from then on, and a person's com
     CHECK(running.program.is_over());
 }
 
-// It was ignored without a word once.
-TEST_CASE("preferences that cannot be written are told once, and the game goes on") {
+// Regression: the failure was ignored silently.
+TEST_CASE("preferences that cannot be written are reported once, and the game continues") {
     const Home home;
     const auto is_told = [&] {
         Running running(playing("test.level"));
@@ -193,21 +193,21 @@ TEST_CASE("preferences that cannot be written are told once, and the game goes o
     };
     std::ofstream(home.path / "config") << "in the way";
     CHECK(is_told());
-    // What cannot be read is not written over either.
+    // A file that cannot be read is not overwritten either.
     fs::remove(home.path / "config");
     fs::create_directories(home.preferences());
     CHECK(is_told());
     CHECK(fs::is_directory(home.preferences()));
 }
 
-TEST_CASE("a mistake in the preferences is shown, and the game is played") {
+TEST_CASE("an error in the preferences is shown, and the game is played") {
     const Home home;
     Running running(playing("test.level"), "renderer = fancy\n");
     REQUIRE_FALSE(running.program.start());
     CHECK(running.sees("preferences:1:12: error"));
 }
 
-TEST_CASE("what stands is saved beside the person, under a name that is free") {
+TEST_CASE("the state is saved in the current folder, under an unused name") {
     const Home home;
     Running running(playing("test.level"));
     REQUIRE_FALSE(running.program.start());
@@ -220,7 +220,7 @@ TEST_CASE("what stands is saved beside the person, under a name that is free") {
     CHECK_FALSE(Running(playing("test-1.level")).program.start());
 }
 
-TEST_CASE("the mouse is let go of and taken back") {
+TEST_CASE("the mouse is left to the terminal and taken again") {
     const Home home;
     Running running(playing("test.level"));
     REQUIRE_FALSE(running.program.start());

@@ -46,7 +46,7 @@ bool has(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("a run that is recorded verifies, without the level's files") {
+TEST_CASE("a recorded run verifies, without the level's files") {
     const Folder folder;
     folder.record({"--ticks", "300", "--seed", "9", "--rate", "100", "--set", "use gravity 0,-5"});
     ::unlink(folder.level_file.c_str());
@@ -57,7 +57,7 @@ TEST_CASE("a run that is recorded verifies, without the level's files") {
     CHECK(verified.err.empty());
 }
 
-TEST_CASE("verify names the ticks among which the first difference is") {
+TEST_CASE("verify names the interval of ticks that contains the first difference") {
     const Folder folder;
     const std::string text = folder.record({"--ticks", "300"});
     const auto verify = [&](const std::string& changed) {
@@ -83,10 +83,10 @@ TEST_CASE("verify names the ticks among which the first difference is") {
     CHECK(has(verified.out, "it was recorded by carom 9"));
 }
 
-TEST_CASE("verify tells a change of the physics from a difference") {
+TEST_CASE("verify distinguishes a change of the physics from a difference") {
     const Folder folder;
     const std::string text = replaced(folder.record({"--ticks", "300"}), "physics 1", "physics 99");
-    // The same bits are the same under any version.
+    // Equal bits are equal under any version.
     CHECK(run_carom({"verify", folder.file("b.replay", text)}).exit_code == 0);
     const std::string struck = replaced(text, "\nmark 120", "\nat 30 strike 0 1,1\nmark 120");
     const Finished verified = run_carom({"verify", folder.file("c.replay", struck)});
@@ -106,7 +106,7 @@ TEST_CASE("unfinished games of an older carom verify with the fingerprint they w
     }
 }
 
-TEST_CASE("what is no whole recording is told with its line and a remedy") {
+TEST_CASE("an incomplete recording is reported with its line and a remedy") {
     const Folder folder;
     const std::string text = folder.record({"--ticks", "10"});
     struct Row {
@@ -141,7 +141,7 @@ TEST_CASE("what is no whole recording is told with its line and a remedy") {
     CHECK(has(missing.err, "cannot read"));
 }
 
-TEST_CASE("a game is recorded, also when it is terminated, and is watched again") {
+TEST_CASE("a game is recorded, even if it is terminated, and can be watched") {
     const Folder folder;
     const std::string file = folder.path("game.replay");
     int ending = 0;
@@ -177,7 +177,7 @@ TEST_CASE("a game is recorded, also when it is terminated, and is watched again"
     CHECK(has(verified.out, "2 commands"));
     const std::string text = content(file);
     CHECK(has(text, "\nlevel two.level\n"));
-    CHECK_FALSE(has(text, folder.path()));  // nothing of the player's folders
+    CHECK_FALSE(has(text, folder.path()));  // no path of the player's folders
 
     TerminalProgram watcher({CAROM_BINARY_DIR "/carom", "replay", file, "--paused"},
                             at_home(folder));
@@ -191,7 +191,7 @@ TEST_CASE("a game is recorded, also when it is terminated, and is watched again"
     REQUIRE(watcher.wait_for_end());
 }
 
-TEST_CASE("a recording that disagrees with what is watched is told") {
+TEST_CASE("a recording that disagrees with its replay is reported") {
     const Folder folder;
     const std::string text = folder.record({"--ticks", "300"});
     const std::string file =
@@ -205,8 +205,7 @@ TEST_CASE("a recording that disagrees with what is watched is told") {
     REQUIRE(watcher.wait_for_end());
 }
 
-TEST_CASE(
-    "a place where no recording can be written is told before the game, and nothing is lost") {
+TEST_CASE("a recording that cannot be written is reported before the game, and no file is lost") {
     const Folder folder;
     for (const std::string& place :
          {folder.path(), std::string("/proc/a.replay"), std::string("-")}) {

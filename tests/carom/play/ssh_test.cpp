@@ -26,7 +26,7 @@ struct Place {
     double row = 0.0;
 };
 
-// The middle of all that is drawn above the status lines; none: nothing is.
+// The centre of everything drawn above the status lines; none: nothing is.
 std::optional<Place> ball_on(const carom::test::Emulator& screen) {
     Place sum;
     int cells = 0;
@@ -57,7 +57,7 @@ std::string played(const SshServer& server) {
 
 }  // namespace
 
-TEST_CASE("played through a real sshd: a ball is dragged, and steps") {
+TEST_CASE("played through a real sshd: a ball is dragged, and time is stepped") {
     const auto server = SshServer::start();
     if (!server) {
         MESSAGE("skipped: sshd is not installed (on Debian: openssh-server)");
@@ -80,7 +80,7 @@ TEST_CASE("played through a real sshd: a ball is dragged, and steps") {
     for (int i = 1; i <= 30; ++i) {
         program.send(mouse_drag(0, column + i, row - i / 6));
     }
-    program.send("...");  // the world stands still but for these
+    program.send("...");  // each dot is a single step; nothing else moves the world
     program.send(mouse_release(0, column + 30, row - 5));
     CHECK(program.wait_for_text("0.050 s"));
     CHECK(program.wait_until(
@@ -122,7 +122,7 @@ TEST_CASE("the window is resized through ssh") {
     CHECK(program.what_is_left_dirty() == "");
 }
 
-TEST_CASE("a connection that is cut ends the game, which can be taken up again") {
+TEST_CASE("a lost connection ends the game, which can be resumed") {
     const auto server = SshServer::start();
     if (!server) {
         MESSAGE("skipped: sshd is not installed (on Debian: openssh-server)");
@@ -141,7 +141,7 @@ TEST_CASE("a connection that is cut ends the game, which can be taken up again")
     }
     const std::string again = command.substr(0, command.find(" play ")) + " play --resume";
     bool is_taken_up = false;
-    for (int i = 0; i < 50 && !is_taken_up; ++i) {  // the first game takes its time to end
+    for (int i = 0; i < 50 && !is_taken_up; ++i) {  // the first game takes some time to end
         TerminalProgram program(server->client(again), options);
         is_taken_up = program.wait_for_text("0.117 s", 2.0);
         program.send("q");

@@ -19,10 +19,10 @@ bool is_readable(int handle, int milliseconds) {
 
 }  // namespace
 
-TEST_CASE("a worker does one job after another, and hands back what it worked on") {
+TEST_CASE("a worker does one job after another, and returns its data") {
     Worker worker;
     REQUIRE(worker.is_there());
-    std::vector<int> squares;  // nobody locks it
+    std::vector<int> squares;  // without a lock
     for (int i = 0; i < 1000; ++i) {
         worker.start([&squares, i] { squares.push_back(i * i); });
         worker.finish();
@@ -31,7 +31,7 @@ TEST_CASE("a worker does one job after another, and hands back what it worked on
     CHECK(squares.back() == 999 * 999);
 }
 
-TEST_CASE("the end of a worker's job can be waited for beside other things") {
+TEST_CASE("the end of a worker's job can be polled together with other events") {
     Worker worker;
     CHECK_FALSE(is_readable(worker.handle(), 0));
     std::atomic<bool> may_end = false;
@@ -50,7 +50,7 @@ TEST_CASE("the end of a worker's job can be waited for beside other things") {
     worker.finish();
 }
 
-TEST_CASE("what a worker's job throws, finish throws, and the next job is done") {
+TEST_CASE("finish rethrows an exception of a worker's job, and the next job runs") {
     Worker worker;
     worker.start([] { throw std::runtime_error("no"); });
     CHECK_THROWS_AS(worker.finish(), std::runtime_error);
@@ -60,7 +60,7 @@ TEST_CASE("what a worker's job throws, finish throws, and the next job is done")
     CHECK(is_done);
 }
 
-TEST_CASE("a worker that goes waits for its job") {
+TEST_CASE("the destructor of a worker waits for its job") {
     bool is_done = false;
     {
         Worker worker;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double radius = 0.028575;
 
-// The cue ball at 0,0 and one object ball at 1,0 on a table; the rest is as the level has it.
+// The cue ball at 0,0 and one object ball at 1,0 on a table; everything else is the level's.
 Scene two_balls() {
     Scene scene = shipped_level("drill-half-ball");
     return scene;
@@ -26,10 +26,12 @@ Scene two_balls() {
 
 }  // namespace
 
-TEST_CASE("half a ball is a cut of 30 degrees, and the tangent is square to the line of centres") {
+TEST_CASE(
+    "a half-ball hit is a cut of 30 degrees, and the tangent is at a right angle to the line of "
+    "centres") {
     const Scene scene = two_balls();
     const BallId cue = named(scene, "cue");
-    // The middle of the cue ball at the rim of the object ball, which lies at 0,0.
+    // The cue ball's centre is aimed at the rim of the object ball, which is at 0,0.
     const double apart = 0.9;
     const double slope = radius / std::sqrt(apart * apart - radius * radius);
     const auto line = aim_line(scene.world, cue, {1.0, slope});
@@ -40,7 +42,7 @@ TEST_CASE("half a ball is a cut of 30 degrees, and the tangent is square to the 
     CHECK(length(line->to) == doctest::Approx(2.0 * radius).epsilon(1e-9));
 }
 
-TEST_CASE("a line that meets no ball ends at a cushion; no direction, no line") {
+TEST_CASE("an aim line that meets no ball ends at a cushion; without a direction there is none") {
     const Scene scene = two_balls();
     const BallId cue = named(scene, "cue");
     const auto line = aim_line(scene.world, cue, {0.0, 3.0});
@@ -51,7 +53,7 @@ TEST_CASE("a line that meets no ball ends at a cushion; no direction, no line") 
     CHECK_FALSE(aim_line(scene.world, BallId{99}, {1.0, 0.0}));
 }
 
-TEST_CASE("the forecast of a shot is the shot, to the last bit") {
+TEST_CASE("the forecast of a shot equals the shot, to the last bit") {
     const Scene scene = shipped_level("eight-ball");
     const SolverSettings settings = pick_solver(scene.world).settings;
     Session session(scene, settings);
@@ -74,7 +76,7 @@ TEST_CASE("the forecast of a shot is the shot, to the last bit") {
     }
 }
 
-TEST_CASE("the cloth of a 9-ft table lies between the noses") {
+TEST_CASE("the cloth of a 9-ft table is the area between the cushion noses") {
     const auto cloth = cloth_box(shipped_level("nine-ball"));
     REQUIRE(cloth);
     CHECK(cloth->low.x == doctest::Approx(-1.27));
@@ -83,7 +85,7 @@ TEST_CASE("the cloth of a 9-ft table lies between the noses") {
     CHECK(cloth->high.y == doctest::Approx(0.635));
 }
 
-TEST_CASE("the easiest pot of the stop-shot drill is the straight one, and it falls") {
+TEST_CASE("the easiest pot of the stop-shot drill is the straight one, and it succeeds") {
     const Scene scene = shipped_level("drill-stop");
     const BallId cue = named(scene, "cue");
     const BallId object = named(scene, "object");
@@ -99,7 +101,7 @@ TEST_CASE("the easiest pot of the stop-shot drill is the straight one, and it fa
     CHECK_FALSE(index_of(ahead.world, object));
 }
 
-TEST_CASE("a ball behind another is no direct pot") {
+TEST_CASE("a ball behind another cannot be potted directly") {
     Scene scene = shipped_level("drill-stop");
     const BallId cue = named(scene, "cue");
     const BallId object = named(scene, "object");

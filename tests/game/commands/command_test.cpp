@@ -38,7 +38,7 @@ struct Refused {
 
 }  // namespace
 
-TEST_CASE("commands that cannot be obeyed are refused with a reason") {
+TEST_CASE("commands that cannot be executed are refused with a reason") {
     const World world = busy_box().world;
     const Refused table[] = {
         {command::Strike{BallId{9}, {}}, "there is no ball 9"},
@@ -84,22 +84,22 @@ TEST_CASE("a ball that only touches is not refused") {
     CHECK_FALSE(refusal(world, command::AddBall{ball_at_rest({8.0, 6.0})}));
 }
 
-TEST_CASE("overlaps count across the sides of a torus") {
+TEST_CASE("overlaps are found across the sides of a torus") {
     World world = rainy_torus().world;
     execute(world, command::AddBall{ball_at_rest({0.5, 27.0})});
     CHECK(refusal(world, command::AddBall{ball_at_rest({39.5, 27.0})}));
     CHECK(refusal(world, command::AddCapsule{{{39.0, 26.0}, {39.0, 28.0}, 1.0}, 0}));
 }
 
-TEST_CASE("pairs that do not meet may overlap") {
+TEST_CASE("pairs that do not collide may overlap") {
     World world = busy_box().world;
     world.edit_definition().model.filtered = true;
-    world.edit_definition().meets = {0, 1, 1, 0};  // balls meet edges, and not each other
+    world.edit_definition().meets = {0, 1, 1, 0};  // balls collide with edges only
     CHECK_FALSE(refusal(world, command::AddBall{ball_at_rest({8.0, 9.0})}));
     CHECK(refusal(world, command::AddBall{ball_at_rest({1.5, 26.0})}));
 }
 
-TEST_CASE("commands do what they say") {
+TEST_CASE("each command has its effect") {
     World world = busy_box().world;
     execute(world, command::Strike{BallId{2}, {1.0, 2.0}});
     CHECK(world.balls().velocity[2] == Vec2{1.0, 2.0});
@@ -120,10 +120,10 @@ TEST_CASE("commands do what they say") {
     CHECK_FALSE(world.model().gravity);
 }
 
-TEST_CASE("a ball or an edge can be put down where there is room, held or not") {
+TEST_CASE("a ball or an edge can be placed where there is room, held or not") {
     World world = busy_box().world;
-    const Command command =
-        command::PlaceBall{BallId{0}, {8.5, 8.0}};  // where it is in its own way
+    // The new position overlaps only the ball's own old one.
+    const Command command = command::PlaceBall{BallId{0}, {8.5, 8.0}};
     REQUIRE_FALSE(refusal(world, command));
     execute(world, command::HoldBall{BallId{0}, {1.0, 2.0}});
     execute(world, command);
@@ -135,7 +135,7 @@ TEST_CASE("a ball or an edge can be put down where there is room, held or not") 
     CHECK(world.capsules().shape[4] == Capsule{{24.0, 3.0}, {34.0, 6.0}, 0.5});
 }
 
-TEST_CASE("what is added can meet what is there, whatever the level held") {
+TEST_CASE("added bodies collide with existing ones, whatever the level contained") {
     World world = busy_box().world;
     world.edit_definition().model.ball_ball = false;
     world.edit_definition().model.ball_edge = false;
@@ -145,7 +145,7 @@ TEST_CASE("what is added can meet what is there, whatever the level held") {
     CHECK(world.model().ball_edge);
 }
 
-TEST_CASE("what never meets stays out of the model") {
+TEST_CASE("pairs that cannot collide stay out of the model") {
     World world = busy_box().world;
     world.edit_definition().model.filtered = true;
     world.edit_definition().model.ball_ball = false;
@@ -154,7 +154,7 @@ TEST_CASE("what never meets stays out of the model") {
     CHECK_FALSE(world.model().ball_ball);
 }
 
-TEST_CASE("strike: a tip off its middle makes the ball turn, where balls turn") {
+TEST_CASE("strike: an off-centre tip spins the ball, in a model with spin") {
     World world = busy_box().world;
     CHECK(refusal(world, command::Strike{BallId{0}, {1.0, 0.0}, 0.1, 0.0}));
     CHECK(refusal(world, command::Strike{BallId{0}, {1.0, 0.0}, 0.0, 0.1}));

@@ -9,7 +9,7 @@ using carom::test::ball_at_rest;
 using carom::test::busy_box;
 using carom::test::rainy_torus;
 
-TEST_CASE("the ball under the hand is picked") {
+TEST_CASE("the ball under the pointer is picked") {
     World world = busy_box().world;
     CHECK(ball_at(world, {8.5, 8.0}, 0.0) == BallId{0});
     CHECK(ball_at(world, {9.5, 8.0}, 0.0) == std::nullopt);
@@ -17,7 +17,7 @@ TEST_CASE("the ball under the hand is picked") {
     CHECK(ball_at(world, {10.51, 8.0}, 2.0) == BallId{1});
 }
 
-TEST_CASE("of balls that lie in one another the nearest centre is picked, then the lower id") {
+TEST_CASE("among overlapping balls the nearest centre is picked, then the lower id") {
     World world;
     world.edit_definition().kinds = {Kind{}};
     add_ball(world, ball_at_rest({0.0, 0.0}));
@@ -27,7 +27,7 @@ TEST_CASE("of balls that lie in one another the nearest centre is picked, then t
     CHECK(ball_at(world, {0.1, 0.0}, 0.0) == BallId{0});
 }
 
-TEST_CASE("on a torus the hand reaches across the side") {
+TEST_CASE("on a torus, picking reaches across a side") {
     World world = rainy_torus().world;
     world.edit_balls().position[0] = {0.2, 15.0};
     CHECK(ball_at(world, {39.8, 15.0}, 0.0) == BallId{0});
@@ -43,14 +43,14 @@ TEST_CASE("ends of edges, and edges, are picked by distance") {
     CHECK(edge_at(world, {20.0, 15.0}, 0.5) == std::nullopt);
 }
 
-TEST_CASE("a joint is all ends in one place") {
+TEST_CASE("a joint is all edge ends at one position") {
     const World world = busy_box().world;
     CHECK(joint(world, {CapsuleId{6}, false}) ==
           std::vector<EdgeEnd>{{CapsuleId{5}, true}, {CapsuleId{6}, false}});
     CHECK(joint(world, {CapsuleId{4}, false}) == std::vector<EdgeEnd>{{CapsuleId{4}, false}});
 }
 
-TEST_CASE("dragging a joint carries every edge that meets there") {
+TEST_CASE("dragging a joint moves every edge that meets there") {
     const World world = busy_box().world;
     const EdgeGrip grip = grip_joint(world, {CapsuleId{5}, true}, {30.1, 20.0});
     const auto commands = carry(world, grip, {31.1, 22.0});
@@ -69,7 +69,7 @@ TEST_CASE("dragging a joint carries every edge that meets there") {
     CHECK(std::holds_alternative<command::PlaceCapsule>(place(world, grip, {0.0, 0.0})[1]));
 }
 
-TEST_CASE("dragging a whole edge takes the ends of its neighbours along") {
+TEST_CASE("dragging a whole edge moves the joined ends of its neighbours") {
     const World world = busy_box().world;
     const EdgeGrip grip = grip_edge(world, CapsuleId{6}, {33.0, 22.0});
     const auto commands = carry(world, grip, {33.0, 21.0});
@@ -92,14 +92,14 @@ TEST_CASE("a peg moves as a whole") {
     CHECK(std::get<command::HoldCapsule>(commands[0]).end_target == Vec2{21.0, 25.0});
 }
 
-TEST_CASE("an edge that is gone is let go") {
+TEST_CASE("an edge that vanishes is released") {
     World world = busy_box().world;
     const EdgeGrip grip = grip_joint(world, {CapsuleId{5}, true}, {30.0, 20.0});
     remove_capsule(world, CapsuleId{5});
     CHECK(carry(world, grip, {31.0, 22.0}).size() == 1);
 }
 
-TEST_CASE("from ball to ball, round and round") {
+TEST_CASE("stepping from ball to ball is cyclic") {
     World world = busy_box().world;
     remove_ball(world, BallId{4});
     CHECK(next_ball(world, std::nullopt) == BallId{0});

@@ -12,7 +12,7 @@ using namespace carom;
 
 namespace {
 
-// A ball hangs in a closed box, without gravity, so that a test can send it where it likes.
+// A ball floats in a closed box without gravity, so that a test can send it anywhere.
 const std::string small_table = R"(carom 1 "A small table"
 units mm
 rate 1000
@@ -37,7 +37,7 @@ Scene scene_of(const std::string& text) {
     return std::move(*loaded.scene);
 }
 
-/// A world that a test pushes about.
+/// A table whose ball a test moves about.
 struct Game {
     explicit Game(const std::string& rules)
         : scene(scene_of(small_table + rules)),
@@ -51,7 +51,7 @@ struct Game {
             update_game(scene, world, game, solver.contacts());
         }
     }
-    /// Puts the first ball down, with a velocity, and lets half a second pass.
+    /// Places the first ball, with a velocity, and simulates half a second.
     void send(Vec2 millimetres, Vec2 velocity, double seconds = 0.05) {
         world.edit_balls().position[0] = millimetres * 0.001;
         world.edit_balls().velocity[0] = velocity;
@@ -70,7 +70,7 @@ struct Game {
 
 }  // namespace
 
-TEST_CASE("hits, entries and whole banks are told to the rules") {
+TEST_CASE("rules react to hits, entries and completed banks") {
     Game game(R"(game pinball balls=3 save=0s bonus=500
 on pops hit score 100
 on stand hit score 7, bonus +2
@@ -93,7 +93,7 @@ on pops hit while arrow score 5000, unlight arrow
     CHECK(game.state().multiplier == 2);
     game.send({50, 120}, {-1.0, 0.0});
     CHECK(game.state().score == 119);
-    // It is down now: the next ball passes and meets the wall.
+    // The target is down now: the next ball passes and hits the wall.
     game.send({50, 120}, {-1.0, 0.0}, 0.03);
     CHECK(game.world.balls().position[0].x < 0.025);
     CHECK(game.state().score == 119);
@@ -107,7 +107,7 @@ on pops hit while arrow score 5000, unlight arrow
     CHECK(game.state().score == 6339);
 }
 
-TEST_CASE("a bank that shall stand again waits until no ball is in the way") {
+TEST_CASE("a bank due to rise waits until no ball is in the way") {
     Game game("game pinball save=0s\non lanes enter reset drops\n");
     add_ball(game.world, {.kind = 0, .position = {0.2, 0.4}, .radius = 0.01});
     game.send({50, 120}, {-1.0, 0.0});
@@ -124,9 +124,9 @@ TEST_CASE("a bank that shall stand again waits until no ball is in the way") {
     CHECK(side(1) == Side::both);
 }
 
-TEST_CASE("a ball that drains early comes back, a late one ends with its bonus") {
+TEST_CASE("a ball that drains early is saved, a late one ends with its bonus") {
     Game game("game pinball balls=2 save=2s bonus=500\non stand hit bonus +3, multiplier 2\n");
-    // On the plunger, and launched.
+    // Rests on the plunger and is launched.
     game.send({390, 30.1}, {});
     CHECK(is_on_plunger(game.scene, game.world));
     game.press(Button::plunger, true);
@@ -162,7 +162,7 @@ TEST_CASE("a ball that drains early comes back, a late one ends with its bonus")
     CHECK(game.world.balls().size() == 1);
 }
 
-TEST_CASE("an extra ball is played before the next one, and multiball has a save of its own") {
+TEST_CASE("an extra ball is played before the next one, and multiball has its own ball saver") {
     Game game("game pinball balls=1 save=1s\non pops hit extraball\non stand hit multiball 3\n");
     game.send({200, 460}, {0.0, 1.0});
     CHECK(game.state().extra_balls == 1);
@@ -171,7 +171,7 @@ TEST_CASE("an extra ball is played before the next one, and multiball has a save
     CHECK(game.state().save_until > 0);
 }
 
-TEST_CASE("nudging pushes balls, warns, and tilts in the end") {
+TEST_CASE("nudging pushes balls, warns, and finally tilts") {
     Game game("game pinball save=0s tilt=1\non pops hit score 100\non stand hit bonus +1\n");
     game.send({360, 120}, {1.0, 0.0});
     CHECK(game.state().bonus == 1);
@@ -196,7 +196,7 @@ TEST_CASE("nudging pushes balls, warns, and tilts in the end") {
     CHECK(game.state().score == 0);
 }
 
-TEST_CASE("a kickback sends a ball back once") {
+TEST_CASE("a kickback returns a ball once") {
     Game game("game pinball save=0s\non pops hit light rescue\n");
     game.send({60, 80}, {0.0, -1.0});
     CHECK(game.world.balls().velocity[0].y > 1.0);
@@ -204,7 +204,7 @@ TEST_CASE("a kickback sends a ball back once") {
     CHECK(game.world.balls().velocity[0].y < 0.0);
 }
 
-TEST_CASE("lights of rollovers go on by one with each press of a flipper") {
+TEST_CASE("each press of a flipper rotates the lights of rollovers") {
     Game game("game pinball save=0s\non lanes all score 1\n");
     game.send({100, 330}, {0.0, -0.8});
     const auto& lanes = game.scene.table.groups[3];
@@ -215,14 +215,14 @@ TEST_CASE("lights of rollovers go on by one with each press of a flipper") {
     CHECK(game.state().is_lit[lanes.devices[1]] == 1);
 }
 
-TEST_CASE("a ball search frees a ball that has come to lie somewhere") {
+TEST_CASE("the ball search frees a stuck ball") {
     Game game("game pinball save=0s\n");
     game.send({200, 300}, {}, 6.0);
     CHECK(game.state().searches == 1);
     CHECK(length(game.world.balls().velocity[0]) > 0.1);
 }
 
-TEST_CASE("without a game the mechanisms of a table work all the same") {
+TEST_CASE("without a game the mechanisms of a table still work") {
     Game game("");
     game.send({50, 120}, {-1.0, 0.0});
     CHECK(game.world.capsules().side[number(game.scene.table.devices[0].capsules[0])] ==
@@ -233,7 +233,7 @@ TEST_CASE("without a game the mechanisms of a table work all the same") {
     CHECK(game.state().score == 0);
 }
 
-TEST_CASE("a plunger that a hand pulls sends the ball as far as it is pulled") {
+TEST_CASE("a plunger pulled by hand launches the ball as far as it is pulled") {
     const auto launched = [](double share, bool by_hand) {
         Game game("game pinball save=0s\n");
         game.send({390, 31}, {0.0, 0.0}, 0.01);
@@ -264,7 +264,7 @@ TEST_CASE("a plunger that a hand pulls sends the ball as far as it is pulled") {
     CHECK(launched(1.0, true) == launched(1.0, false));
 }
 
-TEST_CASE("a hand that pulled the plunger in a future that no longer is has let go of it") {
+TEST_CASE("a plunger held only in a forgotten future is released") {
     const Scene scene = scene_of(small_table + "game pinball save=0s\n");
     Session session(scene, {});
     session.step_forward();
@@ -284,7 +284,7 @@ TEST_CASE("a hand that pulled the plunger in a future that no longer is has let 
     CHECK(replay_text(std::get<Replay>(read)) == text);
 }
 
-TEST_CASE("buttons are refused where there are none") {
+TEST_CASE("buttons without a device are refused") {
     Scene plain = scene_of("carom 1 \"Plain\"\nball a at=0,0\n");
     Session session(plain, {});
     CHECK(session.apply(command::Press{Button::left_flipper, true}).has_value());
@@ -297,7 +297,7 @@ TEST_CASE("buttons are refused where there are none") {
     CHECK(pinball.apply(command::HoldCapsule{flipper, {}, {}}).has_value());
 }
 
-TEST_CASE("going back, undoing and replaying keep a game of pinball bit by bit") {
+TEST_CASE("rewinding, undoing and replaying a game of pinball give the same bits") {
     const std::string rules =
         "game pinball save=2s\non pops hit score 100\non lanes enter score 3\n";
     Scene scene = scene_of(small_table + "use gravity 0,-0.793m/s2\n" + rules);
@@ -331,7 +331,7 @@ TEST_CASE("going back, undoing and replaying keep a game of pinball bit by bit")
     CHECK(fingerprint(replayer.session().world(), replayer.session().game()) == end);
 }
 
-TEST_CASE("a hole keeps a ball, and sends it on") {
+TEST_CASE("a hole holds a ball, then ejects it") {
     Game game(
         "hole cellar at=300,200 toward=200,400 speed=1m/s hold=0.5s r=8\n"
         "game pinball save=0s\non cellar enter score 5\n");
@@ -344,7 +344,7 @@ TEST_CASE("a hole keeps a ball, and sends it on") {
     CHECK(game.state().held.empty());
 }
 
-TEST_CASE("a ball in a hole is in play: while it is there, no drain ends the turn") {
+TEST_CASE("a ball in a hole is in play: meanwhile no drain ends the turn") {
     Game game(
         "hole cellar at=300,200 toward=200,400 speed=1m/s hold=0.5s r=8\n"
         "lamp locks at=320,300 at=340,300\n"
@@ -363,7 +363,7 @@ TEST_CASE("a ball in a hole is in play: while it is there, no drain ends the tur
     game.run(0.5);
     CHECK(game.world.balls().velocity[0].y > 0.8);
     CHECK(game.state().phase == PinballState::Phase::playing);
-    // And what has been locked stays so on the next ball.
+    // A locked ball stays locked during the next ball.
     game.send({200, 40}, {0.0, -1.0}, 0.1);
     CHECK(game.state().phase == PinballState::Phase::counting);
     game.run(3.0);
@@ -373,28 +373,28 @@ TEST_CASE("a ball in a hole is in play: while it is there, no drain ends the tur
     CHECK(game.state().to_serve + game.world.balls().size() == 3);
 }
 
-TEST_CASE("a ramp takes balls to another layer, and back when they do not make it") {
+TEST_CASE("a ramp moves balls to another layer, and back if they roll back") {
     Game game(
         "material rail e=0.4 layer=1\nedge rail 100,450 300,450\n"
         "ramp up 150,400 250,400 pass=up layer=1\nramp down 150,350 250,350 pass=down layer=0\n"
         "game pinball save=0s\non up enter score 1\non down enter score 10\n");
     const auto layer = [&] { return game.world.kinds()[game.world.balls().kind[0]].layer; };
-    // Below the rail on the table, where it does not stand.
+    // Below the rail, on the layer where it does not exist.
     game.send({120, 430}, {0.0, 1.0});
     CHECK(game.world.balls().position[0].y > 0.46);
     game.send({200, 380}, {0.0, 1.0}, 0.035);
     CHECK(layer() == 1);
     CHECK(game.state().score == 1);
-    // Bounces off the rail, and is put down by the other ramp.
+    // Bounces off the rail, and the other ramp takes it down.
     game.run(0.5);
     CHECK(game.world.balls().position[0].y < 0.4);
     CHECK(layer() == 0);
-    // What comes the wrong way is not lifted.
+    // A ball from the wrong side is not lifted.
     game.send({200, 340}, {0.0, 1.0}, 0.02);
     CHECK(layer() == 0);
 }
 
-TEST_CASE("lamps count, shine for a while, and hold rules back") {
+TEST_CASE("lamps count, shine for a time, and gate rules") {
     Game game(
         "lamp locks at=10,300 at=20,300\ngame pinball save=0s\n"
         "on pops hit unless arrow advance locks, light arrow 0.2s\n"
@@ -407,7 +407,7 @@ TEST_CASE("lamps count, shine for a while, and hold rules back") {
     CHECK(game.state().score == 107);
 }
 
-TEST_CASE("a bumper that is hit shines for a moment, which no fingerprint tells") {
+TEST_CASE("a bumper that is hit flashes, which is in no fingerprint") {
     Game game("game pinball save=0s\n");
     game.send({200, 460}, {0.0, 1.0}, 0.05);
     auto& state = std::get<PinballState>(game.game);

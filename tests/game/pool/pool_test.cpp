@@ -13,7 +13,7 @@ using namespace carom;
 
 namespace {
 
-// A rack in play: shoots, and waits until it is judged.
+// A rack in play: shoots, and waits until the shot is judged.
 struct Table {
     explicit Table(const std::string& level) : Table(test::shipped_level(level)) {}
     explicit Table(Scene of)
@@ -53,7 +53,7 @@ struct Table {
     Solver solver;
 };
 
-// With a clock of so many seconds, and so many frames that win.
+// With a shot clock of so many seconds, and a race to so many frames.
 Scene timed(const std::string& level, double clock, std::uint32_t race = 0) {
     Scene scene = test::shipped_level(level);
     scene.pool.clock = clock;
@@ -65,7 +65,7 @@ constexpr Vec2 corner{1.27 - 0.02, 0.635 - 0.02};
 
 }  // namespace
 
-TEST_CASE("a break is judged when the balls lie still, and every ball is on the table or down") {
+TEST_CASE("a break is judged when the balls are at rest, and every ball is on the table or down") {
     for (const char* level : {"eight-ball", "nine-ball"}) {
         for (const double slant : {0.0, 0.15, 0.3}) {
             CAPTURE(level);
@@ -89,7 +89,7 @@ TEST_CASE("a break is judged when the balls lie still, and every ball is on the 
     }
 }
 
-TEST_CASE("a cue ball that falls is a scratch, and comes back on the head spot") {
+TEST_CASE("a pocketed cue ball is a scratch, and is placed on the head spot") {
     Table table("eight-ball");
     table.put(0, {1.0, 0.4});
     table.shoot((corner - Vec2{1.0, 0.4}) * 8.0);
@@ -104,7 +104,7 @@ TEST_CASE("a cue ball that falls is a scratch, and comes back on the head spot")
     CHECK_FALSE(refusal_to_place(table.scene, table.play, cue, {-1.0, 0.2}));
 }
 
-TEST_CASE("a called ball in the called pocket gives the group, and the turn goes on") {
+TEST_CASE("a called ball in the called pocket decides the group, and the player continues") {
     Table table("eight-ball");
     table.play.rules.phase = PoolPhase::playing;
     table.play.rules.in_hand = CueInHand::no;
@@ -127,7 +127,7 @@ TEST_CASE("a called ball in the called pocket gives the group, and the turn goes
     CHECK(table.play.rules.group == PoolGroup::solids);
 }
 
-TEST_CASE("the 8 into the called pocket wins when it is its turn, and loses before") {
+TEST_CASE("the 8 into the called pocket wins when it is its turn, and loses earlier") {
     for (const bool is_early : {false, true}) {
         CAPTURE(is_early);
         Table table("eight-ball");
@@ -153,7 +153,7 @@ TEST_CASE("the 8 into the called pocket wins when it is its turn, and loses befo
     }
 }
 
-TEST_CASE("a weak break: who comes next may have the balls racked anew") {
+TEST_CASE("a weak break: the next player may have the balls reracked") {
     Table table("eight-ball");
     table.shoot({0.8, 0.0});
     REQUIRE(table.play.rules.phase == PoolPhase::choosing);
@@ -171,7 +171,7 @@ TEST_CASE("a weak break: who comes next may have the balls racked anew") {
     }
 }
 
-TEST_CASE("the 9 that does not count comes back on the foot spot, or behind it") {
+TEST_CASE("a 9 that does not count is spotted on the foot spot, or behind it") {
     Table table("nine-ball");
     table.play.rules.phase = PoolPhase::playing;
     table.play.rules.may_push_out = true;
@@ -187,8 +187,7 @@ TEST_CASE("the 9 that does not count comes back on the foot spot, or behind it")
     CHECK(table.play.rules.choices.size() == 2);
 }
 
-TEST_CASE(
-    "a copy of the world and of the rack, taken in the middle of a shot, ends with the same bits") {
+TEST_CASE("a copy of world and rack, taken in the middle of a shot, ends with the same bits") {
     Table table("eight-ball");
     table.world.edit_balls().velocity[table.cue()] = {9.0, 0.2};
     begin_shot(table.play);
@@ -203,7 +202,7 @@ TEST_CASE(
     CHECK(table.play == copy.play);
 }
 
-TEST_CASE("the clock counts ticks while the balls lie still, and its end is a foul") {
+TEST_CASE("the clock counts ticks while the balls are at rest, and its end is a foul") {
     Table table(timed("eight-ball", 2.0));
     CHECK(table.play.clock == 240);
     CHECK(time_left(table.world, table.play) == 240);
@@ -219,13 +218,13 @@ TEST_CASE("the clock counts ticks while the balls lie still, and its end is a fo
     CHECK(table.play.rules.phase == PoolPhase::breaking);
     CHECK(time_left(table.world, table.play) == 240);
 
-    // A shot takes as long as it takes, and then the time begins anew.
+    // The shot itself is not limited, and then the clock restarts.
     table.shoot(at * (9.0 / length(at)));
     CHECK(table.play.last_foul == PoolFoul::none);
     CHECK(time_left(table.world, table.play) == 240);
 }
 
-TEST_CASE("a clock is part of what is known of a game, and none is there where none runs") {
+TEST_CASE("a clock is part of the digest of a game, and there is none unless one is running") {
     Table timed_table(timed("nine-ball", 30.0));
     Table table("nine-ball");
     CHECK_FALSE(time_left(table.world, table.play));
@@ -237,7 +236,7 @@ TEST_CASE("a clock is part of what is known of a game, and none is there where n
     CHECK(digest_of(1, timed_table.play) != bits);
 }
 
-TEST_CASE("a match ends with the last frame of the race, and the next begins at nothing") {
+TEST_CASE("a match ends with the last frame of the race, and the next starts at 0-0") {
     Table table(timed("nine-ball", 0.0, 3));
     CHECK_FALSE(match_winner(table.play));
     table.play.frames = {1, 2};

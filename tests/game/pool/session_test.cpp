@@ -20,7 +20,7 @@ using carom::test::shipped_level;
 
 namespace {
 
-// A game at the table, played as a person would: with commands alone.
+// A game at the table, played with commands only, as a person would.
 struct Match {
     explicit Match(const std::string& level)
         : session(shipped_level(level), pick_solver(shipped_level(level).world).settings) {}
@@ -48,7 +48,7 @@ struct Match {
     Session session;
 };
 
-// One turn of somebody who tries each pot on the engine before shooting it, and never errs.
+// One turn of a player who tries each pot on a copy before shooting it, and never errs.
 void play_turn(Match& match) {
     const PoolState& rules = match.play().rules;
     if (rules.phase == PoolPhase::choosing) {
@@ -91,7 +91,7 @@ void play_turn(Match& match) {
 
 }  // namespace
 
-TEST_CASE("whole frames are played with commands to their end, and the other breaks the next") {
+TEST_CASE("whole frames are played by commands, and the other player breaks the next") {
     for (const char* level : {"eight-ball", "nine-ball"}) {
         CAPTURE(level);
         Match match(level);
@@ -117,7 +117,7 @@ TEST_CASE("whole frames are played with commands to their end, and the other bre
     }
 }
 
-TEST_CASE("three fouls in a row lose a frame of 9-ball at the table") {
+TEST_CASE("three consecutive fouls lose a frame of 9-ball at the table") {
     Match match("nine-ball");
     for (int turn = 0; turn < 5; ++turn) {
         REQUIRE(match.play().rules.phase != PoolPhase::over);
@@ -130,7 +130,7 @@ TEST_CASE("three fouls in a row lose a frame of 9-ball at the table") {
     CHECK(match.play().frames[1] == 1);
 }
 
-TEST_CASE("in play the referee lets only the cue ball be struck, and only while the balls lie") {
+TEST_CASE("the referee allows only strikes of the cue ball, and only while the balls are at rest") {
     Match match("eight-ball");
     const BallId one = *match.play().balls[1];
     CHECK(match.session.apply(command::Strike{one, {1.0, 0.0}}) == "only the cue ball is struck");
@@ -147,7 +147,7 @@ TEST_CASE("in play the referee lets only the cue ball be struck, and only while 
     CHECK(match.session.apply(command::RackAgain{}) == "the balls still roll");
 }
 
-TEST_CASE("the ball in hand lies where it is put: on the table, behind the line, on no other") {
+TEST_CASE("ball in hand is placed on the table, behind the line, and clear of other balls") {
     Match match("eight-ball");
     const auto put = [&](Vec2 place) {
         return match.session.apply(command::PlaceBall{match.cue(), place});
@@ -165,7 +165,7 @@ TEST_CASE("the ball in hand lies where it is put: on the table, behind the line,
         CHECK(put({-1.0, 0.0}) == "the ball stays where it lies");
 }
 
-TEST_CASE("calls and choices are taken when the rules ask for them") {
+TEST_CASE("calls and choices are accepted when the rules ask for them") {
     Match match("eight-ball");
     const auto call = [&](PoolCall what) { return match.session.apply(command::CallShot{what}); };
     CHECK(call({PoolCall::Kind::pot, 3, 0}) == "nothing is called on the break");
@@ -185,7 +185,7 @@ TEST_CASE("calls and choices are taken when the rules ask for them") {
     CHECK(match.play().call == PoolCall{PoolCall::Kind::pot, 3, 5});
 }
 
-TEST_CASE("undo takes a shot back with its call, to the very state") {
+TEST_CASE("undo reverts a shot with its call, to the exact state") {
     Match match("eight-ball");
     match.break_hard();
     if (match.play().rules.phase == PoolPhase::choosing)
@@ -201,7 +201,7 @@ TEST_CASE("undo takes a shot back with its call, to the very state") {
     CHECK(fingerprint(match.session.world(), match.session.game()) == before);
 }
 
-TEST_CASE("a game that was written down is played again to the same bits, rules and all") {
+TEST_CASE("a recorded game replays to the same bits, rules included") {
     for (const char* level : {"eight-ball", "nine-ball"}) {
         CAPTURE(level);
         Match match(level);
@@ -230,7 +230,7 @@ TEST_CASE("a game that was written down is played again to the same bits, rules 
     }
 }
 
-TEST_CASE("going back and on again through a shot gives the same rules") {
+TEST_CASE("going back and forward through a shot gives the same rules") {
     Match match("nine-ball");
     match.break_hard();
     const PoolPlay after = match.play();
@@ -242,7 +242,7 @@ TEST_CASE("going back and on again through a shot gives the same rules") {
     CHECK(match.play() == after);
 }
 
-TEST_CASE("the next frame is broken by the other player; one that is not over by the same") {
+TEST_CASE("the next frame is broken by the other player, a restarted one by the same player") {
     Match match("eight-ball");
     match.break_hard();
     CHECK_FALSE(match.session.apply(command::RackAgain{}));
@@ -252,7 +252,7 @@ TEST_CASE("the next frame is broken by the other player; one that is not over by
     CHECK(match.play().rules.down == 0u);
 }
 
-TEST_CASE("going back over a time that ran out, and on again, gives the same bits") {
+TEST_CASE("going back over an expired clock, and forward again, gives the same bits") {
     Scene scene = shipped_level("nine-ball");
     scene.pool.clock = 1.0;
     const SolverSettings solver = pick_solver(scene.world).settings;
@@ -271,7 +271,7 @@ TEST_CASE("going back over a time that ran out, and on again, gives the same bit
     CHECK(time_left(session.world(), play()) == 20);
     REQUIRE(session.go_to(200));
     CHECK(bits() == there);
-    // A shot in time: the clock waits until the balls lie still.
+    // A shot in time: the clock waits until the balls are at rest.
     REQUIRE(session.go_to(100));
     REQUIRE_FALSE(session.apply(command::Strike{*play().balls[cue_ball], {0.2, 0.0}}));
     CHECK_FALSE(time_left(session.world(), play()));

@@ -13,7 +13,7 @@ using carom::test::named;
 
 namespace {
 
-// The shot that the level's comment tells of.
+// The shot that the level's comment describes.
 struct Trick {
     std::string level;
     std::string at;  ///< the ball that is aimed at, full; empty: straight to the right
@@ -31,7 +31,7 @@ const Trick tricks[] = {
 
 }  // namespace
 
-TEST_CASE("the trick shots do what their levels say") {
+TEST_CASE("the trick shots do what their levels describe") {
     for (const Trick& trick : tricks) {
         CAPTURE(trick.level);
         const Scene scene = test::shipped_level(trick.level);

@@ -6,7 +6,7 @@
 using namespace carom;
 using namespace carom::rulings;
 
-TEST_CASE("8-ball: whose turn, which group, which foul") {
+TEST_CASE("8-ball: turn, group and foul after a shot") {
     const Case cases[] = {
         {"open table: a called solid gives the solids",
          eight_ball(open),
@@ -211,7 +211,7 @@ TEST_CASE("8-ball: whose turn, which group, which foul") {
         check(each);
 }
 
-TEST_CASE("8-ball: how it ends") {
+TEST_CASE("8-ball: the end of a frame") {
     const Case cases[] = {
         {"the 8 in the called pocket", eight_ball(solids, all_solids), pot(8, 1), shot(8, {{8, 1}}),
          PoolFoul::none, 0, not_in_hand, solids, 0},
@@ -306,7 +306,7 @@ TEST_CASE("8-ball: the break") {
     }
 }
 
-TEST_CASE("8-ball: what is chosen after the break") {
+TEST_CASE("8-ball: choices after the break") {
     const PoolState state = begin_rack(*referee_of("eightball"), 0);
     const PoolState weak = judge(state, no_call, break_shot(0)).next;
     CHECK(weak.player == 1);

@@ -5,7 +5,7 @@
 using namespace carom;
 using namespace carom::rulings;
 
-TEST_CASE("9-ball: whose turn, which foul, how it ends") {
+TEST_CASE("9-ball: turn, foul and end of a frame") {
     PoolState twice = nine_ball();
     twice.fouls = {2, 0};
     PoolState the_other_twice = nine_ball();
@@ -116,7 +116,7 @@ TEST_CASE("9-ball: whose turn, which foul, how it ends") {
         check(each);
 }
 
-TEST_CASE("9-ball: fouls in a row are forgotten with a fair shot") {
+TEST_CASE("9-ball: a fair shot resets the count of consecutive fouls") {
     PoolState state = nine_ball();
     state.fouls = {2, 1};
     const PoolState fair = judge(state, no_call, shot(1)).next;
@@ -127,7 +127,7 @@ TEST_CASE("9-ball: fouls in a row are forgotten with a fair shot") {
     CHECK(judge(judge(foul, no_call, shot(1)).next, no_call, shot({})).next.winner == 0);
 }
 
-TEST_CASE("9-ball: the 9 comes back where it does not count") {
+TEST_CASE("9-ball: a 9 that does not count is spotted") {
     const PoolRuling foul = judge(nine_ball(), no_call, shot(2, {{9, 0}, {5, 1}}));
     CHECK(foul.respot == std::vector<int>{9});
     CHECK_FALSE(is_down(foul.next, 9));
@@ -175,13 +175,13 @@ TEST_CASE("9-ball: a push-out") {
     CHECK(choose(pushed.next, return_push).next.player == 0);
     CHECK_FALSE(choose(pushed.next, return_push).next.may_push_out);
     CHECK(judge(after_break, push_out, shot({}, {{0, 1}}, false)).foul == PoolFoul::scratch);
-    // Only right after the break.
+    // Allowed only right after the break.
     CHECK(judge(nine_ball(), push_out, shot({}, {}, false)).foul == PoolFoul::no_hit);
     const PoolState later = judge(after_break, no_call, shot(1)).next;
     CHECK_FALSE(later.may_push_out);
 }
 
-TEST_CASE("9-ball: running out of time counts among the fouls in a row, and the third loses") {
+TEST_CASE("9-ball: an expired clock counts among consecutive fouls, and the third loses") {
     PoolState state = nine_ball();
     state.fouls = {2, 1};
     const PoolRuling ruling = judge_time(state);

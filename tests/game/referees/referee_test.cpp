@@ -7,7 +7,7 @@
 using namespace carom;
 using namespace carom::rulings;
 
-TEST_CASE("the time for a shot runs out: a foul, and the other has the ball in hand") {
+TEST_CASE("an expired shot clock is a foul, and the opponent has ball in hand") {
     const PoolRuling eight = judge_time(eight_ball(PoolGroup::solids));
     CHECK(eight.foul == PoolFoul::time);
     CHECK(eight.next.player == 1);
@@ -21,7 +21,7 @@ TEST_CASE("the time for a shot runs out: a foul, and the other has the ball in h
     CHECK_FALSE(nine.next.may_push_out);
 }
 
-TEST_CASE("who does not break in time leaves the break to the other, behind the head string") {
+TEST_CASE("a player who does not break in time lets the opponent break, behind the head string") {
     for (const Referee* referee : referees()) {
         CAPTURE(referee->game());
         const PoolRuling ruling = judge_time(begin_rack(*referee, 0));
@@ -32,7 +32,7 @@ TEST_CASE("who does not break in time leaves the break to the other, behind the 
     }
 }
 
-TEST_CASE("who does not choose in time takes the first choice, and that is no foul") {
+TEST_CASE("a player who does not choose in time gets the first choice, without a foul") {
     PoolState state = eight_ball(std::nullopt);
     state.phase = PoolPhase::choosing;
     state.choices = {PoolChoice::take_table, PoolChoice::break_again, PoolChoice::let_break};
@@ -40,7 +40,7 @@ TEST_CASE("who does not choose in time takes the first choice, and that is no fo
     CHECK(judge_time(state).foul == PoolFoul::none);
 }
 
-TEST_CASE("every game of pool that a level can name has a referee, and no other game") {
+TEST_CASE("every game of pool that a level can name has a referee, and no other game has") {
     for (const GameRow& game : game_rows()) {
         CAPTURE(game.name);
         const Referee* referee = referee_of(game.name);
@@ -50,7 +50,7 @@ TEST_CASE("every game of pool that a level can name has a referee, and no other 
     }
 }
 
-TEST_CASE("the id of a game in fingerprints is its place among the referees") {
+TEST_CASE("the id of a game in fingerprints is its index among the referees") {
     for (std::size_t i = 0; i < referees().size(); ++i)
         CHECK(referees()[i]->id() == i);
     CHECK(referee_of("eightball")->id() == 0);

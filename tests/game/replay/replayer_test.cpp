@@ -14,7 +14,7 @@ namespace {
 
 constexpr SolverSettings swept{.kind = SolverKind::swept};
 
-/// 500 ticks, cut off in the middle of a drag.
+/// 500 ticks, interrupted in the middle of a drag.
 Session cut_off() {
     Session session(busy_box(), swept);
     for (int tick = 0; tick < 500; ++tick) {
@@ -36,7 +36,7 @@ Replay written_and_read(const Session& session) {
 
 }  // namespace
 
-TEST_CASE("a session that was cut off is taken up where it stood, bit by bit") {
+TEST_CASE("an interrupted session is resumed at the point of interruption, bit by bit") {
     Session original = cut_off();
     Replayer replayer(written_and_read(original), busy_box());
     int slices = 0;
@@ -63,7 +63,7 @@ TEST_CASE("a session that was cut off is taken up where it stood, bit by bit") {
     CHECK(fingerprint(restored.world()) == fingerprint(original.world()));
 }
 
-TEST_CASE("the future of a player who had gone back is kept") {
+TEST_CASE("the future of a player who has gone back is kept") {
     Session original = cut_off();
     REQUIRE(original.go_to(200));
     Replayer replayer(written_and_read(original), busy_box());
@@ -76,7 +76,7 @@ TEST_CASE("the future of a player who had gone back is kept") {
     CHECK(fingerprint(restored.world()) == fingerprint(original.world()));
 }
 
-TEST_CASE("a replay of something else is noticed") {
+TEST_CASE("a replay that does not match is detected") {
     SUBCASE("another world") {
         Scene other = busy_box();
         other.world.edit_balls().velocity[0].x += 1e-9;
@@ -85,7 +85,7 @@ TEST_CASE("a replay of something else is noticed") {
         }
         CHECK(replayer.failure() == "at tick 0: the fingerprint differs");
     }
-    SUBCASE("a command was changed: the interval is told") {
+    SUBCASE("a changed command: the interval is reported") {
         Replay replay = written_and_read(cut_off());
         for (TimedCommand& timed : replay.commands)
             if (auto* add = std::get_if<command::AddBall>(&timed.command))
@@ -98,7 +98,7 @@ TEST_CASE("a replay of something else is noticed") {
         CHECK(replayer.last_equal()->tick == 0);
         CHECK(replayer.first_different()->tick == 120);
     }
-    SUBCASE("a command that makes no sense") {
+    SUBCASE("an invalid command") {
         Replay replay = written_and_read(cut_off());
         std::get<command::Strike>(replay.commands[0].command).ball = BallId{99};
         Replayer replayer(replay, busy_box());
@@ -107,14 +107,14 @@ TEST_CASE("a replay of something else is noticed") {
     }
 }
 
-TEST_CASE("a session in which nothing has happened yet is a replay too") {
+TEST_CASE("a session without commands or ticks is a replay too") {
     Replayer replayer(written_and_read(Session(busy_box(), swept)), busy_box());
     CHECK_FALSE(replayer.advance(1));
     CHECK_FALSE(replayer.failure());
     CHECK(replayer.progress() == 1.0);
 }
 
-TEST_CASE("the level in a replay loads without any file, includes and overrides with it") {
+TEST_CASE("the level in a replay loads without any file, including its includes and overrides") {
     LoadOptions options;
     options.overrides = {"use gravity 0,-3"};
     options.seed = 5;

@@ -17,12 +17,12 @@ World world_at(std::uint64_t tick, std::size_t balls = 10) {
     grown.edit_tick() = tick;
     for (std::size_t i = 0; i < balls; ++i)
         add_ball(grown, ball_at_rest({3.0 * static_cast<double>(i), 0.0}));
-    const World world = grown;  // a copy has no room to spare, as in a snapshot
+    const World world = grown;  // a copy has no spare capacity, like a snapshot
     return world;
 }
 
-/// The largest distance from a snapshot to the next, in 0..present, as a share of the distance
-/// from there to the present.
+/// The largest distance from a snapshot to the next, in 0..present, as a share of the snapshot's
+/// distance from the present.
 double worst_gap(const History& history, std::uint64_t present) {
     double worst = 0.0;
     for (std::uint64_t tick = 1; tick < present - 100; ++tick) {
@@ -36,7 +36,7 @@ double worst_gap(const History& history, std::uint64_t present) {
 
 }  // namespace
 
-TEST_CASE("a history gives the last snapshot at or before a tick") {
+TEST_CASE("a history returns the last snapshot at or before a tick") {
     History history(1 << 20);
     for (const std::uint64_t tick : {30u, 10u, 20u})
         history.keep(world_at(tick), {});
@@ -46,7 +46,7 @@ TEST_CASE("a history gives the last snapshot at or before a tick") {
     CHECK(history.at_or_before(1000)->world.tick() == 30);
 }
 
-TEST_CASE("a tick is kept once") {
+TEST_CASE("a tick has one snapshot") {
     History history(1 << 20);
     history.keep(world_at(5, 1), {});
     history.keep(world_at(5, 2), {});
@@ -54,7 +54,7 @@ TEST_CASE("a tick is kept once") {
     CHECK(history.at_or_before(5)->world.balls().size() == 1);
 }
 
-TEST_CASE("forgetting gives its memory back") {
+TEST_CASE("dropping snapshots frees their memory") {
     History history(1 << 20);
     for (std::uint64_t tick = 0; tick < 10; ++tick)
         history.keep(world_at(tick), {});
@@ -67,7 +67,8 @@ TEST_CASE("forgetting gives its memory back") {
     CHECK(history.bytes() == 0);
 }
 
-TEST_CASE("memory stays under the limit, and gaps grow in proportion to the way back") {
+TEST_CASE(
+    "memory stays under the limit, and gaps grow in proportion to the distance from the present") {
     const std::size_t one = bytes_of(world_at(0));
     for (const std::size_t room : {40u, 100u, 400u}) {
         CAPTURE(room);
@@ -80,12 +81,12 @@ TEST_CASE("memory stays under the limit, and gaps grow in proportion to the way 
         CHECK(history.size() > room / 2);
         CHECK(history.at_or_before(tick)->world.tick() == tick - 4);
         // With n snapshots in geometric steps over 20,000 ticks the share is about ln(20000)/n; it
-        // is larger where thinning has just freed a quarter of the room.
+        // is larger where thinning has just freed a quarter of the memory.
         CHECK(worst_gap(history, tick) < 30.0 / static_cast<double>(room));
     }
 }
 
-TEST_CASE("a world that is larger than the limit is not kept") {
+TEST_CASE("a world larger than the limit is not kept") {
     History history(bytes_of(world_at(0)) - 1);
     history.keep(world_at(0), {});
     CHECK(history.size() == 0);

@@ -8,7 +8,7 @@
 using namespace carom;
 using carom::test::busy_box;
 
-TEST_CASE("what is predicted happens, bit by bit") {
+TEST_CASE("a predicted path is exact, bit by bit") {
     const SolverSettings solver{.kind = SolverKind::swept};
     Session session(busy_box(), solver);
     for (int tick = 0; tick < 37; ++tick)
@@ -22,7 +22,7 @@ TEST_CASE("what is predicted happens, bit by bit") {
     }
 }
 
-TEST_CASE("a prediction ends with its ball") {
+TEST_CASE("a prediction ends when its ball is removed") {
     const SolverSettings solver{.kind = SolverKind::swept};
     World world = busy_box().world;
     CHECK(predicted_path(world, solver, BallId{99}, {}, 10).empty());

@@ -12,7 +12,7 @@ using namespace carom;
 
 namespace {
 
-/// Fails the test with the problems of the text, if it has any.
+/// Fails the test with the errors of the text, if it has any.
 Scene loaded(const std::string& text) {
     LoadResult result = load_level(text, "test.level");
     std::string problems;
@@ -119,7 +119,7 @@ ball kind=pool at=100,-300 w=-777deg/s
 ball at=300,300 r=50 m=1kg/3
 )";
 
-/// Plays a while, so that all numbers are crooked.
+/// Simulates a while, so that no number is round.
 World after(const Scene& scene, int ticks) {
     Session session(scene, scene.solver.value_or(pick_solver(scene.world).settings));
     for (int tick = 0; tick < ticks; ++tick)
@@ -138,7 +138,7 @@ TEST_CASE("a world at its start reads back bit by bit") {
     }
 }
 
-TEST_CASE("a world that has been played in reads back bit by bit, and so does what is saved then") {
+TEST_CASE("a world after play reads back bit by bit, and so does the level saved from it") {
     for (const std::string& text : {natural, metric}) {
         const Scene scene = loaded(text);
         const World world = after(scene, 777);
@@ -150,7 +150,7 @@ TEST_CASE("a world that has been played in reads back bit by bit, and so does wh
     }
 }
 
-TEST_CASE("all that is about the world is kept too") {
+TEST_CASE("data besides the world are kept too") {
     const Scene scene = loaded(natural);
     const Scene again = loaded(level_text(scene, scene.world));
     CHECK(again.title == scene.title);
@@ -167,7 +167,7 @@ TEST_CASE("all that is about the world is kept too") {
     CHECK(again.world.emitters()[0].velocity_jitter == scene.world.emitters()[0].velocity_jitter);
 }
 
-TEST_CASE("an emitter keeps what it still has to give, and one that is empty goes") {
+TEST_CASE("an emitter keeps its remaining balls, and an empty one is dropped") {
     const Scene scene = loaded(natural);
     const World world = after(scene, 250 * 5);
     const std::uint32_t given = world.emitters()[0].emitted;
@@ -178,7 +178,7 @@ TEST_CASE("an emitter keeps what it still has to give, and one that is empty goe
     CHECK(loaded(level_text(scene, empty)).world.emitters().empty());
 }
 
-TEST_CASE("what the player has changed is saved") {
+TEST_CASE("a player's changes are saved") {
     const Scene scene = loaded(natural);
     Session session(scene, {});
     const auto apply = [&](const Command& c) { REQUIRE(session.apply(c) == std::nullopt); };
@@ -192,7 +192,7 @@ TEST_CASE("what the player has changed is saved") {
     check_same(session.world(), loaded(level_text(scene, session.world())).world);
 }
 
-TEST_CASE("names of copies become names of their own") {
+TEST_CASE("names of copies become separate names") {
     const Scene scene = loaded(R"(carom 1 "Copies"
 repeat 3 step=5,0
   ball b at=0,0

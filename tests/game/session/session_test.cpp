@@ -26,8 +26,8 @@ Command drop(std::uint32_t ball) {
     return command::DropBall{BallId{ball}};
 }
 
-/// Plays 600 ticks with all sorts of commands; element t is the fingerprint after tick t and all
-/// commands of that tick.
+/// Simulates 600 ticks with all kinds of commands; element t is the fingerprint after tick t and
+/// all commands of that tick.
 std::vector<std::uint64_t> play_busily(Session& session) {
     std::vector<std::uint64_t> fingerprints;
     for (int tick = 0; tick <= 600; ++tick) {
@@ -55,7 +55,7 @@ std::vector<std::uint64_t> play_busily(Session& session) {
 
 TEST_CASE("going back, forward and anywhere gives the same bits") {
     for (const Scene& scene : {busy_box(), rainy_torus()}) {
-        // From room for everything to room for a handful of snapshots.
+        // From memory for everything to memory for a handful of snapshots.
         for (const std::size_t memory :
              {std::size_t{64} << 20, std::size_t{100000}, std::size_t{40000}}) {
             CAPTURE(memory);
@@ -122,7 +122,7 @@ TEST_CASE("a command in the past makes another future") {
     }
 }
 
-TEST_CASE("what a forgotten future would have dropped is dropped") {
+TEST_CASE("an object held in a forgotten future is dropped") {
     Session session(busy_box(), swept);
     play_busily(session);
     REQUIRE(session.go_to(60));
@@ -133,7 +133,7 @@ TEST_CASE("what a forgotten future would have dropped is dropped") {
     CHECK(session.world().held_balls().empty());
 }
 
-TEST_CASE("undo takes back one gesture at a time") {
+TEST_CASE("undo reverts one gesture at a time") {
     Session session(busy_box(), swept);
     const auto start = fingerprint(session.world());
     REQUIRE(session.apply(command::AddBall{ball_at_rest({3.0, 26.0})}) == std::nullopt);
@@ -167,7 +167,7 @@ TEST_CASE("two drags are two gestures") {
     CHECK(session.commands().size() == 2);
 }
 
-TEST_CASE("of many moves of one hand in one tick the last counts") {
+TEST_CASE("among many moves of one object in one tick, the last counts") {
     Session session(busy_box(), swept);
     for (int i = 0; i < 100; ++i) {
         for (const std::uint32_t edge : {5u, 6u})
@@ -179,7 +179,7 @@ TEST_CASE("of many moves of one hand in one tick the last counts") {
     CHECK(session.world().held_capsules()[0].start_target.y == doctest::Approx(20.99));
 }
 
-TEST_CASE("memory stays within its bound") {
+TEST_CASE("memory stays within its limit") {
     const std::size_t memory = 200000;
     Session session(busy_box(), swept, memory);
     for (int tick = 0; tick < 5000; ++tick) {
@@ -198,7 +198,7 @@ TEST_CASE("memory stays within its bound") {
     CHECK(session.snapshot_count() > 10);
 }
 
-TEST_CASE("a log that outgrows its memory moves the end of the way back, and says so") {
+TEST_CASE("a log that outgrows its memory moves earliest(), and reports it") {
     Session session(busy_box(), swept, 60000);
     std::vector<std::uint64_t> fingerprints{fingerprint(session.world())};
     for (int tick = 0; tick < 1000; ++tick) {
@@ -263,14 +263,14 @@ TEST_CASE(
             CHECK(session.marks()[i].fingerprint == fingerprints[120 * i]);
         }
     };
-    // The tick that comes after has to begin before a mark is made: more commands may come.
+    // A mark is made only when the next tick starts: until then more commands may come.
     check_marks((session.latest() + 119) / 120);
-    SUBCASE("going back and forth changes none") {
+    SUBCASE("going back and forward changes no mark") {
         REQUIRE(session.go_to(100));
         REQUIRE(session.go_to(600));
         check_marks((session.latest() + 119) / 120);
     }
-    SUBCASE("another future forgets those that it makes wrong") {
+    SUBCASE("another future drops the marks that it invalidates") {
         REQUIRE(session.go_to(240));
         REQUIRE_FALSE(session.apply(command::SetGravity{Vec2{0.0, 3.0}}));
         check_marks(2);
@@ -278,7 +278,7 @@ TEST_CASE(
         REQUIRE(session.marks().size() == 3);
         CHECK(session.marks()[2].fingerprint != fingerprints[240]);
     }
-    SUBCASE("so do undoing and starting again") {
+    SUBCASE("undo and restart drop marks too") {
         REQUIRE(session.undo());
         for (const FingerprintMark& mark : session.marks())
             CHECK(mark.tick < session.world().tick());
@@ -287,7 +287,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("what is followed is what was done, goes no further, and obeys nobody") {
+TEST_CASE("a followed session repeats its recording, goes no further, and refuses commands") {
     Session original(busy_box(), swept);
     const std::vector<std::uint64_t> fingerprints = play_busily(original);
     Session session(busy_box(), swept);
@@ -307,7 +307,7 @@ TEST_CASE("what is followed is what was done, goes no further, and obeys nobody"
     CHECK(session.latest() == 333);
 }
 
-TEST_CASE("a command that cannot be followed ends it there, with the reason") {
+TEST_CASE("a command that cannot be executed ends the recording there, with the reason") {
     Session session(busy_box(), swept);
     session.follow({{5, command::Strike{BallId{99}, {1.0, 1.0}}}}, 100);
     while (session.step_forward()) {
@@ -316,7 +316,7 @@ TEST_CASE("a command that cannot be followed ends it there, with the reason") {
     CHECK(session.fault() == "at tick 5: there is no ball 99");
 }
 
-TEST_CASE("all commands are kept where that is asked for, whatever they take") {
+TEST_CASE("all commands are kept on request, whatever memory they take") {
     Session session(busy_box(), swept, 1 << 16);
     session.keep_all_commands();
     for (int tick = 0; tick < 2000; ++tick) {
@@ -327,9 +327,9 @@ TEST_CASE("all commands are kept where that is asked for, whatever they take") {
     CHECK(session.commands().size() == 2000);
 }
 
-// Of the placings of one tick only the last of each ball was kept, at the place of its first: then
-// the ball was put where another still lay, and the session could not be taken up.
-TEST_CASE("balls that change places in a pause can be placed again in the order of the log") {
+// Regression: of the placements in one tick only the last of each ball was kept, in the position of
+// its first. Then a ball was placed where another still was, and the session could not be resumed.
+TEST_CASE("balls that exchange places in a pause can be placed again in the order of the log") {
     Session session(busy_box(), swept);
     const Vec2 one = session.world().balls().position[0];
     const Vec2 two = session.world().balls().position[1];
@@ -342,7 +342,7 @@ TEST_CASE("balls that change places in a pause can be placed again in the order 
     CHECK(fingerprint(again.world()) == fingerprint(session.world()));
 }
 
-TEST_CASE("a long tick that is given up has not happened, and can be begun again") {
+TEST_CASE("a cancelled long tick has no effect, and can be started again") {
     Scene scene = busy_box();
     scene.world.edit_definition().rate = 1.0;
     for (Vec2& velocity : scene.world.edit_balls().velocity)
@@ -371,7 +371,7 @@ TEST_CASE("a long tick that is given up has not happened, and can be begun again
     CHECK(session.outcome() == TickOutcome::done);
     CHECK(fingerprint(session.world()) == fingerprint(patient.world()));
 
-    // On the way back, too: the present is then before the tick that was asked for.
+    // This holds for rewinding too: the present is then before the requested tick.
     session.set_keep_going([] { return false; });
     CHECK_FALSE(session.go_to(2));
     CHECK(session.world().tick() < 2);

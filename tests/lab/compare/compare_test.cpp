@@ -36,7 +36,7 @@ bool has(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("solvers that agree do not part") {
+TEST_CASE("solvers that agree do not diverge") {
     const Scene scene = load(crowd);
     const Comparison comparison =
         compare(scene, {.first = {swept, 60}, .second = {swept, 60}, .time = 1.0}, always);
@@ -52,7 +52,7 @@ TEST_CASE("solvers that agree do not part") {
     CHECK(has(compare_json("crowd", scene, comparison), "\"parting\": null"));
 }
 
-TEST_CASE("a ball that passes through a wall parts there, with the contact that it lacks") {
+TEST_CASE("a ball that passes through a wall diverges there, and the missing contact is named") {
     const Scene scene = load(thin_walls);
     const Comparison comparison =
         compare(scene, {.first = {swept, 60}, .second = {discrete, 60}, .time = 1.0}, always);
@@ -73,7 +73,7 @@ TEST_CASE("a ball that passes through a wall parts there, with the contact that 
     CHECK(has(text, "under discrete at 60 ticks a second: meets nothing any more"));
 }
 
-TEST_CASE("different rates are compared at the instants that they share") {
+TEST_CASE("different rates are compared at their common instants") {
     const Comparison comparison =
         compare(load(crowd), {.first = {swept, 60}, .second = {swept, 90}, .time = 0.5}, always);
     CHECK(comparison.differences.size() == 16);
@@ -81,7 +81,7 @@ TEST_CASE("different rates are compared at the instants that they share") {
     CHECK(comparison.differences[1].max < 1e-9);
 }
 
-TEST_CASE("a crowd that is nudged parts exponentially") {
+TEST_CASE("a perturbed crowd diverges exponentially") {
     const Scene scene = load(crowd);
     const Comparison comparison = compare(
         scene, {.first = {swept, 60}, .second = {swept, 60}, .time = 60.0, .nudge = 1e-9}, always);
@@ -97,7 +97,7 @@ TEST_CASE("a crowd that is nudged parts exponentially") {
     CHECK(has(compare_text(scene, comparison), "The difference doubles every "));
 }
 
-TEST_CASE("an interrupt ends it where it is") {
+TEST_CASE("an interrupt ends the comparison at once") {
     const Comparison comparison =
         compare(load(crowd), {.first = {swept, 60}, .second = {swept, 60}, .time = 1.0},
                 [](std::uint64_t done, std::uint64_t) { return done < 7; });

@@ -39,7 +39,7 @@ std::uint64_t sum(const Density& grid) {
 
 }  // namespace
 
-TEST_CASE("copies begin within a hair of the first, which is the world itself, and part") {
+TEST_CASE("copies start close to the first, which is the world itself, and diverge") {
     const World start = pegs_and_ball();
     WorldEnsemble butterfly(start, {}, {.copies = 200, .size = 1e-6, .seed = 5});
     CHECK(butterfly.copies().size() == 200);
@@ -58,7 +58,7 @@ TEST_CASE("copies begin within a hair of the first, which is the world itself, a
     CHECK(fingerprint(alone) == fingerprint(butterfly.copies()[0]));
 }
 
-TEST_CASE("the same seed gives the same copies, another seed others") {
+TEST_CASE("a seed determines the copies, and another seed gives others") {
     const World start = pegs_and_ball();
     const auto last = [&](std::uint64_t seed) {
         WorldEnsemble butterfly(start, {}, {.copies = 3, .size = 1e-3, .seed = seed});
@@ -70,7 +70,7 @@ TEST_CASE("the same seed gives the same copies, another seed others") {
     CHECK(last(1) != last(2));
 }
 
-TEST_CASE("the density counts every ball that is in view once") {
+TEST_CASE("the density counts every ball in view once") {
     World world = pegs_and_ball();
     world.edit_balls().position = {{0, 0}, {39.9, 39.9}};
     const std::vector<World> copies{world, world, world};
@@ -85,7 +85,7 @@ TEST_CASE("the density counts every ball that is in view once") {
     CHECK(sum(density(copies, {{0, 0}, {39.9, 39.9}}, 8, 4)) == 3);
 }
 
-TEST_CASE("a step that is interrupted goes on where it stopped, to the same bits") {
+TEST_CASE("an interrupted step continues where it stopped, to the same bits") {
     const World start = pegs_and_ball();
     WorldEnsemble at_once(start, {}, {.copies = 10, .size = 1e-6, .seed = 5});
     WorldEnsemble in_bits(start, {}, {.copies = 10, .size = 1e-6, .seed = 5});
@@ -115,7 +115,7 @@ TEST_CASE("the spread is the root mean square distance of the worst ball, in its
     CHECK(WorldEnsemble(start, {}, {.copies = 1}).spread() == 0.0);
 }
 
-TEST_CASE("every copy obeys, and changes its solver") {
+TEST_CASE("every copy executes commands, and changes its solver") {
     const World start = pegs_and_ball();
     WorldEnsemble butterfly(start, {}, {.copies = 3});
     butterfly.execute(command::RemoveBall{BallId{0}});

@@ -39,17 +39,17 @@ DemoGames check_table(std::string_view table, std::uint64_t balls) {
 
 }  // namespace
 
-TEST_CASE("the tables that ship lose no ball: none stuck, none outside, all of them drained") {
+TEST_CASE("the shipped tables lose no ball: none stuck, none outside, all of them drained") {
 #ifdef NDEBUG
     constexpr std::uint64_t balls = 100;
 #else
-    constexpr std::uint64_t balls = 10;  // with sanitizers, which take ten times as long
+    constexpr std::uint64_t balls = 10;  // with sanitizers, which are ten times slower
 #endif
     for (const std::string_view table : tables)
         check_table(table, balls);
 }
 
-TEST_CASE("the table of the manual loads without a word, and can be played") {
+TEST_CASE("the manual's example table loads without diagnostics, and can be played") {
     const Scene scene = shipped("first-table", "/docs/");
     const DemoGames games = play_demo_games(scene, pick_solver(scene.world).settings, 5);
     CHECK(games.ball_times.size() == 5);
@@ -57,7 +57,7 @@ TEST_CASE("the table of the manual loads without a word, and can be played") {
     CHECK(games.outside == 0);
 }
 
-TEST_CASE("carom's own games are the same each time") {
+TEST_CASE("demo games are reproducible") {
     const Scene scene = shipped("three-bumpers");
     const SolverSettings solver = pick_solver(scene.world).settings;
     const DemoGames first = play_demo_games(scene, solver, 2);
@@ -68,7 +68,7 @@ TEST_CASE("carom's own games are the same each time") {
     CHECK(play_demo_games(other, solver, 2).ball_times != first.ball_times);
 }
 
-TEST_CASE("games are told in sums and histograms") {
+TEST_CASE("games are summarised in totals and histograms") {
     DemoGames games;
     games.scores = {100, 200, 200, 1300};
     games.ball_times = {1.0, 2.0, 30.0};
@@ -80,8 +80,8 @@ TEST_CASE("games are told in sums and histograms") {
     CHECK(demo_games_text({}).starts_with("balls 0"));
 }
 
-// With CAROM_PINBALL_FIGURES=FILE it writes what it saw there, and CAROM_BALLS says how many balls
-// it plays on each table: scripts/update pinball.
+// With CAROM_PINBALL_FIGURES=FILE it writes its results there, and CAROM_BALLS sets the number of
+// balls on each table: scripts/update pinball.
 TEST_SUITE("long") {
     TEST_CASE("10,000 balls on each table, none stuck, none lost") {
         const char* const wanted = std::getenv("CAROM_BALLS");

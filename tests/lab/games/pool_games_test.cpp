@@ -33,8 +33,8 @@ PoolMatch play_match(std::string_view game, std::array<int, 2> skill, std::uint3
 
 }  // namespace
 
-TEST_CASE("the share that is likely after some frames") {
-    // By hand, from Wilson's formula.
+TEST_CASE("the confidence interval of a share of frames") {
+    // Computed by hand from Wilson's formula.
     CHECK(likely_share(50, 100).low == doctest::Approx(0.40383).epsilon(1e-4));
     CHECK(likely_share(50, 100).high == doctest::Approx(0.59617).epsilon(1e-4));
     CHECK(likely_share(10, 10).low == doctest::Approx(0.72247).epsilon(1e-4));
@@ -43,7 +43,7 @@ TEST_CASE("the share that is likely after some frames") {
     CHECK(likely_share(0, 0).high == 1.0);
 }
 
-TEST_CASE("a match is told in one row") {
+TEST_CASE("a match is reported in one row") {
     PoolMatch match{{4, 3}, {}};
     match.frames = {{0, 12, {1, 0}, 60.0, std::nullopt},
                     {1, 20, {0, 2}, 80.0, std::nullopt},
@@ -58,10 +58,10 @@ TEST_CASE("a match is told in one row") {
     CHECK(pool_match_row("nine-ball", {{2, 1}, {}}).starts_with("| nine-ball | 2 against 1 | 0 |"));
 }
 
-// With CAROM_POOL_FIGURES=FILE it writes there what came of neighbours, and CAROM_FRAMES says how
-// many frames each two of them play: scripts/update pool.
+// With CAROM_POOL_FIGURES=FILE it writes the results of neighbouring skills there, and CAROM_FRAMES
+// sets the number of frames of each pair: scripts/update pool.
 TEST_SUITE("long") {
-    TEST_CASE("frames come to their end, and the steadier of two opponents wins more") {
+    TEST_CASE("frames end, and the more skilled of two opponents wins more") {
         for (const std::string_view game : games)
             for (const std::array<int, 2> skill : {std::array{4, 2}, std::array{3, 1}}) {
                 const PoolMatch match = play_match(game, skill, 12);
@@ -69,7 +69,7 @@ TEST_SUITE("long") {
             }
     }
 
-    TEST_CASE("a frame is the same each time, and each number another one") {
+    TEST_CASE("a frame is reproducible, and each number gives another one") {
         const Scene scene = test::shipped_level("nine-ball");
         const SolverSettings solver = pick_solver(scene.world).settings;
         const PoolFrame one = play_pool_frame(scene, solver, {4, 4}, 1);

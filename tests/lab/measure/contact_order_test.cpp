@@ -63,7 +63,7 @@ TEST_CASE("contacts missed, extra and out of order") {
     }
 }
 
-TEST_CASE("the first difference is the earliest, and only within one ball") {
+TEST_CASE("the first difference is the earliest one within the contacts of a ball") {
     const Meetings first{balls(1, 0, 1), edge(2, 2, 0), edge(3, 0, 4), edge(4, 1, 4)};
     const Meetings second{edge(0.9, 2, 0), balls(1, 0, 1), edge(3.5, 0, 5), edge(4, 1, 3)};
     const auto found = first_difference(first, second, 10);
@@ -77,13 +77,13 @@ TEST_CASE("the first difference is the earliest, and only within one ball") {
     CHECK_FALSE(first_difference(first, first, 10).has_value());
 }
 
-TEST_CASE("repeats in a row are one contact to the first difference") {
+TEST_CASE("consecutive repeats count as one contact for the first difference") {
     const Meetings bounces{edge(1, 0, 0), edge(2, 0, 0), edge(3, 0, 0), edge(4, 0, 1)};
     const Meetings rests{edge(1, 0, 0), edge(4.1, 0, 1), edge(4.2, 0, 1)};
     CHECK_FALSE(first_difference(bounces, rests, 10).has_value());
 }
 
-TEST_CASE("what only one run has is a difference, unless the other had no time for it") {
+TEST_CASE("a contact of one run only is a difference, unless the other run had no time for it") {
     const Meetings one{balls(1, 0, 1), edge(5, 1, 2)};
     const Meetings other{balls(1, 0, 1)};
     const auto found = first_difference(one, other, 9);

@@ -19,7 +19,7 @@ Positions balls(std::vector<std::uint32_t> ids, std::vector<Vec2> places) {
 
 }  // namespace
 
-TEST_CASE("the difference is over the balls that both have") {
+TEST_CASE("the difference covers the balls that both worlds have") {
     const Positions a = balls({0, 1, 3}, {{0, 0}, {1, 1}, {5, 5}});
     const Positions b = balls({1, 2, 3}, {{1, 1}, {9, 9}, {8, 9}});
     const Difference off = difference(a, b, std::nullopt);
@@ -42,7 +42,7 @@ TEST_CASE("on a torus the nearest images count") {
     CHECK(off.max == doctest::Approx(0.2));
 }
 
-TEST_CASE("a ball that is nowhere is infinitely far off") {
+TEST_CASE("a ball whose position is not finite is infinitely far off") {
     constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
     const Difference off = difference(balls({0, 1}, {{no_number, 0}, {1, 1}}),
                                       balls({0, 1}, {{0, 0}, {1, 1}}), std::nullopt);
@@ -51,7 +51,7 @@ TEST_CASE("a ball that is nowhere is infinitely far off") {
     CHECK(off.farthest == BallId{0});
 }
 
-TEST_CASE("the mean radius counts what is still to come") {
+TEST_CASE("the mean radius includes balls that are yet to be emitted") {
     World world;
     CHECK(mean_radius(world) == 1.0);
     world.edit_definition().kinds = {Kind{.radius = 2.0}, Kind{.radius = 5.0}};

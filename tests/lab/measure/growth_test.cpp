@@ -30,14 +30,14 @@ TEST_CASE("the doubling time of an exponential is found, up to saturation") {
     }
 }
 
-TEST_CASE("what wobbles about an exponential doubles as it does") {
+TEST_CASE("fluctuations about an exponential do not change its doubling time") {
     const auto growth = exponential_growth(
         points([](double t) { return 1e-6 * std::exp2(t + 0.5 * std::sin(9 * t)); }), 1.0);
     REQUIRE(growth.has_value());
     CHECK(growth->doubling_time == doctest::Approx(1.0).epsilon(0.02));
 }
 
-TEST_CASE("a difference that comes later is timed from there") {
+TEST_CASE("a difference that starts later is timed from there") {
     const auto growth = exponential_growth(
         points([](double t) { return t < 3 ? 0.0 : 1e-6 * std::exp2((t - 3) / 0.5); }), 0.1);
     REQUIRE(growth.has_value());
@@ -45,7 +45,7 @@ TEST_CASE("a difference that comes later is timed from there") {
     CHECK(growth->from >= 3.0);
 }
 
-TEST_CASE("no chaos: nothing, steady growth, powers, decay, too little of it") {
+TEST_CASE("no chaos in zero, steady, power-law, decaying or insufficient growth") {
     const std::function<double(double)> rows[] = {
         [](double) { return 0.0; },
         [](double) { return 1e-15; },
@@ -54,7 +54,7 @@ TEST_CASE("no chaos: nothing, steady growth, powers, decay, too little of it") {
         [](double t) { return 1e-5 * t * t; },
         [](double t) { return 1e-3 * std::exp2(-t); },
         [](double t) { return 1e-3 * std::exp2(t / 5); },
-        [](double t) { return std::exp2(t / 0.02) * 1e-3; },  // over before it can be seen
+        [](double t) { return std::exp2(t / 0.02) * 1e-3; },  // saturated before it can be measured
     };
     for (const auto& difference : rows)
         CHECK_FALSE(exponential_growth(points(difference), 0.1).has_value());

@@ -6,7 +6,7 @@ using namespace carom;
 
 using Points = std::vector<std::uint64_t>;
 
-TEST_CASE("points spread evenly on a logarithmic scale") {
+TEST_CASE("points are spread evenly on a logarithmic scale") {
     CHECK(spread(0).empty());
     CHECK(spread(1) == Points{1});
     CHECK(spread(2) == Points{1, 2});

@@ -30,7 +30,7 @@ const char* const crowd =
     "kind disc r=1\n"
     "fill disc count=20 box=0,0,20,20 speed=10\n";
 
-// Every tick takes a millisecond.
+// On this clock every tick takes a millisecond.
 LabHooks hooks_of(double& now) {
     return {.clock = [&now] { return now += 0.001; },
             .go_on = [](std::uint64_t, std::uint64_t) { return true; }};
@@ -63,7 +63,7 @@ bool has(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("a ball that passes through a wall is off, missing a contact, and out") {
+TEST_CASE("a ball that passes through a wall has an error, a missed contact, and has escaped") {
     const Measurement measurement =
         measured(load(thin_walls), {.time = 0.2, .repeats = 1, .rates = {60}});
     REQUIRE(measurement.headline.has_value());
@@ -85,7 +85,7 @@ TEST_CASE("a ball that passes through a wall is off, missing a contact, and out"
     CHECK(figure_of(bad, "energy_drift") == doctest::Approx(0.0));
 }
 
-TEST_CASE("event is as far off as its doubt, at any rate") {
+TEST_CASE("the error of event equals the reference's own uncertainty, at any rate") {
     const Measurement measurement = measured(
         load(crowd),
         {.time = 0.5, .repeats = 1, .rates = {30, 60, 120}, .solvers = {SolverKind::event}});
@@ -101,18 +101,18 @@ TEST_CASE("event is as far off as its doubt, at any rate") {
     }
 }
 
-TEST_CASE("errors are told in ball radii") {
+TEST_CASE("errors are in ball radii") {
     const MeasureSettings settings{.time = 0.2, .repeats = 1, .rates = {60}};
     const Measurement measurement = measured(load(thin_walls), settings);
     CHECK(measurement.radius == 0.5);
-    // The fast ball flies on for ever, while its twin is somewhere between the walls.
+    // The fast ball flies on for ever, while its counterpart is somewhere between the walls.
     const Measured& bad = row_of(measurement, {{.kind = SolverKind::discrete}, 60});
     const double flown = 3.0 + 900.0 * 0.2;
     CHECK(bad.errors.back().max > (flown - 20.0) / 0.5);
     CHECK(bad.errors.back().max < flown / 0.5);
 }
 
-TEST_CASE("costs come from the clock alone, all else from the level") {
+TEST_CASE("costs depend on the clock alone, all else on the level") {
     const Scene scene = load(crowd);
     const MeasureSettings settings{.time = 0.5, .repeats = 2, .rates = {30, 60}};
     const Measurement measurement = measured(scene, settings);
@@ -127,7 +127,7 @@ TEST_CASE("costs come from the clock alone, all else from the level") {
           measure_json("x", measured(scene, settings), {}, {}));
 }
 
-TEST_CASE("the best of several runs is not more than their mean") {
+TEST_CASE("the best of several runs is at most their mean") {
     const Scene scene = load(crowd);
     double now = 0.0;
     double step = 0.001;
@@ -140,7 +140,7 @@ TEST_CASE("the best of several runs is not more than their mean") {
         CHECK(row.cost.best < row.cost.whole);
 }
 
-TEST_CASE("chaos ends what can be believed, and what is compared") {
+TEST_CASE("chaos limits the horizons that are trusted and compared") {
     const Measurement measurement =
         measured(load(crowd), {.time = 60.0, .repeats = 1, .rates = {60}});
     REQUIRE(measurement.chaos.has_value());
@@ -153,14 +153,14 @@ TEST_CASE("chaos ends what can be believed, and what is compared") {
     CHECK(has(measure_text("Crowd", measurement), "chaos has grown"));
 }
 
-TEST_CASE("the horizon can be asked for") {
+TEST_CASE("the horizon can be chosen") {
     const MeasureSettings settings{.time = 0.5, .repeats = 1, .rates = {60}, .horizon = 5.0 / 60.0};
     const Measurement measurement = measured(load(crowd), settings);
     REQUIRE(measurement.headline.has_value());
     CHECK(measurement.horizons[*measurement.headline] == doctest::Approx(5.0 / 60.0));
 }
 
-TEST_CASE("interrupted, it keeps what is complete") {
+TEST_CASE("an interrupted measurement keeps its complete choices") {
     const Scene scene = load(crowd);
     double now = 0.0;
     LabHooks hooks = hooks_of(now);
@@ -188,7 +188,7 @@ TEST_CASE("interrupted, it keeps what is complete") {
     CHECK_FALSE(measure_text("Crowd", *part).empty());
 }
 
-TEST_CASE("an error below the reference's doubt counts as the doubt") {
+TEST_CASE("an error below the reference's uncertainty counts as that uncertainty") {
     Measurement measurement{
         .time = 1.0, .reference = {}, .horizons = {1.0}, .doubts = {1e-10}, .headline = 0};
     Measured row;
@@ -223,7 +223,7 @@ TEST_CASE("a budget and a tolerance name a choice, or the nearest") {
                                                                 .rates = {60},
                                                                 .solvers = {SolverKind::discrete},
                                                                 .horizon = 0.2});
-    // By this clock, a tick is a millisecond whatever it does.
+    // On this clock, every tick takes a millisecond.
     CHECK(has(budget_answer(measurement, 1.2e-3),
               "Within 1.2 ms a tick: discrete at 60 ticks a second (1 ms, "));
     CHECK(has(budget_answer(measurement, 1e-6),
@@ -253,7 +253,7 @@ TEST_CASE("the CSV has a row for each choice and horizon, and as many cells as n
         rows, [](const std::string& row) { return row.starts_with("substep,4,15,,60,"); }));
 }
 
-TEST_CASE("the JSON has its keys, and what was picked") {
+TEST_CASE("the JSON has its keys, and the picked choices") {
     const Measurement measurement =
         measured(load(thin_walls), {.time = 0.2, .repeats = 1, .rates = {60}});
     const std::string json = measure_json("thin", measurement, 1.2e-3, 1e-9);

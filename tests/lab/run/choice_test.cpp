@@ -8,7 +8,7 @@
 
 using namespace carom;
 
-TEST_CASE("the common rate is the greatest of which all are multiples") {
+TEST_CASE("the common rate is the greatest that divides all") {
     struct Row {
         std::vector<double> rates;
         double common;
@@ -26,7 +26,7 @@ TEST_CASE("the common rate is the greatest of which all are multiples") {
     }
 }
 
-TEST_CASE("what is measured: each solver at each rate, nothing twice, the level's own first") {
+TEST_CASE("the choices: each solver at each rate, no duplicates, the level's own first") {
     Scene scene;
     scene.world.edit_definition().rate = 120;
     scene.solver = SolverSettings{.kind = SolverKind::substep, .updates = 7};
@@ -42,7 +42,7 @@ TEST_CASE("what is measured: each solver at each rate, nothing twice, the level'
     for (const Choice& choice : choices)
         CHECK(std::ranges::count(choices, choice) == 1);
 
-    // A solver that would leave the cloth out has nothing to be measured by.
+    // A solver that ignores the cloth cannot be measured against anything.
     scene.world.edit_definition().model.cloth = Cloth{};
     for (const Choice& choice : choices_for(scene, solvers_available(), usual_rates(120)))
         CHECK(choice.solver.kind != SolverKind::contact);
@@ -53,7 +53,7 @@ TEST_CASE("what is measured: each solver at each rate, nothing twice, the level'
         CHECK(choice.solver.kind == SolverKind::discrete);
 }
 
-TEST_CASE("the reference and its check are solvers that there are, and differ") {
+TEST_CASE("the reference and its check are available solvers, and differ") {
     const Reference reference = reference_settings(120);
     for (const Choice& choice : {reference.truth, reference.check})
         CHECK(std::ranges::count(solvers_available(), choice.solver.kind) == 1);

@@ -20,7 +20,7 @@ World world_of(const std::string& statements) {
 
 }  // namespace
 
-TEST_CASE("where energy is kept, any change counts, for good") {
+TEST_CASE("in a conservative scene the largest change counts") {
     World world = world_of("ball a at=0,0 v=3,0 r=1 m=2\nball b at=9,0 v=-1,0 r=1 m=2\n");
     ConservationWatch watch(world);  // energy 10, sum of momenta 8
     world.edit_balls().velocity[0] = {2, 0};
@@ -36,7 +36,7 @@ TEST_CASE("where energy is kept, any change counts, for good") {
     CHECK(std::isinf(*watch.momentum_drift()));
 }
 
-TEST_CASE("where the scene takes energy, only a rise counts") {
+TEST_CASE("in a dissipative scene only a rise counts") {
     World world = world_of("use drag 0.1\nball a at=0,0 v=2,0\n");
     ConservationWatch watch(world);
     world.edit_balls().velocity[0] = {1, 0};
@@ -48,7 +48,7 @@ TEST_CASE("where the scene takes energy, only a rise counts") {
     CHECK(watch.momentum_drift() == std::nullopt);
 }
 
-TEST_CASE("where the scene brings energy, nothing can be said") {
+TEST_CASE("in a scene that gains energy there is no drift") {
     const World world =
         world_of("world 0,0 9,9\nuse wrap\nuse gravity 0,-1\nball a at=5,5 v=2,0\n");
     CHECK(ConservationWatch(world).energy_drift() == std::nullopt);

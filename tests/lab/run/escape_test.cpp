@@ -9,7 +9,7 @@ using namespace carom;
 
 namespace {
 
-// Two boxes, one in the other, and a box beside them.
+// Two boxes, one inside the other, and a third beside them.
 struct Rooms {
     Scene scene;
 
@@ -38,7 +38,7 @@ struct Rooms {
 
 }  // namespace
 
-TEST_CASE("a ball has escaped when it is outside an outline that it started in") {
+TEST_CASE("a ball has escaped when it is outside an outline in which it started") {
     struct Row {
         Vec2 start;
         Vec2 end;
@@ -51,7 +51,7 @@ TEST_CASE("a ball has escaped when it is outside an outline that it started in")
         {{2, 2}, {0.1, 2}, 0},  // pressed into the wall, its centre still inside the spine
         {{2, 2}, {5, 5}, 0},    // into the inner box: still inside the outer one
         {{5, 5}, {2, 2}, 1},    // out of the inner box
-        {{15, 5}, {5, 5}, 0},   // started outside of all: nothing to escape from
+        {{15, 5}, {5, 5}, 0},   // started outside all: it cannot escape
     };
     for (const Row& row : rows) {
         CAPTURE(row.end.x);
@@ -64,7 +64,7 @@ TEST_CASE("a ball has escaped when it is outside an outline that it started in")
     }
 }
 
-TEST_CASE("a ball that is not a number any more has escaped") {
+TEST_CASE("a ball whose position is NaN has escaped") {
     Rooms rooms;
     const BallId ball = rooms.add({2, 2});
     const EscapeWatch watch(rooms.scene);
@@ -72,7 +72,7 @@ TEST_CASE("a ball that is not a number any more has escaped") {
     CHECK(watch.escaped(rooms.scene.world) == 1);
 }
 
-TEST_CASE("balls that are born later are watched from then on, removed ones no more") {
+TEST_CASE("emitted balls are watched from then on, removed ones no more") {
     Rooms rooms;
     const BallId first = rooms.add({2, 2});
     EscapeWatch watch(rooms.scene);

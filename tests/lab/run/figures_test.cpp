@@ -19,7 +19,7 @@ const Figure& figure(std::string_view key) {
 
 }  // namespace
 
-TEST_CASE("each field of a report stands for one figure, and each figure can be had somewhere") {
+TEST_CASE("each field of a report is one figure, and each figure is available somewhere") {
     std::set<std::string_view> keys;
     std::set<std::string_view> quantities;
     for (const Figure& each : figures()) {
@@ -40,7 +40,7 @@ TEST_CASE("each field of a report stands for one figure, and each figure can be 
     }
 }
 
-TEST_CASE("the deepest overlap is the deepest at the end of any tick so far") {
+TEST_CASE("overlap is the deepest at the end of any tick so far") {
     const Scene scene = test::load("ball a at=0,0 r=1\nball b at=3,0 r=1\n");
     RunWatch watch(scene, RunWatch::Conservation::ignored);
     World world = scene.world;
@@ -52,7 +52,7 @@ TEST_CASE("the deepest overlap is the deepest at the end of any tick so far") {
     CHECK(watch.value(figure("max_overlap"), world) == 0.5);
 }
 
-TEST_CASE("drifts are noted where they are asked for") {
+TEST_CASE("drifts are recorded on request") {
     const Scene scene = test::load("ball a at=0,0 v=1,0\n");
     RunWatch watch(scene, RunWatch::Conservation::noted);
     World world = scene.world;
@@ -63,7 +63,7 @@ TEST_CASE("drifts are noted where they are asked for") {
     CHECK_FALSE(RunWatch(scene, RunWatch::Conservation::ignored).conservation());
 }
 
-TEST_CASE("a figure without a value is null, and a count has no point") {
+TEST_CASE("a figure without a value is null, and a count has no decimal point") {
     JsonWriter json;
     json.begin_object(JsonWriter::Layout::one_line);
     write_figure(json, figure("escaped"), 3.0);

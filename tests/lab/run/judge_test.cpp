@@ -79,7 +79,7 @@ TEST_CASE("quantities of the world") {
     }
 }
 
-TEST_CASE("a ball that is gone has no place") {
+TEST_CASE("a removed ball has no position") {
     Scene scene = load("ball a at=3,4\nball b at=9,9\n");
     Quantity quantity;
     quantity.kind = quantity_named("x");
@@ -136,7 +136,7 @@ TEST_CASE("an expectation is judged at its time, or else at the end") {
     CHECK(has_failure(record));
 }
 
-TEST_CASE("nothing is judged where options changed the level") {
+TEST_CASE("nothing is judged if options changed the level") {
     const Scene scene =
         load("ball a at=0,0 v=12,0\nexpect a.x 99 within 1 at=0.5\nexpect a.x 99 within 1\n",
              {.rate = 60.0});

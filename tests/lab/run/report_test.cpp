@@ -61,7 +61,7 @@ TEST_CASE("the report has its keys, in order") {
     CHECK(report.ends_with("\n}\n"));
 }
 
-TEST_CASE("the report says what came of a run") {
+TEST_CASE("the report has the results of a run") {
     const std::string report = run("solver substep updates=2\n"
                                    "seed 7\n"
                                    "kind heavy r=2 m=49\n"
@@ -78,7 +78,7 @@ TEST_CASE("the report says what came of a run") {
     CHECK(has(report, "\"cost\": {\"seconds\": 0.25, \"ns_per_ball_tick\": 2083333.3333333333}"));
 }
 
-TEST_CASE("everything in the report but the cost is the same in every run") {
+TEST_CASE("everything in the report but the cost is reproducible") {
     const std::string level =
         "use gravity 0,-9.81\nworld 0,0 20,20\nbox r=0.5 1,1 19,19\n"
         "fill count=20 box=2,2,18,18 speed=3\n";
@@ -89,7 +89,7 @@ TEST_CASE("everything in the report but the cost is the same in every run") {
     CHECK(without_cost(run(level, 200).report) == without_cost(run(level, 200).report));
 }
 
-TEST_CASE("counters stand under the name of their group") {
+TEST_CASE("counters are listed under the name of their group") {
     const std::string report = run("use gravity 0,-10\n"
                                    "bins cups count=3 width=4 at=0,0 depth=5 sink\n"
                                    "ball a at=0,9 r=0.5\n",
@@ -116,7 +116,7 @@ TEST_CASE("events are JSON lines, with the normal from b to a") {
     CHECK(event_lines({}, 1).empty());
 }
 
-TEST_CASE("a trace has a row a ball") {
+TEST_CASE("a trace has one row per ball") {
     Scene scene = load("rate 4\nball a at=1,2 v=0.1,0\nball b at=9,9\n");
     Solver solver({.kind = SolverKind::swept});
     CHECK(trace_header(scene.world) == "tick,time,id,x,y,vx,vy\n");
@@ -125,7 +125,7 @@ TEST_CASE("a trace has a row a ball") {
     CHECK(trace_rows(scene.world) == "1,0.25,0,1.025,2,0.1,0\n1,0.25,1,9,9,0,0\n");
 }
 
-TEST_CASE("where balls turn, the report and the trace say how fast") {
+TEST_CASE("in a model with spin, report and trace include it") {
     Scene scene = load("use spin\nball a at=1,2 w=-2.5\nexpect a.w -2.5 within 0\n");
     CHECK(trace_header(scene.world) == "tick,time,id,x,y,vx,vy,w\n");
     CHECK(trace_rows(scene.world) == "0,0,0,1,2,0,0,-2.5\n");
@@ -133,7 +133,7 @@ TEST_CASE("where balls turn, the report and the trace say how fast") {
     CHECK(judge(scene.expects.at(0), scene.world, watch).verdict == Verdict::holds);
 }
 
-TEST_CASE("the summary and the verdicts are for people") {
+TEST_CASE("the summary and the verdicts read well") {
     const Finished finished =
         run("rate 64\n"
             "ball a at=0,0 v=1,0\n"

@@ -7,7 +7,7 @@
 
 using namespace carom;
 
-TEST_CASE("every statement has its own name, and its usage begins with it") {
+TEST_CASE("every statement has a unique name, and its usage begins with it") {
     std::set<std::string_view> names;
     for (const Statement& statement : all_statements().rows()) {
         CAPTURE(statement.name);
@@ -17,7 +17,7 @@ TEST_CASE("every statement has its own name, and its usage begins with it") {
     }
 }
 
-TEST_CASE("every statement has an action, but for the header and the end of blocks") {
+TEST_CASE("every statement has an action, except the header and the end of blocks") {
     const std::set<std::string_view> without{"carom", "physics", "units", "end"};
     for (const Statement& statement : all_statements().rows()) {
         CAPTURE(statement.name);

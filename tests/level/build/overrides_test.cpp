@@ -70,7 +70,7 @@ TEST_CASE("diagnostics name --set as their source") {
     CHECK(with("", {"rate 5\nrate 6"}).diagnostics.size() == 1);
 }
 
-TEST_CASE("options outrank the file, and count as overrides where they differ") {
+TEST_CASE("options take precedence over the file, and count as overrides where they differ") {
     const auto overridden = [](const LoadOptions& options) {
         return load_lines("rate 60\nseed 5\nsolver discrete\n", options).scene.value().overridden;
     };

@@ -25,7 +25,7 @@ TEST_CASE(
     "torus") {
     for (const bool torus : {false, true}) {
         World world = scenes::gas(400, 8, torus);
-        if (!torus) {  // some far outside of where most are
+        if (!torus) {  // some far outside the frame
             for (std::uint64_t i = 0; i < 30; ++i)
                 world.edit_balls().position[i] = {draw(-900, 900, i, 0), draw(500, 900, i, 1)};
         }
@@ -47,7 +47,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("moving balls from cell to cell is the same as building the cells again") {
+TEST_CASE("moving balls from cell to cell gives the result of building the cells again") {
     World world = scenes::gas(200, 8);
     const CellFrame frame = frame_around(world, 3.0);
     PointCells moved;
@@ -104,7 +104,7 @@ TEST_CASE("an edge is in every cell from which a ball can touch it") {
     }
 }
 
-TEST_CASE("paths that come near share a cell, each pair once") {
+TEST_CASE("paths that come close share a cell, and each pair is found once") {
     World world = scenes::gas(200, 15);
     const CellFrame frame = frame_around(world, 3.0);
     SweptCells cells;

@@ -93,7 +93,7 @@ TEST_CASE("the grid finds every pair once, whatever the radii and the torus") {
     }
 }
 
-TEST_CASE("a frame is kept while discs move a little and become more, and finds every pair") {
+TEST_CASE("a frame is kept while discs move a little and are added, and finds every pair") {
     DiscGrid grid;
     const Box box{{0, 0}, {60, 40}};
     Discs discs;
@@ -115,7 +115,7 @@ TEST_CASE("a frame is kept while discs move a little and become more, and finds 
     CHECK(kept < 80);
 }
 
-TEST_CASE("discs far away from most, and such as are nowhere, cost no pair") {
+TEST_CASE("distant discs, and discs with NaN positions, cost no pair") {
     Discs discs = scattered(300, {{0, 0}, {50, 50}}, 1, 1);
     for (std::uint64_t i = 0; i < 40; ++i)
         discs.centers[i * 7] = {draw(-1e4, 1e4, i, 4), draw(900, 910, i, 5)};
@@ -130,7 +130,7 @@ TEST_CASE("discs far away from most, and such as are nowhere, cost no pair") {
     CHECK(by_grid(grid).empty());
 }
 
-TEST_CASE("the grid finds all that a disc anywhere touches, each once") {
+TEST_CASE("the grid finds everything that a disc touches, once each, wherever the disc is") {
     for (const bool is_torus : {false, true}) {
         const Box box{{0, 0}, {400, 300}};
         const Discs discs = scattered(500, box, 0.2, 50);
@@ -157,7 +157,7 @@ TEST_CASE("the grid finds all that a disc anywhere touches, each once") {
     }
 }
 
-TEST_CASE("cells hold their discs in ascending order, and levels discs of like size") {
+TEST_CASE("cells hold their discs in ascending order, and levels hold discs of similar size") {
     const Discs discs = scattered(1000, {{0, 0}, {2000, 2000}}, 0.5, 500);
     DiscGrid grid;
     grid.build(discs.centers, discs.radii, 0.0, std::nullopt);

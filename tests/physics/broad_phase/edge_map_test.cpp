@@ -30,7 +30,7 @@ World some_edges(bool torus) {
     return world;
 }
 
-// As hands and flippers do: some are taken, some let go, some are put elsewhere.
+// Changes by kinematic bodies: some edges are grabbed, some released, some placed elsewhere.
 void change_some(World& world, std::uint64_t round) {
     world.edit_held_capsules().clear();
     for (std::size_t i = 0; i < world.capsules().size(); ++i) {
@@ -47,7 +47,7 @@ bool are_same(const CapsuleEntry& a, const CapsuleEntry& b) {
 
 }  // namespace
 
-TEST_CASE("edges that are put into their cells again stand there as if all had been put in anew") {
+TEST_CASE("updated edges have the cells that building anew gives") {
     for (const bool torus : {false, true}) {
         World world = some_edges(torus);
         const CellFrame frame = frame_around(world, 4.0);
@@ -70,7 +70,7 @@ TEST_CASE("edges that are put into their cells again stand there as if all had b
     }
 }
 
-TEST_CASE("other edges, or too many that changed, are not mended") {
+TEST_CASE("other edges, or too many changed ones, are not updated in place") {
     World world = some_edges(false);
     CapsuleCells cells;
     CHECK_FALSE(cells.mend(world));
@@ -85,7 +85,7 @@ TEST_CASE("other edges, or too many that changed, are not mended") {
     CHECK_FALSE(cells.mend(world));
 }
 
-TEST_CASE("each edge that a box touches is on the map once, wherever the box is") {
+TEST_CASE("each edge that a box touches is found once, wherever the box is") {
     World world = some_edges(false);
     add_capsule(world, {{-1e9, 3e8}, {-1e9, 4e8}, 2.0}, 0);  // far from all others
     add_capsule(world, {{-400.0, 20.0}, {900.0, 21.0}, 0.0}, 0);
@@ -111,7 +111,7 @@ TEST_CASE("each edge that a box touches is on the map once, wherever the box is"
     }
 }
 
-TEST_CASE("a map is for a few balls among many edges, on a plane") {
+TEST_CASE("a map suits a few balls among many edges, on a plane") {
     CHECK_FALSE(EdgeMap::suits(scenes::gas(30, 12)));
     CHECK_FALSE(EdgeMap::suits(some_edges(false)));
     World table = some_edges(false);

@@ -73,7 +73,7 @@ std::vector<T> list(std::span<const T> values) {
 
 }  // namespace
 
-TEST_CASE("neighbours are all pairs within the margin") {
+TEST_CASE("the neighbour list has all pairs within the skin") {
     for (const bool torus : {false, true}) {
         const World world = gas_with_edges(torus);
         Neighbours neighbours;
@@ -109,7 +109,7 @@ TEST_CASE("the neighbours of a ball are those of its pairs") {
     CHECK(both_ways == 2 * neighbours.pairs().size());
 }
 
-TEST_CASE("neighbours cover what overlaps until a ball has gone further than the margin") {
+TEST_CASE("the list is valid until a ball has moved further than the skin") {
     for (const bool torus : {false, true}) {
         World world = gas_with_edges(torus);
         Neighbours neighbours;
@@ -132,19 +132,19 @@ TEST_CASE("neighbours cover what overlaps until a ball has gone further than the
     }
 }
 
-TEST_CASE("neighbours cover what overlaps until balls may have gone further than the margin") {
+TEST_CASE("the list is valid until balls may have moved further than the skin") {
     World world = gas_with_edges(false);
     Neighbours neighbours;
     neighbours.look(world, 0.25);
     CHECK(neighbours.cover_after(0.1));
     CHECK(neighbours.cover_after(0.1));
     CHECK_FALSE(neighbours.cover_after(0.1));
-    // Where they are counts, once they are all asked.
+    // If all positions are checked, the positions count.
     world.edit_balls().position[7] += Vec2{0.0, 0.12};
     CHECK(neighbours.cover(world));
     CHECK(neighbours.cover_after(0.12));
     CHECK_FALSE(neighbours.cover_after(0.02));
-    // One that was pushed has gone further than the others.
+    // A pushed ball has moved further than the others.
     neighbours.look(world, 0.25);
     CHECK(neighbours.cover_after(0.1));
     CHECK(neighbours.note_place(5, world.balls().position[5] + Vec2{0.2, 0.0}));
@@ -152,12 +152,12 @@ TEST_CASE("neighbours cover what overlaps until balls may have gone further than
     neighbours.look(world, 0.25);
     CHECK_FALSE(neighbours.note_place(5, world.balls().position[5] + Vec2{0.3, 0.0}));
     CHECK_FALSE(neighbours.cover_after(0.0));
-    // Without a margin there is nothing that lasts.
+    // Without a skin no list lasts.
     neighbours.look(world, 0.0);
     CHECK_FALSE(neighbours.cover_after(0.0));
 }
 
-TEST_CASE("neighbours of other balls, or of another torus, cover nothing") {
+TEST_CASE("the list of other balls, or of another torus, is never valid") {
     const World world = gas_with_edges(true);
     Neighbours neighbours;
     neighbours.look(world, 0.2);
@@ -174,7 +174,7 @@ TEST_CASE("neighbours of other balls, or of another torus, cover nothing") {
     CHECK_FALSE(neighbours.cover(world));
 }
 
-TEST_CASE("neighbours of discs that stand for the balls") {
+TEST_CASE("a list of discs that stand in for the balls") {
     const World world = gas_with_edges(false);
     World swollen = world;
     for (std::uint64_t i = 0; i < world.balls().size(); ++i) {
@@ -188,7 +188,7 @@ TEST_CASE("neighbours of discs that stand for the balls") {
         CHECK(std::ranges::binary_search(neighbours.edges(), pair));
 }
 
-TEST_CASE("a ball that strayed is told the edges where it is now") {
+TEST_CASE("an escaped ball gets the edges near its present position") {
     const World world = gas_with_edges(true);
     Neighbours neighbours;
     neighbours.look(world, 0.0);
@@ -206,7 +206,7 @@ TEST_CASE("a ball that strayed is told the edges where it is now") {
     }
 }
 
-TEST_CASE("pairs come in ascending order, few of them or many") {
+TEST_CASE("pairs come in ascending order, few or many") {
     for (const std::uint64_t count : {0, 3, 40, 3000}) {
         std::vector<BallPair> pairs;
         for (std::uint64_t i = 0; i < count; ++i) {

@@ -29,7 +29,7 @@ std::vector<Event> drained(ImpactQueue<Event>& queue) {
 
 }  // namespace
 
-TEST_CASE("impact queue: earliest first, and at one time by kind and number, however pushed") {
+TEST_CASE("impact queue: earliest first, ties by kind and number, whatever the order of pushes") {
     const std::vector<Event> expected{
         {0.5, 1, 9}, {1.0, 0, 3}, {1.0, 0, 4}, {1.0, 1, 2}, {2.0, 0, 0}};
     ImpactQueue<Event> queue;
@@ -40,7 +40,7 @@ TEST_CASE("impact queue: earliest first, and at one time by kind and number, how
     }
 }
 
-TEST_CASE("impact queue: cleared, it is empty") {
+TEST_CASE("impact queue: empty after it is cleared") {
     ImpactQueue<Event> queue;
     queue.push({1.0, 0, 0});
     queue.clear();

@@ -9,7 +9,7 @@ using namespace carom;
 
 namespace {
 
-// A column of balls, listed from the top down: ball i lies at height 10 - 2 i, the last one on an
+// A column of balls, listed from the top down: ball i is at height 10 - 2 i, the last one on an
 // edge.
 struct Column {
     std::vector<Vec2> place{{0, 10}, {0, 8}, {0, 6}, {0, 4}, {0, 2}};
@@ -33,7 +33,8 @@ bool share_ball(const NearPair& a, const NearPair& b, std::uint32_t balls) {
 
 }  // namespace
 
-TEST_CASE("constraint order: a column is solved from the bottom up, whichever way is down") {
+TEST_CASE(
+    "constraint order: a column is solved from the bottom up, whatever the direction of gravity") {
     const Column column;
     ConstraintOrder order;
     order.arrange(column.pairs, column.place, {0.0, -9.81});
@@ -42,7 +43,8 @@ TEST_CASE("constraint order: a column is solved from the bottom up, whichever wa
     CHECK(turns(order, 5) == std::vector<std::uint32_t>{0, 1, 2, 3, 4});
 }
 
-TEST_CASE("constraint order: without gravity, and for a single pair, it is that of the pairs") {
+TEST_CASE(
+    "constraint order: without gravity, and for a single pair, it is the order of the pairs") {
     const Column column;
     ConstraintOrder order;
     order.arrange(column.pairs, column.place, {});
@@ -52,8 +54,9 @@ TEST_CASE("constraint order: without gravity, and for a single pair, it is that 
 }
 
 TEST_CASE(
-    "constraint order: each pair comes once, and keeps its place among those with its balls") {
-    // A brick wall: pairs side by side and diagonal ones, in no order.
+    "constraint order: each pair occurs once, in its relative order among pairs that share a "
+    "ball") {
+    // A brick wall: pairs side by side and diagonal ones, in random order.
     std::vector<Vec2> place;
     for (int row = 0; row < 12; ++row)
         for (int column = 0; column < 12; ++column)
@@ -85,7 +88,9 @@ TEST_CASE(
                 CHECK(height(pairs[result[k]]) <= height(pairs[result[l]]) + 0.02);
 }
 
-TEST_CASE("constraint order: neighbours mostly share no ball, so that they can overlap in time") {
+TEST_CASE(
+    "constraint order: neighbours in the order rarely share a ball, so they can be computed in "
+    "parallel") {
     std::vector<Vec2> place;
     std::vector<NearPair> pairs;
     // Twenty columns of ten, each listed from the bottom up.

@@ -12,7 +12,7 @@ using namespace carom;
 
 namespace {
 
-// A heap at rest, and the solver that brought it there.
+// A heap at rest, and the solver that computed it.
 struct Heap {
     World world = scenes::bucket(120, 0.0);
     Solver solver{{.kind = SolverKind::contact}};
@@ -26,7 +26,7 @@ struct Heap {
     }
 };
 
-// Fast enough to bounce, too slow to leave a region.
+// Fast enough to bounce, too slow to leave its fat AABB.
 void shake(World& world) {
     for (std::size_t i = 0; i < world.balls().size(); ++i)
         world.edit_balls().velocity[i] = {0.0, i % 3 == 0 ? -0.5 : 0.1};
@@ -38,7 +38,7 @@ bool is_same(const Homes& a, const Homes& b) {
 
 }  // namespace
 
-TEST_CASE("contact: a heap at rest goes on with the pairs that it has") {
+TEST_CASE("contact: a heap at rest reuses its pairs") {
     Heap heap;
     const Homes before = heap.world.memory().homes;
     REQUIRE(before.ball == heap.world.balls().id);
@@ -46,12 +46,12 @@ TEST_CASE("contact: a heap at rest goes on with the pairs that it has") {
         heap.solver.tick(heap.world);
     CHECK(is_same(heap.world.memory().homes, before));
 
-    SUBCASE("until a ball leaves its region") {
+    SUBCASE("until a ball leaves its fat AABB") {
         heap.world.edit_balls().velocity[7] = {0.0, 200.0};
         heap.solver.tick(heap.world);
         CHECK_FALSE(is_same(heap.world.memory().homes, before));
     }
-    SUBCASE("until a ball goes") {
+    SUBCASE("until a ball is removed") {
         remove_ball(heap.world, heap.world.balls().id[3]);
         heap.solver.tick(heap.world);
         CHECK(heap.world.memory().homes.ball == heap.world.balls().id);
@@ -63,9 +63,9 @@ TEST_CASE("contact: a heap at rest goes on with the pairs that it has") {
     }
 }
 
-// What is kept from tick to tick must be what a solver finds that sees the world for the first
-// time, whatever was done to it in between.
-TEST_CASE("contact: a heap that somebody changes goes on as in a solver that never saw it") {
+// Data kept from tick to tick must equal what a fresh solver computes from the world, whatever
+// changed in between.
+TEST_CASE("contact: a changed heap continues as in a fresh solver") {
     struct Row {
         std::string what;
         std::function<void(World&)> change;
@@ -146,7 +146,7 @@ TEST_CASE("contact: a heap that somebody changes goes on as in a solver that nev
 }
 
 TEST_CASE(
-    "contact: a crowd of fast balls has regions for a substep, a fast one among slow a tick") {
+    "contact: fast balls have fat AABBs for a substep, a fast one among slow ones for a tick") {
     for (const bool is_crowd : {true, false}) {
         CAPTURE(is_crowd);
         World world = scenes::empty();
@@ -158,7 +158,7 @@ TEST_CASE(
                              .radius = 0.5});
         Solver solver({.kind = SolverKind::contact});
         solver.tick(world);
-        // It goes 1.5 in a tick of four substeps.
+        // It moves 1.5 in a tick of four substeps.
         REQUIRE(world.memory().homes.margin.size() == 100);
         if (is_crowd)
             CHECK(world.memory().homes.margin[0] < 0.6);

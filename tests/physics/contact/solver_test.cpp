@@ -32,7 +32,7 @@ double rms_speed(const World& world) {
     return std::sqrt(squares / static_cast<double>(world.balls().size()));
 }
 
-// A floor, gravity 10, balls of radius 0.5 that do not bounce.
+// A floor, gravity 10, inelastic balls of radius 0.5.
 World floor_world() {
     World world = scenes::empty();
     world.edit_definition().rate = 60.0;
@@ -45,18 +45,18 @@ World floor_world() {
 
 }  // namespace
 
-TEST_CASE("contact: a stack of 50 stands, and is pressed together by little") {
+TEST_CASE("contact: a stack of 50 stays upright, with little overlap") {
     World world = floor_world();
     for (int i = 0; i < 50; ++i)
         add_ball(world, {.position = {0.0, 0.5 + i}, .velocity = {}});
     run(world, 1200);
     const double top = world.balls().position[49].y;
     MESSAGE("compression ", 49.5 - top);
-    CHECK(49.5 - top < 0.43);  // Box2D 2.4.1, the best of the peers
+    CHECK(49.5 - top < 0.43);  // Box2D 2.4.1, the best of the other engines
     CHECK(rms_speed(world) < 1e-3);
 }
 
-TEST_CASE("contact: a load of 400 on a row of 1 comes to rest, and goes in by little") {
+TEST_CASE("contact: a load of 400 on a row of 1 comes to rest, with little overlap") {
     World world = floor_world();
     for (int i = 0; i < 11; ++i)
         add_ball(world, {.position = {-5.0 + i, 0.5}, .velocity = {}});
@@ -71,13 +71,13 @@ TEST_CASE("contact: a load of 400 on a row of 1 comes to rest, and goes in by li
     }
     MESSAGE("deepest in 100 s: ", deepest, ", at the end ", deepest_overlap(world), ", speed ",
             rms_speed(world));
-    // The best of the peers lies 0.038 deep (Chipmunk).
+    // The best of the other engines overlaps by 0.038 (Chipmunk).
     CHECK(deepest < 0.045);
     CHECK(deepest_overlap(world) < 0.02);
     CHECK(rms_speed(world) < 1e-6);
 }
 
-TEST_CASE("contact: a load on a heap rests on all that bears it") {
+TEST_CASE("contact: a load on a heap is carried by all its supports") {
     World world = scenes::bucket(120, 0.0);
     world.edit_definition().rate = 60.0;
     Solver solver({.kind = SolverKind::contact});
@@ -91,7 +91,7 @@ TEST_CASE("contact: a load on a heap rests on all that bears it") {
     CHECK(rms_speed(world) < 1e-3);
 }
 
-TEST_CASE("contact: an elastic ball goes on bouncing, and its energy never rises") {
+TEST_CASE("contact: an elastic ball keeps bouncing, and its energy never rises") {
     World world = floor_world();
     world.edit_definition().kinds[0].restitution =
         world.edit_definition().materials[0].restitution = 1.0;
@@ -123,7 +123,7 @@ TEST_CASE("contact: a bucket comes to rest, with and without friction, and stays
         run(world, 1800);
         const std::vector<Vec2> places = world.balls().position;
         run(world, 1200);
-        // With friction a ball or two may roll on for ever under an arch.
+        // With friction a ball or two may roll for ever under an arch.
         std::vector<double> ways;
         for (std::size_t i = 0; i < places.size(); ++i)
             ways.push_back(distance(places[i], world.balls().position[i]));
@@ -155,9 +155,9 @@ World high_heap(double speed_down) {
     return world;
 }
 
-// Impact by impact, inelastic bodies that are pressed together meet again and again: the last rows
-// to land would make a thousand impacts for each ball.
-TEST_CASE("contact: a heap that falls together is not dealt with impact by impact") {
+// Inelastic bodies that are pressed together collide again and again: if each impact were handled
+// separately, the last rows to land would take a thousand impacts for each ball.
+TEST_CASE("contact: a collapsing heap is not handled impact by impact") {
     World world = high_heap(20.0);
     Solver solver({.kind = SolverKind::contact});
     double exchanges = 0.0;
@@ -172,9 +172,9 @@ TEST_CASE("contact: a heap that falls together is not dealt with impact by impac
     CHECK(deepest < 0.2);
 }
 
-// More of a speed is taken back than there is only from what pressed before: what lands would go up
-// again with that.
-TEST_CASE("contact: a ball that does not bounce lands from any height, and stays") {
+// Only an impulse carried over from the last substep can take back more than the approach speed. A
+// landing ball would go up again with that.
+TEST_CASE("contact: an inelastic ball lands from any height, and stays") {
     for (int i = 0; i < 40; ++i) {
         World world = floor_world();
         world.edit_definition().model.lossy = true;
@@ -194,9 +194,9 @@ TEST_CASE("contact: a ball that does not bounce lands from any height, and stays
     }
 }
 
-// What stopped an impact is no load, and the next substep does not start from it: that would throw
-// the ball up by 7 % of its fall, and a heavy one by 10 %.
-TEST_CASE("contact: high columns of lively balls that stand stay at rest") {
+// An impulse that stopped an impact is not a load, so the next substep must not start from it: it
+// would throw the ball up by 7 % of its fall, and a heavy one by 10 %.
+TEST_CASE("contact: high columns of elastic balls at rest stay at rest") {
     for (const int balls : {50, 80, 100})
         for (const double restitution : {0.0, 0.7, 0.9}) {
             CAPTURE(balls);
@@ -219,7 +219,7 @@ TEST_CASE("contact: high columns of lively balls that stand stay at rest") {
         }
 }
 
-TEST_CASE("contact: a ball that does not bounce lands on others, and stays") {
+TEST_CASE("contact: an inelastic ball lands on others, and stays") {
     for (const double friction : {0.0, 0.5})
         for (const double mass : {1.0, 10.0, 100.0})
             for (const int below : {1, 2, 3, 5}) {
@@ -250,9 +250,9 @@ TEST_CASE("contact: a ball that does not bounce lands on others, and stays") {
             }
 }
 
-// Each round over the pairs carries a change of the load one ball further, so what is slow to rest
-// is not single balls but all of them together.
-TEST_CASE("contact: a high heap soon stops going up and down as a whole") {
+// Each iteration over the pairs carries a change of the load one ball further, so not single balls
+// but the heap as a whole is slow to come to rest.
+TEST_CASE("contact: a high heap soon stops oscillating as a whole") {
     World world = high_heap(0.0);
     run(world, 600);
     double most = 0.0;
@@ -267,7 +267,7 @@ TEST_CASE("contact: a high heap soon stops going up and down as a whole") {
     CHECK(most < 1e-3);
 }
 
-TEST_CASE("contact: a heap goes on from a snapshot with the same bits, impulses and all") {
+TEST_CASE("contact: a heap continues from a snapshot with the same bits, impulses included") {
     World world = scenes::bucket(200, 0.0);
     world.edit_definition().model.spin = 0.5;
     world.edit_balls().spin.assign(world.balls().size(), 0.0);
@@ -292,7 +292,7 @@ TEST_CASE("contact: a heap goes on from a snapshot with the same bits, impulses 
     CHECK(fingerprint(forgetful) != fingerprint(once));
 }
 
-TEST_CASE("contact: a ball that rests on an edge with some bounce in it does not sink in") {
+TEST_CASE("contact: a ball with some restitution that rests on an edge does not sink in") {
     World world = floor_world();
     world.edit_definition().kinds[0].restitution =
         world.edit_definition().materials[0].restitution = 0.5;
@@ -303,8 +303,8 @@ TEST_CASE("contact: a ball that rests on an edge with some bounce in it does not
     CHECK(world.balls().position[0].y == doctest::Approx(0.5).epsilon(1e-3));
 }
 
-// Two abreast just fit in, so every one presses on its neighbours and on a wall.
-TEST_CASE("contact: a high column of lively balls comes to rest, and lies on one another") {
+// Two abreast just fit, so each presses on its neighbours and on a wall.
+TEST_CASE("contact: a high column of elastic balls comes to rest on one another") {
     World world = floor_world();
     world.edit_definition().kinds[0] = {.radius = 0.2, .mass = 1.0, .restitution = 0.5};
     world.edit_definition().materials[0].restitution = 0.5;
@@ -319,7 +319,7 @@ TEST_CASE("contact: a high column of lively balls comes to rest, and lies on one
     CHECK(deepest_overlap(world) < 0.04);
 }
 
-TEST_CASE("contact: what falls on a lively heap bounces off it") {
+TEST_CASE("contact: a ball that falls on an elastic heap bounces off it") {
     World world = floor_world();
     world.edit_definition().kinds[0].restitution = 0.5;
     world.edit_definition().materials[0].restitution = 0.5;
@@ -338,11 +338,11 @@ TEST_CASE("contact: what falls on a lively heap bounces off it") {
         solver.tick(world);
         fastest = std::max(fastest, world.balls().velocity.back().y);
     }
-    CHECK(fastest > 0.3);  // it comes at 10, and throws others up
+    CHECK(fastest > 0.3);  // it arrives at 10, and throws others up
     CHECK(rms_speed(world) < 1e-3);
 }
 
-TEST_CASE("contact: a squeeze without a way out holds the hands, and lets go smoothly") {
+TEST_CASE("contact: a squeeze without a way out stops the kinematic bodies, and ends smoothly") {
     World world = floor_world();
     world.edit_definition().kinds[0].restitution = 0.5;
     world.edit_balls() = {};
@@ -364,14 +364,14 @@ TEST_CASE("contact: a squeeze without a way out holds the hands, and lets go smo
         REQUIRE(std::isfinite(p.x + p.y));
         CHECK(p.y > 0.25);
         if (time < 4.0) CHECK(std::fabs(p.x) < 0.5);
-        // Until then the hands are still on their way in, to where they were kept from going.
+        // Until then the bodies are still closing, towards where they were stopped.
         if (time > 4.4) fastest_after = std::max(fastest_after, length(world.balls().velocity[0]));
     }
     MESSAGE("fastest after the hands open: ", fastest_after);
-    CHECK(fastest_after < 2.0 * (1 + 1e-9));  // as fast as the hands open
+    CHECK(fastest_after < 2.0 * (1 + 1e-9));  // as fast as the bodies open
 }
 
-TEST_CASE("contact: what hands jam is not thrown") {
+TEST_CASE("contact: balls jammed by kinematic bodies are not thrown") {
     for (const double turn : {0.0, 0.3, 1.1, 2.5}) {
         CAPTURE(turn);
         World world = scenes::empty();
@@ -392,7 +392,7 @@ TEST_CASE("contact: what hands jam is not thrown") {
         Solver solver({.kind = SolverKind::contact});
         double fastest = 0.0;
         for (int tick = 1; tick <= 480; ++tick) {
-            // They close for a second and a half, stay so for one, and open.
+            // They close for a second and a half, stay for one, and open.
             const double time = tick / 120.0;
             const double away =
                 time < 1.5 ? 3.0 - 2.0 * time : std::clamp(2.0 * (time - 2.5), 0.0, 3.0);
@@ -407,12 +407,12 @@ TEST_CASE("contact: what hands jam is not thrown") {
                 REQUIRE(std::fabs(dot(position, toward)) < 0.7);
         }
         MESSAGE("fastest ", fastest, " between hands at 2");
-        // What slips out goes as fast as a hand that makes up for its delay within a tick.
+        // A ball that slips out is as fast as a body that catches up within a tick.
         CHECK(fastest < 10.0);
     }
 }
 
-TEST_CASE("contact: an edge in a hand comes down on a ball in a hand") {
+TEST_CASE("contact: a held edge comes down on a held ball") {
     World world = scenes::bucket(30, 0.3);
     run(world, 300);
     const CapsuleId lid = add_capsule(world, {{5.0, 8.0}, {15.0, 8.0}, 0.2}, 0);
@@ -427,9 +427,8 @@ TEST_CASE("contact: an edge in a hand comes down on a ball in a hand") {
         CHECK((place.x > 0.0 && place.x < 20.0 && place.y > 0.0 && place.y < 60.0));
 }
 
-// What friction takes of the speed it gives to the spin, though the ball is hit in each substep.
-TEST_CASE(
-    "contact: a disc that slides through hail rolls as fast in the end as one that does not") {
+// Friction turns speed into spin, even if the ball is hit in each substep.
+TEST_CASE("contact: a disc that slides through hail ends up rolling as fast as one without hail") {
     World world = floor_world();
     world.edit_definition().model.lossy = true;
     world.edit_definition().model.spin = 0.5;
@@ -445,7 +444,7 @@ TEST_CASE(
                          .mass = 1e-12});
     }
     run(world, 60);
-    // Of the momentum about a point of the floor nothing is lost.
+    // Angular momentum about a point of the floor is conserved.
     CHECK(world.balls().velocity[0].x == doctest::Approx(speed / 1.5).epsilon(1e-3));
     CHECK(-0.5 * world.balls().spin[0] == doctest::Approx(speed / 1.5).epsilon(1e-3));
 }
@@ -492,7 +491,7 @@ TEST_SUITE("long") {
             for (std::size_t i = 0; i < places.size(); ++i)
                 furthest = std::max(furthest, distance(places[i], world.balls().position[i]));
             MESSAGE("speed ", rms_speed(world), ", moved ", furthest);
-            // With friction one that bears no other still rolls, by 0.0001 in the hour.
+            // With friction a ball that carries no other still rolls, by 0.0001 in the hour.
             CHECK(furthest < (friction > 0.0 ? 1e-3 : 1e-9));
             CHECK(rms_speed(world) < (friction > 0.0 ? 1e-6 : 1e-12));
         }

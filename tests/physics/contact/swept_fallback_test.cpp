@@ -29,7 +29,7 @@ void hold_a_ball(World& world) {
 
 }  // namespace
 
-TEST_CASE("contact: only where nothing can press it is all flight") {
+TEST_CASE("contact: it uses continuous flight only if nothing can press") {
     struct Row {
         std::string what;
         std::function<void(World&)> change;
@@ -67,7 +67,7 @@ TEST_CASE("contact: only where nothing can press it is all flight") {
     }
 }
 
-TEST_CASE("contact: flights are cut only where balls go far in a tick") {
+TEST_CASE("contact: flights are cut into substeps only if balls move far in a tick") {
     CHECK(flight_substeps(scenes::empty(), 4) == 1);
     CHECK(flight_substeps(scenes::gas(1000, 3), 4) == 1);
     CHECK(flight_substeps(fast_gas(1000, 3.0), 4) == 2);
@@ -79,8 +79,8 @@ TEST_CASE("contact: flights are cut only where balls go far in a tick") {
     CHECK(flight_substeps(points, 4) == 4);
 }
 
-// Cut into substeps, with a region for each ball that it could be sped up to leave, balls lost time
-// or came to overlap, and energy went: 9 % in these two seconds.
+// Cut into substeps, with fat AABBs that balls could leave when accelerated, balls lost time or
+// overlapped, and energy was lost: 9 % in these two seconds.
 TEST_CASE("contact: a fast gas keeps its energy, and nothing overlaps") {
     World world = fast_gas(200, 100.0);
     const double energy = totals(world).kinetic_energy;
@@ -92,12 +92,11 @@ TEST_CASE("contact: a fast gas keeps its energy, and nothing overlaps") {
     CHECK(totals(world).kinetic_energy == doctest::Approx(energy).epsilon(1e-11));
 }
 
-// A ball that has had thousands of impacts in a tick stands for the rest of it, and goes on as
-// fast.
-TEST_CASE("elastic flights: what is jammed keeps its energy, however often it bounces") {
+// A ball with thousands of impacts in a tick is frozen for the rest of it, and keeps its speed.
+TEST_CASE("elastic flights: a jammed ball keeps its energy, however often it bounces") {
     for (const SolverKind kind : {SolverKind::contact, SolverKind::swept}) {
         CAPTURE(static_cast<int>(kind));
-        // To and fro in a channel, 167,000 times a tick.
+        // Back and forth in a channel, 167,000 times a tick.
         World world = scenes::empty();
         world.edit_definition().rate = 60.0;
         add_capsule(world, {{-50.0, -1.5}, {50.0, -1.5}, 1.0}, 0);
@@ -114,7 +113,7 @@ TEST_CASE("elastic flights: what is jammed keeps its energy, however often it bo
     }
 }
 
-TEST_CASE("contact: all flight, it has the bits of swept, whatever its substeps") {
+TEST_CASE("contact: in pure flight it has the bits of swept, whatever its substeps") {
     World pressed = scenes::gas(300, 3);
     World swept = pressed;
     Solver contact({.kind = SolverKind::contact, .contact_substeps = 16});
@@ -128,9 +127,8 @@ TEST_CASE("contact: all flight, it has the bits of swept, whatever its substeps"
     CHECK(fingerprint(pressed) == fingerprint(swept));
 }
 
-// Which way a tick goes is the world's business: a solver that sees it for the first time goes the
-// same.
-TEST_CASE("contact: between flights and hands it goes on as a solver that never saw the world") {
+// The choice of method in a tick depends on the world alone: a fresh solver makes the same one.
+TEST_CASE("contact: between flights and kinematic bodies it continues as a fresh solver would") {
     World seen = scenes::gas(200, 3);
     World unseen = seen;
     Solver solver({.kind = SolverKind::contact});

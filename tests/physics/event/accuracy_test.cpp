@@ -11,8 +11,8 @@
 #include "physics/tick/totals.h"
 #include "physics/world/random.h"
 
-// What the solver `event` promises, over parameters that are drawn from a fixed seed. The figures
-// in the messages are the worst that were met.
+// The accuracy that the solver `event` promises, over parameters drawn from a fixed seed. The
+// figures in the messages are the worst encountered.
 
 using namespace carom;
 
@@ -22,7 +22,7 @@ double draw(double low, double high, std::uint64_t who, std::uint64_t index) {
     return random_between(low, high, 31'337, RandomStream::level, who, index);
 }
 
-// Uniform in the logarithm to base 10.
+// Log-uniform, to base 10.
 double draw_size(double low, double high, std::uint64_t who, std::uint64_t index) {
     return std::pow(10.0, draw(low, high, who, index));
 }
@@ -41,7 +41,7 @@ std::uint64_t collisions(const World& world) {
     return world.ball_ball_collisions() + world.ball_edge_collisions();
 }
 
-// Collisions of a ball of mass 100^k that runs at a light one before a wall.
+// The number of collisions of a ball of mass 100^k that moves at a light one in front of a wall.
 std::uint64_t collisions_of_blocks(int k, std::uint64_t who) {
     const double speed = draw_size(-2, 2, who, 0);
     const double size = draw_size(-1, 1, who, 1);
@@ -56,7 +56,7 @@ std::uint64_t collisions_of_blocks(int k, std::uint64_t who) {
                      .radius = size,
                      .mass = std::pow(100.0, k)});
     Solver solver({.kind = SolverKind::event});
-    // The last meeting is before the heavy ball has gone seven times the light one's way back.
+    // The last collision is before the heavy ball has moved back seven times the light ball's path.
     const double end = 100.0 * size / speed;
     while (world.time() < end)
         solver.tick(world);
@@ -148,7 +148,7 @@ Bounces bounce(const Bouncer& bouncer, double rate, double time) {
     return result;
 }
 
-// Newton's cradle in the order of `order`: velocities at the end, by place in the row.
+// Newton's cradle in the order of `order`: final velocities, by position in the row.
 std::vector<Vec2> cradle_velocities(std::size_t count, std::size_t in, double gap, double rate,
                                     const std::vector<std::size_t>& order) {
     const World row = scenes::cradle(count, in, gap);
@@ -199,7 +199,7 @@ TEST_CASE("event: a gas on a torus keeps its momentum over 100,000 collisions") 
 TEST_CASE("event: a set without walls keeps its momentum") {
     double worst = 0.0;
     for (std::uint64_t scene = 0; scene < 20; ++scene) {
-        // Balls of many masses that fly at each other, and apart again.
+        // Balls of many masses that fly towards each other, collide and separate.
         World world = scenes::empty();
         for (std::uint64_t i = 0; i < 100; ++i) {
             const Vec2 place{draw(-0.3, 0.3, scene, 4 * i) + 3.0 * static_cast<double>(i % 10),
@@ -221,7 +221,7 @@ TEST_CASE("event: a set without walls keeps its momentum") {
     CHECK(worst < 1e-12);
 }
 
-TEST_CASE("event: every bounce of a ball is at the closed form's instant, then it rests") {
+TEST_CASE("event: every bounce is at the instant of the closed form, then the ball rests") {
     double worst = 0.0;
     double worst_rest = 0.0;
     for (std::uint64_t scene = 0; scene < 60; ++scene) {
@@ -232,12 +232,12 @@ TEST_CASE("event: every bounce of a ball is at the closed form's instant, then i
                               .height = draw(0.1, 3.0, scene, 3)};
         CAPTURE(bouncer.restitution);
         const double e = bouncer.restitution;
-        // The height as the ball has it.
+        // The height as the ball's double has it.
         const double height = (bouncer.height + bouncer.radius) - bouncer.radius;
         const double first = std::sqrt(2.0 * height / bouncer.gravity);
         const double rest = first * (1.0 + e) / (1.0 - e);
         const Bounces reference = bounce(bouncer, 60.0, rest + 5.0);
-        // v e^n, up to the first that would rise less than 1e-9 radii. The sum backwards.
+        // v e^n, up to the first rebound below 1e-9 radii. Summed backwards.
         std::size_t expected = 1;
         for (double rise = height * e * e; rise >= 1e-9 * bouncer.radius; rise *= e * e)
             ++expected;
@@ -250,7 +250,7 @@ TEST_CASE("event: every bounce of a ball is at the closed form's instant, then i
             worst = std::max(worst, std::fabs(reference.times[n] - exact));
             longest_after = rest - exact;
         }
-        // What is left of the closed form's bounces.
+        // The remaining bounces of the closed form.
         const double hop = std::sqrt(2.0 * 1e-9 * bouncer.radius / bouncer.gravity);
         CHECK(longest_after <= 2.0 * hop / (1.0 - e) * (1.0 + 1e-6));
         worst_rest = std::max(worst_rest, longest_after);
@@ -269,7 +269,7 @@ TEST_CASE("event: every bounce of a ball is at the closed form's instant, then i
     CHECK(worst < 1e-12);
 }
 
-TEST_CASE("event: a cradle lets as many out as went in, whatever the order of the balls") {
+TEST_CASE("event: a cradle releases as many balls as went in, whatever their order") {
     double worst = 0.0;
     std::uint64_t scene = 0;
     for (std::size_t count = 2; count <= 50; ++count)
@@ -313,13 +313,13 @@ TEST_SUITE("long") {
         }
     }
 
-    // Speeds of discs are Rayleigh's: 1 - exp(-v^2 / 2kT). The pressure is that of the virial,
-    // against Henderson, A simple equation of state for hard discs, Molecular Physics 30 (1975):
-    // Z = (1 + eta^2 / 8) / (1 - eta)^2.
-    TEST_CASE("event: hard discs at packing 0.3 are a gas of the literature") {
+    // Speeds of discs have the Rayleigh distribution 1 - exp(-v^2 / 2kT). The pressure is computed
+    // from the virial and compared with Henderson, A simple equation of state for hard discs,
+    // Molecular Physics 30 (1975): Z = (1 + eta^2 / 8) / (1 - eta)^2.
+    TEST_CASE("event: hard discs at packing 0.3 agree with the literature") {
         const std::size_t count = 1000;
         World world = scenes::gas(count, 5, true);
-        // At rest as a whole.
+        // The centre of mass is at rest.
         Vec2 mean = totals(world).momentum / static_cast<double>(count);
         for (Vec2& v : world.edit_balls().velocity)
             v -= mean;

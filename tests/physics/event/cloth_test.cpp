@@ -15,7 +15,7 @@
 #include "physics/world/fingerprint.h"
 #include "physics/world/random.h"
 
-// The solver `event` on cloth: exact, so against closed forms with tolerances that are rounding.
+// The solver `event` on cloth is exact, so tolerances against closed forms are those of rounding.
 
 using namespace carom;
 
@@ -48,7 +48,7 @@ std::size_t run(World& world, double seconds,
     return contacts;
 }
 
-// In one tick that lasts so long.
+// Advances by one tick of that length.
 void run_at_once(World& world, double seconds) {
     world.edit_definition().rate = 1.0 / seconds;
     Solver({.kind = SolverKind::event}).tick(world);
@@ -58,7 +58,7 @@ double degrees_between(Vec2 a, Vec2 b) {
     return std::atan2(cross(a, b), dot(a, b)) * 180.0 / pi;
 }
 
-// The object ball at the origin; the cue ball goes to the right and meets it at this cut.
+// The object ball at the origin; the cue ball moves right and meets it at this cut.
 Vec2 before_cut(double degrees, double way) {
     const auto [sine, cosine] = sin_cos(degrees * pi / 180.0);
     const double reach = 2.0 * size_of_ball;
@@ -74,7 +74,8 @@ bool all_are_still(const World& world) {
 
 }  // namespace
 
-TEST_CASE("event on cloth: slide and roll end when and where the closed forms say, in one tick") {
+TEST_CASE(
+    "event on cloth: sliding and rolling end when and where the closed forms say, in one tick") {
     for (std::uint64_t who = 0; who < 100; ++who) {
         CAPTURE(who);
         const Cloth cloth{.slide = draw(0.05, 0.5, who, 0),
@@ -92,14 +93,14 @@ TEST_CASE("event on cloth: slide and roll end when and where the closed forms sa
         World later = world;
         World last = world;
 
-        // A little before the end it still slides.
+        // Just before the end it still slides.
         run_at_once(world, slides * 0.999);
         CHECK(length(world.balls().velocity[0]) > speed * 5.0 / 7.0);
         CHECK(length(world.balls().velocity[0] - world.balls().roll[0]) > 0.0);
         CHECK(world.balls().spin[0] ==
               doctest::Approx(std::max(0.0, 40.0 - cloth.spin * slides * 0.999)).epsilon(1e-13));
 
-        // A little after it, it rolls.
+        // Just after it, it rolls.
         const double more = 0.01 * slides;
         run_at_once(later, slides + more);
         const double brake = cloth.roll * cloth.gravity;
@@ -109,7 +110,7 @@ TEST_CASE("event on cloth: slide and roll end when and where the closed forms sa
         CHECK(length(later.balls().velocity[0] - way * (rolling - brake * more)) < 1e-13 * speed);
         CHECK(later.balls().roll[0] == later.balls().velocity[0]);
 
-        // Then it lies still, for good.
+        // Then it rests for good.
         const double rolls = rolling * rolling / (2.0 * brake);
         run_at_once(last, slides + rolling / brake + 1e-6);
         CHECK(length(last.balls().position[0] - way * (slid + rolls)) < 1e-13 * (slid + rolls));
@@ -117,7 +118,7 @@ TEST_CASE("event on cloth: slide and roll end when and where the closed forms sa
     }
 }
 
-TEST_CASE("event on cloth: a ball with any roll goes as the closed forms say, at any time") {
+TEST_CASE("event on cloth: a ball with any roll follows the closed forms, at any time") {
     for (std::uint64_t who = 0; who < 200; ++who) {
         CAPTURE(who);
         const Cloth cloth{.slide = draw(0.1, 0.4, who, 0), .roll = draw(0.005, 0.02, who, 1)};
@@ -160,7 +161,7 @@ TEST_CASE("event on cloth: two balls meet when their closed forms first touch, o
             const auto b = cloth_state_after(cloth, solid, start[1], time);
             return length(a.position - b.position) - 2.0 * size_of_ball;
         };
-        // By small steps, then by halves. A graze shallower than a step would show is left out.
+        // Bracketed by small steps, refined by bisection. Grazes shorter than a step are skipped.
         const double most = 4.0;
         const double step = 1e-3;
         std::optional<double> when;
@@ -201,7 +202,7 @@ TEST_CASE("event on cloth: stun line, stop shot and the 30-degree rule are exact
             solver.tick(stun);
         CHECK(std::abs(degrees_between(stun.balls().velocity[0], stun.balls().velocity[1])) ==
               doctest::Approx(90.0).epsilon(2e-3));
-        // The parabola of what is left of the tick bends that; the impulse itself is exact.
+        // The parabola in the rest of the tick bends that; the impulse itself is exact.
         CHECK(degrees_between({1.0, 0.0}, solver.contacts()[0].normal) ==
               doctest::Approx(-cut).epsilon(1e-10));
 
@@ -221,7 +222,7 @@ TEST_CASE("event on cloth: stun line, stop shot and the 30-degree rule are exact
 
         World stop = cloth_table(1.0, 0.0);
         put(stop, {});
-        // It slides without turning when they meet.
+        // The ball slides without spin at the impact.
         put(stop, {-2.0 * size_of_ball - 1e-6, 0.0}, {speed, 0.0});
         run_at_once(stop, 0.5);
         CHECK(std::abs(stop.balls().position[1].x + 2.0 * size_of_ball) < 1e-6);
@@ -229,7 +230,7 @@ TEST_CASE("event on cloth: stun line, stop shot and the 30-degree rule are exact
     }
 }
 
-TEST_CASE("event on cloth: throw is what Coulomb's law gives, within the published range") {
+TEST_CASE("event on cloth: throw follows Coulomb's law, within the published range") {
     for (const double mu : {0.03, 0.05, 0.08}) {
         for (std::uint64_t who = 0; who < 50; ++who) {
             CAPTURE(who);
@@ -243,7 +244,8 @@ TEST_CASE("event on cloth: throw is what Coulomb's law gives, within the publish
             while (world.balls().velocity[0] == Vec2{})
                 solver.tick(world);
             const double thrown = cut + degrees_between({1.0, 0.0}, world.balls().velocity[0]);
-            // The balls slip to the end, or stick: the slip is stopped by 1/7 of the speed across.
+            // The balls slip throughout, or stick: the slip is stopped by 1/7 of the tangential
+            // speed.
             const auto [sine, cosine] = sin_cos(cut * pi / 180.0);
             const double sticking = sine / 7.0 / (0.975 * cosine);
             const double expected = std::atan(std::min(mu, sticking)) * 180.0 / pi;
@@ -253,8 +255,7 @@ TEST_CASE("event on cloth: throw is what Coulomb's law gives, within the publish
     }
 }
 
-TEST_CASE(
-    "event on cloth: 36 hard breaks lose no ball and no energy appears, and all come to rest") {
+TEST_CASE("event on cloth: 36 hard breaks lose no ball, gain no energy, and come to rest") {
     std::size_t contacts = 0;
     double deepest = 0.0;
     for (std::uint64_t who = 0; who < 36; ++who) {
@@ -305,7 +306,7 @@ TEST_CASE("event on cloth: a break has the same bits at 60 and at 1,000 ticks a 
     CHECK(slow.ball_ball_collisions() == fast.ball_ball_collisions());
 }
 
-TEST_CASE("event on cloth: a snapshot goes on with the same bits, wherever it is taken") {
+TEST_CASE("event on cloth: a snapshot continues with the same bits, wherever it is taken") {
     World world = break_shot(5e-5, {10.0, 0.1}, {4.0, 0.0}, 30.0, 0.01);
     Solver solver({.kind = SolverKind::event});
     World copy = world;
@@ -319,7 +320,7 @@ TEST_CASE("event on cloth: a snapshot goes on with the same bits, wherever it is
     }
 }
 
-TEST_CASE("event on cloth: a break is the same in any order of the file") {
+TEST_CASE("event on cloth: a break does not depend on the order of the file") {
     World world = break_shot(5e-5, {10.0, 0.1}, {4.0, 0.0}, 30.0, 0.01);
     World turned = cloth_table(0.95, 0.05);
     put_cushions(turned);
@@ -335,8 +336,8 @@ TEST_CASE("event on cloth: a break is the same in any order of the file") {
     }
 }
 
-TEST_CASE("event on cloth: swept comes to the same as its ticks grow short") {
-    // Three balls and three cushions, where little is amplified.
+TEST_CASE("event on cloth: swept converges to its result for short ticks") {
+    // Three balls and three cushions, which amplify errors little.
     const auto scene = [](double rate) {
         World world = cloth_table(0.95, 0.05);
         put_cushions(world);
@@ -364,7 +365,7 @@ TEST_CASE("event on cloth: swept comes to the same as its ticks grow short") {
     CHECK(before < 1e-4);
 }
 
-TEST_CASE("event on cloth: with more digits it comes to the same") {
+TEST_CASE("event on cloth: more digits give the same result") {
     World world = cloth_table(0.95, 0.05);
     put_cushions(world);
     put(world, {-0.5, 0.0}, {2.0, 0.25}, {0.5, 0.0}, 20.0);
@@ -378,13 +379,13 @@ TEST_CASE("event on cloth: with more digits it comes to the same") {
         CHECK(length(world.balls().position[i] - precise.balls().position[i]) < 1e-11);
 }
 
-TEST_CASE("event on cloth: balls that touch and lie still stay, whoever is next to them") {
+TEST_CASE("event on cloth: touching balls at rest stay at rest") {
     World world = cloth_table(0.95, 0.05);
     put_cushions(world);
     put(world, {0.0, 0.635 - size_of_ball});                  // frozen to a cushion
-    put(world, {2.0 * size_of_ball, 0.635 - size_of_ball});   // and to that
+    put(world, {2.0 * size_of_ball, 0.635 - size_of_ball});   // touches ball and cushion
     put(world, {1.27 - size_of_ball, 0.635 - size_of_ball});  // in a corner
-    put(world, {-0.5, 0.0}, {}, {}, 80.0);                    // spins where it is
+    put(world, {-0.5, 0.0}, {}, {}, 80.0);                    // spins in place
     const World before = world;
     CHECK(run(world, 10.0) == 0);
     CHECK(world.balls().position == before.balls().position);
@@ -392,12 +393,13 @@ TEST_CASE("event on cloth: balls that touch and lie still stay, whoever is next 
     CHECK(all_are_still(world));
 }
 
-TEST_CASE("event on cloth: what turns towards what it touches pushes it in finitely many impacts") {
+TEST_CASE(
+    "event on cloth: a ball that turns towards a neighbour pushes it in finitely many impacts") {
     const double rail = 0.635 - size_of_ball;
     const double reach = 2.0 * size_of_ball;
     struct Case {
         const char* what;
-        std::vector<Vec2> places;  // the first turns upwards, or lies by the last
+        std::vector<Vec2> places;  // the first turns upwards, or rests against the last
         Vec2 velocity;
         Vec2 roll;
         std::size_t most;
@@ -444,7 +446,7 @@ TEST_CASE("event on cloth: what turns towards what it touches pushes it in finit
     }
 }
 
-TEST_CASE("event on cloth: a hand that carries a ball, or an edge, pushes what lies still") {
+TEST_CASE("event on cloth: a kinematic ball or edge pushes resting balls") {
     for (const bool is_ball : {true, false}) {
         CAPTURE(is_ball);
         World world = cloth_table(0.95, 0.05);
@@ -475,7 +477,7 @@ TEST_CASE("event on cloth: a hand that carries a ball, or an edge, pushes what l
     }
 }
 
-TEST_CASE("event on cloth: what is struck from outside begins anew, the others go on") {
+TEST_CASE("event on cloth: a ball struck from outside restarts, the others continue") {
     World world = break_shot(5e-5, {10.0, 0.1}, {4.0, 0.0}, 30.0, 0.01);
     run(world, 20.0);
     World copy = world;
@@ -489,7 +491,7 @@ TEST_CASE("event on cloth: what is struck from outside begins anew, the others g
     }
     for (int i = 0; i < 480; ++i) {
         solver.tick(world);
-        // A solver that knows nothing of what was before.
+        // A fresh solver.
         Solver({.kind = SolverKind::event}).tick(copy);
         REQUIRE(fingerprint(copy) == fingerprint(world));
     }
@@ -497,6 +499,6 @@ TEST_CASE("event on cloth: what is struck from outside begins anew, the others g
     CHECK(length(world.balls().roll[3]) < 1.6);
 }
 
-TEST_CASE("event on cloth: it is what auto takes") {
+TEST_CASE("event on cloth: auto picks it") {
     CHECK(pick_solver(cloth_table(0.95, 0.05)).settings.kind == SolverKind::event);
 }

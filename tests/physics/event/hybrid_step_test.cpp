@@ -41,7 +41,7 @@ std::vector<BallId> balls(std::initializer_list<std::uint32_t> numbers) {
     return ids;
 }
 
-// Ticks until `heaped` has somebody, `most` at most.
+// Ticks until `heaped` has an entry, at most `most`.
 bool runs_into_a_heap(World world, int most) {
     Solver solver({.kind = SolverKind::event});
     for (int i = 0; i < most; ++i) {
@@ -53,7 +53,7 @@ bool runs_into_a_heap(World world, int most) {
 
 }  // namespace
 
-TEST_CASE("event: what is not too dense is never handed over to contact") {
+TEST_CASE("event: a scene that is not too dense is never handed over to contact") {
     for (const double restitution : {0.3, 0.5, 0.9, 0.99}) {
         CAPTURE(restitution);
         // A ball that bounces until it rests.
@@ -61,7 +61,7 @@ TEST_CASE("event: what is not too dense is never handed over to contact") {
         add_floor(bounce);
         add_ball(bounce, {.position = {0.0, 3.0}, .velocity = {1.0, 0.0}});
         CHECK_FALSE(runs_into_a_heap(bounce, 3000));
-        // Balls that come to lie in the nooks of others that rest, and are hit there.
+        // Balls that come to rest in the hollows between resting balls, and are hit there.
         World rack = open_air(restitution);
         add_floor(rack);
         for (int row = 0; row < 4; ++row)
@@ -72,7 +72,7 @@ TEST_CASE("event: what is not too dense is never handed over to contact") {
         add_capsule(rack, {{3.5, 0.0}, {3.5, 9.0}, 0.0}, 0);
         CHECK_FALSE(runs_into_a_heap(rack, 1000));
         if (restitution < 0.9) continue;
-        // A cradle on a floor: as many out as in, again and again, until the walls have tamed it.
+        // A cradle on a floor: as many out as in, again and again, until the walls have damped it.
         World cradle = open_air(restitution);
         add_floor(cradle);
         for (int i = 0; i < 8; ++i)
@@ -100,20 +100,21 @@ TEST_CASE("event: what is not too dense is never handed over to contact") {
     }
 }
 
-TEST_CASE("event: too many impacts in quick succession with other balls make a heap") {
+TEST_CASE("event: too many impacts in quick succession make a cluster") {
     World world = scenes::bucket(40, 0.5);
     CHECK(runs_into_a_heap(world, 240));
-    // The balls of a bucket that lose nothing stay in flight.
+    // Elastic balls of a bucket stay event-driven.
     CHECK_FALSE(runs_into_a_heap(scenes::bucket(40, 1.0), 240));
-    // Only where gravity acts.
+    // The rule applies only under gravity.
     world.edit_definition().model.gravity.reset();
     for (Vec2& velocity : world.edit_balls().velocity)
         velocity = {0.0, -1.0};
     CHECK_FALSE(runs_into_a_heap(world, 240));
 }
 
-TEST_CASE("event: the heap is what is crowded, and all that could meet it within a tick") {
-    // In a tick a ball gets as far as its speed takes it, and 0.001 by its fall.
+TEST_CASE(
+    "event: a cluster is the dense balls, and everything that could meet them within a tick") {
+    // In a tick a ball moves as far as its speed takes it, and 0.001 by its fall.
     struct Row {
         const char* what;
         std::vector<double> x;      // of balls on a line
@@ -172,10 +173,10 @@ TEST_CASE("event: the heap is what is crowded, and all that could meet it within
     CHECK(hybrid.cluster_of(hand) == balls({0, 1, 2}));
 }
 
-TEST_CASE("event: a ball comes back when nothing presses it on another and it overlaps nothing") {
+TEST_CASE("event: a ball returns when nothing presses it on another and it overlaps nothing") {
     struct Row {
         const char* what;
-        double gap;    // of two balls beside one another in the air
+        double gap;    // of two balls side by side in the air
         double apart;  // speed of the second
         bool comes_back;
     };
@@ -195,7 +196,7 @@ TEST_CASE("event: a ball comes back when nothing presses it on another and it ov
         solver.tick(world);
         CHECK(world.memory().heaped.empty() == row.comes_back);
         if (!row.comes_back) continue;
-        // On an exact path, whatever tick it ends in.
+        // On an exact trajectory, whatever tick it ends in.
         const Vec2 place = world.balls().position[1];
         const Vec2 velocity = world.balls().velocity[1];
         for (int i = 0; i < 50; ++i)
@@ -205,7 +206,7 @@ TEST_CASE("event: a ball comes back when nothing presses it on another and it ov
         const double fallen = place.y + 0.5 * velocity.y - 5.0 * 0.25;
         CHECK(std::abs(world.balls().position[1].y - fallen) < 1e-13 * 9.0);
     }
-    // What is pressed into the floor stays until it leaves it.
+    // A ball pressed into the floor stays in the cluster until it leaves the floor.
     World world = open_air(0.5);
     add_floor(world);
     add_ball(world, {.position = {0.0, 0.49}, .velocity = {}});
@@ -219,7 +220,7 @@ TEST_CASE("event: a ball comes back when nothing presses it on another and it ov
     CHECK(world.memory().heaped.empty());
 }
 
-TEST_CASE("event: a bucket of balls comes to rest as a heap, without sinking into itself") {
+TEST_CASE("event: a bucket of balls comes to rest as a cluster, without sinking into itself") {
     for (const double restitution : {0.0, 0.5, 0.8}) {
         CAPTURE(restitution);
         World world = scenes::bucket(120, restitution);
@@ -247,16 +248,16 @@ TEST_CASE("event: a bucket of balls comes to rest as a heap, without sinking int
         CHECK(world.balls().size() == 120);
         CHECK(world.memory().heaped.size() > 60);
         CHECK(most <= start * (1 + 1e-12));
-        // What is taken apart is lifted a little: contact's promise.
+        // Separating an overlap lifts balls a little: contact's promise.
         CHECK(most_gained < 2e-3 * start);
         CHECK(deepest < 0.1);
         CHECK(deepest_overlap(world) < 1e-3);
         CHECK(end.kinetic_energy < 1e-9);
-        // By events alone it has 4 million contacts within 5 s, up to 20,000 in a tick.
+        // Event-driven alone it has 4 million contacts within 5 s, up to 20,000 in a tick.
         CHECK(world.ball_ball_collisions() < 200'000);
         for (const Vec2 place : world.balls().position)
             CHECK((place.x > 0.0 && place.x < 20.0 && place.y > 0.0));
-        // What falls upon it from above is on an exact path until it arrives.
+        // A ball that falls on the heap is on an exact trajectory until it arrives.
         const BallId late = add_ball(world, {.position = {10.0, 40.0}, .velocity = {}});
         for (int i = 0; i < 120; ++i)
             solver.tick(world);
@@ -266,9 +267,9 @@ TEST_CASE("event: a bucket of balls comes to rest as a heap, without sinking int
     }
 }
 
-// Heaps leave balls a little in what they lay on. Beside such an edge the circle of its end is
-// entered before the end is reached, where nothing is met, again and again without end.
-TEST_CASE("event: a ball that lies a little in an edge slides off its end") {
+// Clusters leave balls slightly inside the edges they lay on. Beside such an edge a ball entered
+// the circle of its end before reaching the end, met nothing there, and did so again and again.
+TEST_CASE("event: a ball slightly inside an edge slides off its end") {
     for (const double depth : {1e-15, 1e-12, 1e-9, 1e-6, 1e-3}) {
         CAPTURE(depth);
         World world = open_air(0.3);
@@ -288,7 +289,7 @@ TEST_CASE("event: a ball that lies a little in an edge slides off its end") {
     }
 }
 
-TEST_CASE("event: a ball that lies a little in an edge does not get through its end") {
+TEST_CASE("event: a ball slightly inside an edge does not get through its end") {
     for (const double depth : {1e-3, 1e-4, 1e-5, 1e-7}) {
         for (std::uint32_t shot = 0; shot < 300; ++shot) {
             CAPTURE(depth);
@@ -316,7 +317,8 @@ TEST_CASE("event: a ball that lies a little in an edge does not get through its 
     }
 }
 
-TEST_CASE("event: a heap whose floor goes falls, and its balls come back to exact paths") {
+TEST_CASE(
+    "event: a cluster whose floor vanishes falls, and its balls return to exact trajectories") {
     World world = open_air(0.3);
     const CapsuleId floor = add_capsule(world, {{-2.0, 0.0}, {2.0, 0.0}, 0.0}, 0);
     add_capsule(world, {{-2.0, 0.0}, {-2.0, 20.0}, 0.0}, 0);
@@ -324,12 +326,12 @@ TEST_CASE("event: a heap whose floor goes falls, and its balls come back to exac
     for (int i = 0; i < 30; ++i)
         add_ball(world, {.position = {-1.3 + 1.25 * (i % 3) + 0.03 * (i % 7), 0.6 + 1.1 * (i / 3)},
                          .velocity = {}});
-    add_capsule(world, {{0.0, -30.0}, {0.0, -30.0}, 2.0}, 0);  // a peg parts them
+    add_capsule(world, {{0.0, -30.0}, {0.0, -30.0}, 2.0}, 0);  // a peg divides the heap
     Solver solver({.kind = SolverKind::event});
     for (int i = 0; i < 600; ++i)
         solver.tick(world);
     REQUIRE(world.memory().heaped.size() > 20);
-    REQUIRE(totals(world).kinetic_energy < 1e-3);  // a ball may glide on under an arch
+    REQUIRE(totals(world).kinetic_energy < 1e-3);  // a ball may still glide under an arch
     remove_capsule(world, floor);
     for (int i = 0; i < 600; ++i)
         solver.tick(world);
@@ -344,13 +346,13 @@ TEST_CASE("event: a heap whose floor goes falls, and its balls come back to exac
     CHECK(world.balls().size() == 30);
     REQUIRE(impacts == 0);
     for (std::size_t i = 0; i < world.balls().size(); ++i) {
-        // Some hundred long by now.
+        // The column is some hundred long by now.
         const Vec2 fallen = then.balls().position[i] + then.balls().velocity[i] + Vec2{0.0, -5.0};
         CHECK(distance(world.balls().position[i], fallen) < 1e-11);
     }
 }
 
-TEST_CASE("event: a heap that somebody takes away leaves nothing behind") {
+TEST_CASE("event: removing a cluster leaves nothing behind") {
     World world = scenes::bucket(40, 0.5);
     Solver solver({.kind = SolverKind::event});
     for (int i = 0; i < 400; ++i)
@@ -366,14 +368,15 @@ TEST_CASE("event: a heap that somebody takes away leaves nothing behind") {
     none.edit_memory().heaped = balls({3});
     solver.tick(none);
     CHECK(none.memory().heaped.empty());
-    // Other solvers know nothing of heaps.
+    // Other solvers know nothing of clusters.
     world.edit_memory().heaped = balls({39});
     Solver swept({.kind = SolverKind::swept});
     swept.tick(world);
     CHECK(world.memory().heaped.empty());
 }
 
-TEST_CASE("event: with a heap, a copy goes on with the same bits, and so does another solver") {
+TEST_CASE(
+    "event: with a cluster, a copy continues with the same bits, and so does another solver") {
     for (const bool has_spin : {false, true}) {
         CAPTURE(has_spin);
         World world = scenes::bucket(120, 0.5);
@@ -402,7 +405,7 @@ TEST_CASE("event: with a heap, a copy goes on with the same bits, and so does an
     }
 }
 
-TEST_CASE("event: a hand goes its way once, above a heap and through it") {
+TEST_CASE("event: a kinematic body moves once per tick, above a cluster and through it") {
     World world = scenes::bucket(120, 0.5);
     const CapsuleId blade = add_capsule(world, {{3.0, 20.0}, {3.0, 22.0}, 0.2}, 0);
     Solver solver({.kind = SolverKind::event});
@@ -414,13 +417,13 @@ TEST_CASE("event: a hand goes its way once, above a heap and through it") {
         solver.tick(world);
         return world.capsules().shape.back().start;
     };
-    // Above: it arrives exactly, tick after tick, and the heap does not notice.
+    // Above the cluster it arrives exactly, tick after tick, and the cluster is undisturbed.
     for (int i = 1; i <= 60; ++i) {
         const Vec2 target{3.0, 20.0 - 0.1 * i};
         CHECK(distance(go_to(target), target) < 1e-12);
     }
     CHECK(totals(world).kinetic_energy < 1e-9);
-    // Into it, and sideways through it: it pushes balls along, and has at most the whole way.
+    // Into it and sideways through it: it pushes balls along, and moves at most the full distance.
     double before = 14.0;
     for (int i = 1; i <= 120; ++i) {
         const double y = go_to({3.0, 14.0 - 0.1 * i}).y;
@@ -435,13 +438,13 @@ TEST_CASE("event: a hand goes its way once, above a heap and through it") {
     CHECK(world.balls().size() == 120);
     for (const Vec2 place : world.balls().position)
         CHECK((place.x > 0.0 && place.x < 20.0 && place.y > 0.0 && place.y < 60.0));
-    // Let go: it comes to rest again.
+    // Released, it comes to rest again.
     world.edit_held_capsules().clear();
     for (int i = 0; i < 2000; ++i)
         solver.tick(world);
     CHECK(totals(world).kinetic_energy < 1e-9);
     CHECK(deepest_overlap(world) < 5e-3);
-    // The hands belong to the world, so a copy goes on alike.
+    // Kinematic bodies belong to the world, so a copy continues alike.
     World one = start;
     World other = start;
     for (int i = 1; i <= 20; ++i) {
@@ -454,7 +457,7 @@ TEST_CASE("event: a hand goes its way once, above a heap and through it") {
     CHECK(fingerprint(one) == fingerprint(other));
 }
 
-TEST_CASE("event: a ball that a hand lets go of above a heap is free at once") {
+TEST_CASE("event: a ball released above a cluster is free at once") {
     World world = scenes::bucket(120, 0.5);
     const BallId held = add_ball(world, {.position = {10.0, 50.0}, .velocity = {}});
     Solver solver({.kind = SolverKind::event});
@@ -471,12 +474,12 @@ TEST_CASE("event: a ball that a hand lets go of above a heap is free at once") {
     CHECK(fingerprint(copied) == fingerprint(world));
 }
 
-TEST_CASE("event: a tick with a heap that is given up leaves the world as it was") {
+TEST_CASE("event: a cancelled tick with a cluster leaves the world unchanged") {
     World world = scenes::bucket(120, 0.5);
     Solver solver({.kind = SolverKind::event});
     while (world.memory().heaped.empty())
         solver.tick(world);
-    // Something that needs many events on its own, far from the heap.
+    // A scene that needs many events on its own, far from the heap.
     add_capsule(world, {{100.0, 0.0}, {100.0, 9.0}, 0.0}, 0);
     add_capsule(world, {{101.0 + 1e-6, 0.0}, {101.0 + 1e-6, 9.0}, 0.0}, 0);
     const CapsuleId last = world.capsules().id.back();
@@ -498,7 +501,7 @@ TEST_CASE("event: a tick with a heap that is given up leaves the world as it was
     CHECK(fingerprint(world) == fingerprint(other));
 }
 
-TEST_CASE("event: who goes over does not depend on the order of the balls") {
+TEST_CASE("event: the choice of clustered balls does not depend on their order") {
     World world = scenes::bucket(60, 0.5);
     Solver solver({.kind = SolverKind::event});
     while (world.memory().heaped.empty())
@@ -524,14 +527,14 @@ TEST_CASE("event: who goes over does not depend on the order of the balls") {
     CHECK_FALSE(heap.empty());
 }
 
-TEST_CASE("event: an elastic gas above a heap keeps its energy") {
+TEST_CASE("event: an elastic gas above a cluster keeps its energy") {
     World world = scenes::bucket(60, 0.3);
     Solver solver({.kind = SolverKind::event});
     for (int i = 0; i < 1200; ++i)
         solver.tick(world);
     REQUIRE(world.memory().heaped.size() > 30);
     REQUIRE(totals(world).kinetic_energy < 1e-9);
-    // A lid, on which elastic balls bounce among elastic walls, so that no heap can tame them.
+    // A lid, on which elastic balls bounce between elastic walls, so that no cluster can damp them.
     world.edit_definition().materials.push_back({.restitution = 1.0});
     add_capsule(world, {{-1.0, 10.0}, {21.0, 10.0}, 0.5}, 1);
     for (std::size_t i = 0; i < world.capsules().size(); ++i)
@@ -559,9 +562,10 @@ TEST_CASE("event: an elastic gas above a heap keeps its energy") {
     CHECK(energy_above() == doctest::Approx(before).epsilon(1e-12));
 }
 
-TEST_CASE("event: fast balls that reach a heap by an impact of the same tick do not pass into it") {
-    // A row of balls that lies under contact, and a shot that a heavier ball sends on towards it:
-    // the shot is slow when the tick begins, and would be within the row when it ends.
+TEST_CASE(
+    "event: fast balls that reach a cluster by an impact of the same tick do not pass into it") {
+    // A row of balls in a cluster, and a shot that a heavier ball sends on towards it. The shot is
+    // slow when the tick starts, and would be inside the row when it ends.
     World world = open_air(0.9);
     world.edit_definition().rate = 10.0;
     add_floor(world);

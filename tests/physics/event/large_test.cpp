@@ -14,9 +14,9 @@
 
 using namespace carom;
 
-// From some thousand balls on the solver fetches from memory ahead of its events, by what it knows
-// then of who and where that will be.
-TEST_CASE("event: many balls go on with the same bits, and while they become few") {
+// With some thousand balls or more the solver prefetches for coming events, by what it knows of
+// their balls and places.
+TEST_CASE("event: many balls continue with the same bits, even as they become few") {
     for (const bool torus : {false, true}) {
         CAPTURE(torus);
         World world = scenes::gas(5'000, 1, torus);
@@ -36,8 +36,8 @@ TEST_CASE("event: many balls go on with the same bits, and while they become few
     }
 }
 
-// Of so many it keeps sums to tell whether anybody has moved or pushed one.
-TEST_CASE("event: whatever is done to one of very many balls, the solver sees it") {
+// For so many balls it keeps digests to detect outside changes.
+TEST_CASE("event: a change to one of very many balls is noticed") {
     struct Row {
         std::string what;
         std::function<void(World&)> change;

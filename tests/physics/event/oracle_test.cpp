@@ -11,8 +11,8 @@
 #include "physics/support/scenes.h"
 #include "physics/world/random.h"
 
-// The solver `event` against a reference of 96 digits that shares nothing with it. A chaotic scene
-// makes every difference grow; by how much, the reference says, from starts that differ by 1e-30.
+// The solver `event` against a reference of 96 digits that shares no code with it. A chaotic scene
+// amplifies every difference; the reference measures by how much, from starts that differ by 1e-30.
 
 using namespace carom;
 
@@ -22,10 +22,10 @@ double draw(double low, double high, std::uint64_t who, std::uint64_t index) {
     return random_between(low, high, 161'803, RandomStream::level, who, index);
 }
 
-// A few balls in a box with edges in it: pegs, thin walls, thick ones, all at a slant.
+// A few balls in a box with edges: pegs, thin walls and thick ones, all slanted.
 World scene(std::uint64_t who) {
     World world = scenes::empty();
-    world.edit_definition().rate = 64.0;  // a tick's end is a double without rounding
+    world.edit_definition().rate = 64.0;  // so that the end of a tick is a double without rounding
     const bool has_gravity = who % 4 != 3;
     if (has_gravity)
         world.edit_definition().model.gravity = Vec2{draw(-3, 3, who, 0), draw(-12, -6, who, 1)};
@@ -74,8 +74,8 @@ double distance_of(const oracle::Point& a, const oracle::Point& b) {
     return oracle::Number(sqrt(oracle::Number(x * x + y * y))).get_d();
 }
 
-// Runs until differences have grown by `most_growth`, or for `ticks` of 1/64 s. `floor`: what
-// reading a double costs.
+// Runs until differences have grown by `most_growth`, or for `ticks` of 1/64 s. `floor`: the
+// rounding of reading a double.
 Worst compare(std::uint64_t who, bool extended, std::uint64_t ticks, double most_growth,
               double floor) {
     oracle::use_many_digits();
@@ -149,7 +149,7 @@ void check(bool extended, std::uint64_t count, std::uint64_t ticks) {
 
 }  // namespace
 
-TEST_CASE("oracle: a ball that falls is where Galileo says, and its bounces too") {
+TEST_CASE("oracle: a falling ball follows Galileo, and so do its bounces") {
     oracle::use_many_digits();
     World world = scenes::empty();
     world.edit_definition().model.gravity = Vec2{0.0, -8.0};
@@ -163,7 +163,7 @@ TEST_CASE("oracle: a ball that falls is where Galileo says, and its bounces too"
     CHECK(exact.impacts()[0].b == -1);
     CHECK(std::fabs(exact.position(0).y.get_d() - 4.0) < 1e-15);
     CHECK(exact.position(0).x.get_d() == 4.0);
-    // Head on, and with a round end.
+    // Head-on, and against a round end.
     World pair = scenes::empty();
     add_capsule(pair, {{10.0, 0.0}, {12.0, 0.0}, 0.5}, 0);
     add_ball(pair, {.position = {0.0, 0.0}, .velocity = {2.0, 0.0}, .radius = 1.0});

@@ -9,7 +9,7 @@ using namespace carom;
 
 namespace {
 
-// Balls in contact and apart, of several sizes and weights, most of them in a crowd.
+// Balls in contact and apart, of several sizes and masses, most of them close together.
 World mixture(std::uint64_t seed, bool is_lossy) {
     World world = scenes::gas(400, seed, false);
     world.edit_definition().rate = 20.0;
@@ -20,11 +20,11 @@ World mixture(std::uint64_t seed, bool is_lossy) {
         world.edit_balls().inverse_mass[i] = static_cast<double>(1 + i % 5);
         if (is_lossy) world.edit_balls().restitution[i] = 0.5 + 0.1 * static_cast<double>(i % 6);
     }
-    // Some that touch in a row, so that one impact sets off others at the same instant.
+    // Some touch in a row, so that one impact causes others at the same instant.
     for (std::size_t i = 0; i < 6; ++i)
         add_ball(world, {.position = {-20.0 - 2.0 * static_cast<double>(i), 5.0},
                          .velocity = {i == 0 ? -8.0 : 0.0, 0.0}});
-    // Two that meet head-on, so that signs of zero show.
+    // Two that collide head-on, so that signs of zero matter.
     add_ball(world, {.position = {-40.0, 20.0}, .velocity = {3.0, -0.0}});
     add_ball(world, {.position = {-36.0, 20.0}, .velocity = {-3.0, -0.0}});
     return world;
@@ -32,9 +32,9 @@ World mixture(std::uint64_t seed, bool is_lossy) {
 
 }  // namespace
 
-// Where all balls fly in straight lines the solver takes a shorter way. A table of who meets whom
-// in which all meet changes nothing but that.
-TEST_CASE("event: gases have the same bits by the short way and by the long") {
+// If all balls move uniformly the solver takes a faster path. A collision matrix in which all
+// collide changes nothing else.
+TEST_CASE("event: gases have the same bits on the fast path and on the general one") {
     for (const bool is_lossy : {false, true})
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
             CAPTURE(is_lossy);

@@ -18,7 +18,7 @@ struct Spinning {
         const double rim = spin * radius;
         return 0.5 * (length_squared(velocity) + inertia * rim * rim) / inverse_mass;
     }
-    // About the point at which it is touched, `arm` away from its centre.
+    // About the contact point, `arm` away from the centre.
     double angular_momentum(Vec2 center, double inertia) const {
         return (cross(center, velocity) + inertia * radius * radius * spin) / inverse_mass;
     }
@@ -42,7 +42,8 @@ Spinning drawn(std::uint64_t n) {
 
 }  // namespace
 
-TEST_CASE("friction of two balls makes no energy, and keeps momentum and angular momentum") {
+TEST_CASE(
+    "friction between two balls gains no energy, and conserves momentum and angular momentum") {
     for (std::uint64_t n = 0; n < 20'000; n += 10) {
         Spinning a = drawn(n);
         Spinning b = drawn(n + 5);
@@ -68,7 +69,7 @@ TEST_CASE("friction of two balls makes no energy, and keeps momentum and angular
         const Vec2 after = a.velocity / a.inverse_mass + b.velocity / b.inverse_mass;
         CHECK(length(after - momentum) < 1e-12 * (1.0 + length(momentum)));
         CHECK(turning() == doctest::Approx(angular).epsilon(1e-11));
-        // It sticks, or slips on the same way with all the friction that there is.
+        // It sticks, or it still slips the same way under full friction.
         const double most = friction.coefficient * pressed;
         CHECK(std::fabs(impulse) <= most);
         const double left = slip(a, b, normal);
@@ -79,9 +80,10 @@ TEST_CASE("friction of two balls makes no energy, and keeps momentum and angular
     }
 }
 
-TEST_CASE("a ball thrown with spin onto a floor: the closed forms for sticking and for slipping") {
-    // With c = I / (m r^2): v' = v - (v + r w) c / (1 + c) where it sticks, else mu (1 + e) v_n
-    // less.
+TEST_CASE(
+    "a ball thrown with spin onto a floor follows the closed forms for sticking and slipping") {
+    // With c = I / (m r^2): v' = v - (v + r w) c / (1 + c) if it sticks, else v' = v - mu (1 + e)
+    // v_n.
     const double inertia = 0.4;
     const double radius = 0.5;
     for (const double spin : {-30.0, -3.0, 0.0, 2.0, 40.0}) {
@@ -93,7 +95,7 @@ TEST_CASE("a ball thrown with spin onto a floor: the closed forms for sticking a
             rub_on(ball.velocity, {ball.spin, radius}, ball.inverse_mass, {0, 1}, {}, done.impulse,
                    {mu, inertia});
             CHECK(ball.velocity.y == 2.0);
-            // The floor's point of the ball goes at v + r w.
+            // The contact point of the ball moves at v + r w.
             const double point = 3.0 + radius * spin;
             const double most = mu * (1.0 + 0.5) * 4.0;
             const double sticking = point * inertia / (1.0 + inertia);
@@ -106,7 +108,7 @@ TEST_CASE("a ball thrown with spin onto a floor: the closed forms for sticking a
     }
 }
 
-TEST_CASE("a surface that a hand moves takes a ball along, no faster than it goes") {
+TEST_CASE("a kinematic surface drags a ball along, no faster than it moves") {
     Spinning ball{{0.0, 0.0}, 0.0, 1.0, 1.0};
     rub_on(ball.velocity, {ball.spin, 1.0}, 1.0, {0, 1}, {3.0, 7.0}, 100.0, {1.0, 0.5});
     CHECK(ball.velocity.x == doctest::Approx(1.0));

@@ -13,7 +13,7 @@
 
 using namespace carom;
 
-// What a pool player knows, as laws over every solver.
+// What a pool player knows, as laws for every solver.
 namespace {
 
 using scenes::cloth_table;
@@ -41,8 +41,8 @@ double degrees_between(Vec2 a, Vec2 b) {
     return std::atan2(cross(a, b), dot(a, b)) * 180.0 / pi;
 }
 
-// The object ball at the origin; the cue ball, 0.2 m before the contact, goes to the right and
-// meets it at this angle of cut, to the left.
+// The object ball at the origin; the cue ball, 0.2 m before the contact, moves right and meets it
+// at this cut angle, to the left.
 Vec2 before_cut(double degrees, double way = 0.2) {
     const auto [sine, cosine] = sin_cos(degrees * pi / 180.0);
     const double reach = 2.0 * radius;
@@ -57,7 +57,7 @@ struct Rolling {
 
 }  // namespace
 
-TEST_CASE("friction on cloth keeps momentum, makes no energy, and sticks where it can") {
+TEST_CASE("friction on cloth conserves momentum, gains no energy, and sticks where it can") {
     for (std::uint64_t n = 0; n < 2000; ++n) {
         std::uint64_t draw = 0;
         const auto number = [&](double low, double high) {
@@ -98,15 +98,15 @@ TEST_CASE("friction on cloth keeps momentum, makes no energy, and sticks where i
     }
 }
 
-TEST_CASE("a ball that turns towards another is climbed by it: both turn the less") {
+TEST_CASE("a ball that rolls into another climbs it: both lose spin") {
     Vec2 still;
     Vec2 also_still;
     Vec2 roll{1.0, 0.0};
     Vec2 no_roll;
     double spin = 0.0;
     double no_spin = 0.0;
-    // The one on the left, which rolls to the right: its front goes down, and pushes the other's
-    // back down, so that the other rolls to the left.
+    // The left ball rolls to the right: its front moves down and pushes the other's back down, so
+    // that the other rolls to the left.
     rub_on_cloth(still, {no_spin, no_roll, 1.0}, 1.0, also_still, {spin, roll, 1.0}, 1.0,
                  {1.0, 0.0}, 10.0, {0.001, solid});
     CHECK(no_roll.x == doctest::Approx(-0.025));
@@ -134,7 +134,7 @@ TEST_CASE("a stun ball slides 12 v^2 / (49 mu g), then rolls at 5/7 v, then stop
     });
 }
 
-TEST_CASE("side spin dies away by itself, and bends nothing") {
+TEST_CASE("side spin decays on its own, and bends nothing") {
     for_each_solver([](SolverKind kind) {
         World world = cloth_table(0.95, 0.05);
         put(world, {}, {1.0, 0.0}, {1.0, 0.0}, 30.0);
@@ -146,7 +146,7 @@ TEST_CASE("side spin dies away by itself, and bends nothing") {
     });
 }
 
-TEST_CASE("stun line: without spin, and elastic, the balls part at a right angle") {
+TEST_CASE("stun line: without spin, elastic balls separate at a right angle") {
     for_each_solver([](SolverKind kind) {
         for (const double cut : {15.0, 30.0, 45.0, 60.0}) {
             CAPTURE(cut);
@@ -166,7 +166,7 @@ TEST_CASE("stun line: without spin, and elastic, the balls part at a right angle
     });
 }
 
-TEST_CASE("30-degree rule: half a ball, rolling, leaves at about 34 degrees") {
+TEST_CASE("30-degree rule: a half-ball hit with a rolling ball leaves at about 34 degrees") {
     for_each_solver([](SolverKind kind) {
         World world = cloth_table(1.0, 0.0);
         world.edit_definition().rate = 960.0;
@@ -184,8 +184,8 @@ TEST_CASE("30-degree rule: half a ball, rolling, leaves at about 34 degrees") {
 TEST_CASE("stop, follow and draw") {
     for_each_solver([](SolverKind kind) {
         struct Shot {
-            double roll;   // at the impact, of the cue ball's speed
-            double after;  // the cue ball's speed in the end, of what it was: 2/7 of that
+            double roll;   // at the impact, relative to the cue ball's speed
+            double after;  // the cue ball's final speed, over its first: 2/7 of the roll
         };
         for (const Shot& shot : {Shot{0.0, 0.0}, Shot{1.0, 2.0 / 7.0}, Shot{-1.0, -2.0 / 7.0}}) {
             const double roll = shot.roll;
@@ -196,7 +196,7 @@ TEST_CASE("stop, follow and draw") {
             put(world, {});
             put(world, {-2.0 * radius - 1e-4, 0.0}, {2.0, 0.0}, {2.0 * roll, 0.0});
             run(world, kind, 0.5);
-            // By then the object ball rolls, and the cue ball does.
+            // By then both balls roll.
             CHECK(std::abs(world.balls().velocity[1].x - 2.0 * after) < 0.03);
             CHECK(world.balls().velocity[0].x == doctest::Approx(2.0 * 5.0 / 7.0).epsilon(0.06));
             if (roll == 0.0) CHECK(std::abs(world.balls().position[1].x + 2.0 * radius) < 0.002);
@@ -208,8 +208,8 @@ TEST_CASE("stop, follow and draw") {
 
 TEST_CASE(
     "throw: a stunned cut sends the object ball off the line of centres, within 1 to 6 degrees") {
-    // Published: up to about 5 degrees for slow stun shots at half a ball (Alciatore), and with
-    // mu 0.05 atan(mu) = 2.9 where the balls slip.
+    // Published: up to about 5 degrees for slow half-ball stun shots (Alciatore), and with mu 0.05
+    // atan(mu) = 2.9 where the balls slip.
     for_each_solver([](SolverKind kind) {
         if (kind == SolverKind::discrete || kind == SolverKind::substep) return;
         for (const double speed : {0.5, 1.0, 3.0}) {
@@ -223,7 +223,7 @@ TEST_CASE(
             const double thrown = 30.0 + degrees_between({1.0, 0.0}, world.balls().velocity[0]);
             CHECK(thrown == doctest::Approx(2.86).epsilon(0.03));
         }
-        // Outside side spin that turns with the object ball's surface: no throw.
+        // Outside english that matches the object ball's surface speed: no throw.
         World world = cloth_table(0.95, 0.05);
         put(world, {});
         put(world, before_cut(30.0, 1e-5), {1.0, 0.0}, {}, -0.5 / radius);
@@ -234,7 +234,7 @@ TEST_CASE(
     });
 }
 
-TEST_CASE("a cushion: the rebound keeps 0.85 across, and side spin runs or checks") {
+TEST_CASE("a cushion: the rebound keeps 0.85 of the normal speed, and side spin runs or checks") {
     for_each_solver([](SolverKind kind) {
         if (kind == SolverKind::discrete || kind == SolverKind::substep) return;
         const auto rebound = [kind](Vec2 velocity, double spin) {
@@ -249,17 +249,17 @@ TEST_CASE("a cushion: the rebound keeps 0.85 across, and side spin runs or check
         };
         CHECK(rebound({0.0, 2.0}, 0.0).y == doctest::Approx(-1.7).epsilon(0.01));
         CHECK(std::abs(rebound({0.0, 2.0}, 0.0).x) < 1e-6);
-        // Hit on the right: counter-clockwise, and off to the right.
+        // Hit on the right: it spins counter-clockwise, and rebounds to the right.
         CHECK(rebound({0.0, 2.0}, 40.0).x > 0.05);
         CHECK(rebound({0.0, 2.0}, -40.0).x < -0.05);
-        // Friction of a rolling ball that comes slanting costs it speed along the cushion.
+        // Friction of a rolling ball that arrives at an angle costs it speed along the cushion.
         const Vec2 slanting = rebound({2.0, 2.0}, 0.0);
         CHECK(slanting.x < 2.0);
         CHECK(slanting.x > 1.5);
     });
 }
 
-TEST_CASE("a break: nothing is lost, energy falls, everything comes to rest") {
+TEST_CASE("a break: no ball is lost, energy falls, everything comes to rest") {
     for_each_solver([](SolverKind kind) {
         World world = scenes::break_shot(0.00005, {10.0, 0.0}, {4.0, 0.0}, 0.0, 0.01);
         Solver solver({.kind = kind});

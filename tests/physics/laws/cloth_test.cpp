@@ -21,7 +21,7 @@ Vector<double> draw_vector(double most, std::uint64_t index) {
     return {draw(-most, most, 2 * index), draw(-most, most, 2 * index + 1)};
 }
 
-// The law itself, in small steps: mean velocities, so second order within a phase.
+// The law in small steps of mean velocities, so second order within a phase.
 ClothState<double> integrated(const Cloth& cloth, double inertia, ClothState<double> state,
                               double duration, int steps) {
     const double step = duration / steps;
@@ -35,7 +35,7 @@ ClothState<double> integrated(const Cloth& cloth, double inertia, ClothState<dou
             state.velocity += slip * (-force * step / slipping);
             state.roll += slip * (force / inertia * step / slipping);
         } else {
-            // It takes hold within the step.
+            // It starts to roll within the step.
             state.velocity += slip * (-inertia / (1.0 + inertia));
             state.roll = state.velocity;
             const double speed = length(state.velocity);
@@ -69,7 +69,7 @@ TEST_CASE("a stun ball slides 12 v^2 / (49 mu g), then rolls on at 5/7 of its sp
               doctest::Approx(12.0 * speed * speed / (49.0 * force)).epsilon(1e-14));
         CHECK(length(taken.velocity) == doctest::Approx(speed * 5.0 / 7.0).epsilon(1e-14));
         CHECK(taken.roll == taken.velocity);
-        // Then v^2 / (2 roll g) further, and there it stays.
+        // Then it rolls v^2 / (2 roll g) further, and rests there.
         const auto end = cloth_state_after(cloth, ball, taken, 1e6);
         const double rolled = std::pow(speed * 5.0 / 7.0, 2) / (2.0 * cloth.roll * cloth.gravity);
         CHECK(length(end.position - taken.position) == doctest::Approx(rolled).epsilon(1e-12));
@@ -78,9 +78,10 @@ TEST_CASE("a stun ball slides 12 v^2 / (49 mu g), then rolls on at 5/7 of its sp
     }
 }
 
-TEST_CASE("draw brings a ball back, follow sends it on") {
+TEST_CASE("draw brings a ball back, follow drives it on") {
     const Cloth cloth;
-    // At rest but for its spin, as a cue ball after a full hit: it ends up rolling at 2/7 of it.
+    // At rest except for its spin, like a cue ball after a full hit: it ends up rolling at 2/7 of
+    // it.
     for (const double roll : {-3.0, 3.0}) {
         const auto phase = cloth_phase<double>(cloth, ball, {}, {roll, 0.0});
         REQUIRE(phase.motion == ClothMotion::sliding);
@@ -91,7 +92,7 @@ TEST_CASE("draw brings a ball back, follow sends it on") {
     }
 }
 
-TEST_CASE("a ball on cloth moves as its law says in small steps") {
+TEST_CASE("a ball on cloth follows the law in small steps") {
     double worst = 0.0;
     for (std::uint64_t i = 0; i < 60; ++i) {
         const double inertia = draw(0.2, 1.0, 100 + i);
@@ -109,7 +110,7 @@ TEST_CASE("a ball on cloth moves as its law says in small steps") {
     CHECK(worst < 2e-4);
 }
 
-TEST_CASE("time on cloth may be cut anywhere, and energy only falls") {
+TEST_CASE("time on cloth may be divided anywhere, and energy only falls") {
     const Cloth cloth;
     const auto energy = [](const ClothState<double>& s) {
         return length_squared(s.velocity) + ball * length_squared(s.roll);
@@ -132,7 +133,7 @@ TEST_CASE("time on cloth may be cut anywhere, and energy only falls") {
     }
 }
 
-TEST_CASE("side spin dies away by itself, at its own pace") {
+TEST_CASE("side spin decays on its own, at its own rate") {
     const Cloth cloth{.spin = 10.0};
     CHECK(cloth_spin_after(cloth, 30.0, 2.0) == 10.0);
     CHECK(cloth_spin_after(cloth, -30.0, 2.0) == -10.0);
@@ -141,7 +142,7 @@ TEST_CASE("side spin dies away by itself, at its own pace") {
     CHECK(cloth_spin_after(Cloth{.spin = 0.0}, 30.0, 1e9) == 30.0);
 }
 
-TEST_CASE("cloth that does not resist rolling lets a ball roll for ever") {
+TEST_CASE("without rolling resistance a ball rolls for ever") {
     const auto phase = cloth_phase<double>(Cloth{.roll = 0.0}, ball, {1.0, 0.0}, {1.0, 0.0});
     CHECK(phase.motion == ClothMotion::rolling);
     CHECK_FALSE(phase.lasts);
@@ -150,7 +151,7 @@ TEST_CASE("cloth that does not resist rolling lets a ball roll for ever") {
     CHECK(far.position.x == 100.0);
 }
 
-TEST_CASE("a ball that lies still on cloth stays") {
+TEST_CASE("a ball at rest on cloth stays at rest") {
     const auto phase = cloth_phase<double>(Cloth{}, ball, {}, {});
     CHECK(phase.motion == ClothMotion::still);
     CHECK_FALSE(phase.lasts);

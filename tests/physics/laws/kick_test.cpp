@@ -11,7 +11,7 @@ using namespace carom;
 
 namespace {
 
-/// One ball of radius 1 that falls on an edge from -5,0 to 5,0 at `speed`, at `x`.
+/// One ball of radius 1 that falls at `speed`, at `x`, on an edge from -5,0 to 5,0.
 World above_an_edge(const Material& material, double x, double speed) {
     World world = scenes::empty();
     world.edit_definition().rate = 100.0;
@@ -31,8 +31,7 @@ Vec2 velocity_after_hit(World world, SolverKind kind) {
 
 }  // namespace
 
-TEST_CASE(
-    "a bumper adds its kick along the normal, under every solver, where the hit is hard enough") {
+TEST_CASE("a bumper adds its kick along the normal, in every solver, if the hit is hard enough") {
     const Material bumper{.restitution = 0.5, .kick = 3.0, .kick_from = 0.2};
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
@@ -44,7 +43,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a slingshot kicks most in its middle, and not at its ends") {
+TEST_CASE("a slingshot kicks hardest at its middle, and not at its ends") {
     const Material sling{.restitution = 1.0, .kick = 2.0, .kicks_in_the_middle = true};
     const Capsule edge{{0.0, 0.0}, {8.0, 0.0}, 0.0};
     CHECK(kick_at(sling, edge, {4.0, 1.0}, 1.0) == 2.0);
@@ -54,7 +53,7 @@ TEST_CASE("a slingshot kicks most in its middle, and not at its ends") {
     CHECK(kick_at(Material{}, edge, {4.0, 1.0}, 1.0) == 0.0);
 }
 
-TEST_CASE("an edge that is out of the way lets balls pass until it is back, under every solver") {
+TEST_CASE("a lowered edge lets balls pass until it is raised, in every solver") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
         World world = above_an_edge({}, 0.0, 2.0);
@@ -73,7 +72,7 @@ TEST_CASE("an edge that is out of the way lets balls pass until it is back, unde
     }
 }
 
-TEST_CASE("a ball that lies on an edge falls when the edge goes, under every solver") {
+TEST_CASE("a ball that rests on an edge falls when the edge is lowered, in every solver") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
         World world = above_an_edge({.restitution = 0.2}, 0.0, 0.0);

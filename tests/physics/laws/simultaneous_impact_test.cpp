@@ -28,7 +28,7 @@ struct Scene {
     std::vector<Touch> contacts;
 };
 
-// Bodies in a clump: every pair of neighbours touches, some touch what is fixed.
+// Bodies in a clump: every pair of neighbours touches, some touch fixed bodies.
 Scene clump(std::uint64_t who, std::size_t count, double restitution, bool with_walls,
             double mass_range) {
     Scene scene;
@@ -78,7 +78,7 @@ double sum_of_momenta(const std::vector<Body>& bodies) {
 
 }  // namespace
 
-TEST_CASE("reflection: momentum is kept among bodies that can move") {
+TEST_CASE("simultaneous impact: the momentum of movable bodies is conserved") {
     for (std::uint64_t who = 0; who < 500; ++who) {
         CAPTURE(who);
         Scene scene = clump(who, 2 + who % 9, draw(0, 1, who, 999), false, 2.0);
@@ -89,7 +89,7 @@ TEST_CASE("reflection: momentum is kept among bodies that can move") {
     }
 }
 
-TEST_CASE("reflection: with restitution 1 energy is kept, walls or not") {
+TEST_CASE("simultaneous impact: with restitution 1 energy is conserved, with or without walls") {
     double worst = 0.0;
     for (std::uint64_t who = 0; who < 1000; ++who) {
         CAPTURE(who);
@@ -102,7 +102,7 @@ TEST_CASE("reflection: with restitution 1 energy is kept, walls or not") {
     CHECK(worst < 1e-13);
 }
 
-TEST_CASE("reflection: with restitution below 1 energy is lost, never gained") {
+TEST_CASE("simultaneous impact: with restitution below 1 energy is lost, never gained") {
     for (std::uint64_t who = 0; who < 1000; ++who) {
         CAPTURE(who);
         const double restitution = draw(0.0, 0.99, who, 999);
@@ -114,8 +114,8 @@ TEST_CASE("reflection: with restitution below 1 energy is lost, never gained") {
     }
 }
 
-TEST_CASE("reflection: clumps of masses far apart gain no energy") {
-    // Changing all wrong contacts at once went round in circles here, and energy came from nothing.
+TEST_CASE("simultaneous impact: clumps with a high mass ratio gain no energy") {
+    // Changing all violated contacts at once cycled here, and energy was gained.
     for (std::uint64_t who = 0; who < 2000; ++who) {
         CAPTURE(who);
         const double restitution = who % 4 == 0 ? 0.0 : draw(0.0, 0.99, who, 999);
@@ -126,7 +126,8 @@ TEST_CASE("reflection: clumps of masses far apart gain no energy") {
     }
 }
 
-TEST_CASE("reflection: impulses push, and afterwards nothing approaches as fast as it did") {
+TEST_CASE(
+    "simultaneous impact: impulses push, and afterwards nothing approaches as fast as before") {
     for (std::uint64_t who = 0; who < 1000; ++who) {
         CAPTURE(who);
         const double restitution = draw(0.0, 1.0, who, 999);
@@ -138,15 +139,15 @@ TEST_CASE("reflection: impulses push, and afterwards nothing approaches as fast 
         REQUIRE(impulses.size() == scene.contacts.size());
         for (std::size_t i = 0; i < impulses.size(); ++i) {
             CHECK(impulses[i] >= 0.0);
-            // As one wall is: what approached at u parts at e u or faster. The impulses stop every
-            // approach, so after 1 + e of them it is at most -e u.
+            // For a single wall: a contact that approached at u separates at e u or faster. The
+            // impulses stop every approach, so after 1 + e of them the velocity is at most -e u.
             const double after = approach_of<double>(scene.contacts[i], scene.bodies);
             CHECK(after <= -restitution * before[i] + 1e-11);
         }
     }
 }
 
-TEST_CASE("reflection: one contact alone is the textbook's") {
+TEST_CASE("simultaneous impact: a single contact follows the textbook") {
     for (std::uint64_t who = 0; who < 200; ++who) {
         const double restitution = draw(0, 1, who, 0);
         const double a = draw(0.1, 3, who, 1);
@@ -164,8 +165,8 @@ TEST_CASE("reflection: one contact alone is the textbook's") {
     }
 }
 
-TEST_CASE("reflection: a break is symmetric") {
-    // A ball between two, as at the head of a rack: the two go off alike.
+TEST_CASE("simultaneous impact: a break is symmetric") {
+    // A ball between two, as at the head of a rack: the two leave symmetrically.
     std::vector<Body> bodies{{{1.0, 0.0}, 1.0}, {{}, 1.0}, {{}, 1.0}};
     const double half = std::sqrt(0.75);
     const std::vector<Touch> contacts{{.a = 1, .b = 0, .normal = {half, 0.5}},
@@ -174,13 +175,13 @@ TEST_CASE("reflection: a break is symmetric") {
     CHECK(bodies[1].velocity.x == doctest::Approx(bodies[2].velocity.x).epsilon(1e-14));
     CHECK(bodies[1].velocity.y == doctest::Approx(-bodies[2].velocity.y).epsilon(1e-14));
     CHECK(std::fabs(bodies[0].velocity.y) < 1e-15);
-    // The closed form: momentum and energy with both along their normals.
+    // The closed form from momentum and energy, with both leaving along their normals.
     const double v = 2.0 * half / (1.0 + 2.0 * half * half);
     CHECK(length(bodies[1].velocity) == doctest::Approx(v).epsilon(1e-13));
     CHECK(bodies[0].velocity.x == doctest::Approx(1.0 - 2.0 * half * v).epsilon(1e-13));
 }
 
-TEST_CASE("reflection: into a corner and out again") {
+TEST_CASE("simultaneous impact: into a corner and out again") {
     for (std::uint64_t who = 0; who < 200; ++who) {
         const Vector<double> before{-draw(0.1, 1, who, 0), -draw(0.1, 1, who, 1)};
         std::vector<Body> bodies{{before, 1.0}};
@@ -189,20 +190,20 @@ TEST_CASE("reflection: into a corner and out again") {
         reflect<double>(bodies, contacts);
         CHECK(length(bodies[0].velocity + before) < 1e-14);
     }
-    // The same wall twice, as where two edges meet in a straight line, is one wall.
+    // Two equal walls, as where two collinear edges meet, act as one.
     std::vector<Body> bodies{{{-1.0, 0.5}, 1.0}};
     const std::vector<Touch> contacts{{.a = 0, .normal = {1.0, 0.0}},
                                       {.a = 0, .normal = {1.0, 0.0}}};
     reflect<double>(bodies, contacts);
     CHECK(length(bodies[0].velocity - Vector<double>{1.0, 0.5}) < 1e-13);
-    // A surface that moves.
+    // A moving surface.
     bodies = {{{0.0, 0.0}, 1.0}};
     const std::vector<Touch> pushed{{.a = 0, .normal = {1.0, 0.0}, .surface = 2.0}};
     reflect<double>(bodies, pushed);
     CHECK(bodies[0].velocity.x == 4.0);
 }
 
-TEST_CASE("reflection: the order of bodies and of contacts does not matter") {
+TEST_CASE("simultaneous impact: the order of bodies and of contacts does not matter") {
     double worst = 0.0;
     for (std::uint64_t who = 0; who < 500; ++who) {
         CAPTURE(who);
@@ -222,7 +223,7 @@ TEST_CASE("reflection: the order of bodies and of contacts does not matter") {
             contact.a = place[contact.a];
             if (contact.b != Touch::fixed) {
                 contact.b = place[contact.b];
-                // Seen from the other side, too.
+                // With the bodies of the contact exchanged, too.
                 if (contact.b < contact.a) {
                     std::swap(contact.a, contact.b);
                     contact.normal = -contact.normal;
@@ -242,7 +243,7 @@ TEST_CASE("reflection: the order of bodies and of contacts does not matter") {
     CHECK(worst < 1e-11);
 }
 
-TEST_CASE("reflection: with 32 digits it is the same rule, and closer") {
+TEST_CASE("simultaneous impact: 32 digits give the same result, more accurately") {
     for (std::uint64_t who = 0; who < 200; ++who) {
         CAPTURE(who);
         Scene scene = clump(who, 2 + who % 9, 1.0, who % 2 == 0, 1.0);

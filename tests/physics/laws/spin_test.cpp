@@ -11,7 +11,7 @@
 
 using namespace carom;
 
-// Spin and friction as laws, in every solver that holds to them.
+// Spin and friction as laws, in every solver that obeys them.
 namespace {
 
 constexpr double gravity = 10.0;
@@ -47,7 +47,7 @@ void for_each_solver(const std::function<void(SolverKind)>& body) {
     }
 }
 
-// How far off a solver that goes by ticks may be, in ticks of the motion that it is in.
+// The error allowed to a solver that works in ticks, in ticks of the motion.
 double slack(SolverKind kind, const World& world) {
     return kind == SolverKind::event ? 1e-9 : 4.0 / world.rate();
 }
@@ -69,7 +69,7 @@ Vec2 down(double degrees) {
 
 }  // namespace
 
-TEST_CASE("down a ramp a ball rolls where friction suffices, and slides where it does not") {
+TEST_CASE("on a ramp a ball rolls if friction suffices, and slides otherwise") {
     for_each_solver([](SolverKind kind) {
         for (const double degrees : {5.0, 20.0, 40.0, 60.0}) {
             for (const double inertia : {0.4, 0.5, 1.0}) {
@@ -87,8 +87,8 @@ TEST_CASE("down a ramp a ball rolls where friction suffices, and slides where it
                     const bool rolls = sine / cosine <= mu * (1.0 + 1.0 / inertia);
                     const double along =
                         gravity * (rolls ? sine / (1.0 + inertia) : sine - mu * cosine);
-                    const double turning =
-                        rolls ? along : mu * gravity * cosine / inertia;  // of the rim
+                    // The acceleration of the surface.
+                    const double turning = rolls ? along : mu * gravity * cosine / inertia;
                     const double off = slack(kind, world);
                     CHECK(std::fabs(dot(world.balls().velocity[0], way) - along * seconds) <
                           gravity * off);
@@ -102,7 +102,7 @@ TEST_CASE("down a ramp a ball rolls where friction suffices, and slides where it
     });
 }
 
-TEST_CASE("a ball that is thrown along a floor slides until it rolls, and rolls on") {
+TEST_CASE("a ball thrown along a floor slides until it rolls, and rolls on") {
     for_each_solver([](SolverKind kind) {
         for (const double spin : {0.0, 20.0, -3.0}) {
             CAPTURE(spin);
@@ -112,7 +112,7 @@ TEST_CASE("a ball that is thrown along a floor slides until it rolls, and rolls 
             world.edit_balls().velocity[0] = {6.0, 0.0};
             world.edit_balls().spin[0] = spin;
             run(world, kind, 4.0);
-            // What turns about the point of contact is kept: v - c r w.
+            // The angular momentum about the contact point is conserved: v - c r w.
             const double rolling = (6.0 - inertia * spin) / (1.0 + inertia);
             const double sliding = std::fabs(rolling - 6.0) / (mu * gravity);
             REQUIRE(sliding < 3.5);
@@ -125,7 +125,7 @@ TEST_CASE("a ball that is thrown along a floor slides until it rolls, and rolls 
     });
 }
 
-TEST_CASE("a spun ball that is dropped bounces sideways, mirrored as it is spun") {
+TEST_CASE("a spinning ball dropped on a floor bounces sideways, mirrored with its spin") {
     for_each_solver([](SolverKind kind) {
         World world = spinning(0.5, 0.3, 0.6);
         world.edit_definition().model.gravity = Vec2{0.0, -gravity};
@@ -144,13 +144,15 @@ TEST_CASE("a spun ball that is dropped bounces sideways, mirrored as it is spun"
     });
 }
 
-TEST_CASE("balls that rub in free flight keep momentum and angular momentum, and gain no energy") {
+TEST_CASE(
+    "balls with friction in free flight conserve momentum and angular momentum, and gain no "
+    "energy") {
     for_each_solver([](SolverKind kind) {
         World world = scenes::gas(100, 3);
         world.edit_definition().model.spin = 0.4;
         world.edit_definition().kinds[0].friction = 0.4;
         const auto count = world.balls().size();
-        // Away from the walls: a gas that spreads.
+        // Far from walls: a gas that expands.
         world.edit_capsules() = {};
         for (std::size_t i = 0; i < count; ++i)
             world.edit_balls().spin.push_back(random_between(-9, 9, 1, RandomStream::level, i, 0));
@@ -167,7 +169,7 @@ TEST_CASE("balls that rub in free flight keep momentum and angular momentum, and
         CHECK(world.ball_ball_collisions() > 30);
         CHECK(after.kinetic_energy < 0.995 * before.kinetic_energy);
         CHECK(length(after.momentum - before.momentum) < 1e-10 * 1000.0);
-        // Parting overlaps moves balls, and with them what they turn about the origin.
+        // Position correction moves balls, and changes their angular momentum about the origin.
         const bool moves = kind == SolverKind::discrete || kind == SolverKind::substep;
         const double scale = 1000.0 * 20.0;
         CHECK(std::fabs(after.angular_momentum - before.angular_momentum) <
@@ -175,7 +177,7 @@ TEST_CASE("balls that rub in free flight keep momentum and angular momentum, and
     });
 }
 
-TEST_CASE("balls that rub in a box under gravity lose energy, and never gain any") {
+TEST_CASE("balls with friction in a box under gravity lose energy, and never gain any") {
     for (const SolverKind kind : {SolverKind::swept, SolverKind::event}) {
         CAPTURE(name(kind));
         for (const double restitution : {1.0, 0.8}) {
@@ -190,7 +192,7 @@ TEST_CASE("balls that rub in a box under gravity lose energy, and never gain any
                                  .spin = random_between(-9, 9, 2, RandomStream::level, i, 2)});
             Solver solver({.kind = kind});
             const double before = energy(world);
-            // What `swept` calls rest on other balls makes some, with friction or without.
+            // The resting rule of `swept` adds some energy, with friction or without.
             const double noise = restitution < 1.0 && kind == SolverKind::swept ? 1e-5 : 1e-12;
             double last = before;
             for (int tick = 0; tick < 600; ++tick) {
@@ -204,8 +206,7 @@ TEST_CASE("balls that rub in a box under gravity lose energy, and never gain any
     }
 }
 
-TEST_CASE(
-    "without friction spin stays as it is, and the motion is that of balls that do not turn") {
+TEST_CASE("without friction spin is constant, and the motion is that of balls without spin") {
     for_each_solver([](SolverKind kind) {
         World still = scenes::bucket(12, 0.7);
         World turning = still;
@@ -215,13 +216,13 @@ TEST_CASE(
         run(turning, kind, 1.0);
         CHECK(turning.balls().position == still.balls().position);
         CHECK(turning.balls().velocity == still.balls().velocity);
-        // Whatever lies still in `swept`, and what rests, may have lost its spin.
+        // Frozen balls in `swept`, and resting ones, may have lost their spin.
         if (kind == SolverKind::discrete || kind == SolverKind::substep)
             CHECK(turning.balls().spin == std::vector<double>(turning.balls().size(), 7.0));
     });
 }
 
-TEST_CASE("a snapshot of turning balls goes on with the same bits") {
+TEST_CASE("a snapshot of spinning balls continues with the same bits") {
     for_each_solver([](SolverKind kind) {
         World world = ramp(10.0, 0.4, 0.2);
         world.edit_balls().velocity[0] = {-4.0, 1.0};
@@ -241,7 +242,7 @@ TEST_CASE("a snapshot of turning balls goes on with the same bits") {
     });
 }
 
-TEST_CASE("event: a break of balls that rub is the same in any order of the file") {
+TEST_CASE("event: a break of balls with friction does not depend on the order of the file") {
     struct Placed {
         Vec2 position;
         Vec2 velocity;
@@ -283,10 +284,11 @@ TEST_CASE("event: a break of balls that rub is the same in any order of the file
     }
 }
 
-TEST_CASE("event: where two edges hold a ball friction brakes its spin, and it stays") {
+TEST_CASE("event: a ball held by two edges is braked by friction, and stays") {
     const double mu = 0.3;
     const double spin = -20.0;
-    // Of a groove of two 45-degree sides, and of a floor and a wall that the spin presses it to.
+    // In a groove of two 45-degree sides, and on a floor against a wall that the spin presses it
+    // to.
     for (const bool is_groove : {true, false}) {
         CAPTURE(is_groove);
         World world = spinning(0.5, mu, 0.5);
@@ -307,7 +309,7 @@ TEST_CASE("event: where two edges hold a ball friction brakes its spin, and it s
     }
 }
 
-TEST_CASE("event: a ball that is spun in a corner, away from the wall, rolls off") {
+TEST_CASE("event: a ball spun in a corner, away from the wall, rolls off") {
     World world = spinning(0.5, 0.3, 0.5);
     world.edit_definition().model.gravity = Vec2{0.0, -gravity};
     add_capsule(world, {{-50, 0}, {0, 0}, 0}, 0);

@@ -5,7 +5,7 @@
 
 using namespace carom;
 
-TEST_CASE("an array keeps what it holds while it grows into large pages and out of them") {
+TEST_CASE("an array keeps its contents while it grows into large pages and shrinks out of them") {
     LargeVector<std::uint64_t> numbers;
     for (std::uint64_t i = 0; i < 1'000'000; ++i)
         numbers.push_back(i);
@@ -18,7 +18,7 @@ TEST_CASE("an array keeps what it holds while it grows into large pages and out 
         CHECK(copy[i] == i);
 }
 
-TEST_CASE("a small array is aligned as its type asks") {
+TEST_CASE("a small array has the alignment of its type") {
     struct alignas(128) DoubleDouble {
         char content[128];
     };

@@ -22,7 +22,7 @@
 
 namespace carom {
 
-/// The parts of the solver `event` over a world, wired as EventEngine wires them, for tests of one
+/// The parts of the solver `event` on a world, connected as in EventEngine, for tests of a single
 /// part. All balls are in free flight from the world's time on, and in their cells.
 struct EventParts {
     using Real = double;

@@ -21,7 +21,7 @@ Number length(const Point& a) {
     return sqrt(dot(a, a));
 }
 
-using Polynomial = std::vector<Number>;  // from the constant up
+using Polynomial = std::vector<Number>;  // coefficients, the constant first
 
 Number value(const Polynomial& p, const Number& t) {
     Number sum = 0;
@@ -37,7 +37,7 @@ Polynomial derivative(const Polynomial& p) {
     return result;
 }
 
-// The root between two places at which the signs differ: halving, then Newton's steps.
+// The root between two points of opposite sign: bisection, then Newton's method.
 Number root_between(const Polynomial& p, Number low, Number high) {
     const int sign = sgn(value(p, low));
     Number middle;
@@ -65,7 +65,7 @@ Number root_between(const Polynomial& p, Number low, Number high) {
     return low;
 }
 
-// All places in 0..end where the sign changes, ascending.
+// All sign changes in 0..end, ascending.
 std::vector<Number> roots(const Polynomial& p, const Number& end) {
     std::vector<Number> result;
     if (p.size() < 2) return result;
@@ -81,8 +81,8 @@ std::vector<Number> roots(const Polynomial& p, const Number& end) {
     return result;
 }
 
-// The first time after 0, up to `end`, at which p goes from positive to negative. Touching: p is 0
-// at 0, and that root does not count.
+// The first time after 0, up to `end`, at which p changes from positive to negative. A contact has
+// p = 0 at 0, and that root does not count.
 bool first_fall(Polynomial p, bool is_touching, const Number& end, Number& time) {
     if (is_touching) p.erase(p.begin());
     while (!p.empty() && p.back() == 0)
@@ -149,7 +149,7 @@ void Oracle::advance(std::size_t ball, const Number& time) {
     since_[ball] = time;
 }
 
-// Seen from one another they go straight. `end` is the first impact that is known, and falls.
+// Their relative motion is linear. `end` is the earliest impact found so far, and decreases.
 void Oracle::look_at_ball(std::size_t ball, std::size_t other, Number& end) {
     const Point offset = place_at(ball, now_) - place_at(other, now_);
     const Point velocity = balls_[ball].velocity + gravity_ * Number(now_ - since_[ball]) -
@@ -174,7 +174,7 @@ void Oracle::look_at_point(std::size_t ball, std::size_t edge, int part, const P
     const Point& velocity = balls_[ball].velocity;
     const Number reach = balls_[ball].radius + edges_[edge].radius;
     const Number most = end - now_;
-    // Too far to get there in time.
+    // Too far away to arrive in time.
     const Number range = length(velocity) * most + length(gravity_) * most * most / 2 + reach;
     const Number far = dot(offset, offset);
     if (far > range * range) return;
@@ -251,7 +251,7 @@ void Oracle::meet(std::size_t ball) {
 
 void Oracle::run_until(const Number& time) {
     for (;;) {
-        // Everything anew, at every impact.
+        // Recomputes everything at every impact.
         std::size_t first = balls_.size();
         Number end = time;
         for (std::size_t i = 0; i < balls_.size(); ++i) {

@@ -7,16 +7,16 @@
 
 #include "physics/world/world.h"
 
-/// A slow reference for the solver `event`, which shares nothing with it: numbers of 60 digits and
-/// more, every pair looked at, no cells, no queue; impacts found by bracketing the roots of
-/// polynomials between the roots of their derivatives. It knows balls and edges that stand still,
-/// gravity and restitution; nothing rests and nothing happens at the same instant. Built where
-/// Debian's libgmp-dev is installed.
+/// A slow reference for the solver `event` that shares no code with it: numbers of 60 digits and
+/// more, every pair tested, no cells, no queue; impacts are found by bracketing the roots of
+/// polynomials between the roots of their derivatives. It supports fixed balls and edges, gravity
+/// and restitution; nothing rests, and no two impacts are simultaneous. Built if Debian's
+/// libgmp-dev is installed.
 namespace carom::oracle {
 
 using Number = mpf_class;
 
-/// Of the numbers that are made from here on: 320 bits, 96 digits.
+/// The precision of numbers created from here on: 320 bits, 96 digits.
 void use_many_digits();
 
 struct Point {
@@ -40,14 +40,14 @@ struct Impact {
 
 class Oracle {
   public:
-    /// Balls and edges as `world` has them.
+    /// Takes the balls and edges of `world`.
     explicit Oracle(const World& world);
 
-    /// Moves the start of ball `index` by `way` and changes its velocity by `push`. Pre: nothing
-    /// has moved yet.
+    /// Displaces the start of ball `index` by `way` and changes its velocity by `push`. Pre:
+    /// nothing has moved yet.
     void nudge(std::size_t index, const Point& way, const Point& push);
 
-    /// Goes on until `time`, s.
+    /// Advances to `time`, s.
     void run_until(const Number& time);
 
     Point position(std::size_t index) const;
@@ -64,7 +64,7 @@ class Oracle {
         bool is_there = false;
         Number time;
         std::int64_t other = 0;
-        Point normal;  ///< from the other to the ball
+        Point normal;  ///< from the other body to the ball
     };
 
     Point place_at(std::size_t ball, const Number& time) const;
@@ -78,8 +78,8 @@ class Oracle {
 
     Point gravity_;
     std::vector<Ball> balls_;
-    std::vector<Number> since_;       ///< when each ball was where `balls_` says
-    std::vector<std::int64_t> last_;  ///< what it met now: ball, or -1 - 4 capsule - part
+    std::vector<Number> since_;  ///< the time at which each ball was at its position in `balls_`
+    std::vector<std::int64_t> last_;  ///< the body it just hit: ball, or -1 - 4 capsule - part
     std::vector<Next> next_;
     std::vector<Edge> edges_;
     std::vector<Impact> impacts_;

@@ -40,7 +40,7 @@ World gas(std::size_t count, std::uint64_t seed, bool torus) {
         const double slack = pitch / 2 - 1.0;
         const Vec2 cell{static_cast<double>(i % columns) + 0.5,
                         static_cast<double>(i / columns) + 0.5};
-        // The sum of four uniform numbers is near enough to Gaussian.
+        // The sum of four uniform numbers is close enough to Gaussian.
         Vec2 velocity;
         for (std::uint64_t k = 0; k < 4; ++k)
             velocity += {draw(seed, i, 2 + 2 * k), draw(seed, i, 3 + 2 * k)};

@@ -4,14 +4,13 @@
 
 #include "physics/world/world.h"
 
-/// Worlds for tests, made without the level language.
+/// Worlds for tests, built without the level language.
 namespace carom::scenes {
 
 /// No balls, no edges, one kind (radius 1, mass 1, elastic) and one elastic material.
 World empty();
 
-/// Four capsules of radius 1 around `box`, outside of it, so that its inside is free. Of material
-/// 0.
+/// Four capsules of radius 1 around `box`, outside it, so that its inside is free. Material 0.
 void add_walls(World& world, const Box& box);
 
 /// `count` elastic balls of radius 1 and mass 1 at packing 0.3 in a square box from the origin, on
@@ -22,8 +21,8 @@ World gas(std::size_t count, std::uint64_t seed, bool torus = false);
 /// gravity 10.
 World bucket(std::size_t count, double restitution);
 
-/// Two blocks and a wall: a ball of mass `ratio` runs at speed 1 at a resting one of mass 1 before
-/// a wall.
+/// Two blocks and a wall: a ball of mass `ratio` moves at speed 1 towards a resting one of mass 1
+/// in front of a wall.
 World blocks(double ratio);
 
 /// Newton's cradle without strings: `count` balls in a row, `gap` apart, the first `in` of them at

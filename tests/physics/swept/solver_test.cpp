@@ -21,8 +21,8 @@ double draw(double low, double high, std::uint64_t who, std::uint64_t index) {
     return random_between(low, high, 4711, RandomStream::level, who, index);
 }
 
-// A ball of radius 1 in a closed box of walls of radius `wall`, shot at `speed`; how many of
-// `shots` get out.
+// Shoots a ball of radius 1 at `speed` in a closed box with walls of radius `wall`; returns how
+// many of `shots` get out.
 int escapes(SolverKind kind, double speed, double wall, int shots) {
     int out = 0;
     Solver solver({.kind = kind});
@@ -46,12 +46,12 @@ int escapes(SolverKind kind, double speed, double wall, int shots) {
 
 }  // namespace
 
-TEST_CASE("no shot passes through a wall, whatever the speed and however thin the wall") {
+TEST_CASE("no shot passes through a wall, whatever its speed and the wall's thickness") {
     for (const double speed : {1.0, 1e2, 1e3, 1e4, 1e5})
         for (const double wall : {0.0, 1e-3})
             CHECK(escapes(SolverKind::swept, speed, wall, 500) == 0);
     CHECK(escapes(SolverKind::swept, 1e6, 0.0, 100) == 0);
-    // What the baselines do, so that it is known: nearly every fast shot goes through.
+    // The baselines for comparison: nearly every fast shot passes.
     MESSAGE("of 500 shots at 1e4 through a thin wall: discrete ",
             escapes(SolverKind::discrete, 1e4, 0.0, 500), ", substep ",
             escapes(SolverKind::substep, 1e4, 0.0, 500));
@@ -85,7 +85,7 @@ TEST_CASE("two blocks and a wall count the digits of pi") {
     }
 }
 
-TEST_CASE("a cradle lets as many out as went in, the others stand still") {
+TEST_CASE("a cradle releases as many balls as went in, and the others stay") {
     for (const double gap : {0.0, 1e-12, 1e-6, 1e-2}) {
         for (std::size_t count = 2; count <= 12; ++count) {
             for (std::size_t in = 1; in < count; ++in) {
@@ -104,7 +104,7 @@ TEST_CASE("a cradle lets as many out as went in, the others stand still") {
     }
 }
 
-TEST_CASE("the order of the balls in the file does not change what happens") {
+TEST_CASE("the order of balls in the file does not change the result") {
     World world = scenes::gas(150, 21);
     World backwards = world;
     std::ranges::reverse(backwards.edit_balls().position);
@@ -114,13 +114,13 @@ TEST_CASE("the order of the balls in the file does not change what happens") {
         solver.tick(world);
         solver.tick(backwards);
     }
-    // Rounding differs where a pair is seen from the other side, and chaos makes it grow; not
-    // further than this.
+    // Rounding differs when a pair is seen from the other side, and chaos amplifies it; not beyond
+    // this.
     for (std::size_t i = 0; i < 150; ++i)
         CHECK(distance(world.balls().position[i], backwards.balls().position[149 - i]) < 1e-6);
 }
 
-TEST_CASE("nothing overlaps in a gas, and nothing leaves it") {
+TEST_CASE("balls of a gas neither overlap nor leave it") {
     World world = scenes::gas(400, 2);
     Solver solver({.kind = SolverKind::swept});
     for (int i = 0; i < 300; ++i) {
@@ -129,7 +129,7 @@ TEST_CASE("nothing overlaps in a gas, and nothing leaves it") {
     }
 }
 
-TEST_CASE("a heap comes to rest without sinking into itself, and gains no energy on the way") {
+TEST_CASE("a heap comes to rest without sinking into itself, and never gains energy") {
     for (const double restitution : {0.0, 0.3, 0.8}) {
         CAPTURE(restitution);
         World world = scenes::bucket(150, restitution);
@@ -151,7 +151,7 @@ TEST_CASE("a heap comes to rest without sinking into itself, and gains no energy
     }
 }
 
-TEST_CASE("a ball that rests stays where it is, to the bit") {
+TEST_CASE("a resting ball stays where it is, to the bit") {
     World world = scenes::empty();
     world.edit_definition().model.gravity = Vec2{0, -9.81};
     world.edit_definition().materials[0].restitution = 0.5;
@@ -168,7 +168,7 @@ TEST_CASE("a ball that rests stays where it is, to the bit") {
     CHECK(world.balls().velocity[0] == Vec2{});
 }
 
-TEST_CASE("a ball slides down a frictionless ramp as the closed form says") {
+TEST_CASE("a ball slides down a frictionless ramp according to the closed form") {
     World world = scenes::empty();
     world.edit_definition().model.gravity = Vec2{0, -10};
     world.edit_definition().materials[0].restitution = 0.0;
@@ -180,9 +180,9 @@ TEST_CASE("a ball slides down a frictionless ramp as the closed form says") {
     CHECK(length(world.balls().velocity[0]) == doctest::Approx(24.0).epsilon(1e-3));
 }
 
-TEST_CASE("nothing balances beside the top of a peg: hardly any of gravity is left, but it pulls") {
-    // A bead of a Galton board that had come to rest there, in metres: rounding of the gravity that
-    // the peg takes was as large as the approach that counts.
+TEST_CASE("no ball balances beside the top of a peg: a tiny component of gravity still pulls it") {
+    // A ball of a Galton board that had come to rest there, in metres: the rounding error of the
+    // gravity that the peg supports was as large as the rest speed.
     const Vec2 peg{-0.02, -2 * 0.866 * 0.02};
     for (const double share : {-0.03, -0.002, 0.001, 0.0198, 0.1, 0.2}) {
         CAPTURE(share);
@@ -200,7 +200,7 @@ TEST_CASE("nothing balances beside the top of a peg: hardly any of gravity is le
     }
 }
 
-TEST_CASE("a hand pushes balls aside and stops where they cannot go") {
+TEST_CASE("a kinematic body pushes balls aside and stops where they cannot move") {
     World world = scenes::empty();
     scenes::add_walls(world, {{-10, -10}, {10, 10}});
     add_ball(world, {.position = {0, 0}, .velocity = {}});
@@ -211,11 +211,11 @@ TEST_CASE("a hand pushes balls aside and stops where they cannot go") {
         solver.tick(world);
         CHECK(deepest_overlap(world) < 1e-9);
     }
-    CHECK(world.balls().position[0].x > 6.0);  // it went on until the other was at the wall
+    CHECK(world.balls().position[0].x > 6.0);  // it moved on until the other was at the wall
     CHECK(world.balls().position[0].x <= 9.0);
     for (const Vec2 p : world.balls().position)
         CHECK(contains(Box{{-9.001, -9.001}, {9.001, 9.001}}, p));
-    // And it does not go through a wall after the hand.
+    // It does not follow the pointer through a wall.
     for (int i = 0; i < 240; ++i) {
         world.edit_held_balls() = {{BallId{0}, {0, 40}}};
         solver.tick(world);
@@ -223,8 +223,7 @@ TEST_CASE("a hand pushes balls aside and stops where they cannot go") {
     CHECK(world.balls().position[0].y <= 9.0 + 1e-9);
 }
 
-TEST_CASE(
-    "a closing edge squeezes balls without losing one, and gives way where there is no solution") {
+TEST_CASE("a closing edge squeezes balls without losing one, and yields if there is no solution") {
     World world = scenes::empty();
     world.edit_definition().materials[0].restitution = 0.8;
     world.edit_definition().kinds[0].restitution = 0.8;
@@ -251,11 +250,11 @@ TEST_CASE(
     }
     CHECK(deepest_overlap(world) < 1e-6);
     CHECK(world.capsules().shape.back().start.x >
-          7.0);             // 20 discs of area pi in 10 high do not fit in less
-    CHECK(fastest < 50.0);  // the lid came at 6
+          7.0);  // 20 discs of area pi do not fit in less than this height, in a width of 10
+    CHECK(fastest < 50.0);  // the lid arrived at 6
 }
 
-TEST_CASE("coincident and overlapping balls stay finite and gain nothing") {
+TEST_CASE("coincident and overlapping balls stay finite and gain no energy") {
     World world = scenes::empty();
     scenes::add_walls(world, {{-20, -20}, {20, 20}});
     for (int i = 0; i < 30; ++i)
@@ -270,7 +269,7 @@ TEST_CASE("coincident and overlapping balls stay finite and gain nothing") {
     CHECK(totals(world).kinetic_energy <= before * (1 + 1e-12));
 }
 
-TEST_CASE("masses and radii far apart, and far from the origin") {
+TEST_CASE("high mass and radius ratios, far from the origin") {
     for (const double offset : {0.0, 1e6, 1e9}) {
         World world = scenes::empty();
         const Vec2 there{offset, -offset};

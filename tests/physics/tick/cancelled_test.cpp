@@ -8,8 +8,8 @@ using namespace carom;
 
 namespace {
 
-// All that a tick may change: balls are born, an edge is dragged, a flipper turns, contacts
-// scatter.
+// Everything that a tick may change: balls are emitted, an edge is dragged, a flipper turns,
+// contacts scatter.
 World busy(bool torus) {
     World world = scenes::gas(1000, 6, torus);
     world.edit_definition().rate = 0.5;
@@ -32,7 +32,7 @@ SolverSettings settings_for(SolverKind kind) {
 
 }  // namespace
 
-TEST_CASE("a tick that is given up leaves the world as it was, wherever it stops") {
+TEST_CASE("a cancelled tick leaves the world unchanged, wherever it stops") {
     for (const SolverKind kind : {SolverKind::substep, SolverKind::swept, SolverKind::event}) {
         CAPTURE(name(kind));
         for (const bool torus : {false, true}) {
@@ -62,8 +62,8 @@ TEST_CASE("a tick that is given up leaves the world as it was, wherever it stops
     }
 }
 
-// Under `contact` only where nothing can press, where it goes by `swept`.
-TEST_CASE("a tick of contact in a gas can be given up too, and leaves the world as it was") {
+// `contact` can be cancelled only where nothing can press, since it then uses `swept`.
+TEST_CASE("a tick of contact in a gas can be cancelled too, and leaves the world unchanged") {
     World world = scenes::gas(5000, 6);
     Solver solver({.kind = SolverKind::contact});
     solver.tick(world);
@@ -73,7 +73,7 @@ TEST_CASE("a tick of contact in a gas can be given up too, and leaves the world 
     CHECK(solver.contacts().empty());
 }
 
-TEST_CASE("solvers whose ticks are bounded do not ask") {
+TEST_CASE("solvers with bounded ticks do not ask") {
     for (const SolverKind kind : {SolverKind::discrete, SolverKind::contact}) {
         CAPTURE(name(kind));
         World world = scenes::gas(5000, 6);

@@ -8,7 +8,7 @@ using namespace carom;
 
 namespace {
 
-// A horizontal edge from 0,0 to 4,0, of which a hand wants the end at 4,2.
+// A horizontal edge from 0,0 to 4,0, whose end is dragged towards 4,2.
 World world_with_held_edge() {
     World world = scenes::empty();
     const CapsuleId id = add_capsule(world, {{0, 0}, {4, 0}, 0.5}, 0);
@@ -26,7 +26,7 @@ HeldEdge aimed(const World& world, double per_second) {
 
 }  // namespace
 
-TEST_CASE("kinematic edge: it goes its share of the way, and no further once it has stopped") {
+TEST_CASE("kinematic edge: it moves its share of the displacement, and no further once stopped") {
     const World world = world_with_held_edge();
     HeldEdge edge = aimed(world, 10.0);
     CHECK(edge.end_velocity == Vec2{0, 20});
@@ -38,7 +38,9 @@ TEST_CASE("kinematic edge: it goes its share of the way, and no further once it 
     CHECK(shape_at(edge, world, 0.0125).end == Vec2{4, 0.125});
 }
 
-TEST_CASE("kinematic edge: its surface moves as the nearest point of its spine, until it stops") {
+TEST_CASE(
+    "kinematic edge: its surface velocity is that of the nearest point of its spine, until it "
+    "stops") {
     const World world = world_with_held_edge();
     HeldEdge edge = aimed(world, 1.0);
     const Capsule& shape = world.capsules().shape[0];
@@ -50,7 +52,7 @@ TEST_CASE("kinematic edge: its surface moves as the nearest point of its spine, 
     CHECK(surface_velocity(edge, shape, {9, 0}) == Vec2{});
 }
 
-TEST_CASE("kinematic edge: found by its capsule; one whose capsule is gone is not listed") {
+TEST_CASE("kinematic edge: found by its capsule; one without a capsule is not listed") {
     World world = world_with_held_edge();
     world.edit_held_capsules().push_back({.id = CapsuleId{99}});
     std::vector<HeldEdge> edges;
@@ -60,7 +62,7 @@ TEST_CASE("kinematic edge: found by its capsule; one whose capsule is gone is no
     CHECK(find_edge(std::span<HeldEdge>(edges), 1) == nullptr);
 }
 
-TEST_CASE("a held ball is immovable, and on a torus goes the shorter way") {
+TEST_CASE("a held ball is immovable, and takes the shorter way on a torus") {
     World world = scenes::empty();
     world.edit_definition().model.wrap = Box{{0, 0}, {10, 10}};
     const BallId id = add_ball(world, {.position = {9, 5}});

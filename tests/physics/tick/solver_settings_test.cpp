@@ -29,7 +29,7 @@ TEST_CASE("every text of the settings reads back") {
         }
 }
 
-TEST_CASE("texts of the settings, as levels, tables and recordings have them") {
+TEST_CASE("texts of the settings in levels, tables and recordings") {
     using enum SettingsText;
     CHECK(settings_text({.kind = SolverKind::substep}, used) == "substep updates=4 steps=15");
     CHECK(settings_text({.kind = SolverKind::contact}, used) == "contact substeps=4");
@@ -47,7 +47,7 @@ TEST_CASE("texts of the settings, as levels, tables and recordings have them") {
           "contact updates=4 steps=15 substeps=4");
 }
 
-TEST_CASE("what is no text of settings gives none") {
+TEST_CASE("an invalid text of settings gives none") {
     for (const char* text : {"", "Swept", "swept substeps", "swept substeps=", "swept substeps=0",
                              "swept substeps=1001", "swept substeps=2x", "swept speed=2",
                              "swept substeps=2 substeps=3", "swept  substeps=2"}) {

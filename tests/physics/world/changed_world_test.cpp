@@ -10,9 +10,9 @@
 
 using namespace carom;
 
-// A solver holds nothing that the next tick depends on, so it must not go on with what it saw
-// before somebody changed the world.
-TEST_CASE("whatever is done to a world between ticks, a solver goes on as one that never saw it") {
+// A solver must not hold state that the next tick depends on, so it must not continue with stale
+// data after a change of the world.
+TEST_CASE("after any change of the world between ticks, a solver continues as a fresh one would") {
     struct Row {
         std::string what;
         std::function<void(World&)> change;

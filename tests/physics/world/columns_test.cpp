@@ -12,7 +12,7 @@ using namespace carom;
 
 namespace {
 
-// The entry of a column for row `row`: one value for each row, none of them the default.
+// The entry of a column in row `row`: different in each row, never the default.
 void set(BallId& value, std::uint32_t row) {
     value = BallId{10 * row + 3};
 }
@@ -106,7 +106,7 @@ TEST_CASE_TEMPLATE("every column goes through each operation on rows", Table, Ba
     check_rows(table, other, {7, 1, 8, 3, 6});
 }
 
-TEST_CASE("columns that are not in use stay empty through each operation on rows") {
+TEST_CASE("unused columns stay empty through each operation on rows") {
     Balls balls = filled<Balls>(3);
     balls.spin.clear();
     Balls part;
@@ -119,7 +119,7 @@ TEST_CASE("columns that are not in use stay empty through each operation on rows
     CHECK(balls.size() == 1);
 }
 
-TEST_CASE("the bytes of a table are those of all its columns") {
+TEST_CASE("the size of a table is the sum of all its columns") {
     const Balls balls = filled<Balls>(4);
     CHECK(bytes_in_columns(balls) == 4 * (4 + 16 + 16 + 8 + 8 + 2 + 8 + 4 + 8 + 16));
 }
@@ -153,7 +153,7 @@ TEST_CASE("removing a ball, by a player or in a sink, keeps every column of the 
     check_rows(world.balls(), start.balls(), {1, 2});
 }
 
-TEST_CASE("taking back a tick restores every column") {
+TEST_CASE("undoing a tick restores every column") {
     const World start = full();
     World world = start;
     TickUndo undo;
@@ -173,7 +173,7 @@ TEST_CASE("a hybrid step moves every column of a ball there and back") {
     World world = start;
     world.edit_memory().heaped = {BallId{0}};
     REQUIRE(Solver({.kind = SolverKind::event}).tick(world) == TickOutcome::done);
-    // Each part moves as it does alone.
+    // Each part moves as it would alone.
     World cluster = start;
     remove_ball(cluster, BallId{2});
     cluster.edit_memory().heaped = {BallId{0}};

@@ -72,7 +72,7 @@ struct Change {
     std::function<void(World&)> make;
 };
 
-// One change for each thing that a tick or a command can change, columns apart.
+// One change for each thing that a tick or a command can change, except columns.
 const std::vector<Change>& changes() {
     const auto memory = [](World& w) -> SolverMemory& { return w.edit_memory(); };
     static const std::vector<Change> all{
@@ -101,7 +101,7 @@ const std::vector<Change>& changes() {
 
 }  // namespace
 
-TEST_CASE("whatever changes in a world changes its fingerprint") {
+TEST_CASE("every change of a world changes its fingerprint") {
     const World world = full();
     std::set<std::uint64_t> seen{fingerprint(world)};
     CHECK(fingerprint(full()) == fingerprint(world));

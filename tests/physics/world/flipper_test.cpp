@@ -57,7 +57,7 @@ TEST_CASE("a flipper is up after its rise, and back after its fall, whatever the
     }
 }
 
-TEST_CASE("a flipper keeps its length and goes on from where it was when the button changes") {
+TEST_CASE("a flipper keeps its length and continues from its position when the button changes") {
     World world = with_flipper(1000.0);
     Solver solver({.kind = SolverKind::swept});
     double before = 0.0;
@@ -75,7 +75,7 @@ TEST_CASE("a flipper keeps its length and goes on from where it was when the but
     CHECK(most < 0.101);
 }
 
-TEST_CASE("a flipper without its capsule is gone too") {
+TEST_CASE("a flipper without its capsule is removed too") {
     World world = with_flipper(1000.0);
     world.edit_flippers()[0].is_pressed = true;
     remove_capsule(world, world.flippers()[0].capsule);
@@ -85,7 +85,7 @@ TEST_CASE("a flipper without its capsule is gone too") {
     CHECK(world.held_capsules().empty());
 }
 
-TEST_CASE("a driven edge throws as a wall that moves, under every solver") {
+TEST_CASE("a motorised edge throws like a moving wall, in every solver") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));
         World world = scenes::empty();
@@ -102,7 +102,7 @@ TEST_CASE("a driven edge throws as a wall that moves, under every solver") {
             solver.tick(world);
         }
         REQUIRE(world.ball_edge_collisions() == 1);
-        // The wall goes up at 4, the ball came down at 2: they close at 6.
+        // The wall moves up at 4, the ball came down at 2: they approach at 6.
         const double leaves = 4.0 + 0.8 / (1.0 + 0.1 * 6.0) * 6.0;
         const Vec2 velocity = world.balls().velocity[*index_of(world, ball)];
         CHECK(velocity.x == doctest::Approx(3.0).epsilon(1e-9));
@@ -110,7 +110,7 @@ TEST_CASE("a driven edge throws as a wall that moves, under every solver") {
     }
 }
 
-TEST_CASE("nothing passes a flipper, and none is launched faster than its tip allows") {
+TEST_CASE("nothing passes a flipper, and no ball is launched faster than its tip allows") {
     // Balls fall on all of the flipper, at any moment of its rise.
     for (int place = 0; place < 24; ++place) {
         for (int moment = 0; moment < 12; ++moment) {
@@ -133,7 +133,7 @@ TEST_CASE("nothing passes a flipper, and none is launched faster than its tip al
                 const Capsule& shape = world.capsules().shape[0];
                 const Vec2 nearest = closest_point(shape.start, shape.end, position);
                 REQUIRE(distance(nearest, position) > 0.0225 - 1e-6);
-                // Fastest: met at the tip with all of its speed, by what falls.
+                // The fastest: a falling ball met by the tip at full speed.
                 REQUIRE(length(world.balls().velocity[0]) < fastest + 0.8 * (fastest + 2.1));
             }
             CHECK(flipper.progress == 1.0);
@@ -141,7 +141,7 @@ TEST_CASE("nothing passes a flipper, and none is launched faster than its tip al
     }
 }
 
-TEST_CASE("a ball that lies on a flipper is thrown off it at about the speed of where it lay") {
+TEST_CASE("a ball that rests on a flipper leaves at about the speed of its resting point") {
     World world = with_flipper(1000.0);
     world.edit_definition().model.gravity = Vec2{0.0, -0.793};
     world.edit_definition().kinds[0] = {.radius = 0.0135, .mass = 0.08};

@@ -14,7 +14,7 @@
 
 using namespace carom;
 
-TEST_CASE("ids are given once, in ascending order, and survive removals") {
+TEST_CASE("ids are unique, ascending, and survive removals") {
     World world = scenes::empty();
     const BallId a = add_ball(world, {.position = {0, 0}, .velocity = {}});
     const BallId b = add_ball(world, {.position = {5, 0}, .velocity = {}});
@@ -29,7 +29,7 @@ TEST_CASE("ids are given once, in ascending order, and survive removals") {
     CHECK(world.removed().size() == 1);
 }
 
-TEST_CASE("what a scene does not use costs no bytes, until it is used") {
+TEST_CASE("unused features cost no bytes") {
     World world = scenes::empty();
     add_ball(world, {.position = {0, 0}, .velocity = {}});
     add_capsule(world, {{0, 0}, {1, 0}, 0}, 0);
@@ -66,7 +66,7 @@ TEST_CASE("spin stays with its ball, and counts in the sums and in the fingerpri
     CHECK(world.balls().spin == std::vector<double>{1.0, 4.0});
 }
 
-TEST_CASE("a ball that is elastic by its own key stays so when the scene begins to lose energy") {
+TEST_CASE("a ball that is elastic by its own key stays so when the scene becomes inelastic") {
     World world = scenes::empty();
     world.edit_definition().kinds[0].restitution = 0.4;
     add_ball(world, {.position = {0, 0}, .velocity = {}, .restitution = 1.0});
@@ -111,7 +111,7 @@ TEST_CASE("totals of a known world") {
     CHECK(t.angular_momentum == 4 * (2 * 2 - 3 * 1) + 2 * (-1 * -3));
 }
 
-TEST_CASE("the deepest overlap agrees with looking at every pair") {
+TEST_CASE("the deepest overlap agrees with a test of every pair") {
     for (const bool torus : {false, true}) {
         World world = scenes::gas(200, 4, torus);
         for (double& radius : world.edit_balls().radius)
@@ -131,7 +131,7 @@ TEST_CASE("the deepest overlap agrees with looking at every pair") {
     }
 }
 
-TEST_CASE("random numbers are uniform, and each purpose has its own") {
+TEST_CASE("random numbers are uniform, and each purpose has its own stream") {
     double sum = 0.0;
     double squares = 0.0;
     constexpr int count = 100'000;
@@ -150,7 +150,7 @@ TEST_CASE("random numbers are uniform, and each purpose has its own") {
     CHECK(random_bits(1, RandomStream::fill, 2, 3) == random_bits(1, RandomStream::fill, 2, 3));
 }
 
-TEST_CASE("a census counts the balls that are in a zone now") {
+TEST_CASE("a census counts the balls that are now in a zone") {
     World world = scenes::empty();
     world.edit_ledger().counters = {0, 0};
     world.edit_definition().zones.push_back({{{0, 0}, {0, 10}, 2}, Zone::Effect::census, 0});

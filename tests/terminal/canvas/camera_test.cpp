@@ -13,7 +13,7 @@ constexpr CellArea window{2, 1, 80, 20};
 
 }  // namespace
 
-TEST_CASE("the whole view is seen, and as much of the window is used as can be") {
+TEST_CASE("the whole view is visible, and fills the window in one direction") {
     for (const Box view : {Box{{-3, -2}, {50, 4}}, Box{{0, 0}, {1, 100}}, Box{{5, 5}, {6, 6}}}) {
         for (const double aspect : {1.0, 2.0, 2.5}) {
             const Camera camera = fit_camera(view, window, aspect);
@@ -22,14 +22,14 @@ TEST_CASE("the whole view is seen, and as much of the window is used as can be")
             CHECK(contains(seen, view.high));
             const double across = size(view).x * camera.columns_per_length;
             const double down = size(view).y * camera.columns_per_length / aspect;
-            // Half a column of margin on each side of the tighter direction.
+            // Half a column of margin on each side in the tighter direction.
             CHECK((std::abs(across - 79.0) < 1e-9 ||
                    std::abs(down * aspect - 20.0 * aspect + 1.0) < 1e-9));
         }
     }
 }
 
-TEST_CASE("a world point and its place in cells are each other's image") {
+TEST_CASE("mapping a world point to cells and back gives the point") {
     const Camera camera = fit_camera({{-7, 3}, {90, 40}}, window, 1.9);
     for (const Vec2 point : {Vec2{0, 0}, Vec2{-7, 3}, Vec2{1e3, -1e3}, Vec2{41.5, 21.5}}) {
         const Vec2 back = to_world(camera, to_cells(camera, point));
@@ -45,7 +45,7 @@ TEST_CASE("up in the world is up on the screen") {
     CHECK(to_cells(camera, {6, 5}).column > to_cells(camera, {5, 5}).column);
 }
 
-TEST_CASE("one length is as many columns as rows times the aspect") {
+TEST_CASE("a length spans aspect times as many columns as rows") {
     for (const double aspect : {1.0, 1.8, 2.0, 2.7}) {
         const Camera camera = fit_camera({{0, 0}, {10, 10}}, window, aspect);
         const CellPoint origin = to_cells(camera, {0, 0});
@@ -68,7 +68,7 @@ TEST_CASE("zooming keeps the point under the mouse") {
     }
 }
 
-TEST_CASE("zooming has limits, and refuses what is no factor") {
+TEST_CASE("zooming has limits, and ignores invalid factors") {
     Camera camera = fit_camera({{0, 0}, {100, 50}}, window, 2.0);
     for (const double factor : {0.0, -2.0, std::nan(""), HUGE_VAL}) {
         CHECK(zoomed(camera, {40, 10}, factor) == camera);
@@ -91,7 +91,7 @@ TEST_CASE("panning by cells moves the picture by cells") {
     CHECK(to_cells(moved, point).row == doctest::Approx(to_cells(camera, point).row + 2.0));
 }
 
-TEST_CASE("after a resize what was seen is seen") {
+TEST_CASE("everything visible stays visible after a resize") {
     const Camera camera = zoomed(fit_camera({{0, 0}, {100, 50}}, window, 2.0), {20, 5}, 3.0);
     const Box before = visible_box(camera);
     for (const CellArea area : {CellArea{0, 0, 120, 40}, CellArea{0, 0, 30, 30}}) {
@@ -104,7 +104,7 @@ TEST_CASE("after a resize what was seen is seen") {
     }
 }
 
-TEST_CASE("degenerate views, areas and aspects give a camera that works") {
+TEST_CASE("degenerate views, areas and aspects give a usable camera") {
     for (const Box view : {Box{{5, 5}, {5, 5}}, Box{{0, 1}, {9, 1}}, Box{{0, 1}, {0, 8}}}) {
         for (const CellArea area : {CellArea{0, 0, 0, 0}, CellArea{0, 0, 1, 1}, window}) {
             for (const double aspect : {0.0, -1.0, std::nan(""), HUGE_VAL, 2.0}) {

@@ -41,23 +41,23 @@ TEST_CASE("text keeps its colours and attributes") {
     CHECK(canvas.at(0, 0) == Cell{});
 }
 
-TEST_CASE("what a terminal would not show in one column becomes a question mark") {
+TEST_CASE("a character that is not one column wide becomes a question mark") {
     struct Row {
         std::string text;
         std::string shown;
     };
     const std::string escape = "\x1b[2J";
     const std::vector<Row> rows = {
-        {"a\tb\nc", "a?b?c"},           // controls
+        {"a\tb\nc", "a?b?c"},           // control characters
         {escape, "?[2J"},               // an escape sequence is only text
         {"\xc2\x9b", "?"},              // the C1 form of it
         {"e\xcc\x81", "e?"},            // a combining accent
         {"\xe6\xbc\xa2", "?"},          // a wide character
         {"\xe2\x80\xae", "?"},          // right-to-left override
         {"\xf0\x9f\x8e\xb1", "?"},      // a picture
-        {"\xff\xc0\x80", "???"},        // no UTF-8
+        {"\xff\xc0\x80", "???"},        // not UTF-8
         {"\xed\xa0\x80", "???"},        // a surrogate
-        {"\xe2\x82", "??"},             // cut off
+        {"\xe2\x82", "??"},             // truncated
         {"\xc3\xa9\xe2\x96\x88", "é█"}  // one column each
     };
     for (const Row& row : rows) {

@@ -7,7 +7,7 @@
 
 using namespace carom;
 
-TEST_CASE("the palette of 256 is xterm's") {
+TEST_CASE("the palette of 256 colours is xterm's") {
     CHECK(rgb_of(9) == Rgb{255, 0, 0});
     CHECK(rgb_of(16) == Rgb{0, 0, 0});
     CHECK(rgb_of(196) == Rgb{255, 0, 0});
@@ -17,7 +17,7 @@ TEST_CASE("the palette of 256 is xterm's") {
     CHECK(rgb_of(255) == Rgb{238, 238, 238});
 }
 
-TEST_CASE("a colour stays itself where the terminal has it, and keeps its hue where it has not") {
+TEST_CASE("a colour stays itself if the terminal has it, and otherwise keeps its hue") {
     for (Color color = 0; color < 256; ++color) {
         CHECK(color_for_terminal(color, 256) == color);
         CHECK(color_for_terminal(color, 0) == default_color);
@@ -40,7 +40,7 @@ TEST_CASE("a colour stays itself where the terminal has it, and keeps its hue wh
     CHECK(color_for_terminal(208, direct_colors) == 208);
 }
 
-TEST_CASE("a 24-bit colour is shown as it is, or as the nearest that there is") {
+TEST_CASE("a 24-bit colour is shown exactly, or as the nearest available one") {
     const Color orange = direct_color({250, 130, 5});
     CHECK(is_direct(orange));
     CHECK(rgb_of(orange) == Rgb{250, 130, 5});
@@ -54,7 +54,7 @@ TEST_CASE("a 24-bit colour is shown as it is, or as the nearest that there is") 
     CHECK_FALSE(is_direct(255));
 }
 
-TEST_CASE("no colour of the cube and no grey is nearer than the one that is taken") {
+TEST_CASE("the nearest colour of the cube and the greys is chosen") {
     const auto distance = [](const Rgb& a, const Rgb& b) {
         const auto square = [](int x) { return x * x; };
         return square(a.red - b.red) + square(a.green - b.green) + square(a.blue - b.blue);

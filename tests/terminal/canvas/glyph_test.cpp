@@ -55,7 +55,7 @@ Picture picture_of(const Canvas& canvas) {
     return picture;
 }
 
-// As from some distance: a Gaussian with a deviation of half the width of a cell.
+// Blurs as if seen from a distance: a Gaussian with a deviation of half the width of a cell.
 Picture blurred(const Picture& sharp) {
     constexpr double deviation = font_columns / 2.0;
     constexpr int reach = 12;
@@ -84,8 +84,8 @@ Picture blurred(const Picture& sharp) {
     return pass(pass(sharp, 1, 0), 0, 1);
 }
 
-// How far the drawn picture, made as bright as suits it best, is from the true one: 0 is the same,
-// 1 is no better than nothing.
+// The error of the drawn picture, at its best brightness: 0 is identical to the true one, 1 is no
+// better than an empty one.
 double error_of(const Picture& truth, const Canvas& drawn) {
     const Picture a = blurred(truth);
     const Picture b = blurred(picture_of(drawn));
@@ -101,7 +101,7 @@ double error_of(const Picture& truth, const Canvas& drawn) {
     return std::sqrt(std::max(0.0, aa - 2.0 * gain * ab + gain * gain * bb) / aa);
 }
 
-// The usual way: a character as dense as the cell is covered.
+// The usual method: a character as dense as the cell's coverage.
 Canvas density_ramp(const Picture& truth) {
     constexpr std::string_view ramp = " .:-=+*#%@";
     Canvas canvas(window_columns, window_rows);
@@ -152,7 +152,7 @@ Errors errors_of(Draw draw, Distance distance) {
 
 }  // namespace
 
-TEST_CASE("the table of ink is that of the font") {
+TEST_CASE("the table of ink agrees with the font") {
     double worst = 0.0;
     for (int i = 0; i < printable_count; ++i) {
         // The font's 16 rows do not divide by 3: compare halves, and the whole.
@@ -177,7 +177,7 @@ TEST_CASE("an empty cell is blank and a full one is not") {
     CHECK(glyph_for(pattern_count - 1) == '@');
 }
 
-TEST_CASE("a single region shows where it is") {
+TEST_CASE("a single region is drawn where it is") {
     const auto only = [](int region) { return glyph_for(static_cast<Pattern>(3 << (2 * region))); };
     CHECK(std::string_view("`'^\"").find(only(0)) != std::string_view::npos);
     CHECK(std::string_view("`'^\"").find(only(1)) != std::string_view::npos);

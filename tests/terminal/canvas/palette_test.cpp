@@ -16,7 +16,7 @@ constexpr std::array roles = {Role::edge,    Role::zone,     Role::counter, Role
 
 }  // namespace
 
-TEST_CASE("no colour is beyond what the terminal has") {
+TEST_CASE("no colour exceeds the terminal's number of colours") {
     for (const int colors : {0, 2, 8, 16, 256}) {
         for (const bool light : {false, true}) {
             const Look look{colors, true, light};
@@ -39,7 +39,7 @@ TEST_CASE("no colour is beyond what the terminal has") {
     }
 }
 
-TEST_CASE("classes next to each other have different inks") {
+TEST_CASE("neighbouring classes have different inks") {
     for (const int colors : {8, 16, 256}) {
         for (const bool light : {false, true}) {
             const Look look{colors, true, light};
@@ -49,7 +49,7 @@ TEST_CASE("classes next to each other have different inks") {
     }
 }
 
-TEST_CASE("the ends of a scale differ, and what is off it has the nearer end's colour") {
+TEST_CASE("the ends of a scale differ, and values outside are clamped") {
     for (const int colors : {0, 8, 16, 256}) {
         const Look look{colors, true, false};
         CHECK(ink_of_scale(0.0, look) != ink_of_scale(1.0, look));
@@ -70,7 +70,7 @@ TEST_CASE("shades go from the colour to the background") {
     CHECK(shade(9, 1, {16, true, false}) == 9);
 }
 
-TEST_CASE("without colour, what matters stands out by its attributes") {
+TEST_CASE("without colour, important roles have attributes") {
     const Look mono{0, true, false};
     for (const Role role : {Role::selected, Role::cue, Role::error, Role::strong}) {
         CHECK(ink_of(role, mono).attributes != plain);

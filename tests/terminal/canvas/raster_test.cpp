@@ -14,7 +14,7 @@ namespace {
 
 constexpr Brush solid{{}, 255, '\0'};
 
-// The area of what is painted, in squares of a column.
+// The painted area, in square columns.
 double painted(const Raster& raster) {
     double sum = 0.0;
     for (int down = 0; down < raster.samples_down(); ++down) {
@@ -40,8 +40,8 @@ TEST_CASE("a disc covers its area") {
             for (const double radius : {2.0, 3.7, 9.0}) {
                 Raster raster(renderer, 40, 20, aspect);
                 raster.disc({19.83, 10.0 * aspect + 0.31}, radius, 0.0, solid);
-                // Borders are linear across a sample, not exact: for a disc of two pixels that
-                // costs 5 %.
+                // Coverage is linear across a sample, not exact: for a disc of two pixels the error
+                // is 5 %.
                 CHECK(painted(raster) ==
                       doctest::Approx(3.14159265 * radius * radius).epsilon(0.05));
             }
@@ -49,7 +49,7 @@ TEST_CASE("a disc covers its area") {
     }
 }
 
-TEST_CASE("a centred disc is the same on all sides") {
+TEST_CASE("a centred disc is symmetric") {
     for (const Renderer& renderer : renderers()) {
         Raster raster(renderer, 21, 11, 2.0);
         raster.disc({10.5, 11.0}, 6.3, 0.4, {{}, 0, ' '});
@@ -64,7 +64,7 @@ TEST_CASE("a centred disc is the same on all sides") {
     }
 }
 
-TEST_CASE("a disc is as wide as it is high, whatever the shape of a cell") {
+TEST_CASE("a disc is as wide as it is high, whatever the aspect of a cell") {
     for (const double aspect : {1.0, 1.6, 2.0, 2.5}) {
         Raster raster(ascii_renderer(), 60, 40, aspect);
         raster.disc({30.0, 20.0 * aspect}, 12.0, 0.0, solid);
@@ -117,8 +117,7 @@ TEST_CASE("a line of radius 0 has no gaps at any angle") {
             raster.line({20.1 - x, 20.2 - y}, {20.1 + x, 20.2 + y}, {});
             Canvas canvas(40, 20);
             raster.show(canvas, 0, 0, {});
-            // Going along it, something is lit in each cell that it is well inside of, or next to
-            // it.
+            // Along the line, a sample is lit in or next to each cell that it crosses well inside.
             for (int step = 0; step <= 28; ++step) {
                 const double along = step / 14.0 - 1.0;
                 const int column = static_cast<int>(20.1 + along * x);
@@ -138,8 +137,8 @@ TEST_CASE("a line of radius 0 has no gaps at any angle") {
     }
 }
 
-TEST_CASE("upright and level hairlines are one pixel thick, wherever they stand") {
-    constexpr int least_seen = 43;  // of three shades
+TEST_CASE("axis-parallel hairlines are one pixel thick at any position") {
+    constexpr int least_seen = 43;  // the lowest of three shades
     for (const Renderer& renderer : renderers().subspan(1)) {
         for (double place = 3.0; place < 5.0; place += 0.1) {
             Raster upright(renderer, 10, 5, 2.0);
@@ -159,7 +158,7 @@ TEST_CASE("upright and level hairlines are one pixel thick, wherever they stand"
     }
 }
 
-TEST_CASE("dots show where in the cell a small disc is") {
+TEST_CASE("dots show the position of a small disc within its cell") {
     Raster raster(ascii_renderer(), 4, 1, 2.0);
     raster.disc({0.25, 0.3}, 0.01, 0.0, solid);
     raster.disc({1.75, 0.3}, 0.01, 0.0, solid);
@@ -182,7 +181,7 @@ TEST_CASE("many dots in a cell make it denser") {
     CHECK(drawn(raster) == "-@\n");
 }
 
-TEST_CASE("what is painted later covers what was there, and takes its colour") {
+TEST_CASE("later shapes cover earlier ones, with their colour") {
     Raster raster(ascii_renderer(), 12, 6, 2.0);
     raster.disc({6.0, 6.0}, 5.0, 0.0, {{1, plain}, 255, '#'});
     raster.disc({6.0, 6.0}, 2.9, 0.3, {{2, plain}, 0, ' '});
@@ -223,7 +222,7 @@ TEST_CASE("half blocks without colour are lit or dark") {
     CHECK(drawn(raster, {0, true, false}) == "▀▄█\n");
 }
 
-TEST_CASE("borders of half blocks are shades where there are 256 colours") {
+TEST_CASE("borders of half blocks are shaded on terminals with 256 colours") {
     Raster raster(half_block_renderer(), 1, 1, 2.0);
     raster.sample(0, 0, 128, {196, plain});
     Canvas canvas(1, 1);
@@ -233,7 +232,7 @@ TEST_CASE("borders of half blocks are shades where there are 256 colours") {
     CHECK(canvas.at(0, 0).foreground == 196);
 }
 
-TEST_CASE("what lies outside, is huge or is not finite paints nothing wrong") {
+TEST_CASE("shapes outside, huge or not finite paint nothing wrong") {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double nan = std::nan("");
     for (const Renderer& renderer : renderers()) {
@@ -255,7 +254,7 @@ TEST_CASE("what lies outside, is huge or is not finite paints nothing wrong") {
         raster.sample(0, raster.samples_down(), 255, {});
         CHECK(painted(raster) == 0.0);
 
-        // Larger than the window: all of it is inside.
+        // Larger than the window: only its inside is visible.
         raster.disc({10.0, 10.0}, 1e9, 0.3, {{}, 255, '#'});
         CHECK(painted(raster) == doctest::Approx(400.0));
         raster.capsule({-1e12, 10.0}, {1e12, 10.0}, 0.0, solid);
@@ -264,7 +263,7 @@ TEST_CASE("what lies outside, is huge or is not finite paints nothing wrong") {
     }
 }
 
-TEST_CASE("a raster without cells takes everything and shows nothing") {
+TEST_CASE("a raster without cells accepts everything and shows nothing") {
     for (const Renderer& renderer : renderers()) {
         Raster raster(renderer, 0, -3, 2.0);
         raster.disc({0.0, 0.0}, 5.0, 0.0, solid);

@@ -7,7 +7,8 @@
 
 using namespace carom;
 
-TEST_CASE("every renderer has a name of its own, samples that fit a cell, and a way to show them") {
+TEST_CASE(
+    "every renderer has a unique name, samples that fit a cell, and a function to show them") {
     std::set<std::string_view> names;
     for (const Renderer& renderer : renderers()) {
         CAPTURE(renderer.name);
@@ -26,7 +27,7 @@ TEST_CASE("every renderer has a name of its own, samples that fit a cell, and a 
     CHECK(renderer_choice_names().size() == renderers().size() + 1);
 }
 
-TEST_CASE("every renderer shows a full cell as something, and ASCII where it promises ASCII") {
+TEST_CASE("every renderer shows a full cell, in ASCII if it promises ASCII") {
     for (const Renderer& renderer : renderers()) {
         CAPTURE(renderer.name);
         CellSamples samples;
@@ -39,7 +40,7 @@ TEST_CASE("every renderer shows a full cell as something, and ASCII where it pro
     }
 }
 
-TEST_CASE("the choice comes to a renderer that the terminal can show") {
+TEST_CASE("a choice resolves to a renderer that the terminal can show") {
     const Look plain_terminal{.colors = 0, .utf8 = false};
     const Look mono{.colors = 0, .utf8 = true};
     const Look full{.colors = 256, .utf8 = true};
@@ -52,7 +53,7 @@ TEST_CASE("the choice comes to a renderer that the terminal can show") {
     }
 }
 
-TEST_CASE("the next renderer goes through all and comes back") {
+TEST_CASE("the next renderer cycles through all") {
     const Renderer* renderer = &renderers().front();
     for (std::size_t i = 1; i < renderers().size(); ++i) {
         renderer = &renderer_after(*renderer);

@@ -13,7 +13,7 @@ constexpr double radius = 0.0135;
 
 }  // namespace
 
-TEST_CASE("a window in which the ball is large enough shows all of the table") {
+TEST_CASE("a window in which the ball is large enough shows the whole table") {
     TableCamera camera;
     const CellArea area{0, 0, 80, 60};
     CHECK(camera.look(table, radius, 1.0, area, 2.0) == fit_camera(table, area, 2.0));
@@ -30,7 +30,7 @@ TEST_CASE("a low window shows the flippers first, and at least 60 % of the table
     CHECK(seen.high.x >= 0.5);
 }
 
-TEST_CASE("the picture glides after the ball, rests at the ends, and never jumps") {
+TEST_CASE("the view glides after the ball, stops at the ends, and never jumps") {
     TableCamera camera;
     const CellArea area{0, 0, 60, 20};
     double before = camera.look(table, radius, 1.0, area, 2.0).center.y;
@@ -44,7 +44,7 @@ TEST_CASE("the picture glides after the ball, rests at the ends, and never jumps
     }
     CHECK(visible_box(camera.look(table, radius, 1.0, area, 2.0)).high.y == doctest::Approx(1.0));
     CHECK(fastest < 0.04);
-    // Near the middle a ball moves nothing.
+    // Near the centre a ball moves nothing.
     TableCamera calm;
     const double start = calm.look(table, radius, 1.0, area, 2.0).center.y;
     calm.follow(start + 0.02, 0.0, 1.0);

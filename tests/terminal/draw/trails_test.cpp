@@ -40,7 +40,7 @@ struct Path {
 
 }  // namespace
 
-TEST_CASE("a ball leaves a trail without gaps, however far it goes between pictures") {
+TEST_CASE("a ball leaves a trail without gaps, however far it moves between pictures") {
     Path path;
     path.draw();
     path.move_to({18, 5});
@@ -50,7 +50,7 @@ TEST_CASE("a ball leaves a trail without gaps, however far it goes between pictu
     CHECK(path.lit() <= 63);
 }
 
-TEST_CASE("trails fade while the world goes on, and stand while it stands") {
+TEST_CASE("trails fade while the world runs, and stay while it is paused") {
     Path path;
     path.draw();
     path.draw();
@@ -76,7 +76,7 @@ TEST_CASE("a step back fades like a step forward") {
     CHECK(path.freshest() < 255);
 }
 
-TEST_CASE("another camera starts trails anew") {
+TEST_CASE("another camera clears trails") {
     Path path;
     path.draw();
     path.move_to({18, 5});
@@ -86,7 +86,7 @@ TEST_CASE("another camera starts trails anew") {
     CHECK(path.lit() == 1);
 }
 
-TEST_CASE("a ball that goes over the side of a torus draws no line across") {
+TEST_CASE("a ball that crosses a side of a torus draws no line across") {
     Path path;
     path.world.edit_definition().model.wrap = Box{{0, 0}, {20, 10}};
     path.draw();
@@ -95,7 +95,7 @@ TEST_CASE("a ball that goes over the side of a torus draws no line across") {
     CHECK(path.lit() == 2);
 }
 
-TEST_CASE("a ball that is new starts where it is, and one that is gone leaves its trail") {
+TEST_CASE("a new ball starts where it is, and a removed one leaves its trail") {
     Path path;
     path.draw();
     BallSpec spec;
@@ -109,7 +109,7 @@ TEST_CASE("a ball that is new starts where it is, and one that is gone leaves it
     CHECK(path.trails.places[0].id == BallId{1});
 }
 
-TEST_CASE("trails are painted behind: weaker than what is solid") {
+TEST_CASE("trails are fainter than balls") {
     Path path;
     path.draw();
     Raster raster(half_block_renderer(), 40, 10, 2.0);

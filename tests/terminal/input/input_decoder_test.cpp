@@ -36,7 +36,7 @@ void check_key(const InputEvent& event, const InputEvent& wanted) {
 
 }  // namespace
 
-TEST_CASE("keys as terminals have always sent them") {
+TEST_CASE("legacy key sequences") {
     struct Row {
         std::string_view bytes;
         InputEvent wanted;
@@ -116,15 +116,15 @@ TEST_CASE("keys under the kitty keyboard protocol") {
     }
 }
 
-TEST_CASE("a key that is let go is the key that was pressed") {
+TEST_CASE("a released key is the key that was pressed") {
     InputDecoder decoder;
     CHECK(decoder.feed("\033[61;2;43u").events.at(0).key == U'+');
-    const auto released = decoder.feed("\033[61;1:3u").events;  // Shift went up first
+    const auto released = decoder.feed("\033[61;1:3u").events;  // Shift was released first
     REQUIRE(released.size() == 1);
     check_key(released[0], key_event(U'+', no_modifier, Action::release));
 }
 
-TEST_CASE("modifiers alone, media keys and locks are nothing") {
+TEST_CASE("modifiers alone, media keys and locks are ignored") {
     CHECK(events_of("\033[57441;2u\033[57441;1:3u\033[57358u\033[57430u").empty());
 }
 
@@ -160,7 +160,7 @@ TEST_CASE("mouse reports") {
     CHECK(modified[0].button == 1);
 }
 
-TEST_CASE("mouse reports in pixels are told in cells") {
+TEST_CASE("mouse reports in pixels are converted to cells") {
     InputDecoder decoder;
     decoder.set_mouse_unit({.wide = 10.0, .high = 20.0});
     const auto events = decoder.feed("\033[<0;26;31M").events;
@@ -169,7 +169,7 @@ TEST_CASE("mouse reports in pixels are told in cells") {
     CHECK(events[0].row == doctest::Approx(1.525));
 }
 
-TEST_CASE("the old mouse reports") {
+TEST_CASE("X10 mouse reports") {
     const auto events = events_of("\033[M !!\033[M#\"!q");
     REQUIRE(events.size() == 3);
     CHECK(events[0].action == Action::press);
@@ -202,7 +202,7 @@ TEST_CASE("a thousand reports in one piece, or byte by byte, are a thousand even
     }
 }
 
-TEST_CASE("the Escape key is told from the start of a sequence by what does not follow") {
+TEST_CASE("the Escape key is told from the start of a sequence by a pause") {
     InputDecoder decoder;
     CHECK(decoder.feed("\033").events.empty());
     CHECK(decoder.pending() == InputDecoder::Pending::escape);
@@ -235,7 +235,7 @@ TEST_CASE("the Escape key is not lost to an answer or a report right behind it")
     }
 }
 
-TEST_CASE("what is not understood is swallowed whole") {
+TEST_CASE("unknown sequences are dropped whole") {
     const std::string_view unknown[] = {
         "\033[?1;2;3;4q",
         "\033[>1;95;0c",
@@ -264,13 +264,13 @@ TEST_CASE("what is not understood is swallowed whole") {
     }
 }
 
-TEST_CASE("a paste is no typing") {
+TEST_CASE("a paste is not typing") {
     const auto events = events_of("\033[200~quit everything\033[31m\r\033[201~x");
     REQUIRE(events.size() == 1);
     CHECK(events[0].key == U'x');
 }
 
-TEST_CASE("Ctrl-C cuts through whatever has begun") {
+TEST_CASE("Ctrl-C interrupts any unfinished sequence") {
     for (const std::string_view begun : {"", "\033[12;", "\033O", "\xe2\x96"}) {
         InputDecoder decoder;
         const auto events = decoder.feed(std::string(begun) + "\x03").events;
@@ -279,7 +279,7 @@ TEST_CASE("Ctrl-C cuts through whatever has begun") {
     }
 }
 
-TEST_CASE("answers are no keys, wherever they come and however they are cut") {
+TEST_CASE("answers are never keys, wherever they come and however they are split") {
     const std::string answers =
         "\033[?62;22c\033[0n\033[?2026;2$y\033[?1016;0$y\033[6;20;10t\033[?1u"
         "\033]11;rgb:ffff/8080/0000\033\\\033]11;rgb:1e/1e/1e\007";
@@ -304,7 +304,7 @@ TEST_CASE("answers are no keys, wherever they come and however they are cut") {
     }
 }
 
-TEST_CASE("keys of the terminal's own description come first") {
+TEST_CASE("keys of the terminal's own description take precedence") {
     KeyTable keys;
     keys.add("\033[[A", key::f1);
     keys.add("\033[7$", key::home, shift);
@@ -339,8 +339,8 @@ TEST_CASE("no sequence, whatever its bytes, becomes plain keys") {
             sequence += static_cast<char>(0x20 + random(0x20));
         }
         sequence += static_cast<char>(0x40 + random(0x3f));
-        if (sequence == "\033[M" || sequence == "\033[[") continue;  // more bytes belong to them
-        if (sequence.ends_with('u')) continue;                       // these may well be keys
+        if (sequence == "\033[M" || sequence == "\033[[") continue;  // incomplete
+        if (sequence.ends_with('u')) continue;                       // may be keys
         for (const InputEvent& event : decoder.feed(sequence).events) {
             const bool is_plain = event.kind == Kind::key && event.key < key::up;
             CHECK_FALSE(is_plain);

@@ -7,7 +7,7 @@
 
 using namespace carom;
 
-TEST_CASE("a history keeps all of the time in a bounded number of samples") {
+TEST_CASE("a history covers all of the time in a bounded number of samples") {
     EnergyHistory history;
     for (std::uint64_t tick = 0; tick < 100000; ++tick) {
         history.add({tick, static_cast<double>(tick), 0.0});
@@ -22,7 +22,7 @@ TEST_CASE("a history keeps all of the time in a bounded number of samples") {
     }
 }
 
-TEST_CASE("a rewind forgets what was later") {
+TEST_CASE("a rewind drops later samples") {
     EnergyHistory history;
     for (std::uint64_t tick = 0; tick <= 100; ++tick)
         history.add({tick, 1.0, 0.0});
@@ -34,7 +34,7 @@ TEST_CASE("a rewind forgets what was later") {
     CHECK(history.samples().size() == 1);
 }
 
-TEST_CASE("what falls turns potential into kinetic energy, in ASCII") {
+TEST_CASE("a falling ball turns potential into kinetic energy, in ASCII") {
     EnergyHistory history;
     for (std::uint64_t tick = 0; tick <= 100; ++tick) {
         const double share = static_cast<double>(tick) / 100.0;
@@ -56,7 +56,7 @@ energy  kinetic  potential  total
 )");
 }
 
-TEST_CASE("empty histories, small panels, numbers that are not finite") {
+TEST_CASE("empty histories, small panels and numbers that are not finite do no harm") {
     EnergyHistory history;
     Canvas canvas(40, 10);
     draw_energy(canvas, {0, 0, 40, 10}, history, 0.01, {});

@@ -29,7 +29,7 @@ std::string drawn(const Histogram& histogram, int columns, int rows, const Look&
 }  // namespace
 
 TEST_CASE("the tail of chi-square, against published values") {
-    // Abramowitz and Stegun, table 26.8: the points that 5 % and 1 % lie beyond.
+    // Abramowitz and Stegun, table 26.8: the quantiles for 5 % and 1 %.
     CHECK(chi_square_tail(3.841458821, 1) == doctest::Approx(0.05).epsilon(1e-7));
     CHECK(chi_square_tail(18.307038053, 10) == doctest::Approx(0.05).epsilon(1e-7));
     CHECK(chi_square_tail(23.209251159, 10) == doctest::Approx(0.01).epsilon(1e-7));
@@ -42,7 +42,7 @@ TEST_CASE("the tail of chi-square, against published values") {
     CHECK(chi_square_tail(1e6, 5) == doctest::Approx(0.0));
 }
 
-TEST_CASE("counts that are as expected fit") {
+TEST_CASE("counts that match their expectation fit") {
     const HistogramFit fit = fit_of(binomial(12, 4096.0));
     CHECK(fit.total == 4096);
     CHECK(fit.mean == doctest::Approx(6.0));
@@ -50,12 +50,12 @@ TEST_CASE("counts that are as expected fit") {
     CHECK(fit.mean_expected == doctest::Approx(6.0));
     CHECK(fit.variance_ratio == doctest::Approx(1.0));
     CHECK(fit.chi_square == doctest::Approx(0.0));
-    // The outermost bins expect one each: each is joined with its neighbour.
+    // The outermost bins expect one each, so each is joined with its neighbour.
     CHECK(fit.degrees_of_freedom == 10);
     CHECK(fit.p_value == doctest::Approx(1.0));
 }
 
-TEST_CASE("chi-square is Pearson's") {
+TEST_CASE("chi-square is Pearson's statistic") {
     // Mendel's peas: 315, 101, 108, 32 against 9:3:3:1 give 0.470.
     const Histogram peas{"peas", {315, 101, 108, 32}, {9, 3, 3, 1}, "Mendel"};
     const HistogramFit fit = fit_of(peas);
@@ -64,7 +64,7 @@ TEST_CASE("chi-square is Pearson's") {
     CHECK(fit.p_value == doctest::Approx(0.9254).epsilon(0.001));
 }
 
-TEST_CASE("nothing counted, nothing expected, hardly anything: no number is made up") {
+TEST_CASE("with too little data, statistics are absent") {
     const HistogramFit empty = fit_of(binomial(12, 0.0));
     CHECK(empty.total == 0);
     CHECK(empty.mean_expected == doctest::Approx(6.0));
@@ -122,7 +122,7 @@ chi2 25.1/6 p 0.000
 )");
 }
 
-TEST_CASE("more bins than columns are joined") {
+TEST_CASE("more bins than columns share bars") {
     Histogram histogram{"many", {}, {}, ""};
     histogram.counts.assign(50, 1);
     const std::string text = drawn(histogram, 20, 8, {0, false, false});
@@ -130,7 +130,7 @@ TEST_CASE("more bins than columns are joined") {
     CHECK(text.find(std::string(18, '#')) == std::string::npos);
 }
 
-TEST_CASE("a panel too small for a histogram stays as it is") {
+TEST_CASE("a panel too small for a histogram stays untouched") {
     for (const auto& [columns, rows] : {std::pair{11, 20}, {40, 3}, {0, 0}}) {
         Canvas canvas(columns, rows);
         canvas.fill({U'x'});

@@ -35,13 +35,13 @@ std::string drawn(const HudInfo& info, int columns, int rows, const Look& look =
     Canvas canvas(columns, rows);
     draw_hud(canvas, info, look);
     const std::string text = canvas.text();
-    // Without the rows of the world.
+    // The status lines alone.
     return "\n" + text.substr(static_cast<std::size_t>(world_area(columns, rows).rows));
 }
 
 }  // namespace
 
-TEST_CASE("the world has all but the status lines") {
+TEST_CASE("the world gets everything but the status lines") {
     for (const auto& [columns, rows] : {std::pair{20, 8}, {40, 12}, {80, 24}, {300, 100}, {1, 1}}) {
         const CellArea area = world_area(columns, rows);
         CHECK(area.rows + hud_rows(columns, rows) == rows);
@@ -52,7 +52,7 @@ TEST_CASE("the world has all but the status lines") {
     CHECK(hud_rows(80, 0) == 0);
 }
 
-TEST_CASE("the status line says how many balls are under contact") {
+TEST_CASE("the status line shows the number of balls under contact") {
     HudInfo info = galton();
     info.solver = "event";
     CHECK(drawn(info, 160, 24).find("under contact") == std::string::npos);
@@ -68,7 +68,7 @@ TEST_CASE("status lines in a usual window") {
 )");
 }
 
-TEST_CASE("status lines in a wide window say it all") {
+TEST_CASE("status lines in a wide window show everything") {
     const std::string text = drawn(galton(), 200, 24);
     for (const char* part :
          {"Galton board, 12 rows", "> x1", "12.345 s", "tick 1481", "swept (auto)",
@@ -81,7 +81,7 @@ TEST_CASE("status lines in a wide window say it all") {
     }
 }
 
-TEST_CASE("status lines in small windows keep what matters most") {
+TEST_CASE("status lines in small windows keep the most important fields") {
     CHECK(drawn(galton(), 40, 20) == R"(
  > x1         12.345 s  swept (auto)
  KE 123.46      drift +1.3e-13
@@ -96,12 +96,12 @@ TEST_CASE("status lines in small windows keep what matters most") {
 )");
 }
 
-TEST_CASE("what the level expects stands first, and is green once it holds") {
+TEST_CASE("expectations come first, and are green once they hold") {
     HudInfo info = galton();
     info.checks = {{"collisions", 2817, 3141, 0.0}, {"energy", 1.25, 1.0, 0.5}};
     const std::string text = drawn(info, 160, 24);
     CHECK(text.find(" collisions 2817 of 3141  energy    1.25 of 1  KE") != std::string::npos);
-    CHECK(text.find("4711") == std::string::npos);  // said once
+    CHECK(text.find("4711") == std::string::npos);  // not repeated
     CHECK(drawn(info, 80, 24).find(" collisions 2817 of 3141  KE") != std::string::npos);
 
     const Look look{256, true, false};
@@ -121,7 +121,7 @@ TEST_CASE("a long title gets half of the line before the least important numbers
     CHECK(drawn(info, 80, 24).find(" A title that is quite a bit long") != std::string::npos);
 }
 
-TEST_CASE("a title that says how a game stands comes before all but whether time runs") {
+TEST_CASE("a title with the state of a game precedes all but the state of play") {
     HudInfo info = galton();
     info.title = "0:0 to 3, player 2, stripes, 6 left: ball in hand behind the line, 37 s";
     const std::string half = "0:0 to 3, player 2, stripes, 6 ";
@@ -132,7 +132,7 @@ TEST_CASE("a title that says how a game stands comes before all but whether time
     CHECK(drawn(info, 120, 24).find("37 s  > x1         12.345 s  swept") != std::string::npos);
 }
 
-TEST_CASE("no line is ever longer than the window, whatever it has to say") {
+TEST_CASE("no line is ever longer than the window") {
     HudInfo info = galton();
     info.title = std::string(500, 'x');
     info.solver = std::string(90, 'y');
@@ -152,7 +152,7 @@ TEST_CASE("no line is ever longer than the window, whatever it has to say") {
     }
 }
 
-TEST_CASE("pausing, going back, and running late show") {
+TEST_CASE("pausing, going back and running late are shown") {
     HudInfo info = galton();
     info.is_paused = true;
     CHECK(drawn(info, 120, 24).find("|| paused") != std::string::npos);
@@ -173,7 +173,7 @@ TEST_CASE("pausing, going back, and running late show") {
     CHECK(is_warned);
 }
 
-TEST_CASE("a message takes the place of the hints") {
+TEST_CASE("a message replaces the hints") {
     HudInfo info = galton();
     info.message = "saved galton-2.level";
     const std::string text = drawn(info, 80, 24);
@@ -182,7 +182,7 @@ TEST_CASE("a message takes the place of the hints") {
     CHECK(drawn(info, 20, 8).find("saved galton-2.lev") != std::string::npos);
 }
 
-TEST_CASE("a level that uses nothing says so, and what is not kept is not shown") {
+TEST_CASE("a level without terms says so, and sums that are not conserved are not shown") {
     HudInfo info = galton();
     info.terms.clear();
     info.energy_drift.reset();
@@ -194,7 +194,7 @@ TEST_CASE("a level that uses nothing says so, and what is not kept is not shown"
     CHECK(text.find("PE") == std::string::npos);
 }
 
-TEST_CASE("numbers that change do not move what stands behind them") {
+TEST_CASE("changing numbers do not move the fields behind them") {
     HudInfo info = galton();
     const std::string before = drawn(info, 200, 24);
     info.time = 3.5;
@@ -208,7 +208,7 @@ TEST_CASE("numbers that change do not move what stands behind them") {
     }
 }
 
-TEST_CASE("without UTF-8 there is nothing but ASCII") {
+TEST_CASE("without UTF-8 only ASCII is drawn") {
     for (const int columns : {20, 80, 200}) {
         for (const char byte : drawn(galton(), columns, 24)) {
             REQUIRE(static_cast<unsigned char>(byte) < 0x80);
@@ -216,7 +216,7 @@ TEST_CASE("without UTF-8 there is nothing but ASCII") {
     }
 }
 
-TEST_CASE("the reason for the solver stands where there is room") {
+TEST_CASE("the reason for the solver is shown if there is room") {
     HudInfo info = galton();
     info.reason = "nothing passes through anything";
     CHECK(drawn(info, 140, 24).find("swept (auto)  nothing passes through anything") !=
@@ -226,7 +226,7 @@ TEST_CASE("the reason for the solver stands where there is room") {
     CHECK(drawn(info, 140, 24).find("nothing") == std::string::npos);
 }
 
-TEST_CASE("what runs beside the game stands first, in a window of any height") {
+TEST_CASE("the companion's text comes first, in a window of any height") {
     HudInfo info = galton();
     info.beside = "parted at t=1.250, ball 5";
     CHECK(drawn(info, 80, 24).find("\n parted at t=1.250, ball 5  KE 123.46") != std::string::npos);

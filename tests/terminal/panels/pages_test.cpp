@@ -60,7 +60,7 @@ TEST_CASE("a window below 20 x 8 is too small, and says so whatever its size") {
     }
 }
 
-TEST_CASE("help stands in two columns where there is room") {
+TEST_CASE("help has two columns if there is room") {
     CHECK(help(80, 10) == R"(
  Time                                    Play
  space         pause, go on              left button   drag a ball or the end
@@ -139,7 +139,7 @@ TEST_CASE("a page of text is wrapped at blanks") {
 )");
 }
 
-TEST_CASE("the menu lists levels by group, and says what the selected one is about") {
+TEST_CASE("the menu lists levels by group, and describes the selected one") {
     CHECK(menu(80, 12) == R"(
  carom  pick a level
 
@@ -178,7 +178,7 @@ TEST_CASE("the menu lists levels by group, and says what the selected one is abo
 )");
 }
 
-TEST_CASE("a preview's paragraphs are joined and broken anew, its lists are not") {
+TEST_CASE("a preview's paragraphs are rewrapped, its lists are not") {
     const std::vector<MenuEntry> entries = {
         {"a",
          "A",
@@ -205,7 +205,7 @@ TEST_CASE("a preview's paragraphs are joined and broken anew, its lists are not"
 )");
 }
 
-TEST_CASE("the selected entry is in sight in any window, and the mouse finds it") {
+TEST_CASE("the selected entry is visible in any window, and the mouse finds it") {
     std::vector<MenuEntry> many;
     for (int i = 0; i < 60; ++i)
         many.push_back({"level" + std::to_string(i), "title", "carom", {}, false});
@@ -238,7 +238,7 @@ TEST_CASE("outside its list the menu has no entries") {
     CHECK_FALSE(menu_entry_at(80, 12, {}, 0, 2, 3));
 }
 
-TEST_CASE("a picture of the level has room in a large window only") {
+TEST_CASE("only a large window has room for a picture of the level") {
     const CellArea area = menu_picture_area(120, 40, levels, 1);
     CHECK(area.rows > 20);
     CHECK(area.column + area.columns <= 120);
@@ -247,7 +247,7 @@ TEST_CASE("a picture of the level has room in a large window only") {
     CHECK(menu_picture_area(120, 40, levels, 99) == CellArea{});
 }
 
-TEST_CASE("an empty menu, and one in no window, draw") {
+TEST_CASE("an empty menu, and a window without cells, can be drawn") {
     Canvas canvas(40, 10);
     draw_menu(canvas, {}, 0, "q quit", {});
     for (const auto& [columns, rows] : {std::pair{0, 0}, {1, 1}, {3, 2}, {80, 3}}) {

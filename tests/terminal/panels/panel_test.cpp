@@ -27,7 +27,7 @@ TEST_CASE("text is cut by columns, not by bytes") {
     CHECK(cut_to("abc", -2).empty());
 }
 
-TEST_CASE("texts flow, and stay whole where they can") {
+TEST_CASE("texts flow, and are kept together where possible") {
     const std::vector<PanelText> texts = {{"one", {}}, {"two", {}}, {"three", {}}};
     CHECK(rows_for(texts, 20) == 1);
     CHECK(rows_for(texts, 8) == 2);

@@ -26,7 +26,7 @@ TEST_CASE("a score is written in large digits") {
     CHECK(drawn({.score = "7"}, 34, 8, Look{256, true, false}).starts_with(" ▀▀█\n  ▄▀\n  ▀\n"));
 }
 
-TEST_CASE("what does not fit is small or left out, and nothing leaves the area") {
+TEST_CASE("text that does not fit is small or left out, and nothing leaves the area") {
     const std::string text = drawn({.score = "123,456,789"}, 20, 6, ascii);
     CHECK(text.starts_with(" 123,456,789\n"));
     ScorePanel panel{
@@ -43,7 +43,7 @@ TEST_CASE("what does not fit is small or left out, and nothing leaves the area")
     }
 }
 
-TEST_CASE("the table of score stands below, with messages above it") {
+TEST_CASE("the table of scores comes last, with messages above it") {
     ScorePanel panel{
         .title = "Three Bumpers", .score = "5", .message = "JACKPOT", .lines = {"ball 1 of 3"}};
     panel.high_scores.push_back({"1", "ABC", "123,450", false});

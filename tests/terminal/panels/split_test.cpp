@@ -13,7 +13,7 @@ constexpr Look plain_look{0, false, false};
 
 }  // namespace
 
-TEST_CASE("halves are alike, within the area, and do not overlap") {
+TEST_CASE("halves are equal, within the area, and do not overlap") {
     const Box square{{0.0, 0.0}, {10.0, 10.0}};
     for (const auto& [columns, rows] : {std::pair{80, 21}, {81, 21}, {20, 7}, {300, 97}, {1, 1}}) {
         const CellArea area{0, 0, columns, rows};
@@ -27,13 +27,13 @@ TEST_CASE("halves are alike, within the area, and do not overlap") {
     }
 }
 
-TEST_CASE("halves stand side by side, unless the view is much larger one over the other") {
+TEST_CASE("halves are side by side, unless the view is much larger in stacked halves") {
     const CellArea area{0, 0, 80, 21};
     CHECK(split(area, {{0.0, 0.0}, {10.0, 10.0}}, 2.0).second.row == 1);
     CHECK(split(area, {{0.0, 0.0}, {100.0, 10.0}}, 2.0).second.row == 11);
 }
 
-TEST_CASE("a title says the solver, and what there is room for") {
+TEST_CASE("a title has the solver, and more if there is room") {
     const Box view{{0.0, 0.0}, {10.0, 10.0}};
     const auto drawn = [&](int columns) {
         Canvas canvas(columns, 4);

@@ -34,7 +34,7 @@ TEST_CASE("the shortest movement") {
     CHECK(way(std::nullopt, {3, 4}) == "\033[4;5H");
 }
 
-TEST_CASE("at the margin only what does not depend on the column counts") {
+TEST_CASE("at the margin only movements that do not depend on the column are used") {
     CHECK(way(CursorPlace{1, columns}, {1, 98}) == "\033[99G");
     CHECK(way(CursorPlace{1, columns}, {1, 1}) == "\r\033[C");
     CHECK(way(CursorPlace{1, columns}, {2, 0}) == "\r\n");
@@ -52,7 +52,7 @@ TEST_CASE("a terminal without CHA and VPA, and one without ECMA-48") {
     CHECK(way(CursorPlace{3, 2}, {3, 3}, dialect) == "3|3");
 }
 
-TEST_CASE("the size of a movement along a row is that of its bytes") {
+TEST_CASE("the computed size of a movement along a row is its number of bytes") {
     for (int from : {0, 1, 7, 42, 98, 99, columns}) {
         for (int to = 0; to < columns; ++to) {
             if (from == to) continue;

@@ -19,7 +19,7 @@ std::string described(const std::map<std::string, std::string>& variables) {
 
 }  // namespace
 
-TEST_CASE("a terminal that calls itself xterm and has 256 colours gets them") {
+TEST_CASE("a terminal that sets TERM to xterm and has 256 colours gets them") {
     CHECK(described({{"TERM", "xterm"}}) == "xterm");
     CHECK(described({{"TERM", "xterm"}, {"XTERM_VERSION", "XTerm(379)"}}) == "xterm-256color");
     CHECK(described({{"TERM", "xterm"}, {"VTE_VERSION", "7006"}}) == "xterm-256color");
@@ -39,7 +39,7 @@ TEST_CASE("COLORTERM promises 24-bit colours, but not for GNU screen") {
     CHECK_FALSE(promises("screen-256color", "truecolor"));
 }
 
-TEST_CASE("all other terminals are what they say") {
+TEST_CASE("all other terminals keep their description") {
     CHECK(described({}) == "");
     CHECK(described({{"TERM", "vt100"}, {"COLORTERM", "truecolor"}}) == "vt100");
     CHECK(described({{"TERM", "screen"}, {"XTERM_VERSION", "XTerm(379)"}}) == "screen");

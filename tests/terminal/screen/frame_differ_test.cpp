@@ -15,7 +15,7 @@ using carom::test::Emulator;
 
 namespace {
 
-/// A small window that has been shown once and is blank.
+/// A small window that has been drawn once and is blank.
 struct Window {
     FrameDiffer differ;
     Canvas canvas;
@@ -33,7 +33,7 @@ void fill_row(Canvas& canvas, int row, const Cell& cell) {
         canvas.put(column, row, cell);
 }
 
-// The same numbers on every run.
+// A fixed sequence of numbers.
 class Dice {
   public:
     int below(int limit) {
@@ -119,7 +119,7 @@ void check_random_pictures(const TerminalDialect& dialect) {
 
 }  // namespace
 
-TEST_CASE("the first frame starts from nothing, and a frame without changes is empty") {
+TEST_CASE("the first frame assumes nothing, and a frame without changes is empty") {
     FrameDiffer differ;
     differ.set_size(10, 3);
     Canvas canvas(10, 3);
@@ -138,28 +138,29 @@ TEST_CASE("the style of a frame lasts into the next") {
     CHECK(window.frame() == "y");
 }
 
-TEST_CASE("colours are said where they show") {
+TEST_CASE("only visible colours are sent") {
     Window window(20, 3);
     window.canvas.write(0, 0, "x   y", 1);
-    CHECK(window.frame() == "\033[31mx   y");  // blanks show no ink, so they are as good as a jump
+    // Blanks show no ink, so writing them is as good as a jump.
+    CHECK(window.frame() == "\033[31mx   y");
     window.canvas.write(0, 0, "z ", 1);
     CHECK(window.frame() == "\rz");
 }
 
-TEST_CASE("twins: the one that suits the colours in force") {
+TEST_CASE("of two equivalent looks, the one that suits the colours in force is sent") {
     Window window(20, 3);
     window.canvas.put(0, 0, {U'\u2580', 1, 2});
     window.canvas.put(1, 0, {U'\u2584', 2, 1});
     CHECK(window.frame() == "\033[31;42m\u2580\u2580");
-    window.canvas.put(2, 0, {U'\u2588', 2});  // a ground of that colour is in force
+    window.canvas.put(2, 0, {U'\u2588', 2});  // the background has that colour
     CHECK(window.frame() == " ");
-    window.canvas.put(3, 0, {U'\u2588', 1});  // and so is that ink
+    window.canvas.put(3, 0, {U'\u2588', 1});  // and the foreground has this one
     CHECK(window.frame() == "\u2588");
-    window.canvas.put(4, 0, {U'\u2588', 3, 3});  // of one colour all over: no ink at the border
+    window.canvas.put(4, 0, {U'\u2588', 3, 3});  // one colour all over: no seam at the border
     CHECK(window.frame() == "\033[43m ");
 }
 
-TEST_CASE("a short gap is written again, a long one is jumped over") {
+TEST_CASE("a short gap is rewritten, a long one is jumped over") {
     Window window(40, 2);
     window.canvas.write(0, 0, "abcdefghijkl");
     window.frame();
@@ -178,7 +179,7 @@ TEST_CASE("runs of blanks are erased, in the colour in force") {
     for (int column = 5; column < 25; ++column)
         window.canvas.put(column, 1, {});
     CHECK(window.frame() == "\033[6G\n\033[m\033[20X");
-    SUBCASE("where the terminal erases in its own colour alone, colours are written") {
+    SUBCASE("on a terminal that erases only in its own colour, colours are written") {
         TerminalDialect dialect;
         dialect.erases_in_color = false;
         Window other(10, 1, dialect);
@@ -199,7 +200,7 @@ TEST_CASE("runs of one ASCII character are repeated") {
     CHECK(frame.starts_with("-\033[29b\r\n\u2500\u2500"));
 }
 
-TEST_CASE("marks show on blanks") {
+TEST_CASE("underline and reverse show on blanks") {
     Window window(10, 1);
     window.canvas.put(0, 0, {U' ', default_color, default_color, underline});
     window.canvas.put(1, 0, {U' ', default_color, default_color, reverse});
@@ -207,7 +208,7 @@ TEST_CASE("marks show on blanks") {
     CHECK(window.frame() == "\033[4m \033[0;7m \033[mx");
 }
 
-TEST_CASE("without colours, a bright ground is told by reversing the cell") {
+TEST_CASE("without colours, a bright background is shown by reversing the cell") {
     TerminalDialect dialect;
     dialect.colors = 0;
     Window window(10, 1, dialect);
@@ -216,7 +217,7 @@ TEST_CASE("without colours, a bright ground is told by reversing the cell") {
     CHECK(window.frame() == "\033[7mx\033[mx");
 }
 
-TEST_CASE("attributes that the terminal has not, or not beside colours, are left out") {
+TEST_CASE("attributes that the terminal lacks, or cannot combine with colours, are left out") {
     TerminalDialect dialect;
     dialect.attributes = bold | underline;
     dialect.attributes_in_color = bold | dim | reverse;

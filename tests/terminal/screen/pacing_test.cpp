@@ -10,14 +10,14 @@ using namespace carom;
 
 namespace {
 
-/// A terminal at the end of a line: frames queue up, take their time on the line, and are answered
+/// A terminal at the end of a link: frames queue up, take their time on the link, and are answered
 /// when they have arrived.
 struct Link {
     double delay = 0.0;  // s, one way
     double bytes_per_second = 1e9;
     bool answers = true;
 
-    double free_at = 0.0;            // when the line is through with what it has
+    double free_at = 0.0;            // when the link has sent everything queued
     std::deque<double> answers_due;  // when answers reach the game
     std::vector<double> ages;        // of each frame when it is shown, s
     std::size_t answered = 0;
@@ -43,7 +43,7 @@ struct Link {
     }
 };
 
-// Plays for so long and returns the frames drawn; time goes on in steps of a millisecond.
+// Simulates for so long and returns the number of frames; time advances in steps of a millisecond.
 int play(Pacing& pacing, Link& link, double& now, double seconds, double bytes,
          bool is_urgent = false) {
     int frames = 0;
@@ -69,7 +69,7 @@ TEST_CASE("a terminal nearby gets every frame, in time") {
     CHECK_FALSE(pacing.is_blind(now));
 }
 
-TEST_CASE("frames a second are as wanted") {
+TEST_CASE("the frame rate is the requested one") {
     for (const double wanted : {1.0, 10.0, 30.0, 60.0, 120.0}) {
         Pacing pacing({.frames_per_second = wanted});
         Link link{.delay = 0.001};
@@ -78,7 +78,7 @@ TEST_CASE("frames a second are as wanted") {
     }
 }
 
-TEST_CASE("a far terminal with room on the line gets nearly every frame too") {
+TEST_CASE("a distant terminal on a fast link gets nearly every frame too") {
     for (const double delay : {0.05, 0.1, 0.2}) {
         CAPTURE(delay);
         Pacing pacing;
@@ -90,7 +90,7 @@ TEST_CASE("a far terminal with room on the line gets nearly every frame too") {
     }
 }
 
-TEST_CASE("on a crowded line no frame is old") {
+TEST_CASE("on a congested link no frame is old") {
     for (const double delay : {0.001, 0.02, 0.1}) {
         for (const double rate : {10e3, 30e3, 55e3}) {
             CAPTURE(delay);
@@ -101,9 +101,9 @@ TEST_CASE("on a crowded line no frame is old") {
             const double bytes = 1000;
             const int frames = play(pacing, link, now, 20.0, bytes);
             const double on_the_line = bytes / rate;
-            // Its own time on the line, that of one before it, and a little.
+            // Its own time on the link, that of the frame before it, and a little.
             CHECK(link.worst_age_after(0) < delay + 2.0 * on_the_line + 0.05);
-            // The line is in use.
+            // The link is used well.
             const double trip = 2.0 * delay + on_the_line;
             const double possible = std::min({rate / bytes, 2.0 / trip, 60.0});
             CHECK(frames > 0.8 * 20.0 * possible);
@@ -111,7 +111,7 @@ TEST_CASE("on a crowded line no frame is old") {
     }
 }
 
-TEST_CASE("a line that becomes slow, and fast again, is noticed") {
+TEST_CASE("a link that becomes slow, and fast again, is noticed") {
     Pacing pacing;
     Link link{.delay = 0.1, .bytes_per_second = 1e6};
     double now = 0.0;
@@ -127,7 +127,7 @@ TEST_CASE("a line that becomes slow, and fast again, is noticed") {
     CHECK(play(pacing, link, now, 10.0, 1000) > 590);
 }
 
-TEST_CASE("what a person does is shown at once") {
+TEST_CASE("the response to input is shown at once") {
     Pacing pacing;
     pacing.drawn(10.0, 100);
     pacing.answered(1, 10.001);
@@ -136,7 +136,7 @@ TEST_CASE("what a person does is shown at once") {
     CHECK_FALSE(pacing.may_draw(10.002, true));  // but not a thousand times a second
 }
 
-TEST_CASE("urgent frames respect the line") {
+TEST_CASE("urgent frames respect the link") {
     Pacing pacing;
     Link link{.delay = 0.05, .bytes_per_second = 20e3};
     double now = 0.0;
@@ -156,7 +156,7 @@ TEST_CASE("a terminal that never answers gets frames at a modest rate") {
     CHECK(pacing.unanswered() <= 256);
 }
 
-TEST_CASE("a first answer that comes late ends the modesty") {
+TEST_CASE("a late first answer ends the modest rate") {
     Pacing pacing;
     Link link{.delay = 0.4};
     double now = 0.0;
@@ -165,7 +165,7 @@ TEST_CASE("a first answer that comes late ends the modesty") {
     CHECK(play(pacing, link, now, 10.0, 100) > 590);
 }
 
-TEST_CASE("no answer for two seconds: everything stands still, and goes on with the answers") {
+TEST_CASE("after two seconds without an answer everything stops, and continues with the answers") {
     Pacing pacing;
     Link link{.delay = 0.01};
     double now = 0.0;
@@ -175,7 +175,7 @@ TEST_CASE("no answer for two seconds: everything stands still, and goes on with 
     CHECK_FALSE(pacing.is_stalled(now));
     play(pacing, link, now, 0.3, 100);
     CHECK(pacing.is_stalled(now));
-    CHECK(play(pacing, link, now, 20.0, 100) <= 11);  // it asks now and then
+    CHECK(play(pacing, link, now, 20.0, 100) <= 11);  // it queries now and then
     CHECK(pacing.is_stalled(now) == (pacing.unanswered() > 0 && pacing.seconds_to_frame(now) < 2));
     link.answers = true;
     play(pacing, link, now, 3.0, 100);
@@ -183,7 +183,7 @@ TEST_CASE("no answer for two seconds: everything stands still, and goes on with 
     CHECK(play(pacing, link, now, 10.0, 100) > 580);
 }
 
-TEST_CASE("answers that got lost do not slow it down for ever") {
+TEST_CASE("lost answers do not slow it down for ever") {
     Pacing pacing;
     Link link{.delay = 0.01};
     double now = 0.0;
@@ -195,7 +195,7 @@ TEST_CASE("answers that got lost do not slow it down for ever") {
     CHECK(play(pacing, link, now, 10.0, 100) > 580);
 }
 
-TEST_CASE("a limit of bytes a second holds") {
+TEST_CASE("a limit of bytes a second is kept") {
     Pacing pacing(low_bandwidth_pacing);
     Link link{.delay = 0.001};
     double now = 0.0;
@@ -215,7 +215,7 @@ TEST_CASE("the wait for a frame ends when it is due") {
     CHECK(pacing.seconds_to_frame(1.2) > 0.5);
 }
 
-TEST_CASE("what answers a key waits for the last frame alone, not for the next instant") {
+TEST_CASE("the response to a key waits for the last frame only, not for the regular time") {
     Pacing pacing;
     pacing.answered(0, 1.0);
     pacing.drawn(1.0, 100);

@@ -27,7 +27,7 @@ ProgramOptions modern() {
     return options;
 }
 
-// Of the process that has the screen open.
+// The process that has the screen open.
 pid_t player_of(const TerminalProgram& program) {
     const std::size_t at = program.log().find("ready ");
     return at == std::string::npos ? -1 : std::atoi(program.log().c_str() + at + 6);
@@ -35,7 +35,7 @@ pid_t player_of(const TerminalProgram& program) {
 
 }  // namespace
 
-TEST_CASE("signals that ask for an end are events, and the terminal is left clean") {
+TEST_CASE("signals that request an exit are events, and the terminal is left clean") {
     struct Row {
         int signal;
         std::string_view event;
@@ -64,7 +64,7 @@ TEST_CASE("Ctrl-C is an event too") {
     CHECK(program.what_is_left_dirty() == "");
 }
 
-TEST_CASE("a crash leaves the terminal clean, supervised or not, and is told") {
+TEST_CASE("a crash leaves the terminal clean, supervised or not, and is reported") {
     for (const bool is_supervised : {false, true}) {
         for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL}) {
             CAPTURE(signal);
@@ -88,7 +88,7 @@ TEST_CASE("a crash leaves the terminal clean, supervised or not, and is told") {
     }
 }
 
-TEST_CASE("even after KILL the terminal is clean, and the player hears how to go on") {
+TEST_CASE("even after KILL the terminal is clean, and the player is told how to resume") {
     for (const bool has_answers : {true, false}) {
         ProgramOptions options = modern();
         options.emulator.answers = has_answers;
@@ -106,7 +106,7 @@ TEST_CASE("even after KILL the terminal is clean, and the player hears how to go
     }
 }
 
-TEST_CASE("a KILL of the supervisor ends the game in good order") {
+TEST_CASE("a KILL of the supervisor makes the game exit cleanly") {
     TerminalProgram program({probe, "supervised", "events"}, modern());
     REQUIRE(program.wait_for_log("ready"));
     program.signal(SIGKILL);
@@ -115,13 +115,13 @@ TEST_CASE("a KILL of the supervisor ends the game in good order") {
     CHECK(program.what_is_left_dirty() == "");
 }
 
-TEST_CASE("a supervised program returns what it returns") {
+TEST_CASE("a supervised program's exit status is returned") {
     TerminalProgram program({probe, "supervised", "capabilities"});
     CHECK(program.exit_status() == 0);
     CHECK(program.what_is_left_dirty() == "");
 }
 
-TEST_CASE("a terminal that goes away is a hangup, and the program ends") {
+TEST_CASE("a terminal that vanishes is a hangup, and the program ends") {
     for (const bool is_supervised : {false, true}) {
         TerminalProgram program({probe, is_supervised ? "supervised" : "ascii", "events"});
         REQUIRE(program.wait_for_log("ready"));
@@ -131,7 +131,7 @@ TEST_CASE("a terminal that goes away is a hangup, and the program ends") {
     }
 }
 
-TEST_CASE("a terminal that is stuck does not keep the program") {
+TEST_CASE("a stuck terminal does not block the exit") {
     TerminalProgram program({probe, "supervised", "random", "100000000"});
     REQUIRE(program.wait_until([&] { return program.output().size() > 10'000; }));
     CHECK_FALSE(program.wait_for_end_unread(0.5));
@@ -169,7 +169,7 @@ TEST_CASE("Ctrl-Z gives the terminal to the shell, and fg takes it back") {
     }
 }
 
-TEST_CASE("where nobody could take it up again, Ctrl-Z changes nothing") {
+TEST_CASE("without a shell to continue it, Ctrl-Z changes nothing") {
     TerminalProgram program({probe, "supervised", "events"});
     REQUIRE(program.wait_for_log("ready"));
     program.send("\x1a");
@@ -178,7 +178,7 @@ TEST_CASE("where nobody could take it up again, Ctrl-Z changes nothing") {
     CHECK(program.exit_status() == 7);
 }
 
-TEST_CASE("stopped by STOP, and gone on: everything is drawn again") {
+TEST_CASE("after STOP and CONT everything is drawn again") {
     TerminalProgram program({probe, "events"}, modern());
     REQUIRE(program.wait_for_log("ready"));
     program.signal(SIGSTOP);

@@ -43,7 +43,7 @@ std::size_t count_of(const std::string& text, std::string_view part) {
     return count;
 }
 
-// An emulator of today, which has everything.
+// A modern emulator with every feature.
 ProgramOptions modern() {
     ProgramOptions options;
     options.emulator = {.has_key_protocol = true,
@@ -57,10 +57,10 @@ ProgramOptions modern() {
 
 }  // namespace
 
-TEST_CASE("a frame is one write, and 200 discs cost no more than they may") {
+TEST_CASE("a frame is one write, and 200 discs stay within the budget of bytes") {
     struct Row {
         std::string_view renderer;
-        int most_bytes;  // a frame, 80x24
+        int most_bytes;  // per frame, 80x24
     };
     for (const Row& row : {Row{"ascii", 1250}, Row{"half", 1250}, Row{"braille", 2500}}) {
         TerminalProgram program(probe(fmt::format("{} frames 300", row.renderer)));
@@ -74,7 +74,7 @@ TEST_CASE("a frame is one write, and 200 discs cost no more than they may") {
         MESSAGE("200 discs, 80x24, " << row.renderer << ": " << bytes << " bytes a frame");
         CHECK(writes == frames);
         CHECK(most == 1);
-        CHECK(bytes > 100);  // or the discs do not move
+        CHECK(bytes > 100);  // else the discs do not move
         CHECK(bytes <= row.most_bytes);
         CHECK(program.exit_status() == 0);
         CHECK(program.what_is_left_dirty() == "");
@@ -115,7 +115,7 @@ TEST_CASE("the terminal shows the canvas, cell by cell, after any changes") {
     CHECK(wrong == 0);
 }
 
-TEST_CASE("colours, as many as the terminal has") {
+TEST_CASE("as many colours as the terminal has") {
     ProgramOptions options;
     SUBCASE("256") {
         TerminalProgram program(probe("cells"), options);
@@ -204,7 +204,7 @@ TEST_CASE("24-bit colours and octants, whatever TERM says") {
     CHECK(program.what_is_left_dirty() == "");
 }
 
-TEST_CASE("24-bit colours become the nearest that there is") {
+TEST_CASE("24-bit colours become the nearest available ones") {
     ProgramOptions options;
     SUBCASE("256") {
         TerminalProgram program(probe("cells"), options);
@@ -222,7 +222,7 @@ TEST_CASE("24-bit colours become the nearest that there is") {
     }
 }
 
-TEST_CASE("a terminal without ECMA-48 gets what its description says") {
+TEST_CASE("a terminal without ECMA-48 gets the strings of its description") {
     ProgramOptions options;
     options.environment["TERM"] = "vt52";
     TerminalProgram program(probe("cells"), options);
@@ -248,7 +248,7 @@ TEST_CASE("an old terminal without colour, in the C locale") {
     CHECK(program.what_is_left_dirty() == "");
 }
 
-TEST_CASE("what the terminal can do") {
+TEST_CASE("the terminal's capabilities") {
     ProgramOptions options = modern();
     std::string wanted;
     SUBCASE("everything") {
@@ -313,7 +313,7 @@ TEST_CASE("what the terminal can do") {
     CHECK(program.what_is_left_dirty() == "");
 }
 
-TEST_CASE("no terminal, or one that cannot place characters: a sentence that says what to do") {
+TEST_CASE("no terminal, or one that cannot position characters: the error has a remedy") {
     const std::string program = CAROM_TERMINAL_PROBE;
     SUBCASE("no input") {
         TerminalProgram run({"sh", "-c", program + " events </dev/null"});
@@ -336,13 +336,13 @@ TEST_CASE("no terminal, or one that cannot place characters: a sentence that say
     }
 }
 
-TEST_CASE("keys and the mouse, as they were sent") {
+TEST_CASE("keys and the mouse arrive as sent") {
     TerminalProgram program(probe("events"));
     REQUIRE(program.wait_for_log("ready"));
     CHECK(program.screen().mode(1002));
     CHECK_FALSE(program.screen().mode(1003));
     CHECK(program.screen().mode(1006));
-    // A press and its release in one read, at the far side of column 223.
+    // A press and its release in one read, beyond column 223.
     program.send(mouse_press(0, 300, 10) + mouse_release(0, 300, 10) + "x\033[1;2C\033OA\r");
     REQUIRE(program.wait_for_log("key d press"));
     CHECK(has_line(program.log(), "mouse press 1 300.50 10.50 0"));
@@ -359,7 +359,7 @@ TEST_CASE("keys and the mouse, as they were sent") {
     CHECK(program.what_is_left_dirty() == "");
 }
 
-TEST_CASE("a thousand mouse reports in a burst, and none is lost") {
+TEST_CASE("no report is lost in a burst of a thousand") {
     TerminalProgram program(probe("events"));
     REQUIRE(program.wait_for_log("ready"));
     std::string burst;
@@ -389,7 +389,7 @@ TEST_CASE("the mouse can be left to the terminal, and followed without a button"
     CHECK(program.what_is_left_dirty() == "");
 }
 
-TEST_CASE("the release of a key, where the terminal tells it") {
+TEST_CASE("the release of a key, if the terminal reports it") {
     TerminalProgram program(probe("events"), modern());
     REQUIRE(program.wait_for_log("ready"));
     CHECK(program.screen().key_stack() == 1);
@@ -404,7 +404,7 @@ TEST_CASE("the release of a key, where the terminal tells it") {
     CHECK(program.what_is_left_dirty() == "");
 }
 
-TEST_CASE("answers that come late are no keys") {
+TEST_CASE("late answers are not keys") {
     ProgramOptions options;
     options.emulator.answers = false;
     TerminalProgram program(probe("events"), options);
@@ -413,13 +413,13 @@ TEST_CASE("answers that come late are no keys") {
     program.send("x");
     REQUIRE(program.wait_for_log("key x"));
     CHECK(count_of(program.log(), "key") == 1);
-    CHECK(has_line(program.log(), "resize"));  // the background is light after all
+    CHECK(has_line(program.log(), "resize"));  // the background is light, as the late answer says
     program.send("q");
     CHECK(program.exit_status() == 7);
     CHECK(program.what_is_left_dirty() == "");  // 2026 too
 }
 
-TEST_CASE("no answer is left for the shell") {
+TEST_CASE("no answer reaches the shell") {
     TerminalProgram program({"bash", "-c", std::string(CAROM_TERMINAL_PROBE) + " events; cat"},
                             modern());
     REQUIRE(program.wait_for_log("ready"));
@@ -430,7 +430,7 @@ TEST_CASE("no answer is left for the shell") {
     CHECK(program.what_is_left_dirty() == "");
 }
 
-TEST_CASE("resize at any moment, far too small and back") {
+TEST_CASE("the window can be resized at any moment, to far too small and back") {
     TerminalProgram program(probe("events"));
     REQUIRE(program.wait_for_text("probe 80x24"));
     for (const auto& [columns, rows] :

@@ -23,10 +23,11 @@ World row(double gap) {
 
 }  // namespace
 
-TEST_CASE("impact cluster: it holds what touches the balls of the event, and grows on demand") {
+TEST_CASE(
+    "impact cluster: it holds the bodies that touch the balls of the event, and grows on demand") {
     EventParts parts(row(0.0));
     parts.cluster.begin(1, impact_with(0));
-    // Ball 0 first, though the event is that of ball 1; then what touches either: ball 2.
+    // Ball 0 first, though the event is ball 1's; then ball 2, which touches one of them.
     REQUIRE(parts.cluster.bodies().size() == 3);
     CHECK(parts.cluster.bodies()[0].ball == 0);
     CHECK(parts.cluster.bodies()[1].ball == 1);
@@ -41,7 +42,7 @@ TEST_CASE("impact cluster: it holds what touches the balls of the event, and gro
     CHECK(parts.cluster.body_of(3) == BallRecord<double>::none);
 }
 
-TEST_CASE("impact cluster: bodies touch within the slop, and no further") {
+TEST_CASE("impact cluster: bodies touch within the slop, and not beyond") {
     EventParts near(row(0.25 * contact_slop));
     near.cluster.begin(0, impact_with(1));
     CHECK(near.cluster.contacts().size() == 2);
@@ -50,7 +51,7 @@ TEST_CASE("impact cluster: bodies touch within the slop, and no further") {
     CHECK(far.cluster.contacts().size() == 1);
 }
 
-TEST_CASE("impact cluster: its neighbours hold until something is moved") {
+TEST_CASE("impact cluster: its neighbours are valid until a body is moved") {
     EventParts parts(row(0.0));
     parts.cluster.begin(0, impact_with(1));
     const ClusterBody<double>& body = parts.cluster.bodies()[0];

@@ -10,7 +10,7 @@
 
 using namespace carom;
 
-TEST_CASE("response: in a row of touching balls the last one leaves with all of the momentum") {
+TEST_CASE("response: in a row of touching balls the last one leaves with the whole momentum") {
     World world = scenes::empty();
     add_ball(world, {.position = {-1.0, 0.0}, .velocity = {2.0, 0.0}, .radius = 0.5});
     for (int i = 0; i < 3; ++i)

@@ -25,7 +25,7 @@ World lossy() {
     return world;
 }
 
-// The approach after which the rebound rises so many radii.
+// The approach speed after which the rebound rises so many radii.
 double approach_for(double height) {
     return std::sqrt(2.0 * gravity * height * radius) / usual;
 }
@@ -44,13 +44,16 @@ double on_floor(double height, bool is_alone) {
 
 }  // namespace
 
-TEST_CASE("restitution: a rebound below the rest height is none, but for simultaneous impacts") {
+TEST_CASE(
+    "restitution: a rebound below the rest height is suppressed, except in simultaneous impacts") {
     CHECK(on_floor(1.01 * rest_height, true) == usual);
     CHECK(on_floor(0.99 * rest_height, true) == 0.0);
     CHECK(on_floor(0.99 * rest_height, false) == usual);
 }
 
-TEST_CASE("restitution: of two moving balls, low rebounds lose nothing only if pressed together") {
+TEST_CASE(
+    "restitution: low rebounds of two moving balls are suppressed only if they are pressed "
+    "together") {
     // Both fall freely, so nothing presses them together; then the lower one slides on a floor.
     for (const bool is_carried : {false, true})
         for (const double factor : {0.99, 1.01}) {

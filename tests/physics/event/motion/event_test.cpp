@@ -18,7 +18,7 @@ struct Owned {
 const std::vector<Owned> ascending{
     {5, {1.0, EventKind::cell_transfer, 0, 0, 0, 0}},
     {2, {2.0, EventKind::ball_ball, 0, 0, 7, 0}},
-    {7, {2.0, EventKind::ball_ball, 0, 0, 2, 0}},  // the same pair, as the other ball has it
+    {7, {2.0, EventKind::ball_ball, 0, 0, 2, 0}},  // the same pair, seen from the other ball
     {3, {2.0, EventKind::ball_ball, 0, 0, 4, 0}},
     {0, {2.0, EventKind::ball_edge, 0, 0, 0, 0}},
     {0, {2.0, EventKind::kinematic_edge, 0, 0, 0, 0}},

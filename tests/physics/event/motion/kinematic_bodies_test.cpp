@@ -7,7 +7,7 @@
 
 using namespace carom;
 
-TEST_CASE("kinematic bodies: they go to their targets in a tick, or stop for the rest of it") {
+TEST_CASE("kinematic bodies: they reach their targets in a tick, or stop for the rest of it") {
     World world = scenes::empty();
     world.edit_definition().rate = 2.0;
     const BallId ball = add_ball(world, {.position = {0.0, 0.0}, .radius = 0.5});
@@ -33,7 +33,7 @@ TEST_CASE("kinematic bodies: they go to their targets in a tick, or stop for the
     CHECK(Vec2(parts.balls[0].line.position) == Vec2{0.5, 0.0});
     CHECK(Vec2(parts.balls[0].line.velocity) == Vec2{});
     CHECK(Vec2(parts.balls[1].line.velocity) == Vec2{1.0, 0.0});
-    // All of them stand already.
+    // All of them are already at rest.
     parts.kinematic.stop();
     CHECK(!parts.kinematic.take_stopped());
 }

@@ -4,7 +4,7 @@
 
 using namespace carom;
 
-TEST_CASE("stored trajectory: a line comes back whole") {
+TEST_CASE("stored trajectory: a linear trajectory is restored completely") {
     LinearPart<double> line;
     line.recent_collisions = 65'535;
     line.motion = Motion::sliding;

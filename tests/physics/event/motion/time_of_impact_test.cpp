@@ -10,15 +10,15 @@
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 
-// Times of impact that no closed form gives, and how many iterations they take.
+// Times of impact without a closed form, and the number of iterations they take.
 
 using namespace carom;
 
 namespace {
 
-// A kinematic edge sweeps by 180 degrees in one tick, with one end as a pivot, and a ball stands
-// 1e-11 from the pivot. For half of the tick the two stay that near, and the acceleration bound
-// forces tiny steps.
+// A kinematic edge sweeps by 180 degrees in one tick, with one end as a pivot, and a ball is 1e-11
+// from the pivot. For half of the tick the two stay that close, and the acceleration bound forces
+// tiny steps.
 World sweeping() {
     World world = scenes::empty();
     world.edit_definition().rate = 1.0;
@@ -28,7 +28,7 @@ World sweeping() {
     return world;
 }
 
-// Of the searches in the next tick of the world.
+// The number of iterations in the next tick of the world.
 std::uint64_t iterations_of_tick(World world) {
     EventEngine<double> engine;
     std::vector<Contact> contacts;
@@ -40,7 +40,7 @@ std::uint64_t iterations_of_tick(World world) {
 
 }  // namespace
 
-// Such a search once gave up after a million iterations, and the edge went through the ball.
+// Regression: such a search gave up after a million iterations, and the edge went through the ball.
 TEST_CASE("time of impact: a suspended search finds its impact") {
     World world = sweeping();
     Solver solver({.kind = SolverKind::event});
@@ -50,7 +50,7 @@ TEST_CASE("time of impact: a suspended search finds its impact") {
     CHECK(world.balls().velocity[0].y < -1.0);
 }
 
-// The token was once not asked before the search had ended.
+// Regression: the token was asked only after the search had ended.
 TEST_CASE("time of impact: a tick with a long search can be cancelled") {
     World world = sweeping();
     Solver solver({.kind = SolverKind::event});
@@ -65,9 +65,9 @@ TEST_CASE("time of impact: a tick with a long search can be cancelled") {
     CHECK(world.balls().position == straight.balls().position);
 }
 
-// Drag acts alike on two balls at the same speed, so nothing presses them together. Bounded one by
-// one, each step was as short as the gap is small.
-TEST_CASE("time of impact: balls that drag carries side by side take few iterations") {
+// Drag acts equally on two balls of equal speed, so nothing presses them together. With one bound
+// for each, each step was as short as the gap is small.
+TEST_CASE("time of impact: balls slowed by drag side by side take few iterations") {
     for (const double gap : {1e-3, 1e-6, 1e-9})
         for (const double faster : {0.0, 1e-6}) {
             CAPTURE(gap);
@@ -83,8 +83,7 @@ TEST_CASE("time of impact: balls that drag carries side by side take few iterati
         }
 }
 
-TEST_CASE(
-    "time of impact: a held edge that stands still takes no more iterations than a fixed one") {
+TEST_CASE("time of impact: a held edge at rest takes no more iterations than a fixed one") {
     for (const bool falls : {false, true})
         for (const double gap : {1e-3, 1e-6, 1e-9}) {
             CAPTURE(falls);
@@ -92,7 +91,7 @@ TEST_CASE(
             World world = scenes::empty();
             world.edit_definition().rate = 10.0;
             if (falls) world.edit_definition().model.gravity = Vec2{0.0, -10.0};
-            // Beside the end of the edge, and not towards it.
+            // Beside the end of the edge, and moving past it.
             add_ball(world, {.position = {-0.5 - gap, 0.0}, .velocity = {0.0, 5.0}, .radius = 0.5});
             const Capsule shape{{0.0, 0.0}, {10.0, 0.0}, 0.0};
             const CapsuleId edge = add_capsule(world, shape, 0);
@@ -104,7 +103,7 @@ TEST_CASE(
 }
 
 // A kinematic edge that would squeeze a ball stops for the rest of the tick.
-TEST_CASE("time of impact: a stopped kinematic edge takes no more iterations than one that stood") {
+TEST_CASE("time of impact: a stopped kinematic edge takes no more iterations than one at rest") {
     Field<double> field;
     field.gravity = {0.0, -10.0};
     Trajectory<double> path;

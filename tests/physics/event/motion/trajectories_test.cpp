@@ -39,7 +39,7 @@ TEST_CASE("trajectories: on a torus they start in the frame, and images change")
     CHECK(Vec2(parts.balls[0].line.position) == Vec2{2.0, 5.0});
 }
 
-TEST_CASE("trajectories: a start keeps the spin as it is then") {
+TEST_CASE("trajectories: a start keeps the present spin") {
     World world = scenes::empty();
     world.edit_definition().model.spin = 0.5;
     add_ball(world, {.radius = 0.5, .spin = 4.0});

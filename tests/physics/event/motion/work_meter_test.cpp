@@ -7,7 +7,8 @@
 
 using namespace carom;
 
-TEST_CASE("work meter: it asks after so many events, rounds or iterations, and stays cancelled") {
+TEST_CASE(
+    "work meter: it asks after a number of events, rounds or iterations, and stays cancelled") {
     int asked = 0;
     const std::function<bool()> keep_going = [&] { return ++asked < 3; };
     WorkMeter<double> work;

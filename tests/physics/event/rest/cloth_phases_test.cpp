@@ -7,7 +7,7 @@
 
 using namespace carom;
 
-TEST_CASE("cloth phases: a struck ball slips, rolls, then lies still") {
+TEST_CASE("cloth phases: a struck ball slips, rolls, then rests") {
     World world = scenes::empty();
     world.edit_definition().model.spin = 0.4;
     world.edit_definition().model.cloth = Cloth{};
@@ -30,7 +30,7 @@ TEST_CASE("cloth phases: a struck ball slips, rolls, then lies still") {
     CHECK(Vec2(parts.balls[0].line.velocity) == Vec2{});
 }
 
-TEST_CASE("cloth phases: an edge takes the part of a roll that turns the ball into it") {
+TEST_CASE("cloth phases: an edge takes the component of a roll that turns the ball into it") {
     World world = scenes::empty();
     world.edit_definition().model.spin = 0.4;
     world.edit_definition().model.cloth = Cloth{};

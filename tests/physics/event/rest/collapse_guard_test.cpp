@@ -20,7 +20,7 @@ World one_ball(bool has_gravity, Vec2 velocity = {}) {
 
 }  // namespace
 
-TEST_CASE("collapse guard: quick succession counts, and a pause forgets at the same pace") {
+TEST_CASE("collapse guard: quick succession counts, and a pause resets at the same pace") {
     EventParts parts(one_ball(true));
     Trajectory<double> before = parts.balls.path(0);
     before.recent_collisions = 10;
@@ -62,7 +62,7 @@ TEST_CASE("collapse guard: slow balls are frozen above the limit, fast ones neve
     CHECK(!is_frozen_after({4.1, 0.0}, most_collisions_before_freezing + 1, false));
 }
 
-TEST_CASE("collapse guard: dense balls are named once, while they still are") {
+TEST_CASE("collapse guard: dense balls are listed once, while they are dense") {
     EventParts parts(one_ball(true));
     parts.guard.begin_tick();
     parts.balls[0].line.recent_collisions = dense_collisions + 1;

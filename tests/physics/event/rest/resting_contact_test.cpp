@@ -31,7 +31,7 @@ TEST_CASE("resting contact: a ball on a level floor rests, slides, or flies off"
     };
     CHECK(motion_of({0.0, 0.5}, {}) == Motion::resting);
     CHECK(motion_of({0.0, 0.5}, {1.0, 0.0}) == Motion::sliding);
-    // A hop of 1e-10 radii is none; one of 1e-8 is.
+    // A hop of 1e-10 radii does not count; one of 1e-8 does.
     CHECK(motion_of({0.0, 0.5}, {0.0, 3e-5}) == Motion::resting);
     CHECK(motion_of({0.0, 0.5}, {0.0, 3e-4}) == Motion::free);
     CHECK(motion_of({0.0, 0.5 + 1e-6}, {}) == Motion::free);
@@ -49,7 +49,8 @@ TEST_CASE("resting contact: a slope gives the component of gravity along it") {
           doctest::Approx(10.0 * std::sqrt(0.5)).epsilon(1e-12));
 }
 
-TEST_CASE("resting contact: two supports hold a ball, and what rests on it is released with it") {
+TEST_CASE(
+    "resting contact: two supports hold a ball, and a ball resting on it is released with it") {
     World world = on_floor({10.0, 0.0}, {0.0, 0.5}, {});
     add_capsule(world, {{-0.5, 0.0}, {-0.5, 10.0}, 0.0}, 0);
     add_ball(world, {.position = {0.0, 1.5}, .radius = 0.5});

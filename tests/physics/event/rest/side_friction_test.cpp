@@ -55,7 +55,7 @@ TEST_CASE("side friction: two supports brake a spin until it is gone, to the las
         parts.friction.brake(0, 0.7);
         const auto end = parts.friction.end_of_slip(0, 100.0);
         REQUIRE(end);
-        // Spin times radius and inertia, over friction.
+        // Spin times radius and inertia, divided by friction.
         CHECK(*end == doctest::Approx(parts.scene.now + spin * 0.5 * 0.5 / 0.7));
         parts.scene.now = *end;
         parts.friction.end_slip(0);

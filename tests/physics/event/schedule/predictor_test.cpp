@@ -10,7 +10,7 @@
 using namespace carom;
 
 TEST_CASE("predictor: the first of a collision, an edge and a cell transfer is next") {
-    // Near enough to be in adjacent cells.
+    // Close enough to be in adjacent cells.
     World world = scenes::empty();
     add_ball(world, {.position = {0.0, 0.0}, .velocity = {1.0, 0.0}, .radius = 0.5});
     add_ball(world, {.position = {1.0 + 1.0 / 128, 0.0}, .velocity = {-1.0, 0.0}, .radius = 0.5});
@@ -21,20 +21,20 @@ TEST_CASE("predictor: the first of a collision, an edge and a cell transfer is n
     CHECK(collision.other == 1);
     CHECK(collision.other_version == parts.balls[1].version);
     CHECK(collision.time == parts.scene.now + 1.0 / 256);
-    // The other ball finds the same bits.
+    // The prediction of the other ball has the same bits.
     parts.predictor.predict(1);
     CHECK(parts.balls.plan(1).collision().time == collision.time);
     CHECK(parts.balls.plan(1).collision().other == 0);
     parts.schedule.rebuild();
     CHECK(parts.schedule.first() == 0);
-    // A start of the partner voids it.
+    // A new trajectory of the partner voids it.
     parts.trajectories.start(1, parts.scene.now, {1.25, 0.0}, {1.0, 0.0});
     CHECK(collision.other_version != parts.balls[1].version);
     parts.predictor.predict(0);
     CHECK(parts.balls.plan(0).collision().kind == EventKind::none);
 }
 
-TEST_CASE("predictor: an edge in the way comes before a ball behind it") {
+TEST_CASE("predictor: an edge in the way precedes a ball behind it") {
     World world = scenes::empty();
     add_ball(world, {.position = {0.0, 0.0}, .velocity = {1.0, 0.0}, .radius = 0.5});
     add_ball(world, {.position = {1.0 + 1.0 / 128, 0.0}, .radius = 0.5});
@@ -46,7 +46,7 @@ TEST_CASE("predictor: an edge in the way comes before a ball behind it") {
     CHECK(parts.balls.plan(0).collision().kind == EventKind::ball_ball);
 }
 
-TEST_CASE("predictor: resting balls have no impact with one another, and are met by others") {
+TEST_CASE("predictor: resting balls have no impact with each other, but with others") {
     World world = scenes::empty();
     world.edit_definition().model.gravity = Vec2{0.0, -10.0};
     world.edit_definition().model.lossy = true;

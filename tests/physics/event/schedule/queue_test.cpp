@@ -11,7 +11,7 @@ using namespace carom;
 
 namespace {
 
-// Pseudo-random numbers that are the same on every machine.
+// Pseudo-random numbers, equal on every machine.
 class Dice {
   public:
     explicit Dice(std::uint64_t seed) : state_(seed) {}
@@ -27,7 +27,7 @@ class Dice {
     std::uint64_t state_;
 };
 
-// The reference: looks at all balls.
+// The reference: checks all balls.
 class SlowQueue {
   public:
     explicit SlowQueue(std::vector<double> times) : times_(std::move(times)) {}
@@ -47,18 +47,18 @@ const auto by_number = [](std::uint32_t a, std::uint32_t b) { return a < b; };
 
 }  // namespace
 
-TEST_CASE("event queue: the first is the first, however the times lie") {
-    // How long after the first event a ball has its next one.
+TEST_CASE("event queue: the first event is found, however the times are distributed") {
+    // The time from the first event to a ball's next one.
     const auto wait = [](int kind, Dice& dice) {
         const double unit = dice.unit();
         switch (kind) {
             case 0:
                 return 0.1 + unit;
-            case 1:  // many at once
+            case 1:  // many at one time
                 return static_cast<double>(static_cast<int>(4.0 * unit));
             case 2:  // over twelve orders of magnitude
                 return 1e-9 / (1e-12 + unit * unit * unit * unit);
-            case 3:  // some balls never again
+            case 3:  // some balls never have another event
                 return unit < 0.25 ? EventQueue::never : unit;
             default:  // all at the same time
                 return 0.0;
@@ -93,7 +93,7 @@ TEST_CASE("event queue: the first is the first, however the times lie") {
     }
 }
 
-TEST_CASE("event queue: it follows events that become rare, and frequent again") {
+TEST_CASE("event queue: it adapts to events that become rare, and frequent again") {
     constexpr std::size_t count = 500;
     Dice dice(1);
     std::vector<double> times(count);
@@ -187,9 +187,9 @@ TEST_CASE("event queue: the prefetch cursor names nearly every ball some events 
     CHECK(tellings < events * 12 / 10);
 }
 
-// A rebuild in the middle of a tick was once followed by a wrong first ball, if another ball's
+// Regression: after a rebuild in the middle of a tick the first ball was wrong if another ball's
 // event was replaced before the first query.
-TEST_CASE("event queue: built again, an event replaced before the first is asked for waits") {
+TEST_CASE("event queue: rebuilt, an event replaced before the first query waits") {
     EventQueue queue;
     std::vector<double> times{100.0, 200.0, 300.0};
     const auto time_of = [&](std::uint32_t ball) { return times[ball]; };
