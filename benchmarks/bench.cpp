@@ -16,8 +16,8 @@
 #include "runs.h"
 #include "tables.h"
 
-// carom beside its peers, in the same scenes, by turns: see scripts/bench, which builds all of them
-// and calls this.
+// Runs carom and other engines in the same scenes, by turns. scripts/bench builds all of them and
+// calls this program.
 namespace {
 
 using namespace carom::bench;
@@ -26,14 +26,14 @@ struct Options {
     Places places;
     bool quick = false;
     int rounds = 5;
-    std::string only;  // scenes whose names have this in them
+    std::string only;  // only scenes whose names contain this
     bool with_own = true;
     std::string csv_path;
     std::string document_path;
-    std::string terms_path;  // a table of instructions that goes into the document as it is
+    std::string terms_path;  // a table of instructions that is copied into the document
 };
 
-// What the measurements were made on: the processor and the compiler.
+// The machine: processor and compiler.
 std::string machine() {
     std::ifstream file("/proc/cpuinfo");
     std::string processor = "unknown";

@@ -3,11 +3,11 @@
 #include <map>
 #include <string>
 
-/// Measurements that stand in a text for people.
+/// Measurements inside a document.
 namespace carom::bench {
 
 /// `text` with the fenced block after each line `<!-- bench NAME -->` replaced by blocks[NAME].
-/// Names without a block keep what they have.
+/// Marks whose name is not in `blocks` keep their block.
 std::string with_blocks(const std::string& text, const std::map<std::string, std::string>& blocks);
 
 }  // namespace carom::bench

@@ -13,11 +13,11 @@
 #include "frames.h"
 #include "scene_list.h"
 
-/// The run that every engine goes through, and its clock.
+/// The run that every engine performs, and its clock.
 namespace carom::bench {
 
-/// What an engine must do for it. `add` is called for each ball in the order of the list, before
-/// the tick that it comes in; states go by that order.
+/// What an engine must provide. `add` is called for each ball in the order of the list, before the
+/// tick at which the ball appears; `state` uses the same order.
 template <typename E>
 concept Engine = requires(E engine, const E& seen, const ListedBall& ball, std::size_t index) {
     engine.add(ball);
@@ -26,7 +26,7 @@ concept Engine = requires(E engine, const E& seen, const ListedBall& ball, std::
     { seen.state(index) } -> std::same_as<BallState>;
 };
 
-/// s that the process has had of the processor: other processes do not show in it.
+/// Processor time of this process, s: other processes do not affect it.
 inline double processor_seconds() {
     std::timespec now{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -42,9 +42,9 @@ Frame frame_of(const E& engine, std::int64_t tick) {
 }
 
 struct Driven {
-    std::int64_t ticks = 0;     ///< in all
-    std::int64_t measured = 0;  ///< of them, those on the clock
-    double seconds = 0.0;       ///< of the processor, for `measured`
+    std::int64_t ticks = 0;     ///< in total
+    std::int64_t measured = 0;  ///< ticks on the clock
+    double seconds = 0.0;       ///< processor time of `measured`
 };
 
 /// Runs the plan; frames go to `path`, or nowhere where it is "-".
@@ -85,7 +85,7 @@ Driven drive(E& engine, const SceneList& scene, const std::string& path) {
     return driven;
 }
 
-/// The line that the benchmark reads: what ran, and the figures.
+/// Prints what the benchmark reads: the engine's name, and the figures.
 inline void report(const std::string& engine, const Driven& driven) {
     fmt::print("engine {}\nticks {}\nmeasured {}\nseconds {}\n", engine, driven.ticks,
                driven.measured, driven.seconds);

@@ -5,7 +5,7 @@
 
 #include "drive.h"
 
-// Box2D 2.4 at its own defaults: 8 iterations for velocities, 3 for positions; no sleeping.
+// Box2D 2.4 with its defaults: 8 velocity iterations, 3 position iterations; no sleeping.
 namespace {
 
 using namespace carom::bench;
@@ -72,8 +72,8 @@ class Box2d2 {
         b2FixtureDef fixture;
         fixture.shape = &shape;
         fixture.density = narrow(density);
-        fixture.restitution = narrow(scene_.restitution);  // of a pair: the larger
-        fixture.friction = narrow(scene_.friction);        // of a pair: the geometric mean
+        fixture.restitution = narrow(scene_.restitution);  // a pair takes the larger
+        fixture.friction = narrow(scene_.friction);        // a pair takes the geometric mean
         body->CreateFixture(&fixture);
     }
 

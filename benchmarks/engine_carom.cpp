@@ -8,7 +8,7 @@
 #include "level_scene.h"
 #include "physics/solver.h"
 
-// carom itself, from the level: the list has the plan alone to say.
+// carom itself. It loads the level; from the list it takes only the plan.
 namespace {
 
 using namespace carom::bench;
@@ -20,7 +20,7 @@ class Carom {
           solver_(settings),
           measured_from_(static_cast<std::uint64_t>(measured_from)) {}
 
-    // The world has its balls, or emitters for them.
+    // Nothing to do: the world already has its balls, or emitters for them.
     void add(const ListedBall&) {}
     void step() {
         if (world_.tick() == measured_from_) collisions_before_ = collisions();
@@ -33,7 +33,7 @@ class Carom {
         const carom::Vec2 velocity = world_.balls().velocity[index];
         return {position.x, position.y, velocity.x, velocity.y};
     }
-    /// In the ticks on the clock.
+    /// During the measured ticks.
     std::uint64_t measured_collisions() const { return collisions() - collisions_before_; }
 
   private:
@@ -58,7 +58,7 @@ carom::Scene scene_of(const std::string& level, const std::vector<std::string>& 
 
 }  // namespace
 
-// bench_carom LIST FRAMES LEVEL [STATEMENT]...: the statements take the place of the level's.
+// bench_carom LIST FRAMES LEVEL [STATEMENT]...: the statements replace the level's.
 int main(int count, char** arguments) {
     if (count < 4) return 2;
     const SceneList list = read_scene_list(arguments[1]);

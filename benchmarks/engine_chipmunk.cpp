@@ -6,7 +6,7 @@
 
 #include "drive.h"
 
-// Chipmunk at its own defaults: 10 iterations; no sleeping.
+// Chipmunk with its defaults: 10 iterations; no sleeping.
 namespace {
 
 using namespace carom::bench;
@@ -21,7 +21,7 @@ class Chipmunk {
                                      cpv(capsule.end_x, capsule.end_y), capsule.radius));
         }
     }
-    // What the space holds goes with the process.
+    // The contents of the space are freed with the process.
     ~Chipmunk() = default;
     Chipmunk(const Chipmunk&) = delete;
     Chipmunk& operator=(const Chipmunk&) = delete;
@@ -47,7 +47,7 @@ class Chipmunk {
     }
 
   private:
-    // Of a pair both are multiplied.
+    // A pair takes the product of both.
     void attach(cpShape* shape) {
         cpShapeSetElasticity(shape, std::sqrt(scene_.restitution));
         cpShapeSetFriction(shape, std::sqrt(scene_.friction));

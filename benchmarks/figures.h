@@ -2,7 +2,7 @@
 
 #include <string>
 
-/// Numbers, as people read them in tables.
+/// Numbers as text for tables.
 namespace carom::bench {
 
 /// Three significant digits, without an exponent from 0.001 to a million: 0.0431, 3.53, 1,240,000.

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-/// What an engine wrote down of its balls, at some ticks of a run.
+/// The states of an engine's balls at some ticks of a run.
 ///
-/// As a file: for each frame the ticks done and the number of balls (64-bit integers), then x, y,
-/// vx, vy of each ball (doubles), in the order in which the balls came; little-endian.
+/// File format, little-endian: for each frame the ticks done and the number of balls (64-bit
+/// integers), then x, y, vx, vy of each ball (doubles), in the order in which balls were added.
 namespace carom::bench {
 
 struct BallState {
@@ -25,7 +25,7 @@ struct Frame {
 
 void write_frame(std::ostream& file, const Frame& frame);
 
-/// All complete frames of the file; none where there is no such file.
+/// All complete frames of the file; none where the file does not exist.
 std::vector<Frame> read_frames(const std::string& path);
 
 }  // namespace carom::bench

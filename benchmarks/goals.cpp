@@ -9,19 +9,19 @@
 namespace carom::bench {
 namespace {
 
-// What Box2D 3 got in a pile.
+// The accuracy of Box2D 3 in a pile.
 struct Box2d3Pile {
     double overlap;
     double residual;
 };
 
-// Of version 3.2 (AVX2), measured once elsewhere, for runs without it: see docs/performance.md.
+// For runs without Box2D 3: version 3.2 (AVX2), measured once elsewhere. See docs/performance.md.
 Box2d3Pile box2d3_pile_elsewhere(bool has_friction, bool is_large) {
     if (has_friction) return is_large ? Box2d3Pile{0.132, 4e-5} : Box2d3Pile{0.058, 3e-5};
     return is_large ? Box2d3Pile{0.153, 2e-3} : Box2d3Pile{0.058, 6e-4};
 }
 
-// Collisions a second of Smallenburg's EDMD (2022), as published, by balls.
+// Collisions a second of Smallenburg's EDMD (2022), by number of balls. See docs/performance.md.
 double edmd(std::size_t balls) {
     if (balls <= 1'000) return 1.16e6;
     return balls <= 10'000 ? 0.59e6 : 0.35e6;
@@ -35,13 +35,13 @@ const Result* find(const SceneResults& scene, std::string_view name) {
 
 class Lines {
   public:
-    void at_least(std::string scene, std::string what, double measured, double least,
-                  double wanted) {
-        lines_.push_back({std::move(scene), std::move(what), measured, least, wanted, true});
+    void at_least(std::string scene, std::string what, double measured, double required,
+                  double target) {
+        lines_.push_back({std::move(scene), std::move(what), measured, required, target, true});
     }
-    void at_most(std::string scene, std::string what, double measured, double least,
-                 double wanted) {
-        lines_.push_back({std::move(scene), std::move(what), measured, least, wanted, false});
+    void at_most(std::string scene, std::string what, double measured, double required,
+                 double target) {
+        lines_.push_back({std::move(scene), std::move(what), measured, required, target, false});
     }
     std::vector<GoalLine> take() { return std::move(lines_); }
 
@@ -101,7 +101,7 @@ void pile_lines(Lines& lines, const SceneResults& scene) {
     }
 }
 
-// The best of carom's solvers that keep balls where they have landed.
+// Only `contact` counts here: `substep` lets the landed balls overlap deeply.
 void galton_lines(Lines& lines, const SceneResults& scene) {
     const Result* chipmunk_result = find(scene, chipmunk);
     const Result* contact = find(scene, "carom contact");
@@ -151,8 +151,8 @@ Verdict GoalLine::verdict() const {
     const auto reaches = [this](double goal) {
         return more_is_better ? measured >= goal : measured <= goal;
     };
-    if (reaches(wanted)) return Verdict::wanted;
-    return reaches(least) ? Verdict::least : Verdict::short_of_it;
+    if (reaches(target)) return Verdict::target_met;
+    return reaches(required) ? Verdict::required_met : Verdict::missed;
 }
 
 std::vector<GoalLine> goal_lines(const std::vector<SceneResults>& scenes, const OwnFigures& own) {

@@ -6,26 +6,26 @@
 #include "own.h"
 #include "runs.h"
 
-/// What carom must reach against its peers, and how far it is.
+/// carom's targets against other engines, and how far it meets them.
 namespace carom::bench {
 
-enum class Verdict : std::uint8_t { wanted, least, short_of_it };
+enum class Verdict : std::uint8_t { target_met, required_met, missed };
 
 struct GoalLine {
     std::string scene;
     std::string what;  ///< what is compared, with its unit
     double measured = 0.0;
-    double least = 0.0;
-    double wanted = 0.0;  ///< the same as `least` where nothing more is wanted
+    double required = 0.0;
+    double target = 0.0;  ///< equal to `required` where nothing more is aimed at
     bool more_is_better = false;
 
     Verdict verdict() const;
 };
 
-/// A line for each goal that the results have figures for. Box2D 3's native times are not measured
-/// here: they are Chipmunk's in the same run times BenchScene::box2d3_by_chipmunk. Its overlap and
-/// residual speed in piles are those of its build for node in the same run, or where that is not
-/// there what was measured of it once.
+/// A line for each goal for which the results have figures. Box2D 3's native time is not measured
+/// here: it is Chipmunk's time in the same run, multiplied by BenchScene::box2d3_by_chipmunk. Its
+/// overlap and residual speed in piles are those of its node build in the same run, or, without
+/// node, those of an earlier measurement.
 std::vector<GoalLine> goal_lines(const std::vector<SceneResults>& scenes, const OwnFigures& own);
 
 }  // namespace carom::bench

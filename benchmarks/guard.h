@@ -6,8 +6,8 @@
 #include "counted.h"
 #include "guard_figures.h"
 
-/// The guard against a loss of speed: instructions a tick of short scenes, under each solver that
-/// they are for.
+/// The guard against slower solvers: instructions a tick of short scenes, under each solver that
+/// suits the scene.
 namespace carom::bench {
 
 /// In a fixed order. `scenes`: the folder of the levels.

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-/// Figures of the guard, as they are written down and compared.
+/// Figures of the guard: their file format, and the comparison.
 namespace carom::bench {
 
 struct GuardLine {
@@ -12,12 +12,12 @@ struct GuardLine {
     double instructions = 0.0;  ///< a tick
 };
 
-/// As text: "SCENE SOLVER INSTRUCTIONS" a line; lines that start with # are for people.
+/// As text: "SCENE SOLVER INSTRUCTIONS" a line; lines that start with # are comments.
 std::string guard_text(const std::vector<GuardLine>& lines);
 std::vector<GuardLine> parse_guard(const std::string& text);
 
-/// What has changed by more than `tolerance` (relative), for better or worse, or is not in both; a
-/// sentence each.
+/// A sentence for each figure that differs by more than `tolerance` (relative, either way), or that
+/// only one of the two has.
 std::vector<std::string> guard_differences(const std::vector<GuardLine>& written,
                                            const std::vector<GuardLine>& counted, double tolerance);
 

@@ -2,10 +2,10 @@
 
 #include <cstddef>
 
-/// What the process has taken from the heap. To link it is to count: `operator new` is replaced.
+/// The heap memory of this process. Linking this file replaces `operator new` by one that counts.
 namespace carom::bench {
 
-/// Bytes that are taken now, as the allocator rounds them.
+/// Bytes allocated now, as the allocator rounds them.
 std::size_t heap_bytes();
 
 }  // namespace carom::bench

@@ -9,7 +9,7 @@
 #include "guard.h"
 #include "term_table.h"
 
-// Counts instructions: see scripts/instructions, which runs this under callgrind.
+// Counts instructions. scripts/instructions runs this program under callgrind.
 namespace {
 
 using namespace carom::bench;

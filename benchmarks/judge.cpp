@@ -8,7 +8,7 @@
 namespace carom::bench {
 namespace {
 
-// The scene with the balls where the frame has them.
+// The scene with the balls at the positions of the frame.
 World world_at(const World& start, const SceneList& list, const Frame& frame) {
     World world = start;
     world.edit_balls() = {};

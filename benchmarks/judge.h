@@ -7,16 +7,17 @@
 #include "physics/world/world.h"
 #include "scene_list.h"
 
-/// What an engine got wrong, by what it wrote down. carom's own formulas judge all engines alike.
+/// The errors of an engine, computed from its frames. The same formulas judge all engines.
 namespace carom::bench {
 
 struct Accuracy {
-    /// Change of the energy from the first frame to the last, relative. None where the scene itself
-    /// takes energy away.
+    /// Relative change of the energy from the first frame to the last. None where the scene itself
+    /// loses energy.
     std::optional<double> energy_drift;
-    double deepest_overlap = 0.0;  ///< a length, over the frames that count
-    double residual_speed = 0.0;   ///< root mean square over the frames that count, length/s
-    /// Root mean square distance from the reference at its tick, in radii. None without one.
+    double deepest_overlap = 0.0;  ///< length, over the measured frames
+    double residual_speed = 0.0;   ///< root mean square over the measured frames, length/s
+    /// Root mean square distance from the reference at its tick, in radii. None without a
+    /// reference.
     std::optional<double> error;
 };
 

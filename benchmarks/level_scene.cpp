@@ -26,7 +26,7 @@ void append_balls(SceneList& list, const Balls& balls, std::int64_t tick) {
     }
 }
 
-// Born balls are taken away at once, so that every place is free.
+// Emitted balls are removed at once, so that every place is free.
 void append_births(SceneList& list, World world) {
     const auto is_done = [](const Emitter& emitter) { return emitter.emitted == emitter.count; };
     for (; !std::ranges::all_of(world.emitters(), is_done); ++world.edit_tick()) {
@@ -37,7 +37,7 @@ void append_births(SceneList& list, World world) {
     }
 }
 
-// What all bodies have in common, if they do.
+// The property that all bodies share, if they do.
 template <typename Property>
 std::optional<double> common(const World& world, Property property) {
     std::set<double> values;

@@ -6,20 +6,20 @@
 #include "level/scene/scene.h"
 #include "scene_list.h"
 
-/// From a level file, by carom's own loader, to what every engine can read.
+/// From a level file, through carom's loader, to a list that every engine can read.
 namespace carom::bench {
 
 struct LoadedScene {
     std::optional<Scene> scene;
-    std::string error;  ///< where there is no scene: what is wrong, in one line
+    std::string error;  ///< in one line, where there is no scene
 };
-/// `overrides`: statements that take the place of the file's, as under `carom run --set`.
+/// `overrides`: statements that replace the file's, as with `carom run --set`.
 LoadedScene load_scene(const std::string& path, const std::vector<std::string>& overrides);
 
-/// The balls (those of emitters too, each at the tick at which it would come if its place were
-/// free), the edges and the terms of `world`. None, with an `error`, where the world has what the
-/// list cannot say: terms other than gravity, restitution and spin, zones that swallow, or contacts
-/// that differ in restitution or friction.
+/// The balls, edges and terms of `world`. Emitted balls are included, each at the tick at which it
+/// would appear if its place were free. None, with an `error`, where a list cannot describe the
+/// world: terms other than gravity, restitution and spin, sinks, or contacts that differ in
+/// restitution or friction.
 struct ListedScene {
     std::optional<SceneList> list;
     std::string error;

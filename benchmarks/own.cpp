@@ -10,7 +10,7 @@
 namespace carom::bench {
 namespace {
 
-// Ticks in a run: about as many ball ticks whatever the number of balls, and some to warm up.
+// Ticks in a run: about the same number of ball ticks for every number of balls, and a warm-up.
 RunPlan plan_for(std::size_t balls) {
     const auto measured = static_cast<std::int64_t>(std::max<std::size_t>(4, 1'000'000 / balls));
     const std::int64_t warm = 2 + measured / 5;
@@ -29,7 +29,7 @@ struct Case {
 void run_once(const Places& places, Case& now) {
     SceneList list;
     list.plan = plan_for(now.balls);
-    // A tick of a second is as long as 60.
+    // A tick at one tick a second simulates as much as 60 ticks at the usual rate.
     if (now.rate < 60.0) list.plan = {.ticks = 8, .measured_from = 1, .sample_every = 8};
     const std::string path = places.scratch + "/own.list";
     std::ofstream(path) << scene_list_text(list);

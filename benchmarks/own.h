@@ -6,20 +6,20 @@
 
 #include "runs.h"
 
-/// What has no fair peer: carom in the gas, from few balls to many.
+/// Measurements of carom alone: the gas, from few balls to many.
 namespace carom::bench {
 
 struct OwnCost {
     std::string solver;
     std::size_t balls = 0;
     double ns_a_ball_tick = 0.0;
-    double bytes_a_ball = 0.0;  ///< of the heap after the run, the world and the solver
+    double bytes_a_ball = 0.0;  ///< heap of world and solver after the run
 };
 
 struct OwnEvents {
     std::size_t balls = 0;
     double rate = 60.0;                ///< ticks a simulated second
-    double collisions_a_second = 0.0;  ///< of the processor
+    double collisions_a_second = 0.0;  ///< of processor time
 };
 
 struct OwnFigures {

@@ -25,7 +25,7 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-// The words that start the program; empty: it is not there.
+// The command that starts the program; empty where it is absent.
 std::string call_of(const Places& places, const std::string& program) {
     const bool is_script = program.ends_with(".mjs");
     const std::string path = (is_script ? places.scripts : places.programs) + "/" + program;
@@ -33,7 +33,8 @@ std::string call_of(const Places& places, const std::string& program) {
     return (is_script ? "node " : "") + quoted(path);
 }
 
-// By what its first run took, with the ticks that do not count; none where that failed.
+// Derived from the duration of the first run, unmeasured ticks included; none where that run
+// failed.
 int runs_for(const Result& result, int rounds) {
     if (result.seconds.empty()) return 0;
     const double seconds = result.seconds.front() * result.ticks / result.measured;
@@ -47,7 +48,7 @@ std::optional<Frame> frame_at(const std::vector<Frame>& frames, std::int64_t tic
     return *found;
 }
 
-// What carom is called with, after the list and the frames.
+// carom's arguments, after the list and the frames.
 std::vector<std::string> carom_arguments(const std::string& level, std::vector<std::string> scene,
                                          const std::vector<std::string>& own) {
     scene.insert(scene.begin(), level);
@@ -67,7 +68,7 @@ struct Stage {
     std::optional<Frame> reference;
 };
 
-// Where all balls are after 0.1 s by the solver `event`.
+// All balls after 0.1 s, under the solver `event`.
 std::optional<Frame> reference_of(const Stage& stage, const BenchScene& scene) {
     if (scene.sort != SceneSort::gas) return std::nullopt;
     SceneList head = stage.list;
@@ -80,7 +81,7 @@ std::optional<Frame> reference_of(const Stage& stage, const BenchScene& scene) {
     return frame_at(read_frames(stage.frames_path), tenth_of_a_second);
 }
 
-// Sets the scene for one of its runs. None: `error` says why.
+// Prepares the scene for one of its runs. None where that fails: `error` says why.
 std::optional<Stage> stage_of(const Places& places, const BenchScene& scene, int run,
                               std::string& error) {
     std::vector<std::string> settings = scene.settings;
@@ -109,7 +110,7 @@ std::optional<Stage> stage_of(const Places& places, const BenchScene& scene, int
     return stage;
 }
 
-// Once. Of runs that are all alike only the first is judged.
+// Runs a contestant once. Where all runs are alike, only the first is judged.
 void run_contestant(const Stage& stage, bool is_judged, Result& result) {
     std::vector<std::string> arguments;
     if (result.contestant.program == "bench_carom")
@@ -127,7 +128,7 @@ void run_contestant(const Stage& stage, bool is_judged, Result& result) {
             judge(stage.world, stage.list, read_frames(stage.frames_path), stage.reference));
 }
 
-// Of those that have it.
+// The median of the values that exist.
 template <typename Figure>
 std::optional<double> median_of(const std::vector<Accuracy>& judged, Figure figure) {
     std::vector<double> values;

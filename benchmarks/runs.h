@@ -14,21 +14,21 @@
 /// Runs engines as processes, by turns.
 namespace carom::bench {
 
-/// Where things are.
+/// Folders.
 struct Places {
-    std::string programs;  ///< folder of bench_carom, bench_box2d, ...
-    std::string scripts;  ///< folder of the engines in JavaScript with their packages; may be empty
-    std::string scenes;   ///< benchmarks/scenes
-    std::string scratch;  ///< for lists and frames
+    std::string programs;  ///< with bench_carom, bench_box2d, ...
+    std::string scripts;   ///< the JavaScript engines with their packages; may be empty
+    std::string scenes;    ///< benchmarks/scenes
+    std::string scratch;   ///< for lists and frames
 };
 
-/// What one run printed. Figures by name: seconds, ticks, measured, heap, collisions.
+/// The output of one run. Figures by name: seconds, ticks, measured, heap, collisions.
 struct RunFigures {
-    std::string engine;  ///< as the program calls itself
+    std::string engine;  ///< as the program names itself
     std::map<std::string, double> figures;
 };
 
-/// None: the program is not there, failed, or took more than half an hour.
+/// None where the program is absent, failed, or took more than half an hour.
 std::optional<RunFigures> run_engine(const Places& places, const std::string& program,
                                      const std::string& list, const std::string& frames,
                                      const std::vector<std::string>& arguments);
@@ -36,10 +36,10 @@ std::optional<RunFigures> run_engine(const Places& places, const std::string& pr
 struct Result {
     Contestant contestant;
     std::string engine;
-    std::vector<double> seconds;  ///< of each run, for `measured` ticks
+    std::vector<double> seconds;  ///< of each run: processor time of `measured` ticks
     double measured = 0.0;        ///< ticks
     double ticks = 0.0;
-    std::vector<Accuracy> judged;  ///< the first run; where runs differ (arrangement) each
+    std::vector<Accuracy> judged;  ///< of the first run; of each run where `arrangement` differs
 
     Accuracy accuracy() const;  ///< medians
     double median_seconds() const;
@@ -51,13 +51,13 @@ struct SceneResults {
     std::size_t balls = 0;
     std::vector<Result> results;      ///< in the order of the contestants
     std::vector<std::string> absent;  ///< contestants that did not run
-    std::string error;                ///< why there are no results at all
+    std::string error;                ///< why there are no results
 };
 
 double median(std::vector<double> values);
 
-/// Runs all contestants by turns, `rounds` times those that are quick, less often what takes long
-/// (three times from 10 s on, once from 60 s on). `say` hears of each run.
+/// Runs all contestants by turns, quick ones `rounds` times, and slow ones less often (twice from
+/// 10 s on, once from 30 s on). `say` reports each run.
 SceneResults run_scene(const Places& places, const BenchScene& scene, int rounds,
                        const std::function<void(const std::string&)>& say);
 

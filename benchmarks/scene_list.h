@@ -5,18 +5,18 @@
 #include <string>
 #include <vector>
 
-/// A scene as a plain list of numbers that any engine can read, and what is to be measured in it.
+/// A scene as a plain list of numbers that any engine can read, and the plan of its measurement.
 ///
-/// As text, one thing a line, in this order and all in the units of the level:
+/// As text, one item a line, in this order and in the units of the level:
 ///
 ///     rate TICKS_A_SECOND
 ///     gravity X Y
 ///     restitution E                        of every contact
 ///     friction MU                          of every contact
 ///     run TICKS MEASURED_FROM SAMPLE_EVERY
-///     landed HEIGHT                        may be left out
-///     capsule X0 Y0 X1 Y1 RADIUS           an edge that rests; ends that coincide make a peg
-///     ball TICK X Y VX VY RADIUS MASS      comes at the beginning of that tick, from 0
+///     landed HEIGHT                        optional
+///     capsule X0 Y0 X1 Y1 RADIUS           a fixed edge; coinciding ends make a peg
+///     ball TICK X Y VX VY RADIUS MASS      appears at the beginning of that tick, from 0
 namespace carom::bench {
 
 struct ListedCapsule {
@@ -37,12 +37,12 @@ struct ListedBall {
     double mass = 1.0;
 };
 
-/// What is run, what of it counts, and when the engine's state is written down (off the clock).
+/// What is run, which ticks are measured, and when the state is sampled (off the clock).
 struct RunPlan {
     std::int64_t ticks = 0;
-    std::int64_t measured_from = 0;  ///< ticks before it do not count
+    std::int64_t measured_from = 0;  ///< earlier ticks are not measured
     std::int64_t sample_every = 1;   ///< ticks
-    /// The run ends early once all balls are there and below this height.
+    /// The run ends early once all balls have appeared and are below this height.
     std::optional<double> landed;
 };
 
@@ -59,10 +59,10 @@ struct SceneList {
 
 std::string scene_list_text(const SceneList& scene);
 
-/// None when a line is not understood: the text comes from `scene_list_text`.
+/// Reads what scene_list_text wrote. None where a line is malformed.
 std::optional<SceneList> parse_scene_list(const std::string& text);
 
-/// The file's scene. Ends the process with a message where there is none.
+/// The file's scene. Ends the process with a message where the file cannot be read.
 SceneList read_scene_list(const std::string& path);
 
 }  // namespace carom::bench

@@ -9,8 +9,8 @@
 namespace carom::bench {
 namespace {
 
-// Those of them that this carom has. `substep` with four updates of one step each is what others
-// call four substeps.
+// Keeps only solvers that this carom has. Other engines would call `substep` with four updates of
+// one step each four substeps.
 std::vector<Contestant> carom_solvers(const std::vector<SolverKind>& kinds) {
     std::vector<Contestant> contestants;
     for (const SolverKind kind : kinds) {

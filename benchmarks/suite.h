@@ -12,7 +12,7 @@ namespace carom::bench {
 struct Contestant {
     std::string name;                   ///< in tables: "carom discrete", "Chipmunk"
     std::string program;                ///< bench_NAME beside the benchmark, or NAME.mjs
-    std::vector<std::string> settings;  ///< carom's alone: statements that replace the level's
+    std::vector<std::string> settings;  ///< for carom only: statements that replace the level's
 };
 
 enum class SceneSort : std::uint8_t { gas, pile, galton };
@@ -24,16 +24,17 @@ struct BenchScene {
     SceneSort sort;
     RunPlan plan;
     std::vector<Contestant> contestants;
-    /// What Box2D 3 (native, AVX2) took for the same, by what Chipmunk took: measured once.
+    /// Time of Box2D 3 (native, AVX2) divided by Chipmunk's, in this scene; measured once.
     double box2d3_by_chipmunk;
 };
 
-/// What a run replaces beside, the first run nothing. How deep a pile's deepest pair lies and
-/// whether a ball goes on rolling under an arch is chance: each run of a pile falls from a lattice
-/// that differs by some ten-thousandths of a ball, the same for all engines.
+/// The statements that one run replaces in addition; none in the first run. Chance decides how deep
+/// a pile's deepest pair lies, and whether a ball keeps rolling under an arch. So each run of a
+/// pile falls from a lattice that differs by some ten-thousandths of a ball, the same for all
+/// engines.
 std::vector<std::string> arrangement(const BenchScene& scene, int run);
 
-/// All scenes; `quick`: shorter runs, and none of the large scenes.
+/// All scenes. `quick`: shorter runs, and no large scenes.
 std::vector<BenchScene> bench_scenes(bool quick);
 
 inline constexpr std::string_view chipmunk = "Chipmunk";

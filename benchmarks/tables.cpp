@@ -22,8 +22,8 @@ std::string or_dash(const std::optional<double>& value, std::string (*text)(doub
     return value ? text(*value) : "-";
 }
 
-// What is told of a time: of a whole run where runs differ in length, else of a tick.
-double told_time(const SceneResults& scene, const Result& result) {
+// The time that a table shows: of a whole run where runs differ in length, else of a tick.
+double shown_time(const SceneResults& scene, const Result& result) {
     return scene.scene.sort == SceneSort::galton ? result.median_seconds()
                                                  : result.milliseconds_a_tick();
 }
@@ -45,7 +45,7 @@ std::vector<std::string> heads(SceneSort sort) {
 
 std::vector<std::string> cells(const SceneResults& scene, const Result& result, double reference,
                                double largest) {
-    const double time = told_time(scene, result);
+    const double time = shown_time(scene, result);
     std::vector<std::string> row{result.contestant.name, figure(time),
                                  reference > 0.0 ? figure(reference / time) : "-"};
     const Accuracy accuracy = result.accuracy();
@@ -75,12 +75,12 @@ std::vector<std::string> cells(const SceneResults& scene, const Result& result, 
 
 std::string_view word(Verdict verdict) {
     switch (verdict) {
-        case Verdict::wanted:
-            return "reached";
-        case Verdict::least:
-            return "the least";
-        case Verdict::short_of_it:
-            return "SHORT";
+        case Verdict::target_met:
+            return "target met";
+        case Verdict::required_met:
+            return "required met";
+        case Verdict::missed:
+            return "MISSED";
     }
     return "";
 }
@@ -96,24 +96,24 @@ std::string scene_table(const SceneResults& scene) {
     double reference = 0.0;
     double largest = 0.0;
     for (const Result& result : scene.results) {
-        largest = std::max(largest, told_time(scene, result));
-        if (result.contestant.name == chipmunk) reference = told_time(scene, result);
+        largest = std::max(largest, shown_time(scene, result));
+        if (result.contestant.name == chipmunk) reference = shown_time(scene, result);
     }
     Table table(heads(scene.scene.sort));
     for (const Result& result : scene.results)
         table.add(cells(scene, result, reference, largest));
     std::string text = table.text();
     if (!scene.absent.empty())
-        text += fmt::format("not there, or failed: {}\n", fmt::join(scene.absent, ", "));
+        text += fmt::format("absent or failed: {}\n", fmt::join(scene.absent, ", "));
     return text;
 }
 
 std::string goals_table(const std::vector<GoalLine>& lines) {
-    Table table({"<scene", "<what", "measured", "least", "wanted", "<"});
+    Table table({"<scene", "<what", "measured", "required", "target", "<"});
     for (const GoalLine& line : lines) {
         const char* sign = line.more_is_better ? ">= " : "<= ";
         table.add({line.scene, line.what, goal_figure(line.measured),
-                   sign + goal_figure(line.least), sign + goal_figure(line.wanted),
+                   sign + goal_figure(line.required), sign + goal_figure(line.target),
                    std::string(word(line.verdict()))});
     }
     return table.text();

@@ -7,17 +7,17 @@
 #include "own.h"
 #include "runs.h"
 
-/// The results, as text in columns and as CSV.
+/// The results as text tables and as CSV.
 namespace carom::bench {
 
-/// An engine a line, with a bar as long as its time.
+/// One line an engine, with a bar proportional to its time.
 std::string scene_table(const SceneResults& scene);
 
 std::string goals_table(const std::vector<GoalLine>& lines);
 std::string cost_table(const OwnFigures& own);
 std::string events_table(const OwnFigures& own);
 
-/// A line for each run's median, and for each of carom's own figures; the head first.
+/// A header, then a line for each engine's median, and for each of carom's own figures.
 std::string csv(const std::vector<SceneResults>& scenes, const OwnFigures& own);
 
 }  // namespace carom::bench

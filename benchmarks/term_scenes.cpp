@@ -23,7 +23,7 @@ class Scenes {
     std::string gas_;
 };
 
-// Every edge lets through what comes from behind it, where no ball is.
+// Every edge lets balls through from behind, where there is none.
 void make_one_way(World& world) {
     const Vec2 inside = world.balls().position.front();
     world.edit_definition().model.one_way = true;
@@ -34,7 +34,7 @@ void make_one_way(World& world) {
     }
 }
 
-// A wall in a hand that goes hardly anywhere.
+// A dragged wall that hardly moves.
 void hold_wall(World& world) {
     const Capsule& wall = world.capsules().shape.front();
     const Vec2 step{1e-12, 0.0};
@@ -43,7 +43,7 @@ void hold_wall(World& world) {
                                    .end_target = wall.end + step}};
 }
 
-// One that is not due for a thousand seconds.
+// An emitter that is not due for a thousand seconds.
 void add_emitter(World& world) {
     world.edit_emitters().push_back({.every = 1000.0, .count = 2, .emitted = 1});
 }
@@ -91,7 +91,7 @@ std::vector<TermScene> term_scenes(const std::string& gas) {
         {"one-way edges", one_way, std::nullopt},
         {"filter", scenes.with(nobody + "ball kind=nobody at=-1,-1"),
          scenes.with("collide atom atom\ncollide atom edge\n")},
-        {"edge in a hand", held, let_go},
+        {"dragged edge", held, let_go},
         {"sink", scenes.with("zone -1,-1 -1,-1 r=0.1 sink"), std::nullopt},
         {"emitter", emitter, spent_emitter},
     };

@@ -11,7 +11,7 @@
 namespace carom::bench {
 namespace {
 
-// By solver, in the order of solvers_available().
+// One count for each of solvers_available().
 std::vector<std::optional<Count>> counts(InstructionCounter& counter, const CountedScene& scene) {
     std::vector<std::optional<Count>> all;
     for (const SolverKind solver : solvers_available())
@@ -19,14 +19,14 @@ std::vector<std::optional<Count>> counts(InstructionCounter& counter, const Coun
     return all;
 }
 
-// None: the solver does not know the term.
+// `with`: none where the solver does not support the term.
 std::string added(const std::optional<Count>& with, const Count& bare) {
     if (!with) return "-";
     const double more = with->instructions_a_ball_tick - bare.instructions_a_ball_tick;
     return fmt::format("{:+.0f} ({:+.1f} %)", more, 100.0 * more / bare.instructions_a_ball_tick);
 }
 
-// Over all solvers, the largest difference from the bare gas.
+// The largest relative difference from the bare gas, over all solvers.
 std::string largest_change(const std::vector<std::optional<Count>>& without,
                            const std::vector<std::optional<Count>>& bare) {
     double largest = 0.0;
@@ -52,7 +52,7 @@ std::string term_table(InstructionCounter& counter, const std::string& gas) {
     std::vector<std::string> heads{"<term"};
     for (const SolverKind solver : solvers_available())
         heads.emplace_back(name(solver));
-    heads.insert(heads.end(), {"bytes a ball", "written, but nothing"});
+    heads.insert(heads.end(), {"bytes a ball", "stated, no effect"});
     Table table(heads);
 
     const auto bare = counts(counter, bare_scene(gas));

@@ -1,5 +1,5 @@
-// The run that every engine goes through: as in drive.h. `make(scene)` gives an engine with the
-// methods add(ball), step(), and states(), a Float64Array of x, y, vx, vy of each ball.
+// The run that every engine performs, as in drive.h. `make(scene)` returns an engine with the
+// methods add(ball), step() and states(), a Float64Array of x, y, vx, vy of each ball.
 import fs from "node:fs";
 import process from "node:process";
 
@@ -25,7 +25,7 @@ function parse(text) {
     return scene;
 }
 
-// Of the processor, as in drive.h: it counts what the machine's own threads of V8 take too.
+// Processor time, as in drive.h. It includes V8's own threads.
 function seconds() {
     const used = process.cpuUsage();
     return (used.user + used.system) / 1e6;
@@ -44,7 +44,7 @@ function hasLanded(scene, states) {
     return true;
 }
 
-// Until the machine has compiled what it will: the same scene, off the clock, and thrown away.
+// Warm-up: the same scene, off the clock and discarded, until the just-in-time compiler is done.
 function warmUp(scene, make) {
     const engine = make(scene);
     let born = 0;

@@ -1,5 +1,5 @@
-// Box2D 3 at its own defaults (4 substeps), without sleeping, in one thread. Compiled to WASM with
-// SIMD it is slower than on the machine itself: see docs/performance.md.
+// Box2D 3 with its defaults (4 substeps), without sleeping, in one thread. Compiled to WASM with
+// SIMD it is slower than natively: see docs/performance.md.
 import Box2D from "box2d3-wasm";
 import { drive } from "./drive.mjs";
 
@@ -34,7 +34,7 @@ class Box2d3Engine {
         }
     }
 
-    // Of a pair the larger restitution counts, and the geometric mean of the frictions.
+    // A pair takes the larger restitution and the geometric mean of the frictions.
     material(density) {
         const shape = b2.b2DefaultShapeDef();
         const surface = shape.material;
@@ -82,5 +82,5 @@ class Box2d3Engine {
 }
 
 drive("Box2D 3 (box2d3-wasm 5.2.0, SIMD)", (scene) => new Box2d3Engine(scene));
-// Its threads, which it does not use, would keep the process.
+// Its unused threads would keep the process alive.
 process.exit(0);

@@ -1,5 +1,5 @@
-// matter.js at its own defaults. It reckons in pixels and in steps of 1/60 s: below a few pixels a
-// step nothing bounces, so that a unit of the scene is 20 pixels here.
+// matter.js with its defaults. It computes in pixels and in steps of 1/60 s. Nothing bounces that
+// moves less than a few pixels a step, so a unit of the scene is 20 pixels here.
 import Matter from "matter-js";
 import { drive } from "./drive.mjs";
 
@@ -17,7 +17,7 @@ class MatterEngine {
     }
 
     material() {
-        // Of a pair the larger restitution counts, and the smaller friction.
+        // A pair takes the larger restitution and the smaller friction.
         const { restitution, friction } = this.scene;
         return { restitution, friction, frictionStatic: 0, frictionAir: 0 };
     }

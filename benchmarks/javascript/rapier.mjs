@@ -1,5 +1,5 @@
-// Rapier at its own defaults (4 solver iterations); no sleeping. The package is the caller's: the
-// plain one or the one with SIMD.
+// Rapier with its defaults (4 solver iterations); no sleeping. The caller chooses the package:
+// plain or with SIMD.
 import { drive } from "./drive.mjs";
 
 class RapierEngine {
@@ -15,14 +15,14 @@ class RapierEngine {
                 length === 0
                     ? rapier.ColliderDesc.ball(radius)
                     : rapier.ColliderDesc.capsule(length / 2, radius);
-            // A capsule of Rapier stands upright.
+            // Rapier's capsules are upright.
             shape.setTranslation((x0 + x1) / 2, (y0 + y1) / 2);
             if (length > 0) shape.setRotation(Math.atan2(y1 - y0, x1 - x0) - Math.PI / 2);
             this.world.createCollider(this.material(shape));
         }
     }
 
-    // Of a pair the mean counts.
+    // A pair takes the mean.
     material(shape) {
         return shape.setRestitution(this.scene.restitution).setFriction(this.scene.friction);
     }

@@ -41,14 +41,14 @@ GoalLine line_of(const SceneResults& scene, const std::string& part) {
 TEST_CASE("goals: a pile is compared with Box2D 3 in the same run, or with a stored measurement") {
     SceneResults scene = pile();
     CHECK(line_of(scene, "residual").measured == doctest::Approx(6e-5 / 3e-5));
-    CHECK(line_of(scene, "residual").verdict() == Verdict::short_of_it);
+    CHECK(line_of(scene, "residual").verdict() == Verdict::missed);
     CHECK(line_of(scene, "overlap").measured == doctest::Approx(0.02 / 0.058));
 
     scene.results.push_back(result(std::string(box2d3_wasm), 9.0, 0.08, 8e-5));
     CHECK(line_of(scene, "residual").measured == doctest::Approx(0.75));
-    CHECK(line_of(scene, "residual").verdict() == Verdict::wanted);
+    CHECK(line_of(scene, "residual").verdict() == Verdict::target_met);
     CHECK(line_of(scene, "overlap").measured == doctest::Approx(0.25));
-    // A time measured in another language is ignored.
+    // The time of its node build is not used.
     CHECK(line_of(scene, "time").measured ==
           doctest::Approx(0.25 / scene.scene.box2d3_by_chipmunk));
 }
