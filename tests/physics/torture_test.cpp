@@ -249,12 +249,12 @@ constexpr Trial trials[] = {{"masses 1e12 apart", 5, masses},
                             {"1e9 from the origin", 4, far_off},
                             {"ticks of 1e-9 to 1 s", 10, rates},
                             {"grazing at 1e-8 rad", 10, grazes},
-                            {"edges of no length or radius", 5, degenerate_edges},
-                            {"centres that coincide", 10, coincident},
+                            {"edges without length or radius", 5, degenerate_edges},
+                            {"coinciding centres", 10, coincident},
                             {"squeezed by closing edges", 16, squeeze},
                             {"many contacts at once", 12, at_once},
                             {"heaps of unequal masses", 4, heap},
-                            {"the same, deep, with friction", 6, rubbing_heap}};
+                            {"deep heaps of unequal masses, with friction", 6, rubbing_heap}};
 
 struct Outcome {
     std::size_t not_finite = 0;
@@ -326,7 +326,7 @@ bool escapes(Solver& solver, std::uint64_t shot) {
 }  // namespace
 
 TEST_CASE("torture: finite, nothing lost, no energy gained, by the solvers that promise it") {
-    std::string head = "| the extreme |";
+    std::string head = "| extreme |";
     std::string line = "|---|";
     for (const SolverKind kind : solvers_available()) {
         head += " " + std::string(name(kind)) + " |";
