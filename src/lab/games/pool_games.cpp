@@ -77,7 +77,7 @@ ShareRange likely_share(std::uint32_t won, std::uint32_t frames) {
 }
 
 std::string pool_match_head() {
-    return "| game | hands | frames | won | the steadier wins | shots a frame: mean, most | "
+    return "| game | skills | frames | won | the more skilled wins | shots a frame: mean, most | "
            "fouls a frame | not ended |\n"
            "|---|---|---|---|---|---|---|---|\n";
 }
