@@ -1,5 +1,5 @@
-# The deterministic core and a program that prints its fingerprints, for compilers and machines that
-# have no ncurses. Of fmt only the headers are used: its library is the building machine's.
+# The deterministic core and a program that prints its fingerprints, for compilers and machines without
+# ncurses. It uses only the headers of fmt, since the installed library is for the building machine.
 find_path(carom_fmt_headers fmt/format.h PATHS /usr/include NO_CMAKE_FIND_ROOT_PATH REQUIRED)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/headers)
 file(CREATE_LINK ${carom_fmt_headers}/fmt ${PROJECT_BINARY_DIR}/headers/fmt SYMBOLIC)

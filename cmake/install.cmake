@@ -1,5 +1,5 @@
-# Where things go, and how the binary finds the levels from there: first beside itself, wherever the
-# tree was moved to; else in the source tree that it was built from.
+# Installation, and how the binary finds the levels: first relative to itself, so that the installed
+# tree can be moved; else in the source tree that it was built from.
 include(GNUInstallDirs)
 file(RELATIVE_PATH carom_levels_from_binary
   ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/carom/levels)

@@ -1,10 +1,10 @@
-# What the scripts share: the packages, and the build. Sourced by bash, with the project as the
-# working folder. Everything that is said goes to standard error: standard output is the program's.
+# Shared by the scripts: packages, and the build. Sourced by bash, with the project as the working
+# folder. Messages go to standard error, since standard output belongs to the program.
 
 play_packages=(g++ cmake ninja-build pkg-config libncurses-dev libfmt-dev libcli11-dev)
 test_packages=(doctest-dev libgmp-dev libvterm-dev ncurses-term openssh-server openssh-client)
 
-# ctest runs as many of the test programs at once as there are cores.
+# ctest runs as many test programs at once as there are cores.
 export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
 
 say() { printf '%s\n' "$*" >&2; }
@@ -14,13 +14,13 @@ fail() {
     exit 2
 }
 
-# Whether Debian's package is installed.
+# is_installed PACKAGE: whether the Debian package is installed.
 is_installed() {
     [ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
 
-# Installs those of Debian's packages that are missing. Elsewhere there is no telling by name, so it
-# goes on when the tools are there, and the build tells what else is missing.
+# need_packages PACKAGE...: installs missing Debian packages. Other systems name packages differently:
+# there it only checks for the basic tools, and the build reports what else is missing.
 need_packages() {
     if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
         local tool
@@ -48,13 +48,13 @@ need_packages() {
         apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
 }
 
-# The generator for a build folder that has none yet.
+# CMake's generator for a new build folder.
 generator() {
     if command -v ninja >/dev/null; then echo Ninja; else echo "Unix Makefiles"; fi
 }
 
-# configure PRESET FOLDER [cmake arguments]: does nothing where it has been done with the same
-# arguments; what a changed CMakeLists.txt needs, the build does itself.
+# configure PRESET FOLDER [cmake arguments]: does nothing if it was last called with the same
+# arguments; the build itself reacts to a changed CMakeLists.txt.
 configure() {
     local preset=$1 folder=$2 stamp="$2/.configured"
     shift 2
@@ -70,7 +70,7 @@ configure() {
     printf '%s' "$*" >"$stamp"
 }
 
-# build FOLDER [TARGET...]: all targets where none is named.
+# build FOLDER [TARGET...]: builds all targets if none is named.
 build() {
     local folder=$1 targets=()
     shift
@@ -79,10 +79,10 @@ build() {
         fail "the build in $folder failed"
 }
 
-# The programs of benchmarks/ in build/release, which is the build of players and tests too. Arguments
-# go to cmake.
+# Adds the programs of benchmarks/ to build/release, the build of players and tests. Arguments go to
+# cmake.
 configure_benchmarks() {
-    # Tests need more packages; a folder that has them switched on keeps them.
+    # Tests need more packages. A folder configured with tests keeps them.
     [ -f build/release/.configured ] || configure release build/release -DCAROM_TESTS=OFF
     cmake -DCAROM_BENCHMARKS=ON "$@" build/release >build/release/configure.log 2>&1 || {
         cat build/release/configure.log >&2
