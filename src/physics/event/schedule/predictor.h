@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/event/impact/impact_cluster.h"
+#include "physics/event/motion/ball_impact.h"
 #include "physics/event/motion/ball_table.h"
 #include "physics/event/motion/kinematic_bodies.h"
 #include "physics/event/motion/scene.h"
