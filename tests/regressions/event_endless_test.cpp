@@ -2,7 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "physics/event/motion/time_of_impact.h"
+#include "physics/event/motion/ball_impact.h"
+#include "physics/event/motion/edge_impact.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 

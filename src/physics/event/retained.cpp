@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 
+#include "physics/event/motion/edge_impact.h"
 #include "physics/event/motion/stored_trajectory.h"
-#include "physics/event/motion/time_of_impact.h"
 #include "physics/event/motion/tolerances.h"
 #include "physics/event/world_sync.h"
 

@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include "geometry/f64x2.h"
-#include "physics/event/motion/time_of_impact.h"
+#include "physics/event/motion/edge_impact.h"
 #include "physics/event/motion/tolerances.h"
 
 namespace carom {

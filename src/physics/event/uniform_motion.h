@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "physics/event/impact/response.h"
+#include "physics/event/motion/ball_impact.h"
 #include "physics/event/motion/ball_table.h"
 #include "physics/event/motion/scene.h"
 #include "physics/event/motion/spatial_index.h"

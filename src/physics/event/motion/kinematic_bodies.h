@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "physics/event/motion/ball_table.h"
+#include "physics/event/motion/edge_impact.h"
 #include "physics/event/motion/scene.h"
-#include "physics/event/motion/time_of_impact.h"
 #include "physics/event/motion/trajectories.h"
 
 namespace carom {

@@ -1,61 +1,19 @@
 #pragma once
 
-#include <optional>
-
 #include "geometry/conservative_advancement.h"
-#include "geometry/shapes.h"
 #include "physics/event/motion/tolerances.h"
 #include "physics/event/motion/trajectory.h"
 
-/// The time of impact of two trajectories, or of a trajectory and an edge: when they first touch
-/// and approach. geometry/conservative_advancement.h says what counts as an impact, and README.md
-/// why none is missed.
+/// The time of impact of two trajectories (ball_impact.h), or of a trajectory and an edge
+/// (edge_impact.h): when they first touch and approach. geometry/conservative_advancement.h says
+/// what counts as an impact, and README.md why none is missed.
 ///
 /// All times are absolute, s; `end` is the horizon of the search. Each function gives the same bits
 /// whenever it is asked, since it starts from the trajectories alone. Straight lines and parabolas
 /// are solved in closed form; other motion takes a search of a few iterations.
+///
+/// Here is what both share: tolerances, and the separation of two points with its bounds.
 namespace carom {
-
-/// A capsule over any number type.
-template <typename Real>
-struct Edge {
-    Vector<Real> start;
-    Vector<Real> end;
-    Real radius{};
-
-    Edge() = default;
-    Edge(const Capsule& shape, Vec2 shift)
-        : start(Vector<Real>(shape.start) + Vector<Real>(shift)),
-          end(Vector<Real>(shape.end) + Vector<Real>(shift)),
-          radius(shape.radius) {}
-    bool is_point() const { return start == end; }
-};
-
-/// A kinematic edge: each of its ends moves uniformly from `time` until `stop`.
-template <typename Real>
-struct MovingEdge {
-    Edge<Real> edge;  ///< at `time`
-    Vector<Real> start_velocity;
-    Vector<Real> end_velocity;
-    Real time{};
-    Real stop{};
-
-    Edge<Real> at(const Real& when) const;
-};
-
-/// How a ball lies to an edge.
-template <typename Real>
-struct EdgeContact {
-    Real gap{};           ///< length; negative: depth of overlap
-    Vector<Real> normal;  ///< from the edge to the ball, unit
-    Real place{};         ///< nearest point of the spine: 0 at its start, 1 at its end
-};
-
-/// Beside the edge the normal is that of the spine, and does not depend on where the ball is. With
-/// its centre on the spine's end, the ball has the normal (0, 1).
-template <typename Real>
-EdgeContact<Real> contact_with(const Edge<Real>& edge, const Vector<Real>& position,
-                               const Real& radius);
 
 /// The rounding of a gap measured at this position, length: gaps up to this are contacts.
 template <typename Real>
@@ -63,117 +21,74 @@ inline Real rounding_at(const Vector<Real>& position, const Real& reach) {
     return Real(4.0 * precision<Real>) * (absolute(position.x) + absolute(position.y) + reach);
 }
 
-/// Ball a as seen from ball b when the later of their trajectories begins. Both must have the same
-/// `acceleration`, so that each sees the other move uniformly. `shift` is added to b's position.
 template <typename Real>
-struct StraightPair {
-    Real begin;
-    Vector<Real> velocity;
-    Vector<Real> offset;
-
-    StraightPair(const LinearPart<Real>& a, const LinearPart<Real>& b,
-                 const Vector<Real>& acceleration, const Vector<Real>& shift)
-        : begin(a.time < b.time ? b.time : a.time) {
-        const Real half(0.5);
-        const Real since_a = begin - a.time;
-        const Real since_b = begin - b.time;
-        velocity = a.velocity - b.velocity + acceleration * (since_a - since_b);
-        offset = (a.position + (a.velocity + acceleration * (half * since_a)) * since_a) -
-                 (b.position + (b.velocity + acceleration * (half * since_b)) * since_b) - shift;
-    }
-};
-
-/// Whether a body that moves uniformly, at `offset` from another and with the relative `velocity`,
-/// will come within `reach` of it. The bits are the same seen from either body.
+const Real& lesser(const Real& a, const Real& b) {
+    return b < a ? b : a;
+}
 template <typename Real>
-struct StraightApproach {
-    Real approach{};  ///< speed of approach times distance; positive: approach
-    Real discriminant{};
-
-    StraightApproach() = default;
-    StraightApproach(const Vector<Real>& offset, const Vector<Real>& velocity, const Real& reach)
-        : approach(-dot(offset, velocity)) {
-        const Real miss = cross(offset, velocity);
-        discriminant = length_squared(velocity) * reach * reach - miss * miss;
-    }
-    /// Computes both conditions before it asks either: no processor can predict the first.
-    bool is_impact() const {
-        return static_cast<int>(approach > Real{}) & static_cast<int>(discriminant > Real{});
-    }
-};
-
-/// When the two come within `reach`. `a` and `b` are the trajectories; `offset` is that of a as
-/// seen from b at `begin`; `small` is the smaller radius. None where they touch and approach no
-/// faster than rounding.
-/// Pre: approach.is_impact().
-template <typename Real>
-inline std::optional<Real> straight_time_of_impact(
-    const StraightApproach<Real>& approach, const LinearPart<Real>& a, const LinearPart<Real>& b,
-    const Real& begin, const Vector<Real>& offset, const Vector<Real>& acceleration,
-    const Real& reach, const Real& small, const Field<Real>& field) {
-    const Real distance = length(offset);
-    const Real gap = distance - reach;
-    if (gap <= rounding_at(a.position, reach)) {
-        const Real speed = approach.approach / distance;
-        const Real rounding = Real(approach_rounding<Real>) *
-                                  (length(a.velocity) + length(b.velocity) +
-                                   length(acceleration) * ((begin - a.time) + (begin - b.time))) +
-                              Real(pressed_rounding) * square_root(field.pressing * small) +
-                              Real(least_approach);
-        if (!(speed > rounding)) return std::nullopt;
-        // Slow pairs in a heap may sink in by a rest height before they meet again.
-        const Real height = Real(moving_rest_height) * small;
-        const Real rest_speed = square_root(Real(2.0) * field.pressing * height);
-        if (!(speed < rest_speed) || !(-height < gap)) return begin;
-        return begin + (gap + height) / speed;
-    }
-    // Both terms of the denominator are positive, so nothing cancels.
-    return begin +
-           gap * (distance + reach) / (approach.approach + square_root(approach.discriminant));
+const Real& greater(const Real& a, const Real& b) {
+    return a < b ? b : a;
 }
 
-/// Time of impact of two balls in uniform motion as seen from one another: both have the
-/// `acceleration`. Defined here, since a gas spends nearly all its time in it.
+/// Which gaps and approaches count as touching and resting. `speeds` is the sum of both bodies'
+/// speeds, `bound` that of their accelerations, `small` the smaller radius, `pressing` that of the
+/// Field, `height` one of the rest heights of tolerances.h.
 template <typename Real>
-inline std::optional<Real> straight_time_of_impact(const Trajectory<Real>& a,
-                                                   const Trajectory<Real>& b,
-                                                   const Vector<Real>& acceleration,
-                                                   const Vector<Real>& shift, const Real& reach,
-                                                   const Real& small, const Field<Real>& field) {
-    const StraightPair<Real> pair(a, b, acceleration, shift);
-    const StraightApproach<Real> approach(pair.offset, pair.velocity, reach);
-    if (!approach.is_impact()) return std::nullopt;
-    return straight_time_of_impact(approach, a, b, pair.begin, pair.offset, acceleration, reach,
-                                   small, field);
+ToiTolerance<Real> tolerance(const Vector<Real>& position, const Real& reach, const Real& speeds,
+                             const Real& bound, const Real& small, const Real& pressing,
+                             double height = rest_height) {
+    const Real rounding = Real(approach_rounding<Real>) * speeds +
+                          Real(pressed_rounding) * square_root(pressing * small) +
+                          Real(least_approach);
+    const Real rest_speed =
+        bound > Real{} ? square_root(Real(2.0 * height) * bound * small) : Real{};
+    return {rounding_at(position, reach), greater(rounding, rest_speed)};
 }
 
-/// Time of impact of two balls, no earlier than both trajectories begin and no later than `end`.
-/// `shift` is added to b's position (a periodic image); `reach` is the sum of the radii, `small`
-/// the smaller.
+/// The separation of two points at `offset` from one another, with the sum of the radii `reach`.
+/// Where the points coincide, only the distance is set.
 template <typename Real>
-std::optional<Real> ball_time_of_impact(const Trajectory<Real>& a, const Trajectory<Real>& b,
-                                        const Vector<Real>& shift, const Real& reach,
-                                        const Real& small, const Field<Real>& field,
-                                        const Real& end, ToiSearch<Real>& search);
+Separation<Real> separation_of(const Vector<Real>& offset, const Vector<Real>& velocity,
+                               const Vector<Real>& acceleration, const Real& reach) {
+    const Real away = length(offset);
+    if (!(away > Real{})) return {-reach, Real{}, Real{}, Real{}, Real{}, Real{}};
+    const Vector<Real> normal = offset / away;
+    const Real rate = dot(normal, velocity);
+    const Real across = cross(normal, velocity);
+    const Real normal_acceleration = dot(normal, acceleration);
+    return {
+        away - reach,     rate, across * across / away + normal_acceleration, normal_acceleration,
+        length(velocity), away};
+}
 
-/// Time of impact of a ball and an edge that does not move.
-///
-/// A ball that starts deeper in the edge than bodies that touch, as dense clusters leave some, is
-/// searched with the nearest point of the whole edge. So is a ball that slides along the edge.
-/// Otherwise the two ends and the two sides are solved one by one.
+/// Adds what will hold from now on. Under drag all accelerations decay at the same rate: bodies
+/// will never be pressed together more strongly than now. The acceleration of a turn predicts
+/// nothing.
 template <typename Real>
-std::optional<Real> edge_time_of_impact(const Trajectory<Real>& trajectory, const Edge<Real>& edge,
-                                        const Real& radius, const Field<Real>& field,
-                                        const Real& end, ToiSearch<Real>& search);
+Separation<Real> lasting_bound(Separation<Real> now, const Vector<Real>& acceleration, bool turns,
+                               bool has_drag) {
+    if (turns) {
+        now.center_distance = Real{};
+    } else if (has_drag) {
+        now.acceleration_bound = length(acceleration);
+        if (Real{} < now.normal_acceleration) now.normal_acceleration = Real{};
+    }
+    return now;
+}
 
-/// Time of impact of a ball and a kinematic edge, in begin..end. The bound on the edge's motion
-/// assumes that it turns no faster than twice the difference of its ends' speeds over its length.
-/// A suspended search resumes from a later `begin`: ticks with kinematic edges are never continued,
-/// so nobody could start it from the trajectory alone.
+/// The acceleration of a ball with this velocity; 0 in a turn, where `most_acceleration` bounds it.
 template <typename Real>
-std::optional<Real> moving_edge_time_of_impact(const Trajectory<Real>& trajectory,
-                                               const MovingEdge<Real>& edge, const Real& radius,
-                                               const Field<Real>& field, const Real& begin,
-                                               const Real& end, ToiSearch<Real>& search);
+Vector<Real> acceleration_at(const Trajectory<Real>& trajectory, const Field<Real>& field,
+                             const Vector<Real>& velocity) {
+    if (trajectory.motion == Motion::turning) return {};
+    if (!field.has_drag || trajectory.motion == Motion::held) return trajectory.acceleration;
+    return trajectory.acceleration - velocity * field.drag;
+}
+
+/// `end`, but no later than the trajectory's piece: a search stops where the trajectory does.
+template <typename Real>
+Real end_of_search(const Trajectory<Real>& trajectory, const Field<Real>& field, const Real& end) {
+    return trajectory.motion == Motion::turning ? lesser(end, piece_end(trajectory, field)) : end;
+}
 
 }  // namespace carom

@@ -1,7 +1,7 @@
 #include "physics/event/rest/side_friction.h"
 
 #include "physics/broad_phase/capsule_cells.h"
-#include "physics/event/motion/time_of_impact.h"
+#include "physics/event/motion/edge_impact.h"
 #include "physics/event/motion/tolerances.h"
 #include "physics/laws/bounce.h"
 

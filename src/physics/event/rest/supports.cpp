@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "physics/event/motion/time_of_impact.h"
+#include "physics/event/motion/edge_impact.h"
 #include "physics/event/motion/tolerances.h"
 
 namespace carom {

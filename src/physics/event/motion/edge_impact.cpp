@@ -1,71 +1,42 @@
-#include "physics/event/motion/time_of_impact.h"
+#include "physics/event/motion/edge_impact.h"
 
-// All pairs of shapes in one file: they share the tolerances and the separation of two points.
 namespace carom {
-namespace {
 
 template <typename Real>
-const Real& lesser(const Real& a, const Real& b) {
-    return b < a ? b : a;
-}
-template <typename Real>
-const Real& greater(const Real& a, const Real& b) {
-    return a < b ? b : a;
-}
-
-template <typename Real>
-ToiTolerance<Real> tolerance(const Vector<Real>& position, const Real& reach, const Real& speeds,
-                             const Real& bound, const Real& small, const Real& pressing,
-                             double height = rest_height) {
-    const Real rounding = Real(approach_rounding<Real>) * speeds +
-                          Real(pressed_rounding) * square_root(pressing * small) +
-                          Real(least_approach);
-    const Real rest_speed =
-        bound > Real{} ? square_root(Real(2.0 * height) * bound * small) : Real{};
-    return {rounding_at(position, reach), greater(rounding, rest_speed)};
+Edge<Real> MovingEdge<Real>::at(const Real& when) const {
+    const Real since = lesser(when, stop) - time;
+    Edge<Real> moved = edge;
+    moved.start += start_velocity * since;
+    moved.end += end_velocity * since;
+    return moved;
 }
 
-// The separation of two points at `offset` from one another, with the sum of the radii `reach`.
 template <typename Real>
-Separation<Real> separation_of(const Vector<Real>& offset, const Vector<Real>& velocity,
-                               const Vector<Real>& acceleration, const Real& reach) {
-    const Real away = length(offset);
-    if (!(away > Real{})) return {-reach, Real{}, Real{}, Real{}, Real{}, Real{}};
-    const Vector<Real> normal = offset / away;
-    const Real rate = dot(normal, velocity);
-    const Real across = cross(normal, velocity);
-    const Real normal_acceleration = dot(normal, acceleration);
-    return {
-        away - reach,     rate, across * across / away + normal_acceleration, normal_acceleration,
-        length(velocity), away};
-}
-
-// Adds what will hold from now on. Under drag all accelerations decay at the same rate: bodies will
-// never be pressed together more strongly than now. The acceleration of a turn predicts nothing.
-template <typename Real>
-Separation<Real> lasting_bound(Separation<Real> now, const Vector<Real>& acceleration, bool turns,
-                               bool has_drag) {
-    if (turns) {
-        now.center_distance = Real{};
-    } else if (has_drag) {
-        now.acceleration_bound = length(acceleration);
-        if (Real{} < now.normal_acceleration) now.normal_acceleration = Real{};
+EdgeContact<Real> contact_with(const Edge<Real>& edge, const Vector<Real>& position,
+                               const Real& radius) {
+    const Vector<Real> span = edge.end - edge.start;
+    const Real square = length_squared(span);
+    const Real zero{};
+    const Real one(1.0);
+    Real place{};
+    if (square > zero) {
+        place = dot(position - edge.start, span) / square;
+        place = place < zero ? zero : (place > one ? one : place);
     }
-    return now;
+    const Vector<Real> offset = position - (edge.start + span * place);
+    const Real away = length(offset);
+    Vector<Real> normal{zero, one};
+    if (place > zero && place < one) {
+        // Beside the spine.
+        const Vector<Real> left = perpendicular(span) / square_root(square);
+        normal = dot(left, offset) < zero ? -left : left;
+    } else if (away > zero) {
+        normal = offset / away;
+    }
+    return {away - radius - edge.radius, normal, place};
 }
 
-template <typename Real>
-Vector<Real> acceleration_at(const Trajectory<Real>& trajectory, const Field<Real>& field,
-                             const Vector<Real>& velocity) {
-    if (trajectory.motion == Motion::turning) return {};
-    if (!field.has_drag || trajectory.motion == Motion::held) return trajectory.acceleration;
-    return trajectory.acceleration - velocity * field.drag;
-}
-
-template <typename Real>
-Real end_of_search(const Trajectory<Real>& trajectory, const Field<Real>& field, const Real& end) {
-    return trajectory.motion == Motion::turning ? lesser(end, piece_end(trajectory, field)) : end;
-}
+namespace {
 
 // Time of impact with a fixed point, `reach` away from the ball's centre.
 template <typename Real>
@@ -174,83 +145,6 @@ template <typename Real>
 void take_earlier(std::optional<Real>& best, const std::optional<Real>& other) {
     if (other && (!best || *other < *best)) best = other;
 }
-
-}  // namespace
-
-template <typename Real>
-Edge<Real> MovingEdge<Real>::at(const Real& when) const {
-    const Real since = lesser(when, stop) - time;
-    Edge<Real> moved = edge;
-    moved.start += start_velocity * since;
-    moved.end += end_velocity * since;
-    return moved;
-}
-
-template <typename Real>
-EdgeContact<Real> contact_with(const Edge<Real>& edge, const Vector<Real>& position,
-                               const Real& radius) {
-    const Vector<Real> span = edge.end - edge.start;
-    const Real square = length_squared(span);
-    const Real zero{};
-    const Real one(1.0);
-    Real place{};
-    if (square > zero) {
-        place = dot(position - edge.start, span) / square;
-        place = place < zero ? zero : (place > one ? one : place);
-    }
-    const Vector<Real> offset = position - (edge.start + span * place);
-    const Real away = length(offset);
-    Vector<Real> normal{zero, one};
-    if (place > zero && place < one) {
-        // Beside the spine.
-        const Vector<Real> left = perpendicular(span) / square_root(square);
-        normal = dot(left, offset) < zero ? -left : left;
-    } else if (away > zero) {
-        normal = offset / away;
-    }
-    return {away - radius - edge.radius, normal, place};
-}
-
-template <typename Real>
-std::optional<Real> ball_time_of_impact(const Trajectory<Real>& a, const Trajectory<Real>& b,
-                                        const Vector<Real>& shift, const Real& reach,
-                                        const Real& small, const Field<Real>& field,
-                                        const Real& end, ToiSearch<Real>& search) {
-    if (is_parabola(a, field) && is_parabola(b, field) && a.acceleration == b.acceleration) {
-        const auto time = straight_time_of_impact(a, b, a.acceleration, shift, reach, small, field);
-        return time && *time <= end ? time : std::nullopt;
-    }
-    const Real begin = greater(a.time, b.time);
-    const Real last = lesser(end_of_search(a, field, end), end_of_search(b, field, end));
-    if (last < begin) return std::nullopt;
-    Real bound = most_acceleration(a, field, begin) + most_acceleration(b, field, begin);
-    if (is_parabola(a, field) && is_parabola(b, field))
-        bound = length(a.acceleration - b.acceleration);
-    const auto separation_at = [&](const Real& time) {
-        const BallState<Real> at_a = state_at(a, field, time);
-        const BallState<Real> at_b = state_at(b, field, time);
-        const Vector<Real> acceleration =
-            acceleration_at(a, field, at_a.velocity) - acceleration_at(b, field, at_b.velocity);
-        return lasting_bound(separation_of(at_a.position - at_b.position - shift,
-                                           at_a.velocity - at_b.velocity, acceleration, reach),
-                             acceleration,
-                             a.motion == Motion::turning || b.motion == Motion::turning,
-                             field.has_drag);
-    };
-    const bool one_rests = a.motion == Motion::resting || b.motion == Motion::resting;
-    const bool on_cloth = is_on_cloth(a) || is_on_cloth(b);
-    const double height =
-        on_cloth ? unpressed_rest_height : (one_rests ? rest_height : moving_rest_height);
-    auto limits = tolerance(a.position, reach, length(a.velocity) + length(b.velocity), bound,
-                            small, field.pressing, height);
-    const bool is_kinematic = a.motion == Motion::held || b.motion == Motion::held;
-    if (on_cloth)
-        limits.rest_height =
-            Real(2.0 * (is_kinematic ? moving_rest_height : cloth_rest_height)) * small;
-    return first_time_of_impact<Real>(separation_at, begin, last, bound, limits, search);
-}
-
-namespace {
 
 // Whether the trajectory starts deeper in the edge than bodies that touch.
 template <typename Real>
@@ -363,9 +257,6 @@ std::optional<Real> moving_edge_time_of_impact(const Trajectory<Real>& trajector
 #define CAROM_FOR(Real)                                                                            \
     template Edge<Real> MovingEdge<Real>::at(const Real&) const;                                   \
     template EdgeContact<Real> contact_with(const Edge<Real>&, const Vector<Real>&, const Real&);  \
-    template std::optional<Real> ball_time_of_impact(                                              \
-        const Trajectory<Real>&, const Trajectory<Real>&, const Vector<Real>&, const Real&,        \
-        const Real&, const Field<Real>&, const Real&, ToiSearch<Real>&);                           \
     template std::optional<Real> edge_time_of_impact(const Trajectory<Real>&, const Edge<Real>&,   \
                                                      const Real&, const Field<Real>&, const Real&, \
                                                      ToiSearch<Real>&);                            \

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+
+#include "geometry/shapes.h"
+#include "physics/event/motion/time_of_impact.h"
+
+/// When a ball meets an edge, fixed or kinematic, and how it lies to one. See time_of_impact.h for
+/// what all searches have in common.
+namespace carom {
+
+/// A capsule over any number type.
+template <typename Real>
+struct Edge {
+    Vector<Real> start;
+    Vector<Real> end;
+    Real radius{};
+
+    Edge() = default;
+    Edge(const Capsule& shape, Vec2 shift)
+        : start(Vector<Real>(shape.start) + Vector<Real>(shift)),
+          end(Vector<Real>(shape.end) + Vector<Real>(shift)),
+          radius(shape.radius) {}
+    bool is_point() const { return start == end; }
+};
+
+/// A kinematic edge: each of its ends moves uniformly from `time` until `stop`.
+template <typename Real>
+struct MovingEdge {
+    Edge<Real> edge;  ///< at `time`
+    Vector<Real> start_velocity;
+    Vector<Real> end_velocity;
+    Real time{};
+    Real stop{};
+
+    Edge<Real> at(const Real& when) const;
+};
+
+/// How a ball lies to an edge.
+template <typename Real>
+struct EdgeContact {
+    Real gap{};           ///< length; negative: depth of overlap
+    Vector<Real> normal;  ///< from the edge to the ball, unit
+    Real place{};         ///< nearest point of the spine: 0 at its start, 1 at its end
+};
+
+/// Beside the edge the normal is that of the spine, and does not depend on where the ball is. With
+/// its centre on the spine's end, the ball has the normal (0, 1).
+template <typename Real>
+EdgeContact<Real> contact_with(const Edge<Real>& edge, const Vector<Real>& position,
+                               const Real& radius);
+
+/// Time of impact of a ball and an edge that does not move.
+///
+/// A ball that starts deeper in the edge than bodies that touch, as dense clusters leave some, is
+/// searched with the nearest point of the whole edge. So is a ball that slides along the edge.
+/// Otherwise the two ends and the two sides are solved one by one.
+template <typename Real>
+std::optional<Real> edge_time_of_impact(const Trajectory<Real>& trajectory, const Edge<Real>& edge,
+                                        const Real& radius, const Field<Real>& field,
+                                        const Real& end, ToiSearch<Real>& search);
+
+/// Time of impact of a ball and a kinematic edge, in begin..end. The bound on the edge's motion
+/// assumes that it turns no faster than twice the difference of its ends' speeds over its length.
+/// A suspended search resumes from a later `begin`: ticks with kinematic edges are never continued,
+/// so nobody could start it from the trajectory alone.
+template <typename Real>
+std::optional<Real> moving_edge_time_of_impact(const Trajectory<Real>& trajectory,
+                                               const MovingEdge<Real>& edge, const Real& radius,
+                                               const Field<Real>& field, const Real& begin,
+                                               const Real& end, ToiSearch<Real>& search);
+
+}  // namespace carom

@@ -1,0 +1,83 @@
+#include "physics/event/motion/edge_impact.h"
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+using namespace carom;
+
+namespace {
+
+const Edge<double> floor_edge(Capsule{{-2.0, 0.0}, {2.0, 0.0}, 0.1}, {});
+
+Trajectory<double> thrown(Vec2 position, Vec2 velocity, Vec2 acceleration = {}) {
+    Trajectory<double> path;
+    path.position = Vector<double>(position);
+    path.velocity = Vector<double>(velocity);
+    path.acceleration = Vector<double>(acceleration);
+    return path;
+}
+
+std::optional<double> impact_with(const Edge<double>& edge, const Trajectory<double>& path,
+                                  double end = 100.0) {
+    ToiSearch<double> search;
+    return edge_time_of_impact<double>(path, edge, 0.4, Field<double>{}, end, search);
+}
+
+}  // namespace
+
+TEST_CASE("edge impact: contact with the side, the ends, and a peg") {
+    const auto above = contact_with<double>(floor_edge, {1.0, 2.0}, 0.4);
+    CHECK(above.gap == 1.5);
+    CHECK(above.normal == Vector<double>{0.0, 1.0});
+    CHECK(above.place == 0.75);
+    CHECK(contact_with<double>(floor_edge, {1.0, -2.0}, 0.4).normal == Vector<double>{0.0, -1.0});
+    const auto beyond = contact_with<double>(floor_edge, {5.0, 4.0}, 0.4);
+    CHECK(beyond.place == 1.0);
+    CHECK(beyond.gap == 4.5);
+    CHECK(beyond.normal == Vector<double>{0.6, 0.8});
+    CHECK(contact_with<double>(floor_edge, {2.0, 0.0}, 0.4).normal == Vector<double>{0.0, 1.0});
+    const Edge<double> peg(Capsule{{1.0, 1.0}, {1.0, 1.0}, 0.5}, {2.0, 0.0});
+    CHECK(peg.is_point());
+    CHECK(contact_with<double>(peg, {3.0, 4.0}, 0.5).gap == 2.0);
+}
+
+TEST_CASE("edge impact: sides and ends, from both sides") {
+    CHECK(impact_with(floor_edge, thrown({0.0, 2.5}, {0.0, -1.0})) == doctest::Approx(2.0));
+    CHECK(impact_with(floor_edge, thrown({0.0, -2.5}, {0.0, 1.0})) == doctest::Approx(2.0));
+    CHECK(impact_with(floor_edge, thrown({5.0, 0.0}, {-1.0, 0.0})) == doctest::Approx(2.5));
+    CHECK(impact_with(floor_edge, thrown({5.0, 0.3}, {-1.0, 0.0})) == doctest::Approx(2.6));
+    CHECK(impact_with(floor_edge, thrown({0.0, 2.5}, {0.0, 1.0})) == std::nullopt);
+    CHECK(impact_with(floor_edge, thrown({5.0, 2.5}, {0.0, -1.0})) == std::nullopt);
+    CHECK(impact_with(floor_edge, thrown({0.0, 2.5}, {0.0, -1.0}), 1.9) == std::nullopt);
+}
+
+TEST_CASE("edge impact: a parabola comes back to the side") {
+    const auto path = thrown({0.0, 0.5}, {0.0, 5.0}, {0.0, -10.0});
+    CHECK(impact_with(floor_edge, path) == doctest::Approx(1.0));
+}
+
+TEST_CASE("edge impact: a resting ball meets no edge") {
+    auto path = thrown({0.0, 0.5}, {});
+    path.motion = Motion::resting;
+    CHECK(impact_with(floor_edge, path) == std::nullopt);
+}
+
+TEST_CASE("edge impact: a kinematic edge goes on until it stops") {
+    MovingEdge<double> edge;
+    edge.edge = floor_edge;
+    edge.start_velocity = edge.end_velocity = {0.0, 1.0};
+    edge.time = 2.0;
+    edge.stop = 3.0;
+    CHECK(edge.at(2.5).start == Vector<double>{-2.0, 0.5});
+    CHECK(edge.at(4.0).end == Vector<double>{2.0, 1.0});
+
+    ToiSearch<double> search;
+    const Field<double> field;
+    const auto low = thrown({0.0, 1.25}, {});
+    const auto time = moving_edge_time_of_impact<double>(low, edge, 0.4, field, 2.0, 9.0, search);
+    REQUIRE(time);
+    CHECK(*time == doctest::Approx(2.75));
+    const auto high = thrown({0.0, 1.6}, {});
+    CHECK(!moving_edge_time_of_impact<double>(high, edge, 0.4, field, 2.0, 9.0, search));
+}
