@@ -6,6 +6,7 @@
 #include "geometry/f64x2.h"
 #include "physics/event/motion/edge_impact.h"
 #include "physics/event/motion/tolerances.h"
+#include "physics/laws/contact_material.h"
 
 namespace carom {
 namespace {
@@ -280,9 +281,7 @@ inline bool UniformMotion<Real>::pass_impulse(Pair& pair, const ImpactRecord& re
     const Real approach = approach_of<Real>(contact, pair.motion);
     const bool can_move = pair.motion[0].inverse_mass + pair.motion[1].inverse_mass > Real{};
     if (!(distance > Real{}) || !can_move || !(approach > rounding)) return false;
-    const std::vector<double>& restitution = scene_.world->balls().restitution;
-    if (scene_.world->model().lossy)
-        contact.restitution = Real(std::min(restitution[pair.ball[0]], restitution[pair.ball[1]]));
+    contact.restitution = Real(restitution_of_balls(*scene_.world, pair.ball[0], pair.ball[1]));
     const Real impulse = reflect_alone<Real>(pair.motion, contact);
     if (!(impulse > Real{}) || approach_of<Real>(contact, pair.motion) > Real{}) return false;
     if (!is_off_edges(pair.ball[0], pair.position[0]) ||

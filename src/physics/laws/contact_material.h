@@ -34,14 +34,20 @@ inline double friction_of_edge(const World& world, std::size_t capsule) {
     return world.materials()[world.capsules().material[capsule]].friction;
 }
 
-/// The normal along which a ball bounces off an edge: `normal`, turned at random where the scene
-/// scatters. Then it counts as one more edge contact of the ball.
+/// The normal along which a ball bounces off an edge: `normal`, turned at random. Counts as one
+/// more of the ball's `edge_contacts`. Pre: Model::scatter.
+inline Vec2 bounce_normal(const World& world, std::size_t ball, std::uint32_t& edge_contacts,
+                          Vec2 normal, Vec2 velocity, double restitution) {
+    return scattered_normal(world, world.balls().id[ball], edge_contacts++, normal, velocity,
+                            restitution);
+}
+/// For any scene, and for solvers that count in the world's own column: `normal` where the scene
+/// does not scatter.
 inline Vec2 bounce_normal(World& world, std::size_t ball, Vec2 normal, Vec2 velocity,
                           double restitution) {
     if (!world.model().scatter) return normal;
-    return scattered_normal(world, world.balls().id[ball],
-                            SolverAccess(world).balls().edge_contacts[ball]++, normal, velocity,
-                            restitution);
+    return bounce_normal(world, ball, SolverAccess(world).balls().edge_contacts[ball], normal,
+                         velocity, restitution);
 }
 
 /// What an edge that kicks adds along the normal, length/s. `shape` is where the edge is now,

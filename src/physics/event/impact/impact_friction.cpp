@@ -1,6 +1,7 @@
 #include "physics/event/impact/impact_friction.h"
 
 #include "physics/event/motion/tolerances.h"
+#include "physics/laws/contact_material.h"
 
 namespace carom {
 
@@ -41,7 +42,7 @@ void ImpactFriction<Real>::collect(const std::vector<std::uint32_t>& which,
         if (!(passed[i] > Real{})) continue;
         const Real coefficient =
             point.kind == EventKind::kinematic_edge
-                ? Real(world.materials()[world.capsules().material[point.other]].friction)
+                ? Real(friction_of_edge(world, point.other))
                 : friction_.coefficient(cluster_.bodies()[point.contact.a].ball, point.support);
         const Real most = coefficient * passed[i];
         if (!(most > Real{})) continue;

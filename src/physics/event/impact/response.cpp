@@ -4,7 +4,7 @@
 #include <array>
 
 #include "physics/event/motion/tolerances.h"
-#include "physics/laws/bounce.h"
+#include "physics/laws/contact_material.h"
 
 namespace carom {
 
@@ -119,9 +119,9 @@ void Response<Real>::prepare_group(bool is_alone) {
             point.contact.restitution > Real{}) {
             const std::uint32_t ball = cluster_.bodies()[point.contact.a].ball;
             const Vec2 velocity(cluster_.motion()[point.contact.a].velocity);
-            group_.back().normal = Vector<Real>(
-                scattered_normal(world, world.balls().id[ball], scatter_counts_[ball]++,
-                                 Vec2(point.contact.normal), velocity, restitution));
+            group_.back().normal =
+                Vector<Real>(bounce_normal(world, ball, scatter_counts_[ball],
+                                           Vec2(point.contact.normal), velocity, restitution));
         }
         approach_.push_back(approach_of<Real>(group_.back(), cluster_.motion()));
     }
@@ -176,8 +176,8 @@ void Response<Real>::record_contact(std::size_t at, std::vector<Contact>& contac
     if (world.model().kicks && !on_ball)
         cluster_.motion()[point.contact.a].velocity +=
             group_[at].normal *
-            Real(kick_at(world.materials()[world.capsules().material[point.other]],
-                         world.capsules().shape[point.other], place, approach));
+            Real(kick_of_edge(world, point.other, world.capsules().shape[point.other], place,
+                              approach));
     contacts.push_back({.time = static_cast<double>(scene_.now),
                         .kind = on_ball ? ContactKind::ball_ball : ContactKind::ball_edge,
                         .a = is_swapped ? point.other : body.ball,

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "physics/event/motion/tolerances.h"
-#include "physics/laws/bounce.h"
+#include "physics/laws/contact_material.h"
 
 namespace carom {
 
@@ -22,10 +22,7 @@ double Restitution<Real>::of_balls(const ContactPoint<Real>& point, bool is_alon
     const ClusterBody<Real>& body = cluster_.bodies()[point.contact.a];
     const Trajectory<Real> ours = balls_.path(body.ball);
     const Trajectory<Real> theirs = balls_.path(point.other);
-    double restitution = 1.0;
-    if (world.model().lossy)
-        restitution =
-            std::min(world.balls().restitution[body.ball], world.balls().restitution[point.other]);
+    const double restitution = restitution_of_balls(world, body.ball, point.other);
     const bool is_pushed = cluster_.motion()[point.contact.a].inverse_mass == Real{} ||
                            cluster_.motion()[point.contact.b].inverse_mass == Real{};
     if (is_pushed && (ours.motion == Motion::held || theirs.motion == Motion::held))
@@ -52,9 +49,7 @@ double Restitution<Real>::of_edge(const ContactPoint<Real>& point, bool is_alone
     const Trajectory<Real> path = balls_.path(ball);
     const double speed = static_cast<double>(approach);
     const double surface = static_cast<double>(point.contact.surface);
-    double restitution = 1.0;
-    const Material& material = world.materials()[world.capsules().material[point.other]];
-    if (world.model().lossy) restitution = restitution_at(material, std::max(0.0, speed));
+    const double restitution = restitution_of_edge(world, point.other, std::max(0.0, speed));
     if (point.is_motorised && approach > Real{})
         return driven_restitution(restitution, surface, speed);
     if (point.kind == EventKind::kinematic_edge && point.contact.surface > Real{}) {

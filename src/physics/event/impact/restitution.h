@@ -4,8 +4,9 @@
 
 namespace carom {
 
-/// The coefficient of restitution of each contact point in an impact: the pair's own, but for the
-/// rules by which bodies come to rest and collapse stays finite.
+/// The coefficient of restitution of each contact point in an impact: that of the pair's materials
+/// (laws/contact_material.h), but for the rules by which bodies come to rest and collapse stays
+/// finite.
 ///
 ///   pair                                    rebound rises less than       restitution
 ///   ball pressed by gravity on an edge      rest_height                   0: it rests

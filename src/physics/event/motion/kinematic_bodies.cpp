@@ -1,6 +1,6 @@
 #include "physics/event/motion/kinematic_bodies.h"
 
-#include "physics/broad_phase/capsule_cells.h"
+#include "physics/tick/kinematic.h"
 
 namespace carom {
 
@@ -11,19 +11,18 @@ void KinematicBodies<Real>::take() {
     for (const HeldBall& held : world.held_balls()) {
         const auto index = index_of(world, held.id);
         if (!index) continue;
-        Vec2 way = held.target - world.balls().position[*index];
-        if (world.model().wrap) way = nearest_image(way, scene_.period);
+        const Vec2 way = rest_of_way(world, held, world.balls().position[*index]);
         balls_.plan(*index).inverse_mass = Real{};
         balls_[*index].line.velocity = Vector<Real>(way) / duration;
     }
     edges_.clear();
-    for (const HeldCapsule& held : world.held_capsules()) {
-        const auto index = index_of(world, held.id);
-        if (!index) continue;
-        const Capsule& shape = world.capsules().shape[*index];
+    list_kinematic_edges(world, held_);
+    for (const HeldEdge& listed : held_) {
+        const HeldCapsule& held = world.held_capsules()[listed.held];
+        const Capsule& shape = world.capsules().shape[listed.capsule];
         KinematicEdge<Real> edge;
-        edge.capsule = static_cast<std::uint32_t>(*index);
-        edge.is_motorised = held.is_driven;
+        edge.capsule = listed.capsule;
+        edge.is_motorised = listed.is_driven;
         edge.edge.edge = Edge<Real>(shape, {});
         edge.edge.start_velocity = Vector<Real>(held.start_target - shape.start) / duration;
         edge.edge.end_velocity = Vector<Real>(held.end_target - shape.end) / duration;

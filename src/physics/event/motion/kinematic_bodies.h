@@ -7,6 +7,7 @@
 #include "physics/event/motion/edge_impact.h"
 #include "physics/event/motion/scene.h"
 #include "physics/event/motion/trajectories.h"
+#include "physics/tick/kinematic.h"
 
 namespace carom {
 
@@ -21,6 +22,11 @@ struct KinematicEdge {
 /// The balls and edges that something outside of the physics moves: each goes to its target in
 /// uniform motion during the tick, and nothing pushes it. One that would squeeze a ball against
 /// something stops for the rest of the tick.
+///
+/// Which bodies these are, and how far they have to go, is asked of tick/kinematic.h. Solvers with
+/// substeps multiply the way by a rate, from wherever they are (`aim`). Here it is divided by the
+/// tick's duration once, in the engine's number type, and the trajectory is absolute in time: the
+/// two round differently.
 template <typename Real>
 class KinematicBodies {
   public:
@@ -49,6 +55,7 @@ class KinematicBodies {
     BallTable<Real>& balls_;
     Trajectories<Real>& trajectories_;
     std::vector<KinematicEdge<Real>> edges_;
+    std::vector<HeldEdge> held_;  ///< scratch
     bool has_stopped_ = false;
 };
 

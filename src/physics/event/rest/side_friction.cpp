@@ -3,7 +3,7 @@
 #include "physics/broad_phase/capsule_cells.h"
 #include "physics/event/motion/edge_impact.h"
 #include "physics/event/motion/tolerances.h"
-#include "physics/laws/bounce.h"
+#include "physics/laws/contact_material.h"
 
 namespace carom {
 
@@ -11,12 +11,11 @@ template <typename Real>
 Real SideFriction<Real>::coefficient(std::uint32_t ball, const PathSupport& support) const {
     if (support.by == PathSupport::By::edge) {
         const auto index = index_of(*scene_.world, CapsuleId{support.number});
-        return Real(scene_.world->materials()[scene_.world->capsules().material[*index]].friction);
+        return Real(friction_of_edge(*scene_.world, *index));
     }
     if (support.by != PathSupport::By::ball) return Real{};
     const auto index = index_of(*scene_.world, BallId{support.number});
-    return Real(friction_between(scene_.world->kinds()[scene_.world->balls().kind[ball]],
-                                 scene_.world->kinds()[scene_.world->balls().kind[*index]]));
+    return Real(friction_of_balls(*scene_.world, ball, *index));
 }
 
 // Slips up to this are rounding.
