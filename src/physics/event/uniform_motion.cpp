@@ -1,31 +1,12 @@
 #include "physics/event/uniform_motion.h"
 
 #include <algorithm>
-#include <type_traits>
 
-#include "geometry/f64x2.h"
 #include "physics/event/motion/edge_impact.h"
 #include "physics/event/motion/tolerances.h"
 #include "physics/laws/contact_material.h"
 
 namespace carom {
-namespace {
-
-// StraightPair where nothing accelerates the balls.
-template <typename Real>
-struct UniformPair {
-    Real begin;
-    Vector<Real> velocity;
-    Vector<Real> offset;
-
-    UniformPair(const LinearPart<Real>& a, const LinearPart<Real>& b)
-        : begin(a.time < b.time ? b.time : a.time),
-          velocity(a.velocity - b.velocity),
-          offset((a.position + a.velocity * (begin - a.time)) -
-                 (b.position + b.velocity * (begin - b.time))) {}
-};
-
-}  // namespace
 
 template <typename Real>
 bool UniformMotion<Real>::applies(const KinematicBodies<Real>& kinematic) const {
@@ -41,126 +22,16 @@ bool UniformMotion<Real>::applies(const KinematicBodies<Real>& kinematic) const 
 template <typename Real>
 bool UniformMotion<Real>::handle(std::uint32_t ball, const BallEvent<Real>& event,
                                  const ImpactRecord& record) {
-    if (event.kind == EventKind::cell_transfer) {
-        transfer(ball, event.other);
-        return true;
-    }
-    if (event.kind != EventKind::ball_ball) return false;
-    if (event.other_version != balls_[event.other].version) {
-        predict(ball);
-        return true;
-    }
-    return collide(ball, event, record);
-}
-
-// The earlier of `best` and the collision with a ball that the ball approaches so as to meet it.
-template <typename Real>
-inline auto UniformMotion<Real>::earlier(std::uint32_t ball, std::uint32_t other,
-                                         const StraightApproach<Real>& approach, const Real& begin,
-                                         const Vector<Real>& offset, FirstCollision best) const
-    -> FirstCollision {
-    const BallRecord<Real>& us = balls_[ball];
-    const BallRecord<Real>& them = balls_[other];
-    const Real small = us.radius < them.radius ? us.radius : them.radius;
-    // As seen from the lower ball, so that both find the same bits.
-    const auto met = straight_time_of_impact(
-        approach, balls_[std::min(ball, other)].line, balls_[std::max(ball, other)].line, begin,
-        offset, Vector<Real>{}, us.radius + them.radius, small, scene_.field);
-    if (!met) return best;
-    const Real time = *met < scene_.now ? scene_.now : *met;
-    bool comes = time < best.time;
-    if (time == best.time)
-        comes = comes_before<Real>(ball, {time, EventKind::ball_ball, 0, 0, other, 0}, ball,
-                                   {best.time, EventKind::ball_ball, 0, 0, best.other, 0});
-    best.time = time < best.time ? time : best.time;
-    best.other = select(comes, other, best.other);
-    best.version = select(comes, them.version, best.version);
-    return best;
-}
-
-// The earlier of `best` and the collision with a ball, if there is one.
-template <typename Real>
-inline auto UniformMotion<Real>::earlier(std::uint32_t ball, std::uint32_t other,
-                                         FirstCollision best) const -> FirstCollision {
-    const BallRecord<Real>& us = balls_[ball];
-    const BallRecord<Real>& them = balls_[other];
-    const UniformPair<Real> pair(us.line, them.line);
-    const StraightApproach<Real> approach(pair.offset, pair.velocity, us.radius + them.radius);
-    return approach.is_impact() ? earlier(ball, other, approach, pair.begin, pair.offset, best)
-                                : best;
-}
-
-template <typename Real>
-void UniformMotion<Real>::predict(std::uint32_t ball) {
-    FirstCollision first;
-    auto chains = space_.cells().chains_near(balls_, ball);
-    chains.for_each(balls_.data(),
-                    [&](std::uint32_t other, int, int) { first = earlier(ball, other, first); });
-    choose_next(ball, first);
-}
-
-template <typename Real>
-void UniformMotion<Real>::transfer(std::uint32_t ball, std::uint32_t side) {
-    const int way = 1 - 2 * static_cast<int>(side & 1);
-    const int rows = way & -static_cast<int>(side >> 1);
-    const int columns = way - rows;
-    space_.cells().step(balls_, ball, columns, rows);
-    const BallEvent<Real> known = balls_.plan(ball).collision();
-    FirstCollision first;
-    if (known.kind != EventKind::none) first = {known.time, known.other, known.other_version};
-    auto chains = space_.cells().chains_of_new(balls_, ball, columns, rows);
-    chains.for_each(balls_.data(),
-                    [&](std::uint32_t other, int, int) { first = earlier(ball, other, first); });
-    choose_next(ball, first);
-}
-
-// Plans the ball's next event, and schedules it. Doubles compute the transfers of both axes side by
-// side, as CellTransfers::predict_uniform does one by one.
-template <typename Real>
-inline void UniformMotion<Real>::choose_next(std::uint32_t ball, FirstCollision first) {
-    BallPlan<Real>& plan = balls_.plan(ball);
-    const bool is_one = first.other != BallRecord<Real>::none;
-    const BallEvent<Real> collision{first.time,  is_one ? EventKind::ball_ball : EventKind::none,
-                                    0,           0,
-                                    first.other, first.version};
-    plan.set_collision(collision);
-    BallEvent<Real> next = collision;
-    if constexpr (!std::is_same_v<Real, double>) {
-        predictor_.transfers().predict_uniform(ball, next);
+    if (event.kind == EventKind::cell_transfer && event.other < cell_transfer::sides) {
+        predictor_.template transfer<MotionTerms::uniform>(ball, event.other);
+    } else if (event.kind == EventKind::ball_ball) {
+        if (event.other_version == balls_[event.other].version) return collide(ball, event, record);
+        predictor_.template predict<MotionTerms::uniform>(ball);
     } else {
-        const LinearPart<double>& path = balls_[ball].line;
-        const CellPlace& own = plan.place;
-        const CellFrame& frame = space_.cells().frame();
-        const F64x2 speed{path.velocity.x, path.velocity.y};
-        const F64x2 place{path.position.x, path.position.y};
-        const F64x2 origin{frame.origin.x, frame.origin.y};
-        const F64x2 width{frame.cell.x, frame.cell.y};
-        const F64x2 last{static_cast<double>(frame.columns), static_cast<double>(frame.rows)};
-        const F64x2 cell{static_cast<double>(own.column), static_cast<double>(own.row)};
-        const F64x2 zero{};
-        const F64x2 one{1.0, 1.0};
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        const F64x2 never{infinity, infinity};
-        const F64x2 border = cell + (speed > zero ? one : zero);
-        const F64x2 crossed = path.time + ((origin + width * border) - place) / speed;
-        const F64x2 no_earlier = at_least(F64x2{scene_.now, scene_.now}, crossed);
-        const auto is_crossing = (speed != zero) & (border > zero) & (border < last);
-        const F64x2 time = is_crossing ? no_earlier : never;
-        const bool is_y = time[1] < time[0];
-        const double left = time[1] < time[0] ? time[1] : time[0];
-        const auto to_x = static_cast<std::uint32_t>(!(path.velocity.x > 0.0));
-        const auto to_y = static_cast<std::uint32_t>(!(path.velocity.y > 0.0));
-        // At the same time, collisions come first.
-        const bool leaves = left < first.time;
-        next.time = left < first.time ? left : first.time;
-        constexpr auto transfer = static_cast<std::uint32_t>(EventKind::cell_transfer);
-        const auto otherwise = static_cast<std::uint32_t>(collision.kind);
-        next.kind = static_cast<EventKind>(select(leaves, transfer, otherwise));
-        next.other = select(leaves, select(is_y, cell_transfer::up + to_y, to_x), first.other);
+        return false;
     }
-    if (!space_.is_off_edges(ball)) predictor_.predict_edges(ball, next);
-    plan.set_next_event(next);
     schedule_.update(ball);
+    return true;
 }
 
 // The balls near the one that is at `position` now and flies on with `velocity`; its `partner` is
@@ -168,7 +39,8 @@ inline void UniformMotion<Real>::choose_next(std::uint32_t ball, FirstCollision 
 template <typename Real>
 inline bool UniformMotion<Real>::find_near(std::uint32_t ball, std::uint32_t partner,
                                            const Vector<Real>& position,
-                                           const Vector<Real>& velocity, Near& near) const {
+                                           const Vector<Real>& velocity,
+                                           NearBalls<Real>& near) const {
     const BallRecord<Real>* const balls = balls_.data();
     const Real now = scene_.now;
     const Real size = balls[ball].radius;
@@ -188,18 +60,18 @@ inline bool UniformMotion<Real>::find_near(std::uint32_t ball, std::uint32_t par
         const StraightApproach<Real> approach(offset, way - path.velocity, reach);
         const auto is_other = static_cast<int>(other != partner);
         are_apart &= (is_other ^ 1) | static_cast<int>(length_squared(offset) > rough * rough);
-        const std::size_t at = std::min(count, Near::most - 1);
+        const std::size_t at = std::min(count, NearBalls<Real>::most - 1);
         near.other[at] = other;
         near.offset[at] = offset;
         near.approach[at] = approach;
         near.approached[approached] = static_cast<std::uint32_t>(at);
         approached = std::min(approached + static_cast<std::size_t>(
                                                static_cast<int>(approach.is_impact()) & is_other),
-                              Near::most - 1);
+                              NearBalls<Real>::most - 1);
         ++count;
     });
     near.approached_count = approached;
-    return are_apart != 0 && count < Near::most;
+    return are_apart != 0 && count < NearBalls<Real>::most;
 }
 
 // Whether the ball, at `position` now, touches no edge.
@@ -251,15 +123,9 @@ bool UniformMotion<Real>::collide(std::uint32_t ball, const BallEvent<Real>& eve
                                 balls_.radius(pair.ball[0]) + balls_.radius(pair.ball[1]))
              .is_impact();
     for (std::size_t i = 0; i < 2; ++i) {
-        FirstCollision first;
-        if (!is_separating) first = earlier(pair.ball[i], pair.ball[1 - i], first);
-        const Near& near = near_[i];
-        for (std::size_t at = 0; at < near.approached_count; ++at) {
-            const std::uint32_t which = near.approached[at];
-            first = earlier(pair.ball[i], near.other[which], near.approach[which], scene_.now,
-                            near.offset[which], first);
-        }
-        choose_next(pair.ball[i], first);
+        predictor_.predict_among_near(pair.ball[i], near_[i],
+                                      is_separating ? BallRecord<Real>::none : pair.ball[1 - i]);
+        schedule_.update(pair.ball[i]);
     }
     return true;
 }

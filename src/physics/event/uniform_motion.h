@@ -16,11 +16,17 @@
 namespace carom {
 
 /// The events of a scene in which every ball moves uniformly and collides with every other: a gas.
-/// The same events and the same bits as the general parts give, without their tests for gravity,
-/// friction, tori and rest.
+/// The same events and the same bits as the general parts give.
 ///
-/// It handles cell transfers, void predictions, and impacts of two balls that touch nothing else,
-/// which nearly all do. Anything else it leaves to the general parts.
+///   cell transfer, void prediction      Predictor, compiled for MotionTerms::uniform: without
+///                                       tests for gravity, filters, tori and rest
+///   impact of two balls that touch      `collide`: without a cluster, supports or a search for
+///   nothing else, as nearly all do      what else approaches
+///   anything else                       left to the general parts
+///
+/// An impact has a way of its own, since it saves the general one's steps and not only its tests:
+/// one walk over the neighbours finds whether anything else touches, and which of them are
+/// approached with the new velocity.
 template <typename Real>
 class UniformMotion {
   public:
@@ -42,23 +48,6 @@ class UniformMotion {
     bool handle(std::uint32_t ball, const BallEvent<Real>& event, const ImpactRecord& record);
 
   private:
-    /// The ball that a ball meets first. Passed by value, in registers: a value that was written to
-    /// memory in parts and is read as a whole stalls the processor.
-    struct FirstCollision {
-        Real time{std::numeric_limits<double>::infinity()};
-        std::uint32_t other = BallRecord<Real>::none;
-        std::uint32_t version = 0;
-    };
-    /// The balls near another, and which of them it approaches so as to meet.
-    struct Near {
-        static constexpr std::size_t most = 64;
-        std::array<std::uint32_t, most> other;
-        std::array<Vector<Real>, most> offset;  ///< from its centre, now
-        std::array<StraightApproach<Real>, most> approach;
-        std::array<std::uint32_t, most> approached;  ///< indices
-        std::size_t approached_count = 0;
-    };
-
     /// The two balls of an impact, the lower one first.
     struct Pair {
         std::array<std::uint32_t, 2> ball;
@@ -68,15 +57,8 @@ class UniformMotion {
         Vector<Real> offset;
     };
 
-    void predict(std::uint32_t ball);
-    void transfer(std::uint32_t ball, std::uint32_t side);
-    FirstCollision earlier(std::uint32_t ball, std::uint32_t other,
-                           const StraightApproach<Real>& approach, const Real& begin,
-                           const Vector<Real>& offset, FirstCollision best) const;
-    FirstCollision earlier(std::uint32_t ball, std::uint32_t other, FirstCollision best) const;
-    void choose_next(std::uint32_t ball, FirstCollision first);
     bool find_near(std::uint32_t ball, std::uint32_t partner, const Vector<Real>& position,
-                   const Vector<Real>& velocity, Near& near) const;
+                   const Vector<Real>& velocity, NearBalls<Real>& near) const;
     bool is_off_edges(std::uint32_t ball, const Vector<Real>& position) const;
     bool collide(std::uint32_t ball, const BallEvent<Real>& event, const ImpactRecord& record);
     bool pass_impulse(Pair& pair, const ImpactRecord& record);
@@ -87,7 +69,7 @@ class UniformMotion {
     Trajectories<Real>& trajectories_;
     Predictor<Real>& predictor_;
     Schedule<Real>& schedule_;
-    std::array<Near, 2> near_;
+    std::array<NearBalls<Real>, 2> near_;
 };
 
 }  // namespace carom

@@ -19,6 +19,12 @@ struct StraightPair {
     Vector<Real> velocity;
     Vector<Real> offset;
 
+    /// Nothing accelerates the two, and no image is shifted.
+    StraightPair(const LinearPart<Real>& a, const LinearPart<Real>& b)
+        : begin(a.time < b.time ? b.time : a.time),
+          velocity(a.velocity - b.velocity),
+          offset((a.position + a.velocity * (begin - a.time)) -
+                 (b.position + b.velocity * (begin - b.time))) {}
     StraightPair(const LinearPart<Real>& a, const LinearPart<Real>& b,
                  const Vector<Real>& acceleration, const Vector<Real>& shift)
         : begin(a.time < b.time ? b.time : a.time) {

@@ -16,7 +16,7 @@
 ///   line, curve, version      Trajectories starts them. RestingContact, ClothPhases, Transitions
 ///                             and CollapseGuard choose the motion of one that has just started
 ///   next, CellPlace           BallCells
-///   next event, collision     Predictor and UniformMotion
+///   next event, collision     Predictor
 ///   radius, inverse_mass      WorldSync, when a tick rebuilds; KinematicBodies for what is held
 namespace carom {
 

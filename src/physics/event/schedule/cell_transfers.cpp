@@ -75,33 +75,6 @@ void CellTransfers<Real>::predict(std::uint32_t ball, BallEvent<Real>& best) con
 }
 
 template <typename Real>
-void CellTransfers<Real>::predict_uniform(std::uint32_t ball, BallEvent<Real>& best) const {
-    const LinearPart<Real>& path = balls_[ball].line;
-    const CellPlace& own = balls_.plan(ball).place;
-    const CellFrame& frame = cells_.frame();
-    const Real zero{};
-    const Real never(std::numeric_limits<double>::infinity());
-    const auto crossing = [&](const Real& from, const Real& speed, int place, int count,
-                              double origin, double width) {
-        const int border = place + static_cast<int>(speed > zero);
-        if (speed == zero || (!frame.wraps && (border <= 0 || border >= count))) return never;
-        const Real time = path.time + (Real(origin + width * border) - from) / speed;
-        return time < scene_.now ? scene_.now : time;
-    };
-    const Real x = crossing(path.position.x, path.velocity.x, own.column, frame.columns,
-                            frame.origin.x, frame.cell.x);
-    const Real y = crossing(path.position.y, path.velocity.y, own.row, frame.rows, frame.origin.y,
-                            frame.cell.y);
-    const bool is_y = y < x;
-    Real time = x;
-    assign_if(is_y, time, y);
-    if (!(time < never)) return;
-    const auto to_x = static_cast<std::uint32_t>(!(path.velocity.x > zero));
-    const auto to_y = static_cast<std::uint32_t>(!(path.velocity.y > zero));
-    keep_earlier(ball, transfer_at(time, select(is_y, cell_transfer::up + to_y, to_x)), best);
-}
-
-template <typename Real>
 void CellTransfers<Real>::predict_restart(std::uint32_t ball, BallEvent<Real>& best) const {
     const LinearPart<Real>& line = balls_[ball].line;
     if (line.motion != Motion::free && !is_on_cloth(line)) return;

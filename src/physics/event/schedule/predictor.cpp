@@ -7,32 +7,42 @@
 #include "physics/event/motion/tolerances.h"
 
 namespace carom {
+namespace {
 
-// Whether the ball's first collision can be known however far ahead, if the balls around it fly
-// too. One-way edges are tested whenever all is predicted anew, so that must happen at every cell.
 template <typename Real>
-bool Predictor<Real>::can_foresee(std::uint32_t ball) const {
-    return is_flying(ball) && space_.cells().oversized().empty() && !scene_.world->model().one_way;
+constexpr BallEvent<Real> unknown_collision{.kind = EventKind::unknown};
+
+template <typename Real>
+BallEvent<Real> transfer_event(const typename CellTransfers<Real>::Crossing& crossing) {
+    const bool is_one = crossing.time < Real(std::numeric_limits<double>::infinity());
+    return {
+        crossing.time, is_one ? EventKind::cell_transfer : EventKind::none, 0, 0, crossing.side, 0};
 }
 
+}  // namespace
+
 template <typename Real>
+template <MotionTerms terms>
 void Predictor<Real>::predict(std::uint32_t ball) {
-    BallEvent<Real> collision;
-    bool is_known = can_foresee(ball);
-    if (is_known && scene_.world->model().ball_ball)
-        space_.cells().for_each_near(balls_, ball, [&](std::uint32_t other, int across, int along) {
-            is_known = is_known && is_flying(other);
-            if (is_known) meet_flying(ball, other, across, along, collision);
-        });
-    if (!is_known) collision.kind = EventKind::unknown;
-    balls_.plan(ball).set_collision(collision);
+    constexpr bool is_uniform = terms == MotionTerms::uniform;
+    FirstCollision<Real> first;
+    bool is_known = is_uniform || foreseen_.can_foresee(ball);
+    if (is_known && (is_uniform || scene_.world->model().ball_ball))
+        foreseen_.template for_each_near<terms>(
+            ball, [&](std::uint32_t other, int across, int along) {
+                is_known = is_uniform || (is_known && foreseen_.is_flying(other));
+                if (is_known)
+                    first = foreseen_.template earlier<terms>(ball, other, across, along, first);
+            });
+    if constexpr (is_uniform) return choose_next_of_uniform(ball, first);
+    balls_.plan(ball).set_collision(is_known ? first.event() : unknown_collision<Real>);
     choose_next(ball);
 }
 
 template <typename Real>
 void Predictor<Real>::predict_among(std::uint32_t ball,
                                     std::span<const Neighbour<Real>> neighbours) {
-    if (!can_foresee(ball)) return predict(ball);
+    if (!foreseen_.can_foresee(ball)) return predict(ball);
     const Vector<Real> velocity = balls_[ball].line.velocity;
     const bool has_gravity = scene_.world->model().gravity.has_value();
     const bool is_filtered = scene_.world->model().filtered;
@@ -64,45 +74,66 @@ void Predictor<Real>::predict_among(std::uint32_t ball,
         started_count += static_cast<std::size_t>(has_started);
     }
     const bool is_known = are_free != 0;
-    BallEvent<Real> collision;
+    FirstCollision<Real> first;
     if (is_known) {
         for (std::size_t i = 0; i < started_count; ++i) {
             const Neighbour<Real>& other = near[started[i]];
-            meet_flying(ball, other.other, other.across, other.along, collision);
+            first = foreseen_.template earlier<MotionTerms::any>(ball, other.other, other.across,
+                                                                 other.along, first);
         }
         for (std::size_t i = 0; i < approached_count; ++i) {
             const Neighbour<Real>& other = near[approached[i]];
             if (is_filtered && !scene_.balls_collide(ball, other.other)) continue;
-            meet(ball, other.other, other.across, other.along, approach_to(other), now,
-                 other.offset, collision);
+            first = foreseen_.template earlier<MotionTerms::any>(ball, other.other, other.across,
+                                                                 other.along, approach_to(other),
+                                                                 now, other.offset, first);
         }
     }
-    if (!is_known) collision.kind = EventKind::unknown;
-    balls_.plan(ball).set_collision(collision);
+    balls_.plan(ball).set_collision(is_known ? first.event() : unknown_collision<Real>);
     choose_next(ball);
 }
 
 template <typename Real>
-void Predictor<Real>::transfer(std::uint32_t ball, std::uint32_t side) {
-    bool is_known = balls_.plan(ball).collision().kind != EventKind::unknown;
-    if (side < cell_transfer::sides) {
-        const auto [columns, rows] = cell_transfer::steps[side];
-        space_.cells().step(balls_, ball, columns, rows);
-        if (is_known && scene_.world->model().ball_ball) {
-            BallEvent<Real> collision = balls_.plan(ball).collision();
-            space_.cells().for_each_new(balls_, ball, columns, rows,
-                                        [&](std::uint32_t other, int across, int along) {
-                                            is_known = is_known && is_flying(other);
-                                            if (is_known)
-                                                meet_flying(ball, other, across, along, collision);
-                                        });
-            balls_.plan(ball).set_collision(collision);
-        }
+void Predictor<Real>::predict_among_near(std::uint32_t ball, const NearBalls<Real>& near,
+                                         std::uint32_t partner) {
+    FirstCollision<Real> first;
+    if (partner != BallRecord<Real>::none)
+        first = foreseen_.template earlier<MotionTerms::uniform>(ball, partner, 0, 0, first);
+    for (std::size_t at = 0; at < near.approached_count; ++at) {
+        const std::uint32_t which = near.approached[at];
+        first = foreseen_.template earlier<MotionTerms::uniform>(ball, near.other[which], 0, 0,
+                                                                 near.approach[which], scene_.now,
+                                                                 near.offset[which], first);
     }
-    if (is_known)
-        choose_next(ball);
-    else
-        predict(ball);
+    choose_next_of_uniform(ball, first);
+}
+
+template <typename Real>
+template <MotionTerms terms>
+void Predictor<Real>::transfer(std::uint32_t ball, std::uint32_t side) {
+    constexpr bool is_uniform = terms == MotionTerms::uniform;
+    const BallEvent<Real> known = balls_.plan(ball).collision();
+    bool is_known = is_uniform || known.kind != EventKind::unknown;
+    FirstCollision<Real> first(known);
+    if (is_uniform || side < cell_transfer::sides) {
+        // Without a branch on the side.
+        const int way = 1 - 2 * static_cast<int>(side & 1);
+        const int rows = way & -static_cast<int>(side >> 1);
+        const int columns = way - rows;
+        space_.cells().step(balls_, ball, columns, rows);
+        if (is_known && (is_uniform || scene_.world->model().ball_ball))
+            foreseen_.template for_each_new<terms>(
+                ball, columns, rows, [&](std::uint32_t other, int across, int along) {
+                    is_known = is_uniform || (is_known && foreseen_.is_flying(other));
+                    if (is_known)
+                        first =
+                            foreseen_.template earlier<terms>(ball, other, across, along, first);
+                });
+    }
+    if constexpr (is_uniform) return choose_next_of_uniform(ball, first);
+    if (!is_known) return predict(ball);
+    balls_.plan(ball).set_collision(first.event());
+    choose_next(ball);
 }
 
 // The first of all that can happen to the ball from now on, its collision being predicted.
@@ -126,7 +157,8 @@ void Predictor<Real>::choose_next(std::uint32_t ball) {
                 0};
     if (is_known) keep_earlier(ball, balls_.plan(ball).collision(), best);
     if (is_uniform)
-        transfers_.predict_uniform(ball, best);
+        keep_earlier(ball, transfer_event<Real>(transfers_.template uniform_crossing<true>(ball)),
+                     best);
     else
         transfers_.predict(ball, best);
     if (model.wrap) transfers_.predict_restart(ball, best);
@@ -169,37 +201,28 @@ void Predictor<Real>::resume_searches(std::uint32_t ball, BallEvent<Real>& best)
         best);
 }
 
-// Both balls fly.
+// In uniform motion only a collision, an edge or a cell transfer can come next.
 template <typename Real>
-void Predictor<Real>::meet_flying(std::uint32_t ball, std::uint32_t other, int across, int along,
-                                  BallEvent<Real>& best) {
-    if (!scene_.balls_collide(ball, other)) return;
-    const BallRecord<Real>& us = balls_[ball];
-    const BallRecord<Real>& them = balls_[other];
-    const StraightPair<Real> pair(us.line, them.line, scene_.field.gravity,
-                                  scene_.image_shift(across, along));
-    const StraightApproach<Real> approach(pair.offset, pair.velocity, us.radius + them.radius);
-    if (approach.is_impact())
-        meet(ball, other, across, along, approach, pair.begin, pair.offset, best);
-}
-
-// The two fly and are going to meet. As seen from the lower ball, so that both find the same bits.
-template <typename Real>
-void Predictor<Real>::meet(std::uint32_t ball, std::uint32_t other, int across, int along,
-                           const StraightApproach<Real>& approach, const Real& begin,
-                           const Vector<Real>& offset, BallEvent<Real>& best) {
-    const BallRecord<Real>& us = balls_[ball];
-    const BallRecord<Real>& them = balls_[other];
-    const Real small = us.radius < them.radius ? us.radius : them.radius;
-    auto time = straight_time_of_impact(
-        approach, balls_[std::min(ball, other)].line, balls_[std::max(ball, other)].line, begin,
-        offset, scene_.field.gravity, us.radius + them.radius, small, scene_.field);
-    if (!time) return;
-    if (*time < scene_.now) time = scene_.now;
-    keep_earlier(ball,
-                 {*time, EventKind::ball_ball, static_cast<std::int8_t>(across),
-                  static_cast<std::int8_t>(along), other, them.version},
-                 best);
+inline void Predictor<Real>::choose_next_of_uniform(std::uint32_t ball,
+                                                    FirstCollision<Real> first) {
+    BallPlan<Real>& plan = balls_.plan(ball);
+    const BallEvent<Real> collision = first.event();
+    plan.set_collision(collision);
+    const auto crossing = transfers_.template uniform_crossing<false>(ball);
+    // At the same time, collisions come first.
+    const bool leaves = crossing.time < first.time;
+    BallEvent<Real> next = collision;
+    next.time = leaves ? crossing.time : first.time;
+    next.kind =
+        static_cast<EventKind>(select(leaves, static_cast<std::uint32_t>(EventKind::cell_transfer),
+                                      static_cast<std::uint32_t>(collision.kind)));
+    next.other = select(leaves, crossing.side, first.other);
+    if (!space_.is_off_edges(ball)) {
+        search_.begin_at(scene_.now);
+        predict_edges(ball, next);
+        resume_searches(ball, next);
+    }
+    plan.set_next_event(next);
 }
 
 // Whether the two may have an impact: not if neither moves, or if one rests on the other.
@@ -278,5 +301,14 @@ void Predictor<Real>::predict_edges(std::uint32_t ball, BallEvent<Real>& best) {
 
 template class Predictor<double>;
 template class Predictor<DoubleDouble>;
+
+#define CAROM_FOR(Real)                                                                      \
+    template void Predictor<Real>::predict<MotionTerms::any>(std::uint32_t);                 \
+    template void Predictor<Real>::predict<MotionTerms::uniform>(std::uint32_t);             \
+    template void Predictor<Real>::transfer<MotionTerms::any>(std::uint32_t, std::uint32_t); \
+    template void Predictor<Real>::transfer<MotionTerms::uniform>(std::uint32_t, std::uint32_t);
+CAROM_FOR(double)
+CAROM_FOR(DoubleDouble)
+#undef CAROM_FOR
 
 }  // namespace carom

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "physics/event/impact/impact_cluster.h"
-#include "physics/event/motion/ball_impact.h"
 #include "physics/event/motion/ball_table.h"
 #include "physics/event/motion/kinematic_bodies.h"
 #include "physics/event/motion/scene.h"
 #include "physics/event/motion/spatial_index.h"
 #include "physics/event/schedule/cell_transfers.h"
+#include "physics/event/schedule/foreseen_collision.h"
 #include "physics/event/schedule/transitions.h"
 
 namespace carom {
@@ -30,6 +30,9 @@ namespace carom {
 /// loop notices when its turn comes, and predicts again. A ball that changes tests all its
 /// neighbours itself, so no impact is missed. Predictions depend on trajectories, and never on who
 /// asks: pairs are computed as seen from the lower ball.
+///
+/// Functions with `terms` are compiled for scenes of uniform motion too, without the tests that
+/// such a scene does not need (foreseen_collision.h).
 template <typename Real>
 class Predictor {
   public:
@@ -41,34 +44,26 @@ class Predictor {
           space_(space),
           kinematic_(kinematic),
           transfers_(scene, balls, space.cells()),
+          foreseen_(scene, balls, space),
           transitions_(transitions),
           search_(search) {}
 
     /// Predicts everything anew: the trajectory has changed, or a prediction was void.
+    template <MotionTerms terms = MotionTerms::any>
     void predict(std::uint32_t ball);
     /// The same right after an impact, from the neighbours that it has found around the ball.
     void predict_among(std::uint32_t ball, std::span<const Neighbour<Real>> neighbours);
+    /// The same in uniform motion. `partner`: one more ball to test, or `none`.
+    void predict_among_near(std::uint32_t ball, const NearBalls<Real>& near, std::uint32_t partner);
     /// The ball goes to the adjacent cell on that side, or just predicts again: see cell_transfer.
+    template <MotionTerms terms = MotionTerms::any>
     void transfer(std::uint32_t ball, std::uint32_t side);
 
-    const CellTransfers<Real>& transfers() const { return transfers_; }
-
-    /// Sets `best` to the ball's next impact with an edge, fixed or kinematic, if that comes
-    /// before it.
-    void predict_edges(std::uint32_t ball, BallEvent<Real>& best);
-
   private:
-    bool is_flying(std::uint32_t ball) const {
-        return balls_[ball].line.motion == Motion::free && !scene_.field.has_drag;
-    }
-    bool can_foresee(std::uint32_t ball) const;
     void choose_next(std::uint32_t ball);
     void choose_next_of_still(std::uint32_t ball);
-    void meet_flying(std::uint32_t ball, std::uint32_t other, int across, int along,
-                     BallEvent<Real>& best);
-    void meet(std::uint32_t ball, std::uint32_t other, int across, int along,
-              const StraightApproach<Real>& approach, const Real& begin, const Vector<Real>& offset,
-              BallEvent<Real>& best);
+    void choose_next_of_uniform(std::uint32_t ball, FirstCollision<Real> first);
+    void predict_edges(std::uint32_t ball, BallEvent<Real>& best);
     void predict_pair(std::uint32_t ball, std::uint32_t other, int across, int along,
                       BallEvent<Real>& best);
     bool may_meet(std::uint32_t ball, std::uint32_t other) const;
@@ -79,6 +74,7 @@ class Predictor {
     SpatialIndex<Real>& space_;
     const KinematicBodies<Real>& kinematic_;
     CellTransfers<Real> transfers_;
+    ForeseenCollisions<Real> foreseen_;
     Transitions<Real>& transitions_;
     ToiSearch<Real>& search_;
     std::vector<std::uint32_t> selected_;  ///< neighbours by index, for a moment
