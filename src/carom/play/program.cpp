@@ -151,8 +151,7 @@ std::optional<Problems> Program::open_recording() {
     if (const auto* error = std::get_if<std::string>(&opened)) return lines_of(*error);
     auto& [replay, scene] = std::get<OpenedReplay>(opened);
     Session session(std::move(scene), replay.solver, options_.rewind_bytes);
-    session.mark_with(replay.fingerprint_version);
-    session.follow(std::move(replay.commands), replay.end);
+    session.follow(std::move(replay.commands), replay.end, replay.fingerprint_version);
     Player player(std::move(session), view(), preferences_.keys);
     LevelSource source = source_of(options_, replay.level);
     enter(std::move(source), std::move(player), std::nullopt);

@@ -44,9 +44,9 @@ bool RunningGame::leave() {
 void RunningGame::compare_marks() {
     const Session& session = player.session();
     if (session.fault()) player.set_problem("the recording cannot be followed " + *session.fault());
-    if (session.marks().size() == marks_compared) return;
-    marks_compared = session.marks().size();
-    if (const auto tick = first_difference(expected, session.marks()))
+    if (session.fingerprints().marks().size() == marks_compared) return;
+    marks_compared = session.fingerprints().marks().size();
+    if (const auto tick = first_difference(expected, session.fingerprints().marks()))
         player.set_problem(fmt::format(
             "this is not what was recorded: at tick {} the fingerprint differs", *tick));
 }

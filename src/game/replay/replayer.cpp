@@ -48,8 +48,9 @@ Replay record(const Session& session, std::string level, std::span<const std::st
     Replay replay =
         begin_replay(session.scene(), session.first_solver(), std::move(level), overrides);
     replay.commands.assign(session.commands().begin(), session.commands().end());
-    replay.fingerprint_version = session.mark_version();
-    replay.marks.assign(session.marks().begin(), session.marks().end());
+    replay.fingerprint_version = session.fingerprints().version();
+    const auto marks = session.fingerprints().marks();
+    replay.marks.assign(marks.begin(), marks.end());
     replay.end = session.latest();
     replay.stands = session.world().tick();
     const auto place =
@@ -86,8 +87,7 @@ std::variant<Scene, ReplayError> scene_of(const Replay& replay) {
 
 Replayer::Replayer(Replay replay, Scene scene, std::size_t rewind_bytes)
     : replay_(std::move(replay)), session_(std::move(scene), replay_.solver, rewind_bytes) {
-    session_.mark_with(replay_.fingerprint_version);
-    session_.follow(replay_.commands, replay_.end);
+    session_.follow(replay_.commands, replay_.end, replay_.fingerprint_version);
     check();
 }
 

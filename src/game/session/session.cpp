@@ -6,8 +6,6 @@
 #include <array>
 #include <utility>
 
-#include "physics/world/fingerprint.h"
-
 namespace carom {
 namespace {
 
@@ -32,11 +30,6 @@ std::size_t bytes_of(const std::vector<TimedCommand>& log) {
     return log.capacity() * sizeof(TimedCommand);
 }
 
-void forget_from(std::uint64_t tick, std::vector<FingerprintMark>& marks) {
-    while (!marks.empty() && marks.back().tick >= tick)
-        marks.pop_back();
-}
-
 }  // namespace
 
 Session::Session(Scene scene, const SolverSettings& solver, std::size_t rewind_bytes)
@@ -52,7 +45,7 @@ std::optional<std::string> Session::apply(const Command& command) {
     if (is_following_) return "this is a recording, which is only watched";
     if (auto why_not = refusal(scene_, world_, game_, command)) return why_not;
     forget_future();
-    forget_from(world_.tick(), marks_);
+    fingerprints_.forget_from(world_.tick());
     execute_now(command);
     log(command);
     return std::nullopt;
@@ -86,7 +79,7 @@ void Session::forget_future() {
     if (executed_ == log_.size() && latest_ == world_.tick()) return;
     log_.resize(executed_);
     history_.forget_from(world_.tick());
-    forget_from(world_.tick(), marks_);
+    fingerprints_.forget_from(world_.tick());
     latest_ = world_.tick();
     const auto balls = world_.held_balls();
     const auto capsules = world_.held_capsules();
@@ -143,7 +136,8 @@ void Session::execute_log_of_this_tick() {
     }
 }
 
-void Session::follow(std::vector<TimedCommand> commands, std::uint64_t end) {
+void Session::follow(std::vector<TimedCommand> commands, std::uint64_t end, int version) {
+    fingerprints_ = FingerprintLog(version);
     log_ = std::move(commands);
     latest_ = end;
     keeps_all_commands_ = true;
@@ -151,15 +145,9 @@ void Session::follow(std::vector<TimedCommand> commands, std::uint64_t end) {
     execute_log_of_this_tick();
 }
 
-void Session::mark() {
-    if (world_.tick() % mark_interval(world_.rate()) != 0) return;
-    if (!marks_.empty() && marks_.back().tick >= world_.tick()) return;
-    marks_.push_back({world_.tick(), fingerprint(world_, game_, mark_version_)});
-}
-
 // Returns false when the tick was cancelled.
 bool Session::advance() {
-    mark();
+    fingerprints_.add_if_due(world_, game_);
     outcome_ = solver_.tick(world_, keep_going_);
     if (outcome_ == TickOutcome::given_up) return false;
     contacts_.assign(solver_.contacts().begin(), solver_.contacts().end());
@@ -236,7 +224,7 @@ bool Session::undo() {
     const std::uint64_t tick = log_[first].tick;
     log_.resize(first);
     history_.forget_from(tick);
-    forget_from(tick, marks_);
+    fingerprints_.forget_from(tick);
     latest_ = tick;
     restore(tick);
     return true;
@@ -246,8 +234,7 @@ void Session::restart() {
     log_.clear();
     log_.shrink_to_fit();
     history_.clear();
-    marks_.clear();
-    mark_version_ = fingerprint_version;
+    fingerprints_ = FingerprintLog();
     base_.reset();
     latest_ = 0;
     first_solver_ = solver_.settings();

@@ -10,12 +10,11 @@
 #include <vector>
 
 #include "game/commands/command.h"
-#include "game/session/fingerprint_mark.h"
+#include "game/session/fingerprint_log.h"
 #include "game/session/game_state.h"
 #include "game/session/history.h"
 #include "level/scene/scene.h"
 #include "physics/solver.h"
-#include "physics/world/fingerprint.h"
 #include "physics/world/world.h"
 
 /// A game in progress: a scene, the player's commands, and the way back.
@@ -87,20 +86,16 @@ class Session {
     std::span<const TimedCommand> commands() const { return log_; }
     /// Whether commands() go back to the start, so that the session can be recorded.
     bool is_complete() const { return !base_; }
-    /// One for each interval that has been reached, in ascending order of ticks.
-    std::span<const FingerprintMark> marks() const { return marks_; }
-    /// Which fingerprint the marks are (physics/world/fingerprint.h).
-    int mark_version() const { return mark_version_; }
-    /// From now on marks are of this version: that of a recording which is followed. Pre: there are
-    /// none yet.
-    void mark_with(int version) { mark_version_ = version; }
+    /// The fingerprints passed so far. Those of a forgotten future are not among them.
+    const FingerprintLog& fingerprints() const { return fingerprints_; }
     /// Lets the log outgrow its share of the memory, so that it stays complete.
     void keep_all_commands() { keeps_all_commands_ = true; }
 
     /// Plays a recording: step_forward() carries out `commands` and goes no further than `end`;
     /// other commands are refused. Pre: the session is new; the commands are in ascending order of
-    /// ticks, none after `end`.
-    void follow(std::vector<TimedCommand> commands, std::uint64_t end);
+    /// ticks, none after `end`. `version`: which fingerprints to log, those of the recording.
+    void follow(std::vector<TimedCommand> commands, std::uint64_t end,
+                int version = fingerprint_version);
     bool is_following() const { return is_following_; }
     /// Whether there is nothing left to follow.
     bool is_at_end() const { return is_following_ && world_.tick() >= latest_; }
@@ -125,7 +120,6 @@ class Session {
     void forget_future();
     void log(const Command& command);
     void bound_log();
-    void mark();
     void use_solver(const SolverSettings& settings);
 
     Scene scene_;
@@ -142,8 +136,7 @@ class Session {
     History history_;
     std::vector<TimedCommand> log_;
     std::size_t executed_ = 0;  ///< commands of log_ that world_ has carried out
-    std::vector<FingerprintMark> marks_;
-    int mark_version_ = fingerprint_version;
+    FingerprintLog fingerprints_;
     std::uint64_t latest_ = 0;
     bool keeps_all_commands_ = false;
     bool is_following_ = false;

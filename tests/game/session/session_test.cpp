@@ -257,10 +257,10 @@ TEST_CASE(
     Session session(busy_box(), swept);
     const std::vector<std::uint64_t> fingerprints = play_busily(session);
     const auto check_marks = [&](std::size_t count) {
-        REQUIRE(session.marks().size() == count);
+        REQUIRE(session.fingerprints().marks().size() == count);
         for (std::size_t i = 0; i < count; ++i) {
-            CHECK(session.marks()[i].tick == 120 * i);
-            CHECK(session.marks()[i].fingerprint == fingerprints[120 * i]);
+            CHECK(session.fingerprints().marks()[i].tick == 120 * i);
+            CHECK(session.fingerprints().marks()[i].fingerprint == fingerprints[120 * i]);
         }
     };
     // A mark is made only when the next tick starts: until then more commands may come.
@@ -275,15 +275,15 @@ TEST_CASE(
         REQUIRE_FALSE(session.apply(command::SetGravity{Vec2{0.0, 3.0}}));
         check_marks(2);
         session.step_forward();
-        REQUIRE(session.marks().size() == 3);
-        CHECK(session.marks()[2].fingerprint != fingerprints[240]);
+        REQUIRE(session.fingerprints().marks().size() == 3);
+        CHECK(session.fingerprints().marks()[2].fingerprint != fingerprints[240]);
     }
     SUBCASE("undo and restart drop marks too") {
         REQUIRE(session.undo());
-        for (const FingerprintMark& mark : session.marks())
+        for (const FingerprintMark& mark : session.fingerprints().marks())
             CHECK(mark.tick < session.world().tick());
         session.restart();
-        CHECK(session.marks().empty());
+        CHECK(session.fingerprints().marks().empty());
     }
 }
 
