@@ -33,7 +33,7 @@ void ContactSolver::tick(World& world, int substeps, std::vector<Contact>& conta
 void ContactSolver::begin(World& world) {
     if (!has_valid_reference_positions(world, step_))
         set_reference_positions(world, step_);
-    else if (kinematics_.is_empty() && has_pairs_of(world)) {
+    else if (has_pairs_of(world)) {
         bodies_.reload(world);
         return;
     }
@@ -45,7 +45,7 @@ void ContactSolver::begin(World& world) {
 bool ContactSolver::has_pairs_of(const World& world) const {
     const Stamps& now = world.stamps();
     return now.definition == stamps_.definition && now.capsules == stamps_.capsules &&
-           now.roster == stamps_.roster && now.memory == stamps_.memory;
+           now.roster == stamps_.roster && now.memory == stamps_.memory && now.held == stamps_.held;
 }
 
 void ContactSolver::load(const World& world) {

@@ -85,7 +85,9 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
     }
 }
 
-// Whether the free part, as the last tick left it, is that of this tick. Prepares it if so.
+// Whether the free part, as the last tick left it, is that of this tick: nobody has changed the
+// world since, and nothing was held, whether in this part or in the cluster. A held edge of the
+// cluster stands still in the free part, which must then be taken anew. Prepares the part if so.
 bool HybridStep::has_free_part_of(const World& world) {
     if (free_stamps_ != world.stamps() || !world.held_balls().empty() ||
         !world.held_capsules().empty())
@@ -95,9 +97,7 @@ bool HybridStep::has_free_part_of(const World& world) {
         if (is_clustered_[i]) continue;
         if (at == free_.ball.size() || free_.ball[at++] != i) return false;
     }
-    const bool had_hands =
-        !free_.world.held_balls().empty() || !free_.world.held_capsules().empty();
-    if (at != free_.ball.size() || had_hands) return false;
+    if (at != free_.ball.size()) return false;
     free_.world.edit_tick() = world.tick();
     free_.contacts.clear();
     free_.touched.assign(free_.ball.size(), 0);

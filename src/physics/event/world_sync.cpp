@@ -42,7 +42,7 @@ bool WorldSync<Real>::is_continued(const World& world) const {
     const Stamps& left = left_.stamps;
     const bool has_trajectories = !std::is_same_v<Real, double> || now.memory == left.memory;
     return left_.is_valid && has_trajectories && left_.tick == world.tick() &&
-           !left_.had_kinematic && world.held_balls().empty() && world.held_capsules().empty() &&
+           world.held_balls().empty() && world.held_capsules().empty() && now.held == left.held &&
            now.definition == left.definition && now.capsules == left.capsules &&
            now.roster == left.roster;
 }
@@ -214,7 +214,6 @@ void WorldSync<Real>::write(World& world, bool has_stopped) {
     access.stamp_motion();
     access.stamp_memory();
     left_.tick = world.tick() + 1;
-    left_.had_kinematic = !world.held_balls().empty() || !kinematic_.edges().empty();
     left_.stamps = world.stamps();
     if (is_limited) left_.stamps.motion = new_stamp();
     left_.is_valid = !has_stopped;

@@ -63,7 +63,6 @@ class WorldSync {
         bool is_valid = false;
         std::uint64_t tick = 0;
         Stamps stamps;
-        bool had_kinematic = false;  ///< kinematic bodies moved
         // For other numbers than doubles, whose trajectories are not in the world:
         Model model;
         std::vector<BallId> ids;

@@ -74,8 +74,10 @@ void rest_flippers(World& world) {
         flipper.progress += share * (next.progress - flipper.progress);
         flipper.rate = 0.0;
     }
-    std::erase_if(world.edit_held_capsules(),
-                  [](const HeldCapsule& held) { return held.is_driven; });
+    // A world whose flippers rest keeps its stamp.
+    if (std::ranges::any_of(world.held_capsules(), &HeldCapsule::is_driven))
+        std::erase_if(world.edit_held_capsules(),
+                      [](const HeldCapsule& held) { return held.is_driven; });
 }
 
 }  // namespace carom

@@ -25,6 +25,7 @@ struct Stamps {
     Stamp motion{};  ///< the columns of Balls that a tick changes: position, velocity, spin ...
     /// SolverMemory: what the last solver left for its next tick.
     Stamp memory{};
+    Stamp held{};  ///< held balls and held edges
 
     friend bool operator==(const Stamps&, const Stamps&) = default;
 };

@@ -51,6 +51,16 @@ Capsules& World::edit_capsules() {
     return capsules_;
 }
 
+std::vector<HeldBall>& World::edit_held_balls() {
+    stamps_.held = new_stamp();
+    return held_balls_;
+}
+
+std::vector<HeldCapsule>& World::edit_held_capsules() {
+    stamps_.held = new_stamp();
+    return held_capsules_;
+}
+
 SolverMemory& World::edit_memory() {
     stamps_.memory = new_stamp();
     return memory_;

@@ -70,8 +70,8 @@ class World {
     Capsules& edit_capsules();
     std::vector<Emitter>& edit_emitters() { return emitters_; }
     std::vector<Flipper>& edit_flippers() { return flippers_; }
-    std::vector<HeldBall>& edit_held_balls() { return held_balls_; }
-    std::vector<HeldCapsule>& edit_held_capsules() { return held_capsules_; }
+    std::vector<HeldBall>& edit_held_balls();
+    std::vector<HeldCapsule>& edit_held_capsules();
     Ledger& edit_ledger() { return ledger_; }
     SolverMemory& edit_memory();
     /// A new id. The caller adds the row.
