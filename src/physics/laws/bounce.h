@@ -8,21 +8,20 @@
 #include "physics/world/terms.h"
 #include "physics/world/world.h"
 
-/// The bounce: what an impact does to velocities. Along the normal Newton's law of restitution
-/// holds (`bounce`, `bounce_off`); across it nothing changes, unless the scene has friction: then
-/// `rub` or `rub_on` comes after. Source: any mechanics text; the one-dimensional pair is in
-/// docs/physics.md.
+/// The bounce: how an impact changes velocities. Newton's law of restitution holds along the normal
+/// (`bounce`, `bounce_off`). The tangential velocity changes only in scenes with friction, by `rub`
+/// or `rub_on` afterwards. Source: any mechanics text; docs/physics.md derives the one-dimensional
+/// case.
 namespace carom {
 
-/// Momentum that the contact passed, along its normal, and how fast the two closed.
+/// The impulse along the normal, and the approach speed before it, length/s.
 struct Exchange {
     double impulse = 0.0;
     double approach = 0.0;
 };
 
-/// Velocities and inverse masses of two balls that meet; `normal` points from b to a. An inverse
-/// mass of 0 is a body that nothing moves. Pre: they approach; not both immovable. `restitution` in
-/// 0..1.
+/// Bounces two balls. `normal` points from b to a. Inverse mass 0: an immovable body.
+/// Pre: they approach; not both are immovable; `restitution` in 0..1.
 inline Exchange bounce(Vec2& velocity_a, double inverse_mass_a, Vec2& velocity_b,
                        double inverse_mass_b, Vec2 normal, double restitution) {
     const double approach = -dot(velocity_a - velocity_b, normal);
@@ -32,24 +31,24 @@ inline Exchange bounce(Vec2& velocity_a, double inverse_mass_a, Vec2& velocity_b
     return {impulse, approach};
 }
 
-/// A ball that a hand pushes leaves it a little faster than the hand, by this share of the
-/// approach, so that a hand that turns or speeds up does not meet it again at once.
+/// A ball leaves a held body that pushes it a little faster than the body moves, by this share of
+/// the approach speed. Otherwise a held body that turns or speeds up would hit it again at once.
 inline constexpr double hand_restitution = 0.05;
 
-/// A ball leaves what a coil drives faster than its surface by at least this share of the surface's
-/// speed. A ball that lies on a flipper as it turns is pressed on by what it gains, and would meet
-/// it again and again, ever more softly: so it hops along, a few times a tick at most.
+/// A ball leaves a motorised surface faster than the surface moves, by at least this share of the
+/// surface's speed. A ball lying on a turning flipper would otherwise hit it again and again, ever
+/// more softly; so it hops along, a few times a tick at most.
 inline constexpr double driven_lift = 0.02;
 
-/// What is left of a ball's approach to a driven surface, as a share of it. Pre: approach > 0.
+/// The coefficient of restitution of a ball and a motorised surface. Pre: approach > 0.
 inline double driven_restitution(double restitution, double surface, double approach) {
     return std::max(restitution, driven_lift * surface / approach);
 }
 
-/// A ball against a body that nothing moves and whose surface moves at `surface` along the normal,
-/// which is not 0 only where a hand or a coil moves it. From a hand the ball leaves as it would
-/// leave a still body, or with the hand if that is faster. What a coil drives (`is_driven`) throws,
-/// as a wall that moves.
+/// Bounces a ball off an immovable body whose surface moves at `surface` along the normal,
+/// length/s; that is 0 unless the body is kinematic. A held body gives the ball the velocity that a
+/// fixed one would, or its own if that is faster. A motorised one (`is_driven`) throws it, like a
+/// moving wall.
 inline Exchange bounce_off(Vec2& velocity, double inverse_mass, Vec2 normal, double surface,
                            double restitution, bool is_driven = false) {
     const double speed = dot(velocity, normal);
@@ -66,28 +65,29 @@ inline Exchange bounce_off(Vec2& velocity, double inverse_mass, Vec2 normal, dou
     return {(after - speed) / inverse_mass, surface - speed};
 }
 
-/// A ball that turns, at a contact with friction: its spin, rad/s, counter-clockwise, and radius.
+/// The rotation of a ball at a contact with friction: spin, rad/s, counter-clockwise, and radius.
 struct Rim {
     double& spin;
     double radius;
 };
 
-/// Coulomb's law at one contact.
+/// The parameters of Coulomb's law at one contact.
 struct Friction {
     double coefficient = 0.0;  ///< mu >= 0
     double inertia = 0.5;      ///< moment of inertia / (m r^2) of every ball: Model::spin
 };
 
-/// Friction of two balls, after `pressed` >= 0 has passed along `normal`, which points from b to a.
+/// Applies friction between two balls that have just exchanged the normal impulse `pressed` >= 0.
+/// `normal` points from b to a.
 ///
-/// The points that touch slip past one another along t = perpendicular(normal) at
+/// The contact points slip along t = perpendicular(normal) at
 ///     u = (v_a - v_b) . t - (r_a w_a + r_b w_b).
-/// With I = inertia m r^2 it takes the impulse -u / ((1/m_a + 1/m_b) (1 + 1/inertia)) along t to
-/// stop that; friction passes it, but no more than coefficient * pressed either way: the points
-/// stick, or slip on. It never turns the slip round, so it never makes energy, and what one ball
-/// gains in momentum and angular momentum the other loses. Returns the impulse on a along t.
+/// With I = inertia m r^2 the impulse -u / ((1/m_a + 1/m_b) (1 + 1/inertia)) along t stops the
+/// slip. Friction is that impulse, limited to coefficient * pressed either way: the points stick,
+/// or keep slipping. It never reverses the slip, so energy never grows; momentum and angular
+/// momentum are conserved. Returns the impulse on a along t.
 ///
-/// An inverse mass of 0 is a body that nothing moves or turns. Both 0: nothing happens.
+/// Inverse mass 0: an immovable body, which does not turn either. Both 0: nothing happens.
 /// Source: Coulomb's law in impulses, as in Walton's model of rough spheres without tangential
 /// restitution (Walton and Braun, J. Rheology 30 (1986) 949; Foerster et al., Phys. Fluids 6 (1994)
 /// 1108).
@@ -108,9 +108,9 @@ inline double rub(Vec2& velocity_a, Rim a, double inverse_mass_a, Vec2& velocity
     return impulse;
 }
 
-/// The same for a ball on a body that nothing moves and whose surface goes along at `surface`,
-/// which is not 0 only where a hand moves it; there friction may speed the ball up, never beyond
-/// the hand.
+/// Applies friction between a ball and an immovable body whose surface moves at `surface`,
+/// length/s; that is 0 unless the body is kinematic. Then friction may speed the ball up, but never
+/// beyond the surface.
 inline double rub_on(Vec2& velocity, Rim rim, double inverse_mass, Vec2 normal, Vec2 surface,
                      double pressed, Friction friction) {
     Vec2 moved = surface;
@@ -118,18 +118,18 @@ inline double rub_on(Vec2& velocity, Rim rim, double inverse_mass, Vec2 normal, 
     return rub(velocity, rim, inverse_mass, moved, {still, 1.0}, 0.0, normal, pressed, friction);
 }
 
-/// Friction between balls of two kinds.
+/// Coefficient of friction between balls of two kinds.
 inline double friction_between(const Kind& a, const Kind& b) {
     return std::sqrt(a.friction * b.friction);
 }
 
-/// Restitution of a ball and an edge of this material at this speed of approach.
+/// Restitution of a ball and an edge of this material at this approach speed, length/s.
 inline double restitution_at(const Material& material, double approach) {
     return material.restitution / (1.0 + material.soften * approach);
 }
 
-/// What an edge that kicks adds along the normal, length/s, on top of the bounce of a ball that
-/// comes at `approach` and touches it nearest to `point`.
+/// The speed along the normal that a kicking edge adds to the bounce, length/s. `approach` is the
+/// approach speed; `point` is where the ball touches, or its centre.
 inline double kick_at(const Material& material, const Capsule& shape, Vec2 point, double approach) {
     if (!(material.kick > 0.0) || approach < material.kick_from) return 0.0;
     if (!material.kicks_in_the_middle) return material.kick;
@@ -137,14 +137,14 @@ inline double kick_at(const Material& material, const Capsule& shape, Vec2 point
     return material.kick * 4.0 * along * (1.0 - along);
 }
 
-/// The normal of ball `id`'s contact number `contact` with an edge, turned by its seeded angle. A
-/// draw that would send the ball into the edge is drawn again, at most 16 times; then the normal
-/// stays. `restitution` as in the bounce that follows.
+/// The normal of ball `id`'s edge contact number `contact`, turned by a random angle that depends
+/// on the seed and these two alone. A draw that would send the ball into the edge is repeated, at
+/// most 16 times; after that the normal stays. `restitution` as in the bounce that follows.
 Vec2 scattered_normal(const World& world, BallId id, std::uint32_t contact, Vec2 normal,
                       Vec2 velocity, double restitution);
 
-/// Whether an edge pushes a ball whose centre is at `center`. One on the line of a one-way edge has
-/// not come to its solid side yet: from behind, it passes.
+/// Whether an edge is solid for a ball whose centre is at `center`. A centre exactly on the spine
+/// of a one-way edge is not on its solid side: a ball from behind passes.
 inline bool is_on_solid_side(const Capsule& capsule, Side side, Vec2 center) {
     if (side == Side::both) return true;
     if (side == Side::none) return false;

@@ -53,7 +53,7 @@ ClothState<Real> cloth_state_after(const Cloth& cloth, double inertia, ClothStat
         state.position += (state.velocity + phase.acceleration * (Real(0.5) * time)) * time;
         state.velocity += phase.acceleration * time;
         state.roll += phase.roll_acceleration * time;
-        // The end of a phase is known, not computed.
+        // At the end of a phase slip or velocity is exactly 0; computing it would leave rounding.
         if (ends && phase.motion == ClothMotion::rolling) state.velocity = {};
         if (phase.motion == ClothMotion::rolling || ends) state.roll = state.velocity;
         duration = duration - time;

@@ -6,29 +6,30 @@
 #include "geometry/vec2.h"
 #include "physics/laws/bounce.h"
 
-/// Friction at a contact where balls lie on cloth: `rub` of bounce.h for balls that also turn about
+/// Friction at a contact of balls on cloth: `rub` of bounce.h, extended to rotation about
 /// horizontal axes.
 namespace carom {
 
-/// A ball that turns about all three axes: its side spin, rad/s, counter-clockwise seen from above;
-/// its roll (cloth.h), length/s; its radius.
+/// The rotation of a ball about all three axes: side spin, rad/s, counter-clockwise seen from
+/// above; roll (cloth.h), length/s; and the radius.
 struct Roller {
     double& spin;
     Vec2& roll;
     double radius;
 };
 
-/// Friction of two balls on cloth, after `pressed` >= 0 has passed along `normal`, from b to a.
+/// Applies friction between two balls on cloth that have just exchanged the normal impulse
+/// `pressed` >= 0. `normal` points from b to a.
 ///
-/// The points that touch slip past one another along t = perpendicular(normal) and upwards at
+/// The contact points slip along t = perpendicular(normal) and upwards at
 ///     u_t = (v_a - v_b) . t - (r_a w_a + r_b w_b)      u_z = (roll_a + roll_b) . normal.
-/// What would stop both are the impulses -u_t m_t and -u_z m_z with
+/// The impulses that would stop both are -u_t m_t and -u_z m_z with
 ///     1/m_t = (1/m_a + 1/m_b) (1 + 1/inertia)          1/m_z = (1/m_a + 1/m_b) / inertia;
-/// the second turns the balls, and does not lift them: the table bears it. Friction passes both, or
-/// where the two together are more than coefficient * pressed, as much of both: the points stick,
-/// or slip on. It never makes energy. Returns the impulse on a along t.
+/// The second turns the balls without lifting them, since the table supports them. If both together
+/// exceed coefficient * pressed, both are scaled down to it, and the points keep slipping; else
+/// they stick. Energy never grows. Returns the impulse on a along t.
 ///
-/// An inverse mass of 0 is a body that nothing moves or turns. Both 0: nothing happens.
+/// Inverse mass 0: an immovable body, which does not turn either. Both 0: nothing happens.
 /// Source: Coulomb's law in impulses, as `rub`; D. Alciatore, technical proofs A.14 (throw) and
 /// B.2.
 inline double rub_on_cloth(Vec2& velocity_a, Roller a, double inverse_mass_a, Vec2& velocity_b,
@@ -57,7 +58,7 @@ inline double rub_on_cloth(Vec2& velocity_a, Roller a, double inverse_mass_a, Ve
     return across;
 }
 
-/// The same for a ball on an edge, whose surface goes along at `surface`.
+/// Friction between a ball on cloth and an edge whose surface moves at `surface`, length/s.
 inline double rub_edge_on_cloth(Vec2& velocity, Roller ball, double inverse_mass, Vec2 normal,
                                 Vec2 surface, double pressed, Friction friction) {
     Vec2 moved = surface;
@@ -67,7 +68,7 @@ inline double rub_edge_on_cloth(Vec2& velocity, Roller ball, double inverse_mass
                         pressed, friction);
 }
 
-/// Ball `i` of a world with cloth.
+/// The rotation of ball `i`, in a world with cloth.
 inline Roller roller(Balls& balls, std::size_t i) {
     return {balls.spin[i], balls.roll[i], balls.radius[i]};
 }

@@ -2,11 +2,11 @@
 
 #include "physics/world/model.h"
 
-/// Free motion: what gravity and drag do to a ball that meets nothing. Exact for any length of
-/// step.
+/// Free motion: what gravity and drag do to a ball without contacts. Exact for a step of any
+/// length.
 namespace carom {
 
-/// The motion over one step of `duration` seconds is linear in velocity and gravity:
+/// The solution over one step of `duration` seconds, which is linear in velocity and gravity:
 ///     travel   = velocity * travel_per_velocity + gravity * travel_per_gravity
 ///     velocity = velocity * decay + gravity * velocity_per_gravity
 /// Source: the solution of dv/dt = g - k v.
@@ -18,18 +18,20 @@ struct Flight {
     double velocity_per_gravity = 0.0;  ///< s
 };
 
-/// `drag` in 1/s, none: free flight. Pre: duration >= 0.
+/// `drag` in 1/s; none: only gravity acts. Pre: duration >= 0.
 Flight flight_over(std::optional<double> drag, double duration);
 
+/// Displacement over the step, length.
 inline Vec2 travel(const Flight& flight, Vec2 velocity, Vec2 gravity) {
     return velocity * flight.travel_per_velocity + gravity * flight.travel_per_gravity;
 }
 
+/// Velocity at the end of the step, length/s.
 inline Vec2 velocity_after(const Flight& flight, Vec2 velocity, Vec2 gravity) {
     return velocity * flight.decay + gravity * flight.velocity_per_gravity;
 }
 
-/// `velocity`, no longer than `limit`.
+/// `velocity`, shortened to the speed `limit` (length/s) if it is faster.
 Vec2 limited(Vec2 velocity, double limit);
 
 }  // namespace carom

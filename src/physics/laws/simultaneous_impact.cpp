@@ -39,9 +39,9 @@ Real coupling(const ImpactContact<Real>& i, const ImpactContact<Real>& j,
     return sum;
 }
 
-// The solution of the rows and columns in `active`, of least size where there are several: the
-// matrix is made definite by a trace on its diagonal, and the error that makes is taken back by
-// repetition. Pre: the diagonal is between 1 and 4.
+// Solves the rows and columns in `active`; the smallest solution where there are several. A small
+// term on the diagonal makes the matrix definite, and iterative refinement removes the error that
+// this causes. Pre: the diagonal is between 1 and 4.
 template <typename Real>
 std::pmr::vector<Real> solve(const Matrix<Real>& matrix, const std::pmr::vector<Real>& right,
                              const std::pmr::vector<std::size_t>& active) {
@@ -89,10 +89,11 @@ std::pmr::vector<Real> solve(const Matrix<Real>& matrix, const std::pmr::vector<
     return solution;
 }
 
-// Pushing impulses that stop every approach, by block pivoting: those that would pull are left out,
-// and come back where what is left out approaches again. Where changing all of them at once leads
-// no nearer, one is changed at a time, the last (Judice and Pires, A block principal pivoting
-// algorithm for linear complementarity problems, 1994). None where rounding keeps it from an end.
+// Pushing impulses that stop every approach, by block pivoting. Contacts whose impulse would pull
+// leave the active set, and return when they approach again. When exchanging all of them at once
+// makes no progress, one is exchanged at a time, the last (Judice and Pires, A block principal
+// pivoting algorithm for linear complementarity problems, 1994). None if rounding keeps it from
+// converging.
 template <typename Real>
 std::optional<std::pmr::vector<Real>> stopping_impulses(const Matrix<Real>& matrix,
                                                         const std::pmr::vector<Real>& approach) {
@@ -153,11 +154,11 @@ Real scale_of(const Real& size) {
     return scale;
 }
 
-// Beyond this many contacts that hang together the impulses are found by relaxation.
+// Connected groups of more contacts than this are solved by relaxation.
 constexpr std::size_t most_dense = 240;
 
-// What relaxation has not brought to its end is scaled so that, passed once more, it takes all that
-// it gave: with restitution 1 energy stays, with less it falls, whatever is left to approach.
+// The result of a relaxation that has not converged is scaled so that energy is conserved with
+// restitution 1, and falls with less, whatever approach is left.
 template <typename Real>
 std::pmr::vector<Real> relaxed_impulses(const std::pmr::vector<ImpactContact<Real>>& contacts,
                                         std::pmr::vector<ImpactBody<Real>> bodies) {
@@ -189,7 +190,7 @@ std::pmr::vector<Real> relaxed_impulses(const std::pmr::vector<ImpactContact<Rea
     return impulses;
 }
 
-// Contacts that share a body that can be moved, each group in the order given.
+// Groups of contacts connected through movable bodies, each in the order given.
 template <typename Real>
 std::pmr::vector<std::pmr::vector<std::uint32_t>> groups_of(
     std::span<const ImpactBody<Real>> bodies, std::span<const ImpactContact<Real>> contacts,
@@ -240,7 +241,7 @@ std::pmr::vector<Real> reflect(std::span<ImpactBody<Real>> bodies,
                 restitution = contacts[index].restitution;
         std::optional<std::pmr::vector<Real>> impulses;
         if (count <= most_dense) {
-            // Scaled to a diagonal of about 1: masses may be far apart.
+            // Scaled to a diagonal of about 1, since masses may differ widely.
             Matrix<Real> matrix(count, memory);
             std::pmr::vector<Real> approach(count, memory);
             std::pmr::vector<Real> scale(count, memory);

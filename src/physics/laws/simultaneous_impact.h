@@ -7,37 +7,37 @@
 
 #include "geometry/vector.h"
 
-/// What contacts at the same instant do together.
+/// Simultaneous impacts: the impulses of contacts at the same instant.
 ///
-/// Rule: all contacts that approach at once are reflected at once, as one wall is: the impulses are
-/// those, all pushing, that would stop every approach with the least change (in kinetic energy),
-/// and what is passed is 1 + restitution of them. If others approach then, these are reflected
-/// next, until nothing approaches. Contacts that touch but do not approach take no part in a step.
+/// Rule: all approaching contacts are reflected at once. Find the impulses, none of which pulls,
+/// that stop every approach with the least change in kinetic energy; apply 1 + restitution times
+/// them. If contacts approach afterwards, reflect those, and so on until none does. Contacts that
+/// touch without approaching take no part in a step.
 ///
-/// Ground: it keeps momentum, and with restitution 1 energy; pushes only; treats alike what is
-/// alike, so neither the order of a file nor the names of balls matter; and lets a shock run
-/// through a row of touching balls one by one, as a row with gaps does. Source: Smith, Kaufman,
-/// Vouga, Tamstorf, Grinspun, Reflections on simultaneous impact, ACM Transactions on Graphics 31
-/// (2012), where it is called generalised reflections.
+/// Reasons: the rule conserves momentum, and energy with restitution 1; it only pushes; it respects
+/// symmetry, so neither the order of a file nor the ids of balls matter; and a shock runs through a
+/// row of touching balls one by one, as through a row with gaps. Source: Smith, Kaufman, Vouga,
+/// Tamstorf, Grinspun, Reflections on simultaneous impact, ACM Transactions on Graphics 31 (2012),
+/// where it is called generalised reflections.
 namespace carom {
 
 template <typename Real>
 struct ImpactBody {
     Vector<Real> velocity;
-    Real inverse_mass{};  ///< 0: nothing moves it
+    Real inverse_mass{};  ///< 0: immovable
 };
 
 template <typename Real>
 struct ImpactContact {
     static constexpr std::uint32_t fixed = 0xffffffffu;
     std::uint32_t a = 0;      ///< index of a body
-    std::uint32_t b = fixed;  ///< index of a body, or something that nothing moves
+    std::uint32_t b = fixed;  ///< index of a body, or `fixed`: an edge
     Vector<Real> normal;      ///< unit, from b to a
-    Real surface{};           ///< velocity along the normal of what is fixed, length/s
+    Real surface{};           ///< of the edge: its velocity along the normal, length/s
     Real restitution{1.0};
 };
 
-/// How fast the contact closes, length/s.
+/// Approach speed at the contact, length/s; negative if the bodies separate.
 template <typename Real>
 Real approach_of(const ImpactContact<Real>& contact, std::span<const ImpactBody<Real>> bodies) {
     const Real ours = dot(bodies[contact.a].velocity, contact.normal);
@@ -45,16 +45,16 @@ Real approach_of(const ImpactContact<Real>& contact, std::span<const ImpactBody<
     return dot(bodies[contact.b].velocity, contact.normal) - ours;
 }
 
-/// One step of the rule for `contacts`, all of which approach: the impulse of each, >= 0. Contacts
-/// that hang together take the smallest restitution among them. Changes the velocities of `bodies`.
-/// What it needs comes from `memory`, the impulses too.
-/// Pre: of each contact at least one body can be moved.
+/// One step of the rule for `contacts`, all of which approach: changes the velocities of `bodies`,
+/// and returns the impulse of each contact, >= 0. Contacts connected through movable bodies all
+/// take the smallest restitution among them. Memory, also for the result, comes from `memory`. Pre:
+/// at least one body of each contact is movable.
 template <typename Real>
 std::pmr::vector<Real> reflect(
     std::span<ImpactBody<Real>> bodies, std::span<const ImpactContact<Real>> contacts,
     std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 
-/// The bodies of the contact, after an impulse at it.
+/// Applies an impulse at the contact to its bodies.
 template <typename Real>
 void push(std::span<ImpactBody<Real>> bodies, const ImpactContact<Real>& contact,
           const Real& impulse) {
@@ -64,7 +64,7 @@ void push(std::span<ImpactBody<Real>> bodies, const ImpactContact<Real>& contact
         bodies[contact.b].velocity -= way * bodies[contact.b].inverse_mass;
 }
 
-/// The same as `reflect` for one contact alone: its impulse.
+/// `reflect` for a single contact: returns its impulse.
 template <typename Real>
 Real reflect_alone(std::span<ImpactBody<Real>> bodies, const ImpactContact<Real>& contact) {
     const Real square = length_squared(contact.normal);

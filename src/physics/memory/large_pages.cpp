@@ -6,8 +6,7 @@
 
 namespace carom {
 
-// Where the system has no large pages, or none to spare, nothing changes: the answer does not
-// matter.
+// A refusal is ignored: without large pages everything works, only slower.
 void ask_for_large_pages([[maybe_unused]] void* start, [[maybe_unused]] std::size_t bytes) {
 #ifdef MADV_HUGEPAGE
     madvise(start, bytes, MADV_HUGEPAGE);

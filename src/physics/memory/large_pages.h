@@ -4,15 +4,15 @@
 #include <new>
 #include <vector>
 
-/// Memory for large arrays that are read here and there: looking up where a page is would take as
-/// long as reading it.
+/// Memory in large pages, for large arrays that are read at random: with small pages, address
+/// translation would take as long as the read itself.
 namespace carom {
 
-/// Asks the system to lay these bytes out in pages as large as it has, where it can; what they hold
-/// is the same either way. Pre: `start` comes from operator new with this alignment.
+/// Asks the system to back these bytes with large pages. Only speed depends on whether it does.
+/// Pre: `start` is aligned to a large page (2 MB).
 void ask_for_large_pages(void* start, std::size_t bytes);
 
-/// An allocator that does so for arrays of two megabytes or more; smaller ones are as ever.
+/// An allocator that does so for arrays of at least 2 MB; smaller ones come from operator new.
 template <typename T>
 class LargePages {
   public:
@@ -36,7 +36,7 @@ class LargePages {
     friend bool operator==(const LargePages&, const LargePages&) { return true; }
 
   private:
-    static constexpr std::size_t least = std::size_t{2} << 20;  ///< fills one
+    static constexpr std::size_t least = std::size_t{2} << 20;  ///< bytes: one large page
     static constexpr std::align_val_t page{std::size_t{2} << 20};
     static constexpr std::align_val_t small_alignment() { return std::align_val_t{alignof(T)}; }
 };

@@ -8,24 +8,24 @@
 
 namespace carom {
 
-/// So many balls do not all lie in the nearest caches; of fewer nothing need be fetched early.
+/// From this many balls on, their data does not fit into the nearest caches, and prefetching pays.
 inline constexpr std::size_t too_many_to_cache = 8192;
 
-/// Fetches the line of memory at `address` into the cache, and does not wait for it.
+/// Prefetches the cache line at `address`, without waiting for it.
 inline void fetch_early(const void* address) {
     __builtin_prefetch(address);
-    // g++ takes functions that do nothing but this to do nothing, and leaves out the calls.
+    // Keeps the call: g++ regards functions that do nothing but prefetch as empty.
     asm volatile("");
 }
 
-/// One of two numbers, without a branch: for where nobody can foretell which, and a wrong guess of
-/// the processor takes as long as some twenty instructions.
+/// One of two numbers, without a branch. For choices that no processor can predict: a mispredicted
+/// branch costs about twenty instructions.
 inline std::uint32_t select(bool is_first, std::uint32_t first, std::uint32_t second) {
     const std::uint32_t mask = 0u - static_cast<std::uint32_t>(is_first);
     return (first & mask) | (second & ~mask);
 }
 
-/// `to` = `from` if so, in the same way.
+/// Assigns `from` to `to` if `is_so`, without a branch.
 template <typename Value>
 inline void assign_if(bool is_so, Value& to, const Value& from) {
     static_assert(std::is_trivially_copyable_v<Value> && sizeof(Value) % 8 == 0);

@@ -5,16 +5,17 @@
 
 namespace carom {
 
-/// Asks now and then in a long tick whether it may go on.
+/// The cancellation token of a tick: asks the caller now and then whether a long tick may go on.
 class Patience {
   public:
-    /// Work between two questions. A unit is about a look at one ball: some tens of nanoseconds.
+    /// Work between two questions. A unit is about as much as testing one ball: some tens of
+    /// nanoseconds.
     static constexpr std::size_t ask_every = 4096;
 
-    /// Without `keep_going` there is no end to it.
+    /// An empty `keep_going` never cancels. It must outlive this.
     explicit Patience(const std::function<bool()>& keep_going) : keep_going_(keep_going) {}
 
-    /// So many units of work have been done. False once the tick is to be given up.
+    /// Counts units of work done. False once the tick is cancelled.
     bool lasts(std::size_t work) {
         if (!keep_going_ || is_out_) return !is_out_;
         since_ += work;
@@ -23,6 +24,7 @@ class Patience {
         is_out_ = !keep_going_();
         return !is_out_;
     }
+    /// Whether the tick is cancelled.
     bool is_out() const { return is_out_; }
 
   private:

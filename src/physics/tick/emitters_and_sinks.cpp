@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-// Draw number 0 to 3 of ball `n` of an emitter, in -1..1.
+// Random draw 0..3 for ball `n` of an emitter, in -1..1.
 double jitter(const World& world, std::size_t emitter, std::uint32_t n, std::uint32_t draw) {
     return random_between(-1.0, 1.0, world.seed(), RandomStream::emitter, emitter,
                           std::uint64_t{n} * 4 + draw);

@@ -14,7 +14,7 @@ bool uses(SolverKind kind, std::string_view count) {
     return kind == SolverKind::substep;
 }
 
-// The text up to the next blank, which is taken off the front with it.
+// Removes the first word and the blank after it from the text, and returns the word.
 std::string_view take_word(std::string_view& text) {
     const std::string_view word = text.substr(0, text.find(' '));
     text.remove_prefix(std::min(word.size() + 1, text.size()));

@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-// A sum that keeps what rounding drops. Source: Neumaier, ZAMM 54 (1974) 39.
+// Compensated summation. Source: Neumaier, ZAMM 54 (1974) 39.
 class Sum {
   public:
     void add(double value) {

@@ -2,12 +2,12 @@
 
 #include "physics/world/world.h"
 
-/// The quantities that physics keeps, and how deep bodies are in each other.
+/// The conserved quantities, and how deep bodies overlap.
 namespace carom {
 
-/// Sums over all balls. Where balls turn, kinetic energy and angular momentum count that. Potential
-/// energy is that of gravity, 0 at the origin; angular momentum is about the origin. Units: mass,
-/// length and s of the level.
+/// Sums over all balls. Kinetic energy and angular momentum include spin where balls spin.
+/// Potential energy is that of gravity, 0 at the origin; angular momentum is about the origin.
+/// Units: mass, length and s of the level.
 struct Totals {
     double kinetic_energy = 0.0;
     double potential_energy = 0.0;
@@ -18,12 +18,12 @@ struct Totals {
 };
 Totals totals(const World& world);
 
-/// How far balls go in a tick, in radii: the root of the mean of the squares of either. Not a
-/// number where none moves and none has a size; without bound where one of no size moves alone.
+/// How far balls travel in a tick, in radii: the RMS speed times the tick over the RMS radius. NaN
+/// where no ball moves and none has a size; infinite where balls without a size move.
 double typical_way(const World& world);
 
-/// Depth of the deepest overlap between bodies that meet, a length; 0 when nothing overlaps. Counts
-/// ball on ball and ball on edge; a held ball counts as any other. On a torus, over the nearest
+/// Depth of the deepest overlap between bodies that collide, a length; 0 when nothing overlaps.
+/// Covers ball against ball and ball against edge, held balls included; on a torus the nearest
 /// images.
 double deepest_overlap(const World& world);
 
