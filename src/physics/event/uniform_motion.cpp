@@ -34,8 +34,9 @@ bool UniformMotion<Real>::handle(std::uint32_t ball, const BallEvent<Real>& even
     return true;
 }
 
-// The balls near the one that is at `position` now and flies on with `velocity`; its `partner` is
-// never approached. False if it may touch another already, or if they are too many.
+// Finds the balls near a ball that is at `position` now and continues with `velocity`. The
+// `partner` of its impact does not count. False if it may touch another already, or if they are too
+// many.
 template <typename Real>
 inline bool UniformMotion<Real>::find_near(std::uint32_t ball, std::uint32_t partner,
                                            const Vector<Real>& position,
@@ -139,7 +140,7 @@ inline bool UniformMotion<Real>::pass_impulse(Pair& pair, const ImpactRecord& re
     contact.a = 0;
     contact.b = 1;
     contact.normal = pair.offset / distance;
-    // More than the rounding of the general response, which decides on what lies between.
+    // More than the rounding that the general response uses: it decides the cases in between.
     const auto sum_of_parts = [](const Vector<Real>& v) { return absolute(v.x) + absolute(v.y); };
     const Real rounding =
         Real(2.0 * residual_rounding<Real>) *

@@ -74,7 +74,7 @@ auto ImpactFriction<Real>::slip_of(const Contact& each) const -> Slip {
     return slip;
 }
 
-// Both `solve` set the change of the impulse; true: it is rounding.
+// Both `solve` compute the change of the impulse. They return whether it is no more than rounding.
 template <typename Real>
 bool ImpactFriction<Real>::solve(Contact& each, const Real& inertia) const {
     const Slip slip = slip_of(each);

@@ -202,8 +202,8 @@ void Response<Real>::stop_all() {
         each.is_changed = true;
 }
 
-// A frozen ball would be frozen again at once, and the jammed balls would meet it anew: it stops
-// them.
+// A frozen ball stops the jammed balls that hit it. If it moved instead, it would be frozen again
+// at once, and they would hit it again.
 template <typename Real>
 void Response<Real>::hold_frozen() {
     for (std::size_t i = 0; i < cluster_.bodies().size(); ++i)
@@ -267,7 +267,7 @@ bool Response<Real>::hold_back(std::uint32_t body) {
     return is_free(velocity);
 }
 
-// Gives every changed body its new trajectory, and free flight to what it supported.
+// Starts the new trajectory of every changed body, and free flight of what it supported.
 template <typename Real>
 void Response<Real>::start_trajectories(std::vector<std::uint8_t>& touched) {
     const Model& model = scene_.world->model();

@@ -58,9 +58,9 @@ class Response {
     };
     explicit Response(const Parts& parts);
 
-    /// Resolves the impact `event` of `ball`, now. The balls whose trajectories changed, ascending;
-    /// the caller predicts them, and `ball` in any case. Valid until the next call. The cluster
-    /// stays open, for predictions; the caller ends it.
+    /// Resolves the impact `event` of `ball`, now. Returns the balls whose trajectories changed,
+    /// ascending; valid until the next call. The caller predicts them, and `ball` in any case. The
+    /// cluster stays open for these predictions, until the caller ends it.
     const std::vector<std::uint32_t>& resolve(std::uint32_t ball, const BallEvent<Real>& event,
                                               const ImpactRecord& record);
 

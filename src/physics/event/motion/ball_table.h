@@ -8,10 +8,10 @@
 #include "physics/memory/large_pages.h"
 #include "physics/memory/prefetch.h"
 
-/// The records of all balls, laid out by access: one cache line for what a walk over neighbours
-/// reads of each (BallRecord), one for what a ball's own events need besides (BallPlan).
+/// The records of all balls, laid out by access: one cache line that a walk over neighbours reads
+/// (BallRecord), and one that only the ball's own events need (BallPlan).
 ///
-/// Who writes what:
+/// Writers:
 ///
 ///   line, curve, version      Trajectories starts them. RestingContact, ClothPhases, Transitions
 ///                             and CollapseGuard choose the motion of one that has just started

@@ -5,8 +5,8 @@
 #include "geometry/shapes.h"
 #include "physics/event/motion/time_of_impact.h"
 
-/// When a ball meets an edge, fixed or kinematic, and how it lies to one. See time_of_impact.h for
-/// what all searches have in common.
+/// When a ball hits an edge, fixed or kinematic, and where it is relative to one. See
+/// time_of_impact.h for what all searches have in common.
 namespace carom {
 
 /// A capsule over any number type.
@@ -36,7 +36,7 @@ struct MovingEdge {
     Edge<Real> at(const Real& when) const;
 };
 
-/// How a ball lies to an edge.
+/// Where a ball is relative to an edge.
 template <typename Real>
 struct EdgeContact {
     Real gap{};           ///< length; negative: depth of overlap
@@ -62,8 +62,8 @@ std::optional<Real> edge_time_of_impact(const Trajectory<Real>& trajectory, cons
 
 /// Time of impact of a ball and a kinematic edge, in begin..end. The bound on the edge's motion
 /// assumes that it turns no faster than twice the difference of its ends' speeds over its length.
-/// A suspended search resumes from a later `begin`: ticks with kinematic edges are never continued,
-/// so nobody could start it from the trajectory alone.
+/// A suspended search resumes from a later `begin`: no tick with kinematic edges is continued, so
+/// the search need not be repeatable from the trajectory alone.
 template <typename Real>
 std::optional<Real> moving_edge_time_of_impact(const Trajectory<Real>& trajectory,
                                                const MovingEdge<Real>& edge, const Real& radius,

@@ -38,7 +38,7 @@ inline constexpr std::uint32_t predict_again = 4;
 inline constexpr std::uint32_t restart_in_frame = 5;
 }  // namespace cell_transfer
 
-/// An event of a ball, which whoever holds the event knows.
+/// An event of a ball; which ball, the context says.
 template <typename Real>
 struct alignas(8) BallEvent {  // aligned on every machine, for assign_if
     Real time{};               ///< s

@@ -34,14 +34,14 @@ class KinematicBodies {
                     Trajectories<Real>& trajectories)
         : scene_(scene), balls_(balls), trajectories_(trajectories) {}
 
-    /// Takes what is held in the scene's world for this tick. Held balls get inverse mass 0 and the
-    /// velocity to their target; their trajectories are started by the caller.
+    /// Reads the world's held bodies for this tick. Held balls get inverse mass 0 and the velocity
+    /// to their target; the caller starts their trajectories.
     void take();
 
     const std::vector<KinematicEdge<Real>>& edges() const { return edges_; }
 
-    /// Stops all of them now. Trajectories of other balls stay; all predictions are to be made
-    /// again, as `take_stopped` says.
+    /// Stops all of them now. Trajectories of other balls stay, but every prediction is outdated:
+    /// see `take_stopped`.
     void stop();
     /// Whether something has stopped since the last call.
     bool take_stopped() {

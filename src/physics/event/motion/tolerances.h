@@ -57,9 +57,9 @@ inline constexpr double cloth_rest_height = 1e-7;
 /// overlap more; /10: more impacts until a heap settles.
 inline constexpr double moving_rest_height = 1e-5;
 
-/// How far beyond `rest_height` the speed of a ball may lie that two supports hold, or that leans
-/// on a barrier: energies of so many rest heights. x10: balls stop in wedges early; /10: a ball in
-/// a wedge bounces between its sides for ever.
+/// The kinetic energy, in rest heights, up to which a ball comes to rest that two supports hold or
+/// that leans on a barrier. x10: balls stop in wedges early; /10: a ball in a wedge bounces between
+/// its sides forever.
 inline constexpr double wedge_rest_heights = 8.0;
 
 // --- Rounding of speeds ---------------------------------------------------------------------
@@ -79,7 +79,7 @@ inline constexpr double residual_rounding = 0.125 * approach_rounding<Real>;
 /// every number type. Its square over two, a height of 3.2e-19 radii, is far below `rest_height`.
 inline constexpr double pressed_rounding = 8e-10;
 
-/// The same of what an impact may leave, as a share of `pressed_rounding`.
+/// The approach that an impact may leave, as a share of `pressed_rounding`.
 inline constexpr double pressed_residual = 0.125;
 
 /// Slower approaches are none, length/s: shares of them would be lost among subnormal numbers.

@@ -36,7 +36,7 @@ class Trajectories {
     /// starts in the frame: the position may be moved by whole periods.
     void start(std::uint32_t ball, const Real& time, Vector<Real> position,
                const Vector<Real>& velocity);
-    /// The same from now on where `UniformMotion` handles events: nothing curves or wraps.
+    /// `start` at the present time, for scenes of uniform motion, where nothing curves or wraps.
     [[gnu::always_inline]] void start_straight(std::uint32_t ball, const Vector<Real>& position,
                                                const Vector<Real>& velocity,
                                                std::uint32_t recent_collisions) {

@@ -8,9 +8,9 @@
 
 namespace carom {
 
-/// The work of a tick, in events, and the question whether it may go on: a cancellation token is
-/// asked after every `events_between_polls`. Rounds of an impact and iterations of TOI searches
-/// count too, so that a tick can be cancelled within a single slow event.
+/// Measures the work of a tick in events, and polls its cancellation token after every
+/// `events_between_polls`. Rounds of an impact and iterations of TOI searches count too, so that a
+/// tick can be cancelled within a single slow event.
 template <typename Real>
 class WorkMeter {
   public:

@@ -12,14 +12,13 @@
 
 namespace carom {
 
-/// Decides how a ball goes on that gravity presses on something: it slides along a side, turns
-/// round an end, or rests; and wakes what rested on a ball that moves. Without gravity balls never
-/// rest.
+/// Chooses the motion of a ball that gravity presses on something: it slides along a side, turns
+/// round an end, or rests. Wakes balls whose support moves. Without gravity balls never rest.
 ///
-/// A ball rests on edges and on balls that rest themselves. Two supports hold it if between them
-/// they can bear all of gravity, also where gravity presses the ball on one alone, along which it
-/// would slide against the other. A resting ball does not press on its supports: piles stay as they
-/// came to rest, and this solver does not compute how their weight is distributed.
+/// A ball rests on edges and on resting balls. Two supports hold it if together they can bear all
+/// of gravity, even if gravity presses the ball on one of them alone, along which it would slide
+/// against the other. A resting ball does not press on its supports: piles stay as they came to
+/// rest, and this solver does not compute how their weight is distributed.
 template <typename Real>
 class RestingContact {
   public:

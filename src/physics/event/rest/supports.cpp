@@ -15,7 +15,7 @@ const std::vector<Support<Real>>& Supports<Real>::of(std::uint32_t ball, bool al
     sides_.clear();
     points_.clear();
     bars_.clear();
-    // Moving balls lie within the height of a bounce that loses no energy.
+    // Moving balls may be apart by the height of a bounce that loses no energy.
     const Real near = size * Real(also_moving ? 4.0 * moving_rest_height : contact_slop);
     space_.for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int across, int along) {
         add_edge(line, size, near, capsule, shift,

@@ -21,7 +21,7 @@ struct Support {
     PathSupport by;
 };
 
-/// What a ball lies on, or against: the contacts of a ball that is about to slide, turn or rest.
+/// The contacts that support a ball which is about to slide, turn or rest.
 /// The order of the results does not depend on the cells.
 template <typename Real>
 class Supports {

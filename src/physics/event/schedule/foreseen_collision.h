@@ -100,7 +100,8 @@ class ForeseenCollisions {
     template <MotionTerms terms>
     FirstCollision<Real> earlier(std::uint32_t ball, std::uint32_t other, int across, int along,
                                  FirstCollision<Real> best) const;
-    /// The same if `approach` is known, from `offset` at the time `begin`. Pre: it is an impact.
+    /// `earlier` where the approach is known, from `offset` at the time `begin`. Pre: it is an
+    /// impact.
     template <MotionTerms terms>
     FirstCollision<Real> earlier(std::uint32_t ball, std::uint32_t other, int across, int along,
                                  const StraightApproach<Real>& approach, const Real& begin,

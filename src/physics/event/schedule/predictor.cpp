@@ -172,7 +172,7 @@ void Predictor<Real>::choose_next(std::uint32_t ball) {
     balls_.plan(ball).set_next_event(best);
 }
 
-// A ball that lies still on cloth is met by moving balls, or by nothing. Each of those predicts
+// Only moving balls can hit a ball that lies still on cloth. Each of those predicts
 // again at its own next event, so this looks no further than that.
 template <typename Real>
 void Predictor<Real>::choose_next_of_still(std::uint32_t ball) {

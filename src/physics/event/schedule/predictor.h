@@ -51,9 +51,9 @@ class Predictor {
     /// Predicts everything anew: the trajectory has changed, or a prediction was void.
     template <MotionTerms terms = MotionTerms::any>
     void predict(std::uint32_t ball);
-    /// The same right after an impact, from the neighbours that it has found around the ball.
+    /// `predict` right after an impact, from the neighbours that the impact found around the ball.
     void predict_among(std::uint32_t ball, std::span<const Neighbour<Real>> neighbours);
-    /// The same in uniform motion. `partner`: one more ball to test, or `none`.
+    /// `predict_among` in uniform motion. `partner`: one more ball to test, or `none`.
     void predict_among_near(std::uint32_t ball, const NearBalls<Real>& near, std::uint32_t partner);
     /// The ball goes to the adjacent cell on that side, or just predicts again: see cell_transfer.
     template <MotionTerms terms = MotionTerms::any>
@@ -77,7 +77,7 @@ class Predictor {
     ForeseenCollisions<Real> foreseen_;
     Transitions<Real>& transitions_;
     ToiSearch<Real>& search_;
-    std::vector<std::uint32_t> selected_;  ///< neighbours by index, for a moment
+    std::vector<std::uint32_t> selected_;  ///< scratch: neighbours by index
 };
 
 }  // namespace carom

@@ -13,7 +13,7 @@ namespace carom {
 
 /// Which ball has the next event: an EventQueue of one entry a ball, its BallPlan::next_event().
 ///
-/// Whoever changes a ball's next event calls `update`. Where there are many balls, `first` also
+/// Code that changes a ball's next event calls `update`. Where there are many balls, `first` also
 /// prefetches what the events after it will read.
 template <typename Real>
 class Schedule {

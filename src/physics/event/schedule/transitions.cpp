@@ -113,11 +113,11 @@ std::optional<Real> Transitions<Real>::end_of_turn(std::uint32_t ball) const {
         if (edge.is_point() || !(edge.start == path.center || edge.end == path.center)) return;
         const Vector<Real> side = perpendicular(edge.end - edge.start);
         for (const Vector<Real>& normal : {side, -side}) {
-            // Positive as long as the side lies ahead of the ball.
+            // Positive while the side is ahead of the ball.
             const auto ahead = [&](const Vector<Real>& there) {
                 return is_left_turn ? cross(there, normal) : cross(normal, there);
             };
-            // A side that begins where the ball is lies behind it, or it would carry the ball now.
+            // A side that begins where the ball is must be behind it: else it would support it now.
             const Real here = Real(2.0 * contact_slop) * balls_.radius(ball) / first.radius;
             if (!(ahead(first.normal) > here) || !(dot(first.normal, normal) > zero)) continue;
             shorten(

@@ -41,8 +41,8 @@ class Transitions {
     /// Sets `best` to the ball's next transition if that comes before it.
     void predict(std::uint32_t ball, BallEvent<Real>& best);
 
-    /// The transition happens now. The balls whose trajectories it has changed, the ball first; the
-    /// caller predicts them. Valid until the next call.
+    /// Performs the transition now. Returns the balls whose trajectories changed, this one first;
+    /// the caller predicts them. Valid until the next call.
     const std::vector<std::uint32_t>& handle(std::uint32_t ball);
 
     /// On a torus: starts the ball's trajectory again in the frame, with its present motion.
