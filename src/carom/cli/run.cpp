@@ -181,7 +181,7 @@ int run_scene(const RunOptions& options, const Scene& scene) {
     if (world.tick() == ticks) note_end(record, scene, world);
     outputs.write_report(report_json(options.level, scene, world, record, seconds));
     if (replay.marks.back().tick < world.tick()) mark(replay, world, game);
-    replay.end = replay.stands = world.tick();
+    replay.end = replay.position = world.tick();
     outputs.write_recording(replay);
     outputs.commit();
     if (!outputs.error().empty()) {

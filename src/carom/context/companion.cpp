@@ -11,15 +11,15 @@
 namespace carom {
 namespace {
 
-/// The most exact first.
+/// The most accurate first.
 constexpr std::array comparison_kinds = {SolverKind::event, SolverKind::swept, SolverKind::contact,
                                          SolverKind::substep, SolverKind::discrete};
 
-/// Most memory for the copies of an ensemble as they begin.
+/// The memory limit for the copies of an ensemble at its start.
 constexpr std::size_t most_ensemble_bytes = std::size_t{512} << 20;
 
-/// The first kind after `last` that is available, supports the model and is not the game's own;
-/// none after the last.
+/// The first kind after `last` that is available, supports the model and differs from the game's
+/// own; none after the last.
 std::optional<SolverKind> next_kind(std::optional<SolverKind> last, SolverKind own,
                                     const Model& model) {
     auto from = comparison_kinds.begin();
@@ -81,7 +81,7 @@ std::string Companion::text() const {
                            number(divergence->ball));
     }
     if (!ensemble_) return {};
-    // The width of the number stays the same, so what stands behind it does not move.
+    // The number has a fixed width, so that the text after it does not move.
     const std::string now = fmt::format("{:<7.2g}", ensemble_->spread());
     if (!ensemble_->time_of_a_radius())
         return fmt::format("{} copies, radii apart: {}", Ensemble::copy_count, now);
@@ -104,10 +104,10 @@ CellPoint Companion::in_first_half(CellPoint place) const {
             place.row - second.row + split_.first.row};
 }
 
-void Companion::mark(Marks& marks) const {
-    if (ensemble_) marks.copies = ensemble_->copies();
+void Companion::annotate(Annotations& annotations) const {
+    if (ensemble_) annotations.copies = ensemble_->copies();
     if (comparison_ && comparison_->divergence())
-        marks.divergence = comparison_->divergence()->place;
+        annotations.divergence = comparison_->divergence()->place;
 }
 
 void Companion::draw(Canvas& canvas, const Session& session, Camera camera,
@@ -115,10 +115,10 @@ void Companion::draw(Canvas& canvas, const Session& session, Camera camera,
     const World& own = session.world();
     const World& other = comparison_->world();
     camera.area = split_.second;
-    Marks marks;
-    mark(marks);
-    if (selected && index_of(other, *selected)) marks.selected_ball = selected;
-    draw_world(canvas, camera, session.scene(), other, comparison_->contacts(), marks, view,
+    Annotations annotations;
+    annotate(annotations);
+    if (selected && index_of(other, *selected)) annotations.selected_ball = selected;
+    draw_world(canvas, camera, session.scene(), other, comparison_->contacts(), annotations, view,
                memory_);
     const auto title = [](const SolverSettings& solver, const World& world) {
         return HalfTitle{solver_text(solver), world.tick(),

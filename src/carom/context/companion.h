@@ -11,42 +11,44 @@
 #include "terminal/draw/draw.h"
 #include "terminal/panels/split.h"
 
-/// What runs beside the game and follows it: the same game under another solver, or an ensemble of
-/// perturbed copies. At most one of them at a time.
+/// The companion runs beside the game and follows it: either a comparison run, which is the same
+/// game under another solver, or an ensemble of perturbed copies. At most one of them exists at a
+/// time.
 namespace carom {
 
 class Companion {
   public:
-    /// From here on the next solver runs beside the game, the most exact first; after the last none
-    /// does. False: none does now.
+    /// Starts the next comparison run from the present state: solvers in turn, the most accurate
+    /// first, and after the last none. Returns whether one runs now.
     bool next_comparison(const Session& session);
     enum class EnsembleState : std::uint8_t {
-        running,   ///< from now on, from the present state
-        ended,     ///< there was one
-        too_large  ///< the copies would not fit into memory: none runs
+        running,   ///< started, from the present state
+        ended,     ///< the ensemble that ran has been ended
+        too_large  ///< not started: the copies would not fit into memory
     };
     EnsembleState toggle_ensemble(const Session& session);
 
     const std::optional<ComparisonRun>& comparison() const { return comparison_; }
 
-    /// Follows the game to its tick: true. Where `may_go_on` or `keep_going` says no, the rest is
-    /// left to the next call.
+    /// Advances the companion to the game's tick. Returns false if `may_go_on` or `keep_going`
+    /// stopped it; the next call continues.
     bool follow(const Session& session, const MayGoOn& may_go_on, const KeepGoing& keep_going);
-    /// Follows with the comparison run alone, so that it misses no divergence; an ensemble catches
-    /// up later.
+    /// Advances only a comparison run, so that it misses no divergence; an ensemble catches up
+    /// later.
     void follow_closely(const Session& session, const KeepGoing& keep_going);
-    /// The game is at another tick, and follow() has work.
+    /// Whether the companion's tick differs from the game's, so that follow() has work.
     bool is_behind(const Session& session) const;
-    /// How it compares with the game, for the status line; empty where nothing runs.
+    /// The comparison with the game, for the status line; empty without a companion.
     std::string text() const;
 
-    /// With a comparison run, splits the window: returns the half of the game.
+    /// With a comparison run, splits the window and returns the half for the game.
     CellArea split_area(const CellArea& area, const Box& view, double aspect);
-    /// Both halves show the same places. A place in the second half as one in the first.
+    /// Both halves show the same part of the world. Maps a position in the second half to the
+    /// first.
     CellPoint in_first_half(CellPoint place) const;
-    /// Of the game's picture: the copies, and the place of the divergence.
-    void mark(Marks& marks) const;
-    /// Pre: comparison(). Draws the second half and both titles.
+    /// Adds to the game's picture the copies, and the position of the divergence.
+    void annotate(Annotations& annotations) const;
+    /// Draws the second half and both titles. Pre: comparison().
     void draw(Canvas& canvas, const Session& session, Camera camera, std::optional<BallId> selected,
               const ViewOptions& view);
 

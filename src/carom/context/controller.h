@@ -10,52 +10,54 @@
 #include "terminal/input/input.h"
 #include "terminal/panels/hud.h"
 
-/// A way of playing: free play, pool, pinball, or watching a recording. The player (carom/play)
-/// holds one and asks it at fixed moments; what it answers lives in carom/controllers.
+/// A controller is a way of playing: free play, pool, pinball, or watching a recording. The player
+/// (carom/play) holds one and calls it at fixed moments; the implementations are in
+/// carom/controllers.
 namespace carom {
 
-/// A controller never owns the game: every call gets the context that the player owns. Each
-/// function has a default that does nothing, so a controller says only what is its own.
+/// A controller never owns the game: every call gets the context that the player owns. Most
+/// functions have a default that does nothing, so a controller overrides only what it needs.
 class Controller {
   public:
     virtual ~Controller() = default;
 
-    /// A key or a report of the mouse, before it is looked up as an action. True: it was for this
-    /// controller. Not called while a page covers the game.
+    /// Offers a key or a mouse report before it is looked up as an action. Returns whether the
+    /// controller consumed it. Not called while a page covers the game.
     virtual bool take(PlayContext&, const InputEvent&) { return false; }
-    /// Does what the action means here, or says why it does not apply.
+    /// Performs an action, or tells the player why it does not apply.
     virtual void perform(PlayContext&, const Action&) = 0;
 
-    /// A button of the mouse went down, or came up, at the pointer.
+    /// A mouse button was pressed, or released, at the pointer.
     virtual void press(PlayContext&, const InputEvent&) {}
     virtual void release(PlayContext&, const InputEvent&) {}
     /// The pointer has moved.
     virtual void point(PlayContext&) {}
 
-    /// `seconds` of the player's time pass, whether ticks are computed or not.
+    /// `seconds` of wall-clock time pass, whether or not ticks are computed.
     virtual void pass(PlayContext&, double /*seconds*/) {}
     virtual void before_tick(PlayContext&) {}
-    /// The ticks of these seconds are computed: what the game has to say.
+    /// The ticks of these `seconds` have been computed: the controller may tell what happened.
     virtual void after_ticks(PlayContext&, double /*seconds*/) {}
-    /// Something is to be computed, or time counts, even while the game is paused.
+    /// Whether it has computations to do, or a timer running, even while the game is paused.
     virtual bool has_work() const { return false; }
 
-    /// Cuts what the controller draws for itself from the area of the world.
+    /// Takes the room for the controller's own panel from the area of the world.
     virtual void cut_panel(const PlayContext&, CellArea&) {}
     /// The camera that shows the scene as a whole.
     virtual Camera fit(const PlayContext&, const CellArea& area, double aspect);
-    /// Before a picture: brings what mark() shows up to date.
+    /// Called before each picture: updates what annotate() shows.
     virtual void look(PlayContext&) {}
-    virtual void mark(const PlayContext&, Marks&) const;
+    virtual void annotate(const PlayContext&, Annotations&) const;
     virtual void draw_panel(const PlayContext&, Canvas&) const {}
     virtual void add_status(const PlayContext&, HudInfo&) const {}
     virtual void add_hints(const PlayContext&, std::vector<KeyHelp>&) const {}
 
-    /// The mouse drags any ball and edge, which the hints say.
+    /// Whether the mouse drags every ball and edge, which the hints then mention.
     virtual bool drags_anything() const { return false; }
-    /// The high scores of the table, as they are kept.
+    /// Receives the stored high scores of the table.
     virtual void set_high_scores(HighScores) {}
-    /// The same scene, changed on disk, is played on: takes over what `before` held of the player.
+    /// The level was changed on disk and play continues: takes over the player's state from
+    /// `before`.
     virtual void continue_from(PlayContext&, const Controller& /*before*/) {}
 };
 

@@ -6,7 +6,7 @@
 namespace carom {
 namespace {
 
-/// How near something must be to be meant, in columns.
+/// How close to the pointer an object must be to be picked, in columns.
 constexpr double reach = 1.5;
 
 }  // namespace
@@ -15,9 +15,9 @@ Camera Controller::fit(const PlayContext& play, const CellArea& area, double asp
     return fit_camera(play.session.scene().view, area, aspect);
 }
 
-void Controller::mark(const PlayContext& play, Marks& marks) const {
-    play.pointer.tool.mark(play.session.world(), play.session.solver(),
-                           speed_unit(play.session.scene()), marks);
+void Controller::annotate(const PlayContext& play, Annotations& annotations) const {
+    play.pointer.tool.annotate(play.session.world(), play.session.solver(),
+                               speed_unit(play.session.scene()), annotations);
 }
 
 PlayContext::PlayContext(Session game, const ViewOptions& options, KeyMap key_map, bool is_picked)
@@ -54,7 +54,7 @@ bool is_watching(const PlayContext& play) {
     return play.session.is_following();
 }
 
-bool stands_still(const PlayContext& play) {
+bool is_idle(const PlayContext& play) {
     return play.clock.is_paused() && !play.clock.is_seeking();
 }
 
@@ -80,7 +80,7 @@ void move_pointer(PlayContext& play, Vec2 to) {
     play.controller->point(play);
     if (pointer.tool.is_empty()) return;
     play.needs_draw = true;
-    if (const auto complaint = pointer.tool.move(play.session, to, stands_still(play)))
+    if (const auto complaint = pointer.tool.move(play.session, to, is_idle(play)))
         complain(play, *complaint);
 }
 

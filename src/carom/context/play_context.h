@@ -85,7 +85,7 @@ void set_reference(PlayContext& play);
 /// Whether a recording is being watched: then keys control only time and view.
 bool is_watching(const PlayContext& play);
 /// Whether the game is paused and computes nothing.
-bool stands_still(const PlayContext& play);
+bool is_idle(const PlayContext& play);
 /// Advances the companion to the game's tick; false while it is still behind.
 bool keep_up(PlayContext& play, const MayGoOn& may_go_on);
 

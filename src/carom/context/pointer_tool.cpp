@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-/// On a torus, the image of the point that lies in it.
+/// On a torus, the image of the point within the torus.
 Vec2 inside(const World& world, Vec2 point) {
     if (!world.model().wrap) return point;
     const Vec2 middle = center(*world.model().wrap);
@@ -22,7 +22,7 @@ std::optional<Vec2> place_of(const World& world, BallId ball) {
     return world.balls().position[*index];
 }
 
-/// Whether the world already holds what the command asks for, at the place that it asks for.
+/// Whether the world already holds the object of the command at the position of the command.
 bool is_held_so(const World& world, const Command& command) {
     if (const auto* hold = std::get_if<command::HoldBall>(&command))
         return std::ranges::any_of(world.held_balls(), [&](const HeldBall& held) {
@@ -35,8 +35,8 @@ bool is_held_so(const World& world, const Command& command) {
     });
 }
 
-/// How many ticks the predicted path looks ahead: a second and a half, or what a frame has time
-/// for.
+/// The number of ticks that the predicted path looks ahead: a second and a half, unless a frame has
+/// time for fewer.
 std::uint64_t foresight(const World& world) {
     constexpr double seconds = 1.5;
     constexpr double most_ball_ticks = 20000.0;
@@ -66,7 +66,7 @@ bool PointerTool::take(const World& world, Vec2 at, double slack) {
     return false;
 }
 
-void PointerTool::take_to_place(const World& world, BallId ball, Vec2 at) {
+void PointerTool::grab_to_place(const World& world, BallId ball, Vec2 at) {
     state_ = BallInHand{ball, offset(world, at, *place_of(world, ball)), at, true};
 }
 
@@ -98,7 +98,7 @@ std::vector<Command> PointerTool::holds(const World& world) const {
     return {};
 }
 
-Complaint PointerTool::move(Session& session, Vec2 to, bool stands_still) {
+Complaint PointerTool::move(Session& session, Vec2 to, bool is_paused) {
     const World& world = session.world();
     std::vector<Command> commands;
     if (auto* held = std::get_if<BallInHand>(&state_)) {
@@ -106,17 +106,17 @@ Complaint PointerTool::move(Session& session, Vec2 to, bool stands_still) {
         const Vec2 place = inside(world, to + held->grip);
         if (!index_of(world, held->ball))
             forget();
-        else if (stands_still || held->is_placed)
+        else if (is_paused || held->is_placed)
             commands = {command::PlaceBall{held->ball, place}};
     } else if (auto* edges = std::get_if<EdgesInHand>(&state_)) {
         edges->at = to;
-        if (stands_still) commands = place(world, edges->grip, to);
+        if (is_paused) commands = place(world, edges->grip, to);
     } else if (auto* cue = std::get_if<CueInHand>(&state_)) {
         cue->at = to;
     } else if (auto* edge = std::get_if<NewEdge>(&state_)) {
         edge->shape.end = to;
     }
-    // All or nothing, so that a joint stays one.
+    // All or none, so that joined ends stay joined.
     for (const Command& command : commands)
         if (auto why_not = refusal(session.scene(), world, session.game(), command)) return why_not;
     for (const Command& command : commands)
@@ -133,7 +133,7 @@ Complaint PointerTool::open(Session& session) {
                 session.apply(command::Strike{cue->ball, cue_velocity(world, *ball, cue->at)});
     } else if (const auto* edge = std::get_if<NewEdge>(&state_)) {
         complaint = session.apply(command::AddCapsule{edge->shape, edge->material});
-        if (complaint) return complaint;  // still in hand: it can be moved out of the way
+        if (complaint) return complaint;  // still held: the player can move it elsewhere
     }
     cancel(session);
     return complaint;
@@ -162,23 +162,23 @@ void PointerTool::prepare(Session& session) {
         if (!holds_edge(held.id)) session.apply(command::DropCapsule{held.id});
 }
 
-void PointerTool::mark(const World& world, const SolverSettings& solver, std::string_view unit,
-                       Marks& marks) const {
+void PointerTool::annotate(const World& world, const SolverSettings& solver, std::string_view unit,
+                           Annotations& annotations) const {
     if (const auto* held = std::get_if<BallInHand>(&state_)) {
-        marks.selected_ball = held->ball;
+        annotations.selected_ball = held->ball;
     } else if (const auto* edges = std::get_if<EdgesInHand>(&state_)) {
-        marks.selected_capsule = edges->edge;
+        annotations.selected_capsule = edges->edge;
     } else if (const auto* cue = std::get_if<CueInHand>(&state_)) {
-        marks.selected_ball = cue->ball;
+        annotations.selected_ball = cue->ball;
         const auto ball = place_of(world, cue->ball);
         if (!ball) return;
         const Vec2 velocity = cue_velocity(world, *ball, cue->at);
         const double speed = length(velocity);
-        marks.cue = CueLine{*ball, cue->at, fmt::format("{:.3g}{}", speed, unit)};
+        annotations.cue = CueLine{*ball, cue->at, fmt::format("{:.3g}{}", speed, unit)};
         if (speed > 0.0)
-            marks.path = predicted_path(world, solver, cue->ball, velocity, foresight(world));
+            annotations.path = predicted_path(world, solver, cue->ball, velocity, foresight(world));
     } else if (const auto* edge = std::get_if<NewEdge>(&state_)) {
-        marks.new_capsule = edge->shape;
+        annotations.new_capsule = edge->shape;
     }
 }
 

@@ -9,16 +9,16 @@
 #include "game/session/session.h"
 #include "terminal/draw/draw.h"
 
-/// What the pointer does to the world, whether the mouse or the cursor keys move it: it grabs balls
-/// and edges, pulls the cue, or draws an edge.
+/// The pointer's tool, moved by the mouse or by the cursor keys: it grabs balls and edges, pulls
+/// the cue, or draws an edge.
 namespace carom {
 
-/// Why something did not work, as a sentence for the player.
+/// The reason why an action failed, as a sentence for the player; none: it succeeded.
 using Complaint = std::optional<std::string>;
 
 class PointerTool {
   public:
-    /// Ball speed for each length that the cue is pulled, 1/s.
+    /// Ball speed per length of pull, 1/s.
     static constexpr double cue_gain = 5.0;
 
     bool is_empty() const { return std::holds_alternative<Nothing>(state_); }
@@ -27,40 +27,40 @@ class PointerTool {
     bool has_cue() const { return std::holds_alternative<CueInHand>(state_); }
     bool has_new_edge() const { return std::holds_alternative<NewEdge>(state_); }
 
-    /// Grabs what is at most `slack` (length) from the point: a ball, else an end of an edge with
-    /// all ends joined to it, else an edge. False when there is nothing.
+    /// Grabs an object within `slack` (length) of the point: a ball, else an end of an edge with
+    /// all ends joined to it, else an edge. False if there is none.
     bool take(const World& world, Vec2 at, double slack);
-    /// Grabs a ball to place it: it goes where the pointer is at once, even while ticks are run.
-    void take_to_place(const World& world, BallId ball, Vec2 at);
-    /// Puts the cue on a ball. Pre: there is such a ball.
+    /// Grabs a ball to place it: it moves to the pointer at once, even while ticks are computed.
+    void grab_to_place(const World& world, BallId ball, Vec2 at);
+    /// Puts the cue on a ball. Pre: the ball exists.
     void take_cue(BallId ball, Vec2 at);
     void start_edge(Vec2 at, double radius, ClassIndex material);
 
-    /// The pointer has moved. While the game stands still, what is held is placed there at once, if
+    /// The pointer has moved. While the game is paused, the held object is placed there at once, if
     /// there is room.
-    Complaint move(Session& session, Vec2 to, bool stands_still);
-    /// Completes the action: drops what is held, shoots with the cue, or makes the edge.
+    Complaint move(Session& session, Vec2 to, bool is_paused);
+    /// Completes the action: drops the held object, shoots with the cue, or makes the edge.
     Complaint open(Session& session);
-    /// Drops what is held, without shooting or making an edge.
+    /// Drops the held object, without shooting or making an edge.
     void cancel(Session& session);
-    /// Empties the tool without a command: the session has gone to another time, and its log says
-    /// what was held there.
+    /// Empties the tool without a command. For jumps in time: the session's log knows what was held
+    /// then.
     void forget() { state_ = Nothing{}; }
 
-    /// Before ticks are computed: tells the session what is held and where, and drops what the tool
-    /// does not hold (after a rewind, or when a session is resumed).
+    /// Called before ticks are computed: tells the session what is held and where, and drops what
+    /// the tool does not hold (after a rewind, or in a resumed session).
     void prepare(Session& session);
 
-    /// What the player should see of it; `unit` is put behind the speed of the cue. While the cue
-    /// is pulled, also the predicted path of the ball, as far as it is quickly found.
-    void mark(const World& world, const SolverSettings& solver, std::string_view unit,
-              Marks& marks) const;
+    /// Adds the tool to the annotations; `unit` is written after the speed of the cue. While the
+    /// cue is pulled, they include the predicted path of the ball, as far as it is quickly found.
+    void annotate(const World& world, const SolverSettings& solver, std::string_view unit,
+                  Annotations& annotations) const;
 
   private:
     struct Nothing {};
     struct BallInHand {
         BallId ball{};
-        Vec2 grip;  ///< from the pointer to the middle of the ball
+        Vec2 grip;  ///< from the pointer to the centre of the ball
         Vec2 at;
         bool is_placed = false;
     };
@@ -85,7 +85,7 @@ class PointerTool {
     std::variant<Nothing, BallInHand, EdgesInHand, CueInHand, NewEdge> state_;
 };
 
-/// The velocity that the cue gives a ball there, pulled to the place `hand`; both in the world.
+/// The velocity that the cue gives a ball when pulled back to `hand`; positions in the world.
 Vec2 cue_velocity(const World& world, Vec2 ball, Vec2 hand);
 
 }  // namespace carom

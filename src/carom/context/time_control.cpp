@@ -118,7 +118,7 @@ void restart(PlayContext& play) {
 }
 
 void advance_time(PlayContext& play, double seconds, const MayGoOn& may_go_on) {
-    if (!keep_up(play, may_go_on) || stands_still(play)) return;
+    if (!keep_up(play, may_go_on) || is_idle(play)) return;
     const bool was_seeking = play.clock.is_seeking();
     const bool was_at_end = play.session.is_at_end();
     Controller& controller = *play.controller;

@@ -86,7 +86,7 @@ std::vector<command::Press> PinballButtons::pass(double seconds) {
     return released;
 }
 
-std::vector<command::Press> PinballButtons::let_go() {
+std::vector<command::Press> PinballButtons::release_all() {
     std::vector<command::Press> released;
     for (std::size_t i = 0; i < held_.size(); ++i)
         if (std::exchange(held_[i].is_down, false))

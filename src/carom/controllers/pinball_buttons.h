@@ -32,7 +32,7 @@ class PinballButtons {
     /// Returns the buttons that come up as `seconds` pass.
     std::vector<command::Press> pass(double seconds);
     /// Releases every button, for when the state of the keys is unknown.
-    std::vector<command::Press> let_go();
+    std::vector<command::Press> release_all();
 
     bool is_down() const;
     /// Whether the terminal reports key releases; if not set, the first release shows that it does.

@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-/// Applies what the table has buttons for.
+/// Applies presses for which the table has a device.
 void press_buttons(PlayContext& play, const std::vector<command::Press>& presses) {
     for (const command::Press& press : presses)
         if (has_button(play.session.scene(), press.button)) play.session.apply(press);
@@ -124,9 +124,9 @@ void PinballController::look(PlayContext& play) {
     learn_key_release(play);
 }
 
-void PinballController::mark(const PlayContext& play, Marks& marks) const {
-    feedback_.mark(play, marks);
-    FreeController::mark(play, marks);
+void PinballController::annotate(const PlayContext& play, Annotations& annotations) const {
+    feedback_.annotate(play, annotations);
+    FreeController::annotate(play, annotations);
 }
 
 void PinballController::draw_panel(const PlayContext& play, Canvas& canvas) const {

@@ -7,7 +7,7 @@
 #include "carom/controllers/pinball_input.h"
 #include "game/ai/demo_player.h"
 
-/// Pinball: buttons that are held with keys or the mouse, the demonstration, high scores.
+/// Pinball: buttons held with keys or the mouse, the demo, high scores.
 namespace carom {
 
 class PinballController : public FreeController {
@@ -20,7 +20,7 @@ class PinballController : public FreeController {
     void cut_panel(const PlayContext& play, CellArea& area) override;
     Camera fit(const PlayContext& play, const CellArea& area, double aspect) override;
     void look(PlayContext& play) override;
-    void mark(const PlayContext& play, Marks& marks) const override;
+    void annotate(const PlayContext& play, Annotations& annotations) const override;
     void draw_panel(const PlayContext& play, Canvas& canvas) const override;
     void add_status(const PlayContext& play, HudInfo& info) const override;
     void add_hints(const PlayContext& play, std::vector<KeyHelp>& hints) const override;
@@ -28,11 +28,11 @@ class PinballController : public FreeController {
     bool drags_anything() const override { return false; }
     void continue_from(PlayContext& play, const Controller& before) override;
 
-    /// The demonstration begins to play, or the player takes over.
+    /// Starts the demo, or hands control back to the player.
     void demonstrate(PlayContext& play, bool does);
     bool is_demonstrating() const { return demo_.has_value(); }
     void next_flipper_mode(PlayContext& play);
-    /// A score that the player has entered initials for, once.
+    /// A score for which the player has entered initials; returned once.
     std::optional<HighScore> take_high_score() { return feedback_.scores().take(); }
 
   private:

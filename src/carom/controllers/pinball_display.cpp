@@ -10,9 +10,9 @@ namespace carom {
 namespace {
 
 constexpr int least_table_columns = 30;
-constexpr double ball_rows = 1.0;    // that a ball should have across, to be followed with the eyes
-constexpr double lamp_radius = 0.7;  // of a lamp, in radii of the ball
-constexpr double warning_time = 3.0;  // s before a light goes out, in which it blinks
+constexpr double ball_rows = 1.0;     // diameter of a ball that the eye can follow
+constexpr double lamp_radius = 0.7;   // radius of a lamp, in radii of the ball
+constexpr double warning_time = 3.0;  // s of blinking before a light goes out
 constexpr double blinks = 8.0;        // changes a second
 constexpr double shake = 1.2;         // radii that a nudge moves the picture
 
@@ -61,7 +61,7 @@ std::string bonus_line(const Session& session) {
     return line;
 }
 
-/// Tilt, the ball saver, or warnings; empty: none of them.
+/// Tilt, the ball saver, or warnings; empty if there are none.
 std::string safety_line(const Session& session) {
     const PinballState& state = state_of(session);
     const std::uint64_t tick = session.world().tick();
@@ -83,7 +83,7 @@ std::string grouped(std::int64_t number) {
     return digits;
 }
 
-// The ball that is nearest to the drain is the one that matters.
+// The camera follows the ball nearest to the drain, which matters most.
 void PinballDisplay::follow(const Session& session, double seconds) {
     const Balls& balls = session.world().balls();
     if (balls.size() == 0) return;
@@ -105,15 +105,15 @@ Camera PinballDisplay::look(const Session& session, const CellArea& area, double
     const PinballState& state = state_of(session);
     Camera camera = whole ? fit_camera(table, area, aspect)
                           : camera_.look(table, ball_radius(session), ball_rows, area, aspect);
-    // The table moves, and the eye stays.
+    // The table moves under a camera that stays.
     const double push = length(state.nudge);
     if (session.world().tick() <= state.nudge_until && push > 0.0)
         camera.center -= state.nudge * (shake * ball_radius(session) / push);
     return camera;
 }
 
-TableMarks PinballDisplay::marks(const Session& session) const {
-    TableMarks marks;
+TableAnnotations PinballDisplay::annotations(const Session& session) const {
+    TableAnnotations annotations;
     const PinballTable& table = session.scene().table;
     const double radius = lamp_radius * ball_radius(session);
     for (std::size_t i = 0; i < table.devices.size(); ++i) {
@@ -121,14 +121,14 @@ TableMarks PinballDisplay::marks(const Session& session) const {
         TableLight light{.is_lit = is_bright(session, i), .family = device.group};
         if (has_lamp(device.kind)) {
             light.shape = {device.place, device.place, radius};
-            marks.lights.push_back(light);
+            annotations.lights.push_back(light);
         } else if (lights_itself(device.kind)) {
             light.is_edge = true;
             for (const CapsuleId id : device.capsules) {
                 const auto index = index_of(session.world(), id);
                 if (!index) continue;
                 light.shape = session.world().capsules().shape[*index];
-                marks.lights.push_back(light);
+                annotations.lights.push_back(light);
             }
         } else if (device.kind == DeviceKind::plunger && !device.capsules.empty()) {
             const auto index = index_of(session.world(), device.capsules.front());
@@ -136,10 +136,10 @@ TableMarks PinballDisplay::marks(const Session& session) const {
             const Capsule plate = session.world().capsules().shape[*index];
             const double pulled = state_of(session).pull * 3.0 * ball_radius(session);
             const Vec2 back = device.direction * -(pulled + 0.3 * ball_radius(session));
-            marks.plungers.push_back({plate.start + back, plate.end + back, plate.radius});
+            annotations.plungers.push_back({plate.start + back, plate.end + back, plate.radius});
         }
     }
-    return marks;
+    return annotations;
 }
 
 void PinballDisplay::draw_panel(Canvas& canvas, const Session& session, const PinballScores& scores,

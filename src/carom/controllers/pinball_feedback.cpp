@@ -21,19 +21,19 @@ void PinballFeedback::after_ticks(PlayContext& play, double seconds, bool is_dem
     const PinballState& state = state_of(play);
     if (bell_.rings(play.session, seconds) && play.terminal.rings) play.terminal.bell_is_due = true;
     scores_.follow(state, is_demonstrating, is_watching(play));
-    if (state.message == heard_) return;
-    heard_ = state.message;
-    if (!heard_.empty() && !display_.has_panel()) say(play, heard_);
+    if (state.message == last_message_) return;
+    last_message_ = state.message;
+    if (!last_message_.empty() && !display_.has_panel()) say(play, last_message_);
 }
 
 Camera PinballFeedback::fit(const PlayContext& play, const CellArea& area, double aspect) {
-    // Braille has so many dots that the ball can be seen on all of the table.
+    // Braille has enough dots to show the ball on the whole table.
     const bool is_fine = renderer_in_force(play.view.options).down >= 4;
     return display_.look(play.session, area, aspect, play.view.shows_whole || is_fine);
 }
 
-void PinballFeedback::mark(const PlayContext& play, Marks& marks) const {
-    marks.table = display_.marks(play.session);
+void PinballFeedback::annotate(const PlayContext& play, Annotations& annotations) const {
+    annotations.table = display_.annotations(play.session);
 }
 
 void PinballFeedback::draw_panel(const PlayContext& play, Canvas& canvas,

@@ -30,7 +30,7 @@ class PinballInput {
     /// Returns the buttons that come up as `seconds` pass.
     std::vector<command::Press> pass(double seconds) { return buttons_.pass(seconds); }
     /// Releases every button.
-    std::vector<command::Press> release_all() { return buttons_.let_go(); }
+    std::vector<command::Press> release_all() { return buttons_.release_all(); }
 
     /// Switches between flippers that toggle and flippers that are up only while held. Returns the
     /// new mode as a sentence.

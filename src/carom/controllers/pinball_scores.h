@@ -29,7 +29,7 @@ class PinballScores {
     /// The score that has been entered; returned once.
     std::optional<HighScore> take();
 
-    /// The same table was changed on disk: keeps the scores, up to its new limit `most`.
+    /// The level was changed on disk: keeps the scores, up to its new limit `most`.
     void continue_from(const PinballScores& before, std::size_t most);
 
   private:

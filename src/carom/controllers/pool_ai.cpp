@@ -3,7 +3,7 @@
 namespace carom {
 namespace {
 
-/// Shots tried in one frame: some milliseconds.
+/// Shots tried per frame, which take some milliseconds.
 constexpr int tries_a_frame = 6;
 
 const PoolPlay& play_of(const Session& session) {
@@ -13,35 +13,35 @@ const PoolPlay& play_of(const Session& session) {
 }  // namespace
 
 bool PoolAi::is_about(const Session& session) const {
-    return thinker_ && scene_ == &session.scene() && lay_ == session.world().balls().position &&
-           rules_ == play_of(session).rules;
+    return planner_ && scene_ == &session.scene() &&
+           positions_ == session.world().balls().position && rules_ == play_of(session).rules;
 }
 
 bool PoolAi::think(const Session& session) {
     const PoolPlay& play = play_of(session);
     if (!is_about(session)) {
         scene_ = &session.scene();
-        lay_ = session.world().balls().position;
+        positions_ = session.world().balls().position;
         rules_ = play.rules;
-        thinker_ = std::make_unique<ShotPlanner>(session.scene(), session.world(), play,
-                                                 session.solver(), shot_noise(steadiness_),
-                                                 decision_seed(session.world(), play));
+        planner_ =
+            std::make_unique<ShotPlanner>(session.scene(), session.world(), play, session.solver(),
+                                          shot_noise(skill_), decision_seed(session.world(), play));
     }
-    thinker_->work(tries_a_frame);
-    return thinker_->is_done();
+    planner_->work(tries_a_frame);
+    return planner_->is_done();
 }
 
-const std::vector<CandidateShot>& PoolAi::thoughts() const {
+const std::vector<CandidateShot>& PoolAi::candidates() const {
     static const std::vector<CandidateShot> none;
-    return thinker_ ? thinker_->best() : none;
+    return planner_ ? planner_->best() : none;
 }
 
 std::vector<Command> PoolAi::decision(const Session& session) const {
     const PoolPlay& play = play_of(session);
-    const ShotNoise error = shot_noise(steadiness_);
+    const ShotNoise error = shot_noise(skill_);
     if (play.rules.phase == PoolPhase::choosing)
         return {command::Decide{choice_of(session.scene(), session.world(), play, error)}};
-    return commands_of(session.scene(), play, thoughts().front(), error,
+    return commands_of(session.scene(), play, candidates().front(), error,
                        decision_seed(session.world(), play));
 }
 

@@ -6,37 +6,37 @@
 #include "game/ai/planner.h"
 #include "game/session/session.h"
 
-/// The AI player at a pool table, as an opponent or as a coach. It thinks for a while in each
-/// frame, so that the picture stays smooth. Its decision does not depend on how the work is
+/// The AI player at a pool table, as an opponent or as a coach. It works for some milliseconds in
+/// each frame, so that the picture stays smooth. Its decision does not depend on how the work is
 /// divided.
 namespace carom {
 
 class PoolAi {
   public:
-    /// `steadiness`: how well it holds the cue, least_skill..most_skill.
-    explicit PoolAi(int steadiness) : steadiness_(steadiness) {}
+    /// `skill`: how accurately it shoots, least_skill..most_skill.
+    explicit PoolAi(int skill) : skill_(skill) {}
 
-    int steadiness() const { return steadiness_; }
+    int skill() const { return skill_; }
 
-    /// Goes on thinking about the position, or starts; true when it has decided. Pre: a game of
-    /// pool is played, the balls lie still, and a shot is due.
+    /// Starts or continues planning for the present position; true when it has decided. Pre: a game
+    /// of pool is played, the balls are at rest, and a shot is due.
     bool think(const Session& session);
-    /// The best shots, the best first; empty before it has decided.
-    const std::vector<CandidateShot>& thoughts() const;
-    /// Its thoughts are about the present position.
+    /// The best shots found, the best first; empty until it has decided.
+    const std::vector<CandidateShot>& candidates() const;
+    /// Whether the candidates are for the present position.
     bool is_about(const Session& session) const;
-    void forget() { thinker_.reset(); }
+    void forget() { planner_.reset(); }
 
-    /// The commands of its turn: a choice, or its best shot with the error of its hand. Pre:
-    /// think() was true, or the phase is choosing.
+    /// The commands of its turn: a choice, or its best shot with the error that its skill implies.
+    /// Pre: think() was true, or the phase is choosing.
     std::vector<Command> decision(const Session& session) const;
 
   private:
-    int steadiness_;
-    std::unique_ptr<ShotPlanner> thinker_;  ///< null: none yet
-    // The position that it thinks about.
+    int skill_;
+    std::unique_ptr<ShotPlanner> planner_;  ///< null: not started
+    // The position that is being planned for.
     const Scene* scene_ = nullptr;
-    std::vector<Vec2> lay_;
+    std::vector<Vec2> positions_;
     PoolState rules_;
 };
 

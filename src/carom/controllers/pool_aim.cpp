@@ -15,13 +15,13 @@
 namespace carom {
 namespace {
 
-/// Ball speed for each length that the cue is pulled, 1/s.
+/// Ball speed per length of pull, 1/s.
 constexpr double pull_gain = 5.0;
 constexpr double least_speed = 0.1;
 constexpr double finest_turn = 0.05;  // degrees
 constexpr double break_speed = 8.0;
 constexpr double usual_speed = 2.0;
-/// How long a shot is followed, s: balls roll for half a minute at most.
+/// The time for which a shot is predicted, s: balls roll for half a minute at most.
 constexpr double foresight = 40.0;
 constexpr std::uint64_t cloud_size = 20;
 
@@ -54,7 +54,7 @@ bool PoolAim::may_aim(const Session& session) const {
     const auto ball = cue_ball(session);
     if (!ball) return false;
     if (const PoolPlay* game = play(session)) return !refusal_to_shoot(*game, *ball);
-    return lies_still(session.world());
+    return is_at_rest(session.world());
 }
 
 bool PoolAim::may_place(const Session& session) const {
@@ -91,7 +91,7 @@ void PoolAim::begin_turn(const Session& session) {
     aim_at_nearest(session);
 }
 
-// At the nearest of the balls that may be hit first.
+// Aims at the nearest ball that may legally be hit first.
 void PoolAim::aim_at_nearest(const Session& session) {
     const auto cue = cue_ball(session);
     if (!cue) return;
@@ -105,7 +105,7 @@ void PoolAim::aim_at_nearest(const Session& session) {
 }
 
 void PoolAim::set_up(const Session& session, const ShotSetup& setup) {
-    look(session);  // so that a turn that begins does not reset it
+    look(session);  // so that the start of a turn does not reset it
     setup_ = setup;
     has_aimed_ = true;
     constexpr double most = command::Strike::most_offset;
@@ -121,7 +121,7 @@ void PoolAim::set_up(const Session& session, const ShotSetup& setup) {
 }
 
 void PoolAim::turn(double degrees) {
-    // In whole steps of the finest, so that straight lines can be met.
+    // Rounded to multiples of the finest turn, so that exactly straight aims can be reached.
     const double bearing = std::round((setup_.bearing + degrees) / finest_turn) * finest_turn;
     setup_.bearing = std::remainder(bearing, 360.0);
     has_aimed_ = true;
@@ -190,21 +190,21 @@ std::string PoolAim::next_pot(const Session& session, bool backwards) {
     return pot_text_;
 }
 
-void PoolAim::take(const Session& session, const CandidateShot& thought) {
-    look(session);  // so that a turn that begins does not reset the aim
-    const Vec2 velocity = thought.strike.velocity;
+void PoolAim::take(const Session& session, const CandidateShot& candidate) {
+    look(session);  // so that the start of a turn does not reset the aim
+    const Vec2 velocity = candidate.strike.velocity;
     setup_ = {.bearing = bearing_of(velocity),
               .speed = length(velocity),
-              .side = thought.strike.side,
-              .follow = thought.strike.follow,
+              .side = candidate.strike.side,
+              .follow = candidate.strike.follow,
               .aids = setup_.aids,
-              .pocket = thought.call.pocket};
+              .pocket = candidate.call.pocket};
     has_aimed_ = true;
     using enum PoolCall::Kind;
-    setup_.intent = thought.call.kind == pot        ? Intent::pocket
-                    : thought.call.kind == safety   ? Intent::safety
-                    : thought.call.kind == push_out ? Intent::push_out
-                                                    : Intent::automatic;
+    setup_.intent = candidate.call.kind == pot        ? Intent::pocket
+                    : candidate.call.kind == safety   ? Intent::safety
+                    : candidate.call.kind == push_out ? Intent::push_out
+                                                      : Intent::automatic;
 }
 
 std::string PoolAim::next_aids() {
@@ -235,20 +235,20 @@ void PoolAim::look(const Session& session) {
         cloud_.clear();
         return;
     }
-    // A number for the turn and the frame.
+    // A number that identifies the turn and the rack.
     const std::uint64_t now = game ? std::uint64_t{game->shots} * 64 +
                                          static_cast<std::uint64_t>(game->rules.phase) * 8 +
                                          static_cast<std::uint64_t>(game->rules.player)
                                    : 0;
     if (std::exchange(turn_, now) != now) begin_turn(session);
     setup_.speed = std::min(setup_.speed, most_speed(session));
-    // The ball in hand was moved.
-    if (!has_aimed_ && may_place(session) && lay_ != session.world().balls().position)
+    // The ball in hand was moved: aim anew.
+    if (!has_aimed_ && may_place(session) && positions_ != session.world().balls().position)
         aim_at_nearest(session);
-    if (is_seen_ && seen_setup_ == setup_ && lay_ == session.world().balls().position) return;
+    if (is_seen_ && seen_setup_ == setup_ && positions_ == session.world().balls().position) return;
     is_seen_ = true;
     seen_setup_ = setup_;
-    lay_ = session.world().balls().position;
+    positions_ = session.world().balls().position;
     cloud_.clear();
     cloud_shots_ = 0;
     Solver solver(session.solver());

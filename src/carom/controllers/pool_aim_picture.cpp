@@ -8,7 +8,7 @@
 #include "game/commands/aiming.h"
 #include "geometry/elementary.h"
 
-/// What the player sees of the aim.
+/// Draws the aim.
 namespace carom {
 namespace {
 
@@ -41,8 +41,8 @@ std::string cut_text(const AimLine& line, const Look& look) {
 
 }  // namespace
 
-std::vector<PoolMarks::Number> numbers_of(const Session& session) {
-    std::vector<PoolMarks::Number> numbers;
+std::vector<PoolAnnotations::Number> numbers_of(const Session& session) {
+    std::vector<PoolAnnotations::Number> numbers;
     if (const auto* play = std::get_if<PoolPlay>(&session.game())) {
         for (int ball = 0; ball < 16; ++ball)
             if (const auto id = play->balls[static_cast<std::size_t>(ball)])
@@ -57,11 +57,11 @@ std::vector<PoolMarks::Number> numbers_of(const Session& session) {
     return numbers;
 }
 
-PoolMarks PoolAim::marks(const Session& session, bool aims) const {
-    PoolMarks marks;
-    marks.numbers = numbers_of(session);
-    marks.cloth = cloth_box(session.scene());
-    if (!aims || !may_aim(session) || !forecast_) return marks;
+PoolAnnotations PoolAim::annotations(const Session& session, bool aims) const {
+    PoolAnnotations annotations;
+    annotations.numbers = numbers_of(session);
+    annotations.cloth = cloth_box(session.scene());
+    if (!aims || !may_aim(session) || !forecast_) return annotations;
     const World& world = session.world();
     const BallId cue = *cue_ball(session);
     const double radius = world.balls().radius[*index_of(world, cue)];
@@ -69,36 +69,36 @@ PoolMarks PoolAim::marks(const Session& session, bool aims) const {
     const Vec2 from = world.balls().position[*index_of(world, cue)];
     const Vec2 way = strike.velocity / length(strike.velocity);
     const Vec2 tip = from - way * (1.5 * radius + 0.03 * length(strike.velocity));
-    marks.stick = PoolMarks::Line{tip, tip - way * (16.0 * radius)};
+    annotations.stick = PoolAnnotations::Line{tip, tip - way * (16.0 * radius)};
     const PoolCall called = call(session);
     if (called.kind == PoolCall::Kind::pot || setup_.intent == Intent::pocket) {
         const int pocket = called.kind == PoolCall::Kind::pot ? called.pocket : setup_.pocket;
         const std::uint32_t zone = session.scene().pool.pockets[static_cast<std::size_t>(pocket)];
         if (setup_.aids != Aids::none || setup_.intent == Intent::pocket)
-            marks.called = session.scene().world.zones()[zone].shape.start;
+            annotations.called = session.scene().world.zones()[zone].shape.start;
     }
-    if (setup_.aids == Aids::none) return marks;
+    if (setup_.aids == Aids::none) return annotations;
     if (const auto line = aim_line(world, cue, strike.velocity)) {
-        marks.aim = PoolMarks::Line{line->from, line->to};
+        annotations.aim = PoolAnnotations::Line{line->from, line->to};
         if (line->object) {
-            // The fuller the hit, the more of the speed the object ball takes.
+            // A fuller hit gives the object ball more of the speed.
             const double reach = 14.0 * radius;
             const Vec2 object = world.balls().position[*index_of(world, *line->object)];
-            marks.ghost = Disc{line->to, radius};
+            annotations.ghost = Disc{line->to, radius};
             if (setup_.aids == Aids::ghost) {
-                marks.object =
-                    PoolMarks::Line{object, object + line->object_way * (reach * line->cut_cosine)};
+                annotations.object = PoolAnnotations::Line{
+                    object, object + line->object_way * (reach * line->cut_cosine)};
                 const double rest = 1.0 - line->cut_cosine * line->cut_cosine;
-                marks.tangent = PoolMarks::Line{
+                annotations.tangent = PoolAnnotations::Line{
                     line->to, line->to + line->tangent * (reach * std::sqrt(std::max(0.0, rest)))};
             }
         }
     }
     if (setup_.aids == Aids::full)
         for (const Forecast::Track& track : forecast_->tracks)
-            marks.tracks.push_back({track.ball, track.way, track.zone.has_value()});
-    marks.spots = cloud_;
-    return marks;
+            annotations.tracks.push_back({track.ball, track.way, track.zone.has_value()});
+    annotations.spots = cloud_;
+    return annotations;
 }
 
 std::string PoolAim::line(const Session& session, const Look& look) const {

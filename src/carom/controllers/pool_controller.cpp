@@ -10,20 +10,20 @@
 namespace carom {
 namespace {
 
-// By one key.
+// For each press of a key.
 constexpr double coarse_turn = 1.0;  // degrees
 constexpr double fine_turn = 0.05;
 constexpr double speed_step = 0.1;   // m/s
-constexpr double tip_step = 0.05;    // of the radius
+constexpr double tip_step = 0.05;    // in radii
 constexpr double cursor_step = 0.2;  // columns, with a ball in hand
 
-/// A pull shorter than this, in radii of the ball, shoots nothing.
+/// A shorter pull, in radii of the ball, does not shoot.
 constexpr double least_pull = 1.5;
 
 }  // namespace
 
 PlayerNames PoolController::names() const {
-    if (opponent_.steadiness() > 0) return {"you", "carom"};
+    if (opponent_.skill() > 0) return {"you", "carom"};
     return {"player 1", "player 2"};
 }
 
@@ -42,7 +42,7 @@ void PoolController::perform(PlayContext& play, const Action& action) {
     FreeController::perform(play, action);
 }
 
-// The wheel changes the speed; 1, 2, 3 take what the rules let the player choose from.
+// The wheel changes the speed; 1, 2 and 3 pick one of the choices that the rules offer.
 bool PoolController::take(PlayContext& play, const InputEvent& event) {
     using enum InputEvent::Action;
     if (event.kind == InputEvent::Kind::mouse) {
@@ -93,7 +93,7 @@ bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
     Pointer& pointer = play.pointer;
     if (is_left && at_pointer && at_pointer == cue && is_aiming(play) &&
         aim_.may_place(play.session)) {
-        pointer.tool.take_to_place(play.session.world(), *cue, pointer.at);
+        pointer.tool.grab_to_place(play.session.world(), *cue, pointer.at);
         pointer.pressed = event.button;
         return true;
     }
@@ -194,14 +194,14 @@ void PoolController::place_cue_ball(PlayContext& play) {
     const World& world = play.session.world();
     const BallId ball = *aim_.cue_ball(play.session);
     pointer.at = world.balls().position[*index_of(world, ball)];
-    pointer.tool.take_to_place(world, ball, pointer.at);
+    pointer.tool.grab_to_place(world, ball, pointer.at);
     pointer.shows_cursor = true;
     say(play, "move the ball with the arrows; p or enter puts it down");
 }
 
-bool PoolController::set_opponent(const Session& session, int steadiness) {
+bool PoolController::set_opponent(const Session& session, int skill) {
     if (!pool_of(session)) return false;
-    opponent_.set_steadiness(steadiness);
+    opponent_.set_skill(skill);
     announcer_.skip(session, names());
     return true;
 }
@@ -221,7 +221,7 @@ void PoolController::ask_coach(PlayContext& play) {
     say(play, "the coach thinks");
 }
 
-// The coach proposes one shot at a time, and aims it.
+// The coach proposes one shot at a time, and sets it up.
 void PoolController::hear_coach(PlayContext& play) {
     if (!coach_.is_asked()) return;
     if (!is_aiming(play)) return coach_.dismiss();
@@ -238,7 +238,7 @@ void PoolController::hear_coach(PlayContext& play) {
     say(play, text);
 }
 
-// Back to the player's own turn.
+// Goes back to the player's own last turn.
 void PoolController::undo_shot(PlayContext& play) {
     opponent_.hesitate();
     if (!undo(play)) return;

@@ -9,14 +9,13 @@
 #include "carom/controllers/pool_opponent.h"
 #include "carom/controllers/pool_status.h"
 
-/// Pool: the aim by keys and by mouse, the ball in hand, choices, the AI player, and what the
-/// referee says. Works at any table with a cue; where no game is played, balls are dragged as in
-/// free play.
+/// Pool: aiming by keys and mouse, ball in hand, choices, the AI player, and the referee's rulings.
+/// It works at any table with a cue; without a game, balls can be dragged freely.
 namespace carom {
 
 class PoolController : public FreeController {
   public:
-    /// The level has a cue, so there is something to aim.
+    /// Whether the level has a cue, so that a player can aim.
     static bool is_at(const Scene& scene) { return PoolAim::is_at(scene); }
     /// Pre: is_at().
     explicit PoolController(const Session& session) : aim_(session) {}
@@ -28,14 +27,13 @@ class PoolController : public FreeController {
     void after_ticks(PlayContext& play, double seconds) override;
     bool has_work() const override { return aim_.has_work() || coach_.is_asked(); }
     void look(PlayContext& play) override { aim_.look(play.session); }
-    void mark(const PlayContext& play, Marks& marks) const override;
+    void annotate(const PlayContext& play, Annotations& annotations) const override;
     void add_status(const PlayContext& play, HudInfo& info) const override;
     void add_hints(const PlayContext& play, std::vector<KeyHelp>& hints) const override;
     void continue_from(PlayContext& play, const Controller& before) override;
     bool drags_anything() const override { return false; }
 
-    // Actions. Those that return false do nothing while the player has something else to do with
-    // the key than to aim.
+    // Actions. Those that return false do nothing, because the key means something else at present.
     bool turn_coarsely(const PlayContext& play, int direction);
     void turn_finely(PlayContext& play, int direction);
     bool change_speed(const PlayContext& play, int direction);
@@ -50,11 +48,11 @@ class PoolController : public FreeController {
     void ask_coach(PlayContext& play);
     void undo_shot(PlayContext& play);
 
-    // What is kept with an unfinished game.
-    /// The AI player takes the second player's turns from now on (PoolOpponent::set_steadiness).
-    /// False where no game of pool is played.
-    bool set_opponent(const Session& session, int steadiness);
-    int opponent() const { return opponent_.steadiness(); }
+    // State that is kept with an unfinished game.
+    /// The AI player plays the second player from now on (PoolOpponent::set_skill). False without a
+    /// game of pool.
+    bool set_opponent(const Session& session, int skill);
+    int opponent() const { return opponent_.skill(); }
     const ShotSetup& setup() const { return aim_.setup(); }
     void set_up(const Session& session, const ShotSetup& setup) { aim_.set_up(session, setup); }
 
@@ -77,7 +75,7 @@ class PoolController : public FreeController {
     PoolCoach coach_;
 };
 
-/// A match has begun and is not won, so it is kept when the player leaves.
+/// Whether a match has begun and is not won, so that it is kept when the player leaves.
 bool is_in_match(const Session& session);
 
 }  // namespace carom

@@ -2,21 +2,21 @@
 
 #include "carom/controllers/pool_controller.h"
 
-/// What the player sees of a game of pool.
+/// Draws a game of pool.
 namespace carom {
 namespace {
 
-constexpr double last_seconds = 5.0;  // of the shot clock, that are told loudly
+constexpr double last_seconds = 5.0;  // s of the shot clock that are announced prominently
 
 }  // namespace
 
-void PoolController::mark(const PlayContext& play, Marks& marks) const {
-    marks.pool = aim_.marks(play.session, is_aiming(play));
-    if (!play.pointer.tool.has_cue()) Controller::mark(play, marks);
+void PoolController::annotate(const PlayContext& play, Annotations& annotations) const {
+    annotations.pool = aim_.annotations(play.session, is_aiming(play));
+    if (!play.pointer.tool.has_cue()) Controller::annotate(play, annotations);
 }
 
-// What the player aims at, or the AI player; what was called, while the balls roll; what came of
-// it.
+// One line: the aim of the player or of the AI player; while balls roll, the call; then the
+// outcome.
 std::string PoolController::line(const PlayContext& play) const {
     if (is_aiming(play)) return aim_.line(play.session, play.view.options.look);
     const PoolPlay* const pool = pool_of(play.session);
@@ -30,7 +30,7 @@ std::string PoolController::line(const PlayContext& play) const {
 void PoolController::add_status(const PlayContext& play, HudInfo& info) const {
     add_pool_title(play.session, names(), info);
     info.game = line(play);
-    // The last seconds for the shot, or the choice.
+    // The last seconds for the shot, or for the choice.
     const World& world = play.session.world();
     const PoolPlay* const pool = pool_of(play.session);
     const auto left = pool ? time_left(world, *pool) : std::nullopt;

@@ -7,16 +7,16 @@
 namespace carom {
 namespace {
 
-/// Between saying what it is going to shoot and shooting it, s.
+/// The time between announcing a shot and shooting it, s.
 constexpr double pause = 1.2;
-constexpr int own_player = 1;  ///< which of the two players the AI player is
-constexpr int coach_steadiness = 3;
+constexpr int own_player = 1;  ///< the index of the AI player
+constexpr int coach_skill = 3;
 
 }  // namespace
 
-void PoolOpponent::set_steadiness(int steadiness) {
+void PoolOpponent::set_skill(int skill) {
     ai_.reset();
-    if (steadiness > 0) ai_.emplace(steadiness);
+    if (skill > 0) ai_.emplace(skill);
     seconds_left_ = 0.0;
 }
 
@@ -41,7 +41,8 @@ void PoolOpponent::play(PlayContext& play, double seconds) {
     if (!chooses && !ai_->think(session)) return;
     if (seconds_left_ <= 0.0) {
         seconds_left_ = pause;
-        if (!chooses) says_ = "carom: " + candidate_text(session.scene(), ai_->thoughts().front());
+        if (!chooses)
+            says_ = "carom: " + candidate_text(session.scene(), ai_->candidates().front());
         return;
     }
     seconds_left_ -= seconds;
@@ -57,17 +58,17 @@ std::string PoolOpponent::text() const {
 }
 
 const CandidateShot* PoolCoach::think(const Session& session) {
-    if (!ai_) ai_.emplace(coach_steadiness);
-    const bool was_done = ai_->is_about(session) && !ai_->thoughts().empty();
+    if (!ai_) ai_.emplace(coach_skill);
+    const bool was_done = ai_->is_about(session) && !ai_->candidates().empty();
     if (!ai_->think(session)) return nullptr;
     is_asked_ = false;
-    proposed_ = was_done ? (proposed_ + 1) % ai_->thoughts().size() : 0;
-    return &ai_->thoughts()[proposed_];
+    proposed_ = was_done ? (proposed_ + 1) % ai_->candidates().size() : 0;
+    return &ai_->candidates()[proposed_];
 }
 
 std::string PoolCoach::text(const Scene& scene) const {
-    return fmt::format("{} of {}: {}", proposed_ + 1, ai_->thoughts().size(),
-                       candidate_text(scene, ai_->thoughts()[proposed_]));
+    return fmt::format("{} of {}: {}", proposed_ + 1, ai_->candidates().size(),
+                       candidate_text(scene, ai_->candidates()[proposed_]));
 }
 
 }  // namespace carom

@@ -40,13 +40,13 @@ Camera WatchController::fit(const PlayContext& play, const CellArea& area, doubl
     return pinball_ ? pinball_->fit(play, area, aspect) : Controller::fit(play, area, aspect);
 }
 
-// The commands of a recording change the energy; that is no drift.
+// Commands of a recording change the energy, which is not drift.
 void WatchController::look(PlayContext& play) {
     play.reference.watch_commands(play.session);
 }
 
-void WatchController::mark(const PlayContext& play, Marks& marks) const {
-    if (pinball_) pinball_->mark(play, marks);
+void WatchController::annotate(const PlayContext& play, Annotations& annotations) const {
+    if (pinball_) pinball_->annotate(play, annotations);
 }
 
 void WatchController::draw_panel(const PlayContext& play, Canvas& canvas) const {

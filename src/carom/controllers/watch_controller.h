@@ -6,8 +6,8 @@
 #include "carom/controllers/pinball_feedback.h"
 #include "carom/controllers/pool_status.h"
 
-/// A recording is watched: only time and view obey the keys, and the mouse drags the view. Pool and
-/// pinball show the score and the turn as they do in play.
+/// Watching a recording: keys control only time and view, and the mouse drags the view. Pool and
+/// pinball show score and turn as they do in play.
 namespace carom {
 
 class WatchController : public Controller {
@@ -21,14 +21,14 @@ class WatchController : public Controller {
     void cut_panel(const PlayContext& play, CellArea& area) override;
     Camera fit(const PlayContext& play, const CellArea& area, double aspect) override;
     void look(PlayContext& play) override;
-    void mark(const PlayContext& play, Marks& marks) const override;
+    void annotate(const PlayContext& play, Annotations& annotations) const override;
     void draw_panel(const PlayContext& play, Canvas& canvas) const override;
     void add_status(const PlayContext& play, HudInfo& info) const override;
     void set_high_scores(HighScores scores) override;
 
   private:
     ShotAnnouncer announcer_;
-    std::optional<PinballFeedback> pinball_;  ///< none: it is no pinball table
+    std::optional<PinballFeedback> pinball_;  ///< none: not a pinball table
 };
 
 }  // namespace carom

@@ -53,7 +53,7 @@ std::optional<Line> line_of(std::string_view text) {
     return line;
 }
 
-std::optional<std::string> honours_path() {
+std::optional<std::string> high_scores_path() {
     const auto folder = data_folder();
     if (!folder) return std::nullopt;
     return *folder + "/high-scores";
@@ -112,7 +112,7 @@ std::string with_high_scores(std::string_view text, std::string_view table,
 HighScoresText load_high_scores(std::string_view table, std::size_t most) {
     HighScoresText none;
     none.scores.most = most;
-    const auto path = honours_path();
+    const auto path = high_scores_path();
     std::error_code ignored;
     if (!path || !std::filesystem::exists(*path, ignored)) return none;
     const FileText file = read_file(*path);
@@ -127,7 +127,7 @@ HighScoresText keep_high_score(std::string_view table, std::size_t most, const H
     HighScoresText kept = load_high_scores(table, most);
     kept.scores.add(score);
     if (kept.problem) return kept;
-    const auto path = honours_path();
+    const auto path = high_scores_path();
     if (!path) {
         kept.problem = "there is no place for high scores: HOME is not set";
         return kept;

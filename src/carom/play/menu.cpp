@@ -14,9 +14,9 @@
 namespace carom {
 namespace {
 
-/// A level is read once its entry has been selected for this long, s, so that a held arrow key does
-/// not wait for pictures.
-constexpr double patience = 0.12;
+/// The time that an entry must stay selected before its level is loaded, s, so that holding an
+/// arrow key does not wait for pictures.
+constexpr double load_delay = 0.12;
 
 std::string lower_case(std::string_view text) {
     std::string lower(text);
@@ -39,7 +39,7 @@ std::string time_text(double seconds) {
     return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
-// The high scores of a table stand below what it is about.
+// Adds the high scores of a table below the description.
 void add_high_scores(const std::string& path, std::size_t most, std::vector<std::string>& preview) {
     const HighScoresText kept = load_high_scores(high_scores_name(path), most);
     if (kept.problem) preview.push_back(*kept.problem);
@@ -57,7 +57,7 @@ std::vector<MenuItem> menu_items(std::span<const InterruptedGame> interrupted) {
     std::vector<MenuItem> items;
     for (const InterruptedGame& game : interrupted) {
         const std::string name = fs::path(game.replay.level).stem().string();
-        const double seconds = static_cast<double>(game.replay.stands) / game.replay.rate;
+        const double seconds = static_cast<double>(game.replay.position) / game.replay.rate;
         items.push_back({name, "go on at " + time_text(seconds),
                          game.was_left ? "to go on with" : "cut off", game.replay.level, game});
     }
@@ -71,8 +71,8 @@ std::vector<MenuItem> menu_items(std::span<const InterruptedGame> interrupted) {
 Menu::Menu(std::vector<MenuItem> items, Load load, std::string_view choose)
     : items_(std::move(items)), load_(std::move(load)) {
     const auto chosen = std::ranges::find_if(items_, [&](const MenuItem& item) {
-        const bool was_cut_off = item.interrupted && !item.interrupted->was_left;
-        return !choose.empty() && (item.path == choose || item.name == choose) && !was_cut_off;
+        const bool was_interrupted = item.interrupted && !item.interrupted->was_left;
+        return !choose.empty() && (item.path == choose || item.name == choose) && !was_interrupted;
     });
     if (chosen != items_.end()) selected_ = static_cast<std::size_t>(chosen - items_.begin());
 }
@@ -185,7 +185,7 @@ void Menu::look_at_selected() {
     memory_ = {};
     needs_draw_ = true;
     LoadedLevel loaded = load_(item.path);
-    Known& known = known_[item.path];
+    LoadedEntry& known = loaded_[item.path];
     known.is_broken = !loaded.result.scene;
     if (known.is_broken) {
         known.preview = {"This level has mistakes; enter shows them."};
@@ -207,7 +207,7 @@ void Menu::advance(double seconds, const MayGoOn& may_go_on) {
     }
     seconds_on_selected_ += seconds;
     if (item->path != pictured_) {
-        if (seconds_on_selected_ >= patience) look_at_selected();
+        if (seconds_on_selected_ >= load_delay) look_at_selected();
         return;
     }
     if (picture_ && clock_.advance(*picture_, seconds, may_go_on) > 0) needs_draw_ = true;
@@ -217,7 +217,7 @@ std::vector<MenuEntry> Menu::entries() const {
     std::vector<MenuEntry> entries;
     for (const MenuItem* item : shown()) {
         MenuEntry entry{item->name, item->title, item->group, {}, false};
-        if (const auto known = known_.find(item->path); known != known_.end()) {
+        if (const auto known = loaded_.find(item->path); known != loaded_.end()) {
             entry.preview = known->second.preview;
             entry.is_broken = known->second.is_broken;
         }

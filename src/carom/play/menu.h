@@ -58,7 +58,7 @@ class Menu {
 
   private:
     /// The loaded data of a level.
-    struct Known {
+    struct LoadedEntry {
         std::vector<std::string> preview;
         bool is_broken = false;
     };
@@ -73,7 +73,7 @@ class Menu {
     Load load_;
     std::string search_;
     std::size_t selected_ = 0;  ///< index into shown()
-    std::map<std::string, Known> known_;
+    std::map<std::string, LoadedEntry> loaded_;
 
     double seconds_on_selected_ = 0.0;
     std::string pictured_;  ///< path of the level in the picture; empty: none yet

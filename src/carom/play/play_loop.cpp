@@ -63,11 +63,11 @@ void PlayLoop::turn() {
     const double passed = is_stalled ? 0.0 : std::min(now - last_, longest_gap);
     last_ = now;
     const bool is_running = program_.seconds_to_change(now) <= 0.0;
-    const bool is_beside = is_running && is_heavy();
+    const bool is_in_background = is_running && is_heavy();
     // When ticks take longer than a frame, the effect of a key is drawn before the next tick.
-    const bool is_answer = is_running && !is_beside && input_came_ && ticks_took_ > frame_;
+    const bool is_answer = is_running && !is_in_background && input_came_ && ticks_took_ > frame_;
     if (is_answer) ticks_took_ = 0.0;
-    if (!is_beside && !is_answer) {
+    if (!is_in_background && !is_answer) {
         const double took = advance(passed, now);
         if (is_running) ticks_took_ = took;
     }
@@ -80,10 +80,10 @@ void PlayLoop::turn() {
     if (is_due && !is_late) canvas = draw(is_stalled);
     const ScreenRequests requests = program_.screen_requests();
     if (program_.take_bell()) screen_.bell();
-    if (is_beside) advance_beside(passed, now);
+    if (is_in_background) advance_in_background(passed, now);
     if (canvas) show(*canvas, drawing);
     screen_.set_mouse(mouse_mode(requests));
-    if (is_beside) listen(is_late && input_came_, events);
+    if (is_in_background) listen(is_late && input_came_, events);
 
     wait(is_late, events);
     handle(std::move(events));
@@ -101,44 +101,44 @@ double PlayLoop::advance(double passed, double now) {
     return seconds_now() - start;
 }
 
-void PlayLoop::advance_beside(double passed, double now) {
-    is_beside_ = true;
-    is_awaited_ = false;
-    gives_up_ = false;
+void PlayLoop::advance_in_background(double passed, double now) {
+    is_in_background_ = true;
+    has_input_ = false;
+    is_cancelled_ = false;
     worker_.start([this, passed, now] {
         const double start = seconds_now();
         program_.advance(passed, now, [this, now] {
-            return seconds_now() < now + frame_ * (is_awaited_ ? awaited_share : 1.0);
+            return seconds_now() < now + frame_ * (has_input_ ? awaited_share : 1.0);
         });
         const double took = seconds_now() - start;
         // The time of a cancelled tick says nothing about the next.
-        ticks_took_ = gives_up_ ? std::max(ticks_took_, took) : took;
+        ticks_took_ = is_cancelled_ ? std::max(ticks_took_, took) : took;
     });
 }
 
 // Waits until the second thread has finished its ticks. `owes_picture`: a picture that shows the
 // effect of a key is waiting for the terminal; once it may be drawn, the tick is cancelled for it.
 void PlayLoop::listen(bool owes_picture, std::vector<InputEvent>& events) {
-    while (!worker_.is_done() && !gives_up_) {
+    while (!worker_.is_done() && !is_cancelled_) {
         double seconds = longest_wait;
         if (owes_picture) seconds = pacing_.seconds_to_frame(seconds_now(), true);
         for (const InputEvent& event : screen_.wait(seconds, worker_.handle())) {
-            is_awaited_ = true;
-            if (program_.ends_tick(event)) gives_up_ = true;
+            has_input_ = true;
+            if (program_.cancels_tick(event)) is_cancelled_ = true;
             events.push_back(event);
         }
         const double now = seconds_now();
         pacing_.answered(screen_.frames_answered(), now);
-        if (owes_picture && pacing_.may_draw(now, true)) gives_up_ = true;
+        if (owes_picture && pacing_.may_draw(now, true)) is_cancelled_ = true;
     }
     worker_.finish();
-    is_beside_ = false;
+    is_in_background_ = false;
 }
 
 bool PlayLoop::may_tick_go_on() {
-    if (is_beside_) return !gives_up_;
+    if (is_in_background_) return !is_cancelled_;
     look_for_input();
-    return !ends_tick_;
+    return !cancels_tick_;
 }
 
 void PlayLoop::look_for_input() {
@@ -146,13 +146,13 @@ void PlayLoop::look_for_input() {
     if (now < next_look_) return;
     next_look_ = now + look_interval;
     for (const InputEvent& event : screen_.wait(0.0)) {
-        ends_tick_ = ends_tick_ || program_.ends_tick(event);
+        cancels_tick_ = cancels_tick_ || program_.cancels_tick(event);
         seen_.push_back(event);
     }
 }
 
 std::vector<InputEvent> PlayLoop::take_seen() {
-    ends_tick_ = false;
+    cancels_tick_ = false;
     return std::exchange(seen_, {});
 }
 

@@ -22,8 +22,8 @@ MouseMode mouse_mode(const ScreenRequests& requests);
 /// reads input, so that keys are answered at once however heavy the scene.
 ///
 /// While the second thread computes ticks, it owns the program: the first thread calls nothing but
-/// Program::ends_tick(). When a key arrives, the tick is cancelled, the key is handled between two
-/// ticks, and the picture that shows its effect is drawn before the next tick starts.
+/// Program::cancels_tick(). When a key arrives, the tick is cancelled, the key is handled between
+/// two ticks, and the picture that shows its effect is drawn before the next tick starts.
 class PlayLoop {
   public:
     /// `asciinema`: the recording in progress, or null. All arguments must outlive the loop.
@@ -36,7 +36,7 @@ class PlayLoop {
   private:
     void turn();
     double advance(double passed, double now);
-    void advance_beside(double passed, double now);
+    void advance_in_background(double passed, double now);
     void listen(bool owes_picture, std::vector<InputEvent>& events);
     bool is_heavy() const;
     bool may_tick_go_on();
@@ -58,14 +58,14 @@ class PlayLoop {
 
     // Input that arrives while a tick is computed in this thread.
     double next_look_ = 0.0;
-    bool ends_tick_ = false;
+    bool cancels_tick_ = false;
     std::vector<InputEvent> seen_;
 
     // Shared between the two threads.
-    bool is_beside_ = false;  ///< changes only while the worker is idle
+    bool is_in_background_ = false;  ///< changes only while the worker is idle
     /// Input has arrived: compute no more ticks than necessary.
-    std::atomic<bool> is_awaited_ = false;
-    std::atomic<bool> gives_up_ = false;  ///< cancel the tick that is being computed
+    std::atomic<bool> has_input_ = false;
+    std::atomic<bool> is_cancelled_ = false;  ///< cancel the tick that is being computed
     Worker worker_;
 };
 

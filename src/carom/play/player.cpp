@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-/// One step of the wheel.
+/// Zoom factor for one step of the wheel.
 constexpr double wheel_factor = 1.15;
 
 }  // namespace
@@ -126,9 +126,9 @@ void Player::advance(double seconds, const MayGoOn& may_go_on) {
 }
 
 double Player::seconds_to_change() const {
-    const bool is_idle = stands_still(play_) && !play_.companion.is_behind(play_.session) &&
-                         !play_.controller->has_work();
-    if (!is_idle && !is_too_small_ && !play_.page.is_open()) return 0.0;
+    const bool is_waiting = is_idle(play_) && !play_.companion.is_behind(play_.session) &&
+                            !play_.controller->has_work();
+    if (!is_waiting && !is_too_small_ && !play_.page.is_open()) return 0.0;
     return play_.messages.seconds_left().value_or(std::numeric_limits<double>::infinity());
 }
 
@@ -173,9 +173,9 @@ void Player::set_high_scores(HighScores scores) {
     play_.needs_draw = true;
 }
 
-bool Player::set_opponent(int steadiness) {
+bool Player::set_opponent(int skill) {
     auto* const pool = dynamic_cast<PoolController*>(play_.controller.get());
-    return pool && pool->set_opponent(play_.session, steadiness);
+    return pool && pool->set_opponent(play_.session, skill);
 }
 
 int Player::opponent() const {
@@ -203,7 +203,7 @@ std::optional<HighScore> Player::take_high_score() {
     return pinball ? pinball->take_high_score() : std::nullopt;
 }
 
-bool ends_tick(const InputEvent& event, const KeyMap& keys) {
+bool cancels_tick(const InputEvent& event, const KeyMap& keys) {
     using enum InputEvent::Action;
     switch (event.kind) {
         case InputEvent::Kind::mouse:

@@ -6,10 +6,10 @@
 #include "carom/context/play_context.h"
 #include "game/pool/shot_setup.h"
 
-/// A game being played: takes what the player does, lets time pass, and draws. It knows no
-/// terminal, no files and no clock, so tests play it as a person would. What a key does stands in
-/// the table of actions (carom/context/action.h); what differs between free play, pool, pinball and
-/// watching, in the controllers.
+/// A game being played: handles input, lets time pass, and draws. It knows no terminal, no files
+/// and no clock, so tests play it as a person would. The table of actions (carom/context/action.h)
+/// says what a key does; the controllers hold what differs between free play, pool, pinball and
+/// watching.
 namespace carom {
 
 class Player {
@@ -17,68 +17,69 @@ class Player {
     /// `solver_is_picked`: by carom, not by the level or the player.
     Player(Session session, const ViewOptions& view, KeyMap keys, bool solver_is_picked = false);
 
-    /// One key, or one report of the mouse. Other events do nothing.
+    /// Handles one key or mouse report. Other events do nothing.
     PlayRequest handle(const InputEvent& event);
     PlayRequest perform(const Action& action);
 
-    /// Lets `seconds` of the player's time pass: ticks, and messages that fade. Nothing happens
+    /// Lets `seconds` of wall-clock time pass: computes ticks and fades messages. Does nothing
     /// while the window is too small or a page covers the game.
     void advance(double seconds, const MayGoOn& may_go_on);
 
-    /// Draws all of the window. `aspect`: height of a cell over its width.
+    /// Draws the whole window. `aspect`: height of a cell over its width.
     void draw(Canvas& canvas, double aspect);
-    /// Something that is drawn has changed since the last draw().
+    /// Whether a visible state has changed since the last draw().
     bool needs_draw() const { return play_.needs_draw; }
-    /// How long nothing will change by itself, s: 0 while ticks are run; infinite in a pause.
+    /// The time for which nothing changes on its own, s: 0 while ticks run; infinite while paused.
     double seconds_to_change() const;
-    /// Motion of the mouse without a button matters now.
+    /// Whether mouse motion without a button matters now.
     bool wants_motion() const;
 
     void say(std::string message);
     void complain(std::string message);
-    /// Stays until the next call; none: all is well. For the errors of a level that is watched.
+    /// The problem stays until the next call; none clears it. For the errors of a level under
+    /// --watch.
     void set_problem(std::optional<std::string> problem);
 
     void pause(bool paused);
-    /// Asked now and then within long ticks; false gives them up.
+    /// Asked now and then within long ticks; false cancels the tick.
     void set_keep_going(const KeepGoing& keep_going);
-    /// After preferences or the terminal have changed.
+    /// To be called after preferences or the terminal have changed.
     void set_view(const ViewOptions& view);
     void set_mouse_is_off(bool is_off) { play_.terminal.mouse_is_off = is_off; }
-    /// The terminal tells when a key is let go.
+    /// Whether the terminal reports key releases.
     void set_key_release(bool tells) { play_.terminal.tells_key_release = tells; }
-    /// At a pinball table the terminal's bell rings for what kicks the ball.
+    /// Whether the terminal's bell rings for kicks at a pinball table.
     void set_bell(bool rings) { play_.terminal.rings = rings; }
     bool has_bell() const { return play_.terminal.rings; }
-    /// Whether the bell shall ring now, once.
+    /// Whether the bell should ring now; true once.
     bool take_bell();
     void set_high_scores(HighScores scores);
 
-    // What is kept of an unfinished game beside its commands.
-    /// The AI player takes the second player's turns from now on, with that steadiness; 0: a person
-    /// does. False where no game of pool is played.
-    bool set_opponent(int steadiness);
+    // State that is kept with an unfinished game, beside its commands.
+    /// The AI player plays the second player from now on, with that skill; 0: a person does. False
+    /// without a game of pool.
+    bool set_opponent(int skill);
     int opponent() const;
-    /// How the player is about to shoot at a pool table; none elsewhere.
+    /// The shot that the player is setting up at a pool table; none elsewhere.
     std::optional<ShotSetup> shot_setup() const;
     void set_up(const ShotSetup& setup);
 
-    /// At a pinball table, the demonstration plays.
+    /// Starts the demo at a pinball table.
     void demonstrate();
-    /// A score that the player has entered initials for, once.
+    /// A score for which the player has entered initials; returned once.
     std::optional<HighScore> take_high_score();
 
     const Session& session() const { return play_.session; }
-    /// A recording is watched: only time and view obey the keys.
+    /// Whether a recording is being watched: then keys control only time and view.
     bool is_watching() const { return carom::is_watching(play_); }
     const PlaybackClock& clock() const { return play_.clock; }
     const ViewOptions& view() const { return play_.view.options; }
     const PointerTool& tool() const { return play_.pointer.tool; }
-    /// Where the player points, in the world: the mouse or the cursor, whichever moved last.
+    /// The pointer's position in the world: the mouse or the cursor, whichever moved last.
     Vec2 pointer() const { return play_.pointer.at; }
     const Camera& camera() const { return play_.view.camera; }
 
-    /// The same scene, changed on disk: another game, seen as this one was.
+    /// The level was changed on disk: a new game with the view of this one.
     Player continued_with(Session session, bool solver_is_picked) const;
 
   private:
@@ -91,8 +92,8 @@ class Player {
     bool is_too_small_ = false;
 };
 
-/// Whether a tick that is being computed shall be given up for this event: not for the motion of a
-/// mouse and the like, which waits until the tick is done.
-bool ends_tick(const InputEvent& event, const KeyMap& keys);
+/// Whether this event should cancel a tick that is being computed. Mouse motion and the like wait
+/// until the tick is done.
+bool cancels_tick(const InputEvent& event, const KeyMap& keys);
 
 }  // namespace carom

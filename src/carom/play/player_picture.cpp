@@ -6,11 +6,11 @@
 #include "lab/run/report.h"
 #include "terminal/panels/pages.h"
 
-/// What the player draws: the world with its panels and status lines, or a page that covers it.
+/// Draws the player's window: the world with panels and status lines, or a page that covers it.
 namespace carom {
 namespace {
 
-/// Gives the world its area of the window, and the panels theirs.
+/// Divides the window between the world and the panels.
 void lay_out(PlayContext& play, const Canvas& canvas, double aspect) {
     const Scene& scene = play.session.scene();
     PlayView& view = play.view;
@@ -28,7 +28,7 @@ void lay_out(PlayContext& play, const Canvas& canvas, double aspect) {
         view.camera = resized(view.camera, area, aspect);
 }
 
-/// Keeps the selected ball in the middle.
+/// Keeps the selected ball in the centre.
 void follow_ball(PlayContext& play) {
     PlayView& view = play.view;
     if (!view.follows || !view.selected) return;
@@ -40,20 +40,20 @@ void follow_ball(PlayContext& play) {
     view.is_fitted = false;
 }
 
-Marks marks_of(const PlayContext& play) {
-    Marks marks;
+Annotations annotations_of(const PlayContext& play) {
+    Annotations annotations;
     const World& world = play.session.world();
     const auto& selected = play.view.selected;
-    if (selected && index_of(world, *selected)) marks.selected_ball = selected;
-    if (play.pointer.shows_cursor) marks.cursor = play.pointer.at;
-    play.controller->mark(play, marks);
+    if (selected && index_of(world, *selected)) annotations.selected_ball = selected;
+    if (play.pointer.shows_cursor) annotations.cursor = play.pointer.at;
+    play.controller->annotate(play, annotations);
     const CellFrame& cells = play.session.cells();
-    if (!(cells == CellFrame{})) marks.broad_phase = CellGrid{cells.origin, cells.cell.x};
-    play.companion.mark(marks);
-    return marks;
+    if (!(cells == CellFrame{})) annotations.broad_phase = CellGrid{cells.origin, cells.cell.x};
+    play.companion.annotate(annotations);
+    return annotations;
 }
 
-/// How the game is computed, for a page of text.
+/// An explanation of how the game is computed, for a page of text.
 std::vector<std::string> explanation_lines(const PlayContext& play) {
     const Session& session = play.session;
     const std::string text = explanation(
@@ -97,8 +97,8 @@ void Player::draw_game(Canvas& canvas, double aspect) {
     play_.controller->look(play_);
     const World& world = session().world();
     play_.panels.sample(world);
-    draw_world(canvas, camera(), session().scene(), world, session().contacts(), marks_of(play_),
-               view(), play_.view.memory);
+    draw_world(canvas, camera(), session().scene(), world, session().contacts(),
+               annotations_of(play_), view(), play_.view.memory);
     const bool is_split = play_.companion.comparison().has_value();
     if (is_split) play_.companion.draw(canvas, session(), camera(), play_.view.selected, view());
     play_.panels.draw(canvas, session(), view().look);

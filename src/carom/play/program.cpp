@@ -20,7 +20,7 @@ std::string absolute(const std::string& path) {
     return error ? path : result.string();
 }
 
-/// All that a level was read from.
+/// All files that a level was loaded from.
 std::vector<std::string> files_of(const Scene& scene, const std::string& path) {
     std::vector<std::string> files{path};
     std::error_code error;
@@ -29,7 +29,7 @@ std::vector<std::string> files_of(const Scene& scene, const std::string& path) {
     return files;
 }
 
-// The table's high scores, where it keeps any.
+// Gives the player the high scores of the table, if it keeps any.
 void show_high_scores(Player& player, const std::string& path) {
     const PinballTable& table = player.session().scene().table;
     if (!table.is_game || table.highscores == 0) return;
@@ -137,7 +137,7 @@ std::optional<Problems> Program::open(const LevelSource& source) {
         if (same != games.end()) offer = std::move(*same);
     }
     if (offer) {
-        const double seconds = static_cast<double>(offer->replay.stands) / offer->replay.rate;
+        const double seconds = static_cast<double>(offer->replay.position) / offer->replay.rate;
         player.say(fmt::format("a game was {} here at {:.1f} s: {} takes it up",
                                offer->was_left ? "left" : "cut off", seconds,
                                preferences_.keys.hint("take-up")));
@@ -193,7 +193,7 @@ void Program::tell(std::string title, Problems problems) {
 }
 
 void Program::resume(const InterruptedGame& game) {
-    const InterruptedGame taken = game;  // `game` may live in the page that goes
+    const InterruptedGame taken = game;  // a copy: `game` may live in the page that is replaced
     leave_game();
     auto opened = reopen_game(taken.replay, options_.rewind_bytes);
     if (auto* problems = std::get_if<Problems>(&opened))
@@ -212,17 +212,17 @@ void Program::finish_resuming() {
     source.overrides = done.game.replay.overrides;
     Player player(std::move(done.replayer).take(), view(), preferences_.keys);
     player.set_opponent(done.game.replay.opponent);
-    if (done.game.replay.stance) player.set_up(*done.game.replay.stance);
+    if (done.game.replay.setup) player.set_up(*done.game.replay.setup);
     player.pause(true);
     player.say("taken up where it stood; " + preferences_.keys.hint("pause") + " goes on");
     enter(std::move(source), std::move(player), std::nullopt);
     RunningGame& game = std::get<RunningGame>(page_);
-    game.autosave();  // under our own name, before the other goes
+    game.autosave();  // saved under the new name before the old file is removed
     forget(done.game);
 }
 
-/// Writes the recording; false when it cannot be written. Then the game stays, as one that was cut
-/// off.
+/// Writes the recording; false if it cannot be written. Then the game is kept, as an interrupted
+/// one.
 bool Program::end_game() {
     auto* game = std::get_if<RunningGame>(&page_);
     if (game && recording_) {

@@ -41,10 +41,10 @@ class Program {
     /// Asked now and then within long ticks, in whichever thread; false cancels the tick.
     void set_keep_going(const KeepGoing& keep_going);
     /// Whether a game is on the screen: then advance() may be called in another thread. While it
-    /// runs, only ends_tick() may be called.
+    /// runs, only cancels_tick() may be called.
     bool is_playing() const { return std::holds_alternative<RunningGame>(page_); }
     /// Whether this event should cancel a tick that is being computed.
-    bool ends_tick(const InputEvent& event) const;
+    bool cancels_tick(const InputEvent& event) const;
     bool needs_draw() const;
     void draw(Canvas& canvas);
     /// The longest time to wait for input, s.

@@ -146,8 +146,8 @@ void Program::set_keep_going(const KeepGoing& keep_going) {
     if (auto* game = std::get_if<RunningGame>(&page_)) game->player.set_keep_going(keep_going_);
 }
 
-bool Program::ends_tick(const InputEvent& event) const {
-    return !is_playing() || carom::ends_tick(event, preferences_.keys);
+bool Program::cancels_tick(const InputEvent& event) const {
+    return !is_playing() || carom::cancels_tick(event, preferences_.keys);
 }
 
 void Program::advance(double seconds, double now, const MayGoOn& may_go_on) {

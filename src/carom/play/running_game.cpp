@@ -23,7 +23,7 @@ void RunningGame::autosave() {
     saved_setup = setup;
     Replay replay = record(session, source.path, source.overrides);
     replay.opponent = player.opponent();
-    replay.stance = setup;
+    replay.setup = setup;
     if (const auto problem = resume_file.save(replay)) player.complain(*problem);
 }
 

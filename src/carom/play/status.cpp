@@ -109,8 +109,8 @@ void add_sums(const PlayContext& play, HudInfo& info) {
     info.kinetic_energy = sums.kinetic_energy;
     if (world.model().gravity) info.potential_energy = sums.potential_energy;
     info.momentum = sums.momentum;
-    if (keeps_energy(world)) info.energy_drift = play.reference.energy_drift(sums);
-    if (keeps_momentum(world)) info.momentum_drift = play.reference.momentum_drift(sums);
+    if (conserves_energy(world)) info.energy_drift = play.reference.energy_drift(sums);
+    if (conserves_momentum(world)) info.momentum_drift = play.reference.momentum_drift(sums);
 }
 
 void add_time(const PlayContext& play, HudInfo& info) {
@@ -121,7 +121,7 @@ void add_time(const PlayContext& play, HudInfo& info) {
     info.ticks_per_second = play.clock.is_paused() ? 0.0 : play.clock.ticks_per_second();
     info.rate = world.rate();
     info.speed = play.clock.speed();
-    info.is_paused = stands_still(play);
+    info.is_paused = is_idle(play);
 }
 
 void add_world(const PlayContext& play, HudInfo& info) {

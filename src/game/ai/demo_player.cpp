@@ -42,9 +42,9 @@ bool is_above(const Flipper& flipper, const Capsule& shape, Vec2 at) {
 // Plans a flip for a ball that comes down on the flipper and is nearly there.
 void DemoPlayer::watch_flipper(const Scene& scene, const World& world, std::size_t which) {
     const Flipper& flipper = world.flippers()[which];
-    Hand& hand = hands_[index(scene.table.flipper_buttons[which])];
+    FlipperPlan& plan = plans_[index(scene.table.flipper_buttons[which])];
     const auto capsule = index_of(world, flipper.capsule);
-    if (!capsule || world.tick() < hand.busy_until) return;
+    if (!capsule || world.tick() < plan.busy_until) return;
     const Capsule& shape = world.capsules().shape[*capsule];
     const double wanted = random_between(nearest_place, farthest_place, world.seed(),
                                          RandomStream::player, flips_, which);
@@ -58,10 +58,10 @@ void DemoPlayer::watch_flipper(const Scene& scene, const World& world, std::size
         // flipper.
         const Vec2 along = shape.end - shape.start;
         const double rolls = dot(world.balls().velocity[i], along) / dot(along, along);
-        const double falls = std::fabs(cross(along, world.balls().velocity[i])) / length(along);
-        const bool is_rolling = rolls > 0.0 && falls < 10.0 * world.balls().radius[i];
+        const double sinking = std::fabs(cross(along, world.balls().velocity[i])) / length(along);
+        const bool is_rolling = rolls > 0.0 && sinking < 10.0 * world.balls().radius[i];
         if (place < (is_rolling ? wanted : nearest_place) || place > last_place + 0.02) continue;
-        hand = {world.tick(), world.tick() + ticks(world, up_time),
+        plan = {world.tick(), world.tick() + ticks(world, up_time),
                 world.tick() + ticks(world, up_time + rest_time)};
         ++flips_;
         return;
@@ -101,8 +101,8 @@ std::vector<command::Press> DemoPlayer::play(const Scene& scene, const World& wo
     };
     for (std::size_t i = 0; i < world.flippers().size(); ++i)
         watch_flipper(scene, world, i);
-    set(Button::left_flipper, world.tick() < hands_[0].up_until);
-    set(Button::right_flipper, world.tick() < hands_[1].up_until);
+    set(Button::left_flipper, world.tick() < plans_[0].up_until);
+    set(Button::right_flipper, world.tick() < plans_[1].up_until);
 
     if (state.phase == PinballState::Phase::over) {
         if (begins_at_ == 0) begins_at_ = world.tick() + ticks(world, pause_between);

@@ -22,7 +22,7 @@ class DemoPlayer {
 
   private:
     /// The plan for one flipper button, in ticks.
-    struct Hand {
+    struct FlipperPlan {
         std::uint64_t up_from = 0;
         std::uint64_t up_until = 0;
         std::uint64_t busy_until = 0;  ///< until then it considers no other ball
@@ -30,7 +30,7 @@ class DemoPlayer {
     void watch_flipper(const Scene& scene, const World& world, std::size_t flipper);
     bool wants_nudge(const World& world, const PinballState& state) const;
 
-    std::array<Hand, 2> hands_{};
+    std::array<FlipperPlan, 2> plans_{};
     std::uint64_t seen_until_ = 0;
     std::uint64_t flips_ = 0;
     std::uint64_t begins_at_ = 0;  ///< the tick at which it starts another game

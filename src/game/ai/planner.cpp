@@ -230,7 +230,7 @@ double ShotPlanner::value_of(const Forecast& ahead) const {
     return value_to(play_.rules.player, scene_, ahead.world, play, cloth_, error_.bearing);
 }
 
-bool ShotPlanner::goes_on(const Forecast& ahead) const {
+bool ShotPlanner::continues_turn(const Forecast& ahead) const {
     const auto& play = std::get<PoolPlay>(ahead.game);
     return play.rules.winner == std::optional(play_.rules.player) ||
            (!play.rules.winner && play.rules.player == play_.rules.player);
@@ -251,10 +251,10 @@ void ShotPlanner::try_next() {
     Trial& trial = trials_[next_++];
     const Forecast ahead = try_out(trial, trial.shot.strike);
     const double value = value_of(ahead);
-    const double chance = goes_on(ahead) ? trial.chance : 1.0;
+    const double chance = continues_turn(ahead) ? trial.chance : 1.0;
     trial.first_value = chance * value + (1.0 - chance) * value_of_miss;
     const auto& play = std::get<PoolPlay>(ahead.game);
-    if (goes_on(ahead) && !play.rules.winner)
+    if (continues_turn(ahead) && !play.rules.winner)
         trial.shot.leaves = outlook(scene_, ahead.world, play, cloth_, error_.bearing).easiest;
     if (next_ == trials_.size()) begin_testing();
 }
@@ -275,7 +275,7 @@ void ShotPlanner::test_next() {
                                            static_cast<std::uint64_t>(round_));
     const Forecast ahead = try_out(trial, off);
     trial.sum += value_of(ahead);
-    if (goes_on(ahead)) ++trial.went_on;
+    if (continues_turn(ahead)) ++trial.continued;
     if (++next_ < trials_.size()) return;
     next_ = 0;
     if (++round_ == rounds) finish();
@@ -285,7 +285,7 @@ void ShotPlanner::finish() {
     stage_ = Stage::done;
     for (Trial& trial : trials_) {
         trial.shot.value = trial.sum / rounds;
-        trial.shot.success = static_cast<double>(trial.went_on) / rounds;
+        trial.shot.success = static_cast<double>(trial.continued) / rounds;
     }
     std::ranges::stable_sort(
         trials_, [](const Trial& a, const Trial& b) { return a.shot.value > b.shot.value; });

@@ -64,7 +64,7 @@ class ShotPlanner {
         double chance = 1.0;  ///< probability of success, by geometry
         double first_value = 0.0;
         double sum = 0.0;
-        int went_on = 0;
+        int continued = 0;
     };
 
     void propose();
@@ -79,7 +79,7 @@ class ShotPlanner {
     World world_with(const std::optional<Vec2>& place) const;
     Forecast try_out(const Trial& trial, const command::Strike& strike);
     double value_of(const Forecast& ahead) const;
-    bool goes_on(const Forecast& ahead) const;
+    bool continues_turn(const Forecast& ahead) const;
     void try_next();
     void begin_testing();
     void test_next();

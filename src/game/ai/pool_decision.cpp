@@ -21,7 +21,7 @@ std::size_t row_of(int skill) {
 }
 
 // The executed shot draws noise that no simulation has used.
-constexpr std::uint64_t of_the_hand = 1u << 20;
+constexpr std::uint64_t execution_draw = 1u << 20;
 
 }  // namespace
 
@@ -90,7 +90,7 @@ std::vector<Command> commands_of(const Scene& scene, const PoolPlay& play,
     if (shot.place) commands.push_back(command::PlaceBall{shot.strike.ball, *shot.place});
     if (!(shot.call == play.call)) commands.push_back(command::CallShot{shot.call});
     commands.push_back(
-        with_noise(shot.strike, error, scene.pool.cue->most_power, seed, of_the_hand));
+        with_noise(shot.strike, error, scene.pool.cue->most_power, seed, execution_draw));
     return commands;
 }
 

@@ -21,7 +21,7 @@ constexpr double launch_pause = 0.6;  // s from the serve of a ball to its autom
 constexpr double least_own_pull = 0.5;
 constexpr double most_own_pull = 0.9;
 
-constexpr double launch_patience = 4.0;
+constexpr double settling_time = 4.0;
 constexpr double counting_time = 2.5;  // s that the bonus is shown
 
 constexpr double nudge_time = 0.1;    // s
@@ -106,7 +106,7 @@ void update_plunger(Pinball game) {
                                        RandomStream::player, state.games, game.world.next_ball());
     const bool is_launched = launch(game, pull);
     // The ball may not have settled on the plunger yet; the table waits for a limited time only.
-    if (!is_launched && game.now() < state.launch_at + game.ticks(launch_patience)) return;
+    if (!is_launched && game.now() < state.launch_at + game.ticks(settling_time)) return;
     state.launch_at = 0;
     if (!is_launched) return;
     if (state.to_serve == 0) state.serves_itself = false;

@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-constexpr double patience = 5.0;  // s in which a ball has moved less than a radius
+constexpr double stuck_time = 5.0;  // s in which a ball has moved less than a radius
 constexpr std::uint32_t most_kicks = 4;
 constexpr double kick = 60.0;          // radii a second
 constexpr double off_the_table = 8.0;  // radii beyond the camera's view
@@ -32,7 +32,7 @@ bool is_cradled(const Pinball& game, std::size_t ball) {
 }
 
 // The direction away from the nearest edge, turned randomly to one side or the other.
-Vec2 way_out(const Pinball& game, std::size_t ball) {
+Vec2 direction_away(const Pinball& game, std::size_t ball) {
     const World& world = game.world;
     const Vec2 at = world.balls().position[ball];
     std::optional<double> nearest;
@@ -52,7 +52,7 @@ Vec2 way_out(const Pinball& game, std::size_t ball) {
     return away * cosine + perpendicular(away) * sine;
 }
 
-void take_back(Pinball game, BallId ball) {
+void remove_and_serve(Pinball game, BallId ball) {
     remove_ball(game.world, ball);
     ++game.state.removals_seen;  // so that the removal does not count as a drain
     ++game.state.lost;
@@ -79,7 +79,7 @@ void search_balls(Pinball game) {
             given_up.push_back(id);
             continue;
         }
-        const bool is_due = game.now() >= ball.since + game.ticks(patience);
+        const bool is_due = game.now() >= ball.since + game.ticks(stuck_time);
         if (is_due) {
             const bool may_stay =
                 is_cradled(game, i) || is_held(game.state, id) || is_on_plunger(game.scene, world);
@@ -92,14 +92,14 @@ void search_balls(Pinball game) {
                 ++ball.searches;
                 ++game.state.searches;
                 world.edit_balls().velocity[i] +=
-                    way_out(game, i) * (kick * world.balls().radius[i]);
+                    direction_away(game, i) * (kick * world.balls().radius[i]);
             }
         }
         progress.push_back(ball);
     }
     game.state.progress = std::move(progress);
     for (const BallId id : given_up)
-        take_back(game, id);
+        remove_and_serve(game, id);
 }
 
 }  // namespace carom

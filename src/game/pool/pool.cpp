@@ -160,7 +160,7 @@ bool is_on_table(const Scene& scene, const World& world, Vec2 place, double radi
     });
 }
 
-bool lies_still(const World& world) {
+bool is_at_rest(const World& world) {
     const auto moves = [](Vec2 v) { return !(v == Vec2{}); };
     return std::ranges::none_of(world.balls().velocity, moves) &&
            std::ranges::none_of(world.balls().roll, moves);
@@ -281,7 +281,7 @@ void update_pool(const Scene& scene, World& world, PoolPlay& play,
     }
     note_contacts(play, contacts);
     note_pocketed(scene, world, play);
-    if (!lies_still(world)) return;
+    if (!is_at_rest(world)) return;
     play.is_shooting = false;
     carry_out(scene, world, play, judge(play.rules, play.call, play.shot));
 }

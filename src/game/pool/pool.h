@@ -80,7 +80,7 @@ const Rack& rack_of(const Scene& scene);
 std::optional<int> number_of(const PoolPlay& play, BallId ball);
 
 /// Whether no ball moves or rolls; balls may still spin in place.
-bool lies_still(const World& world);
+bool is_at_rest(const World& world);
 
 /// The head spot: the middle of the head string, where the cue ball starts.
 Vec2 head_spot(const Scene& scene);

@@ -83,8 +83,8 @@ class EightBall final : public Referee {
             return ruling;
         }
         const auto called_group = made ? group_of(call.ball) : std::nullopt;
-        const bool goes_on = called_group && (!group || called_group == group);
-        if (!goes_on)
+        const bool continues_turn = called_group && (!group || called_group == group);
+        if (!continues_turn)
             pass_turn(next);
         else if (!group)
             next.group = player == 0 ? *called_group : other_group(*called_group);

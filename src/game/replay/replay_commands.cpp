@@ -10,17 +10,17 @@ namespace {
 
 using namespace command;
 
-/// How replays say Side, by its value.
+/// The words for Side in replays, by its value.
 constexpr std::string_view side_names[] = {"both", "left", "right", "none"};
-/// How they say Button.
+/// The words for Button.
 constexpr std::string_view button_names[] = {"left",       "right",       "plunger",
                                              "nudge-left", "nudge-right", "nudge-up"};
 static_assert(std::size(button_names) == button_count);
-/// How they say PoolCall::Kind and PoolChoice.
+/// The words for PoolCall::Kind and PoolChoice.
 constexpr std::string_view call_names[] = {"none", "pot", "safety", "push-out"};
 constexpr std::string_view choice_names[] = {"take-table", "break-again", "let-break", "spot-eight",
                                              "return-push"};
-/// How they say Aids and ShotSetup::Intent.
+/// The words for Aids and ShotSetup::Intent.
 constexpr std::string_view aids_names[] = {"none", "ghost", "full", "cloud"};
 constexpr std::string_view intent_names[] = {"automatic", "pocket", "safety", "push-out"};
 
@@ -110,7 +110,7 @@ CapsuleId capsule_of(Words& words) {
     return CapsuleId{words.integer<std::uint32_t>()};
 }
 
-// The value whose name comes next.
+// Reads the next word as the name of a value.
 template <typename Value, std::size_t count>
 Value value_of(Words& words, const std::string_view (&names)[count]) {
     const auto word = words.next();
@@ -169,22 +169,22 @@ std::string replay_text(const Command& command) {
     return std::visit(CommandText{}, command);
 }
 
-std::string replay_text(const ShotSetup& stance) {
-    return fmt::format("{} {} {} {} {} {} {}", stance.bearing, stance.speed, stance.side,
-                       stance.follow, aids_names[static_cast<std::size_t>(stance.aids)],
-                       intent_names[static_cast<std::size_t>(stance.intent)], stance.pocket);
+std::string replay_text(const ShotSetup& setup) {
+    return fmt::format("{} {} {} {} {} {} {}", setup.bearing, setup.speed, setup.side, setup.follow,
+                       aids_names[static_cast<std::size_t>(setup.aids)],
+                       intent_names[static_cast<std::size_t>(setup.intent)], setup.pocket);
 }
 
 ShotSetup read_shot_setup(Words& words) {
-    ShotSetup stance;
-    stance.bearing = words.real();
-    stance.speed = words.real();
-    stance.side = words.real();
-    stance.follow = words.real();
-    stance.aids = value_of<Aids>(words, aids_names);
-    stance.intent = value_of<ShotSetup::Intent>(words, intent_names);
-    stance.pocket = words.integer<int>();
-    return stance;
+    ShotSetup setup;
+    setup.bearing = words.real();
+    setup.speed = words.real();
+    setup.side = words.real();
+    setup.follow = words.real();
+    setup.aids = value_of<Aids>(words, aids_names);
+    setup.intent = value_of<ShotSetup::Intent>(words, intent_names);
+    setup.pocket = words.integer<int>();
+    return setup;
 }
 
 SolverSettings read_solver(Words& words) {

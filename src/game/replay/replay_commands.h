@@ -8,15 +8,15 @@
 #include "game/replay/replay_words.h"
 #include "physics/solver.h"
 
-/// Commands, solvers and stances as a replay says them: see replay_text.h.
+/// Commands, solvers and shot setups in the syntax of replays: see replay_text.h.
 namespace carom {
 
 std::string replay_text(const Command& command);
-std::string replay_text(const ShotSetup& stance);
+std::string replay_text(const ShotSetup& setup);
 
-/// None: there is no such command. Wrong numbers make `words` fail.
+/// None: there is no such command. Invalid numbers make `words` fail.
 std::optional<Command> read_command(Words& words);
-/// What is wrong makes `words` fail.
+/// Invalid settings make `words` fail.
 SolverSettings read_solver(Words& words);
 ShotSetup read_shot_setup(Words& words);
 

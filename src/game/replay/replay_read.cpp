@@ -16,7 +16,7 @@ constexpr std::uint64_t oldest_version = 2;
 constexpr std::uint64_t version = 3;
 constexpr std::string_view first_words = "carom replay ";
 
-/// A message and its remedy; none: all is well.
+/// An error: a message and its remedy.
 struct Fault {
     std::string message;
     std::string remedy;
@@ -57,7 +57,7 @@ class ReplayReader {
             if (line == 1) {
                 if (auto wrong = wrong_version(content)) return error(line, *wrong);
             }
-            if (end == std::string_view::npos) return error(line, cut_off());
+            if (end == std::string_view::npos) return error(line, truncated());
             if (line > 1) {
                 if (auto wrong = statement(content)) return error(line, *wrong);
             }
@@ -65,7 +65,7 @@ class ReplayReader {
             last_line_ = line;
         }
         if (auto wrong = incomplete()) return error(last_line_, *wrong);
-        if (!has_stands_) replay_.stands = replay_.end;
+        if (!has_position_) replay_.position = replay_.end;
         return std::move(replay_);
     }
 
@@ -73,7 +73,7 @@ class ReplayReader {
     static ReplayError error(int line, const Fault& fault) {
         return {line, fault.message, fault.remedy};
     }
-    static Fault cut_off() {
+    static Fault truncated() {
         return {"the recording is cut off here: its last line, 'end', is missing",
                 "take a whole copy of it, or record the game again"};
     }
@@ -121,10 +121,10 @@ class ReplayReader {
         } else if (keyword == "opponent") {
             wrong = opponent(words.integer<int>());
         } else if (keyword == "stance") {
-            replay_.stance = read_shot_setup(words);
+            replay_.setup = read_shot_setup(words);
         } else if (keyword == "stands") {
-            replay_.stands = words.integer<std::uint64_t>();
-            has_stands_ = true;
+            replay_.position = words.integer<std::uint64_t>();
+            has_position_ = true;
         } else if (keyword == "end") {
             replay_.end = words.integer<std::uint64_t>();
             has_end_ = true;
@@ -202,7 +202,7 @@ class ReplayReader {
     }
 
     Wrong incomplete() const {
-        if (!has_end_) return cut_off();
+        if (!has_end_) return truncated();
         const auto missing = [](std::string_view what) {
             return Fault{fmt::format("'{}' is missing", what), record_again};
         };
@@ -212,7 +212,7 @@ class ReplayReader {
         if (!has_solver_) return missing("solver");
         if (!has_rate_) return Fault{"'rate' is missing, or not positive", record_again};
         if (!has_seed_) return missing("seed");
-        if (has_stands_ && replay_.stands > replay_.end)
+        if (has_position_ && replay_.position > replay_.end)
             return Fault{"'stands' lies after 'end'", record_again};
         if (!replay_.commands.empty() && replay_.commands.back().tick > replay_.end)
             return Fault{"there are commands after 'end'", record_again};
@@ -229,7 +229,7 @@ class ReplayReader {
     bool has_solver_ = false;
     bool has_rate_ = false;
     bool has_seed_ = false;
-    bool has_stands_ = false;
+    bool has_position_ = false;
     bool has_end_ = false;
 };
 

@@ -14,28 +14,28 @@
 #include "level/scene/scene.h"
 #include "physics/solver.h"
 
-/// A recording: everything from which the deterministic core reproduces a game bit by bit.
+/// A recording: all inputs from which the deterministic core reproduces a game bit by bit.
 ///
-/// The level's text is in it, with all included files, so that a recording needs no other file: it
-/// can be watched and verified on another machine, and after the level has changed. A level is a
-/// few kilobytes; the commands of a minute of dragging are more.
+/// It contains the level's text and all included files, so it needs no other file: it can be
+/// watched and verified on another machine, and after the level has changed. A level is a few
+/// kilobytes; the commands of a minute of dragging are more.
 ///
-/// The text, one statement a line, numbers so that they read back to the same bits:
+/// One statement a line; numbers are written so that they read back to the same bits:
 ///
 ///     carom replay 3
 ///     program 0.1.0                       the carom that recorded it
 ///     physics 1                           the version of its physics (physics/version.h)
-///     fingerprint 2                       which fingerprint the marks are (fingerprint.h)
-///     level galton.level                  what it was called: the rest of the line
-///     file 0                              its text, each line behind a bar; what follows the last
-///     |carom 1 "Galton board"             line end of a file stands behind the last bar, so that
-///     |include "parts/pegs.level"         a text that ends with a line end closes with an empty
-///     |                                   bar
+///     fingerprint 2                       the version of the fingerprint in marks (fingerprint.h)
+///     level galton.level                  its name: the rest of the line
+///     file 0                              its text, each line after a bar; the text after the last
+///     |carom 1 "Galton board"             line end follows the last bar, so a text that ends with
+///     |include "parts/pegs.level"         a line end has an empty last bar
+///     |
 ///     file 1
 ///     |peg 0,0
 ///     |
 ///     include 0 1 parts/pegs.level        in file 0, this path means file 1
-///     hash 0123456789abcdef               of these texts and the statements of `set`
+///     hash 0123456789abcdef               the hash of these texts and the statements of `set`
 ///     set use gravity 0,-1.6              overrides, any number of them
 ///     solver substep updates=4 steps=15 substeps=1
 ///     rate 120
@@ -60,44 +60,44 @@
 ///     at 69 decide break-again            or take-table, let-break, spot-eight, return-push
 ///     at 70 rack                          the next frame
 ///     mark 120 0123456789abcdef
-///     opponent 3                          carom played the second player, with that skill;
-///                                         absent: a person did
-///     stance 30.5 2 0.1 -0.3 full pocket 4  the shot that was set up: bearing, speed, side and
+///     opponent 3                          the skill of the AI player as the second player;
+///                                         absent: a person
+///     stance 30.5 2 0.1 -0.3 full pocket 4  the shot being set up: bearing, speed, side and
 ///                                         follow of the tip, aids, intent, pocket
-///     stands 1100                         where the player stood; absent: at the end
+///     stands 1100                         the player's position in time; absent: the end
 ///     end 1200                            the last tick
 ///
 /// A text that begins with `carom replay 2` has neither `physics` nor `fingerprint`: both are 1.
 ///
-/// The lines `at` and `mark` are each in ascending order of ticks. Nothing may be missing but
+/// The lines `at` and `mark` are each in ascending order of ticks. All lines are required but
 /// `include`, `set`, `at`, `mark`, `opponent`, `stance` and `stands`. `end` is the last line:
-/// without it the recording is not whole.
+/// without it the recording is incomplete.
 namespace carom {
 
 struct Replay {
-    int physics_version = 1;         ///< under which it was recorded
-    int fingerprint_version = 1;     ///< that of the marks
-    std::string program;             ///< version of the carom that recorded it; no line ends in it
+    int physics_version = 1;         ///< of the recorded game
+    int fingerprint_version = 1;     ///< of the marks
+    std::string program;             ///< version of the recording carom; no line ends in it
     std::string level;               ///< no line ends in it
-    std::vector<std::string> texts;  ///< the level's, then those of what it includes
+    std::vector<std::string> texts;  ///< the level's, then those of its includes
     std::vector<Include> includes;   ///< indices into `texts`
     std::uint64_t level_hash = 0;
-    int hash_line = 1;                   ///< where a text that was read says the hash, for messages
+    int hash_line = 1;  ///< line of the hash in the text that was read, for messages
     std::vector<std::string> overrides;  ///< no line ends in them
     SolverSettings solver;               ///< at the start
     double rate = 120.0;                 ///< ticks a second
     std::uint64_t seed = 0;
     std::vector<TimedCommand> commands;
     std::vector<FingerprintMark> marks;
-    std::uint64_t end = 0;     ///< the last tick
-    std::uint64_t stands = 0;  ///< where the player stood, 0..end
-    int opponent = 0;          ///< how well carom played at pool, 1..4; 0: two people
-    std::optional<ShotSetup> stance;
+    std::uint64_t end = 0;       ///< the last tick
+    std::uint64_t position = 0;  ///< the tick where the player stopped, 0..end
+    int opponent = 0;            ///< pool: skill of the AI player, 1..4; 0: two people
+    std::optional<ShotSetup> setup;
 };
 
 std::string replay_text(const Replay& replay);
 
-/// What is wrong with a text, where, and what to do.
+/// The error in a text, its position, and the remedy.
 struct ReplayError {
     int line = 1;
     std::string message;

@@ -52,12 +52,12 @@ Replay record(const Session& session, std::string level, std::span<const std::st
     const auto marks = session.fingerprints().marks();
     replay.marks.assign(marks.begin(), marks.end());
     replay.end = session.latest();
-    replay.stands = session.world().tick();
+    replay.position = session.world().tick();
     const auto place =
-        std::ranges::lower_bound(replay.marks, replay.stands, {}, &FingerprintMark::tick);
-    if (place == replay.marks.end() || place->tick != replay.stands)
-        replay.marks.insert(place, {replay.stands, fingerprint(session.world(), session.game(),
-                                                               replay.fingerprint_version)});
+        std::ranges::lower_bound(replay.marks, replay.position, {}, &FingerprintMark::tick);
+    if (place == replay.marks.end() || place->tick != replay.position)
+        replay.marks.insert(place, {replay.position, fingerprint(session.world(), session.game(),
+                                                                 replay.fingerprint_version)});
     return replay;
 }
 
@@ -111,7 +111,7 @@ bool Replayer::advance(std::uint64_t ticks) {
         check();
     if (failure_) return false;
     if (session_.world().tick() < replay_.end) return true;
-    session_.go_to(replay_.stands);
+    session_.go_to(replay_.position);
     return false;
 }
 

@@ -19,12 +19,12 @@ bool is_without_loss(const Model& model) {
 
 }  // namespace
 
-bool keeps_energy(const World& world) {
+bool conserves_energy(const World& world) {
     return is_closed(world) && is_without_loss(world.model()) &&
            !(world.model().gravity && world.model().wrap);
 }
 
-bool keeps_momentum(const World& world) {
+bool conserves_momentum(const World& world) {
     const bool has_edges = world.model().ball_edge && world.capsules().size() > 0;
     // Losses between balls conserve momentum; drag, limits and a stop do not.
     const Model& model = world.model();

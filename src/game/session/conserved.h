@@ -9,10 +9,10 @@ namespace carom {
 /// Whether kinetic plus potential energy is conserved: nothing dissipates it (losses, drag,
 /// limits), nothing adds it (emitters, dragged bodies), nothing removes it (sinks), and potential
 /// energy is single-valued (no gravity on a torus).
-bool keeps_energy(const World& world);
+bool conserves_energy(const World& world);
 
 /// Whether momentum is conserved. The conditions are those of energy, except that losses between
 /// balls are allowed, while gravity and edges that balls can hit are not.
-bool keeps_momentum(const World& world);
+bool conserves_momentum(const World& world);
 
 }  // namespace carom

@@ -60,7 +60,7 @@ Forecast forecast(const Scene& scene, const World& world, const GameState& game,
     for (std::uint64_t tick = 0; tick < ticks && !ahead.comes_to_rest; ++tick) {
         solver.tick(ahead.world);
         note_first_hit(ahead, solver, strike.ball);
-        ahead.comes_to_rest = lies_still(ahead.world);
+        ahead.comes_to_rest = is_at_rest(ahead.world);
         if (tracks == Tracks::all) extend_tracks(ahead);
         update_game(scene, ahead.world, ahead.game, solver.contacts());
     }

@@ -162,7 +162,7 @@ class LevelWriter {
     }
 
     /// Whether capsule i + 1 continues where capsule i ends, as one line.
-    bool goes_on(std::size_t i) const {
+    bool continues_line(std::size_t i) const {
         const Capsules& capsules = world_.capsules();
         if (i + 1 >= capsules.size()) return false;
         const Capsule& a = capsules.shape[i];
@@ -186,7 +186,7 @@ class LevelWriter {
     void edges() {
         for (std::size_t first = 0; first < world_.capsules().size();) {
             std::size_t last = first;
-            while (goes_on(last) && !ends_outline(first, last))
+            while (continues_line(last) && !ends_outline(first, last))
                 ++last;
             edge(first, last);
             first = last + 1;

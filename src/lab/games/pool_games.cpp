@@ -17,10 +17,10 @@ std::vector<Command> decision(const Scene& scene, const World& world, const Pool
     if (play.rules.phase == PoolPhase::choosing)
         return {command::Decide{choice_of(scene, world, play, error)}};
     const std::uint64_t seed = decision_seed(world, play);
-    ShotPlanner thinker(scene, world, play, solver, error, seed);
-    while (!thinker.is_done())
-        thinker.work(ShotPlanner::most_tries);
-    return commands_of(scene, play, thinker.best().front(), error, seed);
+    ShotPlanner planner(scene, world, play, solver, error, seed);
+    while (!planner.is_done())
+        planner.work(ShotPlanner::most_tries);
+    return commands_of(scene, play, planner.best().front(), error, seed);
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ std::uint32_t frames_unfinished(const PoolMatch& match) {
 
 ShareRange likely_share(std::uint32_t won, std::uint32_t frames) {
     if (frames == 0) return {};
-    constexpr double z = 1.96;  // of a normal distribution, on both sides
+    constexpr double z = 1.96;  // quantile of the normal distribution for 95 %, two-sided
     const double n = frames;
     const double share = won / n;
     const double middle = share + z * z / (2.0 * n);

@@ -11,16 +11,16 @@
 namespace carom {
 namespace {
 
-// What the reference does, as long as it can be trusted.
+// The results of the reference, for as long as it can be trusted.
 struct Truth {
     std::vector<Positions> positions;  // by horizon
     std::vector<Meeting> meetings;
-    std::vector<std::size_t> met;  // by horizon: how many of the meetings there were by then
+    std::vector<std::size_t> met;  // by horizon: the number of contacts before it
     std::vector<double> doubts;
     std::optional<double> chaos;
 };
 
-// All that the runs of one measurement share.
+// Data shared by all runs of one measurement.
 struct Bench {
     const Scene& scene;
     const MeasureSettings& settings;
@@ -41,7 +41,7 @@ std::uint64_t ticks_of(const Bench& bench, double rate) {
     return bench.points.back() * ticks_each(rate, bench.common);
 }
 
-// How a tick ended, and its cost in seconds; cancelled where the caller ended the work in the tick
+// The outcome of a tick and its cost in seconds; cancelled if the caller ended the work in the tick
 // or after it.
 struct Ticked {
     TickOutcome outcome = TickOutcome::done;
@@ -56,7 +56,7 @@ Ticked tick(Bench& bench, World& world, Solver& solver) {
     return {keep_going() ? outcome : TickOutcome::given_up, seconds};
 }
 
-// Runs up to the instant of a horizon, or to the first tick that is not done.
+// Runs up to a horizon, or to the first tick that is not completed.
 TickOutcome run_to(Bench& bench, World& world, Solver& solver, std::uint64_t point,
                    std::vector<Meeting>* meetings) {
     const std::uint64_t ticks = point * ticks_each(world.rate(), bench.common);
@@ -71,17 +71,17 @@ TickOutcome run_to(Bench& bench, World& world, Solver& solver, std::uint64_t poi
 std::optional<Truth> find_truth(Bench& bench, const Reference& reference, double radius) {
     Truth truth;
     World world = started_at(bench.scene, reference.truth.rate);
-    World twin = started_at(bench.scene, reference.check.rate);
+    World check_world = started_at(bench.scene, reference.check.rate);
     Solver solver(reference.truth.solver);
     Solver check(reference.check.solver);
     const std::uint64_t before = bench.done;
     for (const std::uint64_t point : bench.points) {
         const TickOutcome of_truth = run_to(bench, world, solver, point, &truth.meetings);
         if (of_truth == TickOutcome::given_up) return std::nullopt;
-        const TickOutcome of_check = run_to(bench, twin, check, point, nullptr);
+        const TickOutcome of_check = run_to(bench, check_world, check, point, nullptr);
         if (of_check == TickOutcome::given_up) return std::nullopt;
         const bool are_done = of_truth == TickOutcome::done && of_check == TickOutcome::done;
-        const double doubt = difference(world, twin).rms / radius;
+        const double doubt = difference(world, check_world).rms / radius;
         if (!are_done || !(doubt <= bench.settings.tolerance)) {
             truth.chaos = static_cast<double>(point) / bench.common;
             break;
@@ -90,7 +90,7 @@ std::optional<Truth> find_truth(Bench& bench, const Reference& reference, double
         truth.positions.push_back(positions_of(world));
         truth.met.push_back(truth.meetings.size());
     }
-    bench.done = before + ticks_of(bench, world.rate()) + ticks_of(bench, twin.rate());
+    bench.done = before + ticks_of(bench, world.rate()) + ticks_of(bench, check_world.rate());
     return truth;
 }
 
@@ -115,7 +115,7 @@ std::vector<std::optional<double>> measured_figures(const RunWatch& watch, const
     return values;
 }
 
-// The first run of a choice, which notes everything; its cost is that of the ticks alone.
+// The first run of a choice, which records everything; its cost is that of the ticks only.
 std::optional<Measured> observed(Bench& bench, const Choice& choice, const Truth& truth,
                                  double radius) {
     Measured row{.choice = choice};
@@ -147,7 +147,7 @@ std::optional<Measured> observed(Bench& bench, const Choice& choice, const Truth
     return row;
 }
 
-// Another run, for the cost alone; none when it was interrupted.
+// A further run, for the cost only; none if it was interrupted.
 std::optional<double> timed(Bench& bench, const Choice& choice) {
     World world = started_at(bench.scene, choice.rate);
     Solver solver(choice.solver);

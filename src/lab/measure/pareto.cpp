@@ -14,7 +14,7 @@ bool dominates(const Tradeoff& a, const Tradeoff& b) {
     return a.cost <= b.cost && a.error <= b.error && (a.cost < b.cost || a.error < b.error);
 }
 
-// The first choice with the least `rank`, among those that are `allowed`.
+// The first choice with the lowest `rank` among the `allowed` ones.
 template <class Allowed, class Rank>
 std::optional<std::size_t> best(std::span<const Tradeoff> choices, Allowed allowed, Rank rank) {
     std::optional<std::size_t> found;
@@ -32,9 +32,9 @@ std::vector<bool> pareto_front(std::span<const Tradeoff> choices) {
     for (std::size_t i = 0; i < choices.size(); ++i) {
         front[i] = is_usable(choices[i]);
         for (std::size_t j = 0; j < choices.size() && front[i]; ++j) {
-            const bool is_twin = j < i && front[j] && choices[j].cost == choices[i].cost &&
-                                 choices[j].error == choices[i].error;
-            if (is_twin || (is_usable(choices[j]) && dominates(choices[j], choices[i])))
+            const bool is_duplicate = j < i && front[j] && choices[j].cost == choices[i].cost &&
+                                      choices[j].error == choices[i].error;
+            if (is_duplicate || (is_usable(choices[j]) && dominates(choices[j], choices[i])))
                 front[i] = false;
         }
     }

@@ -36,10 +36,10 @@ double share(double change, double whole) {
 }  // namespace
 
 ConservationWatch::ConservationWatch(const World& start)
-    : energy_(keeps_energy(start)      ? Energy::kept
-              : may_gain_energy(start) ? Energy::fed
-                                       : Energy::only_falls),
-      keeps_momentum_(keeps_momentum(start)),
+    : energy_(conserves_energy(start)  ? Energy::conserved
+              : may_gain_energy(start) ? Energy::driven
+                                       : Energy::dissipated),
+      conserves_momentum_(conserves_momentum(start)),
       start_(totals(start)),
       largest_kinetic_(start_.kinetic_energy),
       largest_magnitude_(sum_of_magnitudes(start)) {}
@@ -47,22 +47,22 @@ ConservationWatch::ConservationWatch(const World& start)
 void ConservationWatch::note(const World& world) {
     const Totals now = totals(world);
     const double change = now.energy() - start_.energy();
-    const double counted = energy_ == Energy::kept ? std::fabs(change) : std::max(change, 0.0);
+    const double counted = energy_ == Energy::conserved ? std::fabs(change) : std::max(change, 0.0);
     largest_kinetic_ = std::max(largest_kinetic_, now.kinetic_energy);
     energy_change_ = std::isfinite(change) ? std::max(energy_change_, counted) : infinity;
-    if (!keeps_momentum_) return;
+    if (!conserves_momentum_) return;
     const double moved = length(now.momentum - start_.momentum);
     largest_magnitude_ = std::max(largest_magnitude_, sum_of_magnitudes(world));
     momentum_change_ = std::isfinite(moved) ? std::max(momentum_change_, moved) : infinity;
 }
 
 std::optional<double> ConservationWatch::energy_drift() const {
-    if (energy_ == Energy::fed) return std::nullopt;
+    if (energy_ == Energy::driven) return std::nullopt;
     return share(energy_change_, largest_kinetic_);
 }
 
 std::optional<double> ConservationWatch::momentum_drift() const {
-    if (!keeps_momentum_) return std::nullopt;
+    if (!conserves_momentum_) return std::nullopt;
     return share(momentum_change_, largest_magnitude_);
 }
 

@@ -25,9 +25,9 @@ class ConservationWatch {
     std::optional<double> momentum_drift() const;
 
   private:
-    enum class Energy : std::uint8_t { kept, only_falls, fed };
-    Energy energy_ = Energy::kept;
-    bool keeps_momentum_ = false;
+    enum class Energy : std::uint8_t { conserved, dissipated, driven };
+    Energy energy_ = Energy::conserved;
+    bool conserves_momentum_ = false;
     Totals start_;
     double largest_kinetic_ = 0.0;
     double largest_magnitude_ = 0.0;

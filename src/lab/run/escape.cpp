@@ -35,13 +35,13 @@ bool EscapeWatch::is_inside(const Outline& outline, Vec2 point) {
 }
 
 void EscapeWatch::note_births(const World& world) {
-    if (outlines_.empty() || homes_.size() == world.next_ball()) return;
-    const std::size_t known = homes_.size();
-    homes_.resize(world.next_ball());
+    if (outlines_.empty() || start_outlines_.size() == world.next_ball()) return;
+    const std::size_t known = start_outlines_.size();
+    start_outlines_.resize(world.next_ball());
     for (std::size_t i = world.balls().size(); i-- > 0 && number(world.balls().id[i]) >= known;) {
         for (std::uint32_t outline = 0; outline < outlines_.size(); ++outline) {
             if (!is_inside(outlines_[outline], world.balls().position[i])) continue;
-            homes_[number(world.balls().id[i])].push_back(outline);
+            start_outlines_[number(world.balls().id[i])].push_back(outline);
         }
     }
 }
@@ -50,7 +50,7 @@ std::size_t EscapeWatch::escaped(const World& world) const {
     if (outlines_.empty()) return 0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < world.balls().size(); ++i) {
-        const std::vector<std::uint32_t>& home = homes_[number(world.balls().id[i])];
+        const std::vector<std::uint32_t>& home = start_outlines_[number(world.balls().id[i])];
         const bool is_out = std::ranges::any_of(home, [&](std::uint32_t outline) {
             return !is_inside(outlines_[outline], world.balls().position[i]);
         });

@@ -37,7 +37,7 @@ class EscapeWatch {
 
     std::vector<Outline> outlines_;
     // By ball number: the outlines in which it started.
-    std::vector<std::vector<std::uint32_t>> homes_;
+    std::vector<std::vector<std::uint32_t>> start_outlines_;
 };
 
 }  // namespace carom

@@ -36,18 +36,18 @@ const Renderer& renderer_in_force(const ViewOptions& options) {
 }
 
 void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const World& world,
-                std::span<const Contact> contacts, const Marks& marks, const ViewOptions& options,
-                ViewMemory& memory) {
+                std::span<const Contact> contacts, const Annotations& annotations,
+                const ViewOptions& options, ViewMemory& memory) {
     const CellArea& area = camera.area;
     blank(canvas, area);
     if (area.columns <= 0 || area.rows <= 0) return;
 
     remember_fastest(memory, world);
     std::vector<Ink> inks = ball_inks(world, options, memory);
-    if (marks.pool && options.color_by == ColorBy::kind)
-        color_pool_balls(inks, world, *marks.pool, options.look);
+    if (annotations.pool && options.color_by == ColorBy::kind)
+        color_pool_balls(inks, world, *annotations.pool, options.look);
     Raster raster(renderer_in_force(options), area.columns, area.rows, camera.aspect);
-    const View view{camera, scene, world, options, marks, memory, contacts, inks};
+    const View view{camera, scene, world, options, annotations, memory, contacts, inks};
     polish_balls(inks, view);
 
     paint_overlays_below(raster, view);
@@ -60,22 +60,22 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     paint_zones(raster, view);
     paint_lamps(raster, view);
     // A cloud extends beyond its balls, and would hide the walls that they rest on.
-    if (!marks.copies.empty()) paint_cloud(raster, view);
+    if (!annotations.copies.empty()) paint_cloud(raster, view);
     paint_edges(raster, view);
     paint_lit_edges(raster, view);
-    if (marks.copies.empty()) paint_balls(raster, view);
+    if (annotations.copies.empty()) paint_balls(raster, view);
     paint_overlays_above(raster, view);
     paint_pool(raster, view);
-    paint_marks(raster, view);
+    paint_annotations(raster, view);
     raster.show(canvas, area.column, area.row, options.look);
 
     lay_cloth(canvas, view);
-    if (!marks.pool && !marks.table) write_counters(canvas, view);
-    if (marks.pool && options.labels == Labels::automatic)
+    if (!annotations.pool && !annotations.table) write_counters(canvas, view);
+    if (annotations.pool && options.labels == Labels::automatic)
         write_numbers(canvas, view);
     else
         write_labels(canvas, view);
-    write_marks(canvas, view);
+    write_annotations(canvas, view);
 }
 
 }  // namespace carom

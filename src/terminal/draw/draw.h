@@ -13,8 +13,8 @@
 #include "terminal/canvas/palette.h"
 #include "terminal/canvas/renderer.h"
 #include "terminal/draw/overlays.h"
-#include "terminal/draw/pool_marks.h"
-#include "terminal/draw/table_marks.h"
+#include "terminal/draw/pool_annotations.h"
+#include "terminal/draw/table_annotations.h"
 #include "terminal/draw/trails.h"
 
 /// Draws a world into a canvas. Start here: a camera says which part is seen, view options say how,
@@ -66,7 +66,7 @@ struct CueLine {
 };
 
 /// Drawn over the world: what the player points at and does. Positions are in world coordinates.
-struct Marks {
+struct Annotations {
     std::optional<BallId> selected_ball;
     std::optional<CapsuleId> selected_capsule;  ///< both of its ends get handles
     std::optional<Vec2> cursor;
@@ -76,8 +76,8 @@ struct Marks {
     std::optional<CellGrid> broad_phase;
     /// Copies of the world: their balls are drawn as a density, in place of the world's own.
     std::span<const World> copies;
-    std::optional<PoolMarks> pool;
-    std::optional<TableMarks> table;
+    std::optional<PoolAnnotations> pool;
+    std::optional<TableAnnotations> table;
     std::optional<Vec2>
         divergence;  ///< where a ball diverged from its counterpart in the comparison run
 };
@@ -94,7 +94,7 @@ struct ViewMemory {
 /// of `scene`, which provides the names. Balls and edges may lie anywhere, be of any size, and be
 /// not finite: what is out of view is not drawn. On a torus, a body across a side shows on both.
 void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const World& world,
-                std::span<const Contact> contacts, const Marks& marks, const ViewOptions& options,
-                ViewMemory& memory);
+                std::span<const Contact> contacts, const Annotations& annotations,
+                const ViewOptions& options, ViewMemory& memory);
 
 }  // namespace carom

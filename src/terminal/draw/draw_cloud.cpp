@@ -120,7 +120,7 @@ double brightness(double density) {
 // Pixels are as bright, or as densely lit, as they are covered.
 void show_samples(Raster& raster, const Cloud& cloud, const View& view) {
     const Look& look = view.options.look;
-    const auto copies = static_cast<double>(view.marks.copies.size());
+    const auto copies = static_cast<double>(view.annotations.copies.size());
     const bool is_shaded = raster.renderer().has_pixels() && look.colors >= 256;
     for (int down = 0; down < cloud.down(); ++down) {
         for (int across = 0; across < cloud.across(); ++across) {
@@ -143,7 +143,7 @@ void show_characters(Raster& raster, const Cloud& cloud, const View& view) {
     constexpr std::string_view ramp = ".:-=+*#%@";
     const int wide = cloud.across() / raster.columns();
     const int high = cloud.down() / raster.rows();
-    const double all = static_cast<double>(view.marks.copies.size()) * wide * high;
+    const double all = static_cast<double>(view.annotations.copies.size()) * wide * high;
     for (int row = 0; row < raster.rows(); ++row) {
         for (int column = 0; column < raster.columns(); ++column) {
             double count = 0.0;
@@ -166,7 +166,7 @@ void show_characters(Raster& raster, const Cloud& cloud, const View& view) {
 
 void paint_cloud(Raster& raster, const View& view) {
     Cloud cloud(raster);
-    for (const World& copy : view.marks.copies)
+    for (const World& copy : view.annotations.copies)
         add_copy(cloud, view, copy);
     if (raster.renderer().has_regions())
         show_characters(raster, cloud, view);

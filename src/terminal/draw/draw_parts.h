@@ -18,7 +18,7 @@ struct View {
     const Scene& scene;
     const World& world;
     const ViewOptions& options;
-    const Marks& marks;
+    const Annotations& annotations;
     const ViewMemory& memory;
     std::span<const Contact> contacts;  ///< of the last tick
     std::span<const Ink> inks;          ///< of each ball, by index
@@ -53,10 +53,10 @@ void paint_cloud(Raster& raster, const View& view);
 void paint_pool(Raster& raster, const View& view);
 void paint_lamps(Raster& raster, const View& view);
 void paint_lit_edges(Raster& raster, const View& view);
-void paint_marks(Raster& raster, const View& view);
+void paint_annotations(Raster& raster, const View& view);
 
 /// Gives numbered balls their pool colours.
-void color_pool_balls(std::vector<Ink>& inks, const World& world, const PoolMarks& pool,
+void color_pool_balls(std::vector<Ink>& inks, const World& world, const PoolAnnotations& pool,
                       const Look& look);
 
 /// Gives the balls of a pinball table the look of steel.
@@ -69,6 +69,6 @@ void write_labels(Canvas& canvas, const View& view);
 /// Whether the ball's number replaces the characters that ASCII has for a ball.
 bool hides_stamp(const View& view, BallId ball);
 void write_numbers(Canvas& canvas, const View& view);
-void write_marks(Canvas& canvas, const View& view);
+void write_annotations(Canvas& canvas, const View& view);
 
 }  // namespace carom

@@ -48,8 +48,8 @@ Color deep_color_of(int stripe, const Look& look) {
     return ball_colors[static_cast<std::size_t>(stripe - 8)].deep;
 }
 
-int number_of(const PoolMarks& pool, BallId ball) {
-    const auto found = std::ranges::find(pool.numbers, ball, &PoolMarks::Number::ball);
+int number_of(const PoolAnnotations& pool, BallId ball) {
+    const auto found = std::ranges::find(pool.numbers, ball, &PoolAnnotations::Number::ball);
     return found == pool.numbers.end() ? -1 : found->number;
 }
 
@@ -88,7 +88,7 @@ void paint_dotted(Raster& raster, const View& view, const std::vector<Vec2>& way
     }
 }
 
-void paint_line(Raster& raster, const View& view, const std::optional<PoolMarks::Line>& line,
+void paint_line(Raster& raster, const View& view, const std::optional<PoolAnnotations::Line>& line,
                 const Ink& ink, double spacing) {
     if (line) paint_dotted(raster, view, {line->from, line->to}, spacing, ink);
 }
@@ -99,15 +99,15 @@ Ink ink_of_ball(const View& view, BallId ball) {
 }
 
 // A ring where a ball comes to rest, or a cross where it is pocketed.
-void paint_end(Raster& raster, const View& view, Vec2 place, bool falls, double radius,
+void paint_end(Raster& raster, const View& view, Vec2 place, bool is_pocketed, double radius,
                const Ink& ink) {
     const RasterPoint at = to_raster(view.camera, place);
     if (raster.renderer().has_regions()) {
-        raster.stamp(at, falls ? "*" : "o", ink);
+        raster.stamp(at, is_pocketed ? "*" : "o", ink);
         return;
     }
     const double size = radius * view.camera.columns_per_length;
-    if (falls) {
+    if (is_pocketed) {
         raster.line({at.x - 0.7 * size, at.y - 0.7 * size}, {at.x + 0.7 * size, at.y + 0.7 * size},
                     ink);
         raster.line({at.x - 0.7 * size, at.y + 0.7 * size}, {at.x + 0.7 * size, at.y - 0.7 * size},
@@ -119,7 +119,7 @@ void paint_end(Raster& raster, const View& view, Vec2 place, bool falls, double 
 
 }  // namespace
 
-void color_pool_balls(std::vector<Ink>& inks, const World& world, const PoolMarks& pool,
+void color_pool_balls(std::vector<Ink>& inks, const World& world, const PoolAnnotations& pool,
                       const Look& look) {
     if (!look.has_colors()) return;
     for (std::size_t i = 0; i < inks.size(); ++i) {
@@ -129,23 +129,23 @@ void color_pool_balls(std::vector<Ink>& inks, const World& world, const PoolMark
 }
 
 void paint_pool(Raster& raster, const View& view) {
-    if (!view.marks.pool) return;
-    const PoolMarks& pool = *view.marks.pool;
+    if (!view.annotations.pool) return;
+    const PoolAnnotations& pool = *view.annotations.pool;
     const Look& look = view.options.look;
     const Ink strong = ink_of(Role::cue, look);
     const Ink text = ink_of(Role::text, look);
     const double radius = view.world.balls().size() > 0 ? view.world.balls().radius.front() : 0.0;
-    for (const PoolMarks::Spot& spot : pool.spots) {
+    for (const PoolAnnotations::Spot& spot : pool.spots) {
         const RasterPoint at = to_raster(view.camera, spot.place);
         if (raster.renderer().has_regions())
-            raster.stamp(at, spot.falls ? "*" : ":", ink_of_ball(view, spot.ball));
+            raster.stamp(at, spot.is_pocketed ? "*" : ":", ink_of_ball(view, spot.ball));
         else
             raster.disc(at, 0.0, 0.0, {ink_of_ball(view, spot.ball), 255, '\0'});
     }
-    for (const PoolMarks::Track& track : pool.tracks) {
+    for (const PoolAnnotations::Track& track : pool.tracks) {
         const Ink ink = ink_of_ball(view, track.ball);
         paint_dotted(raster, view, track.way, 2.0, ink);
-        paint_end(raster, view, track.way.back(), track.falls, radius, ink);
+        paint_end(raster, view, track.way.back(), track.is_pocketed, radius, ink);
     }
     paint_line(raster, view, pool.aim, text, 2.0);
     paint_line(raster, view, pool.object, strong, 1.5);
@@ -169,11 +169,11 @@ void paint_pool(Raster& raster, const View& view) {
 
 void lay_cloth(Canvas& canvas, const View& view) {
     const Look& look = view.options.look;
-    if (!view.marks.pool || !view.marks.pool->cloth || look.colors < 256) return;
+    if (!view.annotations.pool || !view.annotations.pool->cloth || look.colors < 256) return;
     const Color color = look.light_background ? cloth_on_light : cloth_on_dark;
     const CellArea& area = view.camera.area;
-    const CellPoint low = to_cells(view.camera, view.marks.pool->cloth->low);
-    const CellPoint high = to_cells(view.camera, view.marks.pool->cloth->high);
+    const CellPoint low = to_cells(view.camera, view.annotations.pool->cloth->low);
+    const CellPoint high = to_cells(view.camera, view.annotations.pool->cloth->high);
     // Whole cells: those whose centre lies on the cloth.
     const auto first = [](double from, int least) {
         return std::max(least, static_cast<int>(std::ceil(std::max(from, -1.0) - 0.5)));
@@ -189,16 +189,16 @@ void lay_cloth(Canvas& canvas, const View& view) {
 }
 
 bool hides_stamp(const View& view, BallId ball) {
-    return view.marks.pool && view.options.labels == Labels::automatic &&
-           number_of(*view.marks.pool, ball) > 0;
+    return view.annotations.pool && view.options.labels == Labels::automatic &&
+           number_of(*view.annotations.pool, ball) > 0;
 }
 
 void write_numbers(Canvas& canvas, const View& view) {
-    if (!view.marks.pool || view.options.labels == Labels::none) return;
+    if (!view.annotations.pool || view.options.labels == Labels::none) return;
     constexpr double least_radius = 0.4;  // columns
     const Look& look = view.options.look;
     const CellArea& area = view.camera.area;
-    for (const PoolMarks::Number& ball : view.marks.pool->numbers) {
+    for (const PoolAnnotations::Number& ball : view.annotations.pool->numbers) {
         const auto index = index_of(view.world, ball.ball);
         if (!index || ball.number == 0) continue;
         if (view.world.balls().radius[*index] * view.camera.columns_per_length < least_radius)

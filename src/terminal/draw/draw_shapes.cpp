@@ -179,7 +179,7 @@ void paint_edges(Raster& raster, const View& view) {
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const Capsule& shape = edges.shape[i];
         if (!edges.side.empty() && edges.side[i] == Side::none) continue;
-        const bool is_selected = view.marks.selected_capsule == edges.id[i];
+        const bool is_selected = view.annotations.selected_capsule == edges.id[i];
         const Ink ink = is_selected ? ink_of(Role::selected, view.options.look)
                                     : ink_of_material(edges.material[i], view.options.look);
         const double radius = shape.radius * view.camera.columns_per_length;

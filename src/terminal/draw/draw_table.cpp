@@ -50,23 +50,23 @@ void paint_lit_edge(Raster& raster, const View& view, const TableLight& light) {
 }  // namespace
 
 void paint_lamps(Raster& raster, const View& view) {
-    if (!view.marks.table) return;
-    for (const TableLight& light : view.marks.table->lights)
+    if (!view.annotations.table) return;
+    for (const TableLight& light : view.annotations.table->lights)
         if (!light.is_edge) paint_lamp(raster, view, light);
 }
 
 void paint_lit_edges(Raster& raster, const View& view) {
-    if (!view.marks.table) return;
-    for (const TableLight& light : view.marks.table->lights)
+    if (!view.annotations.table) return;
+    for (const TableLight& light : view.annotations.table->lights)
         if (light.is_edge && light.is_lit) paint_lit_edge(raster, view, light);
-    for (const Capsule& plunger : view.marks.table->plungers)
+    for (const Capsule& plunger : view.annotations.table->plungers)
         raster.capsule(to_raster(view.camera, plunger.start), to_raster(view.camera, plunger.end),
                        plunger.radius * view.camera.columns_per_length,
                        {ink_of(Role::cue, view.options.look), 255, '#'});
 }
 
 void polish_balls(std::vector<Ink>& inks, const View& view) {
-    if (!view.marks.table || view.options.color_by != ColorBy::kind) return;
+    if (!view.annotations.table || view.options.color_by != ColorBy::kind) return;
     std::ranges::fill(inks, ink_of(Role::strong, view.options.look));
 }
 

@@ -143,7 +143,7 @@ void write_labels(Canvas& canvas, const View& view) {
     const Labels labels = view.options.labels;
     const bool is_wanted =
         labels == Labels::all || (labels == Labels::automatic && !view.options.look.has_colors());
-    const bool is_cloud = !view.marks.copies.empty();
+    const bool is_cloud = !view.annotations.copies.empty();
     if (!is_wanted || (is_cloud && labels != Labels::all)) return;
     const Balls& balls = view.world.balls();
     for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -168,45 +168,46 @@ void write_labels(Canvas& canvas, const View& view) {
     }
 }
 
-void write_marks(Canvas& canvas, const View& view) {
-    const Marks& marks = view.marks;
+void write_annotations(Canvas& canvas, const View& view) {
+    const Annotations& annotations = view.annotations;
     const Look& look = view.options.look;
-    if (marks.selected_ball) {
-        if (const auto ball = index_of(view.world, *marks.selected_ball)) {
+    if (annotations.selected_ball) {
+        if (const auto ball = index_of(view.world, *annotations.selected_ball)) {
             bracket(canvas, view, *ball);
         }
     }
-    if (marks.selected_capsule) {
-        if (const auto edge = index_of(view.world, *marks.selected_capsule)) {
+    if (annotations.selected_capsule) {
+        if (const auto edge = index_of(view.world, *annotations.selected_capsule)) {
             const Capsule& shape = view.world.capsules().shape[*edge];
             const Ink ink = ink_of(Role::selected, look);
             write_at_point(canvas, view, shape.start, "O", ink);
             write_at_point(canvas, view, shape.end, "O", ink);
         }
     }
-    if (marks.divergence) {
-        if (auto at = cell_of(view.camera, *marks.divergence)) {
+    if (annotations.divergence) {
+        if (auto at = cell_of(view.camera, *annotations.divergence)) {
             Ink ink = ink_of(Role::error, look);
             ink.attributes |= bold | reverse;
             --at->column;
             write_within(canvas, view.camera.area, *at, look.utf8 ? "›×‹" : ">X<", ink);
         }
     }
-    if (marks.cue) {
+    if (annotations.cue) {
         // Beside the pulled cue, on the side away from the ball.
-        const bool is_left = marks.cue->hand.x < marks.cue->ball.x;
-        const int width = columns_of(marks.cue->speed);
-        if (auto at = cell_of(view.camera, marks.cue->hand)) {
+        const bool is_left = annotations.cue->hand.x < annotations.cue->ball.x;
+        const int width = columns_of(annotations.cue->speed);
+        if (auto at = cell_of(view.camera, annotations.cue->hand)) {
             const int last = view.camera.area.column + view.camera.area.columns - width;
             at->column = is_left ? at->column - width - 1 : at->column + 2;
             at->column = std::max(view.camera.area.column, std::min(at->column, last));
-            write_within(canvas, view.camera.area, *at, marks.cue->speed, ink_of(Role::cue, look));
+            write_within(canvas, view.camera.area, *at, annotations.cue->speed,
+                         ink_of(Role::cue, look));
         }
     }
-    if (marks.cursor) {
+    if (annotations.cursor) {
         Ink ink = ink_of(Role::cursor, look);
         ink.attributes |= reverse;
-        write_at_point(canvas, view, *marks.cursor, "+", ink);
+        write_at_point(canvas, view, *annotations.cursor, "+", ink);
     }
 }
 

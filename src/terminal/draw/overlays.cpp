@@ -73,7 +73,7 @@ void paint_coordinates(Raster& raster, const View& view) {
 
 // The cells in which the solver looks for pairs.
 void paint_broad_phase(Raster& raster, const View& view) {
-    const auto& cells = view.marks.broad_phase;
+    const auto& cells = view.annotations.broad_phase;
     if (!cells || !(cells->size > 0.0)) return;
     paint_lattice(raster, view, cells->origin, cells->size, ink_of(Role::grid, view.options.look),
                   lattice_strength(raster));

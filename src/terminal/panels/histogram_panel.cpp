@@ -91,7 +91,7 @@ void draw_bars(Canvas& canvas, const CellArea& area, const std::vector<PictureBa
 }
 
 // The statistics in words, the most important first.
-std::vector<PanelText> words_of(const Histogram& histogram, const Look& look) {
+std::vector<PanelText> statistics_texts(const Histogram& histogram, const Look& look) {
     const HistogramFit fit = fit_of(histogram);
     const Ink text = ink_of(Role::text, look);
     std::vector<PanelText> words = {{fmt::format("N {}", fit.total), text}};
@@ -131,7 +131,7 @@ void draw_histogram(Canvas& canvas, const CellArea& area, const Histogram& histo
         total += static_cast<double>(count);
     const auto columns = static_cast<std::size_t>(area.columns);
     const std::size_t together = (histogram.counts.size() + columns - 1) / columns;
-    const std::vector<PanelText> words = words_of(histogram, look);
+    const std::vector<PanelText> words = statistics_texts(histogram, look);
     const int most_text = std::max(1, area.rows / 4);
     const int text_rows = std::min(most_text, rows_for(words, area.columns));
     const CellArea picture{area.column, area.row + 1, area.columns, area.rows - 1 - text_rows};

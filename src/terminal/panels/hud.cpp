@@ -38,7 +38,7 @@ int width_of(const std::vector<Field>& fields) {
 }
 
 // The fields that fit into `columns`, in their order; the least important are dropped first.
-std::vector<Field> those_that_fit(std::vector<Field> fields, int columns) {
+std::vector<Field> fitting_fields(std::vector<Field> fields, int columns) {
     while (!fields.empty() && width_of(fields) > columns) {
         fields.erase(
             std::max_element(fields.begin(), fields.end(),
@@ -209,7 +209,7 @@ void draw_physics(const Bar& bar, const HudInfo& info) {
     }
     std::vector<Field> fields = physics_fields(info, bar.look);
     fields.push_back(model_field(info, least_model, bar.look));
-    fields = those_that_fit(std::move(fields), columns);
+    fields = fitting_fields(std::move(fields), columns);
     if (!fields.empty() && fields.back().label == "model") {
         const int others = width_of(fields) - width_of(fields.back());
         fields.back() = model_field(info, columns - others, bar.look);
@@ -229,7 +229,7 @@ void draw_first(const Bar& bar, const HudInfo& info, std::vector<Field> fields) 
                                 ? std::max(0, std::min(columns_of(info.title), columns - others))
                                 : 0;
     fields =
-        those_that_fit(std::move(fields), columns - 2 - (least_title > 0 ? least_title + gap : 0));
+        fitting_fields(std::move(fields), columns - 2 - (least_title > 0 ? least_title + gap : 0));
     const int room = columns - 2 - width_of(fields) - gap;
     int column = 1;
     if (room >= 4 && !info.title.empty()) {

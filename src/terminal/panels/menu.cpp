@@ -108,10 +108,10 @@ std::vector<std::string> preview_lines(const MenuEntry& entry, int columns) {
         const std::string_view next =
             i + 1 < entry.preview.size() ? std::string_view(entry.preview[i + 1]) : "";
         paragraph += line;
-        const bool goes_on = columns_of(line) >= full_line &&
-                             line.find("   ") == std::string::npos && !next.empty() &&
-                             next.front() != ' ';
-        if (goes_on) {
+        const bool continues_line = columns_of(line) >= full_line &&
+                                    line.find("   ") == std::string::npos && !next.empty() &&
+                                    next.front() != ' ';
+        if (continues_line) {
             paragraph += ' ';
             continue;
         }

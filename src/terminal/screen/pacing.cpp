@@ -52,8 +52,8 @@ double Pacing::seconds_to_frame(double now, bool urgent) const {
         return std::max(0.0, last_drawn_ + pause - now);
     }
     if (!is_blind(now) && sent_.size() >= window()) {
-        const double patience = has_answers_ ? stalled_after : blind_after;
-        return std::max(early, sent_.front().at + patience - now);
+        const double longest = has_answers_ ? stalled_after : blind_after;
+        return std::max(early, sent_.front().at + longest - now);
     }
     const double due = urgent ? std::min(next_due_, last_drawn_ + urgent_interval) : next_due_;
     return std::max({0.0, due - now, bytes_due_ - now});

@@ -15,7 +15,7 @@
 namespace carom {
 namespace {
 
-constexpr double answer_patience = 0.25;  // s that open() waits for answers
+constexpr double answer_timeout = 0.25;  // s that open() waits for answers
 
 // Programs that know nothing of COLORTERM pass it on, so it counts only together with 256 colours.
 int colors_on_offer(const TerminalEnvironment& environment) {
@@ -58,7 +58,7 @@ std::variant<Screen, ScreenError> Screen::open(const ScreenOptions& options) {
         state->send(capability_questions());
         constexpr int most_reads = 64;  // bounded, since somebody may be typing meanwhile
         for (int i = 0; i < most_reads && !state->has_answered_all; ++i) {
-            if (!state->wait_once(answer_patience)) break;
+            if (!state->wait_once(answer_timeout)) break;
         }
         std::erase_if(state->waiting, [](const InputEvent& event) {
             return event.kind == InputEvent::Kind::resize;

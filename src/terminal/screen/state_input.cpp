@@ -16,8 +16,8 @@
 namespace carom {
 namespace {
 
-constexpr double sequence_patience = 0.25;  // s to wait for the rest of a sequence
-constexpr double escape_step = 0.005;       // s that waiting for more than an ESC may cost a caller
+constexpr double sequence_timeout = 0.25;  // s to wait for the rest of a sequence
+constexpr double escape_step = 0.005;      // s that waiting for more than an ESC may cost a caller
 
 bool is_control_key(const InputEvent& event, char32_t key) {
     return event.kind == InputEvent::Kind::key && event.key == key &&
@@ -103,11 +103,11 @@ bool Screen::State::wait_once(double seconds, int also) {
         return true;
     }
     const InputDecoder::Pending pending = decoder.pending();
-    const double escape_patience = capabilities.ssh ? 0.050 : 0.025;
-    const double patience = pending == escape ? escape_patience : sequence_patience;
+    const double escape_timeout = capabilities.ssh ? 0.050 : 0.025;
+    const double limit = pending == escape ? escape_timeout : sequence_timeout;
     double timeout = seconds;
     if (pending != nothing) {
-        const double left = std::max(escape_step, patience - idle);
+        const double left = std::max(escape_step, limit - idle);
         timeout = seconds < 0.0 ? left : std::min(left, std::max(seconds, escape_step));
         // `also` would cut the wait short, and `idle` could not count it. So it is not polled
         // while a sequence is pending, and the wait is short instead.
@@ -123,7 +123,7 @@ bool Screen::State::wait_once(double seconds, int also) {
     if (ready < 0) return errno == EINTR;  // the signal is in the pipe
     if (ready == 0) {
         idle += timeout;
-        if (pending == nothing || idle < patience) return false;
+        if (pending == nothing || idle < limit) return false;
         idle = 0.0;
         take(decoder.flush());
         return true;

@@ -37,7 +37,7 @@ bool is_near(Vec2 a, Vec2 b, double tolerance) {
 
 }  // namespace
 
-TEST_CASE("time passes, and stands still in a pause") {
+TEST_CASE("time passes, and stops in a pause") {
     Person person;
     person.pass(0.25);
     CHECK(person.tick() == 30);
@@ -49,7 +49,7 @@ TEST_CASE("time passes, and stands still in a pause") {
     CHECK(person.tick() == 60);
 }
 
-TEST_CASE("stepping goes a tick forward and exactly back") {
+TEST_CASE("stepping goes one tick forward and exactly back") {
     Person person;
     person.key(U' ');
     std::vector<std::uint64_t> fingerprints{fingerprint(person.world())};
@@ -65,7 +65,7 @@ TEST_CASE("stepping goes a tick forward and exactly back") {
     CHECK(person.sees("this is the start"));
 }
 
-TEST_CASE("stepping pauses a game that runs") {
+TEST_CASE("stepping pauses a running game") {
     Person person;
     person.pass(0.25);
     person.key(U'.');
@@ -73,7 +73,7 @@ TEST_CASE("stepping pauses a game that runs") {
     CHECK(person.tick() == 31);
 }
 
-TEST_CASE("quit, menu and save are wishes") {
+TEST_CASE("quit, menu and save are requests") {
     Person person;
     CHECK(person.key(U'q') == PlayRequest::quit);
     CHECK(person.key(key::escape) == PlayRequest::menu);
@@ -86,7 +86,7 @@ TEST_CASE("quit, menu and save are wishes") {
 TEST_CASE("the left button drags a ball, which pushes others out of its way") {
     Person person;
     person.key(U' ');
-    // All at rest, so that only the hand moves anything.
+    // All at rest, so that only the drag moves anything.
     for (std::uint32_t i = 0; i < 9; ++i)
         REQUIRE(person.player.session().world().balls().velocity[i] != Vec2{});
     person.key(U' ');
@@ -99,7 +99,7 @@ TEST_CASE("the left button drags a ball, which pushes others out of its way") {
     CHECK(person.world().held_balls().empty());
 }
 
-TEST_CASE("in a pause a ball is dragged at once, and a joint too") {
+TEST_CASE("in a pause a ball is dragged at once, and so is a joint") {
     Person person;
     person.key(U' ');
     person.drag(person.ball(0), {6.0, 4.0});
@@ -133,10 +133,10 @@ TEST_CASE("the cue: the right button, or a modifier with the left, or a key") {
     }
 }
 
-TEST_CASE("all that the mouse does can be done with keys") {
+TEST_CASE("everything works from the keyboard") {
     Person person;
     person.key(U' ');
-    SUBCASE("tab goes from ball to ball, enter takes and drops") {
+    SUBCASE("tab goes from ball to ball, enter grabs and drops") {
         person.keys({key::tab, key::tab});
         CHECK(person.player.pointer() == person.ball(1));
         const Vec2 from = person.ball(1);
@@ -155,7 +155,7 @@ TEST_CASE("all that the mouse does can be done with keys") {
         CHECK(velocity.y < 0.0);
         CHECK(person.player.tool().is_empty());
     }
-    SUBCASE("escape lets go without shooting, then leaves the cursor, then the game") {
+    SUBCASE("escape cancels the shot, then hides the cursor, then leaves the game") {
         const auto before = fingerprint(person.world());
         person.keys({key::tab, U'k', key::left});
         CHECK(person.key(key::escape) == PlayRequest::none);
@@ -173,7 +173,7 @@ TEST_CASE("all that the mouse does can be done with keys") {
     }
 }
 
-TEST_CASE("balls and edges are added, removed, and brought back") {
+TEST_CASE("balls and edges are added, removed, and restored") {
     Person person;
     person.key(U' ');
     person.mouse(InputEvent::Action::move, {5.0, 25.0}, 0);
@@ -197,7 +197,7 @@ TEST_CASE("balls and edges are added, removed, and brought back") {
     CHECK(person.sees("nothing to undo"));
 }
 
-TEST_CASE("going back opens the hand, and the game goes on without it") {
+TEST_CASE("going back releases the held ball, and the game continues without it") {
     Person person;
     person.pass(0.5);
     person.mouse(InputEvent::Action::press, person.ball(4));
@@ -211,7 +211,7 @@ TEST_CASE("going back opens the hand, and the game goes on without it") {
     CHECK(person.world().held_balls().empty());
 }
 
-TEST_CASE("gravity goes on, off and round") {
+TEST_CASE("gravity is toggled and rotated") {
     Person person;
     person.key(U'g');
     REQUIRE(person.world().model().gravity);
@@ -226,7 +226,7 @@ TEST_CASE("gravity goes on, off and round") {
     CHECK(*person.world().model().gravity == Vec2{strength, 0.0});
 }
 
-TEST_CASE("the solver is switched round and round") {
+TEST_CASE("switching goes through all solvers in turn") {
     Person person;
     for (std::size_t i = 0; i < solvers_available().size(); ++i) {
         CHECK(person.sees(solver_text(person.player.session().solver())));
@@ -255,7 +255,7 @@ TEST_CASE("the wheel zooms at the pointer, the background and the middle button 
     CHECK(person.player.camera().center == Vec2{20.0, 15.0});
 }
 
-TEST_CASE("a small window asks for more, and the game waits") {
+TEST_CASE("a small window asks for more room, and the game waits") {
     Person person;
     person.window = Canvas(19, 30);
     person.look();
@@ -267,7 +267,7 @@ TEST_CASE("a small window asks for more, and the game waits") {
     CHECK(person.tick() == 12);
 }
 
-TEST_CASE("help lists the keys, scrolls, and any other key goes back") {
+TEST_CASE("help lists the keys and scrolls, and any other key goes back") {
     Person person;
     person.key(U'?');
     CHECK(person.sees("to the next collision"));
@@ -294,7 +294,7 @@ TEST_CASE("messages fade, and the problem of a watched level stays") {
     CHECK_FALSE(person.sees("error: no"));
 }
 
-TEST_CASE("a pause needs no time and no pictures") {
+TEST_CASE("a pause uses no time and draws no pictures") {
     Person person;
     person.pass(0.1);
     CHECK(person.player.needs_draw());
@@ -308,7 +308,7 @@ TEST_CASE("a pause needs no time and no pictures") {
     CHECK_FALSE(person.player.needs_draw());
 }
 
-TEST_CASE("following keeps the ball in the middle") {
+TEST_CASE("following keeps the ball in the centre") {
     Person person;
     person.keys({key::tab, U'f'});
     for (int i = 0; i < 10; ++i) {
@@ -318,7 +318,7 @@ TEST_CASE("following keeps the ball in the middle") {
     }
 }
 
-TEST_CASE("no drift in a closed box, and none is claimed while a hand is in it") {
+TEST_CASE("a closed box has no drift, and none is claimed while a ball is held") {
     Person person;
     person.pass(1.0);
     CHECK(person.sees("drift"));
@@ -327,7 +327,7 @@ TEST_CASE("no drift in a closed box, and none is claimed while a hand is in it")
     CHECK_FALSE(person.sees("drift"));
 }
 
-TEST_CASE("the status line says what the level expects, and how it stands") {
+TEST_CASE("the status line shows the level's expectations and their state") {
     Scene scene = busy_box();
     Expect balls{"balls", {quantity_named("balls"), {}, {}, {}}, 99.0, 0.0, {}, 1};
     Expect deepest{"overlap", {quantity_named("overlap"), {}, {}, {}}, 0.0, 0.0, {}, 2};
@@ -340,13 +340,13 @@ TEST_CASE("the status line says what the level expects, and how it stands") {
     };
     const std::string wanted = fmt::format("balls {:>2} of 99", scene.world.balls().size());
     CHECK(seen().find(wanted) != std::string::npos);
-    CHECK(seen().find("overlap") == std::string::npos);  // only a run measures it
+    CHECK(seen().find("overlap") == std::string::npos);  // only `carom run` measures it
     scene.overridden = true;
     CHECK(seen().find("of 99") == std::string::npos);
 }
 
 TEST_CASE("any keys in any order do no harm") {
-    // A fixed sequence of 4,000 keys and mouse reports, by a small generator of its own.
+    // A fixed sequence of 4,000 keys and mouse reports, from a small generator.
     Person person;
     std::uint32_t state = 12345;
     const auto next = [&state](std::uint32_t count) {
@@ -386,7 +386,7 @@ TEST_CASE("any keys in any order do no harm") {
         CHECK(std::isfinite(position.x + position.y));
 }
 
-TEST_CASE("a recording is watched: time and view obey the keys, the world does not") {
+TEST_CASE("in a watched recording, keys control time and view but not the world") {
     Person person;
     Session session(busy_box(), {.kind = SolverKind::swept});
     session.follow({{30, command::Strike{BallId{4}, {55.0, 13.0}}},
@@ -404,7 +404,7 @@ TEST_CASE("a recording is watched: time and view obey the keys, the world does n
     person.player.advance(0.5, always);
     CHECK(watched.world().tick() == 60);
     CHECK(watched.commands().size() == 2);
-    CHECK(watched.world().held_balls().size() == 1);  // by the hand in the recording
+    CHECK(watched.world().held_balls().size() == 1);  // by the recording
     CHECK_FALSE(watched.fault());
     person.key(U',');
     CHECK(watched.world().tick() == 59);
@@ -427,7 +427,7 @@ TEST_CASE("a recording is watched: time and view obey the keys, the world does n
     CHECK(person.player.clock().is_paused());
 }
 
-TEST_CASE("a split window shows another solver, the next one, and at last the game alone") {
+TEST_CASE("a split window shows one solver after another, and finally the game alone") {
     Person person;
     person.key(U'S');
     CHECK(person.sees("| event  tick 0"));
@@ -446,7 +446,7 @@ TEST_CASE("a split window shows another solver, the next one, and at last the ga
     CHECK(person.sees("one solver alone"));
 }
 
-TEST_CASE("a parting is marked in both halves, told, and goes when time goes back") {
+TEST_CASE("a divergence is marked in both halves, announced, and cleared by going back") {
     Person person;
     for (int i = 0; i < 4; ++i)
         person.key(U'S');
@@ -462,7 +462,7 @@ TEST_CASE("a parting is marked in both halves, told, and goes when time goes bac
     CHECK_FALSE(person.sees(">X<"));
 }
 
-TEST_CASE("in a split window, one step at a time misses no divergence") {
+TEST_CASE("in a split window, single steps miss no divergence") {
     Person stepping;
     Person running;
     for (Person* person : {&stepping, &running})
@@ -471,16 +471,16 @@ TEST_CASE("in a split window, one step at a time misses no divergence") {
     running.pass(1.0);
     for (int i = 0; i < 120; ++i)
         stepping.key(U'.');
-    const auto parting = [](Person& person) {
+    const auto divergence = [](Person& person) {
         const std::string text = person.look();
         const std::size_t at = text.find("parted at");
         return at == std::string::npos ? std::string() : text.substr(at, 24);
     };
-    CHECK_FALSE(parting(running).empty());
-    CHECK(parting(stepping) == parting(running));
+    CHECK_FALSE(divergence(running).empty());
+    CHECK(divergence(stepping) == divergence(running));
 }
 
-TEST_CASE("in a split window, the mouse takes the same ball in either half") {
+TEST_CASE("in a split window, the mouse grabs the same ball in either half") {
     Person person;
     person.key(U' ');
     person.key(U'S');
@@ -492,7 +492,7 @@ TEST_CASE("in a split window, the mouse takes the same ball in either half") {
     CHECK(person.player.tool().has_ball());
 }
 
-TEST_CASE("the butterfly says how far its copies are apart") {
+TEST_CASE("the butterfly shows how far its copies are apart") {
     Person person;
     person.key(U'b');
     CHECK(person.sees("200 copies, radii apart: 8"));
@@ -506,7 +506,7 @@ TEST_CASE("the butterfly says how far its copies are apart") {
     CHECK_FALSE(person.sees("200 copies"));
 }
 
-TEST_CASE("there is no butterfly of more balls than fit into memory 200 times") {
+TEST_CASE("there is no butterfly if 200 copies do not fit into memory") {
     Scene scene = busy_box();
     for (Vec2 place{100.0, 0.0}; place.x < 60100.0; place.x += 1.0)
         add_ball(scene.world, carom::test::ball_at_rest(place));
@@ -518,7 +518,7 @@ TEST_CASE("there is no butterfly of more balls than fit into memory 200 times") 
     CHECK(window.text().find("200 copies, radii") == std::string::npos);
 }
 
-TEST_CASE("a page says which solver is in force, and why") {
+TEST_CASE("a page explains which solver is in force") {
     Person person;
     person.key(U'i');
     CHECK(person.sees("solver  swept substeps=1: asked for"));
@@ -527,26 +527,26 @@ TEST_CASE("a page says which solver is in force, and why") {
     CHECK_FALSE(person.sees("asked for"));
 }
 
-TEST_CASE("a key ends a long tick, the motion of the mouse does not") {
+TEST_CASE("a key cancels a long tick, mouse motion does not") {
     const KeyMap keys;
     InputEvent event;
     event.key = U'q';
-    CHECK(ends_tick(event, keys));
-    event.key = U'@';  // does nothing
-    CHECK_FALSE(ends_tick(event, keys));
+    CHECK(cancels_tick(event, keys));
+    event.key = U'@';  // has no action
+    CHECK_FALSE(cancels_tick(event, keys));
     event.key = U'q';
     event.action = InputEvent::Action::release;
-    CHECK_FALSE(ends_tick(event, keys));
+    CHECK_FALSE(cancels_tick(event, keys));
     event.kind = InputEvent::Kind::mouse;
     event.action = InputEvent::Action::move;
-    CHECK_FALSE(ends_tick(event, keys));
+    CHECK_FALSE(cancels_tick(event, keys));
     event.action = InputEvent::Action::press;
-    CHECK(ends_tick(event, keys));
+    CHECK(cancels_tick(event, keys));
     event.kind = InputEvent::Kind::hangup;
-    CHECK(ends_tick(event, keys));
+    CHECK(cancels_tick(event, keys));
 }
 
-TEST_CASE("the overlay of the broad phase shows the cells that the solver used") {
+TEST_CASE("the broad-phase overlay shows the cells that the solver used") {
     Person person;
     person.window = Canvas(160, 60);
     const auto picture = [&] {

@@ -24,11 +24,11 @@ Replay replay_of(const std::string& level, std::uint64_t end = 5) {
     replay.level = level;
     replay.texts = {"carom 1 \"A\"\n"};
     replay.end = end;
-    replay.stands = end;
+    replay.position = end;
     return replay;
 }
 
-/// Runs it in a process of its own that is over when this returns, without tidying up.
+/// Runs it in a process of its own, which has ended without cleaning up when this returns.
 template <typename Work>
 void in_a_process_that_dies(Work work) {
     const pid_t child = ::fork();
@@ -42,7 +42,7 @@ void in_a_process_that_dies(Work work) {
 
 }  // namespace
 
-TEST_CASE("a game that was cut off is found by its level") {
+TEST_CASE("an interrupted game is found by its level") {
     const Folder folder;
     CHECK(interrupted_games(folder.text()).empty());
     in_a_process_that_dies([&] {
@@ -54,12 +54,12 @@ TEST_CASE("a game that was cut off is found by its level") {
     CHECK(interrupted_games(folder.text()).size() == 2);
     const auto games = interrupted_games(folder.text(), "/levels/gas.level");
     REQUIRE(games.size() == 1);
-    CHECK(games[0].replay.stands == 9);
+    CHECK(games[0].replay.position == 9);
     forget(games[0]);
     CHECK(interrupted_games(folder.text()).size() == 1);
 }
 
-TEST_CASE("a game that runs, or has ended in good order, was not cut off") {
+TEST_CASE("a running game, or one that ended normally, is not an interrupted game") {
     const Folder folder;
     ResumeFile running(folder.text(), "a.level");
     CHECK(running.save(replay_of("a.level")) == std::nullopt);
@@ -71,7 +71,7 @@ TEST_CASE("a game that runs, or has ended in good order, was not cut off") {
     CHECK(interrupted_games(folder.text()).empty());
 }
 
-TEST_CASE("games that are left stay, also of a process that runs on, each for itself") {
+TEST_CASE("games that are left are kept, each on its own, even if their process runs on") {
     const Folder folder;
     ResumeFile file(folder.text(), "a.level");
     CHECK_FALSE(file.put_aside());
@@ -91,7 +91,7 @@ TEST_CASE("games that are left stay, also of a process that runs on, each for it
     CHECK(interrupted_games(folder.text()).empty());
 }
 
-TEST_CASE("a file that is torn or strange is left out") {
+TEST_CASE("a truncated or foreign file is skipped") {
     const Folder folder;
     in_a_process_that_dies([&] {
         ResumeFile(folder.text(), "a.level").save(replay_of("a.level"));
@@ -102,7 +102,7 @@ TEST_CASE("a file that is torn or strange is left out") {
     CHECK(interrupted_games(folder.text()).empty());
 }
 
-TEST_CASE("no more than twenty are kept") {
+TEST_CASE("at most twenty games are kept") {
     const Folder folder;
     for (int i = 0; i < 23; ++i)
         in_a_process_that_dies(
@@ -110,7 +110,7 @@ TEST_CASE("no more than twenty are kept") {
     CHECK(interrupted_games(folder.text()).size() == 20);
 }
 
-TEST_CASE("without a place to write to nothing happens") {
+TEST_CASE("without a folder to write to nothing happens") {
     ResumeFile nowhere;
     CHECK(nowhere.save(replay_of("a.level")) == std::nullopt);
     nowhere.remove();

@@ -11,7 +11,7 @@ using carom::test::shipped_level;
 
 namespace {
 
-// Two computers at one table.
+// Two AI players at one table.
 struct Duel {
     explicit Duel(const std::string& level)
         : scene(shipped_level(level)),
@@ -22,20 +22,20 @@ struct Duel {
 
     PoolPlay& play() { return std::get<PoolPlay>(game); }
 
-    // One decision of the player whose turn it is, and what comes of it.
+    // Plays one decision of the player whose turn it is, to its outcome.
     void turn(const ShotNoise& error) {
         if (play().rules.phase == PoolPhase::choosing) {
             execute(scene, world, game, command::Decide{choice_of(scene, world, play(), error)});
             return;
         }
         const std::uint64_t seed = decision_seed(world, play());
-        ShotPlanner thinker(scene, world, play(), settings, error, seed);
-        while (!thinker.is_done())
-            thinker.work(1000);
+        ShotPlanner planner(scene, world, play(), settings, error, seed);
+        while (!planner.is_done())
+            planner.work(1000);
         for (const Command& command :
-             commands_of(scene, play(), thinker.best().front(), error, seed)) {
+             commands_of(scene, play(), planner.best().front(), error, seed)) {
             const auto why_not = refusal(scene, world, game, command);
-            CAPTURE(candidate_text(scene, thinker.best().front()));
+            CAPTURE(candidate_text(scene, planner.best().front()));
             REQUIRE_MESSAGE(!why_not, *why_not);
             execute(scene, world, game, command);
         }
@@ -54,7 +54,7 @@ struct Duel {
 
 }  // namespace
 
-TEST_CASE("the opponent pockets a straight ball, and says so") {
+TEST_CASE("the AI player pockets a straight ball, and announces it") {
     Duel duel("eight-ball");
     PoolPlay& play = duel.play();
     play.rules.phase = PoolPhase::playing;
@@ -66,11 +66,11 @@ TEST_CASE("the opponent pockets a straight ball, and says so") {
     put(3, {1.0, 0.4});
     put(0, {0.85, 0.269});
     const ShotNoise error = shot_noise(3);
-    ShotPlanner thinker(duel.scene, duel.world, play, duel.settings, error, 1);
-    while (!thinker.is_done())
-        thinker.work(1000);
-    REQUIRE_FALSE(thinker.best().empty());
-    const CandidateShot& best = thinker.best().front();
+    ShotPlanner planner(duel.scene, duel.world, play, duel.settings, error, 1);
+    while (!planner.is_done())
+        planner.work(1000);
+    REQUIRE_FALSE(planner.best().empty());
+    const CandidateShot& best = planner.best().front();
     CHECK(best.ball == 3);
     CHECK(best.call == PoolCall{PoolCall::Kind::pot, 3, best.pocket});
     CHECK(pocket_name(duel.scene, best.pocket) == "top right");
@@ -81,20 +81,20 @@ TEST_CASE("the opponent pockets a straight ball, and says so") {
     CHECK(play.rules.player == 0);
 }
 
-TEST_CASE("how the opponent's work is cut into pieces does not change what comes of it") {
+TEST_CASE("the division of the planner's work does not change its decision") {
     Duel duel("nine-ball");
     const ShotNoise error = shot_noise(2);
     duel.turn(error);
     if (duel.play().rules.phase == PoolPhase::choosing) duel.turn(error);
     const auto think = [&](int piece) {
-        ShotPlanner thinker(duel.scene, duel.world, duel.play(), duel.settings, error, 5);
+        ShotPlanner planner(duel.scene, duel.world, duel.play(), duel.settings, error, 5);
         int tries = 0;
-        while (!thinker.is_done()) {
-            thinker.work(piece);
+        while (!planner.is_done()) {
+            planner.work(piece);
             tries += piece;
         }
         CHECK(tries <= ShotPlanner::most_tries + piece);
-        return thinker.best();
+        return planner.best();
     };
     const auto one = think(1);
     const auto many = think(1000);
@@ -105,7 +105,7 @@ TEST_CASE("how the opponent's work is cut into pieces does not change what comes
     }
 }
 
-TEST_CASE("a choice is made where the rules ask for one") {
+TEST_CASE("the AI player chooses when the rules ask it to") {
     Duel duel("eight-ball");
     PoolPlay& play = duel.play();
     play.rules.phase = PoolPhase::choosing;

@@ -50,9 +50,9 @@ Replay everything() {
     };
     replay.marks = {{600, 0xfedcba9876543210ull}, {1200, 1}};
     replay.end = 1200;
-    replay.stands = 1100;
+    replay.position = 1100;
     replay.opponent = 3;
-    replay.stance = {third, 2.5, -0.1, third, Aids::cloud, ShotSetup::Intent::push_out, 4};
+    replay.setup = {third, 2.5, -0.1, third, Aids::cloud, ShotSetup::Intent::push_out, 4};
     return replay;
 }
 
@@ -68,7 +68,7 @@ struct Bad {
 
 }  // namespace
 
-TEST_CASE("a replay reads back as it was written, to the last bit") {
+TEST_CASE("a replay reads back as written, to the last bit") {
     const std::string text = replay_text(everything());
     const auto read = read_replay(text);
     REQUIRE(std::holds_alternative<Replay>(read));
@@ -84,7 +84,7 @@ TEST_CASE("a replay reads back as it was written, to the last bit") {
     CHECK(replay.marks == everything().marks);
     CHECK(replay.solver == everything().solver);
     CHECK(replay.opponent == 3);
-    CHECK(replay.stance == everything().stance);
+    CHECK(replay.setup == everything().setup);
     REQUIRE(replay.commands.size() == everything().commands.size());
     CHECK(std::get<command::Strike>(replay.commands[0].command).velocity ==
           Vec2{1.0 / 3.0, -2e-300});
@@ -97,12 +97,12 @@ TEST_CASE("a replay reads back as it was written, to the last bit") {
     CHECK(std::get<command::AddCapsule>(replay.commands[10].command).side == Side::left);
 }
 
-TEST_CASE("a text without commands is enough") {
+TEST_CASE("a text without commands is valid") {
     const auto read = read_replay(head + "end 0\n");
     REQUIRE(std::holds_alternative<Replay>(read));
-    CHECK(std::get<Replay>(read).stands == 0);
+    CHECK(std::get<Replay>(read).position == 0);
     CHECK(std::get<Replay>(read).opponent == 0);
-    CHECK_FALSE(std::get<Replay>(read).stance);
+    CHECK_FALSE(std::get<Replay>(read).setup);
 }
 
 TEST_CASE("a recording without versions is of physics 1, marked with fingerprint 1") {
@@ -112,7 +112,7 @@ TEST_CASE("a recording without versions is of physics 1, marked with fingerprint
     CHECK(std::get<Replay>(read).fingerprint_version == 1);
 }
 
-TEST_CASE("what is wrong with a replay is told with its line") {
+TEST_CASE("errors in a replay are reported with their line") {
     const std::string cut_off = "the recording is cut off here: its last line, 'end', is missing";
     const std::string no_replay = "this is not a recording of carom";
     const std::string not_right = "'at' is not complete or not right";
@@ -174,7 +174,7 @@ TEST_CASE("what is wrong with a replay is told with its line") {
     }
 }
 
-TEST_CASE("a recording that is cut off anywhere, or has a line too few, is never taken for whole") {
+TEST_CASE("a recording that is truncated anywhere, or lacks a line, is rejected") {
     const std::string text = replay_text(everything());
     for (std::size_t bytes = 0; bytes < text.size(); ++bytes) {
         CAPTURE(bytes);

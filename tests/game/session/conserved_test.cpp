@@ -8,23 +8,23 @@ using namespace carom;
 using carom::test::busy_box;
 using carom::test::rainy_torus;
 
-TEST_CASE("an elastic box keeps its energy, and its walls take momentum") {
+TEST_CASE("an elastic box conserves energy, and its walls take momentum") {
     World world = busy_box().world;
-    CHECK(keeps_energy(world));
-    CHECK_FALSE(keeps_momentum(world));
+    CHECK(conserves_energy(world));
+    CHECK_FALSE(conserves_momentum(world));
     world.edit_capsules() = {};
-    CHECK(keeps_momentum(world));
+    CHECK(conserves_momentum(world));
     world.edit_definition().model.gravity = Vec2{0.0, -1.0};
-    CHECK(keeps_energy(world));
-    CHECK_FALSE(keeps_momentum(world));
+    CHECK(conserves_energy(world));
+    CHECK_FALSE(conserves_momentum(world));
 }
 
-TEST_CASE("what loses, limits, feeds, drains or holds does not keep energy") {
+TEST_CASE("losses, limits, emitters, sinks and held balls end the conservation of energy") {
     const World closed = busy_box().world;
     const auto with = [&](auto change) {
         World world = closed;
         change(world);
-        return keeps_energy(world);
+        return conserves_energy(world);
     };
     CHECK_FALSE(with([](World& w) { w.edit_definition().model.lossy = true; }));
     CHECK_FALSE(with([](World& w) { w.edit_definition().model.drag = 0.1; }));
@@ -43,5 +43,5 @@ TEST_CASE("what loses, limits, feeds, drains or holds does not keep energy") {
     CHECK_FALSE(with([&](World& w) { w.edit_emitters() = {emitter}; }));
     emitter.emitted = 3;
     CHECK(with([&](World& w) { w.edit_emitters() = {emitter}; }));
-    CHECK_FALSE(keeps_energy(rainy_torus().world));
+    CHECK_FALSE(conserves_energy(rainy_torus().world));
 }

@@ -14,7 +14,7 @@ constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-TEST_CASE("the Pareto front is what nothing beats in both") {
+TEST_CASE("the Pareto front holds the choices that no other dominates") {
     struct Row {
         const char* what;
         std::vector<Tradeoff> choices;
@@ -28,7 +28,7 @@ TEST_CASE("the Pareto front is what nothing beats in both") {
          {true, true, true, false, false, false}},
         {"as cheap and better", {{1, 2}, {1, 1}}, {false, true}},
         {"as good and cheaper", {{2, 1}, {1, 1}}, {false, true}},
-        {"twins: the first", {{1, 1}, {1, 1}, {2, 2}}, {true, false, false}},
+        {"duplicates: the first", {{1, 1}, {1, 1}, {2, 2}}, {true, false, false}},
         {"an error of zero", {{9, 0}, {1, 1e-300}}, {true, true}},
         {"the cheapest is lost", {{1, infinity}, {2, 5}}, {false, true}},
         {"no number", {{no_number, 1}, {1, no_number}, {3, 3}}, {false, false, true}},

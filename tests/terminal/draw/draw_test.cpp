@@ -39,10 +39,10 @@ struct Drawing {
     ViewMemory memory;
 
     Drawing(int columns, int rows) : canvas(columns, rows) {}
-    Drawing& draw(const Scene& scene, const ViewOptions& options = {}, const Marks& marks = {},
-                  std::span<const Contact> contacts = {}) {
+    Drawing& draw(const Scene& scene, const ViewOptions& options = {},
+                  const Annotations& annotations = {}, std::span<const Contact> contacts = {}) {
         const Camera camera = fit_camera(scene.view, {0, 0, canvas.columns(), canvas.rows()}, 2.0);
-        draw_world(canvas, camera, scene, scene.world, contacts, marks, options, memory);
+        draw_world(canvas, camera, scene, scene.world, contacts, annotations, options, memory);
         return *this;
     }
     std::string text() const { return "\n" + canvas.text(); }
@@ -71,7 +71,7 @@ int cells_that_are(const Canvas& canvas, char32_t glyph) {
 
 }  // namespace
 
-TEST_CASE("auto picks what the terminal can show") {
+TEST_CASE("auto picks a renderer that the terminal can show") {
     ViewOptions options;
     CHECK(&renderer_in_force(options) == &half_block_renderer());
     options.look.colors = 0;
@@ -138,7 +138,7 @@ TEST_CASE("a ball between two walls, in half blocks") {
 )");
 }
 
-TEST_CASE("an outlined ball has a radius that shows where it heads") {
+TEST_CASE("an outlined ball has a radius in its direction of motion") {
     Scene scene = table({{0, 0}, {10, 10}});
     put_ball(scene, {5, 5}, 4.0, {3, 3});
     ViewOptions options = in(ascii_renderer());
@@ -156,7 +156,7 @@ TEST_CASE("an outlined ball has a radius that shows where it heads") {
        "^~~~~^"
 
 )");
-    // At rest it heads nowhere.
+    // At rest it has none.
     scene.world.edit_balls().velocity[0] = {};
     CHECK(Drawing(22, 11).draw(scene, options).text() == R"(
 
@@ -173,7 +173,7 @@ TEST_CASE("an outlined ball has a radius that shows where it heads") {
 )");
 }
 
-TEST_CASE("only the camera's area is touched") {
+TEST_CASE("only the camera's area is drawn on") {
     Scene scene = table({{0, 0}, {10, 10}});
     put_ball(scene, {5, 5}, 40.0);
     add_capsule(scene.world, {{-100, 5}, {100, 5}, 1.0}, 0);
@@ -185,17 +185,17 @@ TEST_CASE("only the camera's area is touched") {
         options.labels = Labels::all;
         options.trails = true;
         turn_on(options, {"grid", "velocities", "contacts"});
-        Marks marks;
-        marks.cursor = Vec2{-1, 5};
-        marks.cue = CueLine{{5, 5}, {-20, 5}, "12 m/s"};
-        marks.selected_ball = BallId{0};
+        Annotations annotations;
+        annotations.cursor = Vec2{-1, 5};
+        annotations.cue = CueLine{{5, 5}, {-20, 5}, "12 m/s"};
+        annotations.selected_ball = BallId{0};
         const Camera camera = zoomed(fit_camera(scene.view, {5, 2, 10, 6}, 2.0), {7, 4}, 1.7);
-        draw_world(canvas, camera, scene, scene.world, {}, marks, options, memory);
+        draw_world(canvas, camera, scene, scene.world, {}, annotations, options, memory);
         CHECK(cells_that_are(canvas, U'x') == 30 * 12 - 10 * 6);
     }
 }
 
-TEST_CASE("the last picture leaves nothing behind") {
+TEST_CASE("the previous picture leaves no traces") {
     Scene scene = table({{0, 0}, {10, 10}});
     put_ball(scene, {2, 5}, 1.0);
     for (const Renderer& renderer : renderers()) {
@@ -227,7 +227,7 @@ TEST_CASE("on a torus, a ball across a side shows on both") {
 )");
 }
 
-TEST_CASE("a ball smaller than a cell is seen in every renderer, at any zoom") {
+TEST_CASE("a ball smaller than a cell is visible in every renderer, at any zoom") {
     for (const Renderer& renderer : renderers()) {
         for (const double radius : {1e-9, 0.01, 0.3, 0.7, 1.0, 1.6}) {
             for (int place = 0; place < 30; ++place) {
@@ -243,7 +243,7 @@ TEST_CASE("a ball smaller than a cell is seen in every renderer, at any zoom") {
     }
 }
 
-TEST_CASE("in ASCII, balls of few columns are characters that stay while they move") {
+TEST_CASE("in ASCII, balls of few columns are characters that do not change while they move") {
     for (const auto& [radius, stamp] : {std::pair{0.5, "o"}, {1.0, "()"}, {1.6, "(o)"}}) {
         for (int step = 0; step < 20; ++step) {
             Scene scene = table({{0, 0}, {20, 20}});
@@ -272,12 +272,12 @@ TEST_CASE("in ASCII, a peg of about a column is one character") {
     CHECK(std::count(text.begin(), text.end(), '#') > 1);
 }
 
-TEST_CASE("balls are told from edges, and kinds from each other, without colour") {
+TEST_CASE("without colour, balls are told from edges, and kinds from each other") {
     for (const Renderer& renderer : renderers()) {
         std::vector<std::string> looks;
         for (int what = 0; what < 3; ++what) {
             Scene scene = table({{0, 0}, {12, 12}});
-            // Half blocks have no patterns: there, kinds are told apart by what is written on them.
+            // Half blocks have no patterns: there, labels tell kinds apart.
             if (what == 1 && &renderer == &half_block_renderer()) scene.ball_names = {"b"};
             if (what < 2) put_ball(scene, {6, 6}, 5.0, {}, static_cast<ClassIndex>(what));
             if (what == 2) add_capsule(scene.world, {{6, 6}, {6, 6}, 5.0}, 0);
@@ -292,7 +292,7 @@ TEST_CASE("balls are told from edges, and kinds from each other, without colour"
     }
 }
 
-TEST_CASE("without colour, balls that are big enough say who they are") {
+TEST_CASE("without colour, balls that are large enough show their ids") {
     Scene scene = table({{0, 0}, {24, 12}});
     put_ball(scene, {6, 6}, 4.0);
     put_ball(scene, {16, 6}, 4.0);
@@ -312,7 +312,7 @@ TEST_CASE("without colour, balls that are big enough say who they are") {
         CHECK(all.find(id) != std::string::npos);
 }
 
-TEST_CASE("a label on half blocks stands on the ball's colour") {
+TEST_CASE("a label on half blocks has the ball's colour as its background") {
     Scene scene = table({{0, 0}, {12, 12}});
     put_ball(scene, {6, 6}, 5.0);
     ViewOptions options = in(half_block_renderer());
@@ -330,7 +330,7 @@ TEST_CASE("a label on half blocks stands on the ball's colour") {
     CHECK(is_found);
 }
 
-TEST_CASE("a counter stands over each bin, staggered where there is no room side by side") {
+TEST_CASE("a counter is drawn over each bin, staggered if there is no room side by side") {
     Scene scene = table({{0, 0}, {16, 10}});
     for (int i = 0; i < 4; ++i) {
         const double x = 2.0 + 4.0 * i;
@@ -351,7 +351,7 @@ TEST_CASE("a counter stands over each bin, staggered where there is no room side
     }
 }
 
-TEST_CASE("a contact is a line between the two that met") {
+TEST_CASE("a contact is a line between the two bodies") {
     Scene scene = table({{0, 0}, {20, 10}});
     put_ball(scene, {2, 5}, 0.5);
     put_ball(scene, {18, 5}, 0.5);
@@ -374,7 +374,7 @@ TEST_CASE("a contact is a line between the two that met") {
           Drawing(40, 11).draw(scene, options).text());
 }
 
-TEST_CASE("a velocity is an arrow from the rim of its ball, as long as it is fast") {
+TEST_CASE("a velocity is an arrow from the rim of its ball, longer for a higher speed") {
     Scene scene = table({{0, 0}, {40, 10}});
     put_ball(scene, {4, 3}, 2.0, {6, 0});
     put_ball(scene, {4, 8}, 1.0, {-3, 0});
@@ -391,7 +391,7 @@ TEST_CASE("a velocity is an arrow from the rim of its ball, as long as it is fas
 )");
 }
 
-TEST_CASE("a grid stands at round coordinates, and the broad phase where its cells are") {
+TEST_CASE("grid lines are at round coordinates, and the broad phase at its cells") {
     Scene scene = table({{0, 0}, {30, 10}});
     ViewOptions options = in(ascii_renderer());
     turn_on(options, {"grid"});
@@ -405,9 +405,9 @@ TEST_CASE("a grid stands at round coordinates, and the broad phase where its cel
 )");
     options.overlays = {};
     turn_on(options, {"broad-phase"});
-    Marks marks;
-    marks.broad_phase = CellGrid{{2, 1}, 6.0};
-    CHECK(Drawing(31, 6).draw(scene, options, marks).text() == R"(
+    Annotations annotations;
+    annotations.broad_phase = CellGrid{{2, 1}, 6.0};
+    CHECK(Drawing(31, 6).draw(scene, options, annotations).text() == R"(
   |     |     |     |     |
 __|_____|_____|_____|_____|____
 ""|"""""|"""""|"""""|"""""|""""
@@ -416,11 +416,11 @@ __|_____|_____|_____|_____|____
 ""|"""""|"""""|"""""|"""""|""""
 )");
     // Cells too small to be told apart are not drawn.
-    marks.broad_phase = CellGrid{{2, 1}, 1.0};
-    CHECK(Drawing(31, 6).draw(scene, options, marks).text() == "\n\n\n\n\n\n\n");
+    annotations.broad_phase = CellGrid{{2, 1}, 1.0};
+    CHECK(Drawing(31, 6).draw(scene, options, annotations).text() == "\n\n\n\n\n\n\n");
 }
 
-TEST_CASE("trails lie behind balls and edges, and go when they are switched off") {
+TEST_CASE("trails are behind balls and edges, and vanish when switched off") {
     Scene scene = table({{0, 0}, {20, 10}});
     put_ball(scene, {2, 5}, 1.0);
     ViewOptions options = in(ascii_renderer());
@@ -445,45 +445,46 @@ TEST_CASE("trails lie behind balls and edges, and go when they are switched off"
     CHECK(drawing.draw(scene, options).text() == Drawing(41, 6).draw(scene, options).text());
 }
 
-TEST_CASE("marks show what the player does, by more than colour") {
+TEST_CASE("annotations show the player's actions, not by colour alone") {
     Scene scene = table({{0, 0}, {20, 10}});
     put_ball(scene, {10, 5}, 1.5);
     const CapsuleId edge = add_capsule(scene.world, {{2, 2}, {8, 2}, 0.0}, 0);
     const ViewOptions options = in(ascii_renderer());
     const std::string bare = Drawing(41, 11).draw(scene, options).text();
 
-    Marks selected;
+    Annotations selected;
     selected.selected_ball = BallId{0};
     const std::string ball = Drawing(41, 11).draw(scene, options, selected).text();
     CHECK(ball.find('[') != std::string::npos);
     CHECK(ball.find(']') != std::string::npos);
 
-    Marks ends;
+    Annotations ends;
     ends.selected_capsule = edge;
     const std::string handles = Drawing(41, 11).draw(scene, options, ends).text();
     CHECK(std::count(handles.begin(), handles.end(), 'O') ==
           std::count(bare.begin(), bare.end(), 'O') + 2);
 
-    Marks cue;
+    Annotations cue;
     cue.cue = CueLine{{10, 5}, {4, 8}, "3.20 m/s"};
     CHECK(Drawing(41, 11).draw(scene, options, cue).text().find("3.20 m/s") != std::string::npos);
 
-    Marks cursor;
+    Annotations cursor;
     cursor.cursor = Vec2{15, 3};
     Drawing pointed(41, 11);
     pointed.draw(scene, options, cursor);
     CHECK((pointed.canvas.at(30, 7).attributes & reverse) != 0);
 }
 
-TEST_CASE("what is not there is not marked") {
+TEST_CASE("annotations of missing bodies are not drawn") {
     Scene scene = table({{0, 0}, {20, 10}});
-    Marks marks;
-    marks.selected_ball = BallId{7};
-    marks.selected_capsule = CapsuleId{7};
-    CHECK(Drawing(41, 11).draw(scene, {}, marks).text() == Drawing(41, 11).draw(scene).text());
+    Annotations annotations;
+    annotations.selected_ball = BallId{7};
+    annotations.selected_capsule = CapsuleId{7};
+    CHECK(Drawing(41, 11).draw(scene, {}, annotations).text() ==
+          Drawing(41, 11).draw(scene).text());
 }
 
-TEST_CASE("worlds that are not finite, windows without cells: nothing breaks") {
+TEST_CASE("worlds that are not finite, and windows without cells, do no harm") {
     Scene scene = table({{0, 0}, {20, 10}});
     const double infinity = std::numeric_limits<double>::infinity();
     for (const double x : {0.0, 1e300, -1e300, infinity, std::nan("")}) {
@@ -501,15 +502,15 @@ TEST_CASE("worlds that are not finite, windows without cells: nothing breaks") {
             options.trails = true;
             turn_on(options, {"velocities", "grid", "broad-phase"});
             options.labels = Labels::all;
-            Marks marks;
-            marks.cursor = Vec2{infinity, std::nan("")};
-            marks.cue = CueLine{{0, 0}, {infinity, 1e300}, "fast"};
-            marks.broad_phase = CellGrid{{0, 0}, 1e-300};
+            Annotations annotations;
+            annotations.cursor = Vec2{infinity, std::nan("")};
+            annotations.cue = CueLine{{0, 0}, {infinity, 1e300}, "fast"};
+            annotations.broad_phase = CellGrid{{0, 0}, 1e-300};
             for (const auto& [columns, rows] : {std::pair{0, 0}, {1, 1}, {20, 8}, {300, 2}}) {
                 Drawing drawing(columns, rows);
                 for (int frame = 0; frame < 3; ++frame) {
                     ++scene.world.edit_tick();
-                    drawing.draw(scene, options, marks);
+                    drawing.draw(scene, options, annotations);
                 }
                 CHECK(drawing.canvas.columns() == columns);
             }
@@ -517,7 +518,7 @@ TEST_CASE("worlds that are not finite, windows without cells: nothing breaks") {
     }
 }
 
-TEST_CASE("speed colours go from slow to fast, and calm down slowly") {
+TEST_CASE("speed colours go from slow to fast, and decay slowly") {
     Scene scene = table({{0, 0}, {20, 10}});
     put_ball(scene, {5, 5}, 2.0, {0.1, 0});
     put_ball(scene, {15, 5}, 2.0, {10, 0});
@@ -527,14 +528,14 @@ TEST_CASE("speed colours go from slow to fast, and calm down slowly") {
     drawing.draw(scene, options);
     CHECK(drawing.canvas.at(11, 5).foreground == ink_of_scale(0.0, options.look).color);
     CHECK(drawing.canvas.at(31, 5).foreground == ink_of_scale(1.0, options.look).color);
-    // A moment later the fast one has slowed down; it is not at once the fastest there is.
+    // A moment later the fast ball has slowed down, but the scale still remembers its speed.
     scene.world.edit_balls().velocity[1] = {5, 0};
     ++scene.world.edit_tick();
     drawing.draw(scene, options);
     CHECK(drawing.canvas.at(31, 5).foreground == ink_of_scale(0.5, options.look).color);
 }
 
-TEST_CASE("balls of a single kind have each their own colour, else each kind has its own") {
+TEST_CASE("balls of a single kind each have their own colour, else each kind has one") {
     Scene scene = table({{0, 0}, {20, 10}});
     put_ball(scene, {5, 5}, 2.0);
     put_ball(scene, {15, 5}, 2.0);
@@ -556,23 +557,23 @@ TEST_CASE("a peg is a + in characters however small, and one pixel in half block
     CHECK(cells_that_are(canvas, U' ') == 41 * 11 - 1);
 }
 
-TEST_CASE("copies that are one are a solid ball, and scattered ones a cloud around them") {
+TEST_CASE("coinciding copies are a solid ball, and scattered ones a cloud") {
     Scene scene = table({{0.0, 0.0}, {40.0, 20.0}});
     put_ball(scene, {20.0, 10.0}, 4.0);
     std::vector<World> copies(100, scene.world);
-    Marks marks;
-    marks.copies = copies;
+    Annotations annotations;
+    annotations.copies = copies;
     Drawing together(40, 10);
-    together.draw(scene, in(ascii_renderer()), marks);
+    together.draw(scene, in(ascii_renderer()), annotations);
     CHECK(together.canvas.at(20, 5).glyph == U'@');
     CHECK(together.canvas.at(5, 5).glyph == U' ');
 
     for (std::size_t i = 0; i < copies.size(); ++i)
         copies[i].edit_balls().position[0].x = 8.0 + 24.0 * static_cast<double>(i) / 99.0;
-    marks.copies = copies;
+    annotations.copies = copies;
     Drawing apart(40, 10);
-    apart.draw(scene, in(ascii_renderer()), marks);
-    // A third of the copies cover the middle, few its ends.
+    apart.draw(scene, in(ascii_renderer()), annotations);
+    // A third of the copies cover the centre, few its ends.
     CHECK(apart.canvas.at(20, 5).glyph == U'*');
     CHECK(std::string_view(".:-").find(static_cast<char>(apart.canvas.at(6, 5).glyph)) !=
           std::string_view::npos);
@@ -580,35 +581,35 @@ TEST_CASE("copies that are one are a solid ball, and scattered ones a cloud arou
 
     Drawing pixels(40, 10);
     ViewOptions options = in(half_block_renderer());
-    pixels.draw(scene, options, marks);
+    pixels.draw(scene, options, annotations);
     CHECK(pixels.canvas.at(20, 5).foreground != pixels.canvas.at(6, 5).foreground);
     CHECK(pixels.canvas.at(6, 5).glyph != U' ');
 }
 
-TEST_CASE("a ball of one copy in two hundred is still seen, and one that is nowhere is not") {
+TEST_CASE("a ball in one copy of two hundred is visible, and one that is not finite is not") {
     Scene scene = table({{0.0, 0.0}, {40.0, 20.0}});
     put_ball(scene, {20.0, 10.0}, 2.0);
     std::vector<World> copies(200, scene.world);
     copies[7].edit_balls().position[0] = {5.0, 10.0};
     copies[8].edit_balls().position[0] = {std::numeric_limits<double>::quiet_NaN(), 10.0};
     copies[9].edit_balls().position[0] = {1e300, -1e300};
-    Marks marks;
-    marks.copies = copies;
+    Annotations annotations;
+    annotations.copies = copies;
     for (const Renderer* renderer : {&ascii_renderer(), &half_block_renderer()}) {
         Drawing drawing(40, 10);
-        drawing.draw(scene, in(*renderer), marks);
+        drawing.draw(scene, in(*renderer), annotations);
         CHECK(drawing.canvas.at(5, 5).glyph != U' ');
     }
 }
 
-TEST_CASE("the place of a divergence is marked") {
+TEST_CASE("the position of a divergence is marked") {
     Scene scene = table({{0.0, 0.0}, {40.0, 20.0}});
-    Marks marks;
-    marks.divergence = Vec2{20.5, 9.0};
+    Annotations annotations;
+    annotations.divergence = Vec2{20.5, 9.0};
     ViewOptions options = in(ascii_renderer());
     options.look = {0, false, false};
     Drawing drawing(40, 10);
-    drawing.draw(scene, options, marks);
+    drawing.draw(scene, options, annotations);
     CHECK(drawing.text().find(">X<") != std::string::npos);
     CHECK(drawing.canvas.at(20, 5).glyph == U'X');
     CHECK((drawing.canvas.at(20, 5).attributes & reverse) != 0);

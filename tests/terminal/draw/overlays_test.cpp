@@ -11,7 +11,7 @@ using namespace carom;
 
 namespace {
 
-// Two balls that meet within the first tick, with all that an overlay may ask for.
+// Two balls that collide within the first tick, with everything an overlay may need.
 std::string picture_with(const OverlaySet& shown) {
     const LoadResult loaded = load_level(
         "carom 1 \"Two balls\"\n"
@@ -30,17 +30,17 @@ std::string picture_with(const OverlaySet& shown) {
     Canvas canvas(60, 20);
     ViewOptions options;
     options.overlays = shown;
-    Marks marks;
-    marks.broad_phase = CellGrid{{0.25, 0.25}, 2.0};
+    Annotations annotations;
+    annotations.broad_phase = CellGrid{{0.25, 0.25}, 2.0};
     ViewMemory memory;
     draw_world(canvas, fit_camera({{-8, -4}, {8, 4}}, {0, 0, 60, 20}, 2.0), scene, world,
-               solver.contacts(), marks, options, memory);
+               solver.contacts(), annotations, options, memory);
     return canvas.text();
 }
 
 }  // namespace
 
-TEST_CASE("every overlay has a name of its own, and shows something that no other shows") {
+TEST_CASE("every overlay has a unique name, and shows something that no other shows") {
     std::set<std::string_view> names;
     std::set<std::string> pictures{picture_with({})};
     for (std::size_t i = 0; i < overlays().size(); ++i) {

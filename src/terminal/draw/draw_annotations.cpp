@@ -22,23 +22,23 @@ void paint_dots(Raster& raster, RasterPoint from, RasterPoint to, double spacing
 
 }  // namespace
 
-void paint_marks(Raster& raster, const View& view) {
-    const Marks& marks = view.marks;
+void paint_annotations(Raster& raster, const View& view) {
+    const Annotations& annotations = view.annotations;
     const Look& look = view.options.look;
     const Ink cue_ink = ink_of(Role::cue, look);
-    for (std::size_t i = 1; i < marks.path.size(); ++i) {
-        paint_dots(raster, to_raster(view.camera, marks.path[i - 1]),
-                   to_raster(view.camera, marks.path[i]), 1.5, cue_ink);
+    for (std::size_t i = 1; i < annotations.path.size(); ++i) {
+        paint_dots(raster, to_raster(view.camera, annotations.path[i - 1]),
+                   to_raster(view.camera, annotations.path[i]), 1.5, cue_ink);
     }
-    if (marks.cue) {
-        const RasterPoint ball = to_raster(view.camera, marks.cue->ball);
-        const RasterPoint hand = to_raster(view.camera, marks.cue->hand);
+    if (annotations.cue) {
+        const RasterPoint ball = to_raster(view.camera, annotations.cue->ball);
+        const RasterPoint hand = to_raster(view.camera, annotations.cue->hand);
         raster.line(ball, hand, cue_ink);
         // The ball goes the opposite way.
         paint_dots(raster, ball, {2.0 * ball.x - hand.x, 2.0 * ball.y - hand.y}, 1.5, cue_ink);
     }
-    if (marks.new_capsule) {
-        const Capsule& shape = *marks.new_capsule;
+    if (annotations.new_capsule) {
+        const Capsule& shape = *annotations.new_capsule;
         raster.capsule(to_raster(view.camera, shape.start), to_raster(view.camera, shape.end),
                        shape.radius * view.camera.columns_per_length,
                        {ink_of(Role::selected, look), 255, '#'});

@@ -10,7 +10,7 @@
 /// What a picture of a pool table shows besides balls and cushions.
 namespace carom {
 
-struct PoolMarks {
+struct PoolAnnotations {
     /// The number on a ball; 0: the cue ball.
     struct Number {
         BallId ball{};
@@ -24,13 +24,13 @@ struct PoolMarks {
     struct Track {
         BallId ball{};
         std::vector<Vec2> way;
-        bool falls = false;  ///< into a pocket, at the end of its path
+        bool is_pocketed = false;  ///< into a pocket, at the end of its path
     };
     /// A predicted resting position of a ball.
     struct Spot {
         BallId ball{};
         Vec2 place;
-        bool falls = false;
+        bool is_pocketed = false;
     };
 
     std::vector<Number> numbers;

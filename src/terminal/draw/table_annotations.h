@@ -16,7 +16,7 @@ struct TableLight {
     std::size_t family = 0;  ///< lights of one family share a colour
 };
 
-struct TableMarks {
+struct TableAnnotations {
     std::vector<TableLight> lights;
     std::vector<Capsule> plungers;  ///< as pulled
 };
