@@ -56,6 +56,21 @@ TEST_CASE("contact: a heap at rest reuses its pairs") {
         heap.solver.tick(heap.world);
         CHECK(heap.world.memory().homes.ball == heap.world.balls().id);
     }
+    SUBCASE("until a ball is replaced by another in its place") {
+        // The last one, so that all rows keep their places.
+        const Vec2 place = heap.world.balls().position.back();
+        const double radius = heap.world.balls().radius.back();
+        remove_ball(heap.world, heap.world.balls().id.back());
+        add_ball(heap.world, {.position = place, .radius = radius});
+        heap.solver.tick(heap.world);
+        CHECK(heap.world.memory().homes.ball == heap.world.balls().id);
+    }
+    SUBCASE("until something is held") {
+        const BallId held = heap.world.balls().id[3];
+        heap.world.edit_held_balls() = {{held, heap.world.balls().position[3]}};
+        heap.solver.tick(heap.world);
+        CHECK_FALSE(is_same(heap.world.memory().homes, before));
+    }
     SUBCASE("until another solver takes over") {
         Solver swept({.kind = SolverKind::swept});
         swept.tick(heap.world);

@@ -40,8 +40,10 @@ TEST_CASE("swept schedule: at one time, lower numbers come first, whoever predic
     schedule.add_initial(at(0.5, 2, 9));
     schedule.sort_initial(1.0);
     schedule.push(at(0.5, 1, 8));
+    schedule.push(at(0.5, 2, 10));
     CHECK(schedule.take()->ball == 1);
-    CHECK(schedule.take()->ball == 2);
+    CHECK(schedule.take()->other == 9);
+    CHECK(schedule.take()->other == 10);
     CHECK(schedule.take()->ball == 7);
 }
 

@@ -201,6 +201,21 @@ TEST_CASE("event queue: rebuilt, an event replaced before the first query waits"
     CHECK(queue.first(by_number) == 0u);
 }
 
+// Few events in a group of bins make the queue choose bins anew, at the border to the next group.
+// The bin behind the border is then the present one, and has not been taken yet.
+TEST_CASE("event queue: an event in the first bin of a group survives a new choice of bins") {
+    // 64 bins of 1 s: the last event is in the first bin of the second group.
+    std::vector<double> times{0.0, 0.5, 1.0, 64.5};
+    EventQueue queue;
+    queue.build(
+        times.size(), [&](std::uint32_t ball) { return times[ball]; }, by_number);
+    for (const std::uint32_t ball : {0u, 1u, 2u}) {
+        REQUIRE(queue.first(by_number) == ball);
+        queue.update(ball, EventQueue::never, by_number);
+    }
+    CHECK(queue.first(by_number) == 3u);
+}
+
 TEST_CASE("event queue: without balls, and without events") {
     EventQueue queue;
     queue.build(
