@@ -52,7 +52,7 @@ void OverlapSeparation::note_push(const World& world, std::uint32_t ball) {
 
 template <Terms terms>
 void OverlapSeparation::separate_active(World& world) {
-    Neighbours& list = neighbours_.list();
+    NeighbourList& list = neighbours_.list();
     list.list_by_ball();
     near_active_.clear();
     for (const std::uint32_t i : motion_.active())
@@ -130,7 +130,7 @@ inline void OverlapSeparation::note_edge(const World& world, const EdgePair& pai
 // those that were pushed. The neighbour list has the edges of all balls that are within its margin;
 // for the others the cells are asked.
 void OverlapSeparation::find_edges_of_moved_balls(const World& world) {
-    const Neighbours& list = neighbours_.list();
+    const NeighbourList& list = neighbours_.list();
     for (const PushedBall& pushed : pushed_) {
         if (neighbours_.has_edges_of(world, pushed)) continue;
         is_pushed_[pushed.ball] = beyond_margin;

@@ -8,8 +8,9 @@ namespace carom {
 // Once a tick every ball is checked; after that the longest displacements since add up.
 void SharedNeighbours::update(const World& world, double displacement,
                               double kinematic_displacement) {
-    const bool holds = has_checked_all_ ? list_.cover_after(displacement + kinematic_displacement)
-                                        : list_.cover(world);
+    const bool holds = has_checked_all_
+                           ? list_.is_valid_after(displacement + kinematic_displacement)
+                           : list_.is_valid(world);
     has_checked_all_ = true;
     if (!holds) build(world, displacement * step_.updates);
     has_escaped_ = false;
@@ -37,17 +38,17 @@ void SharedNeighbours::build(const World& world, double displacement) {
         for (int halvings = 0; halvings < 6 && displacement <= margin_ / 2.0; ++halvings)
             margin_ /= 2.0;
     }
-    list_.look(world, margin_);
+    list_.build(world, margin_);
 }
 
 void SharedNeighbours::update_after_notes(const World& world) {
-    if (has_escaped_) list_.look(world, margin_);
+    if (has_escaped_) list_.build(world, margin_);
     has_escaped_ = false;
 }
 
 bool SharedNeighbours::has_edges_of(const World& world, const PushedBall& pushed) const {
     const Vec2 position = world.balls().position[pushed.ball];
-    if (margin_ > 0.0) return list_.covers(pushed.ball, position);
+    if (margin_ > 0.0) return list_.is_valid_for(pushed.ball, position);
     Vec2 displacement = position - pushed.origin;
     if (world.model().wrap) displacement = nearest_image(displacement, size(*world.model().wrap));
     const double margin = 0.999 * list_.edge_margin(world.balls().radius[pushed.ball]);

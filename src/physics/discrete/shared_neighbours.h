@@ -33,14 +33,14 @@ class SharedNeighbours {
     /// All radii are equal: any two balls nearer than `widest` overlap.
     bool are_alike() const { return are_alike_; }
 
-    Neighbours& list() { return list_; }
-    const Neighbours& list() const { return list_; }
+    NeighbourList& list() { return list_; }
+    const NeighbourList& list() const { return list_; }
 
   private:
     void build(const World& world, double displacement);
 
     const OverlapStep& step_;
-    Neighbours list_;
+    NeighbourList list_;
     double margin_ = 0.0;
     double widest_ = 0.0;
     bool are_alike_ = false;

@@ -42,7 +42,7 @@ void SweptCandidates::find(const World& world) {
         reaches_[i] = disc.radius;
         extent += std::min(2.0 * disc.radius, 10.0 * world.balls().radius[i]);
     }
-    neighbours_.look(world, centers_, reaches_);
+    neighbours_.build(world, centers_, reaches_);
     neighbours_.sort_pairs();
     const CellFrame frame = frame_around(
         world, count == 0 ? 1.0 : rounded_to_few_bits(extent / static_cast<double>(count)));

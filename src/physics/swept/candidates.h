@@ -14,12 +14,12 @@ namespace carom {
 
 /// The broad phase of the solver `swept`: which bodies a ball could meet in the rest of a substep.
 ///
-/// When the substep begins, discs around the paths are compared in a grid (Neighbours), which gives
-/// all pairs at once. A ball that changes its path leaves that grid and enters the cells that its
-/// new path touches (SweptCells): so a search looks for unchanged balls in the grid and for changed
-/// ones in the cells. Once many have changed, as in a pile, all enter the cells, and one search is
-/// enough. Edges are in the same cells, or on a map where few balls are among many edges. Kinematic
-/// edges are in neither.
+/// When the substep begins, discs around the paths are compared in a grid (NeighbourList), which
+/// gives all pairs at once. A ball that changes its path leaves that grid and enters the cells that
+/// its new path touches (SweptCells): so a search looks for unchanged balls in the grid and for
+/// changed ones in the cells. Once many have changed, as in a pile, all enter the cells, and one
+/// search is enough. Edges are in the same cells, or on a map where few balls are among many edges.
+/// Kinematic edges are in neither.
 class SweptCandidates {
   public:
     /// Where a search takes place: around the rest of a ball's path.
@@ -37,8 +37,8 @@ class SweptCandidates {
     /// order.
     std::span<const BallPair> ball_pairs() const { return neighbours_.pairs(); }
     std::span<const EdgePair> edge_pairs() const { return neighbours_.edges(); }
-    /// On a torus: which image of the edge of such a pair the ball's path meets, as whole tori from
-    /// the image that the pair names.
+    /// On a torus: the periodic image index of the ball's path, relative to the disc that stands
+    /// for it in these pairs. Edges of its pairs are shifted by as much.
     Vec2 image_offset(const World& world, std::uint32_t ball) const;
 
     /// The ball has changed its path, for the first time in this substep or again.
@@ -96,7 +96,7 @@ class SweptCandidates {
     // Discs around the paths at the start of the substep; on a torus, the image that lies in it.
     std::vector<Vec2> centers_;
     std::vector<double> reaches_;
-    Neighbours neighbours_;
+    NeighbourList neighbours_;
     SweptCells cells_;    // of balls that have changed their paths, or of all
     CapsuleCells edges_;  // in the same cells
     std::size_t changed_paths_ = 0;

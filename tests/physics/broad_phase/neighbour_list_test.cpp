@@ -76,9 +76,9 @@ std::vector<T> list(std::span<const T> values) {
 TEST_CASE("the neighbour list has all pairs within the skin") {
     for (const bool torus : {false, true}) {
         const World world = gas_with_edges(torus);
-        Neighbours neighbours;
+        NeighbourList neighbours;
         for (const double margin : {0.0, 0.3}) {
-            neighbours.look(world, margin);
+            neighbours.build(world, margin);
             CHECK(sorted(neighbours.pairs()) == pairs_nearer_than(world, 2.0 * margin));
             CHECK(list(neighbours.edges()) == edges_nearer_than(world, [&](double radius) {
                       return neighbours.edge_margin(radius);
@@ -90,8 +90,8 @@ TEST_CASE("the neighbour list has all pairs within the skin") {
 
 TEST_CASE("the neighbours of a ball are those of its pairs") {
     const World world = gas_with_edges(true);
-    Neighbours neighbours;
-    neighbours.look(world, 0.4);
+    NeighbourList neighbours;
+    neighbours.build(world, 0.4);
     neighbours.sort_pairs();
     neighbours.list_by_ball();
     std::size_t both_ways = 0;
@@ -112,66 +112,66 @@ TEST_CASE("the neighbours of a ball are those of its pairs") {
 TEST_CASE("the list is valid until a ball has moved further than the skin") {
     for (const bool torus : {false, true}) {
         World world = gas_with_edges(torus);
-        Neighbours neighbours;
-        neighbours.look(world, 0.25);
+        NeighbourList neighbours;
+        neighbours.build(world, 0.25);
         neighbours.sort_pairs();
-        CHECK(neighbours.cover(world));
+        CHECK(neighbours.is_valid(world));
         for (std::size_t i = 0; i < world.balls().size(); ++i) {
             Vec2& position = world.edit_balls().position[i];
             position += Vec2{draw(-0.17, 0.17, i, 6), draw(-0.17, 0.17, i, 7)};
             if (torus) position = wrapped(position, *world.model().wrap);
         }
-        CHECK(neighbours.cover(world));
+        CHECK(neighbours.is_valid(world));
         for (const BallPair& pair : pairs_nearer_than(world, 0.0))
             CHECK(std::ranges::binary_search(neighbours.pairs(), pair));
         for (const EdgePair& pair : edges_overlapping(world))
             CHECK(std::ranges::binary_search(neighbours.edges(), pair));
         world.edit_balls().position[200].y += 0.6;
-        CHECK_FALSE(neighbours.covers(200, world.balls().position[200]));
-        CHECK_FALSE(neighbours.cover(world));
+        CHECK_FALSE(neighbours.is_valid_for(200, world.balls().position[200]));
+        CHECK_FALSE(neighbours.is_valid(world));
     }
 }
 
 TEST_CASE("the list is valid until balls may have moved further than the skin") {
     World world = gas_with_edges(false);
-    Neighbours neighbours;
-    neighbours.look(world, 0.25);
-    CHECK(neighbours.cover_after(0.1));
-    CHECK(neighbours.cover_after(0.1));
-    CHECK_FALSE(neighbours.cover_after(0.1));
+    NeighbourList neighbours;
+    neighbours.build(world, 0.25);
+    CHECK(neighbours.is_valid_after(0.1));
+    CHECK(neighbours.is_valid_after(0.1));
+    CHECK_FALSE(neighbours.is_valid_after(0.1));
     // If all positions are checked, the positions count.
     world.edit_balls().position[7] += Vec2{0.0, 0.12};
-    CHECK(neighbours.cover(world));
-    CHECK(neighbours.cover_after(0.12));
-    CHECK_FALSE(neighbours.cover_after(0.02));
+    CHECK(neighbours.is_valid(world));
+    CHECK(neighbours.is_valid_after(0.12));
+    CHECK_FALSE(neighbours.is_valid_after(0.02));
     // A pushed ball has moved further than the others.
-    neighbours.look(world, 0.25);
-    CHECK(neighbours.cover_after(0.1));
+    neighbours.build(world, 0.25);
+    CHECK(neighbours.is_valid_after(0.1));
     CHECK(neighbours.note_place(5, world.balls().position[5] + Vec2{0.2, 0.0}));
-    CHECK_FALSE(neighbours.cover_after(0.1));
-    neighbours.look(world, 0.25);
+    CHECK_FALSE(neighbours.is_valid_after(0.1));
+    neighbours.build(world, 0.25);
     CHECK_FALSE(neighbours.note_place(5, world.balls().position[5] + Vec2{0.3, 0.0}));
-    CHECK_FALSE(neighbours.cover_after(0.0));
-    // Without a skin no list lasts.
-    neighbours.look(world, 0.0);
-    CHECK_FALSE(neighbours.cover_after(0.0));
+    CHECK_FALSE(neighbours.is_valid_after(0.0));
+    // Without a margin there is nothing that lasts.
+    neighbours.build(world, 0.0);
+    CHECK_FALSE(neighbours.is_valid_after(0.0));
 }
 
 TEST_CASE("the list of other balls, or of another torus, is never valid") {
     const World world = gas_with_edges(true);
-    Neighbours neighbours;
-    neighbours.look(world, 0.2);
+    NeighbourList neighbours;
+    neighbours.build(world, 0.2);
     World larger = world;
     larger.edit_balls().radius[7] += 0.01;
-    CHECK_FALSE(neighbours.cover(larger));
+    CHECK_FALSE(neighbours.is_valid(larger));
     World fewer = world;
     remove_ball(fewer, BallId{299});
-    CHECK_FALSE(neighbours.cover(fewer));
+    CHECK_FALSE(neighbours.is_valid(fewer));
     World flat = world;
     flat.edit_definition().model.wrap.reset();
-    CHECK_FALSE(neighbours.cover(flat));
-    neighbours.look(world, 0.0);
-    CHECK_FALSE(neighbours.cover(world));
+    CHECK_FALSE(neighbours.is_valid(flat));
+    neighbours.build(world, 0.0);
+    CHECK_FALSE(neighbours.is_valid(world));
 }
 
 TEST_CASE("a list of discs that stand in for the balls") {
@@ -181,8 +181,8 @@ TEST_CASE("a list of discs that stand in for the balls") {
         swollen.edit_balls().position[i] += {draw(-2, 2, i, 10), draw(-2, 2, i, 11)};
         swollen.edit_balls().radius[i] *= 1.7;
     }
-    Neighbours neighbours;
-    neighbours.look(world, swollen.balls().position, swollen.balls().radius);
+    NeighbourList neighbours;
+    neighbours.build(world, swollen.balls().position, swollen.balls().radius);
     CHECK(sorted(neighbours.pairs()) == pairs_nearer_than(swollen, 0.0));
     for (const EdgePair& pair : edges_overlapping(swollen))
         CHECK(std::ranges::binary_search(neighbours.edges(), pair));
@@ -190,8 +190,8 @@ TEST_CASE("a list of discs that stand in for the balls") {
 
 TEST_CASE("an escaped ball gets the edges near its present position") {
     const World world = gas_with_edges(true);
-    Neighbours neighbours;
-    neighbours.look(world, 0.0);
+    NeighbourList neighbours;
+    neighbours.build(world, 0.0);
     const Vec2 torus = size(*world.model().wrap);
     for (std::uint64_t k = 0; k < 400; ++k) {
         World strayed = world;
