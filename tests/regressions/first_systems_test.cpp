@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "geometry/closest.h"
-#include "physics/broad_phase/cell_frame.h"
+#include "physics/broad_phase/disc_grid.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 #include "physics/tick/totals.h"
@@ -146,11 +146,11 @@ TEST_CASE("bullet through paper: a fast ball and a thin wall") {
 TEST_CASE("the neighbours tested for a ball do not grow with the number of balls") {
     const auto looks_a_ball = [](std::size_t count) {
         const World world = scenes::gas(count, 3);
-        PointCells cells;
-        cells.rebuild(frame_around(world, 2.0), world.balls().position);
+        DiscGrid grid;
+        grid.build(world.balls().position, world.balls().radius, 0.0, std::nullopt);
         std::size_t looks = 0;
-        for (std::size_t i = 0; i < count; ++i)
-            cells.for_each_near(i, [&](std::uint32_t) { ++looks; });
+        for (const Vec2 position : world.balls().position)
+            grid.for_each_around(position, [&](std::uint32_t) { ++looks; });
         return static_cast<double>(looks) / static_cast<double>(count);
     };
     const double few = looks_a_ball(300);

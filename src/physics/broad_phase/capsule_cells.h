@@ -7,27 +7,28 @@
 #include "physics/broad_phase/cell_frame.h"
 #include "physics/world/world.h"
 
-/// The edges in the cells of the broad phase.
 namespace carom {
 
-/// A capsule that reaches into a cell; on a torus the image of it that does, moved by whole tori.
+/// A capsule that reaches into a cell; on a torus, with its periodic image index: by how many
+/// widths and heights of the torus it is shifted.
 struct CapsuleEntry {
     std::uint32_t index = 0;
     std::int8_t across = 0;
     std::int8_t along = 0;
 };
 
-/// Built once and kept while frame and capsules stay as they are (compared, not trusted). A few
-/// that have changed, as flippers do that come to rest, are taken out and put in again.
+/// The edges in the cells of a frame. They are built once and kept while frame and capsules stay as
+/// they are, which is compared. A few that have changed, such as flippers that come to rest, are
+/// taken out and put in again.
 class CapsuleCells {
   public:
     /// Each capsule enters the cells that it reaches when grown by `margin`. Held capsules are left
     /// out.
     void update(const World& world, const CellFrame& frame, double margin);
 
-    /// The same with the frame and margin of the last `update`. False, and nothing is done: the
-    /// world has another number of capsules than then, or so many have changed that it is cheaper
-    /// to begin anew.
+    /// Updates with the frame and margin of the last `update`. Does nothing and returns false if
+    /// the world has another number of capsules now, or if so many have changed that building anew
+    /// is cheaper.
     bool mend(const World& world);
 
     /// Capsules of one cell, ascending.
@@ -37,7 +38,7 @@ class CapsuleCells {
         return std::span(entries_).subspan(start_[at], start_[at + 1] - start_[at]);
     }
 
-    /// Whether the cell has none. Takes less memory to tell than which they are.
+    /// Whether the cell has none. Reads less memory than `in_cell`.
     bool is_empty(std::uint32_t cell) const {
         return (words_[cell / 64].is_occupied >> (cell % 64) & 1u) == 0;
     }
@@ -87,7 +88,7 @@ class CapsuleCells {
     std::vector<CapsuleEntry> new_entries_;
 };
 
-/// Whether a hand holds the capsule.
+/// Whether the capsule is held or driven.
 bool is_held(const World& world, CapsuleId id);
 
 }  // namespace carom

@@ -150,37 +150,4 @@ Vec2 wrapped(Vec2 position, const Box& torus) {
             wrap(position.y, torus.low.y, torus.high.y, extent.y)};
 }
 
-void PointCells::rebuild(const CellFrame& frame, const std::vector<Vec2>& positions) {
-    frame_ = frame;
-    head_.assign(frame.count(), none);
-    next_.resize(positions.size());
-    before_.resize(positions.size());
-    cell_.resize(positions.size());
-    // From the last to the first, so that each cell lists its balls in ascending order.
-    for (std::size_t i = positions.size(); i-- > 0;)
-        insert(static_cast<std::uint32_t>(i),
-               frame.index(frame.column(positions[i].x), frame.row(positions[i].y)));
-}
-
-void PointCells::move(std::size_t index, Vec2 position) {
-    const std::uint32_t cell = frame_.index(frame_.column(position.x), frame_.row(position.y));
-    if (cell == cell_[index]) return;
-    const std::uint32_t next = next_[index];
-    const std::uint32_t before = before_[index];
-    if (before == none)
-        head_[cell_[index]] = next;
-    else
-        next_[before] = next;
-    if (next != none) before_[next] = before;
-    insert(static_cast<std::uint32_t>(index), cell);
-}
-
-void PointCells::insert(std::uint32_t index, std::uint32_t cell) {
-    cell_[index] = cell;
-    before_[index] = none;
-    next_[index] = head_[cell];
-    if (next_[index] != none) before_[next_[index]] = index;
-    head_[cell] = index;
-}
-
 }  // namespace carom

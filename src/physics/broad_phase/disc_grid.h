@@ -8,22 +8,22 @@
 #include "physics/broad_phase/cell_frame.h"
 #include "physics/memory/prefetch.h"
 
-/// The broad phase of discs that stand still while it looks: equal cells, discs sorted by cell, so
-/// that the neighbours of a disc are three short runs of memory.
+/// A static grid of discs: equal cells, with the discs sorted by cell, so that the neighbours of a
+/// disc are three short runs of memory.
 ///
-/// Radii may differ by orders of magnitude: discs within a factor of two of one another share a
-/// *level*, a grid whose cells are as wide as its largest disc, and every disc is compared with the
-/// nine cells around its place in its own level and in the coarser ones. Which pairs are found does
-/// not depend on the cells; the order in which they are found does, so who needs an order sorts.
+/// Radii may differ by orders of magnitude. Discs within a factor of two of one another share a
+/// *level*, a grid whose cells are as wide as its largest disc. Each disc is compared with the nine
+/// cells around it in its own level and in the coarser ones. Which pairs are found does not depend
+/// on the cells; their order does, so callers that need an order sort.
 ///
-/// Frames are kept from one `build` to the next while they still fit fairly, so that what others
-/// have put into the same cells can stay there.
+/// A frame is kept from one `build` to the next while it still fits fairly, so that edges which
+/// were put into the same cells can stay there.
 namespace carom {
 
 class DiscGrid {
   public:
     /// Sorts the discs into cells; each reaches `margin` beyond its radius. On a torus the centres
-    /// lie in it. Any numbers are accepted: a disc whose centre is not a number meets nobody.
+    /// lie in it. Any numbers are accepted: a disc whose centre is not a number is in no pair.
     /// Allocates only where it holds more than ever before.
     void build(std::span<const Vec2> centers, std::span<const double> radii, double margin,
                const std::optional<Box>& torus);
@@ -38,10 +38,8 @@ class DiscGrid {
     template <typename Visit>
     void for_each_near(Vec2 center, double reach, Visit&& visit) const;
 
-    /// Who looks for the neighbours of a place, which lies anywhere in memory, has them fetched
-    /// first: `fetch_starts`, then `fetch_places`, each some time before the next. Both and
-    /// `for_each_around`, which calls visit(i) for each disc in the nine cells around the place,
-    /// know the finest level only.
+    /// To hide cache misses, call `fetch_starts(p)`, later `fetch_places(p)`, then query near `p`.
+    /// Both know the finest level only.
     void fetch_starts(Vec2 place) const {
         for_each_row_around(place,
                             [&](std::uint32_t low, std::uint32_t) { fetch_early(&start_[low]); });
@@ -53,6 +51,7 @@ class DiscGrid {
             fetch_early(&places_[start_[high + 1] - 1]);
         });
     }
+    /// Calls visit(i) for each disc of the finest level in the nine cells around `place`.
     template <typename Visit>
     void for_each_around(Vec2 place, Visit&& visit) const {
         for_each_row_around(place, [&](std::uint32_t low, std::uint32_t high) {
@@ -71,7 +70,7 @@ class DiscGrid {
             --level;
         return level;
     }
-    /// No disc of the level reaches further than this from its centre; as lasting as the frame.
+    /// No disc of the level reaches further than this from its centre. Kept as long as the frame.
     double reach(std::size_t level) const { return 0.5 * kept_[level].side; }
     /// Calls visit(i) for each disc of the cell, ascending.
     template <typename Visit>
@@ -93,7 +92,7 @@ class DiscGrid {
     // above, so that every cell inside has nine neighbours.
     struct Level {
         CellFrame frame;
-        Vec2 per_cell;  // cells a length
+        Vec2 per_cell;  // cells per length
         double largest = 0.0;
         std::uint32_t first = 0;  // of its cells
         std::uint32_t stride = 0;
@@ -152,7 +151,7 @@ class DiscGrid {
 
     std::vector<Level> levels_ = std::vector<Level>(1);
     std::vector<Kept> kept_ = std::vector<Kept>(1);  // by level
-    Box box_;                                        // in which most are
+    Box box_;                                        // holds most discs
     Vec2 torus_;                                     // its size
     double finest_scale_ = 0.0;                      // 1 / radius of the largest of all
     std::vector<std::uint32_t> start_{0, 0, 0, 0};   // by cell: its first place
@@ -160,7 +159,8 @@ class DiscGrid {
     std::vector<Place> places_;
 };
 
-// Each disc against those after it in its own cell, the cell to the right, and the three above.
+// Compares each disc with those after it in its own cell, and with the cell to the right and the
+// three above.
 template <bool images, typename Visit>
 void DiscGrid::pairs_within(const Level& level, Visit&& visit) const {
     const std::uint32_t first = start_[level.first];
@@ -176,7 +176,7 @@ void DiscGrid::pairs_within(const Level& level, Visit&& visit) const {
     }
 }
 
-// On a torus: the last column against the first, and the top row against the bottom one.
+// On a torus: compares the last column with the first, and the top row with the bottom one.
 template <typename Visit>
 void DiscGrid::pairs_across_seams(const Level& level, Visit&& visit) const {
     const int columns = level.frame.columns;

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t edges_a_ball = 8;
 constexpr double cells_an_edge = 4.0;
 
-// So wide that there are about `cells_an_edge` cells for each.
+// The width that gives about `cells_an_edge` cells an edge.
 double width_of_cells(const World& world) {
     Box whole = bounds(world.capsules().shape.front());
     for (const Capsule& shape : world.capsules().shape)

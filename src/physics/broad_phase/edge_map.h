@@ -5,22 +5,20 @@
 
 #include "physics/broad_phase/capsule_cells.h"
 
-/// The broad phase of a few balls among many edges, as on a table of pinball.
-///
-/// Cells that fit the balls would go wherever these few go, and every edge would have to enter them
-/// anew. So these fit the edges, and stay.
 namespace carom {
 
+/// The edges in cells that fit them: for a few balls among many edges, as on a pinball table. Cells
+/// that fit the balls would move with them, and every edge would have to enter them again.
 class EdgeMap {
   public:
-    /// Whether it is the cheaper way: no torus, and many more edges than balls.
+    /// Whether it is cheaper than cells that fit the balls: no torus, and over 8 edges a ball.
     static bool suits(const World& world);
 
-    /// Where the edges are now; held ones are left out. Pre: suits(world).
+    /// Enters the edges where they are now; held ones are left out. Pre: suits(world).
     void update(const World& world);
 
     /// Calls visit(capsule) for each edge, by index, that `box` can touch, and perhaps for some
-    /// others, each once, in no order that means anything.
+    /// others, each once, in no particular order.
     template <typename Visit>
     void for_each_near(const Box& box, Visit&& visit) {
         ++round_;

@@ -10,7 +10,7 @@ namespace carom {
 namespace {
 
 // `value` rounded up to one of eight steps an octave, so that the cells seldom change.
-double rounded_up(double value) {
+double rounded_to_eighth_of_octave(double value) {
     if (!(value > 0.0) || !std::isfinite(value)) return 1.0;
     int exponent = 0;
     const double fraction = std::frexp(value, &exponent);
@@ -78,7 +78,7 @@ void NearPairs::sort_into_levels(const World& world, const std::vector<Vec2>& pl
         largest = std::max(largest, reach);
     }
     const double mean = sum / static_cast<double>(count);
-    const double base = rounded_up(largest <= 1.6 * mean ? largest : 1.25 * mean);
+    const double base = rounded_to_eighth_of_octave(largest <= 1.6 * mean ? largest : 1.25 * mean);
 
     constexpr int lowest = -60;
     std::array<std::uint32_t, 121> balls_in{};
@@ -130,8 +130,8 @@ void NearPairs::sort_into_cells(const std::vector<Vec2>& place, std::vector<std:
     }
 }
 
-// Those of the bodies first..last-1 whose regions touch that of i: found without a branch that
-// nobody can foretell, then noted.
+// Notes those of the bodies first..last-1 whose regions touch that of i. They are found first,
+// without a branch that would be mispredicted.
 inline void NearPairs::consider(const World& world, const Regions& regions, std::uint32_t i,
                                 std::uint32_t first, std::uint32_t last) {
     if (first >= last) return;
@@ -161,7 +161,8 @@ inline void NearPairs::note(const World& world, const Regions& regions, std::uin
     pairs_.push_back({.a = in_order ? i : j, .b = in_order ? j : i});
 }
 
-// Each pair once: a ball looks at those after it in its row of cells, and at the row above.
+// Finds each pair once: a ball is compared with those after it in its row of cells, and with the
+// row above.
 void NearPairs::pair_within(const World& world, const Regions& regions, const Level& level) {
     const CellFrame& frame = level.frame;
     const std::uint32_t* start = start_.data() + level.first;

@@ -8,12 +8,12 @@
 #include "physics/broad_phase/cell_frame.h"
 #include "physics/world/world.h"
 
-/// The broad phase of the solver `contact`: which bodies could touch while each stays in a region
-/// of its own, a disc around the place where it is now.
+/// Which bodies could touch while each ball stays in its region, a disc around a reference
+/// position: the broad phase of the solver `contact`, and of the clusters of `event`. README.md
+/// says why it is not a DiscGrid.
 ///
-/// Cells suit regions of one size. Where sizes differ there is a level of cells for each factor of
-/// two, and a ball looks for others in its own level and in all coarser ones; so a few large balls
-/// among many small ones cost little.
+/// Regions within a factor of two of one another share a *level* of cells. A ball is compared with
+/// its own level and with all coarser ones, so a few large balls among many small ones cost little.
 namespace carom {
 
 /// A ball and another ball, or an edge, that could touch.
@@ -21,9 +21,9 @@ struct NearPair {
     static constexpr std::uint32_t no_edge = 0xffffffffu;
 
     std::uint32_t a = 0;           ///< a body: by place in the order of NearPairs::sort
-    std::uint32_t b = 0;           ///< the same; for an edge the number of balls
+    std::uint32_t b = 0;           ///< another body; for an edge the number of balls
     std::uint32_t edge = no_edge;  ///< index of the capsule
-    std::int8_t across = 0;        ///< which image of the capsule on a torus
+    std::int8_t across = 0;        ///< periodic image index of the capsule on a torus
     std::int8_t along = 0;
 };
 
@@ -37,17 +37,18 @@ struct Regions {
 
 class NearPairs {
   public:
-    /// Puts the balls' indices cell by cell: near in this order is mostly near in the plane.
-    /// By ball, `place`: its region's centre (on a torus where it is); `margin`: how far the ball's
-    /// centre may go from there.
+    /// Puts the balls' indices in the order of the cells: balls that are near in it are mostly near
+    /// in the plane. By ball, `place`: the centre of its region (inside the torus, if there is
+    /// one); `margin`: how far the ball's centre may go from there.
     void sort(const World& world, const std::vector<Vec2>& place, const std::vector<double>& margin,
               std::vector<std::uint32_t>& order);
 
-    /// Finds all pairs. Who does not meet whom (Model::filtered) is left out, and so are held
-    /// capsules. Ball on ball, a has the lower number. Pre: what `sort` was given, in its order.
+    /// Finds all pairs. Kinds that do not meet (Model::filtered) are left out, and so are held
+    /// capsules. Of two balls, a has the lower number. Pre: `regions` are those that `sort` was
+    /// given, in its order.
     void find(const World& world, const Regions& regions);
 
-    /// Both at once, around where the balls are.
+    /// Sorts and finds, with regions around where the balls are.
     void find(const World& world, const std::vector<double>& margin,
               std::vector<std::uint32_t>& order);
 
@@ -86,7 +87,7 @@ class NearPairs {
     std::vector<std::uint32_t> start_;  // by cell: its first place in the order
     std::vector<std::uint32_t> touching_;
     std::vector<NearPair> pairs_;
-    // Of those who leave the regions to the search.
+    // Regions, for callers that have none.
     std::vector<Vec2> center_;
     std::vector<double> radius_;
     std::vector<double> margin_;

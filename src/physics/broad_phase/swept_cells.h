@@ -6,13 +6,13 @@
 #include "physics/broad_phase/cell_frame.h"
 #include "physics/memory/prefetch.h"
 
-/// The broad phase of discs that change their paths: each enters every cell that its path can
-/// touch.
 namespace carom {
 
+/// A dynamic grid of boxes around paths: a ball enters every cell that its path can touch, and
+/// enters again when its path changes. Entries of an old path stay, and cost a look.
 class SweptCells {
   public:
-    /// Cells, in a torus counted without bound.
+    /// A rectangle of cells. On a torus, columns and rows are counted without bound.
     struct Range {
         int low_column = 0;
         int high_column = -1;
@@ -20,17 +20,16 @@ class SweptCells {
         int high_row = -1;
     };
 
-    /// Empty cells, for so many balls.
+    /// Empties all cells, for so many balls.
     void reset(const CellFrame& frame, std::size_t balls);
 
     const CellFrame& frame() const { return frame_; }
 
-    /// Ball `index` may be anywhere in `box` until further notice. `is_first`: it has not entered
-    /// any cell since the last `reset`.
+    /// The path of ball `index` is in `box` from now on. `is_first`: it has not entered any cell
+    /// since the last `reset`.
     void enter(std::uint32_t index, const Box& box, bool is_first);
 
-    /// Fetches from memory what tells where the ball has been, and who has entered the cells around
-    /// this place.
+    /// Prefetches which cells the ball has entered, and the entries of the cells around `place`.
     void fetch(std::uint32_t index, Vec2 place) const {
         fetch_early(&ranges_[index]);
         fetch_early(&seen_[index]);
@@ -57,8 +56,8 @@ class SweptCells {
         });
     }
 
-    /// Calls visit(cell, tori across, tori along) for each cell of `range`; the tori are those that
-    /// an unwrapped path there has left behind (0 without a torus).
+    /// Calls visit(cell, across, along) for each cell of `range`, with the periodic image index in
+    /// which it lies: widths and heights of the torus (0 on a plane).
     template <typename Visit>
     void for_each_cell(const Range& range, Visit&& visit) const {
         for (int row = range.low_row; row <= range.high_row; ++row) {
@@ -81,7 +80,7 @@ class SweptCells {
     void begin_round();
 
     CellFrame frame_;
-    std::vector<Range> ranges_;  // by ball; only of those that have entered cells
+    std::vector<Range> ranges_;  // by ball; of balls that have entered cells
     std::vector<std::uint32_t> head_;
     std::vector<Entry> entries_;
     std::vector<std::uint32_t> seen_;  // by ball: in which round

@@ -5,6 +5,7 @@
 #include "geometry/closest.h"
 #include "physics/broad_phase/capsule_cells.h"
 #include "physics/broad_phase/cell_frame.h"
+#include "physics/broad_phase/disc_grid.h"
 
 namespace carom {
 namespace {
@@ -70,12 +71,27 @@ double typical_way(const World& world) {
     return std::sqrt(ways / radii) * world.tick_length();
 }
 
-double deepest_overlap(const World& world) {
+namespace {
+
+double deepest_overlap_of_balls(const World& world) {
+    const Balls& balls = world.balls();
+    const Vec2 torus = world.model().wrap ? size(*world.model().wrap) : Vec2{};
+    DiscGrid grid;
+    grid.build(balls.position, balls.radius, 0.0, world.model().wrap);
+    double deepest = 0.0;
+    grid.for_each_pair([&](std::uint32_t a, std::uint32_t b) {
+        if (!kinds_meet(world, balls.kind[a], balls.kind[b])) return;
+        Vec2 offset = balls.position[std::min(a, b)] - balls.position[std::max(a, b)];
+        if (world.model().wrap) offset = nearest_image(offset, torus);
+        deepest = std::max(deepest, balls.radius[a] + balls.radius[b] - length(offset));
+    });
+    return deepest;
+}
+
+double deepest_overlap_with_edges(const World& world) {
     const Balls& balls = world.balls();
     const double largest = largest_radius(balls);
     const CellFrame frame = frame_around(world, 2.0 * largest);
-    PointCells cells;
-    cells.rebuild(frame, balls.position);
     CapsuleCells edges;
     edges.update(world, frame, largest);
     const Vec2 torus = world.model().wrap ? size(*world.model().wrap) : Vec2{};
@@ -89,22 +105,22 @@ double deepest_overlap(const World& world) {
         deepest = std::max(deepest, -separation(Disc{balls.position[i], balls.radius[i]}, shape));
     };
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        if (world.model().ball_ball) {
-            cells.for_each_near(i, [&](std::uint32_t j) {
-                if (j <= i || !kinds_meet(world, balls.kind[i], balls.kind[j])) return;
-                Vec2 offset = balls.position[i] - balls.position[j];
-                if (world.model().wrap) offset = nearest_image(offset, torus);
-                const double reach = balls.radius[i] + balls.radius[j];
-                if (length_squared(offset) < reach * reach)
-                    deepest = std::max(deepest, reach - length(offset));
-            });
-        }
-        if (!world.model().ball_edge) continue;
-        for (const CapsuleEntry entry : edges.in_cell(cells.cell_of(i)))
+        const Vec2 position = balls.position[i];
+        const std::uint32_t cell = frame.index(frame.column(position.x), frame.row(position.y));
+        for (const CapsuleEntry entry : edges.in_cell(cell))
             against_edge(i, entry.index, {entry.across * torus.x, entry.along * torus.y});
         for (const HeldCapsule& held : world.held_capsules())
             if (const auto index = index_of(world, held.id)) against_edge(i, *index, {});
     }
+    return deepest;
+}
+
+}  // namespace
+
+double deepest_overlap(const World& world) {
+    double deepest = 0.0;
+    if (world.model().ball_ball) deepest = deepest_overlap_of_balls(world);
+    if (world.model().ball_edge) deepest = std::max(deepest, deepest_overlap_with_edges(world));
     return deepest;
 }
 

@@ -20,54 +20,6 @@ double draw(double low, double high, std::uint64_t who, std::uint64_t index) {
 
 }  // namespace
 
-TEST_CASE(
-    "every pair within a cell's width is found, inside the frame, outside it and around the "
-    "torus") {
-    for (const bool torus : {false, true}) {
-        World world = scenes::gas(400, 8, torus);
-        if (!torus) {  // some far outside the frame
-            for (std::uint64_t i = 0; i < 30; ++i)
-                world.edit_balls().position[i] = {draw(-900, 900, i, 0), draw(500, 900, i, 1)};
-        }
-        const CellFrame frame = frame_around(world, 2.5);
-        PointCells cells;
-        cells.rebuild(frame, world.balls().position);
-        const Vec2 around = torus ? size(*world.model().wrap) : Vec2{1e12, 1e12};
-        for (std::size_t i = 0; i < 400; ++i) {
-            std::vector<std::uint32_t> near;
-            cells.for_each_near(i, [&](std::uint32_t j) { near.push_back(j); });
-            std::ranges::sort(near);
-            CHECK(std::ranges::adjacent_find(near) == near.end());
-            for (std::uint32_t j = 0; j < 400; ++j) {
-                const Vec2 offset =
-                    nearest_image(world.balls().position[i] - world.balls().position[j], around);
-                if (length(offset) < 2.5) CHECK(std::ranges::binary_search(near, j));
-            }
-        }
-    }
-}
-
-TEST_CASE("moving balls from cell to cell gives the result of building the cells again") {
-    World world = scenes::gas(200, 8);
-    const CellFrame frame = frame_around(world, 3.0);
-    PointCells moved;
-    moved.rebuild(frame, world.balls().position);
-    for (std::uint64_t i = 0; i < 200; ++i) {
-        world.edit_balls().position[i] += {draw(-9, 9, i, 2), draw(-9, 9, i, 3)};
-        moved.move(i, world.balls().position[i]);
-    }
-    PointCells built;
-    built.rebuild(frame, world.balls().position);
-    const auto near = [](const PointCells& cells, std::size_t i) {
-        std::vector<std::uint32_t> found;
-        cells.for_each_near(i, [&](std::uint32_t j) { found.push_back(j); });
-        std::ranges::sort(found);
-        return found;
-    };
-    for (std::size_t i = 0; i < 200; ++i)
-        CHECK(near(moved, i) == near(built, i));
-}
-
 TEST_CASE("an edge is in every cell from which a ball can touch it") {
     for (const bool torus : {false, true}) {
         World world = scenes::gas(300, 12, torus);
