@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/impact.h"
+#include "physics/ccd/time_of_impact.h"
 #include "physics/contact/tolerances.h"
 #include "physics/laws/bounce.h"
 
@@ -142,38 +142,31 @@ bool ContactImpacts::is_soft(const ContactPair& pair, Vec2 other_velocity, doubl
 
 std::optional<double> ContactImpacts::time_of_impact(const World& world, const ContactPair& pair,
                                                      double now) const {
-    const ContactPath& path = paths_[pair.a];
     const double left = step_.duration - now;
     const Vec2 at = paths_.chord_position(pair.a, now);
-    const Vec2 chord = now < path.end ? path.chord : Vec2{};
-    double radius = bodies_.radius[pair.a];
+    const Vec2 chord = paths_.chord_velocity(pair.a, now);
+    const double radius = bodies_.radius[pair.a];
+    const auto allowed_overlap = [&](Vec2 other_velocity) {
+        return is_soft(pair, other_velocity, now) ? overlap_bound(bodies_, pair) : 0.0;
+    };
     std::optional<Impact> impact;
     if (bodies_.is_ball(pair.b)) {
-        const ContactPath& other = paths_[pair.b];
         Vec2 offset = at - paths_.chord_position(pair.b, now);
         if (step_.wraps) offset = nearest_image(offset, step_.torus);
-        const Vec2 relative = chord - (now < other.end ? other.chord : Vec2{});
-        if (stays_apart(offset, relative, radius + bodies_.radius[pair.b], left))
-            return std::nullopt;
-        if (is_soft(pair, paths_.velocity_at(pair.b, now), now))
-            radius -= overlap_bound(bodies_, pair);
-        const double reach = radius + bodies_.radius[pair.b];
-        impact = first_impact(Disc{offset, reach}, relative, Disc{{}, 0.0}, left);
-    } else if (pair.b == bodies_.fixed) {
+        impact = impact_of_balls(offset, chord - paths_.chord_velocity(pair.b, now), radius,
+                                 bodies_.radius[pair.b], left,
+                                 [&] { return allowed_overlap(paths_.velocity_at(pair.b, now)); });
+    } else {
+        const bool is_kinematic = pair.b > bodies_.fixed;
+        const HeldEdge* const edge = is_kinematic ? &kinematics_.edge_of(pair) : nullptr;
         const Capsule shape = edge_at(world, pair, now);
-        if (is_soft(pair, {}, now)) radius -= overlap_bound(bodies_, pair);
-        impact = first_impact(Disc{at, radius}, chord, shape, left);
-        if (impact && world.model().one_way &&
+        const Vec2 surface = is_kinematic ? bodies_.body[pair.b].velocity : Vec2{};
+        const Disc disc{at, radius - allowed_overlap(surface)};
+        impact = edge ? impact_with_moving_edge(disc, chord, shape, *edge, left)
+                      : first_impact(disc, chord, shape, left);
+        if (impact && !is_kinematic && world.model().one_way &&
             !is_on_solid_side(shape, world.capsules().side[pair.edge], at + chord * impact->time))
             return std::nullopt;
-    } else {
-        const HeldEdge& edge = kinematics_.edge_of(pair);
-        const Capsule shape = edge_at(world, pair, now);
-        if (is_soft(pair, bodies_.body[pair.b].velocity, now))
-            radius -= overlap_bound(bodies_, pair);
-        const double share = edge.is_stopped() ? 0.0 : edge.share;
-        impact = first_impact(Disc{at, radius}, chord, shape, edge.start_velocity * share,
-                              edge.end_velocity * share, left);
     }
     if (!impact) return std::nullopt;
     return now + impact->time;

@@ -19,14 +19,14 @@ void ContactPaths::add(std::uint32_t body) {
     const ContactBody& after = bodies_.body[body];
     ContactPath& path = paths_.emplace_back();
     path.body = body;
-    path.position = bodies_.position[body];
-    path.chord = bodies_.displacement[body] / step_.duration;
+    path.chord.position = bodies_.position[body];
+    path.chord.velocity = bodies_.displacement[body] / step_.duration;
     path.surface_speed =
         bodies_.start_surface_speed.empty() ? 0.0 : bodies_.start_surface_speed[body];
     path.turn = (after.surface_speed - path.surface_speed) / step_.duration;
     path.end = step_.duration;
     if (bodies_.is_kinematic(body)) {
-        path.velocity = path.chord;
+        path.velocity = path.chord.velocity;
         return;
     }
     path.velocity = before;
@@ -45,28 +45,24 @@ void ContactPaths::add_around(std::uint32_t body) {
     }
 }
 
-Vec2 ContactPaths::chord_position(std::uint32_t body, double now) const {
-    const ContactPath& path = (*this)[body];
-    return path.position + path.chord * (std::min(now, path.end) - path.time);
-}
-
 Vec2 ContactPaths::position_at(std::uint32_t body, double now) const {
     const ContactPath& path = (*this)[body];
-    const double since = std::min(now, path.end) - path.time;
-    if (!path.is_free) return path.position + path.chord * since;
-    return path.position + travel(flight_over(step_.drag, since), path.velocity, step_.gravity);
+    const double since = std::min(now, path.end) - path.chord.time;
+    if (!path.is_free) return path.chord.position + path.chord.velocity * since;
+    return path.chord.position +
+           travel(flight_over(step_.drag, since), path.velocity, step_.gravity);
 }
 
 Vec2 ContactPaths::velocity_at(std::uint32_t body, double now) const {
     const ContactPath& path = (*this)[body];
-    const double since = std::min(now, path.end) - path.time;
+    const double since = std::min(now, path.end) - path.chord.time;
     if (!path.is_free) return path.velocity + path.pull * since;
     return velocity_after(flight_over(step_.drag, since), path.velocity, step_.gravity);
 }
 
 double ContactPaths::surface_speed_at(std::uint32_t body, double now) const {
     const ContactPath& path = (*this)[body];
-    return path.surface_speed + path.turn * (std::min(now, path.end) - path.time);
+    return path.surface_speed + path.turn * (std::min(now, path.end) - path.chord.time);
 }
 
 // The ball leaves the path on which it began the substep.
@@ -78,8 +74,8 @@ std::optional<double> ContactPaths::redirect(std::uint32_t body, double now, Vec
                                              double surface_speed) {
     ContactPath& path = (*this)[body];
     note_given(path, now);
-    path.position = position_at(body, now);
-    path.time = now;
+    path.chord.position = position_at(body, now);
+    path.chord.time = now;
     path.velocity = velocity;
     path.pull = {};
     path.surface_speed = surface_speed;
@@ -91,26 +87,25 @@ std::optional<double> ContactPaths::redirect(std::uint32_t body, double now, Vec
         return std::nullopt;
     }
     if (bodies_.is_kinematic(body)) {
-        path.chord = velocity;
+        path.chord.velocity = velocity;
         return std::nullopt;
     }
     const double left = step_.duration - now;
     path.is_free = true;
-    path.chord = left > 0.0 ? travel(flight_over(step_.drag, left), velocity, step_.gravity) / left
-                            : velocity;
+    path.chord.velocity = carom::chord_velocity(step_.drag, velocity, step_.gravity, left);
     path.end = step_.duration;
     return end_at_skin(body, now);
 }
 
 std::optional<double> ContactPaths::end_at_skin(std::uint32_t body, double now) {
     ContactPath& path = (*this)[body];
-    const Vec2 away = path.position - bodies_.reference[body];
+    const Vec2 away = path.chord.position - bodies_.reference[body];
     const double room = bodies_.skin[body] * bodies_.skin[body];
     const double left = step_.duration - now;
-    if (length_squared(away + path.chord * left) <= room) return std::nullopt;
+    if (length_squared(away + path.chord.velocity * left) <= room) return std::nullopt;
     // |away + chord t|^2 = room
-    const double a = length_squared(path.chord);
-    const double b = dot(away, path.chord);
+    const double a = length_squared(path.chord.velocity);
+    const double b = dot(away, path.chord.velocity);
     const double c = std::min(0.0, length_squared(away) - room);
     const double root = std::sqrt(std::max(0.0, b * b - a * c));
     double time = 0.0;
@@ -132,19 +127,19 @@ void ContactPaths::count_push(std::uint32_t body, double now) {
 void ContactPaths::freeze(std::uint32_t body, double now) {
     ContactPath& path = (*this)[body];
     note_given(path, now);
-    const double since = std::min(now, path.end) - path.time;
+    const double since = std::min(now, path.end) - path.chord.time;
     const Flight flight = flight_over(step_.drag, since);
     if (path.is_free) {
-        path.position += travel(flight, path.velocity, step_.gravity);
+        path.chord.position += travel(flight, path.velocity, step_.gravity);
         path.velocity = velocity_after(flight, path.velocity, step_.gravity);
     } else {
-        path.position += path.chord * since;
+        path.chord.position += path.chord.velocity * since;
         path.velocity += path.pull * since;
     }
     path.surface_speed += path.turn * since;
-    path.chord = path.pull = {};
+    path.chord.velocity = path.pull = {};
     path.turn = 0.0;
-    path.time = now;
+    path.chord.time = now;
     path.end = step_.duration;
     path.is_free = false;
     path.is_frozen = true;
@@ -157,7 +152,7 @@ void ContactPaths::freeze_behind(std::uint32_t other, std::uint32_t body, Vec2 n
 
 void ContactPaths::freeze_at(std::uint32_t body, Vec2 normal, double now) {
     if ((*this)[body].is_frozen || bodies_.is_kinematic(body)) return;
-    if (dot((*this)[body].chord, normal) < 0.0) freeze(body, now);
+    if (dot((*this)[body].chord.velocity, normal) < 0.0) freeze(body, now);
 }
 
 // Friction may take back only what both balls have felt: else it would speed up slip. A frozen ball
@@ -205,7 +200,7 @@ void ContactPaths::finish(const World& world, std::span<ContactConstraint> const
             body.velocity = velocity_at(i, step_.duration);
             body.surface_speed = surface_speed_at(i, step_.duration);
         }
-        if (bodies_.is_kinematic(i)) body.velocity = path.chord;
+        if (bodies_.is_kinematic(i)) body.velocity = path.chord.velocity;
         place_[i] = none;
     }
     if (!world.model().speed_limit) return;

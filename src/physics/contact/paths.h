@@ -6,25 +6,24 @@
 #include <span>
 #include <vector>
 
+#include "physics/ccd/chord.h"
 #include "physics/contact/constraints.h"
 #include "physics/contact/pairs.h"
 
 namespace carom {
 
-/// The path of a ball in a substep that has impacts: at `position` at `time`. After an impact, or
-/// where no constraint presses on it, the ball is `free`: on its parabola, which impacts are
-/// searched along the chord of. Else it goes straight at `chord`, while its velocity changes evenly
-/// by `pull` and its surface speed by `turn`. From `end` on it stands still.
+/// The path of a ball in a substep that has impacts. After an impact, or where no constraint
+/// presses on it, the ball is `free`: on its parabola, which impacts are searched along the chord
+/// of. Else it goes along the chord itself, while its velocity changes evenly by `pull` and its
+/// surface speed by `turn`. From `end` on it stands still.
 struct ContactPath {
-    Vec2 position;
-    Vec2 velocity;
-    Vec2 chord;                  ///< displacement per second to where it will be at the end
+    Chord chord;                 ///< to where it will be at the end; the parabola begins there too
+    Vec2 velocity;               ///< at chord.time, length/s
     Vec2 pull;                   ///< length/s^2
     double surface_speed = 0.0;  ///< length/s
     double turn = 0.0;           ///< length/s^2
     double given = 1.0;          ///< share of the constraints' impulses that the ball has felt
-    double time = 0.0;           ///< s in the substep
-    double end = 0.0;
+    double end = 0.0;            ///< s in the substep
     std::uint32_t version = 0;
     std::uint16_t impacts = 0;
     std::uint16_t pushes = 0;  ///< impacts with kinematic bodies that moved towards it
@@ -58,8 +57,15 @@ class ContactPaths {
     Vec2 position_at(std::uint32_t body, double now) const;
     Vec2 velocity_at(std::uint32_t body, double now) const;
     double surface_speed_at(std::uint32_t body, double now) const;
-    /// Where it is along the chord.
-    Vec2 chord_position(std::uint32_t body, double now) const;
+    /// Where it is along the chord, and at which velocity.
+    Vec2 chord_position(std::uint32_t body, double now) const {
+        const ContactPath& path = (*this)[body];
+        return path.chord.position_at(std::min(now, path.end));
+    }
+    Vec2 chord_velocity(std::uint32_t body, double now) const {
+        const ContactPath& path = (*this)[body];
+        return now < path.end ? path.chord.velocity : Vec2{};
+    }
 
     /// From `now` on the ball flies freely from where it is. When it leaves its skin before the
     /// substep ends, and so freezes: the time.

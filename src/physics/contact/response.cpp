@@ -70,7 +70,7 @@ std::optional<Contact> ContactImpacts::collide_balls(World& world, ContactPair& 
                    .kind = ContactKind::ball_ball,
                    .a = bodies_.ball[a],
                    .b = bodies_.ball[b],
-                   .point = paths_[b].position + normal * bodies_.radius[b],
+                   .point = paths_[b].chord.position + normal * bodies_.radius[b],
                    .normal = normal,
                    .approach = done.approach,
                    .impulse = done.impulse};
@@ -132,9 +132,7 @@ std::optional<Contact> ContactImpacts::collide_edge(World& world, ContactPair& p
 
 // A frozen ball is in the way of a kinematic edge, which stops for the rest of the substep.
 void ContactImpacts::stop_edge(const World& world, const ContactPair& pair, double now) {
-    HeldEdge& edge = kinematics_.edge_of(pair);
-    edge.stopped_at = now;
-    ++edge.version;
+    kinematics_.edge_of(pair).stop(now);
     for (const std::uint32_t p : pairs_.kinematic())
         if (pairs_[p].edge == pair.edge) predict(world, pairs_[p].a, now);
 }

@@ -2,21 +2,22 @@
 
 #include "physics/world/world.h"
 
-/// Where the solver `contact` has nothing to press: there it goes by `swept`.
+/// Scenes in which nothing can press: there `swept` stands in for the solver `contact`.
 ///
-/// In a scene without gravity and drag, where every restitution is 1 and nobody holds anything, no
-/// pair can ever press: whatever meets, bounces at that instant. Between impacts all fly straight,
-/// on paths that are exact however long they are, so cutting a tick into substeps changes nothing
-/// but the last digits. That is just what `swept` does, in less memory and in one piece. It takes
-/// up to swept_tolerance::most_impacts a ball one by one, so a jam of elastic balls costs more.
+/// Without gravity and drag, where every restitution is 1 and nothing is held, no pair can ever
+/// press: every impact bounces at once. Between impacts all balls fly straight, on paths that are
+/// exact however long they are, so cutting a tick into substeps changes only the last digits. That
+/// is what `swept` does, in less memory and in one piece. It resolves up to
+/// swept_tolerance::most_impacts a ball one by one, so a jam of elastic balls costs more.
 namespace carom {
 
-/// Whether the next tick of this world is such a one. Depends on the model and on who holds what.
+/// Whether the next tick is such a one. Depends on the model and on what is held.
 bool is_flight_only(const World& world);
 
-/// Into how many pieces `swept` cuts such a tick: as many as keep the typical way of a ball in one,
-/// by the mean of the squares, under 0.3 radii, `most` at most. More are not more accurate, but
-/// where balls go far in a tick they look at fewer others. Pre: most >= 1.
+/// Number of substeps in which `swept` computes such a tick: as many as keep the typical
+/// displacement of a ball (the root of the mean square) under 0.3 radii in each, but at most
+/// `most`. More are not more accurate, but where balls go far in a tick, each search meets fewer
+/// other balls. Pre: most >= 1.
 int flight_substeps(const World& world, int most);
 
 }  // namespace carom

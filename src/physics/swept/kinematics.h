@@ -32,9 +32,7 @@ class SweptKinematics {
     }
     /// Stops the edge. Predictions of impacts with it become void. Pre: it is kinematic.
     void stop(std::uint32_t capsule, double now) {
-        HeldEdge& edge = *find_edge(std::span<HeldEdge>(edges_), capsule);
-        edge.stopped_at = now;
-        edge.version = 1;
+        find_edge(std::span<HeldEdge>(edges_), capsule)->stop(now);
     }
 
   private:

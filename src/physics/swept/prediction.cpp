@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "geometry/impact.h"
+#include "physics/ccd/time_of_impact.h"
 #include "physics/laws/bounce.h"
-#include "physics/memory/prefetch.h"
 #include "physics/swept/tolerances.h"
 
 namespace carom {
@@ -14,7 +13,7 @@ constexpr std::uint32_t no_ball = 0xffffffffu;
 
 // Whether two bodies that touch approach by no more than rounding. The speed that gravity gives
 // counts: where supports take nearly all of it, the rest has the rounding of the whole.
-bool is_noise(const Impact& impact, Vec2 velocity, Vec2 other, double fall) {
+inline bool is_noise(const Impact& impact, Vec2 velocity, Vec2 other, double fall) {
     if (impact.time > 0.0) return false;
     return -dot(velocity - other, impact.normal) <
            swept_tolerance::noise * (length(velocity) + length(other) + fall);
@@ -110,10 +109,8 @@ void SweptPrediction::predict_ball(const World& world, std::uint32_t ball, std::
     Vec2 offset = path.chord.position_at(now) - theirs.chord.position_at(now);
     if (terms.wrap()) offset = nearest_image(offset, step_.torus);
     const Vec2 relative = path.chord.velocity - theirs.chord.velocity;
-    const double left = step_.duration - now;
-    if (stays_apart(offset, relative, balls.radius[ball] + balls.radius[other], left)) return;
-    const auto impact = first_impact(Disc{offset, balls.radius[ball]}, relative,
-                                     Disc{{}, balls.radius[other]}, left);
+    const auto impact = impact_of_balls(offset, relative, balls.radius[ball], balls.radius[other],
+                                        step_.duration - now, [] { return 0.0; });
     if (!impact || is_noise(*impact, path.chord.velocity, theirs.chord.velocity, step_.rest_speed))
         return;
     const SweptEvent event{now + impact->time, ContactKind::ball_ball, ball,          other,
@@ -131,23 +128,19 @@ void SweptPrediction::predict_edge(const World& world, std::uint32_t ball, std::
     const SweptPath& path = paths_[ball];
     const Vec2 velocity = path.chord.velocity;
     const Disc disc{path.chord.position_at(now), balls.radius[ball]};
-    const double left = step_.duration - now;
     Capsule shape = world.capsules().shape[capsule];
     const HeldEdge* edge = nullptr;
     if (terms.special()) edge = kinematics_.find(capsule);
-    std::optional<Impact> impact;
     if (edge) {
         shape = carom::shape_at(*edge, world, now);
-        impact = edge->is_stopped() ? first_impact(disc, velocity, shape, left)
-                                    : first_impact(disc, velocity, shape, edge->start_velocity,
-                                                   edge->end_velocity, left);
-    } else {
-        if (terms.wrap()) {
-            shape.start += shift;
-            shape.end += shift;
-        }
-        impact = first_impact(disc, velocity, shape, left);
+    } else if (terms.wrap()) {
+        shape.start += shift;
+        shape.end += shift;
     }
+    const double left = step_.duration - now;
+    const bool is_moving = edge && !edge->is_stopped();
+    const auto impact = is_moving ? impact_with_moving_edge(disc, velocity, shape, *edge, left)
+                                  : first_impact(disc, velocity, shape, left);
     if (!impact || (!edge && is_noise(*impact, velocity, {}, step_.rest_speed))) return;
     if (terms.special() && world.model().one_way &&
         !is_on_solid_side(shape, world.capsules().side[capsule],
@@ -160,8 +153,7 @@ void SweptPrediction::predict_edge(const World& world, std::uint32_t ball, std::
 
 // First the paths of the bodies that will meet, then the cells around them, then the entries of
 // these cells, then the paths of these neighbours.
-void SweptPrediction::prefetch(const World& world) const {
-    if (paths_.size() < too_many_to_cache) return;
+void SweptPrediction::prefetch_next(const World& world) const {
     const auto place = [&](const SweptEvent& event) {
         return paths_.position_at(event.ball, event.time);
     };

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "physics/memory/prefetch.h"
 #include "physics/swept/candidates.h"
 #include "physics/swept/kinematics.h"
 #include "physics/swept/paths.h"
@@ -36,9 +37,12 @@ class SweptPrediction {
     /// Whether the other body has changed its path since the prediction.
     bool is_void(const SweptEvent& event) const;
     /// In scenes of many balls: prefetches what the next events of the schedule need.
-    void prefetch(const World& world) const;
+    void prefetch(const World& world) const {
+        if (paths_.size() >= too_many_to_cache) prefetch_next(world);
+    }
 
   private:
+    void prefetch_next(const World& world) const;
     template <Terms terms>
     void predict_pairs_at_start(const World& world);
     template <Terms terms>

@@ -24,6 +24,11 @@ struct HeldEdge {
     std::uint32_t version = 0;  ///< incremented when it stops, so that predictions become void
 
     bool is_stopped() const { return stopped_at >= 0.0; }
+    /// Stops it `now` seconds into the substep.
+    void stop(double now) {
+        stopped_at = now;
+        ++version;
+    }
 };
 
 /// All held and driven edges, with velocity 0, in the order of World::held_capsules. An entry whose
