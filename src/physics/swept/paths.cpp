@@ -71,39 +71,28 @@ void SweptPaths::begin(const World& world, double share_of_way) {
 
 void SweptPaths::finish(World& world) const {
     Balls& balls = SolverAccess(world).balls();
+    const Model& model = world.model();
+    const bool wraps = model.wrap.has_value();
+    const bool turns = model.spin.has_value();
+    const bool is_limited = model.speed_limit.has_value();
+    const Flight whole = step_.flight;
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const auto ball = static_cast<std::uint32_t>(i);
         const SweptPath& path = paths_[i];
         const double since = step_.duration - path.chord.time;
-        Vec2 position = position_at(ball, step_.duration);
-        if (world.model().wrap) position = wrapped(position, *world.model().wrap);
-        balls.position[i] = position;
-        if (world.model().spin)
-            balls.spin[i] = (path.is_frozen && !step_.keeps_energy) || is_held(ball)
-                                ? 0.0
-                                : balls.spin[i] + spin_rate_[i] * since;
+        const Vec2 position = path.chord.position_at(step_.duration);
+        balls.position[i] = wraps ? wrapped(position, *model.wrap) : position;
+        if (turns) finish_turning(world, ball, since);
         if (path.is_frozen || is_held(ball)) {
             balls.velocity[i] = is_held(ball) ? Vec2{} : path.start_velocity;
-            if (world.model().cloth) balls.roll[i] = {};
-        } else if (world.model().cloth) {
-            const auto after = on_cloth(world, ball, path.start_velocity, since);
-            balls.velocity[i] = Vec2(after.velocity);
-            balls.roll[i] = Vec2(after.roll);
-            balls.spin[i] = after.spin;
-        } else {
-            balls.velocity[i] = final_velocity(world, ball);
+            continue;
         }
+        if (turns && model.cloth) continue;
+        const Vec2 velocity =
+            velocity_after(path.chord.time == 0.0 ? whole : flight_over(model.drag, since),
+                           path.start_velocity, gravity_on(ball));
+        balls.velocity[i] = is_limited ? limited(velocity, *model.speed_limit) : velocity;
     }
-}
-
-// Pre: the ball flies.
-inline Vec2 SweptPaths::final_velocity(const World& world, std::uint32_t ball) const {
-    const SweptPath& path = paths_[ball];
-    const Flight flight = path.chord.time == 0.0
-                              ? step_.flight
-                              : flight_over(world.model().drag, step_.duration - path.chord.time);
-    const Vec2 velocity = velocity_after(flight, path.start_velocity, gravity_on(ball));
-    return world.model().speed_limit ? limited(velocity, *world.model().speed_limit) : velocity;
 }
 
 Vec2 SweptPaths::velocity_at(const World& world, std::uint32_t ball, double now) const {
@@ -131,21 +120,6 @@ Vec2 SweptPaths::chord_velocity(const World& world, std::uint32_t ball, Vec2 vel
     if (world.model().cloth && left > 0.0)
         return Vec2(on_cloth(world, ball, velocity, left).position) / left;
     return carom::chord_velocity(world.model().drag, velocity, gravity, left);
-}
-
-Disc SweptPaths::bounding_disc(const World& world, std::uint32_t ball, double now) const {
-    const Vec2 half = paths_[ball].chord.velocity * (0.5 * (step_.duration - now));
-    const Vec2 center = position_at(ball, now) + half;
-    // Wider by more than rounding takes.
-    constexpr double hair = 1e-14;
-    const double size = std::fabs(center.x) + std::fabs(center.y);
-    return {center, world.balls().radius[ball] + length(half) + hair * size};
-}
-
-Box SweptPaths::bounding_box(const World& world, std::uint32_t ball, double now) const {
-    const Vec2 from = position_at(ball, now);
-    const Vec2 to = from + paths_[ball].chord.velocity * (step_.duration - now);
-    return grow(join({from, from}, {to, to}), world.balls().radius[ball]);
 }
 
 bool SweptPaths::redirect(const World& world, std::uint32_t ball, double now, Vec2 velocity) {
@@ -186,13 +160,6 @@ void SweptPaths::rest_on(const World& world, std::uint32_t ball, Vec2 normal) {
     rest.support = normal;
     rest.gravity = left_by_supports(step_.gravity, rest.support, rest.other_support);
     if (world.model().spin) spin_rate_[ball] = 0.0;
-}
-
-void SweptPaths::end_rest(std::uint32_t ball) {
-    SweptPath& path = paths_[ball];
-    path.is_resting = false;
-    path.is_grounded = path.is_frozen;
-    if (!spin_rate_.empty()) spin_rate_[ball] = 0.0;
 }
 
 }  // namespace carom

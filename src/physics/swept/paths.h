@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -79,8 +80,19 @@ class SweptPaths {
     }
     /// A disc, and a box, that hold everything that the ball can touch from now to the end of the
     /// substep.
-    Disc bounding_disc(const World& world, std::uint32_t ball, double now) const;
-    Box bounding_box(const World& world, std::uint32_t ball, double now) const;
+    Disc bounding_disc(const World& world, std::uint32_t ball, double now) const {
+        const Vec2 half = paths_[ball].chord.velocity * (0.5 * (step_.duration - now));
+        const Vec2 center = position_at(ball, now) + half;
+        // Wider by more than rounding takes.
+        constexpr double hair = 1e-14;
+        const double size = std::fabs(center.x) + std::fabs(center.y);
+        return {center, world.balls().radius[ball] + length(half) + hair * size};
+    }
+    Box bounding_box(const World& world, std::uint32_t ball, double now) const {
+        const Vec2 from = position_at(ball, now);
+        const Vec2 to = from + paths_[ball].chord.velocity * (step_.duration - now);
+        return grow(join({from, from}, {to, to}), world.balls().radius[ball]);
+    }
 
     /// From now on the ball moves from where it is, at first at `velocity`, which a frozen ball
     /// does not take. Predictions along its old path become void. Whether this is its first change
@@ -91,7 +103,12 @@ class SweptPaths {
     /// The ball has come to rest on something immovable; `normal` points from there to the ball.
     void rest_on(const World& world, std::uint32_t ball, Vec2 normal);
     /// A bounce has taken the ball off what it rested on.
-    void end_rest(std::uint32_t ball);
+    void end_rest(std::uint32_t ball) {
+        SweptPath& path = paths_[ball];
+        path.is_resting = false;
+        path.is_grounded = path.is_frozen;
+        if (!spin_rate_.empty()) spin_rate_[ball] = 0.0;
+    }
 
     // Turning: spin.cpp. Pre, for all of these: Model::spin.
 
@@ -111,7 +128,7 @@ class SweptPaths {
   private:
     ClothState<double> on_cloth(const World& world, std::uint32_t ball, Vec2 velocity,
                                 double duration) const;
-    Vec2 final_velocity(const World& world, std::uint32_t ball) const;
+    void finish_turning(World& world, std::uint32_t ball, double since) const;
 
     const SweptSubstep& step_;
     LargeVector<SweptPath> paths_;

@@ -32,12 +32,4 @@ void SweptSchedule::sort_initial(double duration) {
                       is_earlier<SweptEvent>);
 }
 
-std::optional<SweptEvent> SweptSchedule::take() {
-    took_initial_ = next_initial_ < initial_.size() &&
-                    (queue_.is_empty() || is_earlier(initial_[next_initial_], queue_.first()));
-    if (took_initial_) return initial_[next_initial_++];
-    if (queue_.is_empty()) return std::nullopt;
-    return queue_.pop();
-}
-
 }  // namespace carom

@@ -41,7 +41,13 @@ class SweptSchedule {
     void sort_initial(double duration);
     void push(const SweptEvent& event) { queue_.push(event); }
     /// Takes out the earliest event of all.
-    std::optional<SweptEvent> take();
+    std::optional<SweptEvent> take() {
+        took_initial_ = next_initial_ < initial_.size() &&
+                        (queue_.is_empty() || is_earlier(initial_[next_initial_], queue_.first()));
+        if (took_initial_) return initial_[next_initial_++];
+        if (queue_.is_empty()) return std::nullopt;
+        return queue_.pop();
+    }
     /// The initial event that comes `ahead` places behind the next one, for prefetching; null if
     /// there are not that many, or if the last event taken was not an initial one.
     const SweptEvent* upcoming(std::size_t ahead) const {

@@ -41,6 +41,26 @@ ClothState<double> SweptPaths::on_cloth(const World& world, std::uint32_t ball, 
     return cloth_state_after(*world.model().cloth, *world.model().spin, state, duration);
 }
 
+// Spin at the end of the substep, `since` seconds after the ball's last change of path; on cloth
+// roll, and the velocity of a ball that is not stopped, too.
+void SweptPaths::finish_turning(World& world, std::uint32_t ball, double since) const {
+    Balls& balls = SolverAccess(world).balls();
+    const SweptPath& path = paths_[ball];
+    const bool is_stopped = path.is_frozen || is_held(ball);
+    balls.spin[ball] = (path.is_frozen && !step_.keeps_energy) || is_held(ball)
+                           ? 0.0
+                           : balls.spin[ball] + spin_rate_[ball] * since;
+    if (!world.model().cloth) return;
+    if (is_stopped) {
+        balls.roll[ball] = {};
+        return;
+    }
+    const auto after = on_cloth(world, ball, path.start_velocity, since);
+    balls.velocity[ball] = Vec2(after.velocity);
+    balls.roll[ball] = Vec2(after.roll);
+    balls.spin[ball] = after.spin;
+}
+
 void SweptPaths::stop_sliding_if_pressed(World& world, std::uint32_t ball, Vec2& velocity) const {
     if (paths_[ball].resting_impacts != swept_tolerance::most_resting_impacts) return;
     const double inertia = *world.model().spin;
