@@ -1,34 +1,32 @@
 #pragma once
 
+// clang-format off
 /// Every threshold of the solver `contact`, in one table. README.md in this folder names the
 /// invariants that they serve.
 ///
-/// | constant                | value | unit                        | ten times larger / smaller |
-/// |-------------------------|-------|-----------------------------|----------------------------|
-/// | rest_speed_factor       | 1.5   | g h (gravity over a substep)| piles never bounce / piles
-/// boil | | most_travel             | 0.25  | radii a substep             | tunnelling through
-/// constraints / all is CCD, slow | | stiffness               | 0.22  | cycles a substep | piles
-/// ring and gain energy / overlap grows a hundredfold | | damping                 | 10    | of
-/// critical damping         | overlaps close too slowly / piles ring | | stiffening              |
-/// 5     | per radius of overlap       | piles tremble / loads sink in deeper | | most_stiffening
-/// | 0.5   | share                       | piles throw up what lands on them / as `stiffening` | |
-/// over_relaxation         | 0.6   | share                       | iterations gain energy (from 1)
-/// / high piles swing for minutes | | high_mass_ratio         | 4     | masses | heavy on light
-/// rocks for ever / most pairs cost four rounds | | loaded_iterations       | 4     | iterations |
-/// slower / heavy on light rocks | | most_excess             | 4     | rest speeds | landings are
-/// thrown back up / falling piles overlap more | | enclosed_contacts       | 3     | contacts on a
-/// ball          | lively piles boil / no ball bounces in a pile | | overlap_limit           | 0.5
-/// | smaller radius              | balls pass through one another / pressed pairs become CCD | |
-/// soft_overlap            | 0.2   | of overlap_limit            | deep pairs are left to the
-/// constraints / falling piles never finish | | kinematic_overlap       | 0.1   | ball's radius |
-/// held edges sink into balls / they stutter | | deep_overlap            | 0.25  | smallest radius
-/// | overlap goes unnoticed by CCD / every pair is searched | | closing_margin          | 0.02  |
-/// smallest radius             | more idle constraints / pushed balls reach others late | |
-/// most_impacts            | 64    | impacts of a ball a substep | jams cost more / fast balls
-/// freeze early | | most_pushes             | 8     | pushes by kinematic bodies  | jams rattle
-/// longer / freeze early | | most_holds              | 8     | rounds of holding back      | slower
-/// / balls between two hands keep their speed | | rounding                | 1e-14 | share of the
-/// speeds         | slow contacts are lost / noise counts as contact |
+/// | constant          | value | unit                         | ten times larger / smaller |
+/// |-------------------|-------|------------------------------|---|
+/// | rest_speed_factor | 1.5   | g h (gravity over a substep) | piles never bounce / piles boil |
+/// | most_travel       | 0.25  | radii a substep              | tunnelling through constraints / all is CCD, slow |
+/// | stiffness         | 0.22  | cycles a substep             | piles ring and gain energy / overlap grows a hundredfold |
+/// | damping           | 10    | of critical damping          | overlaps close too slowly / piles ring |
+/// | stiffening        | 5     | per radius of overlap        | piles tremble / loads sink in deeper |
+/// | most_stiffening   | 0.5   | share                        | piles throw up what lands on them / as `stiffening` |
+/// | over_relaxation   | 0.6   | share                        | iterations gain energy (from 1) / high piles swing for minutes |
+/// | high_mass_ratio   | 4     | masses                       | heavy on light rocks for ever / most pairs cost four rounds |
+/// | loaded_iterations | 4     | iterations                   | slower / heavy on light rocks |
+/// | most_excess       | 4     | rest speeds                  | landings are thrown back up / falling piles overlap more |
+/// | enclosed_contacts | 3     | contacts on a ball           | lively piles boil / no ball bounces in a pile |
+/// | overlap_limit     | 0.5   | smaller radius               | balls pass through one another / pressed pairs become CCD |
+/// | soft_overlap      | 0.2   | of overlap_limit             | deep pairs are left to the constraints / falling piles never finish |
+/// | kinematic_overlap | 0.1   | ball's radius                | held edges sink into balls / they stutter |
+/// | deep_overlap      | 0.25  | smallest radius              | overlap goes unnoticed by CCD / every pair is searched |
+/// | closing_margin    | 0.02  | smallest radius              | more idle constraints / pushed balls reach others late |
+/// | most_impacts      | 64    | impacts of a ball a substep  | jams cost more / fast balls freeze early |
+/// | most_pushes       | 8     | pushes by kinematic bodies   | jams rattle longer / freeze early |
+/// | most_holds        | 8     | rounds of holding back       | slower / balls between two hands keep their speed |
+/// | rounding          | 1e-14 | share of the speeds          | slow contacts are lost / noise counts as contact |
+// clang-format on
 namespace carom::contact_tolerance {
 
 /// A pair that approaches slower than this many times the speed that gravity gives in a substep
