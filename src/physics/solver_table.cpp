@@ -1,12 +1,14 @@
 #include "physics/solver_table.h"
 
 #include <array>
+#include <utility>
 
 #include "physics/contact/solver.h"
 #include "physics/contact/swept_fallback.h"
 #include "physics/discrete/solver.h"
 #include "physics/event/engine.h"
 #include "physics/event/hybrid_step.h"
+#include "physics/event/motion/event_memory.h"
 #include "physics/swept/solver.h"
 #include "physics/world/solver_access.h"
 
@@ -16,11 +18,16 @@ namespace {
 // Of what solvers remember in the world, `discrete`, `substep` and `swept` use nothing.
 void forget_all(World& world) {
     SolverAccess(world).stamp_motion();
-    forget_paths(world);
-    SolverAccess(world).memory().heaped.clear();
-    SolverAccess(world).memory().pressed.clear();
-    SolverAccess(world).memory().homes.clear();
+    SolverAccess(world).memory().clear();
     SolverAccess(world).stamp_memory();
+}
+
+// Of what `event` has left, `contact` uses the contacts of its cluster.
+void keep_contacts(World& world) {
+    if (!world.memory().find<EventMemory>()) return;
+    SolverMemory& memory = SolverAccess(world).memory();
+    ContactMemory contacts = memory.use<ContactMemory>();
+    memory.replace(std::move(contacts));
 }
 
 TickOutcome outcome_of(const Patience& patience) {
@@ -70,9 +77,8 @@ class ContactMethod final : public SolverMethod {
     TickOutcome advance(World& world, TickWork work) override {
         was_swept_ = is_flight_only(world);
         if (!was_swept_) {
+            keep_contacts(world);
             contact_.tick(world, substeps_, work.contacts, work.touched);
-            forget_paths(world);
-            SolverAccess(world).memory().heaped.clear();
             return TickOutcome::done;
         }
         Patience patience(work.keep_going);
@@ -107,16 +113,18 @@ TickOutcome outcome_of(EventOutcome outcome) {
 class EventMethod final : public SolverMethod {
   public:
     TickOutcome advance(World& world, TickWork work) override {
-        if (!hands_heaps_over(world.model(), {.kind = SolverKind::event}))
-            SolverAccess(world).memory().heaped.clear();
-        const bool has_clusters = !world.memory().heaped.empty();
+        const bool may_have_clusters = hands_heaps_over(world.model(), {.kind = SolverKind::event});
+        if (!may_have_clusters && !event_memory(world).clustered.empty())
+            SolverAccess(world).memory().use<EventMemory>().clustered.clear();
+        const bool has_clusters = !event_memory(world).clustered.empty();
         const EventOutcome outcome =
             has_clusters ? hybrid_.tick(world, event_, contact_, work.contacts, work.touched,
                                         work.keep_going)
                          : event_.tick(world, work.contacts, work.touched, work.keep_going);
         if (outcome == EventOutcome::cancelled) return TickOutcome::given_up;
-        if (!has_clusters) SolverAccess(world).memory().pressed.clear();
-        SolverAccess(world).memory().homes.clear();
+        EventMemory& memory = SolverAccess(world).memory().use<EventMemory>();
+        if (!has_clusters) memory.contacts.clear();
+        memory.reference.clear();
         return outcome_of(outcome);
     }
     const CellFrame& cells() const override { return event_.cells(); }
@@ -133,9 +141,10 @@ class ExtendedEventMethod final : public SolverMethod {
         const EventOutcome outcome =
             event_.tick(world, work.contacts, work.touched, work.keep_going);
         if (outcome == EventOutcome::cancelled) return TickOutcome::given_up;
-        SolverAccess(world).memory().heaped.clear();
-        SolverAccess(world).memory().pressed.clear();
-        SolverAccess(world).memory().homes.clear();
+        EventMemory& memory = SolverAccess(world).memory().use<EventMemory>();
+        memory.clustered.clear();
+        memory.contacts.clear();
+        memory.reference.clear();
         return outcome_of(outcome);
     }
     const CellFrame& cells() const override { return event_.cells(); }

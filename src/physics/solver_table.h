@@ -28,7 +28,7 @@ class SolverMethod {
     virtual ~SolverMethod() = default;
 
     /// Moves all balls and held edges by one tick. Leaves in the world the memory of solvers that
-    /// the next tick may use (paths, pressed pairs, reference positions, clusters), and clears the
+    /// the next tick may use (trajectories, contacts), and drops the
     /// rest, unless the tick is cancelled: then the caller puts the world back.
     virtual TickOutcome advance(World& world, TickWork work) = 0;
 

@@ -4,6 +4,7 @@
 
 #include "physics/event/motion/ball_impact.h"
 #include "physics/event/motion/edge_impact.h"
+#include "physics/event/motion/event_memory.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 
@@ -59,7 +60,7 @@ TEST_CASE("event: a ball that starts turning on a cell border is not transferred
             add_capsule(world, {peg, peg, 0.6}, 0);
             add_ball(world, {.position = place, .radius = 0.4});
             REQUIRE(ends(world, 1));
-            CHECK(world.memory().paths.back().motion == Motion::turning);
+            CHECK(event_memory(world).trajectories.lines.back().motion == Motion::turning);
         }
 }
 

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "physics/event/motion/event_memory.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 
@@ -62,7 +63,7 @@ TEST_CASE("event: a ball rests where a slope meets a wall or an overhang") {
                         world, {{0.0, 0.0}, Vec2{std::cos(other), std::sin(other)} * 40.0, 0.0}, 0);
                     add_ball(world, {.position = place + down * above, .radius = 0.5});
                     CHECK(run(world, 300).contacts < 400);
-                    CHECK(world.memory().paths[0].motion == Motion::resting);
+                    CHECK(event_memory(world).trajectories.lines[0].motion == Motion::resting);
                     CHECK(length(world.balls().position[0] - place) < 1e-8);
                 }
             }
@@ -84,7 +85,7 @@ TEST_CASE("event: a ball that turns round a peg comes to rest against the end of
                 add_capsule(world, {end, end + Vec2{3.0, 0.0}, 0.0}, 0);
                 add_ball(world, {.position = on_peg(angle * share), .radius = 0.5});
                 CHECK(run(world, 1000).contacts < 200);
-                CHECK(world.memory().paths[0].motion == Motion::resting);
+                CHECK(event_memory(world).trajectories.lines[0].motion == Motion::resting);
                 CHECK(length(world.balls().position[0] - end) - 0.5 > -1e-8);
                 CHECK(length(world.balls().position[0]) - 0.7 > -1e-8);
             }

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "physics/event/motion/event_memory.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 #include "physics/world/fingerprint.h"
@@ -27,8 +28,8 @@ int first_difference(World& world, int ticks) {
         stranger.tick(copy);
         solver.tick(world);
         if (fingerprint(copy) != fingerprint(world) ||
-            copy.memory().paths != world.memory().paths ||
-            copy.memory().path_bends != world.memory().path_bends)
+            event_memory(copy).trajectories.lines != event_memory(world).trajectories.lines ||
+            event_memory(copy).trajectories.curves != event_memory(world).trajectories.curves)
             return tick;
     }
     return -1;
@@ -68,11 +69,12 @@ TEST_CASE("event: a snapshot continues with the same bits if balls rest deep in 
                              .restitution = 0.5});
             add_capsule(world, row.edge, 0);
             Solver({.kind = SolverKind::event}).tick(world);
-            REQUIRE(world.memory().paths[0].motion == row.motion);
-            const double began = world.memory().paths[0].time;
+            REQUIRE(event_memory(world).trajectories.lines[0].motion == row.motion);
+            const double began = event_memory(world).trajectories.lines[0].time;
             CHECK(first_difference(world, 8) == -1);
             // Trajectories continue from tick to tick.
-            if (row.motion == Motion::resting) CHECK(world.memory().paths[0].time == began);
+            if (row.motion == Motion::resting)
+                CHECK(event_memory(world).trajectories.lines[0].time == began);
         }
     }
 }
@@ -83,13 +85,13 @@ TEST_CASE("event: a support that has been moved no longer carries its ball") {
     const CapsuleId floor = add_capsule(world, {{-2.0, 0.0}, {2.0, 0.0}, 0.0}, 0);
     Solver solver({.kind = SolverKind::event});
     solver.tick(world);
-    REQUIRE(world.memory().paths[0].motion == Motion::resting);
+    REQUIRE(event_memory(world).trajectories.lines[0].motion == Motion::resting);
     // The ball still touches the support, but now slides down.
     world.edit_capsules().shape[0] = {{-2.0, 1.0}, {2.0, -1.0}, 0.0};
     world.edit_balls().position[0] = {0.25 * std::sqrt(0.8), 0.5 * std::sqrt(0.8)};
     solver.tick(world);
     REQUIRE(index_of(world, floor) == 0);
-    CHECK(world.memory().paths[0].motion == Motion::sliding);
+    CHECK(event_memory(world).trajectories.lines[0].motion == Motion::sliding);
     CHECK(world.balls().velocity[0].x > 0.0);
 }
 
@@ -119,17 +121,17 @@ TEST_CASE("event: a snapshot continues with the same bits if a ball's support is
         Solver solver({.kind = SolverKind::event});
         for (int tick = 0; tick < 120; ++tick)
             solver.tick(world);
-        REQUIRE(world.memory().paths[1].motion == Motion::resting);
-        REQUIRE(world.memory().path_bends[1].support.by == PathSupport::By::ball);
-        REQUIRE(world.memory().paths[1].quick > 0);
+        REQUIRE(event_memory(world).trajectories.lines[1].motion == Motion::resting);
+        REQUIRE(event_memory(world).trajectories.curves[1].support.by == PathSupport::By::ball);
+        REQUIRE(event_memory(world).trajectories.lines[1].recent_collisions > 0);
         world.edit_balls().position[0] += push;
         world.edit_balls().velocity[0].y = 0.1;
         World copy = world;
         Solver({.kind = SolverKind::event}).tick(copy);
         solver.tick(world);
-        CHECK(copy.memory().paths == world.memory().paths);
-        CHECK(copy.memory().path_bends == world.memory().path_bends);
-        CHECK(world.memory().paths[1].motion != Motion::resting);
+        CHECK(event_memory(copy).trajectories.lines == event_memory(world).trajectories.lines);
+        CHECK(event_memory(copy).trajectories.curves == event_memory(world).trajectories.curves);
+        CHECK(event_memory(world).trajectories.lines[1].motion != Motion::resting);
     }
 }
 
@@ -195,16 +197,16 @@ TEST_CASE("event: a gravity of -0 gives the same bits as a gravity of 0") {
 TEST_CASE("event: a model that gains cloth has no hybrid step any more") {
     World world = scenes::bucket(40, 0.3);
     Solver solver({.kind = SolverKind::event});
-    for (int tick = 0; tick < 3000 && world.memory().heaped.empty(); ++tick)
+    for (int tick = 0; tick < 3000 && event_memory(world).clustered.empty(); ++tick)
         solver.tick(world);
-    REQUIRE(!world.memory().heaped.empty());
+    REQUIRE(!event_memory(world).clustered.empty());
     world.edit_definition().model.gravity.reset();
     world.edit_definition().model.spin = 0.4;
     world.edit_definition().model.cloth = Cloth{};
     world.edit_balls().spin.assign(world.balls().size(), 0.0);
     world.edit_balls().roll.assign(world.balls().size(), Vec2{});
     CHECK(solver.tick(world) != TickOutcome::given_up);
-    CHECK(world.memory().heaped.empty());
+    CHECK(event_memory(world).clustered.empty());
 }
 
 // A trajectory that crossed such an edge in the past restarted when its ball entered a cell near

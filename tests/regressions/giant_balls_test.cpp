@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "physics/event/motion/event_memory.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 
@@ -23,8 +24,8 @@ TEST_CASE("event: a small ball comes to rest on an oversized ball") {
         solver.tick(world);
     const std::uint64_t bounces = world.ball_ball_collisions();
     CHECK(bounces > 5);
-    REQUIRE(world.memory().paths.size() == 2);
-    CHECK(world.memory().paths[1].motion == Motion::resting);
+    REQUIRE(event_memory(world).trajectories.lines.size() == 2);
+    CHECK(event_memory(world).trajectories.lines[1].motion == Motion::resting);
     CHECK(world.balls().position[1].y == doctest::Approx(201.0).epsilon(1e-12));
     for (int i = 0; i < 600; ++i)
         solver.tick(world);

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "physics/event/motion/event_memory.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 #include "physics/world/fingerprint.h"
@@ -33,7 +34,7 @@ struct SlidingEdge {
         add_ball(world, {.position = {-7.0, 0.5}, .velocity = {}});
         add_ball(world, {.position = {-7.5, 1.366}, .velocity = {}});
         add_ball(world, {.position = {9.97, 3.0}, .velocity = {}});
-        world.edit_memory().heaped = {BallId{0}, BallId{1}, BallId{2}};
+        edit_event_memory(world).clustered = {BallId{0}, BallId{1}, BallId{2}};
     }
 
     void slide() {
@@ -61,7 +62,7 @@ TEST_CASE("event: a hand that moved an edge in a cluster lets go of it for all b
         solver.tick(whole);
         Solver({.kind = SolverKind::event}).tick(parted);
         REQUIRE(fingerprint(whole) == fingerprint(parted));
-        was_parted = was_parted || (tick > 3 && whole.memory().heaped.size() == 3);
+        was_parted = was_parted || (tick > 3 && event_memory(whole).clustered.size() == 3);
     }
     CHECK(was_parted);
     CHECK(whole.capsules().shape[0].end.x == 9.95);

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "physics/event/motion/event_memory.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 
@@ -21,7 +22,7 @@ TEST_CASE("event: a hybrid step on cloth under gravity keeps the roll of every b
     add_ball(world, {.position = {50.0, 0.0}, .velocity = {3.0, 0.0}, .roll = Vec2{-2.0, 1.0}});
     world.edit_definition().model.gravity = Vec2{0.0, -1.0};
     const World start = world;
-    world.edit_memory().heaped = {BallId{0}};
+    edit_event_memory(world).clustered = {BallId{0}};
     Solver solver({.kind = SolverKind::event});
     REQUIRE(solver.tick(world) == TickOutcome::done);
     REQUIRE(world.balls().roll.size() == 3);

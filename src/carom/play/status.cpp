@@ -10,6 +10,7 @@
 #include "game/session/conserved.h"
 #include "lab/run/judge.h"
 #include "lab/run/report.h"
+#include "physics/event/motion/event_memory.h"
 #include "physics/tick/totals.h"
 
 namespace carom {
@@ -128,7 +129,7 @@ void add_world(const PlayContext& play, HudInfo& info) {
     const World& world = play.session.world();
     info.terms = terms_in_force(world.model());
     info.balls = world.balls().size();
-    info.clustered = world.memory().heaped.size();
+    info.clustered = event_memory(world).clustered.size();
     info.collisions = world.ball_ball_collisions() + world.ball_edge_collisions();
     info.checks = checks_of(play);
 }

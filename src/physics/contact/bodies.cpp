@@ -1,4 +1,5 @@
 #include "physics/contact/bodies.h"
+#include "physics/contact/contact_memory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,7 @@ ContactSubstep contact_substep(const World& world, int count) {
 
 void ContactBodies::load(const World& world) {
     const Balls& balls = world.balls();
+    const ReferencePositions& stored = contact_memory(world).reference;
     const std::size_t count = balls.size();
     fixed = static_cast<std::uint32_t>(count);
     position.resize(count);
@@ -59,8 +61,8 @@ void ContactBodies::load(const World& world) {
         position[i] = balls.position[index];
         radius[i] = balls.radius[index];
         smallest_radius = std::min(smallest_radius, radius[i]);
-        reference[i] = world.memory().homes.place[index];
-        skin[i] = world.memory().homes.margin[index];
+        reference[i] = stored.position[index];
+        skin[i] = stored.skin[index];
         body[i] = {balls.velocity[index], 0.0, balls.inverse_mass[index]};
         if (world.model().spin) body[i].surface_speed = balls.spin[index] * balls.radius[index];
     }

@@ -9,7 +9,8 @@
 namespace carom {
 
 void ContactPairs::sort(const World& world, ContactBodies& bodies) {
-    near_.sort(world, world.memory().homes.place, world.memory().homes.margin, bodies.ball);
+    const ReferencePositions& reference = contact_memory(world).reference;
+    near_.sort(world, reference.position, reference.skin, bodies.ball);
 }
 
 void ContactPairs::find(const World& world, const ContactBodies& bodies) {
@@ -33,18 +34,20 @@ void ContactPairs::load(const World& world, const ContactSubstep& step, ContactB
         add_pairs_of_edge(world, bodies, edge);
     if (pairs_.capacity() < near.size()) pairs_.reserve(near.size() + near.size() / 8);
     pairs_.resize(near.size());
-    index_impulses(world, bodies);
+    const std::span<const PersistentContact> last = contact_memory(world).contacts;
+    index_impulses(world, bodies, last);
     order_.arrange(near, bodies.reference, step.gravity);
     kinematic_.clear();
     for (std::uint32_t p = 0; p < near.size(); ++p) {
-        pairs_[p] = pair_of(world, bodies, near[order_[p]]);
+        pairs_[p] = pair_of(world, bodies, near[order_[p]], last);
         any_inelastic_ = any_inelastic_ || pairs_[p].is_inelastic;
         if (pairs_[p].is_kinematic) kinematic_.push_back(p);
     }
 }
 
 ContactPair ContactPairs::pair_of(const World& world, const ContactBodies& bodies,
-                                  const NearPair& near) const {
+                                  const NearPair& near,
+                                  std::span<const PersistentContact> last) const {
     const std::uint32_t ball = bodies.ball[near.a];
     const std::uint32_t b = near.b;
     const double inverse = bodies.body[near.a].inverse_mass + bodies.body[b].inverse_mass;
@@ -69,9 +72,9 @@ ContactPair ContactPairs::pair_of(const World& world, const ContactBodies& bodie
         pair.is_inelastic = pair.bounces && restitution < 1.0;
         if (world.model().spin) pair.friction = friction_of_balls(world, ball, other);
     }
-    if (const PressedPair* const then = last_impulse(world, bodies, pair)) {
+    if (const PersistentContact* const then = last_impulse(world, bodies, pair, last)) {
         pair.impulse = then->impulse;
-        pair.tangential_impulse = then->rub;
+        pair.tangential_impulse = then->tangential_impulse;
         pair.is_new = false;
     }
     return pair;
@@ -99,30 +102,31 @@ void ContactPairs::add_pairs_of_edge(const World& world, ContactBodies& bodies,
 }
 
 // By index of a ball: where its impulses of the last tick begin.
-void ContactPairs::index_impulses(const World& world, const ContactBodies& bodies) {
-    const std::vector<PressedPair>& pressed = world.memory().pressed;
-    if (pressed.empty()) return;
+void ContactPairs::index_impulses(const World& world, const ContactBodies& bodies,
+                                  std::span<const PersistentContact> last) {
+    if (last.empty()) return;
     first_impulse_.resize(bodies.fixed + 1);
     std::uint32_t at = 0;
     for (std::uint32_t ball = 0; ball < bodies.fixed; ++ball) {
-        while (at < pressed.size() && pressed[at].ball < world.balls().id[ball])
+        while (at < last.size() && last[at].ball < world.balls().id[ball])
             ++at;
         first_impulse_[ball] = at;
     }
-    first_impulse_[bodies.fixed] = static_cast<std::uint32_t>(pressed.size());
+    first_impulse_[bodies.fixed] = static_cast<std::uint32_t>(last.size());
 }
 
 // The impulses at the end of the last tick, found by the numbers of the bodies; null if none.
-const PressedPair* ContactPairs::last_impulse(const World& world, const ContactBodies& bodies,
-                                              const ContactPair& pair) const {
-    if (world.memory().pressed.empty()) return nullptr;
+const PersistentContact* ContactPairs::last_impulse(const World& world, const ContactBodies& bodies,
+                                                    const ContactPair& pair,
+                                                    std::span<const PersistentContact> last) const {
+    if (last.empty()) return nullptr;
     const std::vector<BallId>& ids = world.balls().id;
     const std::uint32_t ball = bodies.ball[pair.a];
     const std::uint32_t other = pair.is_on_edge() ? number(world.capsules().id[pair.edge])
                                                   : number(ids[bodies.ball[pair.b]]);
     const ContactKind kind = pair.is_on_edge() ? ContactKind::ball_edge : ContactKind::ball_ball;
     for (std::uint32_t k = first_impulse_[ball]; k < first_impulse_[ball + 1]; ++k) {
-        const PressedPair& then = world.memory().pressed[k];
+        const PersistentContact& then = last[k];
         if (then.ball != ids[ball]) break;
         if (then.other == other && then.kind == kind && then.across == pair.across &&
             then.along == pair.along)
@@ -133,8 +137,10 @@ const PressedPair* ContactPairs::last_impulse(const World& world, const ContactB
 
 void ContactPairs::store_impulses(World& world, const ContactBodies& bodies,
                                   std::vector<std::uint8_t>& touched) {
+    std::vector<PersistentContact>& contacts =
+        SolverAccess(world).memory().use<ContactMemory>().contacts;
     if (is_pair_order_irrelevant(world)) {
-        SolverAccess(world).memory().pressed.clear();
+        contacts.clear();
         return;
     }
     first_impulse_.assign(bodies.fixed + 1, 0);
@@ -150,11 +156,11 @@ void ContactPairs::store_impulses(World& world, const ContactBodies& bodies,
     }
     for (std::uint32_t i = 1; i <= bodies.fixed; ++i)
         first_impulse_[i] += first_impulse_[i - 1];
-    SolverAccess(world).memory().pressed.resize(first_impulse_[bodies.fixed]);
+    contacts.resize(first_impulse_[bodies.fixed]);
     for (const ContactPair& pair : pairs_) {
         if (pair.is_new) continue;
         const std::uint32_t ball = bodies.ball[pair.a];
-        SolverAccess(world).memory().pressed[first_impulse_[ball]++] = {
+        contacts[first_impulse_[ball]++] = {
             .ball = world.balls().id[ball],
             .other = pair.is_on_edge() ? number(world.capsules().id[pair.edge])
                                        : number(world.balls().id[bodies.ball[pair.b]]),
@@ -162,7 +168,7 @@ void ContactPairs::store_impulses(World& world, const ContactBodies& bodies,
             .across = pair.across,
             .along = pair.along,
             .impulse = pair.impulse,
-            .rub = pair.tangential_impulse};
+            .tangential_impulse = pair.tangential_impulse};
     }
 }
 

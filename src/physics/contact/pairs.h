@@ -6,6 +6,7 @@
 
 #include "physics/contact/bodies.h"
 #include "physics/contact/constraint_order.h"
+#include "physics/contact/contact_memory.h"
 #include "physics/tick/kinematic.h"
 
 namespace carom {
@@ -22,11 +23,11 @@ class ContactPairs {
     /// Finds the pairs of balls, and of balls and edges that nobody holds.
     void find(const World& world, const ContactBodies& bodies);
     /// Adds the pairs of kinematic edges, each with a body of its own; orders the pairs; takes over
-    /// the impulses of SolverMemory::pressed.
+    /// the impulses of ContactMemory::contacts.
     void load(const World& world, const ContactSubstep& step, ContactBodies& bodies,
               std::span<const HeldEdge> edges);
 
-    /// Writes SolverMemory::pressed: every pair that presses, ascending by its first ball. Marks
+    /// Writes ContactMemory::contacts: every pair that presses, ascending by its first ball. Marks
     /// their balls in `touched` (by index in the world).
     void store_impulses(World& world, const ContactBodies& bodies,
                         std::vector<std::uint8_t>& touched);
@@ -51,18 +52,20 @@ class ContactPairs {
     const CellFrame& frame() const { return near_.frame(); }
 
   private:
-    ContactPair pair_of(const World& world, const ContactBodies& bodies,
-                        const NearPair& near) const;
+    ContactPair pair_of(const World& world, const ContactBodies& bodies, const NearPair& near,
+                        std::span<const PersistentContact> last) const;
     void add_pairs_of_edge(const World& world, ContactBodies& bodies, const HeldEdge& edge);
-    void index_impulses(const World& world, const ContactBodies& bodies);
-    const PressedPair* last_impulse(const World& world, const ContactBodies& bodies,
-                                    const ContactPair& pair) const;
+    void index_impulses(const World& world, const ContactBodies& bodies,
+                        std::span<const PersistentContact> last);
+    const PersistentContact* last_impulse(const World& world, const ContactBodies& bodies,
+                                          const ContactPair& pair,
+                                          std::span<const PersistentContact> last) const;
 
     NearPairs near_;
     ConstraintOrder order_;
     std::vector<ContactPair> pairs_;
     std::vector<std::uint32_t> kinematic_;
-    std::vector<std::uint32_t> first_impulse_;  // by index of a ball: into SolverMemory::pressed
+    std::vector<std::uint32_t> first_impulse_;  // by index of a ball: into ContactMemory::contacts
     bool any_inelastic_ = false;
     bool is_listed_by_body_ = false;
     std::vector<std::uint32_t> begin_;  // by body, into by_body_

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "physics/contact/contact_memory.h"
 #include "physics/tick/kinematic.h"
 #include "physics/tick/totals.h"
 #include "physics/world/solver_access.h"
@@ -67,28 +68,28 @@ void set_reference_positions(World& world, const ContactSubstep& step) {
     const double roomy = is_pair_order_irrelevant(world)
                              ? std::min(1.15 * fastest * terms.tick, 0.4 * smallest)
                              : 0.0;
-    Homes& homes = SolverAccess(world).memory().homes;
-    homes.ball = balls.id;
-    homes.place = balls.position;
-    homes.margin.resize(balls.size());
+    ReferencePositions& reference = SolverAccess(world).memory().use<ContactMemory>().reference;
+    reference.ball = balls.id;
+    reference.position = balls.position;
+    reference.skin.resize(balls.size());
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const double radius = balls.radius[i];
         const double hit = std::max(std::min(1.1 * fastest * step.duration, 0.25 * radius), roomy);
-        homes.margin[i] = skin_for(length(balls.velocity[i]), radius, terms, hit);
+        reference.skin[i] = skin_for(length(balls.velocity[i]), radius, terms, hit);
     }
     for (const HeldBall& held : world.held_balls())
         if (const auto index = index_of(world, held.id))
-            homes.margin[*index] += length(rest_of_way(world, held, balls.position[*index]));
+            reference.skin[*index] += length(rest_of_way(world, held, balls.position[*index]));
 }
 
 bool has_valid_reference_positions(const World& world, const ContactSubstep& step) {
-    const Homes& homes = world.memory().homes;
+    const ReferencePositions& reference = contact_memory(world).reference;
     if (step.wraps || !world.held_balls().empty() || !world.held_capsules().empty()) return false;
-    if (homes.ball != world.balls().id) return false;
+    if (reference.ball != world.balls().id) return false;
     const Balls& balls = world.balls();
     for (std::size_t i = 0; i < balls.size(); ++i)
-        if (!stays_within(balls.position[i] - homes.place[i], balls.velocity[i], homes.margin[i],
-                          step))
+        if (!stays_within(balls.position[i] - reference.position[i], balls.velocity[i],
+                          reference.skin[i], step))
             return false;
     return true;
 }

@@ -2,10 +2,10 @@
 
 #include "physics/contact/bodies.h"
 
-/// Verlet reference positions of the solver `contact` (SolverMemory::homes): where the balls were
-/// when their pairs were found. While each ball stays within its skin of there, these pairs are all
-/// that could meet. The reference positions belong to the world, since pairs are solved in an order
-/// that depends on them.
+/// Verlet reference positions of the solver `contact` (ContactMemory::reference): where the balls
+/// were when their pairs were found. While each ball stays within its skin of there, these pairs
+/// are all that could meet. The reference positions belong to the world, since pairs are solved in
+/// an order that depends on them.
 namespace carom {
 
 /// Whether it does not show in the result when pairs are found: nothing is ever a constraint, so

@@ -21,6 +21,10 @@ Vec2 displacement(const World& world, Vec2 from, Vec2 to) {
     return world.model().wrap ? nearest_image(to - from, torus_of(world)) : to - from;
 }
 
+EventMemory& memory_of(World& world) {
+    return SolverAccess(world).memory().use<EventMemory>();
+}
+
 }  // namespace
 
 EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactSolver& contact,
@@ -31,15 +35,15 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
     if (std::ranges::find(is_clustered_, 1) == is_clustered_.end()) {
         // The balls of the cluster no longer exist.
         const EventOutcome outcome = event.tick(world, contacts, touched, keep_going);
-        if (outcome != EventOutcome::cancelled) SolverAccess(world).memory().pressed.clear();
+        if (outcome != EventOutcome::cancelled) memory_of(world).contacts.clear();
         return outcome;
     }
     for (int attempt = 1;; ++attempt) {
         const bool is_all = std::ranges::find(is_clustered_, 0) == is_clustered_.end();
         if (is_all || attempt > most_attempts) {
             contact.tick(world, substeps_for(world), contacts, touched);
-            forget_paths(world);
-            find_staying(world, SolverAccess(world).memory().heaped);
+            forget_trajectories(world);
+            find_staying(world, memory_of(world).clustered);
             return EventOutcome::done;
         }
         if (attempt > 1 || !has_free_part_of(world)) take_part(world, false, free_);
@@ -66,18 +70,15 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
             SolverAccess(world).capsules().shape[*index] = part.capsules().shape[*index];
         }
         merge_contacts(contacts);
-        SolverMemory& memory = SolverAccess(world).memory();
-        SolverMemory& of_free = SolverAccess(free_.world).memory();
-        memory.paths = of_free.paths;
-        memory.path_bends = of_free.path_bends;
-        memory.spin_paths = of_free.spin_paths;
-        memory.paths_obstacles = world.held_capsules().empty() ? of_free.paths_obstacles : 0;
-        memory.paths_gravity = of_free.paths_gravity;
-        memory.paths_drag = of_free.paths_drag;
-        memory.pressed.swap(SolverAccess(cluster_.world).memory().pressed);
-        find_staying(cluster_.world, memory.heaped);
-        memory.heaped.insert(memory.heaped.end(), of_free.heaped.begin(), of_free.heaped.end());
-        std::ranges::sort(memory.heaped);
+        EventMemory& memory = memory_of(world);
+        const EventMemory& of_free = event_memory(free_.world);
+        memory.trajectories = of_free.trajectories;
+        if (!world.held_capsules().empty()) memory.trajectories.obstacles = 0;
+        memory.contacts.swap(SolverAccess(cluster_.world).memory().use<ContactMemory>().contacts);
+        find_staying(cluster_.world, memory.clustered);
+        memory.clustered.insert(memory.clustered.end(), of_free.clustered.begin(),
+                                of_free.clustered.end());
+        std::ranges::sort(memory.clustered);
         SolverAccess(world).stamp_motion();
         SolverAccess(world).stamp_memory();
         free_stamps_ = world.stamps();
@@ -134,7 +135,7 @@ void HybridStep::find_cluster(const World& world) {
         if (pair.edge == NearPair::no_edge) unite(order_[pair.a], order_[pair.b]);
     unite_held_capsules(world);
     is_clustered_.assign(parent_.size(), 0);
-    for (const BallId id : world.memory().heaped)
+    for (const BallId id : event_memory(world).clustered)
         if (const auto index = index_of(world, id))
             is_clustered_[root_of(static_cast<std::uint32_t>(*index))] = 1;
     // A root is the lowest node of its tree.
@@ -191,22 +192,16 @@ void HybridStep::take_part(const World& world, bool of_cluster, Part& part) cons
     for (std::size_t h = 0; h < world.held_capsules().size(); ++h)
         if ((is_clustered_[count + h] != 0) == of_cluster)
             some.edit_held_capsules().push_back(world.held_capsules()[h]);
-    SolverMemory& memory = SolverAccess(some).memory();
-    const SolverMemory& of_whole = world.memory();
-    memory.heaped.clear();
-    memory.pressed.clear();
-    memory.homes.clear();
-    forget_paths(some);
     if (of_cluster) {
-        memory.pressed = of_whole.pressed;
+        ContactMemory& memory = some.edit_memory().use<ContactMemory>();
+        memory.contacts = event_memory(world).contacts;
+        memory.reference.clear();
         return;
     }
-    memory.paths = of_whole.paths;
-    memory.path_bends = of_whole.path_bends;
-    memory.spin_paths = of_whole.spin_paths;
-    memory.paths_obstacles = of_whole.paths_obstacles;
-    memory.paths_gravity = of_whole.paths_gravity;
-    memory.paths_drag = of_whole.paths_drag;
+    EventMemory& memory = some.edit_memory().use<EventMemory>();
+    memory.trajectories = event_memory(world).trajectories;
+    memory.contacts.clear();
+    memory.clustered.clear();
 }
 
 // Widens the reach of every ball that got further. Whether there is one.
@@ -268,11 +263,11 @@ int HybridStep::substeps_for(const World& cluster) {
     return substeps;
 }
 
-void HybridStep::find_staying(const World& cluster, std::vector<BallId>& heaped) {
+void HybridStep::find_staying(const World& cluster, std::vector<BallId>& staying) {
     const Balls& balls = cluster.balls();
     const Vec2 torus = torus_of(cluster);
     stays_.assign(balls.size(), 0);
-    for (const PressedPair& pair : cluster.memory().pressed) {
+    for (const PersistentContact& pair : contact_memory(cluster).contacts) {
         if (pair.kind != ContactKind::ball_ball) continue;
         for (const BallId id : {pair.ball, BallId{pair.other}})
             if (const auto index = index_of(cluster, id)) stays_[*index] = 1;
@@ -302,9 +297,9 @@ void HybridStep::find_staying(const World& cluster, std::vector<BallId>& heaped)
         if (const auto index = index_of(cluster, held.id))
             for (std::uint32_t i = 0; i < balls.size(); ++i)
                 stays_[i] |= is_sunk(i, balls.position[i], *index);
-    heaped.clear();
+    staying.clear();
     for (std::size_t i = 0; i < balls.size(); ++i)
-        if (stays_[i]) heaped.push_back(balls.id[i]);
+        if (stays_[i]) staying.push_back(balls.id[i]);
 }
 
 }  // namespace carom

@@ -8,6 +8,7 @@
 #include "physics/broad_phase/fat_pairs.h"
 #include "physics/contact/solver.h"
 #include "physics/event/engine.h"
+#include "physics/event/motion/event_memory.h"
 #include "physics/world/contact.h"
 #include "physics/world/world.h"
 
@@ -17,10 +18,10 @@ namespace carom {
 /// everything else by `event`. The rule depends on the world alone, and not on the order of balls.
 ///
 /// *Dense* is a ball with more than `dense_collisions` collisions in quick succession, the last of
-/// them with another ball, where gravity acts and impacts lose energy. SolverMemory::heaped names
+/// them with another ball, where gravity acts and impacts lose energy. EventMemory::clustered names
 /// the dense balls at the end of a tick.
 ///
-/// *The cluster* of a tick: the balls of SolverMemory::heaped, all that could meet one of them
+/// *The cluster* of a tick: the balls of EventMemory::clustered, all that could meet one of them
 /// within the tick, all that could meet those, and so on. A ball is assumed to get as far as its
 /// speed and a fall from rest take it: its *reach*. A held body belongs to the cluster if it could
 /// meet a ball of it; then so do all balls that it could meet.
@@ -30,8 +31,8 @@ namespace carom {
 /// faster than its reach allows: then its reach becomes twice the distance that it got. If that
 /// adds balls to the cluster, the tick is repeated; after `most_attempts`, `contact` steps all.
 ///
-/// *Coming back.* After the tick a ball stays in SolverMemory::heaped while something presses it on
-/// another ball, and while it overlaps a ball or an edge by more than `sunk` of its radius. All
+/// *Coming back.* After the tick a ball stays in EventMemory::clustered while something presses it
+/// on another ball, and while it overlaps a ball or an edge by more than `sunk` of its radius. All
 /// others start exact trajectories; those that touch the cluster belong to it again in the next
 /// tick.
 ///
@@ -51,8 +52,8 @@ class HybridStep {
     static constexpr int most_attempts = 4;
     static constexpr double sunk = 1e-5;
 
-    /// A tick of a world whose SolverMemory::heaped is not empty. As EventEngine::tick; a tick that
-    /// is cancelled leaves the world as it was.
+    /// A tick of a world whose EventMemory::clustered is not empty. As EventEngine::tick; a tick
+    /// that is cancelled leaves the world as it was.
     EventOutcome tick(World& world, EventEngine<double>& event, ContactSolver& contact,
                       std::vector<Contact>& contacts, std::vector<std::uint8_t>& touched,
                       const std::function<bool()>& keep_going);
@@ -79,7 +80,7 @@ class HybridStep {
     void write_back(World& world, const Part& part, std::vector<std::uint8_t>& touched) const;
     void merge_contacts(std::vector<Contact>& contacts);
     static int substeps_for(const World& cluster);
-    void find_staying(const World& cluster, std::vector<BallId>& heaped);
+    void find_staying(const World& cluster, std::vector<BallId>& staying);
 
     NearPairs near_;
     std::vector<std::uint32_t> order_;        // of the balls in near_

@@ -24,9 +24,9 @@ bool WorldSync<Real>::leads_through(const Trajectory<Real>& path, std::size_t ba
 
 // Whether the edges that support the ball are still there, as they were.
 template <typename Real>
-bool WorldSync<Real>::are_carriers_left(const Trajectory<Real>& path, std::uint32_t sum) const {
+bool WorldSync<Real>::are_carriers_left(const Trajectory<Real>& path, std::uint32_t digest) const {
     return path.motion == Motion::free ||
-           sum_of_carriers(*scene_.world, path.support, path.second_support) == sum;
+           digest_of_carriers(*scene_.world, path.support, path.second_support) == digest;
 }
 
 // Whether the balls that support the ball are still there.

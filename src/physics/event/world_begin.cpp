@@ -94,7 +94,7 @@ void WorldSync<Real>::rebuild(const World& world) {
     const std::size_t count = world.balls().size();
     BallTable<Real> before;
     if constexpr (!std::is_same_v<Real, double>) before = balls_;
-    balls_.resize(count, has_bends(world.model()));
+    balls_.resize(count, may_curve(world.model()));
     for (std::size_t i = 0; i < count; ++i) {
         balls_.set_path(i, {});
         balls_.plan(i).set_next_event({});
@@ -109,8 +109,8 @@ void WorldSync<Real>::rebuild(const World& world) {
     for (std::size_t i = 0; i < count; ++i)
         is_kept_[i] = is_kept_[i] && !(balls_.plan(i).inverse_mass == Real{}) &&
                       leads_through(balls_.path(i), i);
-    if (world.memory().paths_obstacles == 0 ||
-        world.memory().paths_obstacles != sum_of_obstacles(world))
+    const std::uint64_t obstacles = event_memory(world).trajectories.obstacles;
+    if (obstacles == 0 || obstacles != digest_of_obstacles(world))
         for (std::uint32_t i = 0; i < count; ++i)
             is_kept_[i] = is_kept_[i] && !has_passed_an_edge(i);
     drop_unsupported();
@@ -131,21 +131,17 @@ void WorldSync<Real>::take_stored(const World& world, const BallTable<Real>& bef
     spin_from_.assign(world.model().spin ? count : 0, -1);
     std::size_t at = 0;
     if constexpr (std::is_same_v<Real, double>) {
-        const bool same_field =
-            world.memory().paths_gravity == world.model().gravity.value_or(Vec2{}) &&
-            world.memory().paths_drag == world.model().drag.value_or(0.0);
+        const StoredTrajectories& stored = event_memory(world).trajectories;
+        const bool same_field = stored.gravity == world.model().gravity.value_or(Vec2{}) &&
+                                stored.drag == world.model().drag.value_or(0.0);
         for (std::size_t i = 0; i < count && same_field; ++i) {
-            while (at < world.memory().paths.size() &&
-                   world.memory().paths[at].id < world.balls().id[i])
+            while (at < stored.lines.size() && stored.lines[at].id < world.balls().id[i])
                 ++at;
-            if (at >= world.memory().paths.size() ||
-                world.memory().paths[at].id != world.balls().id[i])
-                continue;
-            const PathBend bend =
-                at < world.memory().path_bends.size() ? world.memory().path_bends[at] : PathBend{};
-            balls_.set_path(i, path_from(world.memory().paths[at], bend));
-            is_kept_[i] = (!world.model().spin || at < world.memory().spin_paths.size()) &&
-                          are_carriers_left(balls_.path(i), bend.carriers);
+            if (at >= stored.lines.size() || stored.lines[at].id != world.balls().id[i]) continue;
+            const StoredCurve curve = at < stored.curves.size() ? stored.curves[at] : StoredCurve{};
+            balls_.set_path(i, trajectory_from(stored.lines[at], curve));
+            is_kept_[i] = (!world.model().spin || at < stored.spins.size()) &&
+                          are_carriers_left(balls_.path(i), curve.carriers);
             if (world.model().spin && is_kept_[i]) spin_from_[i] = static_cast<std::int64_t>(at);
         }
     } else if (left_.is_valid && left_.tick == world.tick() && left_.model == world.model()) {
@@ -170,7 +166,7 @@ void WorldSync<Real>::take_spins(const World& world) {
         if (spin_from_[i] < 0) {
             trajectories_.spin(i) = {scene_.now, Real(world.balls().spin[i]), Real{}, false};
         } else if constexpr (std::is_same_v<Real, double>) {
-            const SpinPath& path = world.memory().spin_paths[at];
+            const StoredSpin& path = event_memory(world).trajectories.spins[at];
             trajectories_.spin(i) = {path.time, path.spin, path.rate, path.rolls};
         } else {
             trajectories_.spin(i) = before[at];

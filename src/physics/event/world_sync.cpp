@@ -17,6 +17,10 @@ Vec2 place_on(const LinearPart<Real>& line, const Real& time) {
     return Vec2(line.position + line.velocity * (time - line.time));
 }
 
+StoredTrajectories& stored_in(World& world) {
+    return SolverAccess(world).memory().use<EventMemory>().trajectories;
+}
+
 // visit(i) from `first` to before `last`, of `count` in all. Where so many do not fit into the
 // cache, fetch(i) is called some way ahead.
 template <typename Visit, typename Fetch>
@@ -109,14 +113,15 @@ void WorldSync<Real>::write_lines(World& world) {
 // The trajectories of balls on lines that started in this tick.
 template <typename Real>
 void WorldSync<Real>::write_begun(World& world, std::span<const std::uint32_t> begun) {
+    LargeVector<StoredLine>& lines = stored_in(world).lines;
     for (std::size_t at = 0; at < begun.size(); ++at) {
         const std::uint32_t i = begun[at];
         SolverAccess(world).balls().velocity[i] = Vec2(balls_[i].line.velocity);
         if constexpr (std::is_same_v<Real, double>) {
-            const BallPath& soon = world.memory().paths[begun[std::min(at + 32, begun.size() - 1)]];
+            const StoredLine& soon = lines[begun[std::min(at + 32, begun.size() - 1)]];
             fetch_early(&soon);
             fetch_early(&soon.velocity);
-            BallPath& stored = SolverAccess(world).memory().paths[i];
+            StoredLine& stored = lines[i];
             stored = stored_line(is_rebuilt_ ? world.balls().id[i] : stored.id, balls_[i].line);
         }
     }
@@ -149,8 +154,9 @@ bool WorldSync<Real>::limit_speeds(World& world) const {
 template <typename Real>
 void WorldSync<Real>::clear_paths(World& world) {
     if constexpr (std::is_same_v<Real, double>) {
-        SolverAccess(world).memory().paths.assign(balls_.size(), {});
-        SolverAccess(world).memory().path_bends.assign(balls_.may_curve() ? balls_.size() : 0, {});
+        StoredTrajectories& stored = stored_in(world);
+        stored.lines.assign(balls_.size(), {});
+        stored.curves.assign(balls_.may_curve() ? balls_.size() : 0, {});
     } else {
         left_.carriers.assign(balls_.size(), 0);
     }
@@ -159,15 +165,14 @@ void WorldSync<Real>::clear_paths(World& world) {
 // Stores the trajectories that started in this tick, or all.
 template <typename Real>
 void WorldSync<Real>::store_paths(World& world) {
+    StoredTrajectories& stored = stored_in(world);
     const auto store = [&](std::uint32_t i) {
         const Trajectory<Real> path = balls_.path(i);
         if constexpr (!std::is_same_v<Real, double>) {
-            left_.carriers[i] = sum_of_carriers(world, path.support, path.second_support);
+            left_.carriers[i] = digest_of_carriers(world, path.support, path.second_support);
         } else {
-            BallPath& stored = SolverAccess(world).memory().paths[i];
-            stored = stored_line(world.balls().id[i], path);
-            if (balls_.may_curve())
-                SolverAccess(world).memory().path_bends[i] = stored_bend(world, path);
+            stored.lines[i] = stored_line(world.balls().id[i], path);
+            if (balls_.may_curve()) stored.curves[i] = stored_curve(world, path);
         }
     };
     const bool are_all = is_rebuilt_ || trajectories_.started().size() >= balls_.size() ||
@@ -203,14 +208,14 @@ void WorldSync<Real>::write(World& world, bool has_stopped) {
     }
     if constexpr (std::is_same_v<Real, double>) {
         write_dense(world);
-        access.memory().paths_gravity = world.model().gravity.value_or(Vec2{});
-        access.memory().paths_drag = world.model().drag.value_or(0.0);
+        stored_in(world).gravity = world.model().gravity.value_or(Vec2{});
+        stored_in(world).drag = world.model().drag.value_or(0.0);
     } else if (is_rebuilt_) {
         left_.model = world.model();
         left_.ids = world.balls().id;
     }
     if (is_rebuilt_)
-        access.memory().paths_obstacles = kinematic_.edges().empty() ? sum_of_obstacles(world) : 0;
+        stored_in(world).obstacles = kinematic_.edges().empty() ? digest_of_obstacles(world) : 0;
     access.stamp_motion();
     access.stamp_memory();
     left_.tick = world.tick() + 1;
@@ -234,10 +239,10 @@ void WorldSync<Real>::write_spins(World& world) {
                 ? 0.0
                 : static_cast<double>(trajectories_.spin_at(i, scene_.end));
     if constexpr (std::is_same_v<Real, double>) {
-        SolverAccess(world).memory().spin_paths.clear();
+        std::vector<StoredSpin>& stored = stored_in(world).spins;
+        stored.clear();
         for (const SpinTrajectory<Real>& turn : trajectories_.spins())
-            SolverAccess(world).memory().spin_paths.push_back(
-                {turn.time, turn.spin, turn.rate, turn.rolls});
+            stored.push_back({turn.time, turn.spin, turn.rate, turn.rolls});
     }
     if (world.model().cloth) write_rolls(world);
 }
@@ -257,9 +262,10 @@ void WorldSync<Real>::write_rolls(World& world) const {
 // The balls in dense clusters, for the hybrid step.
 template <typename Real>
 void WorldSync<Real>::write_dense(World& world) {
-    SolverAccess(world).memory().heaped.clear();
+    std::vector<BallId>& clustered = SolverAccess(world).memory().use<EventMemory>().clustered;
+    clustered.clear();
     for (const std::uint32_t ball : guard_.dense())
-        SolverAccess(world).memory().heaped.push_back(world.balls().id[ball]);
+        clustered.push_back(world.balls().id[ball]);
 }
 
 template class WorldSync<double>;

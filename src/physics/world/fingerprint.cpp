@@ -35,58 +35,6 @@ void add_kinematic_bodies(Hash& hash, const World& world) {
     }
 }
 
-void add_support(Hash& hash, const PathSupport& support) {
-    hash.add(support.by);
-    hash.add(support.across);
-    hash.add(support.along);
-    hash.add(support.number);
-}
-
-void add_paths(Hash& hash, const SolverMemory& memory) {
-    hash.add(std::uint64_t{memory.paths.size()});
-    for (const BallPath& path : memory.paths) {
-        hash.add(path.id);
-        hash.add(path.quick);
-        hash.add(path.motion);
-        hash.add(path.time);
-        hash.add(path.position);
-        hash.add(path.velocity);
-    }
-    for (const PathBend& bend : memory.path_bends) {
-        hash.add(bend.acceleration);
-        hash.add(bend.center);
-        add_support(hash, bend.support);
-        add_support(hash, bend.second_support);
-        hash.add(bend.carriers);
-    }
-    for (const SpinPath& path : memory.spin_paths) {
-        hash.add(path.time);
-        hash.add(path.spin);
-        hash.add(path.rate);
-        hash.add(path.rolls);
-    }
-    hash.add(memory.paths_gravity);
-    hash.add(memory.paths_drag);
-}
-
-void add_memory(Hash& hash, const SolverMemory& memory) {
-    add_paths(hash, memory);
-    hash.add(std::uint64_t{memory.pressed.size()});
-    for (const PressedPair& pair : memory.pressed) {
-        hash.add(pair.ball);
-        hash.add(pair.other);
-        hash.add(pair.kind);
-        hash.add(pair.across);
-        hash.add(pair.along);
-        hash.add(pair.impulse);
-        hash.add(pair.rub);
-    }
-    hash.add(memory.homes.ball);
-    hash.add(memory.homes.place);
-    hash.add(memory.homes.margin);
-    hash.add(memory.heaped);
-}
-
 std::uint64_t fingerprint_2(const World& world) {
     Hash hash;
     hash.add(world.tick());
@@ -97,7 +45,7 @@ std::uint64_t fingerprint_2(const World& world) {
     for (const Emitter& emitter : world.emitters())
         hash.add(emitter.emitted);
     hash.add(world.counters());
-    add_memory(hash, world.memory());
+    world.memory().add_to(hash, world.model(), 2);
     return hash.state();
 }
 
@@ -144,39 +92,7 @@ std::uint64_t fingerprint_1(const World& world) {
         hash.add(held.start_target);
         hash.add(held.end_target);
     }
-    for (std::size_t i = 0; i < world.memory().paths.size(); ++i) {
-        const BallPath& path = world.memory().paths[i];
-        const PathBend bend =
-            i < world.memory().path_bends.size() ? world.memory().path_bends[i] : PathBend{};
-        hash.add(std::uint64_t{number(path.id)});
-        hash.add(path.time);
-        hash.add(path.position);
-        hash.add(path.velocity);
-        hash.add(bend.acceleration);
-        hash.add(std::uint64_t{path.quick});
-        hash.add(static_cast<std::uint64_t>(path.motion));
-        if (world.model().cloth) hash.add(bend.center);
-    }
-    for (const SpinPath& path : world.memory().spin_paths) {
-        hash.add(path.time);
-        hash.add(path.spin);
-        hash.add(path.rate);
-        hash.add(std::uint64_t{path.rolls});
-    }
-    for (const PressedPair& pair : world.memory().pressed) {
-        hash.add(std::uint64_t{number(pair.ball)});
-        hash.add(std::uint64_t{pair.other});
-        hash.add(static_cast<std::uint64_t>(pair.kind));
-        hash.add(pair.impulse);
-        hash.add(pair.rub);
-    }
-    for (std::size_t i = 0; i < world.memory().homes.ball.size(); ++i) {
-        hash.add(std::uint64_t{number(world.memory().homes.ball[i])});
-        hash.add(world.memory().homes.place[i]);
-        hash.add(world.memory().homes.margin[i]);
-    }
-    for (const BallId id : world.memory().heaped)
-        hash.add(std::uint64_t{number(id)});
+    world.memory().add_to(hash, world.model(), 1);
     return hash.state();
 }
 

@@ -71,10 +71,7 @@ std::size_t World::bytes() const {
            bytes_in(definition_.kinds) + bytes_in(definition_.materials) +
            bytes_in(definition_.meets) + bytes_in(definition_.zones) + bytes_in(emitters_) +
            bytes_in(flippers_) + bytes_in(held_balls_) + bytes_in(held_capsules_) +
-           bytes_in(ledger_.counters) + bytes_in(ledger_.removed) + bytes_in(memory_.paths) +
-           bytes_in(memory_.path_bends) + bytes_in(memory_.spin_paths) + bytes_in(memory_.pressed) +
-           bytes_in(memory_.homes.ball) + bytes_in(memory_.homes.place) +
-           bytes_in(memory_.homes.margin) + bytes_in(memory_.heaped);
+           bytes_in(ledger_.counters) + bytes_in(ledger_.removed) + memory_.bytes();
 }
 
 BallId add_ball(World& world, const BallSpec& spec) {
@@ -131,16 +128,12 @@ void set_layer(World& world, BallId id, std::uint8_t layer) {
     const std::size_t there = kind % kinds + layer * kinds;
     if (there == kind || there >= world.kinds().size()) return;
     world.edit_balls().kind[*index] = static_cast<ClassIndex>(there);
-    // What a path was to meet, it no longer does.
-    forget_paths(world);
+    // The ball no longer meets what its trajectory was to meet.
+    forget_trajectories(world);
 }
 
-void forget_paths(World& world) {
-    if (world.memory().paths.empty()) return;
-    SolverMemory& memory = world.edit_memory();
-    memory.paths.clear();
-    memory.path_bends.clear();
-    memory.spin_paths.clear();
+void forget_trajectories(World& world) {
+    if (!world.memory().is_empty()) world.edit_memory().forget_trajectories();
 }
 
 void remove_ball(World& world, BallId id) {

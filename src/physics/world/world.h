@@ -122,8 +122,8 @@ std::size_t kinds_of_a_layer(const World& world);
 /// no such ball, or no such layer.
 void set_layer(World& world, BallId id, std::uint8_t layer);
 
-/// The solver `event` starts from where the balls are. As if the last tick had been another's.
-void forget_paths(World& world);
+/// The solver `event` starts new trajectories from where the balls are.
+void forget_trajectories(World& world);
 
 /// By the player; `removed` gets an entry. Nothing happens when there is no such ball.
 void remove_ball(World& world, BallId id);

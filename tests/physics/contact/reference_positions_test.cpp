@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "physics/contact/contact_memory.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 #include "physics/world/fingerprint.h"
@@ -32,29 +33,25 @@ void shake(World& world) {
         world.edit_balls().velocity[i] = {0.0, i % 3 == 0 ? -0.5 : 0.1};
 }
 
-bool is_same(const Homes& a, const Homes& b) {
-    return a.ball == b.ball && a.place == b.place && a.margin == b.margin;
-}
-
 }  // namespace
 
 TEST_CASE("contact: a heap at rest reuses its pairs") {
     Heap heap;
-    const Homes before = heap.world.memory().homes;
+    const ReferencePositions before = contact_memory(heap.world).reference;
     REQUIRE(before.ball == heap.world.balls().id);
     for (int i = 0; i < 50; ++i)
         heap.solver.tick(heap.world);
-    CHECK(is_same(heap.world.memory().homes, before));
+    CHECK(contact_memory(heap.world).reference == before);
 
     SUBCASE("until a ball leaves its fat AABB") {
         heap.world.edit_balls().velocity[7] = {0.0, 200.0};
         heap.solver.tick(heap.world);
-        CHECK_FALSE(is_same(heap.world.memory().homes, before));
+        CHECK_FALSE(contact_memory(heap.world).reference == before);
     }
     SUBCASE("until a ball is removed") {
         remove_ball(heap.world, heap.world.balls().id[3]);
         heap.solver.tick(heap.world);
-        CHECK(heap.world.memory().homes.ball == heap.world.balls().id);
+        CHECK(contact_memory(heap.world).reference.ball == heap.world.balls().id);
     }
     SUBCASE("until a ball is replaced by another in its place") {
         // The last one, so that all rows keep their places.
@@ -63,18 +60,18 @@ TEST_CASE("contact: a heap at rest reuses its pairs") {
         remove_ball(heap.world, heap.world.balls().id.back());
         add_ball(heap.world, {.position = place, .radius = radius});
         heap.solver.tick(heap.world);
-        CHECK(heap.world.memory().homes.ball == heap.world.balls().id);
+        CHECK(contact_memory(heap.world).reference.ball == heap.world.balls().id);
     }
     SUBCASE("until something is held") {
         const BallId held = heap.world.balls().id[3];
         heap.world.edit_held_balls() = {{held, heap.world.balls().position[3]}};
         heap.solver.tick(heap.world);
-        CHECK_FALSE(is_same(heap.world.memory().homes, before));
+        CHECK_FALSE(contact_memory(heap.world).reference == before);
     }
     SUBCASE("until another solver takes over") {
         Solver swept({.kind = SolverKind::swept});
         swept.tick(heap.world);
-        CHECK(heap.world.memory().homes.ball.empty());
+        CHECK(contact_memory(heap.world).reference.ball.empty());
     }
 }
 
@@ -127,8 +124,9 @@ TEST_CASE("contact: a changed heap continues as in a fresh solver") {
              remove_ball(w, w.balls().id[11]);
              add_ball(w, {.position = place, .velocity = {}});
          }},
-        {"a ball presses harder", [](World& w) { w.edit_memory().pressed[20].impulse *= 1.5; }},
-        {"nothing presses", [](World& w) { w.edit_memory().pressed.clear(); }},
+        {"a ball presses harder",
+         [](World& w) { edit_contact_memory(w).contacts[20].impulse *= 1.5; }},
+        {"nothing presses", [](World& w) { edit_contact_memory(w).contacts.clear(); }},
         {"other balls meet no more",
          [](World& w) {
              w.edit_definition().model.filtered = true;
@@ -140,7 +138,7 @@ TEST_CASE("contact: a changed heap continues as in a fresh solver") {
          [](World& w) {
              w.edit_definition().model.gravity = Vec2{1.0, -9.0};
          }},
-        {"nobody has a home", [](World& w) { w.edit_memory().homes.clear(); }},
+        {"nobody has a home", [](World& w) { edit_contact_memory(w).reference.clear(); }},
     };
     const Heap heap;
     for (const Row& row : rows) {
@@ -174,10 +172,10 @@ TEST_CASE(
         Solver solver({.kind = SolverKind::contact});
         solver.tick(world);
         // It moves 1.5 in a tick of four substeps.
-        REQUIRE(world.memory().homes.margin.size() == 100);
+        REQUIRE(contact_memory(world).reference.skin.size() == 100);
         if (is_crowd)
-            CHECK(world.memory().homes.margin[0] < 0.6);
+            CHECK(contact_memory(world).reference.skin[0] < 0.6);
         else
-            CHECK(world.memory().homes.margin[0] > 1.5);
+            CHECK(contact_memory(world).reference.skin[0] > 1.5);
     }
 }

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "physics/contact/contact_memory.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 #include "physics/tick/totals.h"
@@ -186,7 +187,7 @@ TEST_CASE("contact: an inelastic ball lands from any height, and stays") {
         double fastest = 0.0;
         for (int tick = 0; tick < 180; ++tick) {
             solver.tick(world);
-            has_landed = has_landed || !world.memory().pressed.empty();
+            has_landed = has_landed || !contact_memory(world).contacts.empty();
             if (has_landed) fastest = std::max(fastest, world.balls().velocity[0].y);
         }
         CHECK(has_landed);
@@ -273,7 +274,7 @@ TEST_CASE("contact: a heap continues from a snapshot with the same bits, impulse
     world.edit_balls().spin.assign(world.balls().size(), 0.0);
     world.edit_definition().kinds[0].friction = world.edit_definition().materials[0].friction = 0.3;
     run(world, 200);
-    REQUIRE(world.memory().pressed.size() > 250);
+    REQUIRE(contact_memory(world).contacts.size() > 250);
     World once = world;
     Solver warm({.kind = SolverKind::contact});
     World other = scenes::gas(50, 1);
@@ -286,7 +287,7 @@ TEST_CASE("contact: a heap continues from a snapshot with the same bits, impulse
     }
     CHECK(fingerprint(once) == fingerprint(world));
     World forgetful = once;
-    forgetful.edit_memory().pressed.clear();
+    edit_contact_memory(forgetful).contacts.clear();
     run(forgetful, 1);
     run(once, 1);
     CHECK(fingerprint(forgetful) != fingerprint(once));

@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include "physics/contact/contact_memory.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 #include "physics/tick/totals.h"
@@ -123,7 +124,7 @@ TEST_CASE("contact: in pure flight it has the bits of swept, whatever its subste
         flights.tick(swept);
     }
     CHECK(pressed.ball_ball_collisions() > 100);
-    CHECK(pressed.memory().homes.ball.empty());
+    CHECK(contact_memory(pressed).reference.ball.empty());
     CHECK(fingerprint(pressed) == fingerprint(swept));
 }
 
@@ -141,7 +142,7 @@ TEST_CASE("contact: between flights and kinematic bodies it continues as a fresh
         solver.tick(seen);
         Solver stranger({.kind = SolverKind::contact});
         stranger.tick(unseen);
-        CHECK(seen.memory().homes.ball.empty() == !is_held);
+        CHECK(contact_memory(seen).reference.ball.empty() == !is_held);
         REQUIRE(fingerprint(seen) == fingerprint(unseen));
     }
 }

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "physics/event/motion/event_memory.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 #include "physics/tick/totals.h"
@@ -46,7 +47,7 @@ bool runs_into_a_heap(World world, int most) {
     Solver solver({.kind = SolverKind::event});
     for (int i = 0; i < most; ++i) {
         solver.tick(world);
-        if (!world.memory().heaped.empty()) return true;
+        if (!event_memory(world).clustered.empty()) return true;
     }
     return false;
 }
@@ -140,7 +141,7 @@ TEST_CASE(
         World world = open_air(0.5);
         for (std::size_t i = 0; i < row.x.size(); ++i)
             add_ball(world, {.position = {row.x[i], 0.0}, .velocity = {row.speed[i], 0.0}});
-        world.edit_memory().heaped = row.heaped;
+        edit_event_memory(world).clustered = row.heaped;
         HybridStep hybrid;
         CHECK(hybrid.cluster_of(world) == row.heap);
     }
@@ -150,7 +151,7 @@ TEST_CASE(
     torus.edit_definition().model.wrap = Box{{0.0, 0.0}, {20.0, 20.0}};
     for (const double x : {0.4, 19.4, 10.0})
         add_ball(torus, {.position = {x, 5.0}, .velocity = {}});
-    torus.edit_memory().heaped = balls({0});
+    edit_event_memory(torus).clustered = balls({0});
     HybridStep hybrid;
     CHECK(hybrid.cluster_of(torus) == balls({0, 1}));
 
@@ -160,14 +161,14 @@ TEST_CASE(
     layers.edit_definition().meets = {1, 0, 1, 0, 1, 1, 1, 1, 0};
     add_ball(layers, {.kind = 0, .position = {0.0, 0.0}, .velocity = {}});
     add_ball(layers, {.kind = 1, .position = {0.5, 0.0}, .velocity = {}});
-    layers.edit_memory().heaped = balls({0});
+    edit_event_memory(layers).clustered = balls({0});
     CHECK(hybrid.cluster_of(layers) == balls({0}));
 
     World hand = open_air(0.5);
     const CapsuleId blade = add_capsule(hand, {{0.0, 1.0}, {9.0, 1.0}, 0.1}, 0);
     for (const double x : {0.0, 4.0, 8.0, 20.0})
         add_ball(hand, {.position = {x, 0.0}, .velocity = {}});
-    hand.edit_memory().heaped = balls({0});
+    edit_event_memory(hand).clustered = balls({0});
     CHECK(hybrid.cluster_of(hand) == balls({0}));
     hand.edit_held_capsules().push_back({blade, {0.0, 0.5}, {9.0, 0.5}});
     CHECK(hybrid.cluster_of(hand) == balls({0, 1, 2}));
@@ -191,17 +192,17 @@ TEST_CASE("event: a ball returns when nothing presses it on another and it overl
         World world = open_air(0.5);
         add_ball(world, {.position = {0.0, 9.0}, .velocity = {}});
         add_ball(world, {.position = {1.0 + row.gap, 9.0}, .velocity = {row.apart, 0.0}});
-        world.edit_memory().heaped = balls({0, 1});
+        edit_event_memory(world).clustered = balls({0, 1});
         Solver solver({.kind = SolverKind::event});
         solver.tick(world);
-        CHECK(world.memory().heaped.empty() == row.comes_back);
+        CHECK(event_memory(world).clustered.empty() == row.comes_back);
         if (!row.comes_back) continue;
         // On an exact trajectory, whatever tick it ends in.
         const Vec2 place = world.balls().position[1];
         const Vec2 velocity = world.balls().velocity[1];
         for (int i = 0; i < 50; ++i)
             solver.tick(world);
-        CHECK(world.memory().heaped.empty());
+        CHECK(event_memory(world).clustered.empty());
         CHECK(world.balls().position[1].x == doctest::Approx(place.x + 0.5 * velocity.x));
         const double fallen = place.y + 0.5 * velocity.y - 5.0 * 0.25;
         CHECK(std::abs(world.balls().position[1].y - fallen) < 1e-13 * 9.0);
@@ -210,14 +211,14 @@ TEST_CASE("event: a ball returns when nothing presses it on another and it overl
     World world = open_air(0.5);
     add_floor(world);
     add_ball(world, {.position = {0.0, 0.49}, .velocity = {}});
-    world.edit_memory().heaped = balls({0});
+    edit_event_memory(world).clustered = balls({0});
     Solver solver({.kind = SolverKind::event});
     solver.tick(world);
-    CHECK(world.memory().heaped == balls({0}));
+    CHECK(event_memory(world).clustered == balls({0}));
     world.edit_balls().velocity[0] = {0.0, 3.0};
     for (int i = 0; i < 3; ++i)
         solver.tick(world);
-    CHECK(world.memory().heaped.empty());
+    CHECK(event_memory(world).clustered.empty());
 }
 
 TEST_CASE("event: a bucket of balls comes to rest as a cluster, without sinking into itself") {
@@ -246,7 +247,7 @@ TEST_CASE("event: a bucket of balls comes to rest as a cluster, without sinking 
                 end.kinetic_energy, ", most contacts ", contacts, ", all ",
                 world.ball_ball_collisions());
         CHECK(world.balls().size() == 120);
-        CHECK(world.memory().heaped.size() > 60);
+        CHECK(event_memory(world).clustered.size() > 60);
         CHECK(most <= start * (1 + 1e-12));
         // Separating an overlap lifts balls a little: contact's promise.
         CHECK(most_gained < 2e-3 * start);
@@ -261,7 +262,8 @@ TEST_CASE("event: a bucket of balls comes to rest as a cluster, without sinking 
         const BallId late = add_ball(world, {.position = {10.0, 40.0}, .velocity = {}});
         for (int i = 0; i < 120; ++i)
             solver.tick(world);
-        CHECK(std::ranges::find(world.memory().heaped, late) == world.memory().heaped.end());
+        CHECK(std::ranges::find(event_memory(world).clustered, late) ==
+              event_memory(world).clustered.end());
         CHECK(std::abs(world.balls().position.back().y - 35.0) < 1e-12);
         CHECK(deepest_overlap(world) < 1e-3);
     }
@@ -330,13 +332,13 @@ TEST_CASE(
     Solver solver({.kind = SolverKind::event});
     for (int i = 0; i < 600; ++i)
         solver.tick(world);
-    REQUIRE(world.memory().heaped.size() > 20);
+    REQUIRE(event_memory(world).clustered.size() > 20);
     REQUIRE(totals(world).kinetic_energy < 1e-3);  // a ball may still glide under an arch
     remove_capsule(world, floor);
     for (int i = 0; i < 600; ++i)
         solver.tick(world);
-    CHECK(world.memory().heaped.empty());
-    CHECK(world.memory().pressed.empty());
+    CHECK(event_memory(world).clustered.empty());
+    CHECK(contact_memory(world).contacts.empty());
     const World then = world;
     std::size_t impacts = 0;
     for (int i = 0; i < 100; ++i) {
@@ -357,22 +359,22 @@ TEST_CASE("event: removing a cluster leaves nothing behind") {
     Solver solver({.kind = SolverKind::event});
     for (int i = 0; i < 400; ++i)
         solver.tick(world);
-    REQUIRE(world.memory().heaped.size() > 20);
+    REQUIRE(event_memory(world).clustered.size() > 20);
     while (world.balls().size() > 1)
         remove_ball(world, world.balls().id[0]);
     world.edit_balls().position[0].y = 30.0;
     solver.tick(world);
-    CHECK(world.memory().pressed.empty());
+    CHECK(contact_memory(world).contacts.empty());
     World none = world;
     remove_ball(none, none.balls().id[0]);
-    none.edit_memory().heaped = balls({3});
+    edit_event_memory(none).clustered = balls({3});
     solver.tick(none);
-    CHECK(none.memory().heaped.empty());
+    CHECK(event_memory(none).clustered.empty());
     // Other solvers know nothing of clusters.
-    world.edit_memory().heaped = balls({39});
+    edit_event_memory(world).clustered = balls({39});
     Solver swept({.kind = SolverKind::swept});
     swept.tick(world);
-    CHECK(world.memory().heaped.empty());
+    CHECK(event_memory(world).clustered.empty());
 }
 
 TEST_CASE(
@@ -396,9 +398,9 @@ TEST_CASE(
             Solver another({.kind = SolverKind::event});
             another.tick(copied);
             REQUIRE(fingerprint(copied) == fingerprint(world));
-            was_heaped = was_heaped || !world.memory().heaped.empty();
-            was_parted = was_parted ||
-                         (!world.memory().heaped.empty() && world.memory().heaped.size() < 110);
+            was_heaped = was_heaped || !event_memory(world).clustered.empty();
+            was_parted = was_parted || (!event_memory(world).clustered.empty() &&
+                                        event_memory(world).clustered.size() < 110);
         }
         CHECK(was_heaped);
         CHECK(was_parted);
@@ -411,7 +413,7 @@ TEST_CASE("event: a kinematic body moves once per tick, above a cluster and thro
     Solver solver({.kind = SolverKind::event});
     for (int i = 0; i < 900; ++i)
         solver.tick(world);
-    REQUIRE(world.memory().heaped.size() > 100);
+    REQUIRE(event_memory(world).clustered.size() > 100);
     const auto go_to = [&](Vec2 low) {
         world.edit_held_capsules() = {{blade, low, low + Vec2{0.0, 2.0}}};
         solver.tick(world);
@@ -465,7 +467,7 @@ TEST_CASE("event: a ball released above a cluster is free at once") {
         world.edit_held_balls() = {{held, {10.0, 50.0}}};
         solver.tick(world);
     }
-    REQUIRE(world.memory().heaped.size() > 100);
+    REQUIRE(event_memory(world).clustered.size() > 100);
     world.edit_held_balls().clear();
     World copied = world;
     solver.tick(world);
@@ -477,7 +479,7 @@ TEST_CASE("event: a ball released above a cluster is free at once") {
 TEST_CASE("event: a cancelled tick with a cluster leaves the world unchanged") {
     World world = scenes::bucket(120, 0.5);
     Solver solver({.kind = SolverKind::event});
-    while (world.memory().heaped.empty())
+    while (event_memory(world).clustered.empty())
         solver.tick(world);
     // A scene that needs many events on its own, far from the heap.
     add_capsule(world, {{100.0, 0.0}, {100.0, 9.0}, 0.0}, 0);
@@ -491,9 +493,9 @@ TEST_CASE("event: a cancelled tick with a cluster leaves the world unchanged") {
     const World before = world;
     CHECK(solver.tick(world, [] { return false; }) == TickOutcome::given_up);
     CHECK(fingerprint(world) == fingerprint(before));
-    CHECK(world.memory().heaped == before.memory().heaped);
-    CHECK(world.memory().paths == before.memory().paths);
-    CHECK(world.memory().pressed == before.memory().pressed);
+    CHECK(event_memory(world).clustered == event_memory(before).clustered);
+    CHECK(event_memory(world).trajectories.lines == event_memory(before).trajectories.lines);
+    CHECK(contact_memory(world).contacts == contact_memory(before).contacts);
     World other = before;
     CHECK(solver.tick(world) == TickOutcome::done);
     Solver another({.kind = SolverKind::event});
@@ -504,7 +506,7 @@ TEST_CASE("event: a cancelled tick with a cluster leaves the world unchanged") {
 TEST_CASE("event: the choice of clustered balls does not depend on their order") {
     World world = scenes::bucket(60, 0.5);
     Solver solver({.kind = SolverKind::event});
-    while (world.memory().heaped.empty())
+    while (event_memory(world).clustered.empty())
         solver.tick(world);
     const std::size_t count = world.balls().size();
     World turned = world;
@@ -515,9 +517,10 @@ TEST_CASE("event: the choice of clustered balls does not depend on their order")
     const auto number_there = [&](BallId id) {
         return BallId{static_cast<std::uint32_t>(count - 1 - number(id))};
     };
-    turned.edit_memory().heaped.clear();
-    for (std::size_t i = world.memory().heaped.size(); i-- > 0;)
-        turned.edit_memory().heaped.push_back(number_there(world.memory().heaped[i]));
+    edit_event_memory(turned).clustered.clear();
+    for (std::size_t i = event_memory(world).clustered.size(); i-- > 0;)
+        edit_event_memory(turned).clustered.push_back(
+            number_there(event_memory(world).clustered[i]));
     HybridStep hybrid;
     std::vector<BallId> heap = hybrid.cluster_of(world);
     const std::vector<BallId> heap_there = hybrid.cluster_of(turned);
@@ -532,7 +535,7 @@ TEST_CASE("event: an elastic gas above a cluster keeps its energy") {
     Solver solver({.kind = SolverKind::event});
     for (int i = 0; i < 1200; ++i)
         solver.tick(world);
-    REQUIRE(world.memory().heaped.size() > 30);
+    REQUIRE(event_memory(world).clustered.size() > 30);
     REQUIRE(totals(world).kinetic_energy < 1e-9);
     // A lid, on which elastic balls bounce between elastic walls, so that no cluster can damp them.
     world.edit_definition().materials.push_back({.restitution = 1.0});
@@ -556,8 +559,8 @@ TEST_CASE("event: an elastic gas above a cluster keeps its energy") {
     for (int i = 0; i < 600; ++i)
         solver.tick(world);
     CHECK(world.ball_ball_collisions() - collisions > 100);
-    CHECK(world.memory().heaped.size() > 30);
-    CHECK(world.memory().heaped.back() < BallId{static_cast<std::uint32_t>(first)});
+    CHECK(event_memory(world).clustered.size() > 30);
+    CHECK(event_memory(world).clustered.back() < BallId{static_cast<std::uint32_t>(first)});
     MESSAGE("relative drift ", (energy_above() - before) / before);
     CHECK(energy_above() == doctest::Approx(before).epsilon(1e-12));
 }
@@ -573,7 +576,7 @@ TEST_CASE(
         add_ball(world, {.position = {1.0 * i, 0.5}, .velocity = {}});
     const BallId slow = add_ball(world, {.position = {-7.0, 0.5}, .velocity = {}});
     add_ball(world, {.position = {-9.5, 0.5}, .velocity = {50.0, 0.0}, .mass = 100.0});
-    world.edit_memory().heaped = balls({0, 1, 2, 3, 4, 5});
+    edit_event_memory(world).clustered = balls({0, 1, 2, 3, 4, 5});
     HybridStep hybrid;
     REQUIRE(hybrid.cluster_of(world) == balls({0, 1, 2, 3, 4, 5}));
     Solver solver({.kind = SolverKind::event});

@@ -34,7 +34,7 @@ struct EventParts {
         scene.now = world.time();
         scene.end = static_cast<double>(world.tick() + 1) / world.rate();
         const auto count = static_cast<std::uint32_t>(world.balls().size());
-        balls.resize(count, has_bends(world.model()));
+        balls.resize(count, may_curve(world.model()));
         for (std::uint32_t i = 0; i < count; ++i) {
             balls.set_path(i, {});
             balls.plan(i).inverse_mass = world.balls().inverse_mass[i];

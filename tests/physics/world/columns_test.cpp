@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "physics/event/motion/event_memory.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
 #include "physics/tick/emitters_and_sinks.h"
@@ -171,12 +172,12 @@ TEST_CASE("a hybrid step moves every column of a ball there and back") {
     start.edit_balls().edge_contacts = {5, 6, 7};
     start.edit_balls().position = {{0.0, 0.0}, {1.9, 0.0}, {50.0, 0.0}};
     World world = start;
-    world.edit_memory().heaped = {BallId{0}};
+    edit_event_memory(world).clustered = {BallId{0}};
     REQUIRE(Solver({.kind = SolverKind::event}).tick(world) == TickOutcome::done);
     // Each part moves as it would alone.
     World cluster = start;
     remove_ball(cluster, BallId{2});
-    cluster.edit_memory().heaped = {BallId{0}};
+    edit_event_memory(cluster).clustered = {BallId{0}};
     Solver({.kind = SolverKind::event}).tick(cluster);
     World free = start;
     remove_ball(free, BallId{0});

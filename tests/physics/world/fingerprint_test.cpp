@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/event/motion/event_memory.h"
 #include "physics/support/scenes.h"
 
 using namespace carom;
@@ -32,13 +33,13 @@ World full() {
     world.edit_held_balls().push_back({.id = BallId{0}});
     world.edit_held_capsules().push_back({.id = CapsuleId{1}});
     world.edit_ledger().counters = {3};
-    SolverMemory& memory = world.edit_memory();
-    memory.paths.resize(2);
-    memory.path_bends.resize(2);
-    memory.spin_paths.resize(2);
-    memory.pressed.resize(2);
-    memory.homes = {.ball = {BallId{0}}, .place = {{1.0, 2.0}}, .margin = {0.5}};
-    memory.heaped = {BallId{0}};
+    EventMemory& memory = edit_event_memory(world);
+    memory.trajectories.lines.resize(2);
+    memory.trajectories.curves.resize(2);
+    memory.trajectories.spins.resize(2);
+    memory.contacts.resize(2);
+    memory.reference = {.ball = {BallId{0}}, .position = {{1.0, 2.0}}, .skin = {0.5}};
+    memory.clustered = {BallId{0}};
     return world;
 }
 
@@ -74,7 +75,7 @@ struct Change {
 
 // One change for each thing that a tick or a command can change, except columns.
 const std::vector<Change>& changes() {
-    const auto memory = [](World& w) -> SolverMemory& { return w.edit_memory(); };
+    const auto memory = [](World& w) -> EventMemory& { return edit_event_memory(w); };
     static const std::vector<Change> all{
         {"tick", [](World& w) { ++w.edit_tick(); }},
         {"gravity", [](World& w) { w.edit_definition().model.gravity = Vec2{}; }},
@@ -86,15 +87,16 @@ const std::vector<Change>& changes() {
         {"no held ball", [](World& w) { w.edit_held_balls().clear(); }},
         {"target of an edge", [](World& w) { w.edit_held_capsules()[0].end_target.x = 1.0; }},
         {"motor", [](World& w) { w.edit_held_capsules()[0].is_driven = true; }},
-        {"path", [=](World& w) { memory(w).paths[1].velocity.x = 1.0; }},
-        {"path's motion", [=](World& w) { memory(w).paths[1].motion = Motion::resting; }},
-        {"bend", [=](World& w) { memory(w).path_bends[1].acceleration.x = 1.0; }},
-        {"support", [=](World& w) { memory(w).path_bends[1].second_support.number = 1; }},
-        {"spin path", [=](World& w) { memory(w).spin_paths[1].rate = 1.0; }},
-        {"persistent contact", [=](World& w) { memory(w).pressed[1].impulse = 1.0; }},
-        {"its image on a torus", [=](World& w) { memory(w).pressed[1].along = 1; }},
-        {"reference position", [=](World& w) { memory(w).homes.place[0].x = 9.0; }},
-        {"cluster", [=](World& w) { memory(w).heaped.push_back(BallId{1}); }},
+        {"path", [=](World& w) { memory(w).trajectories.lines[1].velocity.x = 1.0; }},
+        {"path's motion",
+         [=](World& w) { memory(w).trajectories.lines[1].motion = Motion::resting; }},
+        {"bend", [=](World& w) { memory(w).trajectories.curves[1].acceleration.x = 1.0; }},
+        {"support", [=](World& w) { memory(w).trajectories.curves[1].second_support.number = 1; }},
+        {"spin path", [=](World& w) { memory(w).trajectories.spins[1].rate = 1.0; }},
+        {"persistent contact", [=](World& w) { memory(w).contacts[1].impulse = 1.0; }},
+        {"its image on a torus", [=](World& w) { memory(w).contacts[1].along = 1; }},
+        {"reference position", [=](World& w) { memory(w).reference.position[0].x = 9.0; }},
+        {"cluster", [=](World& w) { memory(w).clustered.push_back(BallId{1}); }},
     };
     return all;
 }

@@ -93,7 +93,7 @@ template <typename Real>
 class BallTable {
   public:
     std::size_t size() const { return records_.size(); }
-    /// `may_curve`: whether trajectories have acceleration parts (`has_bends`).
+    /// `may_curve`: whether trajectories have acceleration parts (event_memory.h).
     void resize(std::size_t count, bool may_curve) {
         records_.resize(count);
         plans_.resize(count);

@@ -5,13 +5,14 @@
 #include <limits>
 
 #include "geometry/vector.h"
+#include "physics/event/motion/event_memory.h"
 #include "physics/world/world.h"
 
 /// How a ball moves between two events of the solver `event`: exactly, in closed form or by a
 /// series that is exact to rounding.
 ///
 /// Units: length, length/s, s. Real: double, or DoubleDouble for the reference. World stores the
-/// trajectories of doubles (BallPath, PathBend) and says what each part means.
+/// trajectories of doubles (event_memory.h) and says what each part means.
 namespace carom {
 
 /// The part of a trajectory that a ball in uniform motion needs.
@@ -28,7 +29,7 @@ struct LinearPart {
     Vector<Real> velocity;
 };
 
-/// LinearPart::recent_collisions after one more, as far as BallPath can count.
+/// LinearPart::recent_collisions after one more, as far as StoredLine can count.
 inline std::uint32_t one_more(std::uint32_t collisions) {
     return std::min<std::uint32_t>(collisions + 1, std::numeric_limits<std::uint16_t>::max());
 }
