@@ -155,7 +155,9 @@ std::optional<Problems> Program::open_recording() {
     Player player(std::move(session), view(), preferences_.keys);
     LevelSource source = source_of(options_, replay.level);
     enter(std::move(source), std::move(player), std::nullopt);
-    std::get<RunningGame>(page_).expected = std::move(replay.marks);
+    auto& game = std::get<RunningGame>(page_);
+    game.expected = std::move(replay.marks);
+    game.recorded_physics = replay.physics_version;
     return std::nullopt;
 }
 

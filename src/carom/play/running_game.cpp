@@ -46,7 +46,12 @@ void RunningGame::compare_marks() {
     if (session.fault()) player.set_problem("the recording cannot be followed " + *session.fault());
     if (session.fingerprints().marks().size() == marks_compared) return;
     marks_compared = session.fingerprints().marks().size();
-    if (const auto tick = first_difference(expected, session.fingerprints().marks()))
+    const auto tick = first_difference(expected, session.fingerprints().marks());
+    if (!tick) return;
+    if (recorded_physics != physics_version)
+        player.set_problem(fmt::format("recorded under physics {}; this is physics {}",
+                                       recorded_physics, physics_version));
+    else
         player.set_problem(fmt::format(
             "this is not what was recorded: at tick {} the fingerprint differs", *tick));
 }

@@ -10,6 +10,7 @@
 #include "carom/play/player.h"
 #include "carom/play/recording.h"
 #include "carom/play/resume.h"
+#include "physics/version.h"
 
 /// A running game, with the files around it.
 namespace carom {
@@ -25,13 +26,15 @@ struct RunningGame {
     std::optional<ShotSetup> saved_setup{};
     std::vector<FingerprintMark> expected{};  ///< fingerprints of a watched recording
     std::size_t marks_compared = 0;
+    int recorded_physics = physics_version;  ///< physics version of a watched recording
 
     /// Writes the resume file, if the game has changed since it was last written.
     void autosave();
     bool is_saved() const;
     /// Ends the game normally. True: it is a match of pool that is not won, and it is kept.
     bool leave();
-    /// Tells the player where a watched recording differs from the replay.
+    /// Tells the player where a watched recording differs from the replay; of one that was made
+    /// under another physics version, only that. The replay continues either way.
     void compare_marks();
     /// Saves the world as a level file in the current folder.
     void save_level();

@@ -36,6 +36,17 @@ TEST_CASE("lines of one table are read and written, all others stay") {
     CHECK(with_high_scores("", "table", {{{"ABC", 1}}, 5}) == "carom high scores 1\ntable 1 ABC\n");
 }
 
+TEST_CASE("high scores that an older carom wrote are read, and stay") {
+    const std::string file = CAROM_SOURCE_DIR "/tests/carom/files/samples/high-scores";
+    const auto text = read_file(file).text;
+    REQUIRE(text);
+    const HighScoresText read = read_high_scores(*text, "three-bumpers", 5, file);
+    CHECK_FALSE(read.problem);
+    CHECK(read.scores.lines ==
+          std::vector<HighScore>{{"NEW", 310'000}, {"ABC", 125'400}, {"D-1", 98'250}});
+    CHECK(with_high_scores(*text, "three-bumpers", read.scores) == *text);
+}
+
 TEST_CASE("a file in another format is reported, with its line") {
     CHECK(read_high_scores("hello\n", "t", 5, "f").problem->find("no file of high scores") !=
           std::string::npos);

@@ -1,6 +1,7 @@
 #include "carom/play/program.h"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -9,6 +10,10 @@
 #include <string>
 
 #include "carom/support/home.h"
+#include "game/replay/replay_text.h"
+#include "game/replay/replayer.h"
+#include "level/load.h"
+#include "physics/version.h"
 
 using namespace carom;
 using carom::test::contents;
@@ -245,4 +250,33 @@ TEST_CASE("from the game to the menu and back") {
     CHECK(running.sees("pick a level"));
     running.key(U'q');
     CHECK(running.program.is_over());
+}
+
+TEST_CASE(
+    "a watched recording of another physics version says so where it differs, and continues") {
+    const Home home;
+    LoadResult loaded = load_level(level, "test.level");
+    REQUIRE(loaded.scene);
+    Session session(std::move(*loaded.scene), {.kind = SolverKind::swept});
+    while (session.world().tick() < 300)
+        session.step_forward();
+    Replay replay = record(session, "test.level", {});
+    replay.commands = {{30, command::Strike{BallId{0}, {1.0, 1.0}}}};
+    for (const int version : {physics_version, physics_version + 1}) {
+        CAPTURE(version);
+        replay.physics_version = version;
+        home.write("a.replay", replay_text(replay));
+        PlayOptions options;
+        options.replay = "a.replay";
+        Running running(options);
+        REQUIRE_FALSE(running.program.start());
+        running.pass(0.75);
+        CHECK_FALSE(running.sees("physics"));
+        running.pass(1.0);
+        CHECK(running.sees("the fingerprint differs") == (version == physics_version));
+        const std::string told =
+            fmt::format("recorded under physics {}; this is physics {}", version, physics_version);
+        CHECK(running.sees(told.c_str()) == (version != physics_version));
+        CHECK(running.sees("tick 210"));
+    }
 }
