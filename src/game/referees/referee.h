@@ -11,7 +11,7 @@
 /// ruling.
 ///
 /// A new game is a file beside eight_ball.cpp that derives from Referee, its row in referee.cpp,
-/// and its row in level/scene/pool_games.cpp, which has the game's name in levels and its rack.
+/// and its row in level/scene/games.cpp, which has the game's name in levels and its rack.
 /// Everything else asks the referee: the rack, the planner, the status line.
 ///
 /// Source: the rules of play of the World Pool-Billiard Association (WPA) as of 2016. Two of its
