@@ -47,11 +47,7 @@ void add_ball_at_pointer(PlayContext& play) {
     BallSpec spec;
     spec.position = play.pointer.at;
     const auto like = play.view.selected ? index_of(world, *play.view.selected) : std::nullopt;
-    if (like) {
-        spec.kind = world.balls().kind[*like];
-        spec.radius = world.balls().radius[*like];
-        spec.mass = 1.0 / world.balls().inverse_mass[*like];
-    }
+    if (like) spec = spec_at_rest(world, *like, play.pointer.at);
     obey(play, command::AddBall{spec}, fmt::format("ball {} added", world.next_ball()));
 }
 

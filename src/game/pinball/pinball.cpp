@@ -122,13 +122,7 @@ void serve(Pinball game) {
         const double reach = game.world.balls().radius[i] + balls.radius[0];
         if (distance(game.world.balls().position[i], balls.position[0]) < 1.5 * reach) return;
     }
-    BallSpec spec{.kind = balls.kind[0],
-                  .position = balls.position[0],
-                  .velocity = balls.velocity[0],
-                  .radius = balls.radius[0],
-                  .mass = 1.0 / balls.inverse_mass[0]};
-    if (!balls.restitution.empty()) spec.restitution = balls.restitution[0];
-    add_ball(game.world, spec);
+    add_ball(game.world, spec_of(game.scene.world, 0));
     --state.to_serve;
     if (state.serves_itself) state.launch_at = game.now() + game.ticks(launch_pause);
 }

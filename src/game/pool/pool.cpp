@@ -18,15 +18,7 @@ namespace {
 
 // Adds a ball like the scene's ball `like`, at rest at `place`.
 BallId put_ball(const Scene& scene, World& world, BallId like, Vec2 place) {
-    const Balls& balls = scene.world.balls();
-    const std::size_t i = *index_of(scene.world, like);
-    BallSpec spec;
-    spec.kind = balls.kind[i];
-    spec.position = place;
-    spec.radius = balls.radius[i];
-    spec.mass = 1.0 / balls.inverse_mass[i];
-    if (!balls.restitution.empty()) spec.restitution = balls.restitution[i];
-    return add_ball(world, spec);
+    return add_ball(world, spec_at_rest(scene.world, *index_of(scene.world, like), place));
 }
 
 BallId first_id(const Scene& scene, int ball) {

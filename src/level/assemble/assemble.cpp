@@ -67,8 +67,7 @@ class Assembly {
         ball.mass =
             spec.mass.value_or(kinds.mass.value_or(kinds.density * pi * ball.radius * ball.radius));
         ball.restitution = spec.restitution.value_or(kind.restitution);
-        ball.spin = spec.spin;
-        ball.roll = spec.roll;
+        ball.spec = spec;
         ball.kind = of.kind;
         ball.binding = spec.binding;
         ball.origin = spec.origin;
@@ -171,14 +170,14 @@ class Assembly {
         make_model(world.edit_definition().model);
         if (world.model().filtered) world.edit_definition().meets = names_.collision_matrix;
         for (const StartingBall& ball : balls_) {
-            add_ball(world, {.kind = ball.kind,
-                             .position = ball.position,
-                             .velocity = ball.velocity,
-                             .radius = ball.radius,
-                             .mass = ball.mass,
-                             .restitution = ball.restitution,
-                             .spin = ball.spin,
-                             .roll = ball.roll});
+            BallSpec spec = ball.spec;
+            spec.kind = ball.kind;
+            spec.position = ball.position;
+            spec.velocity = ball.velocity;
+            spec.radius = ball.radius;
+            spec.mass = ball.mass;
+            spec.restitution = ball.restitution;
+            add_ball(world, spec);
         }
         for (const CapsuleIr& edge : ir_.capsules) {
             add_capsule(world, edge.shape, material_of(edge), edge.side);

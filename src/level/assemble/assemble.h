@@ -12,9 +12,8 @@ struct StartingBall {
     double radius = 1.0;
     double mass = 1.0;
     double restitution = 1.0;
-    double spin = 0.0;  ///< rad/s
-    std::optional<Vec2> roll;
     ClassIndex kind = 0;
+    BallSpec spec;     ///< as the file has it; what stands above replaces it
     int binding = -1;  ///< index into LevelIr::ball_bindings; -1: placed by a fill
     Origin origin;
 };

@@ -57,14 +57,8 @@ struct Origin {
     int image = 0;  ///< a number for each image of each mirror; 0: the original
 };
 
-struct BallIr {
-    Vec2 position;
-    Vec2 velocity;
-    std::optional<double> radius;
-    std::optional<double> mass;
-    std::optional<double> restitution;
-    double spin = 0.0;  ///< rad/s
-    std::optional<Vec2> roll;
+/// The kind of the spec is not yet known: it is that of the binding.
+struct BallIr : BallSpec {
     /// In a rack: the offset from `position`, in units of a diameter plus the gap.
     Vec2 racked;
     double gap = 0.0;

@@ -80,19 +80,20 @@ struct Balls {
 
     std::size_t size() const { return id.size(); }
 
-    /// A column: the vector, whether a scene uses it (it is empty otherwise), and its value for a
-    /// new ball.
+    /// A column: the vector, whether a scene uses it (it is empty otherwise), its value for a new
+    /// ball, and how a value is written into a spec; null where a spec does not have it.
     template <typename Value>
     struct Column {
         std::string_view name;
         std::vector<Value> Balls::*values;
         bool (*is_used)(const Model&);
         Value (*of_new)(BallId, const BallSpec&, const Kind&);
+        void (*to_spec)(const Value&, BallSpec&) = nullptr;
     };
 
     /// Calls visit(column) for every column, always in the same order. This is the one list of
     /// columns: adding, removing, copying, undo, the hybrid step, fingerprint and snapshot sizes
-    /// all come from it.
+    /// all come from it. A new column goes last.
     template <typename Visit>
     static constexpr void for_each_column(Visit&& visit);
 };
@@ -122,40 +123,46 @@ struct Capsules {
 
 template <typename Visit>
 constexpr void Balls::for_each_column(Visit&& visit) {
+    using Spec = BallSpec;
     constexpr auto always = +[](const Model&) { return true; };
     visit(Column<BallId>{"id", &Balls::id, always,
-                         +[](BallId ball, const BallSpec&, const Kind&) { return ball; }});
+                         +[](BallId ball, const Spec&, const Kind&) { return ball; }});
     visit(Column<Vec2>{"position", &Balls::position, always,
-                       +[](BallId, const BallSpec& spec, const Kind&) { return spec.position; }});
+                       +[](BallId, const Spec& spec, const Kind&) { return spec.position; },
+                       +[](const Vec2& position, Spec& spec) { spec.position = position; }});
     visit(Column<Vec2>{"velocity", &Balls::velocity, always,
-                       +[](BallId, const BallSpec& spec, const Kind&) { return spec.velocity; }});
+                       +[](BallId, const Spec& spec, const Kind&) { return spec.velocity; },
+                       +[](const Vec2& velocity, Spec& spec) { spec.velocity = velocity; }});
     visit(Column<double>{"radius", &Balls::radius, always,
-                         +[](BallId, const BallSpec& spec, const Kind& type) {
-                             return spec.radius.value_or(type.radius);
-                         }});
+                         +[](BallId, const Spec& spec, const Kind& kind) {
+                             return spec.radius.value_or(kind.radius);
+                         },
+                         +[](const double& radius, Spec& spec) { spec.radius = radius; }});
     visit(Column<double>{"inverse_mass", &Balls::inverse_mass, always,
-                         +[](BallId, const BallSpec& spec, const Kind& type) {
-                             return 1.0 / spec.mass.value_or(type.mass);
-                         }});
+                         +[](BallId, const Spec& spec, const Kind& kind) {
+                             return 1.0 / spec.mass.value_or(kind.mass);
+                         },
+                         +[](const double& inverse, Spec& spec) { spec.mass = 1.0 / inverse; }});
     visit(Column<ClassIndex>{"kind", &Balls::kind, always,
-                             +[](BallId, const BallSpec& spec, const Kind&) { return spec.kind; }});
+                             +[](BallId, const Spec& spec, const Kind&) { return spec.kind; },
+                             +[](const ClassIndex& kind, Spec& spec) { spec.kind = kind; }});
     visit(Column<double>{"restitution", &Balls::restitution,
                          +[](const Model& model) { return model.lossy; },
-                         +[](BallId, const BallSpec& spec, const Kind& type) {
-                             return spec.restitution.value_or(type.restitution);
-                         }});
-    visit(Column<std::uint32_t>{
-        "edge_contacts", &Balls::edge_contacts,
-        +[](const Model& model) { return model.scatter.has_value(); },
-        +[](BallId, const BallSpec&, const Kind&) { return std::uint32_t{0}; }});
+                         +[](BallId, const Spec& spec, const Kind& kind) {
+                             return spec.restitution.value_or(kind.restitution);
+                         },
+                         +[](const double& own, Spec& spec) { spec.restitution = own; }});
+    visit(Column<std::uint32_t>{"edge_contacts", &Balls::edge_contacts,
+                                +[](const Model& model) { return model.scatter.has_value(); },
+                                +[](BallId, const Spec&, const Kind&) { return std::uint32_t{}; }});
     visit(Column<double>{"spin", &Balls::spin,
                          +[](const Model& model) { return model.spin.has_value(); },
-                         +[](BallId, const BallSpec& spec, const Kind&) { return spec.spin; }});
-    visit(Column<Vec2>{"roll", &Balls::roll,
-                       +[](const Model& model) { return model.cloth.has_value(); },
-                       +[](BallId, const BallSpec& spec, const Kind&) {
-                           return spec.roll.value_or(spec.velocity);
-                       }});
+                         +[](BallId, const Spec& spec, const Kind&) { return spec.spin; },
+                         +[](const double& spin, Spec& spec) { spec.spin = spin; }});
+    visit(Column<Vec2>{
+        "roll", &Balls::roll, +[](const Model& model) { return model.cloth.has_value(); },
+        +[](BallId, const Spec& spec, const Kind&) { return spec.roll.value_or(spec.velocity); },
+        +[](const Vec2& roll, Spec& spec) { spec.roll = roll; }});
 }
 
 template <typename Visit>

@@ -87,6 +87,24 @@ BallId add_ball(World& world, const BallSpec& spec) {
     return id;
 }
 
+BallSpec spec_of(const World& world, std::size_t index) {
+    BallSpec spec;
+    Balls::for_each_column([&](const auto& column) {
+        const auto& values = world.balls().*column.values;
+        if (column.to_spec && !values.empty()) column.to_spec(values[index], spec);
+    });
+    return spec;
+}
+
+BallSpec spec_at_rest(const World& world, std::size_t index, Vec2 position) {
+    BallSpec spec = spec_of(world, index);
+    spec.position = position;
+    spec.velocity = {};
+    spec.spin = 0.0;
+    spec.roll.reset();
+    return spec;
+}
+
 CapsuleId add_capsule(World& world, const Capsule& shape, ClassIndex material, Side side) {
     const Material& made_of = world.materials()[material];
     if (made_of.restitution < 1.0 || made_of.soften > 0.0) become_lossy(world);

@@ -102,6 +102,11 @@ class World {
 /// below 1 makes the model lossy.
 BallId add_ball(World& world, const BallSpec& spec);
 
+/// The spec of a ball that is like this one in everything but its id. Pre: index < balls().size().
+BallSpec spec_of(const World& world, std::size_t index);
+/// The same ball at rest at `position`, without spin.
+BallSpec spec_at_rest(const World& world, std::size_t index, Vec2 position);
+
 /// Pre: material is an index into World::materials(). A material with restitution below 1 or soften
 /// > 0 makes the model lossy, one with a kick makes it one that kicks, and a side other than both
 /// makes it one_way.

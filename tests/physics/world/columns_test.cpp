@@ -140,6 +140,31 @@ TEST_CASE("a new ball has an entry in every column that its scene uses, and in n
     });
 }
 
+TEST_CASE("a ball made from the spec of another is like it in every column but id and contacts") {
+    World world = full();
+    world.edit_balls().inverse_mass[2] = 0.25;
+    const std::size_t last = world.balls().size() - 1;
+    add_ball(world, spec_of(world, last));
+    Balls::for_each_column([&](const auto& column) {
+        if (column.name == "id" || column.name == "edge_contacts") return;
+        CAPTURE(column.name);
+        const auto& values = world.balls().*column.values;
+        CHECK(values[last + 1] == values[last]);
+    });
+}
+
+TEST_CASE("a ball made from the spec of another at rest has neither speed, spin nor roll") {
+    World world = full();
+    const BallId added = add_ball(world, spec_at_rest(world, 0, {40.0, 41.0}));
+    const std::size_t i = *index_of(world, added);
+    CHECK(world.balls().position[i] == Vec2{40.0, 41.0});
+    CHECK(world.balls().velocity[i] == Vec2{});
+    CHECK(world.balls().spin[i] == 0.0);
+    CHECK(world.balls().roll[i] == Vec2{});
+    CHECK(world.balls().radius[i] == world.balls().radius[0]);
+    CHECK(world.balls().restitution[i] == world.balls().restitution[0]);
+}
+
 TEST_CASE("removing a ball, by a player or in a sink, keeps every column of the others") {
     const World start = full();
     World world = start;
