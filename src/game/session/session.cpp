@@ -9,8 +9,8 @@
 namespace carom {
 namespace {
 
-// After going back, there is a snapshot of each of the last ticks before the present, so that going
-// back further is quick. They may take this share of the memory.
+// After a step back, there is a snapshot of each of the last ticks before the present, so that the
+// next step back is quick. These snapshots may take this share of the memory.
 constexpr std::size_t dense_share = 4;
 constexpr std::uint64_t most_dense_ticks = 240;
 
@@ -101,7 +101,7 @@ void Session::forget_future() {
     }
 }
 
-// Keeps the newer half of the log, and the way back to its oldest command.
+// Keeps the newer half of the log, and a snapshot from which its oldest command can be reached.
 void Session::bound_log() {
     if (!keeps_all_commands_ && bytes_of(log_) > rewind_bytes_ / 2 && log_.size() > 1) {
         const Snapshot* kept = history_.at_or_before(log_[log_.size() / 2].tick);

@@ -17,23 +17,24 @@
 #include "physics/solver.h"
 #include "physics/world/world.h"
 
-/// A game in progress: a scene, the player's commands, and the way back.
+/// A game in progress: a scene, the player's commands, and rewinding.
 namespace carom {
 
 /// Invariant: the present is the world after the present tick and after all commands of that tick.
-/// Going back restores the nearest earlier snapshot and computes forward with the logged commands:
-/// the same bits, because the core is deterministic. src/game/README.md tells the whole.
+/// To go back, a session restores the nearest earlier snapshot and computes forward with the logged
+/// commands. That gives the same bits, because the core is deterministic. src/game/README.md
+/// describes the whole process.
 ///
-/// Memory for the way back is bounded (`rewind_bytes`). Snapshots are dense near the present and
-/// sparse far away, so that going back by n ticks computes about n ticks at most. The scene itself
-/// is the start, so the way back normally ends at tick 0. Where the log alone outgrows half of the
-/// memory (about 100 bytes a command; with 64 MiB, half an hour of uninterrupted dragging), its
-/// older half is dropped, and earliest() says where the way back ends.
+/// The memory for rewinding is bounded (`rewind_bytes`). Snapshots are dense near the present and
+/// sparse far away, so going back by n ticks computes about n ticks at most. The scene itself is
+/// the start, so one can normally go back to tick 0. If the log alone outgrows half of the memory
+/// (about 100 bytes a command; with 64 MiB, half an hour of uninterrupted dragging), its older half
+/// is dropped. earliest() then says how far one can go back.
 class Session {
   public:
     static constexpr std::size_t default_rewind_bytes = std::size_t{64} << 20;
 
-    /// `rewind_bytes`: most memory for the way back (snapshots and commands).
+    /// `rewind_bytes`: the limit of memory for rewinding (snapshots and commands).
     /// Pre: solver.kind is one of solvers_available().
     Session(Scene scene, const SolverSettings& solver,
             std::size_t rewind_bytes = default_rewind_bytes);
@@ -76,7 +77,7 @@ class Session {
     /// How the last tick ended.
     TickOutcome outcome() const { return outcome_; }
 
-    /// The earliest tick that can be gone back to, and the latest that has been reached.
+    /// The earliest tick that go_to() accepts, and the latest that has been reached.
     std::uint64_t earliest() const { return base_ ? base_->world.tick() : 0; }
     std::uint64_t latest() const { return latest_; }
     /// Back to the start, without commands; the solver stays.
@@ -107,8 +108,8 @@ class Session {
     /// The solver at the start: SetSolver commands tell the rest.
     const SolverSettings& first_solver() const { return first_solver_; }
 
-    /// The memory of the way back, in bytes: snapshots and commands. At most `rewind_bytes`, and
-    /// one command more.
+    /// The memory for rewinding, in bytes: snapshots and commands. At most `rewind_bytes` and one
+    /// more command.
     std::size_t rewind_bytes_used() const;
     std::size_t snapshot_count() const { return history_.size(); }
 
@@ -131,7 +132,7 @@ class Session {
     std::function<bool()> keep_going_;
     TickOutcome outcome_ = TickOutcome::done;
 
-    /// The start of the way back, before the commands of log_ at its tick; none: the scene itself.
+    /// The earliest state, before the commands of log_ at its tick; none: the scene itself.
     std::optional<Snapshot> base_;
     History history_;
     std::vector<TimedCommand> log_;
