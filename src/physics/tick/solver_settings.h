@@ -19,8 +19,8 @@ struct SolverSettings {
     int updates = 4;   ///< substep: simulation updates a tick, 1..1000
     int steps = 15;    ///< substep: most steps in one update, 1..1000
     int substeps = 1;  ///< swept: substeps a tick, in each of which balls move straight, 1..1000
-    /// contact: substeps a tick, 1..1000; at most as many where nothing can press
-    /// (contact_flights.h).
+    /// contact: substeps a tick, 1..1000. Where nothing can press, `swept` takes as many at most
+    /// (contact/swept_fallback.h).
     int contact_substeps = 4;
     /// event: computed with about 32 digits (geometry/double_double.h), as a reference for itself
     /// and others. About 5 times slower in a gas. Its trajectories are not part of the world, so
@@ -62,8 +62,8 @@ enum class SettingsText : std::uint8_t {
 std::string settings_text(const SolverSettings& settings, SettingsText which);
 
 /// Reads "NAME COUNT=N ..." with any of `all_counts`, each at most once and 1..most_solver_count;
-/// counts left out keep their defaults. Reads what `settings_text` writes, except "extended". None
-/// for any other text.
+/// counts left out keep their defaults. Reads what `settings_text` writes, except "extended": a
+/// reference for measurements, which no level or recording can ask for. None for any other text.
 std::optional<SolverSettings> parse_solver_settings(std::string_view text);
 
 }  // namespace carom
