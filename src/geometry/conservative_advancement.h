@@ -115,7 +115,8 @@ std::optional<Real> quadratic_time_of_impact(const Separation<Real>& now,
 ///
 /// A search that takes too many iterations is suspended: it reports no impact and notes the time
 /// that it has cleared. The caller repeats the search at that time, from the original beginning. So
-/// no impact is passed over, and the result does not depend on how often a search was suspended.
+/// no impact is passed over, and the result does not depend on how often a search was suspended. A
+/// caller that repeats it from a later beginning gets other roundings.
 template <typename Real>
 struct ToiSearch {
     /// Iterations that one search may take after `now` before it is suspended. A repeated search

@@ -12,8 +12,8 @@
 #include "physics/world/contact.h"
 #include "physics/world/world.h"
 
-/// The ladder of solvers. Each advances a world by one tick; they differ in what they cost and in
-/// what they get wrong (docs/physics.md).
+/// The solvers. Each advances a world by one tick; they differ in what they cost and in what they
+/// get wrong (docs/physics.md).
 namespace carom {
 
 /// The solvers that this carom has, cheapest first.
@@ -39,13 +39,13 @@ enum class TickOutcome : std::uint8_t {
     done,
     given_up,  ///< `keep_going` said so: the world is as it was before the tick
     /// More events than a tick may have (100 million): time stood still for the rest of the tick,
-    /// which counts as done.
+    /// which counts as done. Has nothing to do with dense clusters, which `contact` steps.
     too_dense
 };
 
 /// Advances worlds. Holds settings and scratch memory, but nothing that the next tick depends on:
 /// one solver may serve several worlds in turn, and a snapshot of the world alone is enough to go
-/// on.
+/// on. The exception is `event extended` (SolverSettings::extended).
 class Solver {
   public:
     /// Pre: settings.kind is one of solvers_available().

@@ -16,7 +16,8 @@ struct TickWork {
     /// Empty; receives the exchanges of momentum in the order in which they are made. Bodies are
     /// named by their indices in the world.
     std::vector<Contact>& contacts;
-    /// By ball, all 0; becomes 1 for each ball that meets something.
+    /// By ball, all 0; becomes 1 for each ball that meets something. `contact` marks only the balls
+    /// that press on something when the tick ends. For stop_slow_balls.
     std::vector<std::uint8_t>& touched;
     /// Asked now and then whether to go on. Empty where nobody asks or the solver cannot cancel.
     const std::function<bool()>& keep_going;

@@ -6,7 +6,8 @@
 
 namespace carom {
 
-/// The world's fingerprint after a tick and after all commands of that tick.
+/// The fingerprint of the world and of the state of the game (game_state.h), after a tick and after
+/// all commands of that tick.
 struct FingerprintMark {
     std::uint64_t tick = 0;
     std::uint64_t fingerprint = 0;

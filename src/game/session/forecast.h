@@ -11,7 +11,9 @@
 #include "physics/world/world.h"
 
 /// Predicts the outcome of a shot: the engine runs ahead on a copy until the balls are at rest. The
-/// forecast is exact to the last bit unless a command intervenes.
+/// forecast is exact to the last bit unless a command intervenes. For the path of the struck ball
+/// alone, a given number of ticks ahead, see predict.h; for aiming lines without a simulation,
+/// commands/aiming.h.
 namespace carom {
 
 struct Forecast {

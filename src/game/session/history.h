@@ -11,7 +11,8 @@
 /// Snapshots of a world, in bounded memory, for rewinding.
 namespace carom {
 
-/// Together with the commands that follow, everything that the next tick depends on.
+/// Together with the commands that follow, everything that the next tick depends on:
+/// physics/world/README.md.
 struct Snapshot {
     World world;
     SolverSettings solver;

@@ -18,7 +18,8 @@ namespace carom {
 ///   - it approaches slower than the rest speed, or its restitution is 0
 ///   - it overlaps, and was a constraint or would not bounce without gravity's share of this
 ///     substep: else a ball that gravity lets fall anew in every substep would sink in
-///   - it is enclosed: each of its balls has `enclosed_contacts` pressing contacts
+///   - it is enclosed: each of its balls has `enclosed_contacts` pressing contacts, its restitution
+///     is above 0 and below 1, and gravity acts
 ///   - a kinematic body pushes the ball faster than it would bounce off
 /// Any other pair that approaches is a candidate for continuous collision.
 class ContactClassification {

@@ -32,10 +32,11 @@ struct ContactEvent {
 /// Continuous collision within a substep of the solver `contact`: finds the impacts along the
 /// paths of the balls, and deals with them in the order of time (see ccd/impact_queue.h).
 ///
-/// An impact above the rest speed bounces; any other one, and the second one of a pair, takes the
-/// approach away and lets the pair settle. Settled pairs and constraints meet again only where they
-/// reach `overlap_bound`. So no body passes through another, and a pile that falls together is left
-/// to the constraints.
+/// An impact above the rest speed bounces, unless the pair is enclosed. Any other one takes the
+/// approach away and lets the pair *settle*: from then on none of its impacts in this substep
+/// bounces. A pair that has bounced may bounce again. Settled pairs and constraints meet again only
+/// where they reach `overlap_bound`. So no body passes through another, and a pile that falls
+/// together is left to the constraints.
 class ContactImpacts {
   public:
     ContactImpacts(const ContactSubstep& step, ContactBodies& bodies, ContactPairs& pairs,

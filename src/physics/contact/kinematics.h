@@ -21,14 +21,14 @@ struct ContactHeldBall {
 /// what holds them back.
 ///
 /// Rule: a kinematic body goes no further into a ball than `kinematic_overlap` of its radius.
-/// Beyond that it waits for the ball. One that was held back does not catch up before the tick
-/// ends.
+/// Beyond that it waits for the ball. One that was held back does not catch up: in each substep for
+/// the rest of the tick it is aimed to cover its remaining way in a whole tick.
 class ContactKinematics {
   public:
     /// Lists them; held balls become immovable bodies. Pre: `bodies` are loaded.
     void load(const World& world, ContactBodies& bodies);
     void begin_tick() { was_held_back_.clear(); }
-    /// Aims each at its target, of whose way `share_of_way` belongs to this substep.
+    /// Aims each at its target: it is to cover `share_of_way` of its remaining way in this substep.
     void begin_substep(const World& world, const ContactSubstep& step, const ContactBodies& bodies,
                        double share_of_way);
     /// Gives held balls the velocity that they are aimed at, at the start of the substep.
@@ -58,8 +58,8 @@ class ContactKinematics {
     bool hold_back(const ContactPairs& pairs, ContactBodies& bodies, const ContactSubstep& step);
 
     /// Balls that a kinematic body presses on without being able to move them, and all that touch
-    /// such balls, keep no more speed than they went in the substep. Else they would keep that of
-    /// a body that wants to be far away.
+    /// such balls, keep at most the speed at which they moved in the substep. Otherwise they would
+    /// keep that of a body whose target is far away.
     void settle_jams(ContactPairs& pairs, ContactBodies& bodies, const ContactSubstep& step);
 
   private:

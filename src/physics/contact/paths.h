@@ -13,8 +13,8 @@
 namespace carom {
 
 /// The path of a ball in a substep that has impacts. After an impact, or where no constraint
-/// presses on it, the ball is `free`: on its parabola, which impacts are searched along the chord
-/// of. Else it goes along the chord itself, while its velocity changes evenly by `pull` and its
+/// presses on it, the ball is `free`: on its parabola, while impacts are searched along the chord.
+/// Else it goes along the chord itself, while its velocity changes evenly by `pull` and its
 /// surface speed by `turn`. From `end` on it stands still.
 struct ContactPath {
     Chord chord;                 ///< to where it will be at the end; the parabola begins there too
@@ -28,7 +28,7 @@ struct ContactPath {
     std::uint16_t impacts = 0;
     std::uint16_t pushes = 0;  ///< impacts with kinematic bodies that moved towards it
     bool is_free = false;
-    bool is_frozen = false;      ///< for the rest of the substep; it keeps its velocity
+    bool is_frozen = false;      ///< for the rest of the substep
     bool is_surrounded = false;  ///< all balls in its pairs have paths
     std::uint32_t body = 0;
 };
@@ -36,7 +36,8 @@ struct ContactPath {
 /// The paths of the balls that could meet something in a substep, made when they are asked for.
 ///
 /// A ball freezes after `most_impacts` impacts, and where its path leads out of its skin, since its
-/// pairs are known only within it. A frozen ball loses time, never energy.
+/// pairs are known only within it. A frozen ball loses time and keeps its velocity; only one that
+/// kinematic bodies have pushed `most_pushes` times loses that too. It never gains energy.
 class ContactPaths {
   public:
     ContactPaths(const ContactSubstep& step, ContactBodies& bodies, ContactPairs& pairs)
@@ -73,7 +74,7 @@ class ContactPaths {
                                    double surface_speed);
     /// Shortens the path to where it leaves the skin, and says when.
     std::optional<double> end_at_skin(std::uint32_t body, double now);
-    /// The ball has been pushed by a kinematic body; after `most_pushes` it stops.
+    /// The ball has been pushed by a kinematic body; after `most_pushes` it freezes and stops.
     void count_push(std::uint32_t body, double now);
     void freeze(std::uint32_t body, double now);
     /// The body, which is no faster along `normal` than what it ran into, would meet it again at

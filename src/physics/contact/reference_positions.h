@@ -8,8 +8,9 @@
 /// an order that depends on them.
 namespace carom {
 
-/// Whether it does not show in the result when pairs are found: nothing is ever a constraint, so
-/// pairs need no order, and neither the torus nor spin is rounded when bodies are loaded.
+/// Whether the result is the same whenever pairs are found anew: in a scene in which nothing is
+/// ever a constraint, so pairs need no order, and which has neither a torus nor spin, which would
+/// be rounded when bodies are loaded.
 bool is_pair_order_irrelevant(const World& world);
 
 /// New reference positions for all balls, where they are now. A skin holds what the ball needs for

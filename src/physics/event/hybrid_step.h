@@ -23,13 +23,14 @@ namespace carom {
 ///
 /// *The cluster* of a tick: the balls of EventMemory::clustered, all that could meet one of them
 /// within the tick, all that could meet those, and so on. A ball is assumed to get as far as its
-/// speed and a fall from rest take it: its *reach*. A held body belongs to the cluster if it could
-/// meet a ball of it; then so do all balls that it could meet.
+/// speed and twice a fall from rest take it: its *reach*. A held body belongs to the cluster if it
+/// could meet a ball of it; then so do all balls that it could meet.
 ///
 /// *The tick.* `contact` steps the cluster in a world that holds only it and the edges; `event`
 /// advances the others on their exact trajectories in a world without it. An impact can make a ball
 /// faster than its reach allows: then its reach becomes twice the distance that it got. If that
-/// adds balls to the cluster, the tick is repeated; after `most_attempts`, `contact` steps all.
+/// adds balls to the cluster, the tick is repeated; after `most_attempts`, `contact` steps all, and
+/// all exact trajectories are forgotten.
 ///
 /// *Coming back.* After the tick a ball stays in EventMemory::clustered while something presses it
 /// on another ball, and while it overlaps a ball or an edge by more than `sunk` of its radius. All
@@ -44,8 +45,8 @@ class HybridStep {
     /// The cluster of the next tick, as far as it is known before its impacts. Ascending.
     const std::vector<BallId>& cluster_of(const World& world);
 
-    /// Substeps of `contact` in a tick: so many that in one of them a ball of the smallest radius
-    /// falls from rest by less than `most_fall` of it.
+    /// Substeps of `contact` in a tick: the fewest of 4, 8 and 16 in which a ball of the smallest
+    /// radius falls from rest by at most `most_fall` of it, or else 16.
     static constexpr int least_substeps = 4;
     static constexpr int most_substeps = 16;
     static constexpr double most_fall = 1.0 / 2048.0;

@@ -21,10 +21,16 @@ namespace carom {
 /// What the solver takes from the world when a tick begins, and what it leaves there when it ends.
 ///
 /// A tick that finds the world as the last one left it continues: trajectories, cells and queue
-/// stay. Balls that somebody has moved or pushed start new trajectories (`apply_changes`), if they
-/// are few. Anything else rebuilds all. The world stores the trajectories, so that a copy of it
-/// goes on with the same bits: a rebuild keeps every stored trajectory that still leads through
-/// where the ball is shown, whose supports are in place, and that no edge bars since.
+/// stay. If only Stamps::motion differs, since the stop speed or the speed limit has changed
+/// velocities when the last tick ended, the balls that changed start new trajectories
+/// (`apply_changes`), unless they are more than an eighth of all and one. Anything else rebuilds:
+/// any edit through World::edit_..., whatever is held in this tick or was in the last, another
+/// tick number, one-way edges (in every tick), and a grid that no longer fits the balls (checked
+/// every 64 ticks).
+///
+/// The world stores the trajectories, so that a copy of it goes on with the same bits: a rebuild
+/// keeps every stored trajectory that leads, bit by bit, through the position and velocity that the
+/// world shows, whose supports are in place, and in whose way no edge has been put since.
 template <typename Real>
 class WorldSync {
   public:

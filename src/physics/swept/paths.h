@@ -12,7 +12,8 @@
 
 namespace carom {
 
-/// A ball in a substep: its chord, and where the flight or slide along it began. It fills one cache
+/// A ball in a substep: its chord, whose velocity is the mean one, and the real velocity with which
+/// the flight or slide along it began. It fills one cache
 /// line, since memory is what a gas of many balls costs.
 struct alignas(64) SweptPath {
     Chord chord;

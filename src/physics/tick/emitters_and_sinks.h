@@ -13,8 +13,8 @@ namespace carom {
 void emit(World& world);
 
 /// Stops balls slower than the stop speed; a spinning ball only when its surface is slower too.
-/// `touched`: by index, whether the ball had a contact in this tick. Under gravity only balls with
-/// contacts stop.
+/// `touched`: by index, whether the ball had a contact in this tick, as the solver counts it
+/// (TickWork::touched). Under gravity only balls with contacts stop.
 void stop_slow_balls(World& world, const std::vector<std::uint8_t>& touched);
 
 /// Counts and removes the balls in sinks. `world.tick` is the tick that ends.

@@ -9,7 +9,8 @@ namespace carom {
 enum class ContactKind : std::uint8_t { ball_ball, ball_edge };
 
 /// One exchange of momentum. Ball on ball: a < b are the numbers of the balls. Ball on edge: a is
-/// the number of the ball, b that of the capsule.
+/// the number of the ball, b that of the capsule. Until the solver is done with the tick, a and b
+/// are indices in the world instead (solver_table.h).
 struct Contact {
     double time = 0.0;  ///< s since the start of the simulation
     ContactKind kind = ContactKind::ball_ball;

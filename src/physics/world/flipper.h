@@ -30,8 +30,8 @@ struct Flipper {
 /// Where the flipper's end is when it has come this far.
 Vec2 flipper_end(const Flipper& flipper, Vec2 pivot, double progress);
 
-/// Begins a tick: what turns in it moves like something in a hand (World::held_capsules), in a
-/// straight line from where its end is to where it will be.
+/// Begins a tick: a flipper that turns in it becomes a held edge (World::held_capsules), whose end
+/// moves in a straight line from where it is to where it will be when the tick ends.
 void drive_flippers(World& world);
 
 /// Ends a tick: where the flippers have got to. One that something stopped goes on from there, from

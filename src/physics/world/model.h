@@ -9,7 +9,8 @@
 /// What a scene requires of the physics, and nothing more.
 ///
 /// The level's loader fills this in from what the level declares and uses. A term that is absent
-/// costs nothing: the solvers are compiled without it, and no ball carries its bytes.
+/// costs nothing or little: inner loops are compiled without it (terms.h) or pass it by, and no
+/// ball carries its bytes.
 namespace carom {
 
 /// What the cloth does to balls: see laws/cloth.h.

@@ -9,7 +9,8 @@ namespace carom {
 ///
 /// balls() gives no stamp, so it costs nothing in an inner loop: a solver that has written through
 /// it calls stamp_motion() before its tick ends, and changes no column that a tick does not move
-/// (Stamps::roster). memory() gives none either: see stamp_memory().
+/// (Stamps::roster). memory() gives none either: see stamp_memory(). capsules() gives one on every
+/// call, since edges move in few ticks only.
 class SolverAccess {
   public:
     explicit SolverAccess(World& world) : world_(world) {}

@@ -6,8 +6,10 @@
 
 #include "physics/world/world.h"
 
-/// The terms of the model that stand in the hot loops, as compile-time flags. A solver is compiled
-/// once for each of the 16 sets, and the set is chosen once a tick, above the loops.
+/// The terms of the model that stand in the hot loops, as compile-time flags. The inner loops of
+/// `discrete`, `substep`, `swept` and of the classification in `contact` are compiled once for each
+/// of the 16 sets, and the set is chosen above the loops. `event` does not use them: it is compiled
+/// for gases and for everything else (event/schedule/foreseen_collision.h).
 namespace carom {
 
 struct Terms {
@@ -15,7 +17,7 @@ struct Terms {
 
     static constexpr unsigned lossy_flag = 1;  ///< some restitution is below 1
     /// Scatter, one-way edges, edges that kick, a filter of who meets whom, or something is held or
-    /// driven: which of these, the world says.
+    /// driven. The loop then asks the world which of these there are.
     static constexpr unsigned special_flag = 2;
     static constexpr unsigned wrap_flag = 4;  ///< a torus
     static constexpr unsigned spin_flag = 8;  ///< friction, and balls turn

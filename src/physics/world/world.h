@@ -14,18 +14,20 @@
 #include "physics/world/stamp.h"
 #include "physics/world/things.h"
 
-/// The world: all state of a simulation, and nothing else. A copy is a snapshot; a copy that goes
-/// on gives the same bits as the original.
+/// The world: all state of a simulation, and nothing else. A copy that goes on gives the same bits
+/// as the original. README.md says what else a snapshot of a game holds, who may write to a world,
+/// and how each solver learns of it.
 namespace carom {
 
-/// Reading is free; every change goes through a function named edit_..., which gives what it
-/// changes a new stamp (stamp.h). Solvers, which write in every tick, have SolverAccess
-/// (solver_access.h).
+/// Reading is free; every change goes through a function named edit_.... Those that are not inline
+/// give what they change a new stamp (stamp.h), on every call. The tick, emitters, flippers, ledger
+/// and ids have no stamp, since no solver prepares anything from them. Solvers, which write in
+/// every tick, have SolverAccess (solver_access.h).
 ///
 /// Invariants, which edits must keep:
 /// - rows of balls and capsules, and the lists of kinematic bodies, are in ascending order of id;
 /// - a column is as long as its table, or empty where the model does not use it;
-/// - equal stamps mean equal data.
+/// - equal stamps mean equal data, of what has a stamp.
 ///
 /// A reference from edit_... is for the statement or block that asked for it. Do not keep it across
 /// a tick or a copy: what is written later has no new stamp.

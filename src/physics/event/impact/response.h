@@ -38,8 +38,9 @@ struct ImpactRecord {
 /// suffice. From then on all contacts pass impulses without restitution, and frozen balls do not
 /// give way; after all of the rounds the rest is left as it is.
 ///
-/// Momentum is conserved but for kinematic bodies and fixed edges; so is energy, but for
-/// restitution, friction, and the rules of restitution.h and collapse_guard.h.
+/// Momentum is conserved but for kinematic bodies, fixed edges, and two kinds of balls that count
+/// as immovable: a resting ball on which another comes to rest (it does not wake), and frozen ones
+/// that jammed balls hit. README.md has the account of energy.
 template <typename Real>
 class Response {
   public:

@@ -15,11 +15,13 @@ namespace carom {
 ///   ball and edge pressed by cloth          rest_height                   0
 ///   two balls pressed by cloth              cloth_rest_height             1
 ///   ball and kinematic body, by cloth       2 moving_rest_height          1
-///   more than most_collisions_in_place in place, no gravity, both         0
+///   two balls with more than most_collisions_in_place each                0
+///   such a ball and an edge, without gravity                              0
 ///   ball pushed by a held ball              always                        hand_restitution
 ///   kinematic edge that approaches          always                        laws/bounce.h
 ///
-/// "Pressed": by the relative acceleration along the normal. Rules of rest apply to an impact that
+/// Counts of collisions (collapse_guard.h) matter only for a restitution below 1. "Pressed": by
+/// the relative acceleration along the normal. Rules of rest apply to an impact that
 /// is alone, not to simultaneous ones. Heights are shares of the smaller radius (tolerances.h).
 template <typename Real>
 class Restitution {

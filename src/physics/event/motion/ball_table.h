@@ -14,7 +14,9 @@
 /// Writers:
 ///
 ///   line, curve, version      Trajectories starts them. RestingContact, ClothPhases, Transitions
-///                             and CollapseGuard choose the motion of one that has just started
+///                             and CollapseGuard choose the motion of one that has just started.
+///                             WorldSync restores stored ones; EventEngine, when time stands still
+///   image in line             BallCells
 ///   next, CellPlace           BallCells
 ///   next event, collision     Predictor
 ///   radius, inverse_mass      WorldSync, when a tick rebuilds; KinematicBodies for what is held

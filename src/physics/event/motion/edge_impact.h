@@ -60,10 +60,19 @@ std::optional<Real> edge_time_of_impact(const Trajectory<Real>& trajectory, cons
                                         const Real& radius, const Field<Real>& field,
                                         const Real& end, ToiSearch<Real>& search);
 
-/// Time of impact of a ball and a kinematic edge, in begin..end. The bound on the edge's motion
-/// assumes that it turns no faster than twice the difference of its ends' speeds over its length.
-/// A suspended search resumes from a later `begin`: no tick with kinematic edges is continued, so
-/// the search need not be repeatable from the trajectory alone.
+/// Time of impact of a ball and a kinematic edge, in begin..end.
+///
+/// The bound of the search is, for ends with velocities u and v,
+///
+///     A = B + w (2 (s + B T) + w L)    with w = 2 |v - u| / L
+///
+/// B is the ball's most_acceleration, L the edge's length and s the ball's speed plus that of the
+/// faster end, all at `begin`; T = end - begin. It holds while the edge is at least L / 2 long, so
+/// that it turns no faster than w. An edge that shrinks further in a tick may miss an impact.
+///
+/// The result depends on `begin` and `end`, and a suspended search resumes from a later `begin`: no
+/// tick with kinematic edges is continued, so the search need not be repeatable from the trajectory
+/// alone.
 template <typename Real>
 std::optional<Real> moving_edge_time_of_impact(const Trajectory<Real>& trajectory,
                                                const MovingEdge<Real>& edge, const Real& radius,

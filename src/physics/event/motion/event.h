@@ -12,15 +12,16 @@ namespace carom {
 enum class EventKind : std::uint8_t {
     ball_ball,       ///< impact with another ball
     ball_edge,       ///< impact with an edge that nothing moves
-    kinematic_edge,  ///< impact with an edge that a hand or a motor moves
+    kinematic_edge,  ///< impact with an edge that a player or a solenoid moves
     transition,      ///< the ball's motion changes by itself: see transitions.h
-    cell_transfer,   ///< bookkeeping; the trajectory stays the same
+    cell_transfer,   ///< bookkeeping: see namespace cell_transfer
     none,
     unknown,  ///< of BallPlan::collision alone: not predicted
 };
 
 /// What `BallEvent::other` says of a cell transfer: the side to which the ball leaves its cell, or
-/// that no cell changes.
+/// one of two other chores, in which it stays in its cell. Only `restart_in_frame` starts a
+/// trajectory.
 namespace cell_transfer {
 inline constexpr std::uint32_t to_right = 0;
 inline constexpr std::uint32_t to_left = 1;

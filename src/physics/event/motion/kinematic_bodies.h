@@ -11,7 +11,7 @@
 
 namespace carom {
 
-/// An edge that a hand or a motor moves.
+/// An edge that a player or a solenoid moves.
 template <typename Real>
 struct KinematicEdge {
     std::uint32_t capsule = 0;
@@ -20,8 +20,8 @@ struct KinematicEdge {
 };
 
 /// The balls and edges that something outside of the physics moves: each goes to its target in
-/// uniform motion during the tick, and nothing pushes it. One that would squeeze a ball against
-/// something stops for the rest of the tick.
+/// uniform motion during the tick, and nothing pushes it. When one squeezes a ball, all of them
+/// stop for the rest of the tick (Response::is_squeezed decides).
 ///
 /// Which bodies these are, and how far they have to go, is asked of tick/kinematic.h. Solvers with
 /// substeps multiply the way by a rate, from wherever they are (`aim`). Here it is divided by the

@@ -9,8 +9,16 @@
 /// what counts as an impact, and README.md why none is missed.
 ///
 /// All times are absolute, s; `end` is the horizon of the search. Each function gives the same bits
-/// whenever it is asked, since it starts from the trajectories alone. Straight lines and parabolas
-/// are solved in closed form; other motion takes a search of a few iterations.
+/// whenever it is asked, since it starts from the trajectories alone; only that for a kinematic
+/// edge starts at a time that it is given. Closed form: two balls with the same constant
+/// acceleration, a parabola and the side of an edge, a straight line and a round end. Everything
+/// else takes a search of a few iterations: a parabola and a round end, two different
+/// accelerations, turning, drag, an edge along which the ball slides or in which it starts, and
+/// kinematic edges.
+///
+/// The bound A of a search (README.md derives it): the sum of both balls' `most_acceleration`, of
+/// two parabolas the length of their relative acceleration, for a fixed edge that of the ball. For
+/// a kinematic edge see edge_impact.h.
 ///
 /// Here is what both share: tolerances, and the separation of two points with its bounds.
 namespace carom {

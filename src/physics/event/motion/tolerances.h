@@ -18,7 +18,8 @@
 ///              energy that the solver removes by choice is removed below these heights, by the
 ///              collapse guard, or when a kinematic body squeezes a ball.
 ///   counts     of collisions: when the collapse guard acts.
-///   costs      limits of work. They never change what is found, only when it is found.
+///   costs      limits of work. But for the few that say so, they never change what is found, only
+///              when it is found.
 ///
 /// `contact_slop` < rest_height: two bodies that count as touching must be nearer than the lowest
 /// hop that is still a bounce.
@@ -105,8 +106,10 @@ inline constexpr double pressing_share = 1e-9;
 
 // --- The inelastic-collapse guard and dense clusters ------------------------------------------
 
-/// So many collisions in a row without moving (no gravity), or in quick succession where impacts do
-/// not terminate: impulses pass without restitution, kinematic bodies that squeeze a ball stop.
+/// So many collisions in a row without moving (no gravity), or in quick succession (gravity): two
+/// such balls meet without restitution, without gravity also such a ball and an edge; kinematic
+/// bodies in contact with such a ball stop; a jammed ball is frozen. Equals `dense_collisions` by
+/// choice: nothing relies on it.
 /// x10: a collapse takes more impacts to end; /10: long cradles may lose energy.
 inline constexpr std::uint32_t most_collisions_in_place = 64;
 
@@ -137,9 +140,10 @@ inline constexpr double overlap_heights = 0.5;
 inline constexpr double overlap_heights_on_cloth = 2.0;
 inline constexpr double most_correction = 0.5;
 
-// --- Costs: limits of work, which change nothing that is found --------------------------------
+// --- Costs: limits of work ----------------------------------------------------------------------
 
-/// Events of one tick, after which time stands still for its rest (EventOutcome::too_dense).
+/// Events of one tick, after which time stands still for its rest (EventOutcome::too_dense):
+/// changes the result.
 inline constexpr std::uint64_t most_events = 100'000'000;
 
 /// Events between two looks at the cancellation token, and iterations of a search that take as long
@@ -147,12 +151,14 @@ inline constexpr std::uint64_t most_events = 100'000'000;
 inline constexpr std::uint64_t events_between_polls = 4096;
 inline constexpr std::uint64_t iterations_per_event = 8;
 
-/// Rounds of a simultaneous impact before restitution is dropped, and before it is broken off: so
-/// many, plus so many for each contact point.
+/// Rounds of a simultaneous impact before it is broken off: so many, plus so many for each contact
+/// point. After half of them restitution is dropped. Changes the result of impacts that take so
+/// many.
 inline constexpr std::size_t most_impact_rounds = 200;
 inline constexpr std::size_t impact_rounds_per_contact = 8;
 
-/// Rounds of impact friction where several contacts share a body.
+/// Rounds of impact friction where several contacts share a body: changes the result of impacts
+/// that take so many.
 inline constexpr int most_friction_rounds = 64;
 
 /// The reach of edges into cells, in largest radii, and how late a curved trajectory may leave a
@@ -172,8 +178,8 @@ inline constexpr double most_checked_periods = 4.0;
 /// rounding up to here. x10: it is not; /10: more events of a ball on a round end.
 inline constexpr double most_piece_angle = 0.05;
 
-/// Under drag, rolling friction is constant for this share of drag's time constant. x10: a rolling
-/// ball slips more between two pieces; /10: more events.
+/// Under drag, rolling friction is constant for this share of drag's time constant: changes the
+/// result slightly. x10: a rolling ball slips more between two pieces; /10: more events.
 inline constexpr double rolling_piece = 1.0 / 1024.0;
 
 /// Balls, from which on memory is prefetched.

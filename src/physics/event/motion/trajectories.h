@@ -21,11 +21,13 @@ struct SpinTrajectory {
     bool rolls = false;  ///< it rolls along a side without slip
 };
 
-/// The trajectory of every ball, and of its spin: the only part that starts one.
+/// The trajectory of every ball, and of its spin: the part that starts them.
 ///
 /// A trajectory starts at an event and holds until the ball's next one that changes it. Neither the
-/// end of a tick nor a cell transfer starts one. Every start increments BallRecord::version, which
-/// voids all predictions that were made with the old trajectory.
+/// end of a tick nor a cell transfer starts one, but for what README.md lists. Every start
+/// increments BallRecord::version, which voids all predictions that were made with the old
+/// trajectory. Two others set trajectories without that, and predict everything afterwards:
+/// WorldSync, when a tick rebuilds, and EventEngine, when time stands still.
 template <typename Real>
 class Trajectories {
   public:

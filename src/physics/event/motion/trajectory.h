@@ -60,8 +60,8 @@ struct Field {
     Vector<Real> gravity;
     Real drag{};  ///< 1/s; 0: none
     bool has_drag = false;
-    /// Length of gravity where impacts lose energy, so that balls come to be pressed together; else
-    /// 0.
+    /// The length of gravity if impacts lose energy, so that balls come to be pressed together;
+    /// else 0. Not a force: thresholds for pressed bodies scale with it. length/s^2.
     Real pressing{};
 };
 
@@ -97,7 +97,8 @@ inline bool is_on_cloth(const LinearPart<Real>& line) {
 }
 
 /// A bound on the length of the acceleration, length/s^2, from `time` on; for Motion::turning until
-/// the end of the piece. It depends on no horizon, so neither do the impacts that are found by it.
+/// the end of the piece. It depends on no horizon, so neither do the impacts that are found by it,
+/// unless an edge moves (edge_impact.h).
 template <typename Real>
 Real most_acceleration(const Trajectory<Real>& trajectory, const Field<Real>& field,
                        const Real& time);

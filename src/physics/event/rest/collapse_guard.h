@@ -9,6 +9,7 @@
 
 namespace carom {
 
+// clang-format off
 /// Keeps the number of events finite where collisions accumulate: inelastic collapse, jammed balls,
 /// dense clusters.
 ///
@@ -16,20 +17,24 @@ namespace carom {
 /// quick succession (`quick_succession`), forgotten at the same pace in a pause; without gravity,
 /// those in a row during which it hardly moved (`contact_slop`).
 ///
-///   above dense_collisions (64)             the ball is in a dense cluster: `contact` takes it
-///   over
-///                                           when the tick ends (hybrid_step.h)
-///   above most_collisions_in_place (64),    impulses pass without restitution: see restitution.h
-///     no gravity
-///   above most_collisions_before_freezing   a slow ball is frozen: it rests without a support
-///   until
-///     (256), or above 64 when jammed        `thaw_time`. This loses energy and momentum, also in
-///     an
-///                                           elastic scene where the ball is jammed
+/// What the count decides (tolerances.h has the constants; that the first two are equal has no
+/// meaning):
+///
+/// | count above                           | condition           | what happens |
+/// |---------------------------------------|---------------------|---|
+/// | dense_collisions (64)                 | the last with a ball; gravity, losses | the ball is in a dense cluster: `contact` takes it over when the tick ends (hybrid_step.h) |
+/// | most_collisions_in_place (64)         | of both balls; of one ball at an edge without gravity | a restitution below 1 is 0 (restitution.h) |
+/// | most_collisions_in_place (64)         | a kinematic body touches the ball | kinematic bodies stop (response.h) |
+/// | most_collisions_in_place (64)         | jammed, slow; gravity | the ball is frozen, also in an elastic scene |
+/// | most_collisions_before_freezing (256) | slow; gravity, losses | the ball is frozen |
+///
+/// A frozen ball rests without a support until `thaw_time`. Freezing loses energy and momentum. Slow:
+/// no faster than after a fall through its radius.
 ///
 /// A ball is *jammed* if its simultaneous impacts do not terminate (response.h). A ball jammed
 /// against a frozen one is frozen too. Source of the idea: Luding and McNamara, How to handle the
 /// inelastic collapse of a dissipative hard-sphere gas, Granular Matter 1, 1998.
+// clang-format on
 template <typename Real>
 class CollapseGuard {
   public:

@@ -12,8 +12,8 @@
 
 namespace carom {
 
-/// Chooses the motion of a ball that gravity presses on something: it slides along a side, turns
-/// round an end, or rests. Wakes balls whose support moves. Without gravity balls never rest.
+/// Chooses the motion of a ball that gravity presses against something: it slides along a side,
+/// turns round an end, or rests. Wakes balls whose support moves. Without gravity balls never rest.
 ///
 /// A ball rests on edges and on resting balls. Two supports hold it if together they can bear all
 /// of gravity, even if gravity presses the ball on one of them alone, along which it would slide
