@@ -113,10 +113,9 @@ TickOutcome outcome_of(EventOutcome outcome) {
 class EventMethod final : public SolverMethod {
   public:
     TickOutcome advance(World& world, TickWork work) override {
-        const bool may_have_clusters = hands_heaps_over(world.model(), {.kind = SolverKind::event});
-        if (!may_have_clusters && !event_memory(world).clustered.empty())
-            SolverAccess(world).memory().use<EventMemory>().clustered.clear();
-        const bool has_clusters = !event_memory(world).clustered.empty();
+        // The list stays as it is until the tick is done: a cancelled tick leaves the memory alone.
+        const bool has_clusters = hands_heaps_over(world.model(), {.kind = SolverKind::event}) &&
+                                  !event_memory(world).clustered.empty();
         const EventOutcome outcome =
             has_clusters ? hybrid_.tick(world, event_, contact_, work.contacts, work.touched,
                                         work.keep_going)
