@@ -53,6 +53,8 @@ class ContactMemory : public RetainedMemory {
 
     static const char type_name;
     std::unique_ptr<RetainedMemory> clone() const override;
+    bool assign(const RetainedMemory& other) override;
+    void clear() override;
     const void* part(MemoryType type) const override;
     void add_to(Hash& hash, const Model& model, int version) const override;
     std::size_t bytes() const override;

@@ -11,6 +11,15 @@ constexpr int words_for_nothing = 9;
 
 }  // namespace
 
+SolverMemory& SolverMemory::operator=(const SolverMemory& other) {
+    if (this == &other) return *this;
+    if (held_ && !other.held_)
+        held_->clear();
+    else if (other.held_ && !(held_ && held_->assign(*other.held_)))
+        held_ = other.held_->clone();
+    return *this;
+}
+
 void SolverMemory::add_to(Hash& hash, const Model& model, int version) const {
     if (held_) return held_->add_to(hash, model, version);
     if (version == 1) return;

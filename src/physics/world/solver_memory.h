@@ -24,6 +24,11 @@ class RetainedMemory {
     virtual ~RetainedMemory() = default;
 
     virtual std::unique_ptr<RetainedMemory> clone() const = 0;
+    /// Becomes a copy of `other` without new memory where its lists have room. Returns false, and
+    /// changes nothing, if `other` is of another type.
+    virtual bool assign(const RetainedMemory& other) = 0;
+    /// Becomes as it was made, but keeps the room of its lists.
+    virtual void clear() = 0;
     /// The part of it that is of this type; null if none is.
     virtual const void* part(MemoryType type) const = 0;
     /// Adds all of it, as fingerprints of this version have it (fingerprint.h).
@@ -35,13 +40,15 @@ class RetainedMemory {
     virtual void forget_trajectories() {}
 };
 
-/// A slot for the memory of one solver. A value: copying it copies what is in it.
+/// A slot for the memory of one solver. A value: copying it copies what is in it. An empty slot and
+/// one with a memory that remembers nothing are alike in everything but the room that they hold: so
+/// a world that goes back to its start again and again allocates only once.
 class SolverMemory {
   public:
     SolverMemory() = default;
     SolverMemory(const SolverMemory& other) : held_(other.held_ ? other.held_->clone() : nullptr) {}
     SolverMemory(SolverMemory&&) noexcept = default;
-    SolverMemory& operator=(const SolverMemory& other) { return *this = SolverMemory(other); }
+    SolverMemory& operator=(const SolverMemory& other);
     SolverMemory& operator=(SolverMemory&&) noexcept = default;
     ~SolverMemory() = default;
 

@@ -1,5 +1,7 @@
 #include "physics/event/motion/event_memory.h"
 
+#include <typeinfo>
+
 namespace carom {
 namespace {
 
@@ -75,6 +77,17 @@ const char EventMemory::type_name{};
 
 std::unique_ptr<RetainedMemory> EventMemory::clone() const {
     return std::make_unique<EventMemory>(*this);
+}
+
+bool EventMemory::assign(const RetainedMemory& other) {
+    if (typeid(other) != typeid(EventMemory)) return false;
+    *this = static_cast<const EventMemory&>(other);
+    return true;
+}
+
+void EventMemory::clear() {
+    static const EventMemory nothing;
+    *this = nothing;
 }
 
 const void* EventMemory::part(MemoryType type) const {
