@@ -129,40 +129,40 @@ constexpr void Balls::for_each_column(Visit&& visit) {
                          +[](BallId ball, const Spec&, const Kind&) { return ball; }});
     visit(Column<Vec2>{"position", &Balls::position, always,
                        +[](BallId, const Spec& spec, const Kind&) { return spec.position; },
-                       +[](const Vec2& position, Spec& spec) { spec.position = position; }});
+                       +[](const Vec2& value, Spec& spec) { spec.position = value; }});
     visit(Column<Vec2>{"velocity", &Balls::velocity, always,
                        +[](BallId, const Spec& spec, const Kind&) { return spec.velocity; },
-                       +[](const Vec2& velocity, Spec& spec) { spec.velocity = velocity; }});
+                       +[](const Vec2& value, Spec& spec) { spec.velocity = value; }});
     visit(Column<double>{"radius", &Balls::radius, always,
-                         +[](BallId, const Spec& spec, const Kind& kind) {
-                             return spec.radius.value_or(kind.radius);
+                         +[](BallId, const Spec& spec, const Kind& type) {
+                             return spec.radius.value_or(type.radius);
                          },
-                         +[](const double& radius, Spec& spec) { spec.radius = radius; }});
+                         +[](const double& value, Spec& spec) { spec.radius = value; }});
     visit(Column<double>{"inverse_mass", &Balls::inverse_mass, always,
-                         +[](BallId, const Spec& spec, const Kind& kind) {
-                             return 1.0 / spec.mass.value_or(kind.mass);
+                         +[](BallId, const Spec& spec, const Kind& type) {
+                             return 1.0 / spec.mass.value_or(type.mass);
                          },
-                         +[](const double& inverse, Spec& spec) { spec.mass = 1.0 / inverse; }});
+                         +[](const double& value, Spec& spec) { spec.mass = 1.0 / value; }});
     visit(Column<ClassIndex>{"kind", &Balls::kind, always,
                              +[](BallId, const Spec& spec, const Kind&) { return spec.kind; },
-                             +[](const ClassIndex& kind, Spec& spec) { spec.kind = kind; }});
+                             +[](const ClassIndex& value, Spec& spec) { spec.kind = value; }});
     visit(Column<double>{"restitution", &Balls::restitution,
                          +[](const Model& model) { return model.lossy; },
-                         +[](BallId, const Spec& spec, const Kind& kind) {
-                             return spec.restitution.value_or(kind.restitution);
+                         +[](BallId, const Spec& spec, const Kind& type) {
+                             return spec.restitution.value_or(type.restitution);
                          },
-                         +[](const double& own, Spec& spec) { spec.restitution = own; }});
+                         +[](const double& value, Spec& spec) { spec.restitution = value; }});
     visit(Column<std::uint32_t>{"edge_contacts", &Balls::edge_contacts,
                                 +[](const Model& model) { return model.scatter.has_value(); },
                                 +[](BallId, const Spec&, const Kind&) { return std::uint32_t{}; }});
     visit(Column<double>{"spin", &Balls::spin,
                          +[](const Model& model) { return model.spin.has_value(); },
                          +[](BallId, const Spec& spec, const Kind&) { return spec.spin; },
-                         +[](const double& spin, Spec& spec) { spec.spin = spin; }});
+                         +[](const double& value, Spec& spec) { spec.spin = value; }});
     visit(Column<Vec2>{
         "roll", &Balls::roll, +[](const Model& model) { return model.cloth.has_value(); },
         +[](BallId, const Spec& spec, const Kind&) { return spec.roll.value_or(spec.velocity); },
-        +[](const Vec2& roll, Spec& spec) { spec.roll = roll; }});
+        +[](const Vec2& value, Spec& spec) { spec.roll = value; }});
 }
 
 template <typename Visit>
