@@ -21,13 +21,13 @@ std::vector<Figure> fields() {
          .head = "energy",
          .is_in_measure = true,
          .of_run = [](const RunWatch& run, const World&) -> Value {
-             return run.conservation()->energy_drift();
+             return run.conservation() ? run.conservation()->energy_drift() : std::nullopt;
          }},
         {.key = "momentum_drift",
          .head = "mom.",
          .is_in_measure = true,
          .of_run = [](const RunWatch& run, const World&) -> Value {
-             return run.conservation()->momentum_drift();
+             return run.conservation() ? run.conservation()->momentum_drift() : std::nullopt;
          }},
         {.quantity = "overlap",
          .key = "max_overlap",

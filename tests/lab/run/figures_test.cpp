@@ -52,6 +52,13 @@ TEST_CASE("overlap is the deepest at the end of any tick so far") {
     CHECK(watch.value(figure("max_overlap"), world) == 0.5);
 }
 
+TEST_CASE("drifts have no value unless they are recorded") {
+    const Scene scene = test::load("ball a at=0,0 v=1,0\n");
+    const RunWatch watch(scene, RunWatch::Conservation::ignored);
+    CHECK_FALSE(watch.value(figure("energy_drift"), scene.world));
+    CHECK_FALSE(watch.value(figure("momentum_drift"), scene.world));
+}
+
 TEST_CASE("drifts are recorded on request") {
     const Scene scene = test::load("ball a at=0,0 v=1,0\n");
     RunWatch watch(scene, RunWatch::Conservation::noted);
