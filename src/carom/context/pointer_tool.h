@@ -47,8 +47,8 @@ class PointerTool {
     /// then.
     void forget() { state_ = Nothing{}; }
 
-    /// Called before ticks are computed: tells the session what is held and where, and drops what
-    /// the tool does not hold (after a rewind, or in a resumed session).
+    /// Call this before ticks are computed. It sends the session the position of the held body, and
+    /// releases every body that the tool does not hold (after a rewind, or in a resumed session).
     void prepare(Session& session);
 
     /// Adds the tool to the annotations; `unit` is written after the speed of the cue. While the

@@ -17,10 +17,10 @@ class PoolOpponent {
 
     /// Whether it is the AI player's turn to shoot or to choose.
     bool is_turn(const Session& session) const;
-    /// Plans, announces its shot, and shoots. It acts only at the latest tick: a player who has
-    /// gone back in time is watching.
+    /// Plans a shot, announces it, and shoots. The AI player acts only at the latest tick, so it
+    /// waits while the player rewinds.
     void play(PlayContext& play, double seconds);
-    /// Restarts the pause before the next shot: the player has gone back.
+    /// Restarts the pause before the next shot, after a rewind.
     void hesitate() { seconds_left_ = 0.0; }
     /// The announced shot, or that the AI player is still planning.
     std::string text() const;

@@ -53,7 +53,7 @@ Outlook outlook(const Scene& scene, const World& world, const PoolPlay& play, co
                 second = std::max(second, pot_chance(line, bearing_error));
         result.value = result.chance * (0.6 + 0.3 * second);
     }
-    // A player who has a choice may also leave the shot to the opponent.
+    // If the rules offer a choice, the player may also pass the shot to the opponent.
     if (rules.phase == PoolPhase::choosing)
         result.value = rules.choices.front() == PoolChoice::take_table && rules.choices.size() == 2
                            ? std::abs(result.value)

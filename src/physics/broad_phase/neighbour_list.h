@@ -12,7 +12,7 @@ namespace carom {
 /// stays valid until a ball has gone further than the margin from where it was when the list was
 /// built (its reference position), so that several steps, and often several ticks, share one list.
 ///
-/// Filters of who meets whom and held balls are the caller's business; held capsules are left out.
+/// Callers must filter pairs by collision rules and skip held balls. The list has no held capsules.
 /// Distances are from surface to surface.
 class NeighbourList {
   public:

@@ -7,7 +7,7 @@
 
 /// When a ball on its chord (chord.h) first meets something in the rest of a substep: for the
 /// solvers `swept` and `contact`. Units, approach and degenerate cases are those of
-/// geometry/impact.h; `horizon` is what is left of the substep, s.
+/// geometry/impact.h; `horizon` is the time left in the substep, s.
 ///
 /// What differs between the two solvers stays with them: which approaches are rounding (`swept`
 /// knows the speed that supports take away), and how far a pair may overlap first (`contact` leaves

@@ -16,8 +16,8 @@ struct Terms {
     unsigned flags = 0;
 
     static constexpr unsigned lossy_flag = 1;  ///< some restitution is below 1
-    /// Scatter, one-way edges, edges that kick, a filter of who meets whom, or something is held or
-    /// driven. The loop then asks the world which of these there are.
+    /// Scatter, one-way edges, edges that kick, collision filters, or kinematic bodies. The loop
+    /// then asks the world which of these there are.
     static constexpr unsigned special_flag = 2;
     static constexpr unsigned wrap_flag = 4;  ///< a torus
     static constexpr unsigned spin_flag = 8;  ///< friction, and balls turn
