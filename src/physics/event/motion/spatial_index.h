@@ -78,8 +78,8 @@ void SpatialIndex<Real>::for_each_ball_near(std::uint32_t ball, Visit&& visit) c
                        state_at(balls_.path(other), scene_.field, scene_.now).position);
         const int across = static_cast<int>(std::floor(way.x / scene_.period.x + 0.5));
         const int along = static_cast<int>(std::floor(way.y / scene_.period.y + 0.5));
-        for (int i = across - 1; i <= across + 1; ++i)
-            for (int j = along - 1; j <= along + 1; ++j)
+        for (int i = across - oversized_images; i <= across + oversized_images; ++i)
+            for (int j = along - oversized_images; j <= along + oversized_images; ++j)
                 visit(other, i, j);
     };
     if (is_oversized)

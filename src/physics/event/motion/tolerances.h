@@ -174,6 +174,13 @@ inline constexpr double search_horizon_ticks = 16.0;
 inline constexpr double most_periods = 50.0;
 inline constexpr double most_checked_periods = 4.0;
 
+/// On a torus, oversized balls are in no cell, so searches test their periodic images by number:
+/// so many to each side of the nearest. An oversized ball predicts again before it has gone this
+/// share of a period, and every other ball at the border of its cell: between two predictions, no
+/// image further away can come into reach. x10 of the share: impacts are missed; /10: more events.
+inline constexpr double oversized_periods = 0.25;
+inline constexpr int oversized_images = 2;
+
 /// The angle, rad, through which one piece of a pendulum's series may lead: the series is exact to
 /// rounding up to here. x10: it is not; /10: more events of a ball on a round end.
 inline constexpr double most_piece_angle = 0.05;

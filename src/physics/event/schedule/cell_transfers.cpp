@@ -16,6 +16,15 @@ BallEvent<Real> transfer_at(const Real& time, std::uint32_t what) {
     return {time, EventKind::cell_transfer, 0, 0, what, 0};
 }
 
+/// The time in which a body covers the distance `far`, s: |v| t + |a| t^2 / 2 = far, by the root
+/// without cancellation. Infinity for a body at rest that nothing accelerates.
+template <typename Real>
+Real time_to_cover(const Real& far, const Real& speed, const Real& acceleration) {
+    const Real root = speed + square_root(speed * speed + Real(2.0) * acceleration * far);
+    if (!(root > Real{})) return Real(std::numeric_limits<double>::infinity());
+    return Real(2.0) * far / root;
+}
+
 }  // namespace
 
 template <typename Real>
@@ -64,14 +73,26 @@ inline void CellTransfers<Real>::predict_through(std::uint32_t side, std::uint32
 template <typename Real>
 void CellTransfers<Real>::predict(std::uint32_t ball, BallEvent<Real>& best) const {
     const Trajectory<Real> path = balls_.path(ball);
-    if (cells_.is_oversized(balls_, ball) || path.motion == Motion::resting ||
-        path.motion == Motion::still)
-        return;
+    if (path.motion == Motion::resting || path.motion == Motion::still) return;
     const BallState<Real> now = state_at(path, scene_.field, scene_.now);
+    if (cells_.is_oversized(balls_, ball)) {
+        if (scene_.world->model().wrap) predict_next_images(path, now, ball, best);
+        return;
+    }
     const bool is_simple = is_parabola(path, scene_.field);
     const Real last = path.motion == Motion::turning ? piece_end(path, scene_.field) : best.time;
     for (std::uint32_t side = 0; side < cell_transfer::sides; ++side)
         predict_through(side, ball, path, is_simple, now, last, best);
+}
+
+template <typename Real>
+void CellTransfers<Real>::predict_next_images(const Trajectory<Real>& path,
+                                              const BallState<Real>& now, std::uint32_t ball,
+                                              BallEvent<Real>& best) const {
+    const Real far(oversized_periods * std::min(scene_.period.x, scene_.period.y));
+    const Real since =
+        time_to_cover(far, length(now.velocity), most_acceleration(path, scene_.field, scene_.now));
+    keep_earlier(ball, transfer_at(scene_.now + since, cell_transfer::predict_again), best);
 }
 
 template <typename Real>
@@ -85,13 +106,10 @@ void CellTransfers<Real>::predict_restart(std::uint32_t ball, BallEvent<Real>& b
     const Real since = best.time - path.time;
     const Real most = sum_of_parts(path.velocity) + sum_of_parts(path.acceleration) * since;
     if (most * since < far) return;
-    // |velocity| s + |acceleration| s^2 / 2 = far, by the root without cancellation. Drag only
-    // shortens the way.
-    const Real speed = length(path.velocity);
-    const Real acceleration = length(path.acceleration);
-    const Real root = speed + square_root(speed * speed + Real(2.0) * acceleration * far);
-    if (!(root > Real{})) return;
-    const Real time = path.time + Real(2.0) * far / root;
+    // Drag only shortens the way.
+    const Real time =
+        path.time + time_to_cover(far, length(path.velocity), length(path.acceleration));
+    if (!(time < Real(std::numeric_limits<double>::infinity()))) return;
     keep_earlier(
         ball, transfer_at(time < scene_.now ? scene_.now : time, cell_transfer::restart_in_frame),
         best);

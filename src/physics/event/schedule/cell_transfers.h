@@ -28,7 +28,8 @@ class CellTransfers {
         std::uint32_t side = 0;  ///< of cell_transfer
     };
 
-    /// Sets `best` to the ball's next transfer if that comes before it.
+    /// Sets `best` to the ball's next transfer if that comes before it. An oversized ball is in no
+    /// cell; on a torus it predicts again after a part of a period instead (`oversized_periods`).
     void predict(std::uint32_t ball, BallEvent<Real>& best) const;
     /// When a ball in uniform motion leaves its cell, without a branch on the direction.
     /// `may_wrap`: whether the grid may be that of a torus.
@@ -39,6 +40,8 @@ class CellTransfers {
     void predict_restart(std::uint32_t ball, BallEvent<Real>& best) const;
 
   private:
+    void predict_next_images(const Trajectory<Real>& path, const BallState<Real>& now,
+                             std::uint32_t ball, BallEvent<Real>& best) const;
     /// Inlined, so that each side is compiled by itself.
     [[gnu::always_inline]] void predict_through(std::uint32_t side, std::uint32_t ball,
                                                 const Trajectory<Real>& path, bool is_simple,
