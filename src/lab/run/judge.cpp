@@ -60,25 +60,10 @@ std::optional<double> of_bins(const Quantity& quantity, const World& world) {
     return row->value(counts, quantity.expected);
 }
 
-struct BallRow {
-    std::string_view name;
-    double (*value)(const World& world, std::size_t ball);
-};
-
-constexpr std::array<BallRow, 6> ball_rows{{
-    {"x", [](const World& world, std::size_t i) { return world.balls().position[i].x; }},
-    {"y", [](const World& world, std::size_t i) { return world.balls().position[i].y; }},
-    {"vx", [](const World& world, std::size_t i) { return world.balls().velocity[i].x; }},
-    {"vy", [](const World& world, std::size_t i) { return world.balls().velocity[i].y; }},
-    {"speed", [](const World& world, std::size_t i) { return length(world.balls().velocity[i]); }},
-    {"w", [](const World& world,
-             std::size_t i) { return world.model().spin ? world.balls().spin[i] : 0.0; }},
-}};
-
 std::optional<double> of_ball(const Quantity& quantity, const World& world) {
     const std::optional<std::size_t> index = index_of(world, quantity.ball);
     if (!index) return std::nullopt;
-    return std::ranges::find(ball_rows, name(quantity.kind), &BallRow::name)->value(world, *index);
+    return quantity.kind->of_ball(world, *index);
 }
 
 }  // namespace
@@ -86,10 +71,9 @@ std::optional<double> of_ball(const Quantity& quantity, const World& world) {
 std::optional<double> measure(const Quantity& quantity, const World& world, const RunWatch* watch) {
     if (is_of_ball(quantity.kind)) return of_ball(quantity, world);
     if (is_of_bins(quantity.kind)) return of_bins(quantity, world);
-    const Figure& figure = *std::ranges::find(figures(), name(quantity.kind), &Figure::quantity);
-    if (watch) return watch->value(figure, world);
-    if (!figure.of_world) return std::nullopt;
-    return figure.of_world(world);
+    if (watch) return watch->value(quantity.kind, world);
+    if (!quantity.kind->of_world) return std::nullopt;
+    return quantity.kind->of_world(world);
 }
 
 std::string_view name(Verdict verdict) {

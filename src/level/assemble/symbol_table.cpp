@@ -173,7 +173,8 @@ std::optional<Quantity> SymbolTable::quantity_of(const Word& word) {
     const std::size_t dot = word.text.rfind('.');
     if (dot != std::string_view::npos) return ball_quantity(word, dot);
     std::vector<std::string_view> known;
-    for (const QuantityKind kind : quantity_kinds()) {
+    for (const QuantityRow& row : quantities()) {
+        const QuantityKind kind = &row;
         if (is_of_ball(kind) || is_of_bins(kind)) {
             if (name(kind) != word.text) continue;
             context_.reporter.error("quantity-without-subject", word.span(),
@@ -197,7 +198,8 @@ std::optional<Quantity> SymbolTable::ball_quantity(const Word& word, std::size_t
     const Word what = word.part(dot + 1);
     std::vector<std::string_view> kinds;
     std::optional<QuantityKind> found;
-    for (const QuantityKind kind : quantity_kinds()) {
+    for (const QuantityRow& row : quantities()) {
+        const QuantityKind kind = &row;
         if (!is_of_ball(kind)) continue;
         kinds.push_back(name(kind));
         if (name(kind) == what.text) found = kind;
@@ -224,7 +226,8 @@ std::optional<Quantity> SymbolTable::bins_quantity(const Word& word, std::size_t
     const Word what = word.part(0, open);
     std::vector<std::string_view> kinds;
     std::optional<QuantityKind> found;
-    for (const QuantityKind kind : quantity_kinds()) {
+    for (const QuantityRow& row : quantities()) {
+        const QuantityKind kind = &row;
         if (!is_of_bins(kind)) continue;
         kinds.push_back(name(kind));
         if (name(kind) == what.text) found = kind;

@@ -3,39 +3,79 @@
 #include <algorithm>
 #include <array>
 
+#include "physics/tick/totals.h"
+#include "physics/world/world.h"
+
 namespace carom {
 namespace {
 
 using enum QuantityScope;
+using W = const World&;
+
+double counted(std::uint64_t count) {
+    return static_cast<double>(count);
+}
 
 // Energies, momenta and angular momentum are sums over all balls. The potential energy is 0 at the
 // origin; the angular momentum is about the origin.
 constexpr std::array<QuantityRow, 25> rows{{
-    {"collisions", world},  // of balls with balls and with edges
-    {"ball_ball", world},
-    {"ball_edge", world},
-    {"kinetic_energy", world},
-    {"potential_energy", world},
-    {"energy", world},
-    {"momentum_x", world},
-    {"momentum_y", world},
-    {"angular_momentum", world},
-    {"time", world},     // s since the start
-    {"escaped", run},    // balls outside the closed outline in which they started
-    {"overlap", run},    // the deepest at the end of any tick, a length
-    {"balls", world},    // balls that exist
-    {"removed", world},  // balls that have been removed
-    {"x", ball},
-    {"y", ball},
-    {"vx", ball},
-    {"vy", ball},
-    {"speed", ball},
-    {"w", ball},               // spin, rad/s, counter-clockwise; 0 in a model without spin
-    {"count", bins},           // balls in all bins
-    {"mean", bins},            // of the bin numbers
-    {"variance", bins},        // of the bin numbers (divided by the count)
-    {"variance_ratio", bins},  // variance over that of the expected shares
-    {"chi_square", bins},      // sum of (counted - expected)^2 / expected over the bins
+    {.name = "collisions",  // of balls with balls and with edges
+     .of_world = [](W w) { return counted(w.ball_ball_collisions() + w.ball_edge_collisions()); }},
+    {.name = "ball_ball", .of_world = [](W w) { return counted(w.ball_ball_collisions()); }},
+    {.name = "ball_edge", .of_world = [](W w) { return counted(w.ball_edge_collisions()); }},
+    {.name = "kinetic_energy", .of_world = [](W w) { return totals(w).kinetic_energy; }},
+    {.name = "potential_energy", .of_world = [](W w) { return totals(w).potential_energy; }},
+    {.name = "energy",
+     .of_world =
+         [](W w) {
+             const Totals sums = totals(w);
+             return sums.kinetic_energy + sums.potential_energy;
+         }},
+    {.name = "momentum_x", .of_world = [](W w) { return totals(w).momentum.x; }},
+    {.name = "momentum_y", .of_world = [](W w) { return totals(w).momentum.y; }},
+    {.name = "angular_momentum", .of_world = [](W w) { return totals(w).angular_momentum; }},
+    {.name = "time", .of_world = [](W w) { return w.time(); }},  // s since the start
+    {.name = "overlap",                                          // a length
+     .scope = run,
+     .at_tick = [](W w) { return deepest_overlap(w); },
+     .field = {.key = "max_overlap",
+               .head = "overlap",
+               .summary = "overlap     {:.3g} at most\n",
+               .unit = ReportField::Unit::length,
+               .is_in_run = true,
+               .is_in_measure = true}},
+    {.name = "escaped",  // balls outside the closed outline in which they started
+     .scope = run,
+     .field = {.key = "escaped",
+               .head = "out",
+               .unit = ReportField::Unit::count,
+               .is_in_run = true,
+               .is_in_measure = true}},
+    {.name = "balls", .of_world = [](W w) { return counted(w.balls().size()); }},
+    {.name = "removed", .of_world = [](W w) { return counted(w.removed().size()); }},
+    {.name = "x",
+     .scope = ball,
+     .of_ball = [](W w, std::size_t i) { return w.balls().position[i].x; }},
+    {.name = "y",
+     .scope = ball,
+     .of_ball = [](W w, std::size_t i) { return w.balls().position[i].y; }},
+    {.name = "vx",
+     .scope = ball,
+     .of_ball = [](W w, std::size_t i) { return w.balls().velocity[i].x; }},
+    {.name = "vy",
+     .scope = ball,
+     .of_ball = [](W w, std::size_t i) { return w.balls().velocity[i].y; }},
+    {.name = "speed",
+     .scope = ball,
+     .of_ball = [](W w, std::size_t i) { return length(w.balls().velocity[i]); }},
+    {.name = "w",  // spin, rad/s, counter-clockwise; 0 in a model without spin
+     .scope = ball,
+     .of_ball = [](W w, std::size_t i) { return w.model().spin ? w.balls().spin[i] : 0.0; }},
+    {.name = "count", .scope = bins},           // balls in all bins
+    {.name = "mean", .scope = bins},            // of the bin numbers
+    {.name = "variance", .scope = bins},        // of the bin numbers (divided by the count)
+    {.name = "variance_ratio", .scope = bins},  // variance over that of the expected shares
+    {.name = "chi_square", .scope = bins},      // sum of (counted - expected)^2 / expected
 }};
 
 }  // namespace
@@ -52,11 +92,8 @@ std::string_view name(QuantityKind kind) {
     return kind->name;
 }
 
-std::vector<QuantityKind> quantity_kinds() {
-    std::vector<QuantityKind> kinds;
-    for (const QuantityRow& row : rows)
-        kinds.push_back(&row);
-    return kinds;
+std::span<const QuantityRow> quantities() {
+    return rows;
 }
 
 QuantityKind quantity_named(std::string_view name) {

@@ -1,14 +1,20 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "physics/world/ids.h"
 
-/// The quantities that an `expect` can measure. A new quantity is a row in quantities.cpp and one
-/// where it is computed: in lab/run/figures.cpp, or in lab/run/judge.cpp for balls and bins.
+/// The quantities that an `expect` can measure, and those that reports of `carom run` and `carom
+/// measure` have as fields. A new quantity is a row in quantities.cpp. If it needs more than the
+/// present world or the largest value so far, it is computed in the laboratory by its name: in
+/// lab/run/figures.cpp, for bins in lab/run/judge.cpp.
 namespace carom {
+
+class World;
 
 enum class QuantityScope : std::uint8_t {
     world,  ///< computed from the present world, as in `expect energy`
@@ -17,9 +23,32 @@ enum class QuantityScope : std::uint8_t {
     bins,   ///< of a group of bins, as in `expect mean(bins)`; the leftmost bin counts as 0
 };
 
+/// A field in the reports of `carom run` and `carom measure`, and a column in CSV.
+struct ReportField {
+    enum class Unit : std::uint8_t {
+        number,  ///< in the units of the level
+        count,   ///< a whole number
+        length,  ///< in the units of the level; `carom measure` reports it in ball radii
+    };
+
+    std::string_view key;      ///< empty: no field
+    std::string_view head;     ///< of its column in the table of `carom measure`
+    std::string_view summary;  ///< its line in the summary of `carom run`; empty: none
+    Unit unit = Unit::number;
+    bool is_in_run = false;      ///< whether the report of `carom run` has the field
+    bool is_in_measure = false;  ///< whether `carom measure` has the field
+};
+
 struct QuantityRow {
     std::string_view name;  ///< as written in levels
     QuantityScope scope = QuantityScope::world;
+    // How it is computed: the function of its scope, or none.
+    double (*of_world)(const World& world) = nullptr;
+    /// Of scope `run`: the largest value at the end of any tick.
+    double (*at_tick)(const World& world) = nullptr;
+    /// Pre: `ball` is a row of world.balls().
+    double (*of_ball)(const World& world, std::size_t ball) = nullptr;
+    ReportField field;
 };
 /// A row of quantities(), never null in a loaded level.
 using QuantityKind = const QuantityRow*;
@@ -38,8 +67,8 @@ bool is_of_ball(QuantityKind kind);
 bool is_of_bins(QuantityKind kind);
 /// The name in levels: "collisions", "x", "mean".
 std::string_view name(QuantityKind kind);
-/// All quantities, in the order in which messages list them.
-std::vector<QuantityKind> quantity_kinds();
+/// All quantities, in the order in which messages and reports list them.
+std::span<const QuantityRow> quantities();
 /// The quantity of this name; null if there is none.
 QuantityKind quantity_named(std::string_view name);
 

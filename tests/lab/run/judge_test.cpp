@@ -152,12 +152,12 @@ TEST_CASE("every quantity that a level can expect is computed") {
     const RunWatch watch = watch_of(scene);
     World world = scene.world;
     world.edit_ledger().counters = {1, 2, 1};
-    for (const QuantityKind kind : quantity_kinds()) {
-        CAPTURE(name(kind));
-        Quantity quantity = of_bins(kind, {0.25, 0.5, 0.25});
+    for (const QuantityRow& row : quantities()) {
+        CAPTURE(row.name);
+        Quantity quantity = of_bins(&row, {0.25, 0.5, 0.25});
         quantity.ball = world.balls().id[0];
         CHECK(measure(quantity, world, &watch).has_value());
-        const bool needs_watch = kind->scope == QuantityScope::run;
+        const bool needs_watch = row.scope == QuantityScope::run;
         CHECK(measure(quantity, world, nullptr).has_value() != needs_watch);
     }
 }

@@ -6,10 +6,17 @@
 
 using namespace carom;
 
-TEST_CASE("quantities have unique names") {
+TEST_CASE("quantities have unique names and fields, and the function of their scope") {
     std::set<std::string_view> names;
-    for (const QuantityKind kind : quantity_kinds())
-        CHECK(names.insert(name(kind)).second);
+    std::set<std::string_view> keys;
+    for (const QuantityRow& row : quantities()) {
+        CAPTURE(row.name);
+        CHECK(names.insert(row.name).second);
+        CHECK((row.scope == QuantityScope::world) == (row.of_world != nullptr));
+        CHECK((row.scope == QuantityScope::ball) == (row.of_ball != nullptr));
+        if (row.scope != QuantityScope::run) CHECK_FALSE((row.at_tick != nullptr));
+        if (!row.field.key.empty()) CHECK(keys.insert(row.field.key).second);
+    }
     CHECK(name(quantity_named("chi_square")) == "chi_square");
     CHECK(name(quantity_named("x")) == "x");
     CHECK(name(quantity_named("removed")) == "removed");
