@@ -85,7 +85,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     const std::function<bool()> never_asked;
     const TickOutcome outcome = state.method->advance(
         world, {state.contacts, state.touched, can_cancel ? keep_going : never_asked});
-    if (outcome == TickOutcome::given_up) {
+    if (outcome == TickOutcome::cancelled) {
         state.contacts.clear();
         state.undo.take_back(world);
         return outcome;

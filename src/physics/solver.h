@@ -37,7 +37,7 @@ SolverPick pick_solver(const World& world);
 /// How a tick ended.
 enum class TickOutcome : std::uint8_t {
     done,
-    given_up,  ///< `keep_going` said so: the world is as it was before the tick
+    cancelled,  ///< `keep_going` said so: the world is as it was before the tick
     /// More events than a tick may have (100 million): time stood still for the rest of the tick,
     /// which counts as done. Has nothing to do with dense clusters, which `contact` steps.
     too_dense

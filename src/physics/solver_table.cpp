@@ -30,8 +30,8 @@ void keep_contacts(World& world) {
     memory.replace(std::move(contacts));
 }
 
-TickOutcome outcome_of(const Patience& patience) {
-    return patience.is_out() ? TickOutcome::given_up : TickOutcome::done;
+TickOutcome outcome_of(const CancellationToken& token) {
+    return token.is_cancelled() ? TickOutcome::cancelled : TickOutcome::done;
 }
 
 class OverlapMethod final : public SolverMethod {
@@ -39,10 +39,10 @@ class OverlapMethod final : public SolverMethod {
     OverlapMethod(int updates, int steps) : updates_(updates), steps_(steps) {}
 
     TickOutcome advance(World& world, TickWork work) override {
-        Patience patience(work.keep_going);
-        solver_.tick(world, updates_, steps_, work.contacts, work.touched, patience);
-        if (!patience.is_out()) forget_all(world);
-        return outcome_of(patience);
+        CancellationToken token(work.keep_going);
+        solver_.tick(world, updates_, steps_, work.contacts, work.touched, token);
+        if (!token.is_cancelled()) forget_all(world);
+        return outcome_of(token);
     }
     const CellFrame& cells() const override { return solver_.cells(); }
 
@@ -57,10 +57,10 @@ class SweptMethod final : public SolverMethod {
     explicit SweptMethod(int substeps) : substeps_(substeps) {}
 
     TickOutcome advance(World& world, TickWork work) override {
-        Patience patience(work.keep_going);
-        solver_.tick(world, substeps_, work.contacts, work.touched, patience);
-        if (!patience.is_out()) forget_all(world);
-        return outcome_of(patience);
+        CancellationToken token(work.keep_going);
+        solver_.tick(world, substeps_, work.contacts, work.touched, token);
+        if (!token.is_cancelled()) forget_all(world);
+        return outcome_of(token);
     }
     const CellFrame& cells() const override { return solver_.cells(); }
 
@@ -81,11 +81,10 @@ class ContactMethod final : public SolverMethod {
             contact_.tick(world, substeps_, work.contacts, work.touched);
             return TickOutcome::done;
         }
-        Patience patience(work.keep_going);
-        swept_.tick(world, flight_substeps(world, substeps_), work.contacts, work.touched,
-                    patience);
-        if (!patience.is_out()) forget_all(world);
-        return outcome_of(patience);
+        CancellationToken token(work.keep_going);
+        swept_.tick(world, flight_substeps(world, substeps_), work.contacts, work.touched, token);
+        if (!token.is_cancelled()) forget_all(world);
+        return outcome_of(token);
     }
     const CellFrame& cells() const override {
         return was_swept_ ? swept_.cells() : contact_.cells();
@@ -101,7 +100,7 @@ class ContactMethod final : public SolverMethod {
 TickOutcome outcome_of(EventOutcome outcome) {
     switch (outcome) {
         case EventOutcome::cancelled:
-            return TickOutcome::given_up;
+            return TickOutcome::cancelled;
         case EventOutcome::too_dense:
             return TickOutcome::too_dense;
         default:
@@ -120,7 +119,7 @@ class EventMethod final : public SolverMethod {
             has_clusters ? hybrid_.tick(world, event_, contact_, work.contacts, work.touched,
                                         work.keep_going)
                          : event_.tick(world, work.contacts, work.touched, work.keep_going);
-        if (outcome == EventOutcome::cancelled) return TickOutcome::given_up;
+        if (outcome == EventOutcome::cancelled) return TickOutcome::cancelled;
         EventMemory& memory = SolverAccess(world).memory().use<EventMemory>();
         if (!has_clusters) memory.contacts.clear();
         memory.reference.clear();
@@ -139,7 +138,7 @@ class ExtendedEventMethod final : public SolverMethod {
     TickOutcome advance(World& world, TickWork work) override {
         const EventOutcome outcome =
             event_.tick(world, work.contacts, work.touched, work.keep_going);
-        if (outcome == EventOutcome::cancelled) return TickOutcome::given_up;
+        if (outcome == EventOutcome::cancelled) return TickOutcome::cancelled;
         EventMemory& memory = SolverAccess(world).memory().use<EventMemory>();
         memory.clustered.clear();
         memory.contacts.clear();

@@ -134,7 +134,7 @@ double simulate(const Scene& scene, World& world, GameState& game, RunRecord& re
         const TickOutcome outcome =
             solver.tick(world, [] { return InterruptGuard::signal() == 0; });
         cost += Clock::now() - before;
-        if (outcome == TickOutcome::given_up) break;
+        if (outcome == TickOutcome::cancelled) break;
         if (outcome == TickOutcome::too_dense && !std::exchange(is_told, true))
             tell_too_dense(world);
         update_game(scene, world, game, solver.contacts());

@@ -80,7 +80,7 @@ bool ComparisonRun::tick(const Session& session, const KeepGoing& keep_going) {
                 execute(session.scene(), world_, game_, timed.command);
         obeyed_ = world_.tick();
     }
-    if (solver_.tick(world_, keep_going) == TickOutcome::given_up) return false;
+    if (solver_.tick(world_, keep_going) == TickOutcome::cancelled) return false;
     contacts_.assign(solver_.contacts().begin(), solver_.contacts().end());
     update_game(session.scene(), world_, game_, contacts_);
     return true;

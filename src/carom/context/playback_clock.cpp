@@ -85,7 +85,7 @@ std::uint64_t PlaybackClock::seek(Session& session, const MayGoOn& may_go_on) {
             seeking_ = 0;
             return ticks;
         }
-        if (session.outcome() == TickOutcome::given_up) return ticks;
+        if (session.outcome() == TickOutcome::cancelled) return ticks;
         if (--seeking_ == 0) search_failed_ = true;
     } while (is_seeking() && may_go_on());
     return ticks;

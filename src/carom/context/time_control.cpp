@@ -29,8 +29,8 @@ bool step(PlayContext& play) {
     const bool is_done = play.session.step_forward();
     play.companion.follow_closely(play.session, play.keep_going);
     if (play.session.is_at_end() && !is_done) say(play, "the recording ends here");
-    if (play.session.outcome() == TickOutcome::given_up)
-        say(play, "the tick took long and was given up");
+    if (play.session.outcome() == TickOutcome::cancelled)
+        say(play, "the tick took too long and was cancelled");
     tell_outcome(play);
     return is_done;
 }

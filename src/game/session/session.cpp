@@ -149,7 +149,7 @@ void Session::follow(std::vector<TimedCommand> commands, std::uint64_t end, int 
 bool Session::advance() {
     fingerprints_.add_if_due(world_, game_);
     outcome_ = solver_.tick(world_, keep_going_);
-    if (outcome_ == TickOutcome::given_up) return false;
+    if (outcome_ == TickOutcome::cancelled) return false;
     contacts_.assign(solver_.contacts().begin(), solver_.contacts().end());
     update_game(scene_, world_, game_, contacts_);
     latest_ = std::max(latest_, world_.tick());

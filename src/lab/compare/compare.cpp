@@ -32,7 +32,7 @@ Runner runner_of(const Scene& scene, const Choice& choice, double common) {
 // Returns false if it was interrupted.
 bool run_period(Runner& runner, const std::function<bool()>& keep_going) {
     for (std::uint64_t i = 0; i < runner.period; ++i) {
-        if (runner.solver.tick(runner.world, keep_going) == TickOutcome::given_up) return false;
+        if (runner.solver.tick(runner.world, keep_going) == TickOutcome::cancelled) return false;
         note_meetings(runner.meetings, runner.solver.contacts());
     }
     return keep_going();

@@ -30,7 +30,7 @@ WorldEnsemble::WorldEnsemble(const World& start, const SolverSettings& solver,
 bool WorldEnsemble::step(const std::function<bool()>& may_go_on,
                          const std::function<bool()>& keep_going) {
     while (next_ < copies_.size()) {
-        if (solver_.tick(copies_[next_], keep_going) == TickOutcome::given_up) return false;
+        if (solver_.tick(copies_[next_], keep_going) == TickOutcome::cancelled) return false;
         ++next_;
         if (next_ < copies_.size() && may_go_on && !may_go_on()) return false;
     }

@@ -53,7 +53,7 @@ Ticked tick(Bench& bench, World& world, Solver& solver) {
     const TickOutcome outcome = solver.tick(world, keep_going);
     const double seconds = bench.hooks.clock() - before;
     ++bench.done;
-    return {keep_going() ? outcome : TickOutcome::given_up, seconds};
+    return {keep_going() ? outcome : TickOutcome::cancelled, seconds};
 }
 
 // Runs up to a horizon, or to the first tick that is not completed.
@@ -77,9 +77,9 @@ std::optional<Truth> find_truth(Bench& bench, const Reference& reference, double
     const std::uint64_t before = bench.done;
     for (const std::uint64_t point : bench.points) {
         const TickOutcome of_truth = run_to(bench, world, solver, point, &truth.meetings);
-        if (of_truth == TickOutcome::given_up) return std::nullopt;
+        if (of_truth == TickOutcome::cancelled) return std::nullopt;
         const TickOutcome of_check = run_to(bench, check_world, check, point, nullptr);
-        if (of_check == TickOutcome::given_up) return std::nullopt;
+        if (of_check == TickOutcome::cancelled) return std::nullopt;
         const bool are_done = of_truth == TickOutcome::done && of_check == TickOutcome::done;
         const double doubt = difference(world, check_world).rms / radius;
         if (!are_done || !(doubt <= bench.settings.tolerance)) {
@@ -129,7 +129,7 @@ std::optional<Measured> observed(Bench& bench, const Choice& choice, const Truth
     const std::uint64_t period = ticks_each(choice.rate, bench.common);
     while (world.tick() < ticks) {
         const Ticked ticked = tick(bench, world, solver);
-        if (ticked.outcome == TickOutcome::given_up) return std::nullopt;
+        if (ticked.outcome == TickOutcome::cancelled) return std::nullopt;
         if (ticked.outcome == TickOutcome::too_dense) ++row.too_dense;
         seconds += ticked.seconds;
         ball_ticks += world.balls().size();
@@ -155,7 +155,7 @@ std::optional<double> timed(Bench& bench, const Choice& choice) {
     double seconds = 0.0;
     while (world.tick() < ticks) {
         const Ticked ticked = tick(bench, world, solver);
-        if (ticked.outcome == TickOutcome::given_up) return std::nullopt;
+        if (ticked.outcome == TickOutcome::cancelled) return std::nullopt;
         seconds += ticked.seconds;
     }
     return seconds;

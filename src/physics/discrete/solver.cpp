@@ -5,7 +5,7 @@
 namespace carom {
 
 void OverlapSolver::tick(World& world, int updates, int steps, std::vector<Contact>& contacts,
-                         std::vector<std::uint8_t>& touched, Patience& patience) {
+                         std::vector<std::uint8_t>& touched, CancellationToken& token) {
     const double start = world.time();
     step_ = {.duration = world.tick_length() / updates,
              .updates = updates,
@@ -16,9 +16,9 @@ void OverlapSolver::tick(World& world, int updates, int steps, std::vector<Conta
     neighbours_.begin_tick();
     separation_.begin_tick(world);
     const auto first = static_cast<std::ptrdiff_t>(contacts.size());
-    for (int i = 0; i < updates && !patience.is_out(); ++i) {
+    for (int i = 0; i < updates && !token.is_cancelled(); ++i) {
         kinematics_.move(world, 1.0 / (updates - i), step_.duration);
-        update(world, steps, start + step_.duration * (i + 1), contacts, patience);
+        update(world, steps, start + step_.duration * (i + 1), contacts, token);
     }
     for (auto contact = contacts.begin() + first; contact != contacts.end(); ++contact) {
         touched[contact->a] = 1;
@@ -27,11 +27,11 @@ void OverlapSolver::tick(World& world, int updates, int steps, std::vector<Conta
 }
 
 void OverlapSolver::update(World& world, int steps, double end_time, std::vector<Contact>& contacts,
-                           Patience& patience) {
+                           CancellationToken& token) {
     step_.is_first = true;
     for (int step = 0; step < steps && (step_.is_first || !motion_.active().empty()); ++step) {
         const std::size_t moving = step_.is_first ? world.balls().size() : motion_.active().size();
-        if (!patience.lasts(moving)) break;
+        if (!token.may_continue(moving)) break;
         move(world);
         separation_.separate(world);
         if (step_.has_several) motion_.keep_time(world, separation_.pushed());

@@ -23,17 +23,17 @@ class OverlapSolver {
     OverlapSolver& operator=(const OverlapSolver&) = delete;
 
     /// Moves everything by one tick, appends the exchanges to `contacts`, and sets `touched` for
-    /// each ball that meets something. `patience` is asked between two steps; once it is out, the
-    /// world stays as the last step left it. Pre: `updates` and `steps` >= 1.
+    /// each ball that meets something. `token` is asked between two steps; once it is cancelled,
+    /// the world stays as the last step left it. Pre: `updates` and `steps` >= 1.
     void tick(World& world, int updates, int steps, std::vector<Contact>& contacts,
-              std::vector<std::uint8_t>& touched, Patience& patience);
+              std::vector<std::uint8_t>& touched, CancellationToken& token);
 
     /// The cells of the smallest balls.
     const CellFrame& cells() const { return neighbours_.list().grid().finest(); }
 
   private:
     void update(World& world, int steps, double end_time, std::vector<Contact>& contacts,
-                Patience& patience);
+                CancellationToken& token);
     void move(World& world);
 
     OverlapStep step_;

@@ -19,12 +19,13 @@ bool WorldSync<Real>::leads_through(const Trajectory<Real>& path, std::size_t ba
     const BallState<Real> state = state_at(path, scene_.field, scene_.now);
     return trajectories_.shown_position(path, scene_.now) == scene_.world->balls().position[ball] &&
            Vec2(state.velocity) == scene_.world->balls().velocity[ball] &&
-           is_turn_left(static_cast<std::uint32_t>(ball));
+           is_rotation_unchanged(static_cast<std::uint32_t>(ball));
 }
 
 // Whether the edges that support the ball are still there, as they were.
 template <typename Real>
-bool WorldSync<Real>::are_carriers_left(const Trajectory<Real>& path, std::uint32_t digest) const {
+bool WorldSync<Real>::are_carriers_unchanged(const Trajectory<Real>& path,
+                                             std::uint32_t digest) const {
     return path.motion == Motion::free ||
            digest_of_carriers(*scene_.world, path.support, path.second_support) == digest;
 }
@@ -98,9 +99,10 @@ bool WorldSync<Real>::has_passed_an_edge(std::uint32_t ball) {
 template bool WorldSync<double>::leads_through(const Trajectory<double>&, std::size_t) const;
 template bool WorldSync<DoubleDouble>::leads_through(const Trajectory<DoubleDouble>&,
                                                      std::size_t) const;
-template bool WorldSync<double>::are_carriers_left(const Trajectory<double>&, std::uint32_t) const;
-template bool WorldSync<DoubleDouble>::are_carriers_left(const Trajectory<DoubleDouble>&,
-                                                         std::uint32_t) const;
+template bool WorldSync<double>::are_carriers_unchanged(const Trajectory<double>&,
+                                                        std::uint32_t) const;
+template bool WorldSync<DoubleDouble>::are_carriers_unchanged(const Trajectory<DoubleDouble>&,
+                                                              std::uint32_t) const;
 template bool WorldSync<double>::has_support(std::size_t) const;
 template bool WorldSync<DoubleDouble>::has_support(std::size_t) const;
 template bool WorldSync<double>::has_passed_an_edge(std::uint32_t);

@@ -27,9 +27,9 @@ auto WorldSync<Real>::begin() -> Begun {
     const World& world = *scene_.world;
     scatter_counts_ = world.balls().edge_contacts;
     is_rebuilt_ = is_unchanged_ = false;
-    trajectories_.begin_log(!leaves_lines());
+    trajectories_.begin_log(!writes_lines());
     const Begun begun = begin_from(world);
-    left_.is_valid = false;
+    last_written_.is_valid = false;
     return begun;
 }
 
@@ -40,11 +40,12 @@ auto WorldSync<Real>::begin_from(const World& world) -> Begun {
     constexpr std::uint64_t ticks_between_frame_checks = 64;
     if (!world.model().one_way && is_continued(world) &&
         (world.tick() % ticks_between_frame_checks != 0 || space_.cells().has_frame_of(world))) {
-        is_unchanged_ = world.stamps().motion == left_.stamps.motion;
+        is_unchanged_ = world.stamps().motion == last_written_.stamps.motion;
         if (is_unchanged_) return Begun::continued;
         std::size_t changed = 0;
         for (std::uint32_t i = 0; i < balls_.size(); ++i)
-            changed += !is_position_left(i) || !is_velocity_left(i) || !is_turn_left(i);
+            changed +=
+                !is_position_unchanged(i) || !is_velocity_unchanged(i) || !is_rotation_unchanged(i);
         if (changed == 0) return Begun::continued;
         if (changed <= balls_.size() / 8 + 1) {
             apply_changes(world);
@@ -64,14 +65,15 @@ template <typename Real>
 void WorldSync<Real>::apply_changes(const World& world) {
     changed_.clear();
     for (std::uint32_t i = 0; i < balls_.size(); ++i) {
-        if (is_position_left(i) && is_velocity_left(i) && is_turn_left(i)) continue;
+        if (is_position_unchanged(i) && is_velocity_unchanged(i) && is_rotation_unchanged(i))
+            continue;
         changed_.push_back(i);
         if (world.model().spin)
             trajectories_.spin(i) = {scene_.now, Real(world.balls().spin[i]), Real{}, false};
         // Before it leaves the place where they lie on it.
         if (balls_[i].line.motion == Motion::resting) rest_.release_supported(i, changed_);
         const Vector<Real> velocity(world.balls().velocity[i]);
-        if (!is_position_left(i)) {
+        if (!is_position_unchanged(i)) {
             space_.cells().leave(balls_, i);
             trajectories_.start(i, scene_.now, Vector<Real>(world.balls().position[i]), velocity);
             space_.cells().enter(balls_, i, Vec2(balls_[i].line.position));
@@ -118,7 +120,7 @@ void WorldSync<Real>::rebuild(const World& world) {
     for (std::uint32_t i = 0; i < count; ++i)
         start_or_shift(world, i);
     trajectories_.set_all_straight(uniform_.applies(kinematic_));
-    trajectories_.reserve_log(leaves_lines() ? 0 : count);
+    trajectories_.reserve_log(writes_lines() ? 0 : count);
     for (std::uint32_t i = 0; i < count; ++i)
         if (!is_kept_[i]) rest_.settle(i);
 }
@@ -141,16 +143,18 @@ void WorldSync<Real>::take_stored(const World& world, const BallTable<Real>& bef
             const StoredCurve curve = at < stored.curves.size() ? stored.curves[at] : StoredCurve{};
             balls_.set_path(i, trajectory_from(stored.lines[at], curve));
             is_kept_[i] = (!world.model().spin || at < stored.spins.size()) &&
-                          are_carriers_left(balls_.path(i), curve.carriers);
+                          are_carriers_unchanged(balls_.path(i), curve.carriers);
             if (world.model().spin && is_kept_[i]) spin_from_[i] = static_cast<std::int64_t>(at);
         }
-    } else if (left_.is_valid && left_.tick == world.tick() && left_.model == world.model()) {
+    } else if (last_written_.is_valid && last_written_.tick == world.tick() &&
+               last_written_.model == world.model()) {
         for (std::size_t i = 0; i < count; ++i) {
-            while (at < left_.ids.size() && left_.ids[at] < world.balls().id[i])
+            while (at < last_written_.ids.size() && last_written_.ids[at] < world.balls().id[i])
                 ++at;
-            if (at >= left_.ids.size() || left_.ids[at] != world.balls().id[i]) continue;
+            if (at >= last_written_.ids.size() || last_written_.ids[at] != world.balls().id[i])
+                continue;
             balls_.set_path(i, before.path(at));
-            is_kept_[i] = are_carriers_left(balls_.path(i), left_.carriers[at]);
+            is_kept_[i] = are_carriers_unchanged(balls_.path(i), last_written_.carriers[at]);
             if (world.model().spin) spin_from_[i] = static_cast<std::int64_t>(at);
         }
     }

@@ -43,12 +43,12 @@ void go_through(std::size_t first, std::size_t last, std::size_t count, Visit&& 
 template <typename Real>
 bool WorldSync<Real>::is_continued(const World& world) const {
     const Stamps& now = world.stamps();
-    const Stamps& left = left_.stamps;
-    const bool has_trajectories = !std::is_same_v<Real, double> || now.memory == left.memory;
-    return left_.is_valid && has_trajectories && left_.tick == world.tick() &&
-           world.held_balls().empty() && world.held_capsules().empty() && now.held == left.held &&
-           now.definition == left.definition && now.capsules == left.capsules &&
-           now.roster == left.roster;
+    const Stamps& written = last_written_.stamps;
+    const bool has_trajectories = !std::is_same_v<Real, double> || now.memory == written.memory;
+    return last_written_.is_valid && has_trajectories && last_written_.tick == world.tick() &&
+           world.held_balls().empty() && world.held_capsules().empty() &&
+           now.held == written.held && now.definition == written.definition &&
+           now.capsules == written.capsules && now.roster == written.roster;
 }
 
 // What the world shows of the ball at `time`, before any speed limit.
@@ -56,7 +56,7 @@ template <typename Real>
 auto WorldSync<Real>::shown(std::size_t ball, const Real& time) const -> Shown {
     const World& world = *scene_.world;
     const LinearPart<Real>& line = balls_[ball].line;
-    if (leaves_lines()) return {place_on(line, time), Vec2(line.velocity)};
+    if (writes_lines()) return {place_on(line, time), Vec2(line.velocity)};
     Shown result;
     if (!world.model().gravity && !scene_.field.has_drag && line.motion == Motion::free) {
         result = {place_on(line, time), Vec2(line.velocity)};
@@ -70,12 +70,12 @@ auto WorldSync<Real>::shown(std::size_t ball, const Real& time) const -> Shown {
 }
 
 template <typename Real>
-bool WorldSync<Real>::is_position_left(std::uint32_t ball) const {
+bool WorldSync<Real>::is_position_unchanged(std::uint32_t ball) const {
     return shown(ball, scene_.now).position == scene_.world->balls().position[ball];
 }
 
 template <typename Real>
-bool WorldSync<Real>::is_velocity_left(std::uint32_t ball) const {
+bool WorldSync<Real>::is_velocity_unchanged(std::uint32_t ball) const {
     return shown(ball, scene_.now).velocity == scene_.world->balls().velocity[ball];
 }
 
@@ -158,7 +158,7 @@ void WorldSync<Real>::clear_paths(World& world) {
         stored.lines.assign(balls_.size(), {});
         stored.curves.assign(balls_.may_curve() ? balls_.size() : 0, {});
     } else {
-        left_.carriers.assign(balls_.size(), 0);
+        last_written_.carriers.assign(balls_.size(), 0);
     }
 }
 
@@ -169,7 +169,8 @@ void WorldSync<Real>::store_paths(World& world) {
     const auto store = [&](std::uint32_t i) {
         const Trajectory<Real> path = balls_.path(i);
         if constexpr (!std::is_same_v<Real, double>) {
-            left_.carriers[i] = digest_of_carriers(world, path.support, path.second_support);
+            last_written_.carriers[i] =
+                digest_of_carriers(world, path.support, path.second_support);
         } else {
             stored.lines[i] = stored_line(world.balls().id[i], path);
             if (balls_.may_curve()) stored.curves[i] = stored_curve(world, path);
@@ -191,7 +192,7 @@ template <typename Real>
 void WorldSync<Real>::write(World& world, bool has_stopped) {
     is_rebuilt_ = is_rebuilt_ || has_stopped;
     bool is_limited = false;
-    if (leaves_lines()) {
+    if (writes_lines()) {
         write_lines(world);
     } else {
         write_paths(world);
@@ -211,21 +212,21 @@ void WorldSync<Real>::write(World& world, bool has_stopped) {
         stored_in(world).gravity = world.model().gravity.value_or(Vec2{});
         stored_in(world).drag = world.model().drag.value_or(0.0);
     } else if (is_rebuilt_) {
-        left_.model = world.model();
-        left_.ids = world.balls().id;
+        last_written_.model = world.model();
+        last_written_.ids = world.balls().id;
     }
     if (is_rebuilt_)
         stored_in(world).obstacles = kinematic_.edges().empty() ? digest_of_obstacles(world) : 0;
     access.stamp_motion();
     access.stamp_memory();
-    left_.tick = world.tick() + 1;
-    left_.stamps = world.stamps();
-    if (is_limited) left_.stamps.motion = new_stamp();
-    left_.is_valid = !has_stopped;
+    last_written_.tick = world.tick() + 1;
+    last_written_.stamps = world.stamps();
+    if (is_limited) last_written_.stamps.motion = new_stamp();
+    last_written_.is_valid = !has_stopped;
 }
 
 template <typename Real>
-bool WorldSync<Real>::is_spin_left(std::uint32_t ball) const {
+bool WorldSync<Real>::is_spin_unchanged(std::uint32_t ball) const {
     return !scene_.world->model().spin ||
            static_cast<double>(trajectories_.spin_at(ball, scene_.now)) ==
                scene_.world->balls().spin[ball];
@@ -248,7 +249,7 @@ void WorldSync<Real>::write_spins(World& world) {
 }
 
 template <typename Real>
-bool WorldSync<Real>::is_roll_left(std::uint32_t ball) const {
+bool WorldSync<Real>::is_roll_unchanged(std::uint32_t ball) const {
     return !scene_.world->model().cloth ||
            Vec2(trajectories_.roll_at(ball, scene_.now)) == scene_.world->balls().roll[ball];
 }

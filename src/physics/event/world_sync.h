@@ -65,7 +65,7 @@ class WorldSync {
 
   private:
     /// What the last tick left in the world, to tell whether anybody has changed it since.
-    struct Left {
+    struct LastWritten {
         bool is_valid = false;
         std::uint64_t tick = 0;
         Stamps stamps;
@@ -90,18 +90,20 @@ class WorldSync {
     void start_or_shift(const World& world, std::uint32_t ball);
     // retained.cpp: which stored trajectories still hold
     bool leads_through(const Trajectory<Real>& path, std::size_t ball) const;
-    bool are_carriers_left(const Trajectory<Real>& path, std::uint32_t digest) const;
+    bool are_carriers_unchanged(const Trajectory<Real>& path, std::uint32_t digest) const;
     bool has_support(std::size_t ball) const;
     bool has_passed_an_edge(std::uint32_t ball);
     // world_sync.cpp
     bool is_continued(const World& world) const;
     Shown shown(std::size_t ball, const Real& time) const;
-    bool is_position_left(std::uint32_t ball) const;
-    bool is_velocity_left(std::uint32_t ball) const;
-    bool is_spin_left(std::uint32_t ball) const;
-    bool is_roll_left(std::uint32_t ball) const;
-    bool is_turn_left(std::uint32_t ball) const { return is_spin_left(ball) && is_roll_left(ball); }
-    bool leaves_lines() const {
+    bool is_position_unchanged(std::uint32_t ball) const;
+    bool is_velocity_unchanged(std::uint32_t ball) const;
+    bool is_spin_unchanged(std::uint32_t ball) const;
+    bool is_roll_unchanged(std::uint32_t ball) const;
+    bool is_rotation_unchanged(std::uint32_t ball) const {
+        return is_spin_unchanged(ball) && is_roll_unchanged(ball);
+    }
+    bool writes_lines() const {
         return trajectories_.are_all_straight() && !scene_.world->model().speed_limit;
     }
     void write_lines(World& world);
@@ -125,7 +127,7 @@ class WorldSync {
     const UniformMotion<Real>& uniform_;
     ToiSearch<Real>& search_;
     std::vector<std::uint32_t>& scatter_counts_;
-    Left left_;
+    LastWritten last_written_;
     bool is_rebuilt_ = false;
     bool is_unchanged_ = false;  ///< nobody has moved or pushed a ball since the last tick
     std::vector<std::uint32_t> changed_;

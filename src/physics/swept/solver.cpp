@@ -10,7 +10,7 @@ constexpr std::size_t work_of_impact = 8;  // see tick/cancellation.h
 }  // namespace
 
 void SweptSolver::tick(World& world, int substeps, std::vector<Contact>& contacts,
-                       std::vector<std::uint8_t>& touched, Patience& patience) {
+                       std::vector<std::uint8_t>& touched, CancellationToken& token) {
     const int count = substeps_needed(world, substeps);
     const double start = world.time();
     step_ = swept_substep(world, count);
@@ -20,20 +20,20 @@ void SweptSolver::tick(World& world, int substeps, std::vector<Contact>& contact
         const double share_of_way = 1.0 / (count - i);
         paths_.begin(world, share_of_way);
         kinematics_.begin(world, share_of_way / step_.duration);
-        if (!patience.lasts(world.balls().size())) return;
-        resolve_impacts(world, contacts, touched, patience);
-        if (patience.is_out()) return;
+        if (!token.may_continue(world.balls().size())) return;
+        resolve_impacts(world, contacts, touched, token);
+        if (token.is_cancelled()) return;
         paths_.finish(world);
         kinematics_.finish(world, step_.duration);
     }
 }
 
 void SweptSolver::resolve_impacts(World& world, std::vector<Contact>& contacts,
-                                  std::vector<std::uint8_t>& touched, Patience& patience) {
+                                  std::vector<std::uint8_t>& touched, CancellationToken& token) {
     candidates_.find(world);
     schedule_.clear();
     prediction_.predict_at_start(world);
-    while (patience.lasts(work_of_impact)) {
+    while (token.may_continue(work_of_impact)) {
         const std::optional<SweptEvent> event = schedule_.take();
         if (!event) break;
         prediction_.prefetch(world);

@@ -27,17 +27,17 @@ class SweptSolver {
     SweptSolver& operator=(const SweptSolver&) = delete;
 
     /// Moves everything by one tick, appends the exchanges to `contacts`, and sets `touched` for
-    /// each ball that meets something. `patience` is asked between two impacts; once it is out, the
-    /// world stays somewhere within the tick. Pre: `substeps` >= 1.
+    /// each ball that meets something. `token` is asked between two impacts; once it is cancelled,
+    /// the world stays somewhere within the tick. Pre: `substeps` >= 1.
     void tick(World& world, int substeps, std::vector<Contact>& contacts,
-              std::vector<std::uint8_t>& touched, Patience& patience);
+              std::vector<std::uint8_t>& touched, CancellationToken& token);
 
     /// The cells in which the last tick looked for pairs.
     const CellFrame& cells() const { return candidates_.frame(); }
 
   private:
     void resolve_impacts(World& world, std::vector<Contact>& contacts,
-                         std::vector<std::uint8_t>& touched, Patience& patience);
+                         std::vector<std::uint8_t>& touched, CancellationToken& token);
     void predict_after(const World& world, const SweptEvent& event, bool has_stopped_edge);
 
     SweptSubstep step_;

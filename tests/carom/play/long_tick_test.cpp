@@ -48,7 +48,7 @@ TEST_CASE("play answers keys inside a long tick") {
     game.send("?");
     CHECK(game.wait_for_text("any key goes back"));
     game.send("x");
-    CHECK(game.wait_for_text("took long"));
+    CHECK(game.wait_for_text("took too long"));
     game.send(" ");
     game.settle(1.5);
     game.send("G");

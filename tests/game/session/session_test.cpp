@@ -357,7 +357,7 @@ TEST_CASE("a cancelled long tick has no effect, and can be started again") {
     });
     CHECK_FALSE(session.step_forward());
     CHECK(asked == 1);
-    CHECK(session.outcome() == TickOutcome::given_up);
+    CHECK(session.outcome() == TickOutcome::cancelled);
     CHECK(fingerprint(session.world()) == start);
     CHECK(session.latest() == 0);
     CHECK_FALSE(session.step_to_collision(10));

@@ -495,7 +495,7 @@ TEST_CASE("event: a cancelled tick with a cluster leaves the world unchanged") {
         solver.tick(world);
     add_busy_ball(world);
     const World before = world;
-    CHECK(solver.tick(world, [] { return false; }) == TickOutcome::given_up);
+    CHECK(solver.tick(world, [] { return false; }) == TickOutcome::cancelled);
     CHECK(fingerprint(world) == fingerprint(before));
     CHECK(event_memory(world).clustered == event_memory(before).clustered);
     CHECK(event_memory(world).trajectories.lines == event_memory(before).trajectories.lines);
@@ -516,7 +516,7 @@ TEST_CASE("event: a cancelled tick without gravity keeps the cluster for when it
     add_busy_ball(world);
     const World before = world;
     world.edit_definition().model.gravity.reset();
-    REQUIRE(solver.tick(world, [] { return false; }) == TickOutcome::given_up);
+    REQUIRE(solver.tick(world, [] { return false; }) == TickOutcome::cancelled);
     CHECK(event_memory(world).clustered == event_memory(before).clustered);
     world.edit_definition().model.gravity = gravity;
     World other = before;

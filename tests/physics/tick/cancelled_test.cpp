@@ -41,11 +41,11 @@ TEST_CASE("a cancelled tick leaves the world unchanged, wherever it stops") {
             Solver(settings_for(kind)).tick(straight);
             World world = start;
             Solver solver(settings_for(kind));
-            int given_up = 0;
-            for (;; ++given_up) {
+            int cancelled_after = 0;
+            for (;; ++cancelled_after) {
                 int asked = 0;
-                const auto outcome = solver.tick(world, [&] { return asked++ < given_up; });
-                if (outcome != TickOutcome::given_up) break;
+                const auto outcome = solver.tick(world, [&] { return asked++ < cancelled_after; });
+                if (outcome != TickOutcome::cancelled) break;
                 REQUIRE(fingerprint(world) == fingerprint(start));
                 REQUIRE(world.next_ball() == start.next_ball());
                 REQUIRE(world.model() == start.model());
@@ -54,7 +54,7 @@ TEST_CASE("a cancelled tick leaves the world unchanged, wherever it stops") {
                 REQUIRE(world.held_capsules().size() == 1);
                 REQUIRE(solver.contacts().empty());
             }
-            CHECK(given_up > 2);
+            CHECK(cancelled_after > 2);
             CHECK(fingerprint(world) == fingerprint(straight));
             if (!torus) CHECK(world.balls().size() > start.balls().size());
             CHECK(world.ball_ball_collisions() == straight.ball_ball_collisions());
@@ -68,7 +68,7 @@ TEST_CASE("a tick of contact in a gas can be cancelled too, and leaves the world
     Solver solver({.kind = SolverKind::contact});
     solver.tick(world);
     const World start = world;
-    CHECK(solver.tick(world, [] { return false; }) == TickOutcome::given_up);
+    CHECK(solver.tick(world, [] { return false; }) == TickOutcome::cancelled);
     CHECK(fingerprint(world) == fingerprint(start));
     CHECK(solver.contacts().empty());
 }

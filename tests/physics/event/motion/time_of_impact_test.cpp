@@ -55,7 +55,7 @@ TEST_CASE("time of impact: a tick with a long search can be cancelled") {
     World world = sweeping();
     Solver solver({.kind = SolverKind::event});
     int asked = 0;
-    CHECK(solver.tick(world, [&] { return ++asked < 10; }) == TickOutcome::given_up);
+    CHECK(solver.tick(world, [&] { return ++asked < 10; }) == TickOutcome::cancelled);
     CHECK(asked == 10);
     CHECK(world.tick() == 0);
     CHECK(solver.tick(world) == TickOutcome::done);
