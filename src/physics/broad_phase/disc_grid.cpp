@@ -201,8 +201,8 @@ void DiscGrid::sort_by_cell(std::span<const Vec2> centers, std::span<const doubl
     const std::size_t ahead = count >= too_many_to_cache ? 16 : count;
     for (std::size_t i = count; i-- > 0;) {
         if (i >= ahead) {
-            fetch_early(&start_[cell_[i - std::min(i, 2 * ahead)]]);
-            fetch_early(&places_[start_[cell_[i - ahead]] - 1]);
+            prefetch_line(&start_[cell_[i - std::min(i, 2 * ahead)]]);
+            prefetch_line(&places_[start_[cell_[i - ahead]] - 1]);
         }
         places_[--start_[cell_[i]]] = {centers[i], radii[i] + margin, static_cast<std::uint32_t>(i),
                                        cell_[i]};

@@ -42,13 +42,13 @@ class DiscGrid {
     /// Both know the finest level only.
     void fetch_starts(Vec2 place) const {
         for_each_row_around(place,
-                            [&](std::uint32_t low, std::uint32_t) { fetch_early(&start_[low]); });
+                            [&](std::uint32_t low, std::uint32_t) { prefetch_line(&start_[low]); });
     }
     void fetch_places(Vec2 place) const {
         for_each_row_around(place, [&](std::uint32_t low, std::uint32_t high) {
             if (start_[low] == start_[high + 1]) return;
-            fetch_early(&places_[start_[low]]);
-            fetch_early(&places_[start_[high + 1] - 1]);
+            prefetch_line(&places_[start_[low]]);
+            prefetch_line(&places_[start_[high + 1] - 1]);
         });
     }
     /// Calls visit(i) for each disc of the finest level in the nine cells around `place`.

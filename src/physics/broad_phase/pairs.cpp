@@ -59,7 +59,7 @@ void BallAdjacency::build(std::span<const BallPair> pairs, std::size_t balls) {
         start_[i] += start_[i - 1];
     others_.resize(2 * pairs.size());
     constexpr std::size_t ahead = 16;
-    const auto fetch = [&](std::uint32_t ball) { fetch_early(&others_[start_[ball + 1]]); };
+    const auto fetch = [&](std::uint32_t ball) { prefetch_line(&others_[start_[ball + 1]]); };
     for (std::size_t p = 0; p < pairs.size(); ++p) {
         if (p + ahead < pairs.size()) {
             fetch(pairs[p + ahead].first);

@@ -31,12 +31,12 @@ class SweptCells {
 
     /// Prefetches which cells the ball has entered, and the entries of the cells around `place`.
     void fetch(std::uint32_t index, Vec2 place) const {
-        fetch_early(&ranges_[index]);
-        fetch_early(&seen_[index]);
+        prefetch_line(&ranges_[index]);
+        prefetch_line(&seen_[index]);
         const int column = frame_.column(place.x);
         const int row = frame_.row(place.y);
         for (int step = -1; step <= 1; ++step)
-            fetch_early(&head_[frame_.index(column, frame_.bounded(row + step, frame_.rows))]);
+            prefetch_line(&head_[frame_.index(column, frame_.bounded(row + step, frame_.rows))]);
     }
 
     /// The cells that `box` touches.

@@ -101,7 +101,7 @@ void WorldSync<Real>::write_lines(World& world) {
         };
         go_through(first, last, count, write, [&](std::size_t soon) {
             balls_.prefetch_neighbour(soon);
-            fetch_early(&balls.position[soon]);
+            prefetch_line(&balls.position[soon]);
         });
         if (!is_unchanged_)
             for (std::size_t i = first; i < last; ++i)
@@ -119,8 +119,8 @@ void WorldSync<Real>::write_begun(World& world, std::span<const std::uint32_t> b
         SolverAccess(world).balls().velocity[i] = Vec2(balls_[i].line.velocity);
         if constexpr (std::is_same_v<Real, double>) {
             const StoredLine& soon = lines[begun[std::min(at + 32, begun.size() - 1)]];
-            fetch_early(&soon);
-            fetch_early(&soon.velocity);
+            prefetch_line(&soon);
+            prefetch_line(&soon.velocity);
             StoredLine& stored = lines[i];
             stored = stored_line(is_rebuilt_ ? world.balls().id[i] : stored.id, balls_[i].line);
         }

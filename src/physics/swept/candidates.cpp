@@ -75,7 +75,7 @@ void SweptCandidates::merge_if_many_changed(const World& world) {
 
 void SweptCandidates::prefetch_paths(Vec2 place) const {
     neighbours_.grid().for_each_around(place,
-                                       [&](std::uint32_t ball) { fetch_early(&paths_[ball]); });
+                                       [&](std::uint32_t ball) { prefetch_line(&paths_[ball]); });
 }
 
 }  // namespace carom

@@ -159,8 +159,8 @@ void SweptPrediction::prefetch_next(const World& world) const {
     };
     if (const SweptEvent* const event = schedule_.upcoming(15)) {
         const auto fetch = [&](std::uint32_t ball) {
-            fetch_early(&paths_[ball]);
-            fetch_early(&world.balls().radius[ball]);
+            prefetch_line(&paths_[ball]);
+            prefetch_line(&world.balls().radius[ball]);
         };
         fetch(event->ball);
         if (event->kind == ContactKind::ball_ball) fetch(event->other);
@@ -169,7 +169,7 @@ void SweptPrediction::prefetch_next(const World& world) const {
         candidates_.prefetch_starts(place(*event));
         const auto fetch = [&](std::uint32_t ball) {
             candidates_.prefetch_cells(ball, place(*event));
-            fetch_early(&paths_.inverse_mass(ball));
+            prefetch_line(&paths_.inverse_mass(ball));
         };
         fetch(event->ball);
         if (event->kind == ContactKind::ball_ball) fetch(event->other);

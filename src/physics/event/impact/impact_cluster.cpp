@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "physics/event/motion/tolerances.h"
+#include "physics/memory/branchless.h"
 
 namespace carom {
 

@@ -7,6 +7,7 @@
 
 #include "physics/broad_phase/cell_frame.h"
 #include "physics/event/motion/ball_table.h"
+#include "physics/memory/branchless.h"
 #include "physics/memory/large_pages.h"
 #include "physics/memory/prefetch.h"
 
@@ -95,9 +96,9 @@ class BallCells {
     void prefetch_heads(std::uint32_t cell) const {
         if (!is_inside(cell)) return;
         const std::uint32_t* const middle = head_.data() + cell;
-        fetch_early(middle - frame_.columns);
-        fetch_early(middle);
-        fetch_early(middle + frame_.columns);
+        prefetch_line(middle - frame_.columns);
+        prefetch_line(middle);
+        prefetch_line(middle + frame_.columns);
     }
     void prefetch_near(const Balls& balls, std::uint32_t cell) const {
         if (!is_inside(cell)) return;

@@ -126,10 +126,10 @@ class BallTable {
     auto end() const { return records_.end(); }
 
     /// Prefetches what is read of a neighbour, or all that a ball's own events need.
-    void prefetch_neighbour(std::size_t ball) const { fetch_early(&records_[ball]); }
+    void prefetch_neighbour(std::size_t ball) const { prefetch_line(&records_[ball]); }
     void prefetch(std::size_t ball) const {
         prefetch_neighbour(ball);
-        fetch_early(&plans_[ball]);
+        prefetch_line(&plans_[ball]);
     }
 
   private:

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "physics/memory/prefetch.h"
+#include "physics/memory/branchless.h"
 
 /// Events of the solver `event`, and the total order in which they happen.
 namespace carom {

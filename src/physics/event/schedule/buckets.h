@@ -81,7 +81,7 @@ class EventBuckets {
         soon_ = chunks_[soon_].next;
         const Chunk& chunk = chunks_[soon_];
         for (std::size_t i = 0; i < chunk_size; i += 4)
-            fetch_early(&chunk.events[i]);
+            prefetch_line(&chunk.events[i]);
     }
 
   private:

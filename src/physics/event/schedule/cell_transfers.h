@@ -8,6 +8,7 @@
 #include "physics/event/motion/ball_cells.h"
 #include "physics/event/motion/ball_table.h"
 #include "physics/event/motion/scene.h"
+#include "physics/memory/branchless.h"
 
 namespace carom {
 

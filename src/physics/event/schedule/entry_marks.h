@@ -42,7 +42,7 @@ class EntryMarks {
     /// Starts to count generations again. Pre: all lists and buckets are empty.
     void restart_generations() { generation_ = nowhere; }
 
-    void prefetch(std::uint32_t ball) const { fetch_early(&marks_[ball]); }
+    void prefetch(std::uint32_t ball) const { prefetch_line(&marks_[ball]); }
 
   private:
     /// A ball's mark is its index in the heap with this bit, or the generation of its entry.

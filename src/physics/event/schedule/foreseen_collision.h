@@ -10,7 +10,7 @@
 #include "physics/event/motion/event.h"
 #include "physics/event/motion/scene.h"
 #include "physics/event/motion/spatial_index.h"
-#include "physics/memory/prefetch.h"
+#include "physics/memory/branchless.h"
 
 /// Collisions of balls that fly: the part of the predictor in which a gas spends nearly all its
 /// time, and therefore defined here and compiled for the terms that a scene has.

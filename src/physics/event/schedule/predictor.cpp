@@ -5,6 +5,7 @@
 
 #include "physics/event/motion/edge_impact.h"
 #include "physics/event/motion/tolerances.h"
+#include "physics/memory/branchless.h"
 
 namespace carom {
 namespace {

@@ -1,4 +1,5 @@
 #include "physics/event/schedule/schedule.h"
+#include "physics/memory/branchless.h"
 
 namespace carom {
 
