@@ -27,18 +27,21 @@ class ImpactQueue {
 
     void push(const Event& event) {
         events_.push_back(event);
-        std::push_heap(events_.begin(), events_.end(), is_later);
+        std::push_heap(events_.begin(), events_.end(), Later{});
     }
     /// Takes out the first event. Pre: not empty.
     Event pop() {
-        std::pop_heap(events_.begin(), events_.end(), is_later);
+        std::pop_heap(events_.begin(), events_.end(), Later{});
         const Event event = events_.back();
         events_.pop_back();
         return event;
     }
 
   private:
-    static bool is_later(const Event& a, const Event& b) { return is_earlier(b, a); }
+    // A function object, which the algorithms inline, as they do not a pointer to a function.
+    struct Later {
+        bool operator()(const Event& a, const Event& b) const { return is_earlier(b, a); }
+    };
 
     std::vector<Event> events_;
 };

@@ -36,10 +36,9 @@ ContactConstraints::Excess ContactConstraints::excess_of(const ContactConstraint
 // The impulse without its excess; none where there is none.
 std::optional<double> ContactConstraints::without_excess(const ContactConstraint& constraint,
                                                          Vec2 up) const {
-    const double bound = contact_tolerance::most_excess * step_.rest_speed;
-    if (!(constraint.impulse > 0.0) || !(separating_speed(constraint) > bound)) return std::nullopt;
     const Excess excess = excess_of(constraint, up);
-    if (!(excess.speed > bound) || !(excess.inverse_mass > 0.0)) return std::nullopt;
+    if (!(excess.speed > contact_tolerance::most_excess * step_.rest_speed)) return std::nullopt;
+    if (!(excess.inverse_mass > 0.0)) return std::nullopt;
     if (had_impacts_ && is_about_to_bounce(constraint)) return std::nullopt;
     return std::max(0.0, constraint.impulse - excess.speed / excess.inverse_mass);
 }
@@ -50,13 +49,21 @@ template <bool spin>
 void ContactConstraints::take_back_excess() {
     if (step_.gravity == Vec2{}) return;
     const Vec2 up = -step_.gravity / length(step_.gravity);
+    const double bound = contact_tolerance::most_excess * step_.rest_speed;
+    // Most pairs have none, and are told by this.
+    const auto may_have_excess = [&](const ContactConstraint& constraint) {
+        return constraint.impulse > 0.0 && separating_speed(constraint) > bound;
+    };
     for (std::size_t end = constraints_.size(); end > 0;) {
         const std::size_t begin = end - (end > 1 && constraints_[end - 2].has_neighbour ? 2 : 1);
         ContactConstraint& first = constraints_[begin];
         ContactConstraint& last = constraints_[end - 1];
         end = begin;
-        const std::optional<double> of_first = without_excess(first, up);
-        const std::optional<double> of_last = without_excess(last, up);
+        const bool is_first = may_have_excess(first);
+        const bool is_last = &last != &first && may_have_excess(last);
+        if (!is_first && !is_last) continue;
+        const auto of_first = is_first ? without_excess(first, up) : std::nullopt;
+        const auto of_last = is_last ? without_excess(last, up) : std::nullopt;
         if (!of_first && !of_last) continue;
         change_impulse<spin>(first, of_first.value_or(first.impulse));
         if (&last != &first) change_impulse<spin>(last, of_last.value_or(last.impulse));

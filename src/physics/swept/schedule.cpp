@@ -29,7 +29,7 @@ void SweptSchedule::sort_initial(double duration) {
     for (std::size_t s = 0; s < count; ++s)
         if (bin_start_[s + 1] > bin_start_[s] + 1)
             std::sort(initial_.begin() + bin_start_[s], initial_.begin() + bin_start_[s + 1],
-                      is_earlier<SweptEvent>);
+                      [](const SweptEvent& a, const SweptEvent& b) { return is_earlier(a, b); });
 }
 
 }  // namespace carom
