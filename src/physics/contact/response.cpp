@@ -53,8 +53,9 @@ std::optional<Contact> ContactImpacts::collide_balls(World& world, ContactPair& 
     if (first.is_kinematic || second.is_kinematic || approach > 0.0)
         done = bounce_balls(first, second, normal, restitution);
     if (step_.spins)
-        rub(velocity_a, {surface_a, 1.0}, first.inverse_mass, velocity_b, {surface_b, 1.0},
-            second.inverse_mass, normal, done.impulse, {pair.friction, *world.model().spin});
+        apply_friction(velocity_a, {surface_a, 1.0}, first.inverse_mass, velocity_b,
+                       {surface_b, 1.0}, second.inverse_mass, normal, done.impulse,
+                       {pair.friction, *world.model().spin});
     redirect(a, now, velocity_a, surface_a);
     redirect(b, now, velocity_b, surface_b);
     if (first.is_kinematic) paths_.count_push(b, now);
@@ -111,8 +112,8 @@ std::optional<Contact> ContactImpacts::collide_edge(World& world, ContactPair& p
         if (bounces && world.model().kicks)
             velocity += along * kick_of_edge(world, pair.edge, shape, position, approach);
         if (step_.spins)
-            rub_on(velocity, {surface_speed, 1.0}, inverse_mass, along, surface, done.impulse,
-                   {pair.friction, *world.model().spin});
+            apply_friction_on_surface(velocity, {surface_speed, 1.0}, inverse_mass, along, surface,
+                                      done.impulse, {pair.friction, *world.model().spin});
     }
     redirect(a, now, velocity, surface_speed);
     if (along_normal > 0.0 && !is_driven) paths_.count_push(a, now);

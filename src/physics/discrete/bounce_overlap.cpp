@@ -29,11 +29,12 @@ void bounce_balls_apart(World& world, const OverlapKinematics& kinematics, const
     if (terms.spin()) {
         const Friction friction{friction_of_balls(world, i, j), *world.model().spin};
         if (world.model().cloth)
-            rub_on_cloth(balls.velocity[i], roller(balls, i), inverse_i, balls.velocity[j],
-                         roller(balls, j), inverse_j, normal, done.impulse, friction);
+            apply_cloth_friction(balls.velocity[i], roller(balls, i), inverse_i, balls.velocity[j],
+                                 roller(balls, j), inverse_j, normal, done.impulse, friction);
         else
-            rub(balls.velocity[i], {balls.spin[i], balls.radius[i]}, inverse_i, balls.velocity[j],
-                {balls.spin[j], balls.radius[j]}, inverse_j, normal, done.impulse, friction);
+            apply_friction(balls.velocity[i], {balls.spin[i], balls.radius[i]}, inverse_i,
+                           balls.velocity[j], {balls.spin[j], balls.radius[j]}, inverse_j, normal,
+                           done.impulse, friction);
     }
     const Vec2 point = balls.position[j] + normal * balls.radius[j];
     contacts.push_back({time, ContactKind::ball_ball, std::min(i, j), std::max(i, j), point,
@@ -70,11 +71,11 @@ void bounce_off_overlapped_edge(World& world, const OverlapKinematics& kinematic
     if (terms.spin()) {
         const Friction friction{friction_of_edge(world, pair.other), *world.model().spin};
         if (world.model().cloth)
-            rub_edge_on_cloth(balls.velocity[i], roller(balls, i), inverse_mass, normal, surface,
-                              done.impulse, friction);
+            apply_cloth_friction_on_edge(balls.velocity[i], roller(balls, i), inverse_mass, normal,
+                                         surface, done.impulse, friction);
         else
-            rub_on(balls.velocity[i], {balls.spin[i], balls.radius[i]}, inverse_mass, normal,
-                   surface, done.impulse, friction);
+            apply_friction_on_surface(balls.velocity[i], {balls.spin[i], balls.radius[i]},
+                                      inverse_mass, normal, surface, done.impulse, friction);
     }
     contacts.push_back({time, ContactKind::ball_edge, i, pair.other, nearest + along * shape.radius,
                         along, done.approach, done.impulse});

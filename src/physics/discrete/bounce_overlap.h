@@ -9,7 +9,7 @@
 namespace carom {
 
 /// What the solvers `discrete` and `substep` do to the velocities of bodies that overlapped: each
-/// of the `pairs`, in their order, that approaches bounces, then rubs. Appends the exchanges to
+/// of the `pairs`, in their order, that approaches bounces, with friction. Appends the exchanges to
 /// `contacts`, at `time` (s since the start of the simulation).
 ///
 /// A held edge acts only along its surface (friction), since balls in its way are pushed out; a

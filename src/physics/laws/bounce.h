@@ -9,9 +9,9 @@
 #include "physics/world/world.h"
 
 /// The bounce: how an impact changes velocities. Newton's law of restitution holds along the normal
-/// (`bounce`, `bounce_off`). The tangential velocity changes only in scenes with friction, by `rub`
-/// or `rub_on` afterwards. Source: any mechanics text; docs/physics.md derives the one-dimensional
-/// case.
+/// (`bounce`, `bounce_off`). The tangential velocity changes only in scenes with friction, by
+/// `apply_friction` or `apply_friction_on_surface` afterwards. Source: any mechanics text;
+/// docs/physics.md derives the one-dimensional case.
 namespace carom {
 
 /// The impulse along the normal, and the approach speed before it, length/s.
@@ -66,7 +66,7 @@ inline Exchange bounce_off(Vec2& velocity, double inverse_mass, Vec2 normal, dou
 }
 
 /// The rotation of a ball at a contact with friction: spin, rad/s, counter-clockwise, and radius.
-struct Rim {
+struct Rotation {
     double& spin;
     double radius;
 };
@@ -77,28 +77,29 @@ struct Friction {
     double inertia = 0.5;      ///< moment of inertia / (m r^2) of every ball: Model::spin
 };
 
-/// Applies friction between two balls that have just exchanged the normal impulse `pressed` >= 0.
-/// `normal` points from b to a.
+/// Applies friction between two balls that have just exchanged the normal impulse `normal_impulse`
+/// >= 0. `normal` points from b to a.
 ///
 /// The contact points slip along t = perpendicular(normal) at
 ///     u = (v_a - v_b) . t - (r_a w_a + r_b w_b).
 /// With I = inertia m r^2 the impulse -u / ((1/m_a + 1/m_b) (1 + 1/inertia)) along t stops the
-/// slip. Friction is that impulse, limited to coefficient * pressed either way: the points stick,
-/// or keep slipping. It never reverses the slip, so energy never grows; momentum and angular
+/// slip. Friction is that impulse, limited to coefficient * normal_impulse either way: the points
+/// stick, or keep slipping. It never reverses the slip, so energy never grows; momentum and angular
 /// momentum are conserved. Returns the impulse on a along t.
 ///
 /// Inverse mass 0: an immovable body, which does not turn either. Both 0: nothing happens.
 /// Source: Coulomb's law in impulses, as in Walton's model of rough spheres without tangential
 /// restitution (Walton and Braun, J. Rheology 30 (1986) 949; Foerster et al., Phys. Fluids 6 (1994)
 /// 1108).
-inline double rub(Vec2& velocity_a, Rim a, double inverse_mass_a, Vec2& velocity_b, Rim b,
-                  double inverse_mass_b, Vec2 normal, double pressed, Friction friction) {
+inline double apply_friction(Vec2& velocity_a, Rotation a, double inverse_mass_a, Vec2& velocity_b,
+                             Rotation b, double inverse_mass_b, Vec2 normal, double normal_impulse,
+                             Friction friction) {
     const double inverse = inverse_mass_a + inverse_mass_b;
     if (!(inverse > 0.0)) return 0.0;
     const Vec2 along = perpendicular(normal);
     const double slip =
         dot(velocity_a - velocity_b, along) - (a.radius * a.spin + b.radius * b.spin);
-    const double most = friction.coefficient * std::max(0.0, pressed);
+    const double most = friction.coefficient * std::max(0.0, normal_impulse);
     const double stopping = -slip / (inverse * (1.0 + 1.0 / friction.inertia));
     const double impulse = std::clamp(stopping, -most, most);
     velocity_a += along * (impulse * inverse_mass_a);
@@ -111,11 +112,13 @@ inline double rub(Vec2& velocity_a, Rim a, double inverse_mass_a, Vec2& velocity
 /// Applies friction between a ball and an immovable body whose surface moves at `surface`,
 /// length/s; that is 0 unless the body is kinematic. Then friction may speed the ball up, but never
 /// beyond the surface.
-inline double rub_on(Vec2& velocity, Rim rim, double inverse_mass, Vec2 normal, Vec2 surface,
-                     double pressed, Friction friction) {
+inline double apply_friction_on_surface(Vec2& velocity, Rotation rotation, double inverse_mass,
+                                        Vec2 normal, Vec2 surface, double normal_impulse,
+                                        Friction friction) {
     Vec2 moved = surface;
     double still = 0.0;
-    return rub(velocity, rim, inverse_mass, moved, {still, 1.0}, 0.0, normal, pressed, friction);
+    return apply_friction(velocity, rotation, inverse_mass, moved, {still, 1.0}, 0.0, normal,
+                          normal_impulse, friction);
 }
 
 /// Coefficient of friction between balls of two kinds.

@@ -132,12 +132,13 @@ void SweptResponse::apply_ball_friction(World& world, BallImpact& impact,
     }
     const Friction friction{friction_of_balls(world, a, b), *world.model().spin};
     if (world.model().cloth)
-        rub_on_cloth(impact.velocity_a, roller(balls, a), impact.inverse_a, impact.velocity_b,
-                     roller(balls, b), impact.inverse_b, impact.normal, pressed, friction);
+        apply_cloth_friction(impact.velocity_a, roller(balls, a), impact.inverse_a,
+                             impact.velocity_b, roller(balls, b), impact.inverse_b, impact.normal,
+                             pressed, friction);
     else
-        rub(impact.velocity_a, {balls.spin[a], balls.radius[a]}, impact.inverse_a,
-            impact.velocity_b, {balls.spin[b], balls.radius[b]}, impact.inverse_b, impact.normal,
-            pressed, friction);
+        apply_friction(impact.velocity_a, {balls.spin[a], balls.radius[a]}, impact.inverse_a,
+                       impact.velocity_b, {balls.spin[b], balls.radius[b]}, impact.inverse_b,
+                       impact.normal, pressed, friction);
 }
 
 SweptOutcome SweptResponse::collide_edge(World& world, const SweptEvent& event) {
@@ -251,11 +252,11 @@ void SweptResponse::apply_edge_friction(World& world, EdgeImpact& impact, double
     const double inverse_mass = paths_.inverse_mass(i);
     const Friction friction{friction_of_edge(world, impact.capsule), *world.model().spin};
     if (world.model().cloth)
-        rub_edge_on_cloth(impact.velocity, roller(balls, i), inverse_mass, impact.normal,
-                          impact.surface, impulse, friction);
+        apply_cloth_friction_on_edge(impact.velocity, roller(balls, i), inverse_mass, impact.normal,
+                                     impact.surface, impulse, friction);
     else
-        rub_on(impact.velocity, {balls.spin[i], balls.radius[i]}, inverse_mass, impact.normal,
-               impact.surface, impulse, friction);
+        apply_friction_on_surface(impact.velocity, {balls.spin[i], balls.radius[i]}, inverse_mass,
+                                  impact.normal, impact.surface, impulse, friction);
 }
 
 }  // namespace carom

@@ -25,8 +25,8 @@ struct SweptOutcome {
 /// speed. Then it feels only the gravity along its supports, and supports what comes to rest on it
 /// in the same substep. A body that a kinematic one pushes rests on it.
 ///
-/// The impulse of friction acts at once (laws/bounce.h). The weight of a ball that rests rubs for
-/// the rest of the substep (SweptPaths::apply_rest_friction).
+/// The impulse of friction acts at once (laws/bounce.h). The weight of a resting ball causes
+/// friction for the rest of the substep (SweptPaths::apply_rest_friction).
 class SweptResponse {
   public:
     SweptResponse(const SweptSubstep& step, SweptPaths& paths, SweptKinematics& kinematics,

@@ -90,7 +90,8 @@ void SweptPaths::apply_rest_friction(World& world, std::uint32_t ball, Vec2 surf
     const double pull = dot(rest.gravity, along) * left;
     double slip = dot(velocity - surface, along) - radius * spin;
     if (slip * (slip + pull) < 0.0) {
-        rub_on(velocity, {spin, radius}, 1.0, normal, surface, most, {1.0, inertia});
+        apply_friction_on_surface(velocity, {spin, radius}, 1.0, normal, surface, most,
+                                  {1.0, inertia});
         slip = dot(velocity - surface, along) - radius * spin;
     }
     const double change = std::clamp(-(slip + pull) / (1.0 + 1.0 / inertia), -most, most);

@@ -61,8 +61,9 @@ TEST_CASE(
         const double angular = turning();
         const double before = slip(a, b, normal);
 
-        const double impulse = rub(a.velocity, {a.spin, a.radius}, a.inverse_mass, b.velocity,
-                                   {b.spin, b.radius}, b.inverse_mass, normal, pressed, friction);
+        const double impulse =
+            apply_friction(a.velocity, {a.spin, a.radius}, a.inverse_mass, b.velocity,
+                           {b.spin, b.radius}, b.inverse_mass, normal, pressed, friction);
 
         const double rounding = 1e-13 * (1.0 + energy);
         CHECK(a.energy(friction.inertia) + b.energy(friction.inertia) <= energy + rounding);
@@ -92,8 +93,8 @@ TEST_CASE(
             CAPTURE(mu);
             Spinning ball{{3.0, -4.0}, spin, radius, 1.0 / 2.0};
             const Exchange done = bounce_off(ball.velocity, ball.inverse_mass, {0, 1}, 0.0, 0.5);
-            rub_on(ball.velocity, {ball.spin, radius}, ball.inverse_mass, {0, 1}, {}, done.impulse,
-                   {mu, inertia});
+            apply_friction_on_surface(ball.velocity, {ball.spin, radius}, ball.inverse_mass, {0, 1},
+                                      {}, done.impulse, {mu, inertia});
             CHECK(ball.velocity.y == 2.0);
             // The contact point of the ball moves at v + r w.
             const double point = 3.0 + radius * spin;
@@ -110,7 +111,8 @@ TEST_CASE(
 
 TEST_CASE("a kinematic surface drags a ball along, no faster than it moves") {
     Spinning ball{{0.0, 0.0}, 0.0, 1.0, 1.0};
-    rub_on(ball.velocity, {ball.spin, 1.0}, 1.0, {0, 1}, {3.0, 7.0}, 100.0, {1.0, 0.5});
+    apply_friction_on_surface(ball.velocity, {ball.spin, 1.0}, 1.0, {0, 1}, {3.0, 7.0}, 100.0,
+                              {1.0, 0.5});
     CHECK(ball.velocity.x == doctest::Approx(1.0));
     CHECK(ball.velocity.x + ball.spin == doctest::Approx(3.0));
     CHECK(ball.velocity.y == 0.0);

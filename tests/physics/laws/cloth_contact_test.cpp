@@ -81,9 +81,9 @@ TEST_CASE("friction on cloth conserves momentum, gains no energy, and sticks whe
         const double before = energy(a, mass_a, radius_a) + energy(b, mass_b, radius_b);
         const Vec2 momentum = a.velocity * mass_a + b.velocity * mass_b;
         const bool is_rough = n % 2 == 0;
-        const double passed = rub_on_cloth(a.velocity, {a.spin, a.roll, radius_a}, 1.0 / mass_a,
-                                           b.velocity, {b.spin, b.roll, radius_b}, 1.0 / mass_b,
-                                           normal, 1.0, {is_rough ? 1e6 : 0.05, solid});
+        const double passed = apply_cloth_friction(
+            a.velocity, {a.spin, a.roll, radius_a}, 1.0 / mass_a, b.velocity,
+            {b.spin, b.roll, radius_b}, 1.0 / mass_b, normal, 1.0, {is_rough ? 1e6 : 0.05, solid});
         const double after = energy(a, mass_a, radius_a) + energy(b, mass_b, radius_b);
         CHECK(after <= before * (1.0 + 1e-12));
         CHECK(length(a.velocity * mass_a + b.velocity * mass_b - momentum) < 1e-12);
@@ -107,8 +107,8 @@ TEST_CASE("a ball that rolls into another climbs it: both lose spin") {
     double no_spin = 0.0;
     // The left ball rolls to the right: its front moves down and pushes the other's back down, so
     // that the other rolls to the left.
-    rub_on_cloth(still, {no_spin, no_roll, 1.0}, 1.0, also_still, {spin, roll, 1.0}, 1.0,
-                 {1.0, 0.0}, 10.0, {0.001, solid});
+    apply_cloth_friction(still, {no_spin, no_roll, 1.0}, 1.0, also_still, {spin, roll, 1.0}, 1.0,
+                         {1.0, 0.0}, 10.0, {0.001, solid});
     CHECK(no_roll.x == doctest::Approx(-0.025));
     CHECK(roll.x == doctest::Approx(0.975));
 }
