@@ -269,7 +269,18 @@ void WorldSync<Real>::write_dense(World& world) {
         clustered.push_back(world.balls().id[ball]);
 }
 
-template class WorldSync<double>;
-template class WorldSync<DoubleDouble>;
+// What the files beside this one use of it: a member may be instantiated once in a program.
+template bool WorldSync<double>::is_continued(const World&) const;
+template bool WorldSync<DoubleDouble>::is_continued(const World&) const;
+template bool WorldSync<double>::is_position_unchanged(std::uint32_t) const;
+template bool WorldSync<DoubleDouble>::is_position_unchanged(std::uint32_t) const;
+template bool WorldSync<double>::is_velocity_unchanged(std::uint32_t) const;
+template bool WorldSync<DoubleDouble>::is_velocity_unchanged(std::uint32_t) const;
+template bool WorldSync<double>::is_spin_unchanged(std::uint32_t) const;
+template bool WorldSync<DoubleDouble>::is_spin_unchanged(std::uint32_t) const;
+template bool WorldSync<double>::is_roll_unchanged(std::uint32_t) const;
+template bool WorldSync<DoubleDouble>::is_roll_unchanged(std::uint32_t) const;
+template void WorldSync<double>::write(World&, bool);
+template void WorldSync<DoubleDouble>::write(World&, bool);
 
 }  // namespace carom
