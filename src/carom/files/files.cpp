@@ -2,13 +2,18 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <thread>
 #include <utility>
 
 namespace carom {
@@ -39,6 +44,43 @@ int open_again_on_signal(const char* path, int flags, mode_t mode = 0) {
     return descriptor;
 }
 
+mode_t current_umask() {
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    return mask;
+}
+
+constexpr std::string_view temporary_ending = ".XXXXXX.tmp";
+constexpr std::time_t abandoned_after = 60;  // s
+
+bool is_temporary_of(std::string_view name, std::string_view target) {
+    return name.size() == target.size() + temporary_ending.size() && name.starts_with(target) &&
+           name[target.size()] == '.' && name.ends_with(".tmp");
+}
+
+// Whether no process writes it any more.
+bool is_abandoned(const std::string& path) {
+    struct stat status {};
+    if (::lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return false;
+    if (std::time(nullptr) - status.st_mtime < abandoned_after) return false;
+    const int file = open_again_on_signal(path.c_str(), O_RDONLY | O_NOFOLLOW);
+    if (file < 0) return false;
+    const bool is_free = ::flock(file, LOCK_EX | LOCK_NB) == 0;
+    ::close(file);
+    return is_free;
+}
+
+void remove_left_behind(const std::string& path) {
+    const std::string folder = folder_of(path);
+    const std::string name = path.substr(path.rfind('/') + 1);
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        const std::string found = entry.path().string();
+        if (is_temporary_of(entry.path().filename().string(), name) && is_abandoned(found))
+            ::unlink(found.c_str());
+    }
+}
+
 }  // namespace
 
 FileText read_file(const std::string& path, std::size_t most) {
@@ -66,7 +108,7 @@ FileText read_file(const std::string& path, std::size_t most) {
     return {.text = std::move(text), .error = {}};
 }
 
-OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+OutputFile::OutputFile(std::string path, Access access) : path_(std::move(path)), access_(access) {
     open();
 }
 
@@ -75,6 +117,8 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
       temporary_(std::exchange(other.temporary_, {})),
       buffer_(std::exchange(other.buffer_, {})),
       error_(std::move(other.error_)),
+      access_(other.access_),
+      mode_(other.mode_),
       descriptor_(std::exchange(other.descriptor_, -1)),
       is_standard_output_(other.is_standard_output_) {}
 
@@ -102,13 +146,16 @@ void OutputFile::open() {
     }
     if (exists && ::access(path_.c_str(), W_OK) != 0) return fail();
     path_ = resolved(path_);
-    temporary_ = fmt::format("{}.{}.tmp", path_, ::getpid());
-    const mode_t mode = exists ? status.st_mode & 0777 : 0666;
-    descriptor_ = open_again_on_signal(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, mode);
+    mode_ = exists ? status.st_mode & 0777 : 0666 & ~current_umask();
+    if (access_ == Access::owner) mode_ &= 0700;
+    remove_left_behind(path_);
+    temporary_ = path_ + std::string(temporary_ending);
+    descriptor_ = ::mkostemps(temporary_.data(), 4, O_CLOEXEC);
     if (descriptor_ < 0) {
         temporary_.clear();
-        fail();
+        return fail();
     }
+    ::flock(descriptor_, LOCK_EX | LOCK_NB);
 }
 
 void OutputFile::write(std::string_view text) {
@@ -135,6 +182,7 @@ void OutputFile::flush() {
 void OutputFile::commit() {
     flush();
     if (is_closed() || temporary_.empty()) return;
+    if (::fchmod(descriptor_, mode_) != 0) return fail();
     if (::fsync(descriptor_) != 0 && errno != EINVAL) return fail();
     if (::rename(temporary_.c_str(), path_.c_str()) != 0) return fail();
     temporary_.clear();
@@ -160,12 +208,78 @@ void OutputFile::discard() {
     temporary_.clear();
 }
 
-std::optional<std::string> write_file_atomically(const std::string& path, std::string_view text) {
-    OutputFile file(path);
+std::optional<std::string> write_file_atomically(const std::string& path, std::string_view text,
+                                                 Access access) {
+    OutputFile file(path, access);
     file.write(text);
     file.commit();
     if (file.error().empty()) return std::nullopt;
     return file.error();
+}
+
+FileLock::FileLock(std::string path, Wait wait) : path_(std::move(path)) {
+    constexpr int most_tries = 500;
+    constexpr std::chrono::milliseconds pause{10};
+    for (int left = wait == Wait::no ? 0 : most_tries; !try_lock(); --left) {
+        if (!is_held_elsewhere_ || left == 0) return;
+        std::this_thread::sleep_for(pause);
+    }
+}
+
+// Locks an open file. A file system without locks grants every one.
+bool FileLock::grants(int file) {
+    if (::flock(file, LOCK_EX | LOCK_NB) == 0) return true;
+    return errno == ENOLCK || errno == ENOSYS || errno == EOPNOTSUPP || errno == EINVAL;
+}
+
+// Post: if not held, `error_` and `is_held_elsewhere_` say why.
+bool FileLock::try_lock() {
+    for (;;) {
+        const int file = open_again_on_signal(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW, 0600);
+        const bool is_locked = file >= 0 && grants(file);
+        is_held_elsewhere_ = file >= 0 && !is_locked && errno == EWOULDBLOCK;
+        if (!is_locked) {
+            error_ =
+                fmt::format("cannot lock '{}': {}", path_,
+                            is_held_elsewhere_ ? "another process uses it" : std::strerror(errno));
+            if (file >= 0) ::close(file);
+            return false;
+        }
+        // The former holder may have removed the file after it was opened here.
+        struct stat ours {};
+        struct stat named {};
+        if (::fstat(file, &ours) == 0 && ::lstat(path_.c_str(), &named) == 0 &&
+            ours.st_ino == named.st_ino && ours.st_dev == named.st_dev) {
+            descriptor_ = file;
+            return true;
+        }
+        ::close(file);
+    }
+}
+
+FileLock::FileLock(FileLock&& other) noexcept
+    : path_(std::move(other.path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      is_held_elsewhere_(other.is_held_elsewhere_),
+      error_(std::move(other.error_)) {}
+
+FileLock& FileLock::operator=(FileLock&& other) noexcept {
+    release();
+    path_ = std::move(other.path_);
+    descriptor_ = std::exchange(other.descriptor_, -1);
+    is_held_elsewhere_ = other.is_held_elsewhere_;
+    error_ = std::move(other.error_);
+    return *this;
+}
+
+FileLock::~FileLock() {
+    release();
+}
+
+void FileLock::release() {
+    if (descriptor_ < 0) return;
+    ::unlink(path_.c_str());
+    ::close(std::exchange(descriptor_, -1));
 }
 
 }  // namespace carom

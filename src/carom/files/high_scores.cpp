@@ -124,19 +124,19 @@ HighScoresText load_high_scores(std::string_view table, std::size_t most) {
 }
 
 HighScoresText keep_high_score(std::string_view table, std::size_t most, const HighScore& score) {
+    const auto path = high_scores_path();
+    std::optional<std::string> problem =
+        path ? make_folder(*data_folder()) : "there is no place for high scores: HOME is not set";
+    std::optional<FileLock> lock;
+    if (!problem) lock.emplace(*path + ".lock", FileLock::Wait::a_while);
+    if (lock && !lock->is_held()) problem = lock->error();
     HighScoresText kept = load_high_scores(table, most);
     kept.scores.add(score);
-    if (kept.problem) return kept;
-    const auto path = high_scores_path();
-    if (!path) {
-        kept.problem = "there is no place for high scores: HOME is not set";
-        return kept;
-    }
-    kept.problem = make_folder(*data_folder());
+    if (!kept.problem) kept.problem = problem;
     if (kept.problem) return kept;
     const FileText file = read_file(*path);
-    kept.problem =
-        write_file_atomically(*path, with_high_scores(file.text.value_or(""), table, kept.scores));
+    kept.problem = write_file_atomically(
+        *path, with_high_scores(file.text.value_or(""), table, kept.scores), Access::owner);
     return kept;
 }
 

@@ -50,7 +50,7 @@ std::string with_high_scores(std::string_view text, std::string_view table,
 /// Reads the user's file; empty for a user without one.
 HighScoresText load_high_scores(std::string_view table, std::size_t most);
 /// Rereads the user's file, adds one score, and returns the table's scores. The file is replaced at
-/// once or not at all.
+/// once or not at all, under a lock, so that two games that end together keep both scores.
 HighScoresText keep_high_score(std::string_view table, std::size_t most, const HighScore& score);
 
 /// The name of a level in the file: its file name without folder and extension.

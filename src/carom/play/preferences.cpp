@@ -228,10 +228,13 @@ std::optional<std::string> write_preference(std::string_view name, std::string_v
     const auto folder = configuration_folder();
     if (!path || !folder) return std::nullopt;
     if (auto fault = make_folder(*folder)) return fault;
+    const FileLock lock(*path + ".lock", FileLock::Wait::a_while);
+    if (!lock.is_held()) return lock.error();
     FileText text = read_file(*path);
     std::error_code ignored;
     if (!text.text && std::filesystem::exists(*path, ignored)) return text.error;
-    return write_file_atomically(*path, with_setting(text.text.value_or(""), name, value));
+    return write_file_atomically(*path, with_setting(text.text.value_or(""), name, value),
+                                 Access::owner);
 }
 
 }  // namespace carom

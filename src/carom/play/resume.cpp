@@ -1,13 +1,10 @@
 #include "carom/play/resume.h"
 
 #include <fmt/format.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <utility>
@@ -37,19 +34,13 @@ std::string stem_of(std::string_view level) {
     return fmt::format("{}-{:016x}", fs::path(level).stem().string(), hash_of(level));
 }
 
-/// The process id at the end of a file's name; 0 if the file is not carom's.
-pid_t process_of(const std::string& name) {
-    if (!name.ends_with(ending)) return 0;
-    const std::size_t end = name.size() - ending.size();
-    const std::size_t dash = name.rfind('-', end);
-    if (dash == std::string::npos) return 0;
-    pid_t process = 0;
-    const auto [stop, error] = std::from_chars(name.data() + dash + 1, name.data() + end, process);
-    return error == std::errc{} && stop == name.data() + end ? process : 0;
+std::string lock_of(const std::string& path) {
+    return path + ".lock";
 }
 
-bool is_running(pid_t process) {
-    return ::kill(process, 0) == 0 || errno != ESRCH;
+/// Whether a process is playing the game of this file.
+bool is_running(const std::string& path) {
+    return FileLock(lock_of(path), FileLock::Wait::no).is_held_elsewhere();
 }
 
 std::int64_t saved_at(const std::string& path) {
@@ -57,14 +48,13 @@ std::int64_t saved_at(const std::string& path) {
     return ::stat(path.c_str(), &status) == 0 ? status.st_mtim.tv_sec : 0;
 }
 
-/// Files of games that were left or whose processes have ended, newest first, then by name.
+/// Files of games that were left or that nobody plays any more, newest first, then by name.
 std::vector<std::string> left_behind(const std::string& folder) {
     std::vector<std::pair<std::int64_t, std::string>> found;
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error)) {
         const std::string path = entry.path().string();
-        const pid_t process = process_of(entry.path().filename().string());
-        if (path.ends_with(left_ending) || (process > 0 && !is_running(process)))
+        if (path.ends_with(left_ending) || (path.ends_with(ending) && !is_running(path)))
             found.emplace_back(-saved_at(path), path);
     }
     std::ranges::sort(found);
@@ -92,25 +82,38 @@ std::vector<InterruptedGame> interrupted_games(const std::string& folder, std::s
 }
 
 ResumeFile::ResumeFile(std::string folder, std::string_view level)
-    : folder_(std::move(folder)),
-      path_(fmt::format("{}/{}-{}{}", folder_, stem_of(level), ::getpid(), ending)) {}
+    : folder_(std::move(folder)), stem_(fmt::format("{}/{}", folder_, stem_of(level))) {}
 
 std::optional<std::string> ResumeFile::save(const Replay& replay) {
-    if (path_.empty()) return std::nullopt;
-    if (!is_written_) {
-        if (auto problem = make_folder(folder_)) return problem;
-        std::vector<std::string> old = left_behind(folder_);
-        for (std::size_t i = most_files - 1; i < old.size(); ++i)
-            ::unlink(old[i].c_str());
-    }
-    auto problem = write_file_atomically(path_, replay_text(replay));
+    if (folder_.empty()) return std::nullopt;
+    if (auto problem = begin()) return problem;
+    auto problem = write_file_atomically(path_, replay_text(replay), Access::owner);
     is_written_ = is_written_ || !problem;
     return problem;
+}
+
+// Before the first save: finds a name that no other game has, and locks it.
+std::optional<std::string> ResumeFile::begin() {
+    if (lock_) return std::nullopt;
+    if (auto problem = make_folder(folder_)) return problem;
+    const std::vector<std::string> old = left_behind(folder_);
+    for (std::size_t i = most_files - 1; i < old.size(); ++i)
+        ::unlink(old[i].c_str());
+    for (int number = 1;; ++number) {
+        path_ = fmt::format("{}-{}{}", stem_, number, ending);
+        FileLock lock(lock_of(path_), FileLock::Wait::no);
+        if (!lock.is_held() && !lock.is_held_elsewhere()) return lock.error();
+        std::error_code error;
+        if (!lock.is_held() || fs::exists(path_, error)) continue;
+        lock_ = std::move(lock);
+        return std::nullopt;
+    }
 }
 
 void ResumeFile::remove() {
     if (is_written_) ::unlink(path_.c_str());
     is_written_ = false;
+    lock_.reset();
 }
 
 bool ResumeFile::put_aside() {

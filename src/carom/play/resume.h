@@ -6,13 +6,14 @@
 #include <string_view>
 #include <vector>
 
+#include "carom/files/files.h"
 #include "game/replay/replay_text.h"
 
 /// Unfinished games: games that were interrupted, or left in the middle, and can be resumed. Each
 /// running game writes a file of its own, every few seconds and when it is interrupted. The file's
-/// name holds the level's name, a hash of its path, and the process id. A game that ends normally
-/// removes its file; one that is left to be resumed renames it to a name without a process id. A
-/// file that belongs to no running process can be resumed.
+/// name holds the level's name, a hash of its path, and a number. A game that ends normally removes
+/// its file; one that is left to be resumed renames it. While a game is played, its process holds a
+/// lock beside the file (FileLock): a file without one can be resumed.
 namespace carom {
 
 struct InterruptedGame {
@@ -43,8 +44,12 @@ class ResumeFile {
     bool put_aside();
 
   private:
-    std::string folder_;
-    std::string path_;  ///< empty: there is no folder to write to
+    std::optional<std::string> begin();
+
+    std::string folder_;  ///< empty: there is no folder to write to
+    std::string stem_;
+    std::string path_;  ///< as soon as there is a lock
+    std::optional<FileLock> lock_;
     bool is_written_ = false;
 };
 

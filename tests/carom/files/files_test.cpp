@@ -1,17 +1,25 @@
 #include "carom/files/files.h"
 
 #include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "carom/support/file_faults.h"
 #include "carom/support/process.h"
 
 using namespace carom;
 using carom::test::content;
+using carom::test::file_calls;
+using carom::test::FileFault;
+using carom::test::set_file_fault;
 using carom::test::TemporaryFolder;
 
 TEST_CASE("a file is read whole, up to a limit") {
@@ -84,4 +92,118 @@ TEST_CASE("a long text arrives in order") {
     }
     file.commit();
     CHECK(content(folder.path("long")) == expected);
+}
+
+TEST_CASE("a temporary file that a killed process left is removed, one in use is not") {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("out", "old");
+    const std::string abandoned = folder.file("out.aaaaaa.tmp", "half");
+    const std::string used = folder.file("out.bbbbbb.tmp", "half");
+    folder.file("out.cccccc.tmp", "new");
+    folder.file("another.aaaaaa.tmp", "half");
+    constexpr std::array<timespec, 2> long_ago{timespec{1000, 0}, timespec{1000, 0}};
+    for (const std::string& file : {abandoned, used, folder.path("another.aaaaaa.tmp")})
+        ::utimensat(AT_FDCWD, file.c_str(), long_ago.data(), 0);
+    const int writer = ::open(used.c_str(), O_RDONLY);
+    REQUIRE(::flock(writer, LOCK_EX) == 0);
+    CHECK_FALSE(write_file_atomically(path, "new"));
+    ::close(writer);
+    CHECK(folder.names() == std::vector<std::string>{"another.aaaaaa.tmp", "out", "out.bbbbbb.tmp",
+                                                     "out.cccccc.tmp"});
+}
+
+TEST_CASE("only its owner may read a player's file, whatever the umask, and a temporary file") {
+    const TemporaryFolder folder;
+    const mode_t before = ::umask(0);
+    const auto permissions = [&](const std::string& path) {
+        struct stat status {};
+        CHECK(::stat(path.c_str(), &status) == 0);
+        return status.st_mode & 0777;
+    };
+    CHECK_FALSE(write_file_atomically(folder.path("scores"), "1", Access::owner));
+    CHECK(permissions(folder.path("scores")) == 0600);
+    CHECK_FALSE(write_file_atomically(folder.path("level"), "1"));
+    CHECK(permissions(folder.path("level")) == 0666);
+    const std::string open_to_all = folder.file("preferences", "old");
+    ::chmod(open_to_all.c_str(), 0664);
+    CHECK_FALSE(write_file_atomically(open_to_all, "1", Access::owner));
+    CHECK(permissions(open_to_all) == 0600);
+    ::umask(0027);
+    {
+        OutputFile file(folder.path("report"));
+        for (const std::string& name : folder.names())
+            if (name.ends_with(".tmp")) CHECK(permissions(folder.path(name)) == 0600);
+        file.commit();
+    }
+    CHECK(permissions(folder.path("report")) == 0640);
+    ::umask(before);
+}
+
+TEST_CASE("whatever fails while a file is replaced, the old or the new one is there, whole") {
+    const std::string old_text(200'000, 'o');
+    const std::string new_text(300'000, 'n');
+    set_file_fault(FileFault::none, 0);
+    {
+        const TemporaryFolder folder;
+        CHECK_FALSE(write_file_atomically(folder.path("out"), new_text));
+    }
+    const int calls = file_calls();
+    REQUIRE(calls >= 5);
+    for (int number = 1; number <= calls; ++number) {
+        CAPTURE(number);
+        const TemporaryFolder folder;
+        const std::string path = folder.file("out", old_text);
+        set_file_fault(FileFault::full_disk, number);
+        const auto error = write_file_atomically(path, new_text);
+        set_file_fault(FileFault::none, 0);
+        // The last call syncs the folder: the file is there already.
+        CHECK(error.has_value() == (number < calls));
+        CHECK(content(path) == (error ? old_text : new_text));
+        CHECK(folder.names() == std::vector<std::string>{"out"});
+    }
+    for (int number = 1; number <= calls; ++number) {
+        CAPTURE(number);
+        const TemporaryFolder folder;
+        const std::string path = folder.file("out", old_text);
+        const pid_t child = ::fork();
+        REQUIRE(child >= 0);
+        if (child == 0) {
+            set_file_fault(FileFault::death, number);
+            static_cast<void>(write_file_atomically(path, new_text));
+            ::_exit(0);
+        }
+        int status = 0;
+        REQUIRE(::waitpid(child, &status, 0) == child);
+        CHECK(WEXITSTATUS(status) == 9);
+        const std::string found = content(path);
+        CHECK((found == old_text || found == new_text));
+    }
+}
+
+TEST_CASE("a lock has one holder, and ends with its process") {
+    const TemporaryFolder folder;
+    const std::string path = folder.path("lock");
+    {
+        const FileLock lock(path, FileLock::Wait::no);
+        CHECK(lock.is_held());
+        const FileLock second(path, FileLock::Wait::no);
+        CHECK_FALSE(second.is_held());
+        CHECK(second.is_held_elsewhere());
+        CHECK(second.error() == "cannot lock '" + path + "': another process uses it");
+    }
+    CHECK(folder.names().empty());
+    const pid_t child = ::fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        const FileLock lock(path, FileLock::Wait::no);
+        ::_exit(lock.is_held() ? 0 : 1);
+    }
+    siginfo_t info{};
+    REQUIRE(::waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOWAIT) == 0);
+    CHECK(folder.names() == std::vector<std::string>{"lock"});
+    CHECK(FileLock(path, FileLock::Wait::no).is_held());  // although the process is a zombie
+    ::waitpid(child, nullptr, 0);
+    const FileLock nowhere("/proc/lock", FileLock::Wait::a_while);
+    CHECK_FALSE(nowhere.is_held());
+    CHECK_FALSE(nowhere.is_held_elsewhere());
 }

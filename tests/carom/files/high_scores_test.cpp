@@ -1,13 +1,19 @@
 #include "carom/files/high_scores.h"
 
 #include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <string>
 
 #include "carom/files/files.h"
+#include "carom/support/process.h"
 
 using namespace carom;
+using carom::test::TemporaryFolder;
 
 TEST_CASE("a score is accepted if it is among the best") {
     HighScores scores{{}, 2};
@@ -81,6 +87,33 @@ TEST_CASE("scores are kept in the user's data folder, and a broken file stays un
     else
         ::unsetenv("XDG_DATA_HOME");
     std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("two processes that keep scores at once lose none") {
+    const TemporaryFolder folder;
+    const std::string before = std::getenv("XDG_DATA_HOME") ? std::getenv("XDG_DATA_HOME") : "";
+    ::setenv("XDG_DATA_HOME", folder.path().c_str(), 1);
+    constexpr int each = 50;
+    std::array<pid_t, 2> writers{};
+    for (std::size_t w = 0; w < writers.size(); ++w) {
+        writers[w] = ::fork();
+        REQUIRE(writers[w] >= 0);
+        if (writers[w] != 0) continue;
+        for (int i = 0; i < each; ++i)
+            if (keep_high_score("t" + std::to_string(w), each, {"AAA", i + 1}).problem) ::_exit(1);
+        ::_exit(0);
+    }
+    for (const pid_t writer : writers) {
+        int status = -1;
+        ::waitpid(writer, &status, 0);
+        CHECK(status == 0);
+    }
+    CHECK(load_high_scores("t0", each).scores.lines.size() == each);
+    CHECK(load_high_scores("t1", each).scores.lines.size() == each);
+    if (before.empty())
+        ::unsetenv("XDG_DATA_HOME");
+    else
+        ::setenv("XDG_DATA_HOME", before.c_str(), 1);
 }
 
 TEST_CASE("a level is identified by its file name") {

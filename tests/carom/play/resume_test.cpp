@@ -71,6 +71,26 @@ TEST_CASE("a running game, or one that ended normally, is not an interrupted gam
     CHECK(interrupted_games(folder.text()).empty());
 }
 
+TEST_CASE("a game whose process has died, but is not yet waited for, can be resumed") {
+    const Folder folder;
+    const pid_t child = ::fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        ResumeFile cut_off(folder.text(), "a.level");
+        cut_off.save(replay_of("a.level"));
+        ::_exit(0);
+    }
+    siginfo_t info{};
+    REQUIRE(::waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOWAIT) == 0);
+    CHECK(interrupted_games(folder.text()).size() == 1);
+    // A new game takes another file, so this one is not overwritten.
+    ResumeFile next(folder.text(), "a.level");
+    CHECK(next.save(replay_of("a.level", 9)) == std::nullopt);
+    REQUIRE(interrupted_games(folder.text()).size() == 1);
+    CHECK(interrupted_games(folder.text())[0].replay.end == 5);
+    ::waitpid(child, nullptr, 0);
+}
+
 TEST_CASE("games that are left are kept, each on its own, even if their process runs on") {
     const Folder folder;
     ResumeFile file(folder.text(), "a.level");
