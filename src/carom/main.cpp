@@ -36,8 +36,10 @@ struct Perform {
 }  // namespace carom
 
 int main(int count, char** arguments) {
-    // A pipe closed by its reader is reported by the write that fails.
+    // A pipe closed by its reader, and a file that may not grow, are reported by the write that
+    // fails.
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         return std::visit(carom::Perform{}, carom::parse_options(count, arguments));
     } catch (const std::bad_alloc&) {

@@ -6,21 +6,27 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <vector>
 
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif
 
 #include "terminal/screen/restore.h"
+#include "terminal/screen/signals.h"
 
 namespace carom {
 namespace {
 
-constexpr std::array passed_on{SIGINT, SIGQUIT, SIGTERM, SIGHUP, SIGTSTP};
+std::vector<int> passed_on() {
+    std::vector<int> signals = signals_that_end_the_game();
+    signals.push_back(SIGTSTP);
+    return signals;
+}
+
 volatile sig_atomic_t child_process = 0;
 
 void pass_on(int signal) {
@@ -40,7 +46,7 @@ struct sigaction action_of(void (*handler)(int)) {
 // Signals that were ignored (nohup) stay ignored.
 void pass_signals_on() {
     const struct sigaction action = action_of(pass_on);
-    for (const int signal : passed_on) {
+    for (const int signal : passed_on()) {
         struct sigaction before {};
         sigaction(signal, nullptr, &before);
         if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
@@ -89,7 +95,7 @@ int run_supervised(const std::function<int()>& play, const std::string& resume_h
     sigset_t held;
     sigset_t held_before;
     sigemptyset(&held);
-    for (const int signal : passed_on) {
+    for (const int signal : passed_on()) {
         sigaddset(&held, signal);
     }
     sigprocmask(SIG_BLOCK, &held, &held_before);  // no signal is lost around the fork

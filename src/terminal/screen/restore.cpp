@@ -36,7 +36,7 @@ void send_all(std::string_view bytes) noexcept {
     }
 }
 
-constexpr std::array fatal_signals{SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL};
+constexpr std::array fatal_signals{SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS};
 std::array<struct sigaction, fatal_signals.size()> handlers_before;
 
 void on_fatal_signal(int signal) {

@@ -32,8 +32,9 @@ void restore_terminal() noexcept;
 /// that they do not reach the shell.
 void restore_after_death();
 
-/// Makes SEGV, ABRT, BUS, FPE and ILL restore the terminal before they take their previous effect.
-/// The handler runs on a stack of its own, so that an overflow of the stack is handled too.
+/// Makes SEGV, ABRT, BUS, FPE, ILL, TRAP and SYS restore the terminal before they take their
+/// previous effect. The handler runs on a stack of its own, so that an overflow of the stack is
+/// handled too.
 void catch_fatal_signals();
 
 }  // namespace carom

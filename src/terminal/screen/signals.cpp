@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstddef>
@@ -11,15 +12,27 @@
 namespace carom {
 namespace {
 
-constexpr std::array caught{SIGWINCH, SIGINT, SIGQUIT, SIGTERM, SIGHUP, SIGTSTP, SIGCONT};
-std::array<struct sigaction, caught.size()> actions_before;
-std::array<volatile sig_atomic_t, caught.size()> has_come;
+constexpr std::array common{SIGWINCH, SIGINT, SIGQUIT, SIGTERM, SIGHUP, SIGTSTP, SIGCONT};
+
+/// By number of the signal.
+template <typename T>
+using BySignal = std::array<T, NSIG>;
+BySignal<struct sigaction> actions_before;
+BySignal<bool> is_caught;
+BySignal<volatile sig_atomic_t> has_come;
 std::array<int, 2> pipe_ends{-1, -1};
 
+bool is_common(int signal) {
+    return std::ranges::find(common, signal) != common.end();
+}
+
+bool is_taken_from(const struct sigaction& before, int signal) {
+    if (signal == SIGWINCH || signal == SIGCONT) return true;
+    return is_common(signal) ? before.sa_handler != SIG_IGN : before.sa_handler == SIG_DFL;
+}
+
 void note(int signal) {
-    for (std::size_t i = 0; i < caught.size(); ++i) {
-        if (caught[i] == signal) has_come[i] = 1;
-    }
+    has_come[static_cast<std::size_t>(signal)] = 1;
 }
 
 void on_signal(int signal) {
@@ -41,7 +54,38 @@ void ignore(int signal) {
 }  // namespace
 
 bool ends_the_game(int signal) {
-    return signal == SIGINT || signal == SIGQUIT || signal == SIGTERM || signal == SIGHUP;
+    switch (signal) {
+        case SIGINT:
+        case SIGQUIT:
+        case SIGTERM:
+        case SIGHUP:
+        case SIGUSR1:
+        case SIGUSR2:
+        case SIGALRM:
+        case SIGVTALRM:
+        case SIGPROF:
+        case SIGXCPU:
+#ifdef __linux__
+        case SIGPOLL:
+        case SIGPWR:
+        case SIGSTKFLT:
+#endif
+            return true;
+        default:
+            break;
+    }
+#ifdef SIGRTMIN
+    return signal >= SIGRTMIN && signal <= SIGRTMAX;
+#else
+    return false;
+#endif
+}
+
+std::vector<int> signals_that_end_the_game() {
+    std::vector<int> signals;
+    for (int signal = 1; signal < NSIG; ++signal)
+        if (ends_the_game(signal)) signals.push_back(signal);
+    return signals;
 }
 
 SignalPipe::SignalPipe() {
@@ -54,21 +98,24 @@ SignalPipe::SignalPipe() {
     struct sigaction action {};
     action.sa_handler = on_signal;  // no SA_RESTART: a write to a stuck terminal must return
     sigemptyset(&action.sa_mask);
-    for (std::size_t i = 0; i < caught.size(); ++i) {
-        sigaction(caught[i], nullptr, &actions_before[i]);
-        const bool is_ours = caught[i] == SIGWINCH || caught[i] == SIGCONT;
-        if (is_ours || actions_before[i].sa_handler != SIG_IGN) {
-            sigaction(caught[i], &action, nullptr);
-        }
+    for (int signal = 1; signal < NSIG; ++signal) {
+        const auto index = static_cast<std::size_t>(signal);
+        is_caught[index] = false;
+        if (!ends_the_game(signal) && !is_common(signal)) continue;
+        sigaction(signal, nullptr, &actions_before[index]);
+        if (!is_taken_from(actions_before[index], signal)) continue;
+        is_caught[index] = sigaction(signal, &action, nullptr) == 0;
     }
 }
 
 SignalPipe::~SignalPipe() {
-    for (std::size_t i = 0; i < caught.size(); ++i) {
-        if (ends_the_game(caught[i]) && has_come[i] != 0) {
-            ignore(caught[i]);
+    for (int signal = 1; signal < NSIG; ++signal) {
+        const auto index = static_cast<std::size_t>(signal);
+        if (!is_caught[index]) continue;
+        if (ends_the_game(signal) && has_come[index] != 0) {
+            ignore(signal);
         } else {
-            sigaction(caught[i], &actions_before[i], nullptr);
+            sigaction(signal, &actions_before[index], nullptr);
         }
     }
     for (int& end : pipe_ends) {

@@ -5,12 +5,17 @@
 /// Delivers signals as bytes in a pipe, so that one poll() waits for them and for the terminal.
 namespace carom {
 
-/// INT, QUIT, TERM or HUP.
+/// Whether the signal requests the end of a game: INT, QUIT, TERM and HUP, and all others that
+/// would end a process and do not report a fault in it: USR1, USR2, ALRM, VTALRM, PROF, XCPU, POLL,
+/// PWR, STKFLT, and the real-time signals.
 bool ends_the_game(int signal);
+/// All of these, ascending.
+std::vector<int> signals_that_end_the_game();
 
-/// Catches WINCH, INT, QUIT, TERM, HUP, TSTP and CONT (INT, QUIT, TERM, HUP and TSTP only where
-/// they were not ignored). Open it before ncurses starts, or ncurses takes some of them. At most
-/// one exists at a time.
+/// Catches WINCH, TSTP and CONT, and whatever ends the game. INT, QUIT, TERM, HUP and TSTP stay
+/// ignored where they were ignored; of the less common signals it takes only those that would end
+/// the process, since a profiler may use one. Open it before ncurses starts, or ncurses takes some
+/// of them. At most one exists at a time.
 class SignalPipe {
   public:
     SignalPipe();

@@ -56,6 +56,25 @@ TEST_CASE("signals that request an exit are events, and the terminal is left cle
     }
 }
 
+TEST_CASE("no signal to the process group leaves the terminal dirty") {
+    // As a shell, a job scheduler or `kill -- -PID` sends it: supervisor and player both receive
+    // it.
+    for (int signal = 1; signal < NSIG; ++signal) {
+        const bool is_internal = signal > SIGSYS && signal < SIGRTMIN;  // used by the C library
+        const bool cannot_be_caught = signal == SIGKILL || signal == SIGSTOP;
+        const bool stops = signal == SIGTSTP || signal == SIGTTIN || signal == SIGTTOU;
+        const bool is_harmless = signal == SIGCHLD || signal == SIGCONT || signal == SIGURG ||
+                                 signal == SIGWINCH || signal == SIGPIPE || signal == SIGXFSZ;
+        if (is_internal || cannot_be_caught || stops || is_harmless) continue;
+        CAPTURE(signal);
+        TerminalProgram program({probe, "supervised", "events"}, modern());
+        REQUIRE(program.wait_for_log("ready"));
+        kill(-program.process(), signal);
+        CHECK(program.wait_for_end());
+        CHECK(program.what_is_left_dirty() == "");
+    }
+}
+
 TEST_CASE("Ctrl-C is an event too") {
     TerminalProgram program({probe, "supervised", "events"});
     REQUIRE(program.wait_for_log("ready"));
@@ -66,7 +85,7 @@ TEST_CASE("Ctrl-C is an event too") {
 
 TEST_CASE("a crash leaves the terminal clean, supervised or not, and is reported") {
     for (const bool is_supervised : {false, true}) {
-        for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL}) {
+        for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS}) {
             CAPTURE(signal);
             CAPTURE(is_supervised);
             ProgramOptions options = modern();
