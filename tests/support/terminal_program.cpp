@@ -58,8 +58,8 @@ constexpr int log_handle = 3;
 
 TerminalProgram::TerminalProgram(const std::vector<std::string>& arguments,
                                  const ProgramOptions& options)
-    : emulator_(options.columns, options.rows, options.emulator,
-                [this](std::string_view bytes) { to_send_ += bytes; }) {
+    : emulator_(options.columns > 0 ? options.columns : 80, options.columns > 0 ? options.rows : 24,
+                options.emulator, [this](std::string_view bytes) { to_send_ += bytes; }) {
     std::array<int, 2> pipe_ends{};
     if (pipe(pipe_ends.data()) != 0) std::abort();
     winsize size{};
@@ -108,11 +108,15 @@ void TerminalProgram::flush_input() {
 }
 
 void TerminalProgram::resize(int columns, int rows) {
+    emulator_.resize(columns, rows);
+    claim_size(columns, rows);
+}
+
+void TerminalProgram::claim_size(int columns, int rows) {
     winsize size{};
     ioctl(terminal_, TIOCGWINSZ, &size);
     size.ws_col = static_cast<unsigned short>(columns);
     size.ws_row = static_cast<unsigned short>(rows);
-    emulator_.resize(columns, rows);
     ioctl(terminal_, TIOCSWINSZ, &size);
 }
 

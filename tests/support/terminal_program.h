@@ -16,7 +16,7 @@
 namespace carom::test {
 
 struct ProgramOptions {
-    int columns = 80;
+    int columns = 80;  ///< 0: the system knows no size; the emulator has 80x24
     int rows = 24;
     int pixels_wide = 0;  ///< of the window
     int pixels_high = 0;
@@ -39,6 +39,8 @@ class TerminalProgram {
     /// Sends keys or mouse reports: any bytes that a terminal sends.
     void send(std::string_view bytes);
     void resize(int columns, int rows);
+    /// Tells the program a size that the emulator does not have.
+    void claim_size(int columns, int rows);
     void signal(int number) const;
     /// Closes the terminal, as when a connection is lost.
     void hang_up();

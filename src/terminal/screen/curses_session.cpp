@@ -6,11 +6,52 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "terminal/screen/terminfo.h"
 
 namespace carom {
+namespace {
+
+// While it exists, a variable of the environment has this value.
+class TemporaryVariable {
+  public:
+    TemporaryVariable(const char* name, const std::string& value) : name_(name) {
+        if (const char* const before = std::getenv(name)) before_ = before;
+        setenv(name, value.c_str(), 1);
+    }
+    TemporaryVariable(const TemporaryVariable&) = delete;
+    TemporaryVariable& operator=(const TemporaryVariable&) = delete;
+    ~TemporaryVariable() {
+        if (before_)
+            setenv(name_, before_->c_str(), 1);
+        else
+            unsetenv(name_);
+    }
+
+  private:
+    const char* name_;
+    std::optional<std::string> before_;
+};
+
+// ncurses takes the window size from here rather than from the system: where the system reports an
+// absurd size, newterm() would fail. Start with the real size: newterm() sends it to the terminal.
+class StatedSize {
+  public:
+    StatedSize(int columns, int rows)
+        : columns_("COLUMNS", std::to_string(columns)), rows_("LINES", std::to_string(rows)) {
+        use_tioctl(FALSE);
+    }
+
+  private:
+    TemporaryVariable columns_;
+    TemporaryVariable rows_;
+};
+
+}  // namespace
 
 struct CursesSession::State {
     SCREEN* screen = nullptr;
@@ -26,13 +67,15 @@ struct CursesSession::State {
     }
 };
 
-std::variant<CursesSession, std::string> CursesSession::start(const std::string& term) {
+std::variant<CursesSession, std::string> CursesSession::start(const std::string& term, int columns,
+                                                              int rows) {
     auto state = std::make_unique<State>();
     state->output = fdopen(dup(STDOUT_FILENO), "w");
     if (state->output == nullptr) return std::string("too few files may be open");
     constexpr const char* common = "xterm-256color";
     const bool is_usable = !term.empty() && is_described(term.c_str());
     const char* const used = is_usable ? term.c_str() : common;
+    const StatedSize size(columns, rows);
     if (is_described(used)) state->screen = newterm(used, state->output, stdin);
     if (state->screen == nullptr) {
         return fmt::format(
@@ -61,13 +104,6 @@ CursesSession::CursesSession(CursesSession&&) noexcept = default;
 CursesSession& CursesSession::operator=(CursesSession&&) noexcept = default;
 CursesSession::~CursesSession() {
     if (state_ != nullptr) leave();
-}
-
-int CursesSession::columns() const {
-    return COLS;
-}
-int CursesSession::rows() const {
-    return LINES;
 }
 
 void CursesSession::set_size(int columns, int rows) {

@@ -15,18 +15,17 @@ class CursesSession {
   public:
     /// Takes over the terminal on standard input and output: alternate screen where there is one,
     /// cursor hidden, keys unbuffered and without echo, line feeds that only move down. `term`: the
-    /// name of the description; xterm-256color if it is empty or unknown. The error is a sentence
-    /// with its remedy.
-    static std::variant<CursesSession, std::string> start(const std::string& term);
+    /// name of the description; xterm-256color if it is empty or unknown. The window's size must be
+    /// right, since the scrolling region is set with it. Pre: 0 < columns, rows <= 1000. The error
+    /// is a sentence with its remedy.
+    static std::variant<CursesSession, std::string> start(const std::string& term, int columns,
+                                                          int rows);
 
     CursesSession(CursesSession&&) noexcept;
     CursesSession& operator=(CursesSession&&) noexcept;
     ~CursesSession();  ///< leaves the terminal
 
-    /// The size according to the terminal's description and the environment.
-    int columns() const;
-    int rows() const;
-    /// Sets the window size, which decides where the cursor goes on leaving. Pre: > 0.
+    /// Sets the window's size, which decides where the cursor goes on leaving. Pre: > 0.
     void set_size(int columns, int rows);
 
     /// Releases the terminal for a while, and takes it again. Both write to it.

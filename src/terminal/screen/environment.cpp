@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <clocale>
 #include <cstdlib>
 #include <string_view>
+#include <system_error>
 
 #include "terminal/input/capabilities.h"
 
@@ -47,6 +49,13 @@ bool has_direct_colors(const Variables& variables) {
            !variables("TERM").starts_with("screen");
 }
 
+int cells_from(std::string_view text) {
+    int cells = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, fault] = std::from_chars(text.data(), end, cells);
+    return fault == std::errc{} && stop == end ? std::max(cells, 0) : 0;
+}
+
 TerminalEnvironment read_terminal_environment() {
     TerminalEnvironment environment;
     environment.terminal = described_terminal(variable);
@@ -55,6 +64,8 @@ TerminalEnvironment read_terminal_environment() {
     environment.is_light = light_background_from(variable("COLORFGBG")).value_or(false);
     environment.wants_no_colors = !variable("NO_COLOR").empty();
     environment.has_direct_colors = has_direct_colors(variable);
+    environment.columns = cells_from(variable("COLUMNS"));
+    environment.rows = cells_from(variable("LINES"));
     return environment;
 }
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 /// What the environment variables say about the terminal.
 namespace carom {
@@ -13,6 +14,8 @@ struct TerminalEnvironment {
     bool is_light = false;           ///< the background is light, by COLORFGBG
     bool wants_no_colors = false;    ///< NO_COLOR
     bool has_direct_colors = false;  ///< shows 24-bit colours, by COLORTERM
+    int columns = 0;                 ///< COLUMNS and LINES; 0: not set, or no size
+    int rows = 0;
 };
 
 /// Also sets the locale's character set (LC_CTYPE).
@@ -24,6 +27,9 @@ using Variables = std::function<std::string(const char* name)>;
 /// Whether COLORTERM promises 24-bit colours. GNU screen inherits the promise without keeping it,
 /// so it does not count.
 bool has_direct_colors(const Variables& variables);
+
+/// A size in cells from a variable's text; 0 if it is none.
+int cells_from(std::string_view text);
 
 /// The name of the terminfo description to use: TERM, but xterm-256color for a terminal that sets
 /// TERM to xterm (8 colours) while another variable shows that it has 256.

@@ -41,7 +41,11 @@ std::variant<Screen, ScreenError> Screen::open(const ScreenOptions& options) {
     capabilities.utf8 = environment.is_utf8;
     capabilities.ssh = environment.is_ssh;
     capabilities.light_background = environment.is_light;
-    auto started = CursesSession::start(environment.terminal);
+    if (environment.columns > 0) state->columns_unmeasured = environment.columns;
+    if (environment.rows > 0) state->rows_unmeasured = environment.rows;
+    state->read_size();
+    auto started =
+        CursesSession::start(environment.terminal, capabilities.columns, capabilities.rows);
     if (const auto* const error = std::get_if<std::string>(&started)) return ScreenError{*error};
     state->curses = std::get<CursesSession>(std::move(started));
     const int most_colors =

@@ -14,6 +14,13 @@
 #include "terminal/screen/terminfo.h"
 
 namespace carom {
+namespace {
+
+// No screen shows more cells. A window that claims more gets a picture of this size in its corner.
+constexpr int most_columns = 1000;
+constexpr int most_rows = 500;
+
+}  // namespace
 
 InputEvent event_of(InputEvent::Kind kind) {
     InputEvent event;
@@ -50,12 +57,19 @@ void Screen::State::arm() const {
                     capabilities.answers);
 }
 
-void Screen::State::measure() {
+winsize Screen::State::read_size() {
     winsize size{};
     ioctl(STDOUT_FILENO, TIOCGWINSZ, &size);
     const bool has_size = size.ws_col > 0 && size.ws_row > 0;
-    capabilities.columns = has_size ? size.ws_col : std::max(1, curses->columns());
-    capabilities.rows = has_size ? size.ws_row : std::max(1, curses->rows());
+    const int columns = has_size ? size.ws_col : columns_unmeasured;
+    const int rows = has_size ? size.ws_row : rows_unmeasured;
+    capabilities.columns = std::clamp(columns, 1, most_columns);
+    capabilities.rows = std::clamp(rows, 1, most_rows);
+    return size;
+}
+
+void Screen::State::measure() {
+    const winsize size = read_size();
     const bool is_to_ask = modes.measure(size.ws_xpixel, size.ws_ypixel, size.ws_col, size.ws_row);
     if (is_to_ask && is_open && does_answer_questions) send(cell_question);
     modes.tell(capabilities);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <sys/ioctl.h>
 #include <termios.h>
 
 #include <optional>
@@ -24,6 +25,8 @@ struct Screen::State {
     InputDecoder decoder;
     Capabilities capabilities;
     termios modes_before{};
+    int columns_unmeasured = 80;  // the size of a window whose size the system does not know
+    int rows_unmeasured = 24;
     std::vector<InputEvent> waiting;  // for the next wait()
     std::vector<int> deferred;        // signals that arrived during send()
     std::string_view frame;           // the last one sent
@@ -42,6 +45,7 @@ struct Screen::State {
     void repair();
     void arm() const;
     bool send(std::string_view bytes);
+    winsize read_size();  // into `capabilities`
     void measure();
     void set_mouse();
     void hang_up();

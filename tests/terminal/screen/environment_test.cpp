@@ -39,6 +39,15 @@ TEST_CASE("COLORTERM promises 24-bit colours, but not for GNU screen") {
     CHECK_FALSE(promises("screen-256color", "truecolor"));
 }
 
+TEST_CASE("a size in the environment counts if it is one") {
+    CHECK(cells_from("132") == 132);
+    CHECK(cells_from("99999999") == 99999999);
+    CHECK(cells_from("") == 0);
+    CHECK(cells_from("-5") == 0);
+    CHECK(cells_from("80x24") == 0);
+    CHECK(cells_from("99999999999999999999") == 0);
+}
+
 TEST_CASE("all other terminals keep their description") {
     CHECK(described({}) == "");
     CHECK(described({{"TERM", "vt100"}, {"COLORTERM", "truecolor"}}) == "vt100");
