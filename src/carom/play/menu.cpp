@@ -17,6 +17,8 @@ namespace {
 /// The time that an entry must stay selected before its level is loaded, s, so that holding an
 /// arrow key does not wait for pictures.
 constexpr double load_delay = 0.12;
+/// The longest text to search for, bytes.
+constexpr std::size_t most_searched = 60;
 
 std::string lower_case(std::string_view text) {
     std::string lower(text);
@@ -157,7 +159,7 @@ Menu::Choice Menu::handle_key(const InputEvent& event) {
     const char32_t least = search_.empty() ? U' ' + 1 : U' ';
     const bool is_character = event.key >= least && event.key < 0x110000 && event.key != 0x7f &&
                               !(event.modifiers & (control | alt));
-    if (is_character && is_one_column(event.key)) {
+    if (is_character && is_one_column(event.key) && search_.size() < most_searched) {
         std::string text = search_;
         append_utf8(text, event.key);
         search(std::move(text));

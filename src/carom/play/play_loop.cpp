@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <iterator>
 #include <optional>
 #include <thread>
-#include <utility>
 
 namespace carom {
 namespace {
@@ -62,16 +60,16 @@ void PlayLoop::turn() {
     const bool is_stalled = pacing_.is_stalled(now);
     const double passed = is_stalled ? 0.0 : std::min(now - last_, longest_gap);
     last_ = now;
-    const bool is_running = program_.seconds_to_change(now) <= 0.0;
+    cancels_tick_ = false;
+    const bool is_running = input_.empty() && program_.seconds_to_change(now) <= 0.0;
     const bool is_in_background = is_running && is_heavy();
     // When ticks take longer than a frame, the effect of a key is drawn before the next tick.
     const bool is_answer = is_running && !is_in_background && input_came_ && ticks_took_ > frame_;
     if (is_answer) ticks_took_ = 0.0;
-    if (!is_in_background && !is_answer) {
+    if (input_.empty() && !is_in_background && !is_answer) {
         const double took = advance(passed, now);
         if (is_running) ticks_took_ = took;
     }
-    std::vector<InputEvent> events = take_seen();
 
     const double drawing = seconds_now();
     const bool is_due = program_.needs_draw() || is_stalled;
@@ -83,10 +81,10 @@ void PlayLoop::turn() {
     if (is_in_background) advance_in_background(passed, now);
     if (canvas) show(*canvas, drawing);
     screen_.set_mouse(mouse_mode(requests));
-    if (is_in_background) listen(is_late && input_came_, events);
+    if (is_in_background) listen(is_late && input_came_);
 
-    wait(is_late, events);
-    handle(std::move(events));
+    wait(is_late);
+    handle_input();
 }
 
 bool PlayLoop::is_heavy() const {
@@ -118,14 +116,14 @@ void PlayLoop::advance_in_background(double passed, double now) {
 
 // Waits until the second thread has finished its ticks. `owes_picture`: a picture that shows the
 // effect of a key is waiting for the terminal; once it may be drawn, the tick is cancelled for it.
-void PlayLoop::listen(bool owes_picture, std::vector<InputEvent>& events) {
+void PlayLoop::listen(bool owes_picture) {
     while (!worker_.is_done() && !is_cancelled_) {
         double seconds = longest_wait;
         if (owes_picture) seconds = pacing_.seconds_to_frame(seconds_now(), true);
         for (const InputEvent& event : screen_.wait(seconds, worker_.handle())) {
             has_input_ = true;
             if (program_.cancels_tick(event)) is_cancelled_ = true;
-            events.push_back(event);
+            input_.push(event);
         }
         const double now = seconds_now();
         pacing_.answered(screen_.frames_answered(), now);
@@ -147,13 +145,8 @@ void PlayLoop::look_for_input() {
     next_look_ = now + look_interval;
     for (const InputEvent& event : screen_.wait(0.0)) {
         cancels_tick_ = cancels_tick_ || program_.cancels_tick(event);
-        seen_.push_back(event);
+        input_.push(event);
     }
-}
-
-std::vector<InputEvent> PlayLoop::take_seen() {
-    cancels_tick_ = false;
-    return std::exchange(seen_, {});
 }
 
 Canvas PlayLoop::draw(bool is_stalled) {
@@ -172,7 +165,7 @@ void PlayLoop::show(const Canvas& canvas, double now) {
 }
 
 // Waits for input, or for the time of the next frame.
-void PlayLoop::wait(bool is_late, std::vector<InputEvent>& events) {
+void PlayLoop::wait(bool is_late) {
     const double now = seconds_now();
     double seconds = program_.seconds_to_change(now);
     if (seconds < frame_ || is_late) {
@@ -180,23 +173,31 @@ void PlayLoop::wait(bool is_late, std::vector<InputEvent>& events) {
         const double least = ticks_took_ > heavy && !is_late ? 0.0 : 0.001;
         seconds = std::max(pacing_.seconds_to_frame(now, input_came_), least);
     }
-    if (!events.empty()) seconds = 0.0;
-    std::ranges::copy(screen_.wait(std::min(seconds, longest_wait)), std::back_inserter(events));
+    if (!input_.empty()) seconds = 0.0;
+    for (const InputEvent& event : screen_.wait(std::min(seconds, longest_wait)))
+        input_.push(event);
     pacing_.answered(screen_.frames_answered(), seconds_now());
 }
 
-// Handling one event may take long, and more may arrive meanwhile.
-void PlayLoop::handle(std::vector<InputEvent> events) {
-    for (; !events.empty() && !program_.is_over(); events = take_seen()) {
-        for (const InputEvent& event : events) {
-            input_came_ = true;
-            if (event.kind == InputEvent::Kind::resize)
-                program_.set_capabilities(screen_.capabilities());
-            else
-                program_.handle(event, seconds_now());
-            if (program_.is_over()) break;
-        }
+// Handling an event may take as long as a tick, and more may arrive meanwhile.
+void PlayLoop::handle_input() {
+    const double end = seconds_now() + frame_;
+    while (!input_.empty() && !program_.is_over()) {
+        handle(input_.pop());
+        look_for_input();
+        if (seconds_now() >= end) break;
     }
+    if (!input_.empty()) return;
+    if (const std::size_t dropped = input_.take_dropped()) program_.tell_dropped_input(dropped);
+}
+
+void PlayLoop::handle(const InputEvent& event) {
+    input_came_ = true;
+    cancels_tick_ = false;
+    if (event.kind == InputEvent::Kind::resize)
+        program_.set_capabilities(screen_.capabilities());
+    else
+        program_.handle(event, seconds_now());
 }
 
 }  // namespace carom

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <atomic>
-#include <vector>
 
 #include "carom/play/asciinema.h"
+#include "carom/play/input_queue.h"
 #include "carom/play/program.h"
 #include "carom/play/worker.h"
 #include "terminal/screen/pacing.h"
@@ -24,6 +24,9 @@ MouseMode mouse_mode(const ScreenRequests& requests);
 /// While the second thread computes ticks, it owns the program: the first thread calls nothing but
 /// Program::cancels_tick(). When a key arrives, the tick is cancelled, the key is handled between
 /// two ticks, and the picture that shows its effect is drawn before the next tick starts.
+///
+/// Input is handled for at most the time of a frame before the picture is drawn, whatever waits;
+/// the end and a hang-up come first. Time stands still while input waits.
 class PlayLoop {
   public:
     /// `asciinema`: the recording in progress, or null. All arguments must outlive the loop.
@@ -37,15 +40,15 @@ class PlayLoop {
     void turn();
     double advance(double passed, double now);
     void advance_in_background(double passed, double now);
-    void listen(bool owes_picture, std::vector<InputEvent>& events);
+    void listen(bool owes_picture);
     bool is_heavy() const;
     bool may_tick_go_on();
     void look_for_input();
-    std::vector<InputEvent> take_seen();
     Canvas draw(bool is_stalled);
     void show(const Canvas& canvas, double now);
-    void wait(bool is_late, std::vector<InputEvent>& events);
-    void handle(std::vector<InputEvent> events);
+    void wait(bool is_late);
+    void handle_input();
+    void handle(const InputEvent& event);
 
     Program& program_;
     Screen& screen_;
@@ -56,10 +59,10 @@ class PlayLoop {
     bool input_came_ = true;   ///< input has arrived whose effect is not drawn yet
     double ticks_took_ = 0.0;  ///< the last time the game ran, s
 
+    InputQueue input_;
     // Input that arrives while a tick is computed in this thread.
     double next_look_ = 0.0;
     bool cancels_tick_ = false;
-    std::vector<InputEvent> seen_;
 
     // Shared between the two threads.
     bool is_in_background_ = false;  ///< changes only while the worker is idle

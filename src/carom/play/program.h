@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
@@ -37,6 +38,8 @@ class Program {
     void set_capabilities(const Capabilities& capabilities);
     /// `now`: s on a monotonic clock.
     void handle(const InputEvent& event, double now);
+    /// Tells the player that so many events came faster than the game could handle them.
+    void tell_dropped_input(std::size_t events);
     void advance(double seconds, double now, const MayGoOn& may_go_on);
     /// Asked now and then within long ticks, in whichever thread; false cancels the tick.
     void set_keep_going(const KeepGoing& keep_going);

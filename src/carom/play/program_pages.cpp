@@ -73,7 +73,7 @@ void Program::handle_game(RunningGame& game, const InputEvent& event, double now
             break;
         }
         case PlayRequest::save:
-            game.save_level();
+            game.save_level(now);
             break;
         case PlayRequest::toggle_mouse:
             mouse_ = !mouse_;
@@ -139,6 +139,11 @@ void Program::handle_resuming(const InputEvent& event) {
     if (!is_key_press(event)) return;
     if (event.key == U'q') is_over_ = true;
     if (event.key == key::escape) show_menu({});
+}
+
+void Program::tell_dropped_input(std::size_t events) {
+    if (auto* game = std::get_if<RunningGame>(&page_))
+        game->player.say(fmt::format("{} keys came too fast, and were ignored", events));
 }
 
 void Program::set_keep_going(const KeepGoing& keep_going) {

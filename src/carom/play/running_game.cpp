@@ -56,21 +56,23 @@ void RunningGame::compare_marks() {
             "this is not what was recorded: at tick {} the fingerprint differs", *tick));
 }
 
-void RunningGame::save_level() {
+void RunningGame::save_level(double now) {
     namespace fs = std::filesystem;
     const Session& session = player.session();
     if (!session.scene().table.is_empty())
         return player.complain("a table cannot be saved in play: record it, with --record");
     const std::string stem = fs::path(source.path).stem().string();
-    std::string path;
+    const bool is_same_press = !saved_level.empty() && now - level_saved < 1.0;
+    level_saved = now;
+    std::string path = is_same_press ? saved_level : "";
     std::error_code error;
-    for (int n = 1; path.empty() || fs::exists(path, error); ++n)
+    for (int n = 1; !is_same_press && (path.empty() || fs::exists(path, error)); ++n)
         path = fmt::format("{}-{}.level", stem, n);
     if (const auto problem =
             write_file_atomically(path, level_text(session.scene(), session.world())))
-        player.complain(*problem);
-    else
-        player.say("saved as " + path);
+        return player.complain(*problem);
+    saved_level = path;
+    player.say("saved as " + path);
 }
 
 }  // namespace carom

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "carom/files/level_source.h"
@@ -26,6 +27,8 @@ struct RunningGame {
     std::optional<ShotSetup> saved_setup{};
     std::vector<FingerprintMark> expected{};  ///< fingerprints of a watched recording
     std::size_t marks_compared = 0;
+    std::string saved_level{};               ///< the file that save_level() wrote last
+    double level_saved = 0.0;                ///< when it was asked for it last, s
     int recorded_physics = physics_version;  ///< physics version of a watched recording
 
     /// Writes the resume file, if the game has changed since it was last written.
@@ -36,8 +39,9 @@ struct RunningGame {
     /// Tells the player where a watched recording differs from the replay; of one that was made
     /// under another physics version, only that. The replay continues either way.
     void compare_marks();
-    /// Saves the world as a level file in the current folder.
-    void save_level();
+    /// Saves the world as a level file in the current folder. `now`: s on a monotonic clock. Saving
+    /// again within a second, as a held key does, replaces that file.
+    void save_level(double now);
 };
 
 }  // namespace carom

@@ -83,3 +83,69 @@ TEST_CASE(
     // In either thread, commands come between the same ticks when it is replayed.
     CHECK(run_carom({"verify", file}).exit_code == 0);
 }
+
+TEST_CASE("a game starts and ends in a window of any size, whatever the environment says of it") {
+    const TemporaryFolder folder;
+    ProgramOptions options = at_home(folder);
+    options.environment["COLUMNS"] = "99999999";
+    options.environment["LINES"] = "99999999";
+    SUBCASE("a size that only the environment gives") {
+        options.columns = 0;
+    }
+    SUBCASE("a size that changes") {}
+    TerminalProgram game({CAROM_BINARY_DIR "/carom", "play", "cradle"}, options);
+    if (options.columns > 0) {
+        REQUIRE(game.wait_for_text("tick"));
+        game.claim_size(65535, 65535);
+        game.claim_size(1, 1);
+        game.resize(80, 24);
+        REQUIRE(game.wait_for_text("tick"));
+    } else {
+        REQUIRE(game.wait_until([&] { return game.output().size() > 10'000; }, 30.0));
+    }
+    game.send("q");
+    CHECK(game.wait_for_end(60.0) == 0);
+    CHECK(game.what_is_left_dirty().empty());
+}
+
+TEST_CASE("the first picture fills a window that is larger than 80x24") {
+    const TemporaryFolder folder;
+    ProgramOptions options = at_home(folder);
+    options.columns = 130;
+    options.rows = 50;
+    TerminalProgram game({CAROM_BINARY_DIR "/carom", "play", "cradle"}, options);
+    REQUIRE(game.wait_for_text("tick"));
+    game.wait_until([] { return false; }, 0.2);
+    int rows_with_ticks = 0;
+    for (int row = 0; row < 50; ++row)
+        rows_with_ticks += game.screen().row(row).find("ticks/s") != std::string::npos ? 1 : 0;
+    CHECK(rows_with_ticks == 1);
+    bool is_at_the_bottom = false;
+    for (int row = 46; row < 50; ++row)
+        is_at_the_bottom |= game.screen().row(row).find("ticks/s") != std::string::npos;
+    CHECK(is_at_the_bottom);
+    game.send("q");
+    CHECK(game.wait_for_end() == 0);
+}
+
+TEST_CASE("pasted text delays neither the end nor a hang-up") {
+    const TemporaryFolder folder;
+    TerminalProgram game(
+        {CAROM_BINARY_DIR "/carom", "play", folder.file("heavy.level", heavy_level)},
+        at_home(folder));
+    REQUIRE(game.wait_for_text("Heavy ticks"));
+    // Each of these keys steps one tick; all of them would take longer than this test may.
+    game.send(" " + std::string(300'000, '.'));
+    SUBCASE("terminated") {
+        game.signal(SIGTERM);
+    }
+    SUBCASE("hung up") {
+        game.signal(SIGHUP);
+    }
+    SUBCASE("Ctrl-C after it") {
+        game.send("\x03");
+    }
+    const auto end = game.wait_for_end(10.0);
+    REQUIRE(end);
+    CHECK(game.what_is_left_dirty().empty());
+}
