@@ -2,153 +2,159 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <chrono>
-#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "carom/cli/interrupt.h"
 #include "carom/cli/progress.h"
-#include "carom/files/files.h"
-#include "carom/files/level_files.h"
+#include "carom/cli/run_input.h"
+#include "carom/cli/run_outputs.h"
 #include "carom/files/print.h"
 #include "carom/options/option_values.h"
 #include "carom/play/recording.h"
 #include "carom/text/version.h"
 #include "game/replay/replayer.h"
 #include "lab/run/report.h"
-#include "lab/run/streams.h"
+#include "physics/version.h"
 #include "physics/world/fingerprint.h"
 
 namespace carom {
 namespace {
 
-constexpr double default_seconds = 10.0;
-
-std::uint64_t ticks_to_run(const RunOptions& options, double rate) {
-    if (options.ticks) return *options.ticks;
-    return static_cast<std::uint64_t>(std::round(options.time.value_or(default_seconds) * rate));
-}
-
-// The outputs of a run. At most one of them is standard output.
-class RunOutputs {
+/// A level or a recording as it runs, and all that is noted of it.
+class Run {
   public:
-    explicit RunOutputs(const RunOptions& options) {
-        open(report_, options.report);
-        open(events_, options.events);
-        open(trace_, options.trace);
-        open(record_, options.record);
+    Run(const RunOptions& options, const RunInput& input, const SolverSettings& settings,
+        RunOutputs& outputs)
+        : input_(input),
+          outputs_(outputs),
+          world_(input.scene.world),
+          game_(begin_game(input.scene)),
+          solver_(settings),
+          record_(begin_record(input.scene, settings)),
+          runner_(input.script.commands),
+          follows_recording_(input.recording && !options.solver) {
+        replay_ = begin_replay(
+            input.scene, settings,
+            input.recording ? input.recording->level : name_in_recording(input.scene.file),
+            input.recording ? input.recording->overrides : options.overrides);
+        replay_.program = version();
     }
 
-    bool any() const { return report_ || events_ || trace_ || record_; }
+    /// Runs until the end, a signal, a failing output, a closed pipe, or a command that is refused.
+    void simulate();
+    /// Writes the outputs, and says what was left over.
+    void finish(const std::string& level);
 
-    void write_start(const World& world) {
-        if (trace_) trace_->write(trace_header(world) + trace_rows(world));
-    }
-    void write_tick(const World& world, const Solver& solver) {
-        if (events_) events_->write(event_lines(solver.contacts(), world.tick()));
-        if (trace_) trace_->write(trace_rows(world));
-    }
-    void write_report(std::string_view json) {
-        if (report_) report_->write(json);
-    }
-    void write_recording(const Replay& replay) {
-        if (record_) record_->write(replay_text(replay));
-    }
-    void commit() {
-        for (std::optional<OutputFile>* file : all()) {
-            if (*file) (*file)->commit();
-        }
-    }
-
-    /// Every output is a pipe that its reader has closed, so there is nobody to run for.
-    bool is_pointless() {
-        bool pointless = any();
-        for (const std::optional<OutputFile>* file : all()) {
-            if (*file && !((*file)->is_closed() && (*file)->error().empty())) pointless = false;
-        }
-        return pointless;
-    }
-    std::string error() {
-        for (const std::optional<OutputFile>* file : all()) {
-            if (*file && !(*file)->error().empty()) return (*file)->error();
-        }
-        return {};
+    const std::optional<ScriptRunner::Refused>& refused() const { return refused_; }
+    const RunRecord& record() const { return record_; }
+    std::string text() const {
+        return summary(input_.scene, world_, record_, seconds_) +
+               verdicts(input_.scene, record_, Verdict::holds) +
+               verdicts(input_.scene, record_, Verdict::not_judged);
     }
 
   private:
-    static void open(std::optional<OutputFile>& file, const std::string& path) {
-        if (!path.empty()) file.emplace(path);
+    void mark() { replay_.marks.push_back({world_.tick(), fingerprint(world_, game_)}); }
+    void execute_due() {
+        refused_ = runner_.execute_due(input_.scene, world_, game_, solver_);
+        compare_with_recording();
     }
-    std::array<std::optional<OutputFile>*, 4> all() {
-        return {&report_, &events_, &trace_, &record_};
-    }
+    void compare_with_recording();
+    void tell_too_dense() const;
 
-    std::optional<OutputFile> report_;
-    std::optional<OutputFile> events_;
-    std::optional<OutputFile> trace_;
-    std::optional<OutputFile> record_;
+    const RunInput& input_;
+    RunOutputs& outputs_;
+    World world_;
+    GameState game_;
+    Solver solver_;
+    RunRecord record_;
+    Replay replay_;
+    ScriptRunner runner_;
+    bool follows_recording_ = false;  ///< as far as seen
+    std::size_t next_mark_ = 0;       ///< of the recording
+    std::optional<ScriptRunner::Refused> refused_;
+    double seconds_ = 0.0;  ///< spent in the solver
 };
 
-bool to_standard_output(const RunOptions& options) {
-    return options.report == "-" || options.events == "-" || options.trace == "-" ||
-           options.record == "-";
-}
-
-// Two outputs with one name would overwrite each other.
-std::optional<std::string> clash(const RunOptions& options) {
-    const std::array<const std::string*, 4> paths{&options.report, &options.events, &options.trace,
-                                                  &options.record};
-    for (std::size_t i = 0; i < paths.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            if (paths[i]->empty() || *paths[i] != *paths[j]) continue;
-            return fmt::format("two outputs cannot both go to {}",
-                               *paths[i] == "-" ? "standard output" : "'" + *paths[i] + "'");
-        }
-    }
-    return std::nullopt;
-}
-
-void mark(Replay& replay, const World& world, const GameState& game) {
-    replay.marks.push_back({world.tick(), fingerprint(world, game)});
-}
-
-void tell_too_dense(const World& world) {
+void Run::tell_too_dense() const {
     print_note(
         fmt::format("note: too dense for events: time stood still in tick {} ({:.6g} s), and "
                     "maybe in later ones\n",
-                    world.tick(), world.time()));
+                    world_.tick(), world_.time()));
 }
 
-// Runs until the end, a signal, a failing output, or a closed pipe. Returns the time spent in the
-// solver, in seconds.
-double simulate(const Scene& scene, World& world, GameState& game, RunRecord& record,
-                Solver& solver, RunOutputs& outputs, Replay& replay, std::uint64_t ticks) {
+// Says once if the run departs from the recording, as under other physics.
+void Run::compare_with_recording() {
+    if (!follows_recording_) return;
+    const Replay& recording = *input_.recording;
+    while (next_mark_ < recording.marks.size() && recording.marks[next_mark_].tick < world_.tick())
+        ++next_mark_;
+    if (next_mark_ == recording.marks.size() || recording.marks[next_mark_].tick != world_.tick() ||
+        recording.marks[next_mark_].fingerprint ==
+            fingerprint(world_, game_, recording.fingerprint_version))
+        return;
+    follows_recording_ = false;
+    const std::string why = recording.physics_version == physics_version
+                                ? ""
+                                : fmt::format(": it is of physics {}, and this is physics {}",
+                                              recording.physics_version, physics_version);
+    print_note(fmt::format("note: at tick {} the run is no longer what was recorded{}\n",
+                           world_.tick(), why));
+}
+
+void Run::simulate() {
     using Clock = std::chrono::steady_clock;
     Clock::duration cost{};
     bool is_told = false;
-    Progress progress(ticks);
-    while (world.tick() < ticks && InterruptGuard::signal() == 0) {
+    execute_due();
+    mark();
+    outputs_.write_start(world_);
+    Progress progress(input_.ticks);
+    while (world_.tick() < input_.ticks && !refused_ && InterruptGuard::signal() == 0) {
         const Clock::time_point before = Clock::now();
         const TickOutcome outcome =
-            solver.tick(world, [] { return InterruptGuard::signal() == 0; });
+            solver_.tick(world_, [] { return InterruptGuard::signal() == 0; });
         cost += Clock::now() - before;
         if (outcome == TickOutcome::cancelled) break;
-        if (outcome == TickOutcome::too_dense && !std::exchange(is_told, true))
-            tell_too_dense(world);
-        update_game(scene, world, game, solver.contacts());
-        note_tick(record, scene, world);
-        if (world.tick() % mark_interval(world.rate()) == 0) mark(replay, world, game);
-        outputs.write_tick(world, solver);
-        if (!outputs.error().empty() || outputs.is_pointless()) break;
-        progress.update(world.tick());
+        if (outcome == TickOutcome::too_dense && !std::exchange(is_told, true)) tell_too_dense();
+        update_game(input_.scene, world_, game_, solver_.contacts());
+        note_tick(record_, input_.scene, world_);
+        outputs_.write_tick(world_, solver_);
+        execute_due();
+        if (world_.tick() % mark_interval(world_.rate()) == 0) mark();
+        if (!outputs_.error().empty() || outputs_.is_pointless()) break;
+        progress.update(world_.tick());
     }
-    return std::chrono::duration<double>(cost).count();
+    seconds_ = std::chrono::duration<double>(cost).count();
 }
 
-int run_scene(const RunOptions& options, const Scene& scene) {
-    const SolverSettings settings = solver_for(scene);
+void Run::finish(const std::string& level) {
+    record_.tallies = tallies(game_);
+    if (world_.tick() == input_.ticks) note_end(record_, input_.scene, world_);
+    if (runner_.remaining() > 0 && world_.tick() == input_.ticks && !input_.recording)
+        print_note(fmt::format("note: {} of the commands lie after the last tick, {}\n",
+                               runner_.remaining(), input_.ticks));
+    outputs_.write_report(report_json(level, input_.scene, world_, record_, seconds_));
+    if (replay_.marks.back().tick < world_.tick()) mark();
+    const auto& commands = input_.script.commands;
+    replay_.commands.assign(commands.begin(),
+                            commands.end() - static_cast<std::ptrdiff_t>(runner_.remaining()));
+    replay_.end = replay_.position = world_.tick();
+    outputs_.write_recording(replay_);
+    outputs_.commit();
+}
+
+// False: it could not be printed.
+bool explain(const RunOptions& options, const Scene& scene) {
+    if (!to_standard_output(options)) return print_out(explanation(scene));
+    print_note(explanation(scene));
+    return true;
+}
+
+int run_input(const RunOptions& options, const RunInput& input) {
+    const SolverSettings settings = solver_for(input.scene);
     if (const std::optional<std::string> why = unavailable(settings.kind)) {
         print_error(*why);
         return 2;
@@ -158,61 +164,34 @@ int run_scene(const RunOptions& options, const Scene& scene) {
         print_error(outputs.error());
         return 2;
     }
-    if (options.explain) {
-        if (to_standard_output(options)) {
-            print_note(explanation(scene));
-        } else if (!print_out(explanation(scene))) {
-            return 2;
-        }
-    }
-
+    if (options.explain && !explain(options, input.scene)) return 2;
     const InterruptGuard guard;
-    World world = scene.world;
-    GameState game = begin_game(scene);
-    Solver solver(settings);
-    RunRecord record = begin_record(scene, settings);
-    Replay replay = begin_replay(scene, settings, name_in_recording(scene.file), options.overrides);
-    replay.program = version();
-    mark(replay, world, game);
-    outputs.write_start(world);
-    const std::uint64_t ticks = ticks_to_run(options, world.rate());
-    const double seconds = simulate(scene, world, game, record, solver, outputs, replay, ticks);
-    record.tallies = tallies(game);
-    if (world.tick() == ticks) note_end(record, scene, world);
-    outputs.write_report(report_json(options.level, scene, world, record, seconds));
-    if (replay.marks.back().tick < world.tick()) mark(replay, world, game);
-    replay.end = replay.position = world.tick();
-    outputs.write_recording(replay);
-    outputs.commit();
+    Run run(options, input, settings, outputs);
+    run.simulate();
+    if (run.refused()) {
+        print_note(told_refusal(options, input, *run.refused()));
+        return 2;
+    }
+    run.finish(options.level);
     if (!outputs.error().empty()) {
         print_error(outputs.error());
         return 2;
     }
-    if (!outputs.any() && !options.explain) {
-        const std::string text = summary(scene, world, record, seconds) +
-                                 verdicts(scene, record, Verdict::holds) +
-                                 verdicts(scene, record, Verdict::not_judged);
-        if (!print_out(text)) return 2;
-    }
-    print_note(verdicts(scene, record, Verdict::fails));
-    return has_failure(record) ? 1 : 0;
+    if (!outputs.any() && !options.explain && !print_out(run.text())) return 2;
+    print_note(verdicts(input.scene, run.record(), Verdict::fails));
+    return has_failure(run.record()) ? 1 : 0;
 }
 
 }  // namespace
 
 int run(const RunOptions& options) {
-    if (const std::optional<std::string> why = clash(options)) {
+    if (const std::optional<std::string> why = clash_of_outputs(options)) {
         print_error(*why);
         return 2;
     }
-    const LoadedLevel level = load_level_file(options.level, {.overrides = options.overrides,
-                                                              .seed = options.seed,
-                                                              .rate = options.rate,
-                                                              .solver = options.solver});
-    if (!level.error.empty()) print_error(level.error);
-    print_diagnostics(level.result.diagnostics);
-    if (!level.result.scene) return 2;
-    const int code = run_scene(options, *level.result.scene);
+    const std::optional<RunInput> input = open_run_input(options);
+    if (!input) return 2;
+    const int code = run_input(options, *input);
     if (const int signal = InterruptGuard::signal()) die_of(signal);
     return code;
 }

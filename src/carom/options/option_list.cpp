@@ -182,15 +182,23 @@ void add_play(CLI::App& app, PlayOptions& options) {
 
 void add_run(CLI::App& app, RunOptions& options) {
     Command run(app, "run", "Simulate a level without a screen");
-    run.add_level(options.level);
-    run.add({"--time", "S", "Simulated seconds, rounded to whole ticks; 10 where neither is given"},
+    run.app()
+        .add_option("LEVEL", options.level,
+                    "A file, the name of a level that ships, or a recording")
+        ->type_name("")
+        ->required();
+    run.add({"--time", "S",
+             "Simulated seconds, rounded to whole ticks; 10, or a recording's, where neither is "
+             "given"},
             options.time, number(0, 1e9));
     run.add({"--ticks", "N", "Ticks to simulate"}, options.ticks, whole_number);
     run.add_simulation_options(options);
+    run.add({"--commands", "FILE", "What to do at which tick, as in 'at 120 drop-edge 2'"},
+            options.commands);
     run.add({"--report", "FILE", "What came of it, as one JSON object"}, options.report);
     run.add({"--events", "FILE", "Every contact, one JSON object a line"}, options.events);
     run.add({"--trace", "FILE", "Every ball at every tick, as CSV"}, options.trace);
-    run.add({"--record", "FILE", "A recording without commands, for carom verify"}, options.record);
+    run.add({"--record", "FILE", "A recording, for carom replay and verify"}, options.record);
     run.add({"--explain", "", "Say which physics is in force, and which solver runs and why"},
             options.explain);
     run.app().footer("FILE may be -, standard output, for one of them.");

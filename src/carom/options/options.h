@@ -14,13 +14,14 @@ namespace carom {
 
 /// `carom run LEVEL`. Paths: "-" is standard output; empty: not written.
 struct RunOptions {
-    std::string level;
+    std::string level;                     ///< or a recording
+    std::string commands;                  ///< a script; empty: none
     std::optional<SolverSettings> solver;  ///< none: the level's, or else carom picks one
     std::optional<double> rate;            ///< ticks a second
     std::optional<std::uint64_t> seed;
     std::vector<std::string> overrides;  ///< level statements, from --set
 
-    std::optional<double> time;  ///< s; default 10 if `ticks` is absent too
+    std::optional<double> time;  ///< s; without it and `ticks` 10, or to the end of a recording
     std::optional<std::uint64_t> ticks;
     std::string report;
     std::string events;

@@ -26,7 +26,9 @@ std::string_view line_of(std::string_view text, int line) {
     return text.substr(0, text.find('\n'));
 }
 
-std::string told(const std::string& path, std::string_view text, const ReplayError& error) {
+}  // namespace
+
+std::string rendered(const std::string& path, std::string_view text, const ReplayError& error) {
     const std::string_view line = line_of(text, error.line);
     Diagnostic diagnostic;
     diagnostic.file = path;
@@ -38,7 +40,11 @@ std::string told(const std::string& path, std::string_view text, const ReplayErr
     return render(diagnostic);
 }
 
-}  // namespace
+bool is_recording(const std::string& path) {
+    constexpr std::string_view first_words = "carom replay ";
+    const FileText file = read_file(path, first_words.size());
+    return file.text && file.text->starts_with(first_words);
+}
 
 std::variant<OpenedReplay, std::string> open_replay(const std::string& path) {
     const FileText file = read_file(path, most_bytes);
@@ -49,10 +55,12 @@ std::variant<OpenedReplay, std::string> open_replay(const std::string& path) {
     if (file.text->size() > most_bytes)
         return error(fmt::format("'{}' has more than 256 MiB: it is no recording of carom", path));
     auto read = read_replay(*file.text);
-    if (const auto* fault = std::get_if<ReplayError>(&read)) return told(path, *file.text, *fault);
+    if (const auto* fault = std::get_if<ReplayError>(&read))
+        return rendered(path, *file.text, *fault);
     Replay& replay = std::get<Replay>(read);
     auto scene = scene_of(replay);
-    if (const auto* fault = std::get_if<ReplayError>(&scene)) return told(path, *file.text, *fault);
+    if (const auto* fault = std::get_if<ReplayError>(&scene))
+        return rendered(path, *file.text, *fault);
     if (const auto why_not = unavailable(replay.solver.kind)) return error(*why_not);
     return OpenedReplay{std::move(replay), std::move(std::get<Scene>(scene))};
 }

@@ -21,6 +21,12 @@ struct OpenedReplay {
 /// the errors as shown to people: with file, line and remedy, and a line end.
 std::variant<OpenedReplay, std::string> open_replay(const std::string& path);
 
+/// Whether the file begins as a recording does. False: it does not, or cannot be read.
+bool is_recording(const std::string& path);
+
+/// An error in a recording or a script, as shown to people: with file, line and remedy.
+std::string rendered(const std::string& path, std::string_view text, const ReplayError& error);
+
 /// A recording in progress. The file appears under its name only when it is complete; until then an
 /// existing file stays.
 class Recording {

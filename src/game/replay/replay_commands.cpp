@@ -188,9 +188,8 @@ ShotSetup read_shot_setup(Words& words) {
 }
 
 SolverSettings read_solver(Words& words) {
-    const std::string_view text = words.take_rest();
-    const auto settings = parse_solver_settings(text);
-    if (!settings || settings_text(*settings, SettingsText::recorded) != text) words.fail();
+    const auto settings = parse_solver_settings(words.take_rest());
+    if (!settings) words.fail();
     return settings.value_or(SolverSettings{});
 }
 

@@ -16,7 +16,7 @@ std::string replay_text(const ShotSetup& setup);
 
 /// None: there is no such command. Invalid numbers make `words` fail.
 std::optional<Command> read_command(Words& words);
-/// Invalid settings make `words` fail.
+/// Invalid settings make `words` fail; those that are absent have their usual values.
 SolverSettings read_solver(Words& words);
 ShotSetup read_shot_setup(Words& words);
 

@@ -29,25 +29,26 @@ class Words {
     /// The rest of the line.
     std::string_view take_rest() { return std::exchange(rest_, {}); }
     bool done() const { return !failed_ && rest_.empty(); }
+    bool failed() const { return failed_; }
     void fail() { failed_ = true; }
 
     template <typename T>
     T integer(int base = 10) {
         T value{};
         const auto word = next();
-        if (!word) return failed<T>();
+        if (!word) return nothing<T>();
         const auto [end, error] =
             std::from_chars(word->data(), word->data() + word->size(), value, base);
-        return error == std::errc{} && end == word->data() + word->size() ? value : failed<T>();
+        return error == std::errc{} && end == word->data() + word->size() ? value : nothing<T>();
     }
     double real() {
         const auto word = next();
-        return word ? real_of(*word) : failed<double>();
+        return word ? real_of(*word) : nothing<double>();
     }
     Vec2 point() {
         const auto word = next();
         const std::size_t comma = word ? word->find(',') : std::string_view::npos;
-        if (comma == std::string_view::npos) return failed<Vec2>();
+        if (comma == std::string_view::npos) return nothing<Vec2>();
         return {real_of(word->substr(0, comma)), real_of(word->substr(comma + 1))};
     }
     /// The number of `key=number`, if that comes next.
@@ -58,7 +59,7 @@ class Words {
 
   private:
     template <typename T>
-    T failed() {
+    T nothing() {
         failed_ = true;
         return T{};
     }
@@ -66,7 +67,7 @@ class Words {
         double value = 0.0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-            return failed<double>();
+            return nothing<double>();
         return value;
     }
 

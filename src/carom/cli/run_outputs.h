@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "carom/files/files.h"
+#include "carom/options/options.h"
+#include "game/replay/replay_text.h"
+#include "physics/solver.h"
+#include "physics/world/world.h"
+
+namespace carom {
+
+/// The outputs of a run. At most one of them is standard output.
+class RunOutputs {
+  public:
+    /// Opens those that are asked for; see `error`.
+    explicit RunOutputs(const RunOptions& options);
+
+    bool any() const { return report_ || events_ || trace_ || record_; }
+
+    void write_start(const World& world);
+    void write_tick(const World& world, const Solver& solver);
+    void write_report(std::string_view json);
+    void write_recording(const Replay& replay);
+    void commit();
+
+    /// Every output is a pipe that its reader has closed, so there is nobody to run for.
+    bool is_pointless();
+    /// The first error; empty: none.
+    std::string error();
+
+  private:
+    std::array<std::optional<OutputFile>*, 4> all() {
+        return {&report_, &events_, &trace_, &record_};
+    }
+
+    std::optional<OutputFile> report_;
+    std::optional<OutputFile> events_;
+    std::optional<OutputFile> trace_;
+    std::optional<OutputFile> record_;
+};
+
+/// Whether one of the outputs is standard output.
+bool to_standard_output(const RunOptions& options);
+
+/// Why two outputs would overwrite each other; none: they have names of their own.
+std::optional<std::string> clash_of_outputs(const RunOptions& options);
+
+}  // namespace carom

@@ -1,0 +1,86 @@
+#include "game/replay/command_script.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <variant>
+
+#include "game/support/scenes.h"
+
+using namespace carom;
+using carom::test::busy_box;
+
+TEST_CASE("a script of commands is read, with its comments, blanks and line ends") {
+    const auto read = read_script(
+        "# push\r\n\n"
+        "  at 0   hold-edge  2\t39.5,0 39.5,20   # to the left\r\n"
+        "at 120 drop-edge 2\n"
+        "at 120 solver substep updates=8");
+    REQUIRE(std::holds_alternative<CommandScript>(read));
+    const auto& script = std::get<CommandScript>(read);
+    CHECK(script.lines == std::vector<int>{3, 4, 5});
+    REQUIRE(script.commands.size() == 3);
+    CHECK(script.commands[1].tick == 120);
+    CHECK(std::get<command::HoldCapsule>(script.commands[0].command).end_target ==
+          Vec2{39.5, 20.0});
+    CHECK(std::get<command::SetSolver>(script.commands[2].command).settings ==
+          SolverSettings{.kind = SolverKind::substep, .updates = 8});
+    CHECK(std::get<CommandScript>(read_script("")).commands.empty());
+}
+
+TEST_CASE("errors in a script are reported with their line") {
+    struct Bad {
+        std::string text;
+        int line;
+        std::string message;
+    };
+    const Bad rows[] = {
+        {"drop-ball 1", 1, "a command begins with 'at' and its tick"},
+        {"carom replay 3\n", 1, "a command begins with 'at' and its tick"},
+        {"\n\nat noon drop-ball 1", 3, "the tick is not a whole number from 0 to 2^64 - 1"},
+        {"at -1 drop-ball 1", 1, "the tick is not a whole number from 0 to 2^64 - 1"},
+        {"at", 1, "the tick is not a whole number from 0 to 2^64 - 1"},
+        {"at 3", 1, "there is no such command"},
+        {"at 3 jump 1", 1, "there is no such command"},
+        {"at 3 drop-ball", 1, "'drop-ball' is not complete or not right"},
+        {"at 3 drop-ball 1 2", 1, "'drop-ball' is not complete or not right"},
+        {"at 3 hold-ball 1 nan,0", 1, "'hold-ball' is not complete or not right"},
+        {"at 3 solver swept updates=0", 1, "'solver' is not complete or not right"},
+        {"at 3 drop-ball 1\nat 2 drop-ball 1", 2, "the ticks go back"},
+    };
+    for (const Bad& row : rows) {
+        CAPTURE(row.text);
+        const auto read = read_script(row.text);
+        REQUIRE(std::holds_alternative<ReplayError>(read));
+        CHECK(std::get<ReplayError>(read).line == row.line);
+        CHECK(std::get<ReplayError>(read).message == row.message);
+        CHECK_FALSE(std::get<ReplayError>(read).remedy.empty());
+    }
+}
+
+TEST_CASE("commands are executed at their ticks, until one is refused") {
+    const Scene scene = busy_box();
+    World world = scene.world;
+    GameState game = begin_game(scene);
+    Solver solver({.kind = SolverKind::swept});
+    ScriptRunner runner(std::get<CommandScript>(read_script("at 0 gravity 0,-1\n"
+                                                            "at 2 gravity 0,-2\n"
+                                                            "at 2 solver discrete\n"
+                                                            "at 3 drop-ball 999999\n"
+                                                            "at 3 gravity 0,-3\n"))
+                            .commands);
+    CHECK_FALSE(runner.execute_due(scene, world, game, solver));
+    CHECK(world.model().gravity == Vec2{0.0, -1.0});
+    solver.tick(world);
+    CHECK_FALSE(runner.execute_due(scene, world, game, solver));
+    CHECK(runner.remaining() == 4);
+    solver.tick(world);
+    CHECK_FALSE(runner.execute_due(scene, world, game, solver));
+    CHECK(world.model().gravity == Vec2{0.0, -2.0});
+    CHECK(solver.settings().kind == SolverKind::discrete);
+    solver.tick(world);
+    const auto refused = runner.execute_due(scene, world, game, solver);
+    REQUIRE(refused);
+    CHECK(refused->index == 3);
+    CHECK(world.model().gravity == Vec2{0.0, -2.0});
+}
