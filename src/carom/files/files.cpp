@@ -88,8 +88,16 @@ FileText read_file(const std::string& path, std::size_t most) {
         return FileText{.text = std::nullopt,
                         .error = fmt::format("cannot read '{}': {}", path, std::strerror(errno))};
     };
-    const int descriptor = open_again_on_signal(path.c_str(), O_RDONLY);
+    // O_NONBLOCK: opening a pipe that nobody writes to would wait.
+    const int descriptor = open_again_on_signal(path.c_str(), O_RDONLY | O_NONBLOCK);
     if (descriptor < 0) return failed();
+    struct stat status {};
+    if (::fstat(descriptor, &status) == 0 && S_ISFIFO(status.st_mode)) {
+        ::close(descriptor);
+        return {.text = std::nullopt,
+                .error =
+                    fmt::format("'{}' is a pipe; copy what comes out of it to a file first", path)};
+    }
     std::string text;
     std::array<char, buffer_bytes> chunk;
     while (text.size() <= most) {

@@ -16,7 +16,8 @@ struct FileText {
 };
 
 /// Reads a file of at most `most` bytes. A longer one is read up to one byte more, so that the
-/// loader sees that it is too long. Folders and unreadable files are errors.
+/// loader sees that it is too long. Folders, pipes and unreadable files are errors: nothing waits
+/// for a pipe that nobody writes to.
 FileText read_file(const std::string& path, std::size_t most = std::size_t{4} << 20);
 
 /// Who may read a file that is new.
