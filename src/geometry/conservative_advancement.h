@@ -152,9 +152,9 @@ struct ToiSearch {
 /// so its first root is a step that cannot pass over an impact; near the impact the steps shrink
 /// quadratically. The result is the first time at which the distance is at most `slop` and shrinks
 /// faster than the rest speed. It is late by no more than rounding, and no impact is passed over
-/// whose depth would reach `slop`. A separation that turns back before the overlap reaches 4 slop
-/// is a graze, not an impact. No result: there is no impact until `end`, or the search was
-/// suspended and `search` holds its resume time.
+/// whose depth would reach 4 slop. A separation that turns back before is a graze, not an impact.
+/// No result: there is no impact until `end`, or the search was suspended and `search` holds its
+/// resume time.
 ///
 /// Cost: one call of `separation_at` an iteration; usually under ten.
 template <typename Real, typename SeparationAt>

@@ -29,8 +29,8 @@ class SolverMethod {
     virtual ~SolverMethod() = default;
 
     /// Moves all balls and held edges by one tick. Leaves in the world the memory of solvers that
-    /// the next tick may use (trajectories, contacts), and drops the
-    /// rest, unless the tick is cancelled: then the caller puts the world back.
+    /// the next tick may use (trajectories, contacts), and drops the rest, unless the tick is
+    /// cancelled: then the caller puts the world back.
     virtual TickOutcome advance(World& world, TickWork work) = 0;
 
     /// The cells in which the last tick looked for neighbours.
@@ -40,8 +40,8 @@ class SolverMethod {
 /// One solver. Rows stand in the order of SolverKind, cheapest solver first.
 struct SolverRow {
     SolverKind kind;
-    /// Whether it moves balls on cloth as Model::cloth says. All else in a model every solver
-    /// supports.
+    /// Whether it moves balls on cloth as Model::cloth says. Every solver supports everything else
+    /// in a model.
     bool supports_cloth;
     /// Whether a tick of this world can take so long that it asks `keep_going`.
     bool (*can_cancel)(const World& world);

@@ -13,8 +13,9 @@ namespace carom {
 /// Decides what each pair of the solver `contact` is in a substep: a constraint, a candidate for
 /// continuous collision, or idle.
 ///
-/// A pair is a constraint if it could touch in the substep, moves less than `most_travel` radii,
-/// and one of these holds:
+/// A pair is a constraint if it could touch in the substep; moves less than `most_travel` radii,
+/// does not approach, or touches and is pushed together by a kinematic body; and one of these
+/// holds:
 ///   - it approaches slower than the rest speed, or its restitution is 0
 ///   - it overlaps, and was a constraint or would not bounce without gravity's share of this
 ///     substep: else a ball that gravity lets fall anew in every substep would sink in

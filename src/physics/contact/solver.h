@@ -15,7 +15,7 @@ namespace carom {
 /// A tick is cut into substeps. In each, pairs that touch without bouncing are constraints, held
 /// apart by soft constraints with warm starting; pairs that bounce collide at their time of impact,
 /// as in `swept`. README.md in this folder has the substep in pseudo-code, the invariants and the
-/// sources; tolerances.h has every threshold.
+/// sources; tolerances.h has the thresholds.
 ///
 /// Free flight is exact, an elastic bounce keeps the energy to rounding, no body passes through
 /// another, and a bounce that would rise no higher than about g h^2 for a substep of h seconds is

@@ -1,8 +1,10 @@
 #pragma once
 
 // clang-format off
-/// Every threshold of the solver `contact`, in one table. README.md in this folder names the
-/// invariants that they serve.
+/// The thresholds of the method `contact`, in one table. README.md in this folder names the
+/// invariants that they serve. Thresholds with a single use stand beside it: how large skins are
+/// (reference_positions.cpp), how far one that presses on a one-way edge may be through it
+/// (classification.cpp), and from which speed `swept` takes more pieces (swept_fallback.cpp).
 ///
 /// | constant          | value | unit                         | ten times larger / smaller |
 /// |-------------------|-------|------------------------------|---|

@@ -59,8 +59,8 @@ auto WorldSync<Real>::begin_from(const World& world) -> Begun {
     return Begun::rebuilt;
 }
 
-// Balls that were moved or pushed from outside start new trajectories, and what they supported
-// does.
+// Balls that were written through SolverAccess since the last tick, as by the stop speed, start new
+// trajectories, and what they supported does.
 template <typename Real>
 void WorldSync<Real>::apply_changes(const World& world) {
     changed_.clear();

@@ -23,10 +23,10 @@ namespace carom {
 /// A tick that finds the world as the last one left it continues: trajectories, cells and queue
 /// stay. If only Stamps::motion differs, since the stop speed or the speed limit has changed
 /// velocities when the last tick ended, the balls that changed start new trajectories
-/// (`apply_changes`), unless they are more than an eighth of all and one. Anything else rebuilds:
-/// any edit through World::edit_..., whatever is held in this tick or was in the last, another
-/// tick number, one-way edges (in every tick), and a grid that no longer fits the balls (checked
-/// every 64 ticks).
+/// (`apply_changes`), unless they are more than n/8 + 1 balls of n. Anything else rebuilds: any
+/// edit that gives a stamp other than `motion` alone (world/README.md), whatever is held in this
+/// tick or was in the last, another tick number, one-way edges (in every tick), and a grid that no
+/// longer fits the balls (checked every 64 ticks).
 ///
 /// The world stores the trajectories, so that a copy of it goes on with the same bits: a rebuild
 /// keeps every stored trajectory that leads, bit by bit, through the position and velocity that the

@@ -21,7 +21,9 @@ struct Exchange {
 };
 
 /// Bounces two balls. `normal` points from b to a. Inverse mass 0: an immovable body.
-/// Pre: they approach; not both are immovable; `restitution` in 0..1.
+/// Pre: not both are immovable; `restitution` in 0..1; they approach, or it is 0. Balls that do not
+/// approach are then pulled together along the normal, which loses energy: `swept` lets balls rest
+/// on each other so, whose velocities part but whose chords approach.
 inline Exchange bounce(Vec2& velocity_a, double inverse_mass_a, Vec2& velocity_b,
                        double inverse_mass_b, Vec2 normal, double restitution) {
     const double approach = -dot(velocity_a - velocity_b, normal);
@@ -48,7 +50,8 @@ inline double driven_restitution(double restitution, double surface, double appr
 /// Bounces a ball off an immovable body whose surface moves at `surface` along the normal,
 /// length/s; that is 0 unless the body is kinematic. A held body gives the ball the velocity that a
 /// fixed one would, or its own if that is faster. A motorised one (`is_driven`) throws it, like a
-/// moving wall.
+/// moving wall. Pre: `inverse_mass` > 0. With a motorised one, the two approach: an approach of
+/// exactly 0 to a moving surface gives NaN.
 inline Exchange bounce_off(Vec2& velocity, double inverse_mass, Vec2 normal, double surface,
                            double restitution, bool is_driven = false) {
     const double speed = dot(velocity, normal);

@@ -45,10 +45,11 @@ Real approach_of(const ImpactContact<Real>& contact, std::span<const ImpactBody<
     return dot(bodies[contact.b].velocity, contact.normal) - ours;
 }
 
-/// One step of the rule for `contacts`, all of which approach: changes the velocities of `bodies`,
-/// and returns the impulse of each contact, >= 0. Contacts connected through movable bodies all
-/// take the smallest restitution among them. Memory, also for the result, comes from `memory`. Pre:
-/// at least one body of each contact is movable.
+/// One step of the rule: changes the velocities of `bodies`, and returns the impulse of each
+/// contact, >= 0. Contacts connected through movable bodies all take the smallest restitution among
+/// them. Memory, also for the result, comes from `memory`. Pre: at least one body of each contact
+/// is movable; all approach, or all have restitution 0 (then one that does not approach passes an
+/// impulse only if those of others make it approach).
 template <typename Real>
 std::pmr::vector<Real> reflect(
     std::span<ImpactBody<Real>> bodies, std::span<const ImpactContact<Real>> contacts,

@@ -18,7 +18,7 @@ namespace carom {
 /// however fast.
 ///
 /// README.md in this folder has the substep in pseudo-code, the invariants and what the solver gets
-/// wrong; tolerances.h has every threshold.
+/// wrong; tolerances.h has the thresholds.
 class SweptSolver {
   public:
     SweptSolver() = default;

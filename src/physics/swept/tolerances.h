@@ -1,7 +1,10 @@
 #pragma once
 
 // clang-format off
-/// Every threshold of the solver `swept`, in one table.
+/// The thresholds of the method `swept`, in one table. Thresholds with a single use stand beside
+/// it: when paths that have changed are searched in cells (candidates.cpp), from how many edges a
+/// ball they get a map of their own, and the minimum step of the search at a moving edge
+/// (geometry/impact.h).
 ///
 /// | constant             | value | unit                           | ten times larger / smaller |
 /// |----------------------|-------|--------------------------------|----------------------------|

@@ -15,7 +15,8 @@ class TickUndo {
     /// Remembers the world as it is: a copy of its balls and of what moves, in memory that is
     /// reused from tick to tick.
     void note(const World& world);
-    /// Restores the world that was noted. Pre: no more than a part of a tick lies between.
+    /// Restores the world that was noted. Pre: at most part of one tick has been computed since
+    /// `note`.
     void take_back(World& world) const;
 
   private:

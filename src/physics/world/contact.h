@@ -18,8 +18,10 @@ struct Contact {
     std::uint32_t b = 0;
     Vec2 point;   ///< where they touch
     Vec2 normal;  ///< unit, from b to a; what the impulse acted along (turned, under scatter)
-    double approach = 0.0;  ///< closing speed along the normal before, length/s, > 0
-    double impulse = 0.0;   ///< magnitude along the normal, mass * length/s
+    /// Closing speed along the normal before, length/s, > 0. A constraint of `contact` reports the
+    /// impulse over the effective mass instead, also for a ball at rest.
+    double approach = 0.0;
+    double impulse = 0.0;  ///< magnitude along the normal, mass * length/s
 };
 
 }  // namespace carom

@@ -32,7 +32,8 @@ struct Model {
     /// something in the same tick does, so that a ball at the top of its flight does not hang
     /// there.
     std::optional<double> stop_speed;
-    /// No ball is faster than this after free motion, length/s, > 0.
+    /// No ball is faster than this after free motion, length/s, > 0. `event` limits speeds only at
+    /// the end of a tick, within which a ball may be faster.
     std::optional<double> speed_limit;
     /// The normal of a contact of ball and edge is turned by a seeded uniform angle within +- this,
     /// radians.

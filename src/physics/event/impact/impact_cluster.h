@@ -19,9 +19,9 @@ template <typename Real>
 struct ClusterBody {
     std::uint32_t ball = 0;
     Vector<Real> position;
-    Real fastest{};     ///< its largest speed in the impact so far
-    Real spin{};        ///< Model::spin
-    Vector<Real> roll;  ///< Model::cloth
+    Real fastest{};     ///< its largest speed in the impact so far, length/s
+    Real spin{};        ///< rad/s; only with Model::spin
+    Vector<Real> roll;  ///< length/s; only with Model::cloth
     bool is_scanned = false;
     bool is_changed = false;
     bool is_moved = false;  ///< by position correction
@@ -47,9 +47,9 @@ struct ContactPoint {
     EventKind kind = EventKind::ball_ball;
     std::uint32_t other = 0;  ///< ball or capsule
     bool is_motorised = false;
-    PathSupport support;  ///< as which it would carry the body
-    Real gap{};
-    Vector<Real> surface_velocity;  ///< of a kinematic edge
+    PathSupport support;            ///< as which it would carry the body
+    Real gap{};                     ///< length
+    Vector<Real> surface_velocity;  ///< of a kinematic edge, length/s
 };
 
 /// What touches what at the instant of an impact: the bodies and contact points that take part. It

@@ -9,8 +9,9 @@ namespace carom {
 /// Moving balls sink in by up to `moving_rest_height` (on cloth `cloth_rest_height`) before they
 /// meet again. Deeper pairs are separated to touch, in proportion to their inverse masses, by at
 /// most half the smaller radius. A ball that an edge bars stays, so such pairs sink in further; so
-/// do held, resting and sliding balls. Separation lifts balls, which gains at most the energy of
-/// that height. Nothing happens where neither gravity with losses nor cloth presses balls.
+/// do held, resting, sliding and turning balls. Separation lifts balls, which gains at most the
+/// energy of that height. Nothing happens where neither gravity with losses nor cloth presses
+/// balls.
 template <typename Real>
 class PositionCorrection {
   public:

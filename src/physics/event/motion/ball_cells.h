@@ -19,7 +19,8 @@
 /// query tests them. On a torus the grid wraps, and queries tell the periodic image of each ball.
 ///
 /// The grid decides only which pairs are tested. Its frame shows in no result: pairs that touch are
-/// sorted before use, and events have a total order.
+/// sorted before use, and events have a total order. README.md has the exceptions: one-way edges,
+/// and the rounding of impacts with kinematic edges.
 ///
 /// The grid's data about a ball lies in BallTable: BallRecord::next and the image index of its
 /// trajectory, which walks over neighbours read, and BallPlan::place.

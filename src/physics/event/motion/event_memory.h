@@ -55,7 +55,7 @@ struct StoredLine {
 
 /// The part of a trajectory that curves it, drag apart.
 struct StoredCurve {
-    Vec2 acceleration;  ///< since the line's `time`, before drag
+    Vec2 acceleration;  ///< since the line's `time`, before drag, length/s^2
     Vec2 center;        ///< turning: of the circle; on cloth: the roll (cloth.h) at `time`
     PathSupport support;
     PathSupport second_support;

@@ -5,24 +5,31 @@
 
 #include "geometry/double_double.h"
 
-/// Every threshold of the solver `event`, in one table: what each one decides, its unit, how it
+/// The thresholds of the method `event`, in one table: what each one decides, its unit, how it
 /// relates to the others, and what breaks when it is ten times as large or as small.
 ///
-/// Four families, each in increasing order:
+/// Four families, of which the heights stand in increasing order:
 ///
 ///   rounding   approach_rounding, residual_rounding, pressed_rounding, *_rounding: how much of a
 ///              computed quantity is rounding. They scale with the precision of the number type,
 ///              but for `pressed_rounding`, which guards against errors of positions.
 ///   heights    unpressed_rest_height < rest_height < cloth_rest_height < moving_rest_height: a
 ///              rebound that rises less than this share of the smaller radius is none. All of the
-///              energy that the solver removes by choice is removed below these heights, by the
-///              collapse guard, or when a kinematic body squeezes a ball.
+///              energy that the solver removes by choice is removed below these heights, in wedges
+///              (`wedge_rest_heights`), by the collapse guard, or when a kinematic body squeezes a
+///              ball.
 ///   counts     of collisions: when the collapse guard acts.
 ///   costs      limits of work. But for the few that say so, they never change what is found, only
 ///              when it is found.
 ///
 /// `contact_slop` < rest_height: two bodies that count as touching must be nearer than the lowest
 /// hop that is still a bounce.
+///
+/// Thresholds with a single use stand beside it: those of the pivoting of simultaneous impacts
+/// (laws/simultaneous_impact.cpp: 240 contacts, 400 relaxations, 1e-11 and 1e-12), of searches
+/// (geometry/conservative_advancement.h: 65,536 iterations, the factor 64 of a sharper bound), of
+/// rebuilding (world_begin.cpp: every 64 ticks, n/8 + 1 balls) and of the hybrid step
+/// (hybrid_step.h: `sunk`, substeps, attempts).
 namespace carom {
 
 // --- Contact --------------------------------------------------------------------------------
@@ -58,9 +65,10 @@ inline constexpr double cloth_rest_height = 1e-7;
 /// overlap more; /10: more impacts until a heap settles.
 inline constexpr double moving_rest_height = 1e-5;
 
-/// The kinetic energy, in rest heights, up to which a ball comes to rest that two supports hold or
-/// that leans on a barrier. x10: balls stop in wedges early; /10: a ball in a wedge bounces between
-/// its sides forever.
+/// The kinetic energy up to which a ball comes to rest: in rest heights if it leans on a barrier,
+/// in rest heights over the squared sine of the angle between the normals if two supports hold it.
+/// So the flatter a wedge, the sooner a ball stops in it. x10: balls stop in wedges early; /10: a
+/// ball in a wedge bounces between its sides forever.
 inline constexpr double wedge_rest_heights = 8.0;
 
 // --- Rounding of speeds ---------------------------------------------------------------------
@@ -98,32 +106,34 @@ inline constexpr double slip_rounding = 1e6 * precision<Real>;
 template <typename Real>
 inline constexpr double slip_time_rounding = 64.0 * precision<Real>;
 
-/// Two supports whose normals enclose a smaller sine than this hold nothing between them.
+/// Two supports hold nothing between them if the sine of the angle between their normals is below
+/// this.
 inline constexpr double parallel_supports = 1e-9;
 
-/// An acceleration presses a ball on a barrier, or rolls it off a wedge, from this share of itself.
+/// An acceleration presses a ball on a barrier, or rolls it off a wedge, if its component that way
+/// is at least this share of it.
 inline constexpr double pressing_share = 1e-9;
 
 // --- The inelastic-collapse guard and dense clusters ------------------------------------------
 
-/// So many collisions in a row without moving (no gravity), or in quick succession (gravity): two
-/// such balls meet without restitution, without gravity also such a ball and an edge; kinematic
-/// bodies in contact with such a ball stop; a jammed ball is frozen. Equals `dense_collisions` by
-/// choice: nothing relies on it.
+/// Above this count of collisions, in a row without moving (no gravity) or in quick succession
+/// (gravity), two such balls meet without restitution, without gravity also such a ball and an
+/// edge; kinematic bodies in contact with such a ball stop; a jammed ball is frozen. Equals
+/// `dense_collisions` by choice: nothing relies on it.
 /// x10: a collapse takes more impacts to end; /10: long cradles may lose energy.
 inline constexpr std::uint32_t most_collisions_in_place = 64;
 
-/// So many in quick succession, and a slow ball is frozen for a while. x10: heaps take longer to
-/// freeze; /10: balls that merely rattle are frozen. Above `dense_collisions`, so that `contact`
-/// takes a heap first.
+/// Above this count of collisions in quick succession, a slow ball is frozen for a while. x10:
+/// heaps take longer to freeze; /10: balls that merely rattle are frozen. It exceeds
+/// `dense_collisions`, so that `contact` takes a heap first.
 inline constexpr std::uint32_t most_collisions_before_freezing = 256;
 
 /// Collisions that a ball is taken to have had when it is frozen: soon frozen again.
 inline constexpr std::uint32_t collisions_after_freezing = most_collisions_before_freezing / 4 * 3;
 
-/// More than so many in quick succession, the last with a ball: a dense cluster, which `contact`
-/// takes over at the end of the tick (README.md, hybrid stepping). x10: heaps cost more before
-/// `contact` takes them; /10: a lively bounce is taken for a heap.
+/// Above this count in quick succession, the last with a ball, a ball is in a dense cluster, which
+/// `contact` takes over at the end of the tick (README.md, hybrid stepping). x10: heaps cost more
+/// before `contact` takes them; /10: a lively bounce is taken for a heap.
 inline constexpr std::uint32_t dense_collisions = 64;
 
 /// "Quick succession": within this share of the time of a fall through the radius. x10: bouncing
@@ -133,20 +143,20 @@ inline constexpr double quick_succession = 1.0 / 64.0;
 /// How long a ball stays frozen: a share of the time of a fall through its radius.
 inline constexpr double frozen_share = 0.25;
 
-/// Position correction takes balls apart that overlap by more than these many rest heights
-/// (`moving_rest_height`, on cloth `cloth_rest_height`), by at most this share of the radius at
-/// once. A larger share could carry a ball past a thin edge.
+/// Position correction separates balls that overlap by more than this many rest heights
+/// (`moving_rest_height`, on cloth `cloth_rest_height`), by at most `most_correction` of the radius
+/// at once. A larger share could carry a ball past a thin edge.
 inline constexpr double overlap_heights = 0.5;
 inline constexpr double overlap_heights_on_cloth = 2.0;
 inline constexpr double most_correction = 0.5;
 
 // --- Costs: limits of work ----------------------------------------------------------------------
 
-/// Events of one tick, after which time stands still for its rest (EventOutcome::too_dense):
-/// changes the result.
+/// Events of one tick, after which time stands still for the remainder of the tick
+/// (EventOutcome::too_dense): changes the result.
 inline constexpr std::uint64_t most_events = 100'000'000;
 
-/// Events between two looks at the cancellation token, and iterations of a search that take as long
+/// Events between two polls of the cancellation token, and iterations of a search that take as long
 /// as an event.
 inline constexpr std::uint64_t events_between_polls = 4096;
 inline constexpr std::uint64_t iterations_per_event = 8;

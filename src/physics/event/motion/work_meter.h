@@ -9,8 +9,9 @@
 namespace carom {
 
 /// Measures the work of a tick in events, and polls its cancellation token after every
-/// `events_between_polls`. Rounds of an impact and iterations of TOI searches count too, so that a
-/// tick can be cancelled within a single slow event.
+/// `events_between_polls`. Rounds of an impact and iterations of TOI searches count too, so that
+/// slow events are followed by a poll sooner. It polls between two events, and between two balls
+/// when all are predicted anew, never within an event.
 template <typename Real>
 class WorkMeter {
   public:

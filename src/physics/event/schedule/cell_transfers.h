@@ -15,8 +15,8 @@ namespace carom {
 /// Predicts when a ball leaves its cell. Cell transfers are bookkeeping: but for the restart on a
 /// torus they never change a trajectory, so their times need not be exact. A transfer of a curved
 /// trajectory is found up to `most_transfer_delay` of a cell late, never early: a ball that has
-/// just crossed a border cannot be reported as crossing back at once, and cells are so much wider
-/// than need be.
+/// just crossed a border cannot be reported as crossing back at once, and cells are wider by that
+/// margin.
 template <typename Real>
 class CellTransfers {
   public:
