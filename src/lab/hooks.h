@@ -11,7 +11,7 @@ using GoOn = std::function<bool(std::uint64_t done, std::uint64_t total)>;
 
 /// Services that the lab needs from its caller.
 struct LabHooks {
-    /// Seconds since any fixed moment: the lab has no clock of its own.
+    /// Seconds of processor time since any fixed moment: the lab has no clock of its own.
     std::function<double()> clock;
     GoOn go_on;
 };

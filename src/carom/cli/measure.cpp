@@ -1,9 +1,10 @@
 #include "carom/cli/measure.h"
 
 #include <fmt/format.h>
+#include <time.h>
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <optional>
 
 #include "carom/cli/interrupt.h"
@@ -18,9 +19,11 @@
 namespace carom {
 namespace {
 
+// Of the processor, so that other programs on the machine do not count.
 double clock_seconds() {
-    using Clock = std::chrono::steady_clock;
-    return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+    std::timespec time{};
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
 }
 
 MeasureSettings settings_of(const MeasureOptions& options) {

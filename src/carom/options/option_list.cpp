@@ -230,11 +230,11 @@ void add_measure(CLI::App& app, MeasureOptions& options) {
                 options.repeats, count(1, 1000, "--repeats must be from 1 to 1000"));
     measure.add({"--horizon", "S", "When errors are compared, in simulated seconds"},
                 options.horizon, number(1e-6, 1e6));
-    measure.add(
-        {"--tolerance", "R", "Names the cheapest whose error is this or less, in ball radii"},
-        options.tolerance, number(1e-15, 1e3));
+    measure.add({"--tolerance", "R",
+                 "Names the cheapest good one whose error is this or less, in ball radii"},
+                options.tolerance, number(1e-15, 1e3));
     measure.add({"--budget", "TIME",
-                 "Names the most accurate that takes this or less for a tick of the level, as in "
+                 "Names the best that takes this or less for a tick of the level, as in "
                  "2ms"},
                 options.budget, duration);
     measure.add_level_options(options);

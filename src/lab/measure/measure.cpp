@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "lab/measure/difference.h"
+#include "lab/measure/faults.h"
 #include "lab/measure/horizons.h"
 #include "lab/run/run_record.h"
 
@@ -41,19 +41,12 @@ std::uint64_t ticks_of(const Bench& bench, double rate) {
     return bench.points.back() * ticks_each(rate, bench.common);
 }
 
-// The outcome of a tick and its cost in seconds; cancelled if the caller ended the work in the tick
-// or after it.
-struct Ticked {
-    TickOutcome outcome = TickOutcome::done;
-    double seconds = 0.0;
-};
-Ticked tick(Bench& bench, World& world, Solver& solver) {
+// One tick; cancelled if the caller ended the work in it or after it.
+TickOutcome tick(Bench& bench, World& world, Solver& solver) {
     const auto keep_going = [&] { return bench.hooks.go_on(bench.done, bench.total); };
-    const double before = bench.hooks.clock();
     const TickOutcome outcome = solver.tick(world, keep_going);
-    const double seconds = bench.hooks.clock() - before;
     ++bench.done;
-    return {keep_going() ? outcome : TickOutcome::cancelled, seconds};
+    return keep_going() ? outcome : TickOutcome::cancelled;
 }
 
 // Runs up to a horizon, or to the first tick that is not completed.
@@ -61,7 +54,7 @@ TickOutcome run_to(Bench& bench, World& world, Solver& solver, std::uint64_t poi
                    std::vector<Meeting>* meetings) {
     const std::uint64_t ticks = point * ticks_each(world.rate(), bench.common);
     while (world.tick() < ticks) {
-        const TickOutcome outcome = tick(bench, world, solver).outcome;
+        const TickOutcome outcome = tick(bench, world, solver);
         if (meetings != nullptr) note_meetings(*meetings, solver.contacts());
         if (outcome != TickOutcome::done) return outcome;
     }
@@ -115,7 +108,7 @@ std::vector<std::optional<double>> measured_figures(const RunWatch& watch, const
     return values;
 }
 
-// The first run of a choice, which records everything; its cost is that of the ticks only.
+// The run of a choice that records everything but its cost.
 std::optional<Measured> observed(Bench& bench, const Choice& choice, const Truth& truth,
                                  double radius) {
     Measured row{.choice = choice};
@@ -124,14 +117,12 @@ std::optional<Measured> observed(Bench& bench, const Choice& choice, const Truth
     RunWatch watch(bench.scene, RunWatch::Conservation::noted);
     std::vector<Meeting> meetings;
     std::uint64_t ball_ticks = 0;
-    double seconds = 0.0;
     const std::uint64_t ticks = ticks_of(bench, choice.rate);
     const std::uint64_t period = ticks_each(choice.rate, bench.common);
     while (world.tick() < ticks) {
-        const Ticked ticked = tick(bench, world, solver);
-        if (ticked.outcome == TickOutcome::cancelled) return std::nullopt;
-        if (ticked.outcome == TickOutcome::too_dense) ++row.too_dense;
-        seconds += ticked.seconds;
+        const TickOutcome outcome = tick(bench, world, solver);
+        if (outcome == TickOutcome::cancelled) return std::nullopt;
+        if (outcome == TickOutcome::too_dense) ++row.too_dense;
         ball_ticks += world.balls().size();
         watch.note_tick(world);
         const std::size_t next = row.errors.size();
@@ -141,22 +132,27 @@ std::optional<Measured> observed(Bench& bench, const Choice& choice, const Truth
                 row.errors.push_back(error_at(truth, next, world, meetings, radius));
         }
     }
-    row.cost = {seconds, seconds};
     row.ball_seconds = static_cast<double>(ball_ticks) / choice.rate;
     row.figures = measured_figures(watch, world, radius);
     return row;
 }
 
-// A further run, for the cost only; none if it was interrupted.
+// A run for the cost only; none if it was interrupted. Reading a clock may cost as much as a tick
+// of a few balls, so it is read once for several ticks.
 std::optional<double> timed(Bench& bench, const Choice& choice) {
+    constexpr std::uint64_t ticks_a_reading = 16;
     World world = started_at(bench.scene, choice.rate);
     Solver solver(choice.solver);
     const std::uint64_t ticks = ticks_of(bench, choice.rate);
+    const auto keep_going = [&] { return bench.hooks.go_on(bench.done, bench.total); };
     double seconds = 0.0;
     while (world.tick() < ticks) {
-        const Ticked ticked = tick(bench, world, solver);
-        if (ticked.outcome == TickOutcome::cancelled) return std::nullopt;
-        seconds += ticked.seconds;
+        const std::uint64_t until = std::min(ticks, world.tick() + ticks_a_reading);
+        const double before = bench.hooks.clock();
+        for (; world.tick() < until; ++bench.done)
+            if (solver.tick(world, keep_going) == TickOutcome::cancelled) return std::nullopt;
+        seconds += bench.hooks.clock() - before;
+        if (!keep_going()) return std::nullopt;
     }
     return seconds;
 }
@@ -165,14 +161,12 @@ std::optional<Measured> measured(Bench& bench, const Choice& choice, const Truth
                                  double radius) {
     std::optional<Measured> row = observed(bench, choice, truth, radius);
     if (!row) return std::nullopt;
-    double sum = row->cost.whole;
-    for (int i = 1; i < bench.settings.repeats; ++i) {
+    for (int i = 0; i < bench.settings.repeats; ++i) {
         const std::optional<double> seconds = timed(bench, choice);
         if (!seconds) return std::nullopt;
-        sum += *seconds;
-        row->cost.best = std::min(row->cost.best, *seconds);
+        row->cost.whole += *seconds / bench.settings.repeats;
+        row->cost.best = i == 0 ? *seconds : std::min(row->cost.best, *seconds);
     }
-    row->cost.whole = sum / bench.settings.repeats;
     for (std::size_t i = 0; i < row->errors.size(); ++i) {
         if (!(row->errors[i].rms <= bench.settings.tolerance)) break;
         row->good_for = static_cast<double>(bench.points[i]) / bench.common;
@@ -212,7 +206,8 @@ Bench prepare(const Scene& scene, const MeasureSettings& settings, const LabHook
         spread(periods(settings.time), asked ? std::optional(periods(*asked)) : std::nullopt);
     bench.total = ticks_of(bench, reference.truth.rate) + ticks_of(bench, reference.check.rate);
     for (const Choice& choice : choices)
-        bench.total += ticks_of(bench, choice.rate) * static_cast<std::uint64_t>(settings.repeats);
+        bench.total +=
+            ticks_of(bench, choice.rate) * static_cast<std::uint64_t>(settings.repeats + 1);
     return bench;
 }
 
@@ -258,7 +253,8 @@ std::optional<Measurement> measure(const Scene& scene, const MeasureSettings& se
 
 std::optional<double> figure_of(const Measured& row, std::string_view key) {
     const auto figure = std::ranges::find(figures(), key, &Figure::key);
-    return row.figures[static_cast<std::size_t>(figure - figures().begin())];
+    const auto index = static_cast<std::size_t>(figure - figures().begin());
+    return index < row.figures.size() ? row.figures[index] : std::nullopt;
 }
 
 std::optional<double> ns_per_ball_second(const Measured& row, double seconds) {
@@ -276,13 +272,9 @@ double headline_error(const Measurement& measurement, const Measured& row) {
 
 std::vector<Tradeoff> tradeoffs(const Measurement& measurement) {
     std::vector<Tradeoff> pairs;
-    for (const Measured& row : measurement.rows) {
-        double error = std::numeric_limits<double>::infinity();
-        if (measurement.headline)
-            error = std::max(headline_error(measurement, row),
-                             measurement.doubts[*measurement.headline]);
-        pairs.push_back({seconds_per_level_tick(measurement, row), error});
-    }
+    for (const Measured& row : measurement.rows)
+        pairs.push_back(
+            {seconds_per_level_tick(measurement, row), worst_fault(measurement, row).share});
     return pairs;
 }
 

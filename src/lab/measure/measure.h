@@ -21,8 +21,9 @@
 namespace carom {
 
 struct MeasureSettings {
-    double time = 2.0;                ///< s simulated by every choice, > 0
-    int repeats = 3;                  ///< runs of each choice to measure its cost, >= 1
+    double time = 2.0;  ///< s simulated by every choice, > 0
+    int repeats = 3;    ///< runs of each choice to measure its cost, >= 1, besides the one that
+                        ///< measures everything else
     double tolerance = 1e-3;          ///< radii, > 0: an acceptable error
     std::vector<double> rates;        ///< ticks a second, each > 0; empty: the usual rates
     std::vector<SolverKind> solvers;  ///< empty: all solvers
@@ -38,7 +39,7 @@ struct ErrorAt {
     OrderFaults contacts;  ///< in the contacts up to that instant
 };
 
-/// The cost of a run in wall-clock seconds: the mean of all runs, and the best one.
+/// The cost of a run in seconds of the hooks' clock: the mean of all runs, and the best one.
 struct Cost {
     double whole = 0.0;
     double best = 0.0;
@@ -74,7 +75,7 @@ struct Measurement {
     std::optional<double> chaos;
     /// Index of the horizon at which choices are compared: the last one at which three quarters of
     /// the choices have an error below one radius, or the last one up to MeasureSettings::horizon.
-    /// None if the references diverge at once.
+    /// None if the references diverge at once: then faults other than the error decide.
     std::optional<std::size_t> headline;
     std::vector<Measured> rows;  ///< by choices_for
 };
@@ -84,23 +85,22 @@ struct Measurement {
 std::optional<Measurement> measure(const Scene& scene, const MeasureSettings& settings,
                                    const LabHooks& hooks);
 
-/// The figure with that key (figures.h) of a row. Pre: `carom measure` has it.
+/// The figure with that key (figures.h) of a row; none if it has no value. Pre: `carom measure` has
+/// it.
 std::optional<double> figure_of(const Measured& row, std::string_view key);
 
 /// A cost of `row` in seconds, converted to nanoseconds per ball and simulated second; none without
 /// balls.
 std::optional<double> ns_per_ball_second(const Measured& row, double seconds);
 
-/// Wall-clock seconds, in the best run, for one tick of the level (1/rate simulated seconds),
+/// Seconds, in the best run, for one tick of the level (1/rate simulated seconds),
 /// whatever the rate of the choice.
 double seconds_per_level_tick(const Measurement& measurement, const Measured& row);
 
 /// The error at the headline horizon. Pre: there is one.
 double headline_error(const Measurement& measurement, const Measured& row);
 
-/// The rows as pairs of cost (seconds per tick of the level, best run) and error at the headline
-/// horizon. An error below the reference's own uncertainty counts as that uncertainty, since
-/// smaller errors cannot be told apart. Without a headline, all errors are infinite.
+/// The rows as pairs of cost (seconds per tick of the level, best run) and worst fault (faults.h).
 std::vector<Tradeoff> tradeoffs(const Measurement& measurement);
 
 }  // namespace carom

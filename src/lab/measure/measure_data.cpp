@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "lab/json.h"
+#include "lab/measure/faults.h"
 #include "lab/measure/pareto.h"
 
 namespace carom {
@@ -54,6 +55,18 @@ void write_errors(JsonWriter& json, const Measurement& measurement, const Measur
     json.end_list();
 }
 
+void write_faults(JsonWriter& json, const Measurement& measurement, const Measured& row) {
+    json.key("faults");
+    json.begin_object(Layout::one_line);
+    for (const Fault& fault : faults(measurement, row)) {
+        // Without a headline nobody knows the error.
+        const bool is_known = measurement.headline || fault.name != "error";
+        write_optional(json, fault.name, is_known ? std::optional(fault.share) : std::nullopt);
+    }
+    json.field("worst", worst_fault(measurement, row).name);
+    json.end_object();
+}
+
 void write_cost(JsonWriter& json, const Measurement& measurement, const Measured& row,
                 bool on_front) {
     json.key("cost");
@@ -78,6 +91,7 @@ void write_rows(JsonWriter& json, const Measurement& measurement) {
         for (std::size_t k = 0; k < figures().size(); ++k)
             if (figures()[k].is_in_measure) write_figure(json, figures()[k], row.figures[k]);
         json.field("too_dense_ticks", row.too_dense);
+        write_faults(json, measurement, row);
         write_errors(json, measurement, row);
         write_cost(json, measurement, row, front[i]);
         json.end_object();
@@ -107,10 +121,9 @@ void write_picks(JsonWriter& json, const Measurement& measurement,
     const std::vector<Tradeoff> pairs = tradeoffs(measurement);
     json.key("picks");
     json.begin_object(Layout::lines);
-    if (budget)
-        write_pick(json, "budget", *budget, most_accurate_within(pairs, *budget), measurement);
+    if (budget) write_pick(json, "budget", *budget, best_within(pairs, *budget), measurement);
     if (tolerance)
-        write_pick(json, "tolerance", *tolerance, cheapest_within(pairs, *tolerance), measurement);
+        write_pick(json, "tolerance", *tolerance, cheapest_within(pairs, 1.0), measurement);
     json.end_object();
 }
 
@@ -177,21 +190,24 @@ std::string measure_csv(const Measurement& measurement) {
         "solver,updates,steps,substeps,rate,time,rms,max,unpaired,missed,extra,out_of_order,";
     for (const Figure& figure : figures())
         if (figure.is_in_measure) text += fmt::format("{},", figure.key);
-    text += "ns_per_ball_second,best_ns_per_ball_second,seconds_per_level_tick,pareto\n";
+    text +=
+        "worst,fault,ns_per_ball_second,best_ns_per_ball_second,seconds_per_level_tick,pareto\n";
     for (std::size_t i = 0; i < measurement.rows.size(); ++i) {
         const Measured& row = measurement.rows[i];
         const SolverSettings& solver = row.choice.solver;
+        const Fault worst = worst_fault(measurement, row);
         for (std::size_t k = 0; k < row.errors.size(); ++k) {
             const ErrorAt& error = row.errors[k];
-            fmt::format_to(std::back_inserter(text),
-                           "{},{},{},{},{},{},{},{},{},{},{},{},{}{},{},{},{}\n", name(solver.kind),
-                           csv_count(solver, "updates"), csv_count(solver, "steps"),
-                           csv_count(solver, "substeps"), row.choice.rate, measurement.horizons[k],
-                           csv_number(error.rms), csv_number(error.max), error.unpaired,
-                           error.contacts.missed, error.contacts.extra, error.contacts.out_of_order,
-                           csv_figures(row), csv_number(ns_per_ball_second(row, row.cost.whole)),
-                           csv_number(ns_per_ball_second(row, row.cost.best)),
-                           seconds_per_level_tick(measurement, row), front[i] ? 1 : 0);
+            fmt::format_to(
+                std::back_inserter(text),
+                "{},{},{},{},{},{},{},{},{},{},{},{},{}{},{},{},{},{},{}\n", name(solver.kind),
+                csv_count(solver, "updates"), csv_count(solver, "steps"),
+                csv_count(solver, "substeps"), row.choice.rate, measurement.horizons[k],
+                csv_number(error.rms), csv_number(error.max), error.unpaired, error.contacts.missed,
+                error.contacts.extra, error.contacts.out_of_order, csv_figures(row), worst.name,
+                csv_number(worst.share), csv_number(ns_per_ball_second(row, row.cost.whole)),
+                csv_number(ns_per_ball_second(row, row.cost.best)),
+                seconds_per_level_tick(measurement, row), front[i] ? 1 : 0);
         }
     }
     return text;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "lab/measure/faults.h"
 #include "lab/plot.h"
 #include "lab/table.h"
 
@@ -78,17 +79,16 @@ std::vector<std::string> first_cells(const Measurement& measurement, std::size_t
 }
 
 std::string cost_table(const Measurement& measurement, const std::vector<bool>& front) {
-    Table table({"<", "<solver", "rate", "mean ns", "best ns", "ms/tick", "error", "good for"});
+    Table table({"<", "<solver", "rate", "ms/tick", "error", "good for", "worst", "<of"});
     for (std::size_t i = 0; i < measurement.rows.size(); ++i) {
         const Measured& row = measurement.rows[i];
         std::vector<std::string> cells = first_cells(measurement, i, front);
-        for (const double seconds : {row.cost.whole, row.cost.best}) {
-            const std::optional<double> ns = ns_per_ball_second(row, seconds);
-            cells.push_back(ns ? fmt::format("{:.0f}", *ns) : "-");
-        }
         cells.push_back(milliseconds(seconds_per_level_tick(measurement, row)));
         cells.push_back(measurement.headline ? small(headline_error(measurement, row)) : "-");
         cells.push_back(row.good_for > 0.0 ? seconds_text(row.good_for) : "-");
+        const Fault worst = worst_fault(measurement, row);
+        cells.push_back(small(worst.share));
+        cells.emplace_back(worst.name);
         table.add(std::move(cells));
     }
     return table.text();
@@ -178,7 +178,7 @@ std::string plot_of(const Measurement& measurement, const std::vector<bool>& fro
         const Measured& row = measurement.rows[i];
         const SolverKind kind = row.choice.solver.kind;
         points.push_back({.x = seconds_per_level_tick(measurement, row) * 1e3,
-                          .y = headline_error(measurement, row),
+                          .y = worst_fault(measurement, row).share,
                           .mark = mark_of(kind, front[i]),
                           .on_front = front[i]});
         if (std::ranges::find(seen, kind) != seen.end()) continue;
@@ -186,19 +186,28 @@ std::string plot_of(const Measurement& measurement, const std::vector<bool>& fro
         legend +=
             fmt::format("{}{} {}", legend.empty() ? "" : ", ", mark_of(kind, false), name(kind));
     }
-    const std::string y_name =
-        fmt::format("error after {}, radii; capitals: the front",
-                    seconds_text(measurement.horizons[*measurement.headline]));
+    const std::string y_name = "worst fault, 1 is as promised; capitals: the front";
     const std::string x_name = "ms a tick; " + legend;
     const std::string plot = log_log_plot(points, {.x_name = x_name, .y_name = y_name});
     return plot.empty() ? plot : '\n' + plot;
 }
 
+// "3.1e-13 radii off, 2 balls out": the error, and what breaks a promise.
+std::string blamed(const Measurement& measurement, const Measured& row) {
+    std::string text = measurement.headline ? small(headline_error(measurement, row)) + " radii off"
+                                            : std::string("error unknown");
+    for (const Fault& fault : faults(measurement, row)) {
+        if (!(fault.share > 1.0) || fault.name == "error") continue;
+        text += fmt::format(", {} {} times what is promised", fault.name, small(fault.share));
+    }
+    return text;
+}
+
 std::string priced(const Measurement& measurement, std::size_t row) {
     const Measured& measured = measurement.rows[row];
-    return fmt::format("{} ({} ms, {} radii off)", named(measured.choice),
+    return fmt::format("{} ({} ms, {})", named(measured.choice),
                        milliseconds(seconds_per_level_tick(measurement, measured)),
-                       small(headline_error(measurement, measured)));
+                       blamed(measurement, measured));
 }
 
 }  // namespace
@@ -208,9 +217,10 @@ std::string measure_text(std::string_view title, const Measurement& measurement)
     if (measurement.rows.empty()) return text;
     const std::vector<bool> front = pareto_front(tradeoffs(measurement));
     text += fmt::format(
-        "\nCost: nanoseconds a ball and simulated second; ms a tick of the level (1/{} s).\n"
+        "\nCost: CPU time in ms for a tick of the level (1/{} s).\n"
         "Error{}: RMS of positions, in ball radii. Good for: up to {:g}.\n"
-        "P: on the Pareto front; *: what the level runs under.\n\n",
+        "Worst of error, overlap, energy, escapes, standstill: 1 is as promised.\n"
+        "P: on the Pareto front of cost and worst; *: what the level runs under.\n\n",
         rate_text(measurement.rate),
         measurement.headline
             ? fmt::format(" after {}", seconds_text(measurement.horizons[*measurement.headline]))
@@ -226,15 +236,15 @@ std::string measure_text(std::string_view title, const Measurement& measurement)
             text += fmt::format("{}: time stood still for the rest of {} ticks, too dense.\n",
                                 named(row.choice), row.too_dense);
     }
-    if (!measurement.headline) return text;
-    text += "\nThe error as it grows:\n\n" + error_table(measurement, front);
+    if (measurement.headline)
+        text += "\nThe error as it grows:\n\n" + error_table(measurement, front);
     return text + plot_of(measurement, front);
 }
 
 std::string budget_answer(const Measurement& measurement, double budget) {
     const std::vector<Tradeoff> pairs = tradeoffs(measurement);
     const std::string limit = milliseconds(budget);
-    if (const auto row = most_accurate_within(pairs, budget))
+    if (const auto row = best_within(pairs, budget))
         return fmt::format("Within {} ms a tick: {}.\n", limit, priced(measurement, *row));
     const auto least = std::ranges::min_element(pairs, {}, &Tradeoff::cost);
     if (least == pairs.end()) return fmt::format("Within {} ms a tick: nothing.\n", limit);
@@ -245,15 +255,15 @@ std::string budget_answer(const Measurement& measurement, double budget) {
 
 std::string tolerance_answer(const Measurement& measurement, double tolerance) {
     const std::vector<Tradeoff> pairs = tradeoffs(measurement);
-    const std::string limit = fmt::format("{:g}", tolerance);
-    if (const auto row = cheapest_within(pairs, tolerance))
-        return fmt::format("Within {} radii: {}.\n", limit, priced(measurement, *row));
-    const auto least = std::ranges::min_element(pairs, {}, &Tradeoff::error);
-    if (least == pairs.end() || !std::isfinite(least->error))
-        return fmt::format("Within {} radii: nothing.\n", limit);
+    const std::string limit =
+        fmt::format("Within {:g} radii{}: ", tolerance,
+                    measurement.headline ? "" : ", but nobody knows the error");
+    if (const auto row = cheapest_within(pairs, 1.0))
+        return fmt::format("{}{}.\n", limit, priced(measurement, *row));
+    const auto least = std::ranges::min_element(pairs, {}, &Tradeoff::fault);
+    if (least == pairs.end() || !std::isfinite(least->fault)) return limit + "nothing.\n";
     const auto row = static_cast<std::size_t>(least - pairs.begin());
-    return fmt::format("Within {} radii: nothing; the most accurate is\n  {}.\n", limit,
-                       priced(measurement, row));
+    return fmt::format("{}nothing; the best is\n  {}.\n", limit, priced(measurement, row));
 }
 
 }  // namespace carom

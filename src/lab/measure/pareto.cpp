@@ -7,11 +7,11 @@ namespace carom {
 namespace {
 
 bool is_usable(const Tradeoff& choice) {
-    return std::isfinite(choice.cost) && std::isfinite(choice.error);
+    return std::isfinite(choice.cost) && std::isfinite(choice.fault);
 }
 
 bool dominates(const Tradeoff& a, const Tradeoff& b) {
-    return a.cost <= b.cost && a.error <= b.error && (a.cost < b.cost || a.error < b.error);
+    return a.cost <= b.cost && a.fault <= b.fault && (a.cost < b.cost || a.fault < b.fault);
 }
 
 // The first choice with the lowest `rank` among the `allowed` ones.
@@ -33,7 +33,7 @@ std::vector<bool> pareto_front(std::span<const Tradeoff> choices) {
         front[i] = is_usable(choices[i]);
         for (std::size_t j = 0; j < choices.size() && front[i]; ++j) {
             const bool is_duplicate = j < i && front[j] && choices[j].cost == choices[i].cost &&
-                                      choices[j].error == choices[i].error;
+                                      choices[j].fault == choices[i].fault;
             if (is_duplicate || (is_usable(choices[j]) && dominates(choices[j], choices[i])))
                 front[i] = false;
         }
@@ -41,16 +41,16 @@ std::vector<bool> pareto_front(std::span<const Tradeoff> choices) {
     return front;
 }
 
-std::optional<std::size_t> most_accurate_within(std::span<const Tradeoff> choices, double budget) {
+std::optional<std::size_t> best_within(std::span<const Tradeoff> choices, double budget) {
     return best(
         choices, [&](const Tradeoff& choice) { return choice.cost <= budget; },
-        [](const Tradeoff& choice) { return std::pair(choice.error, choice.cost); });
+        [](const Tradeoff& choice) { return std::pair(choice.fault, choice.cost); });
 }
 
-std::optional<std::size_t> cheapest_within(std::span<const Tradeoff> choices, double tolerance) {
+std::optional<std::size_t> cheapest_within(std::span<const Tradeoff> choices, double most) {
     return best(
-        choices, [&](const Tradeoff& choice) { return choice.error <= tolerance; },
-        [](const Tradeoff& choice) { return std::pair(choice.cost, choice.error); });
+        choices, [&](const Tradeoff& choice) { return choice.fault <= most; },
+        [](const Tradeoff& choice) { return std::pair(choice.cost, choice.fault); });
 }
 
 }  // namespace carom

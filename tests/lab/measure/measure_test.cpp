@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lab/measure/faults.h"
 #include "lab/measure/measure_data.h"
 #include "lab/measure/measure_text.h"
 #include "lab/support/load.h"
@@ -30,7 +31,8 @@ const char* const crowd =
     "kind disc r=1\n"
     "fill disc count=20 box=0,0,20,20 speed=10\n";
 
-// On this clock every tick takes a millisecond.
+// On this clock each reading is a millisecond after the last; it is read before and after every 16
+// ticks.
 LabHooks hooks_of(double& now) {
     return {.clock = [&now] { return now += 0.001; },
             .go_on = [](std::uint64_t, std::uint64_t) { return true; }};
@@ -117,12 +119,11 @@ TEST_CASE("costs depend on the clock alone, all else on the level") {
     const MeasureSettings settings{.time = 0.5, .repeats = 2, .rates = {30, 60}};
     const Measurement measurement = measured(scene, settings);
     const Measured& row = row_of(measurement, {{.kind = SolverKind::swept}, 30});
-    // 15 ticks of a millisecond each.
-    CHECK(row.cost.whole == doctest::Approx(0.015));
-    CHECK(row.cost.best == doctest::Approx(0.015));
+    CHECK(row.cost.whole == doctest::Approx(0.001));  // for 15 ticks
+    CHECK(row.cost.best == doctest::Approx(0.001));
     CHECK(row.ball_seconds == doctest::Approx(20 * 0.5));
-    CHECK(*ns_per_ball_second(row, row.cost.best) == doctest::Approx(1.5e6));
-    CHECK(seconds_per_level_tick(measurement, row) == doctest::Approx(0.0005));
+    CHECK(*ns_per_ball_second(row, row.cost.best) == doctest::Approx(1e5));
+    CHECK(seconds_per_level_tick(measurement, row) == doctest::Approx(0.001 / 30));
     CHECK(measure_json("x", measurement, {}, {}) ==
           measure_json("x", measured(scene, settings), {}, {}));
 }
@@ -189,17 +190,47 @@ TEST_CASE("an interrupted measurement keeps its complete choices") {
 }
 
 TEST_CASE("an error below the reference's uncertainty counts as that uncertainty") {
-    Measurement measurement{
-        .time = 1.0, .reference = {}, .horizons = {1.0}, .doubts = {1e-10}, .headline = 0};
+    Measurement measurement{.time = 1.0,
+                            .tolerance = 1e-3,
+                            .reference = {},
+                            .horizons = {1.0},
+                            .doubts = {1e-10},
+                            .headline = 0};
     Measured row;
     row.cost = {2.0, 1.0};
     row.errors = {{.rms = 1e-14}};
     measurement.rows = {row};
-    CHECK(tradeoffs(measurement).front().error == 1e-10);
+    CHECK(tradeoffs(measurement).front().fault == doctest::Approx(1e-7));
     measurement.rows.front().errors.front().rms = 1e-3;
-    CHECK(tradeoffs(measurement).front().error == 1e-3);
-    measurement.headline.reset();
-    CHECK(std::isinf(tradeoffs(measurement).front().error));
+    CHECK(tradeoffs(measurement).front().fault == doctest::Approx(1.0));
+}
+
+TEST_CASE("measure does not recommend a solver with balls inside one another") {
+    const Measurement measurement =
+        measured(load(crowd), {.time = 1.0, .repeats = 1, .tolerance = 10.0, .rates = {10}});
+    const Measured& bad = row_of(measurement, {{.kind = SolverKind::discrete}, 10});
+    CHECK(*figure_of(bad, "max_overlap") > 0.1);
+    CHECK(headline_error(measurement, bad) < 10.0);
+    CHECK(worst_fault(measurement, bad).share > 5.0);
+    const std::string answer = tolerance_answer(measurement, 10.0);
+    CHECK_FALSE(has(answer, "discrete"));
+    const Measured& good = row_of(measurement, {{.kind = SolverKind::swept}, 10});
+    CHECK(worst_fault(measurement, good).share <= 1.0);
+}
+
+TEST_CASE("without a known truth, the other faults decide") {
+    Measurement measurement{.time = 1.0, .tolerance = 1e-3, .reference = {}};
+    Measured row;
+    row.cost = {1.0, 1.0};
+    row.too_dense = 2;
+    row.figures.resize(figures().size());
+    measurement.rows = {row};
+    CHECK(worst_fault(measurement, row).name == "standstill");
+    CHECK(worst_fault(measurement, row).share == 2 * never);
+    measurement.rows.front().too_dense = 0;
+    CHECK(tradeoffs(measurement).front().fault == 0.0);
+    CHECK(has(tolerance_answer(measurement, 1e-3), "nobody knows the error"));
+    CHECK(has(measure_json("x", measurement, {}, {}), "\"faults\": {\"error\": null, "));
 }
 
 TEST_CASE("the tables have a row for each choice and fit 80 columns") {
@@ -209,7 +240,7 @@ TEST_CASE("the tables have a row for each choice and fit 80 columns") {
         CAPTURE(line);
         CHECK(line.size() <= 80);
     }
-    for (const char* part : {"good for", "overlap", "doubt of the truth", "error after", "ms/tick"})
+    for (const char* part : {"good for", "overlap", "doubt of the truth", "worst fault", "ms/tick"})
         CHECK(has(text, part));
     std::size_t count = 0;
     for (const std::string& line : lines_of(text))
@@ -223,18 +254,20 @@ TEST_CASE("a budget and a tolerance name a choice, or the nearest") {
                                                                 .rates = {60},
                                                                 .solvers = {SolverKind::discrete},
                                                                 .horizon = 0.2});
-    // On this clock, every tick takes a millisecond.
+    // On this clock, 12 ticks take a millisecond.
     CHECK(has(budget_answer(measurement, 1.2e-3),
-              "Within 1.2 ms a tick: discrete at 60 ticks a second (1 ms, "));
+              "Within 1.2 ms a tick: discrete at 60 ticks a second (0.0833 ms, "));
     CHECK(has(budget_answer(measurement, 1e-6),
-              "nothing; the cheapest is\n  discrete at 60 ticks a second, at 1 ms."));
-    CHECK(has(tolerance_answer(measurement, 1e3),
-              "Within 1000 radii: discrete at 60 ticks a second (1 ms, "));
-    CHECK(has(tolerance_answer(measurement, 1e-3),
-              "nothing; the most accurate is\n  discrete at 60 ticks a second (1 ms, "));
-    Measurement lost = measurement;
-    lost.headline.reset();
-    CHECK(tolerance_answer(lost, 1e-3) == "Within 0.001 radii: nothing.\n");
+              "nothing; the cheapest is\n  discrete at 60 ticks a second, at 0.0833 ms."));
+    const std::string answer = tolerance_answer(measurement, 1e-3);
+    CHECK(has(answer, "nothing; the best is\n  discrete at 60 ticks a second (0.0833 ms, "));
+    CHECK(has(answer, ", escapes 1.0e+03 times what is promised"));
+    // The fast ball is outside, however near the truth it may be.
+    Measurement near = measurement;
+    near.rows.front().errors.assign(near.horizons.size(), {});
+    CHECK(has(tolerance_answer(near, 1e-3), "nothing; the best is"));
+    near.rows.front().figures.clear();
+    CHECK(has(tolerance_answer(near, 1e-3), "Within 0.001 radii: discrete at 60 ticks a second ("));
 }
 
 TEST_CASE("the CSV has a row for each choice and horizon, and as many cells as names") {

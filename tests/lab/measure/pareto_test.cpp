@@ -41,10 +41,10 @@ TEST_CASE("the Pareto front holds the choices that no other dominates") {
 
 TEST_CASE("the most accurate within a budget, the cheapest within a tolerance") {
     const std::vector<Tradeoff> choices{{1, 8}, {2, 4}, {2, 4}, {3, 4}, {4, 1}, {9, infinity}};
-    CHECK(most_accurate_within(choices, 0.5) == std::nullopt);
-    CHECK(most_accurate_within(choices, 1) == 0);
-    CHECK(most_accurate_within(choices, 3) == 1);
-    CHECK(most_accurate_within(choices, 100) == 4);
+    CHECK(best_within(choices, 0.5) == std::nullopt);
+    CHECK(best_within(choices, 1) == 0);
+    CHECK(best_within(choices, 3) == 1);
+    CHECK(best_within(choices, 100) == 4);
     CHECK(cheapest_within(choices, 0.5) == std::nullopt);
     CHECK(cheapest_within(choices, 1) == 4);
     CHECK(cheapest_within(choices, 4) == 1);
