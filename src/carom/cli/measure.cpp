@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <ctime>
 #include <optional>
+#include <utility>
 
 #include "carom/cli/interrupt.h"
 #include "carom/cli/progress.h"
 #include "carom/files/files.h"
 #include "carom/files/level_files.h"
 #include "carom/files/print.h"
+#include "carom/play/recording.h"
 #include "lab/measure/measure.h"
 #include "lab/measure/measure_data.h"
 #include "lab/measure/measure_text.h"
@@ -88,7 +90,48 @@ class Outputs {
     std::optional<OutputFile> json_;
 };
 
-int measure_scene(const MeasureOptions& options, const Scene& scene) {
+// A level, or a recording with its commands.
+struct Measurable {
+    Scene scene;
+    std::vector<TimedCommand> commands;
+    std::optional<double> time;  ///< s: the length of a recording
+};
+
+std::optional<Measurable> open_recording(const MeasureOptions& options) {
+    const char* option = options.rate                 ? "--rate"
+                         : options.seed               ? "--seed"
+                         : !options.overrides.empty() ? "--set"
+                                                      : nullptr;
+    if (option) {
+        print_error(fmt::format("'{}' is a recording, which leaves no choice of {}", options.level,
+                                option));
+        return std::nullopt;
+    }
+    auto opened = open_replay(options.level);
+    if (const auto* error = std::get_if<std::string>(&opened)) {
+        print_note(*error);
+        return std::nullopt;
+    }
+    auto& [replay, scene] = std::get<OpenedReplay>(opened);
+    scene.solver = replay.solver;
+    const double time = static_cast<double>(replay.end) / scene.world.rate();
+    return Measurable{std::move(scene), std::move(replay.commands), time};
+}
+
+// None: an error, which has been printed.
+std::optional<Measurable> open(const MeasureOptions& options) {
+    if (is_recording(options.level)) return open_recording(options);
+    LoadedLevel level = load_level_file(
+        options.level,
+        {.overrides = options.overrides, .seed = options.seed, .rate = options.rate});
+    if (!level.error.empty()) print_error(level.error);
+    print_diagnostics(level.result.diagnostics);
+    if (!level.result.scene) return std::nullopt;
+    return Measurable{std::move(*level.result.scene), {}, std::nullopt};
+}
+
+int measure_scene(const MeasureOptions& options, const Measurable& measurable) {
+    const Scene& scene = measurable.scene;
     for (const SolverKind kind : options.solvers) {
         if (supports(kind, scene.world.model())) continue;
         print_error(fmt::format("solver {} does not know cloth", name(kind)));
@@ -100,7 +143,11 @@ int measure_scene(const MeasureOptions& options, const Scene& scene) {
         return 2;
     }
     const InterruptGuard guard;
-    const std::optional<Measurement> measurement = measure_with_bar(scene, settings_of(options));
+    MeasureSettings settings = settings_of(options);
+    settings.commands = measurable.commands;
+    if (!options.time && measurable.time && *measurable.time > 0.0)
+        settings.time = *measurable.time;
+    const std::optional<Measurement> measurement = measure_with_bar(scene, settings);
     if (!measurement) return 0;
     outputs.write(options, *measurement);
     if (!outputs.error().empty()) {
@@ -122,13 +169,9 @@ int measure(const MeasureOptions& options) {
                     (options.csv == "-" ? "standard output" : "'" + options.csv + "'"));
         return 2;
     }
-    const LoadedLevel level = load_level_file(
-        options.level,
-        {.overrides = options.overrides, .seed = options.seed, .rate = options.rate});
-    if (!level.error.empty()) print_error(level.error);
-    print_diagnostics(level.result.diagnostics);
-    if (!level.result.scene) return 2;
-    const int code = measure_scene(options, *level.result.scene);
+    const std::optional<Measurable> measurable = open(options);
+    if (!measurable) return 2;
+    const int code = measure_scene(options, *measurable);
     if (const int signal = InterruptGuard::signal()) die_of(signal);
     return code;
 }

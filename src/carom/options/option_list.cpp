@@ -50,6 +50,11 @@ class Command {
             ->type_name("")
             ->required();
     }
+    void add_level_or_recording(std::string& level) {
+        app_.add_option("LEVEL", level, "A file, the name of a level that ships, or a recording")
+            ->type_name("")
+            ->required();
+    }
     void add_file(std::string& file) {
         app_.add_option("FILE", file, "A recording, as --record makes them")
             ->type_name("")
@@ -182,11 +187,7 @@ void add_play(CLI::App& app, PlayOptions& options) {
 
 void add_run(CLI::App& app, RunOptions& options) {
     Command run(app, "run", "Simulate a level without a screen");
-    run.app()
-        .add_option("LEVEL", options.level,
-                    "A file, the name of a level that ships, or a recording")
-        ->type_name("")
-        ->required();
+    run.add_level_or_recording(options.level);
     run.add({"--time", "S",
              "Simulated seconds, rounded to whole ticks; 10, or a recording's, where neither is "
              "given"},
@@ -217,9 +218,10 @@ void add_replay_and_verify(CLI::App& app, PlayOptions& play, VerifyOptions& opti
 void add_measure(CLI::App& app, MeasureOptions& options) {
     Command measure(app, "measure",
                     "Measure what every solver costs on a level, and how far it is off");
-    measure.add_level(options.level);
-    measure.add({"--time", "S", "Simulated seconds; 2 where nothing is said"}, options.time,
-                number(1e-6, 1e6));
+    measure.add_level_or_recording(options.level);
+    measure.add(
+        {"--time", "S", "Simulated seconds; 2, or all of a recording, where nothing is said"},
+        options.time, number(1e-6, 1e6));
     measure.add({"--solvers", "A,B...", "Those to try, of " + solver_names()}, options.solvers,
                 solvers_of_measure);
     measure.add({"--rates", "HZ,HZ...",

@@ -20,13 +20,14 @@ double share_of(double value, double promise) {
 
 }  // namespace
 
-std::array<Fault, 5> faults(const Measurement& measurement, const Measured& row) {
+std::array<Fault, 6> faults(const Measurement& measurement, const Measured& row) {
     const auto value = [&](std::string_view key) { return figure_of(row, key).value_or(0.0); };
     return {{{"error", share_of(error_share(measurement, row), 1.0)},
              {"overlap", share_of(value("max_overlap"), promised_overlap)},
              {"energy", share_of(value("energy_drift"), promised_drift)},
              {"escapes", never * value("escaped")},
-             {"standstill", never * static_cast<double>(row.too_dense)}}};
+             {"standstill", never * static_cast<double>(row.too_dense)},
+             {"refused", never * static_cast<double>(row.refused)}}};
 }
 
 Fault worst_fault(const Measurement& measurement, const Measured& row) {

@@ -25,8 +25,9 @@ struct Fault {
 
 /// error: the error at the headline horizon, or the reference's own uncertainty there if that is
 /// more, by MeasureSettings::tolerance; 0 without a headline, where nobody knows the error.
-/// overlap, energy, escapes, standstill: of the whole run, however far the reference is known.
-std::array<Fault, 5> faults(const Measurement& measurement, const Measured& row);
+/// overlap, energy, escapes, standstill, refused: of the whole run, however far the reference is
+/// known.
+std::array<Fault, 6> faults(const Measurement& measurement, const Measured& row);
 
 /// The largest of them; of equal ones the first.
 Fault worst_fault(const Measurement& measurement, const Measured& row);

@@ -6,6 +6,7 @@
 #include "lab/measure/difference.h"
 #include "lab/measure/faults.h"
 #include "lab/measure/horizons.h"
+#include "lab/measure/trial.h"
 #include "lab/run/run_record.h"
 
 namespace carom {
@@ -31,31 +32,29 @@ struct Bench {
     std::uint64_t total = 0;
 };
 
-World started_at(const Scene& scene, double rate) {
-    World world = scene.world;
-    world.edit_definition().rate = rate;
-    return world;
-}
-
 std::uint64_t ticks_of(const Bench& bench, double rate) {
     return bench.points.back() * ticks_each(rate, bench.common);
 }
 
+Trial started(const Bench& bench, const Choice& choice) {
+    return {bench.scene, choice, bench.settings.commands};
+}
+
 // One tick; cancelled if the caller ended the work in it or after it.
-TickOutcome tick(Bench& bench, World& world, Solver& solver) {
+TickOutcome tick(Bench& bench, Trial& trial) {
     const auto keep_going = [&] { return bench.hooks.go_on(bench.done, bench.total); };
-    const TickOutcome outcome = solver.tick(world, keep_going);
+    const TickOutcome outcome = trial.tick(keep_going);
     ++bench.done;
     return keep_going() ? outcome : TickOutcome::cancelled;
 }
 
 // Runs up to a horizon, or to the first tick that is not completed.
-TickOutcome run_to(Bench& bench, World& world, Solver& solver, std::uint64_t point,
+TickOutcome run_to(Bench& bench, Trial& trial, std::uint64_t point,
                    std::vector<Meeting>* meetings) {
-    const std::uint64_t ticks = point * ticks_each(world.rate(), bench.common);
-    while (world.tick() < ticks) {
-        const TickOutcome outcome = tick(bench, world, solver);
-        if (meetings != nullptr) note_meetings(*meetings, solver.contacts());
+    const std::uint64_t ticks = point * ticks_each(trial.world().rate(), bench.common);
+    while (trial.world().tick() < ticks) {
+        const TickOutcome outcome = tick(bench, trial);
+        if (meetings != nullptr) note_meetings(*meetings, trial.contacts());
         if (outcome != TickOutcome::done) return outcome;
     }
     return TickOutcome::done;
@@ -63,15 +62,15 @@ TickOutcome run_to(Bench& bench, World& world, Solver& solver, std::uint64_t poi
 
 std::optional<Truth> find_truth(Bench& bench, const Reference& reference, double radius) {
     Truth truth;
-    World world = started_at(bench.scene, reference.truth.rate);
-    World check_world = started_at(bench.scene, reference.check.rate);
-    Solver solver(reference.truth.solver);
-    Solver check(reference.check.solver);
+    Trial run = started(bench, reference.truth);
+    Trial check = started(bench, reference.check);
+    const World& world = run.world();
+    const World& check_world = check.world();
     const std::uint64_t before = bench.done;
     for (const std::uint64_t point : bench.points) {
-        const TickOutcome of_truth = run_to(bench, world, solver, point, &truth.meetings);
+        const TickOutcome of_truth = run_to(bench, run, point, &truth.meetings);
         if (of_truth == TickOutcome::cancelled) return std::nullopt;
-        const TickOutcome of_check = run_to(bench, check_world, check, point, nullptr);
+        const TickOutcome of_check = run_to(bench, check, point, nullptr);
         if (of_check == TickOutcome::cancelled) return std::nullopt;
         const bool are_done = of_truth == TickOutcome::done && of_check == TickOutcome::done;
         const double doubt = difference(world, check_world).rms / radius;
@@ -85,6 +84,29 @@ std::optional<Truth> find_truth(Bench& bench, const Reference& reference, double
     }
     bench.done = before + ticks_of(bench, world.rate()) + ticks_of(bench, check_world.rate());
     return truth;
+}
+
+// The oracle's differences from the truth, in radii. The truth ends where they exceed the
+// tolerance.
+IndependentCheck check_truth(Bench& bench, Truth& truth, double radius) {
+    std::vector<double> times;
+    for (std::size_t i = 0; i < truth.positions.size(); ++i)
+        times.push_back(static_cast<double>(bench.points[i]) / bench.common);
+    if (!bench.settings.commands.empty())
+        return {.differences = {}, .ended = "it knows no commands"};
+    const auto go_on = [&] { return bench.hooks.go_on(bench.done, bench.total); };
+    IndependentCheck check = check_independently(bench.scene.world, times, truth.positions, go_on);
+    for (std::size_t i = 0; i < check.differences.size(); ++i) {
+        check.differences[i] /= radius;
+        if (check.differences[i] <= bench.settings.tolerance) continue;
+        truth.chaos = times[i];
+        truth.positions.resize(i);
+        truth.met.resize(i);
+        truth.doubts.resize(i);
+        check.differences.resize(i);
+        check.ended = "it disagrees with the reference from there on";
+    }
+    return check;
 }
 
 ErrorAt error_at(const Truth& truth, std::size_t horizon, const World& world,
@@ -112,27 +134,28 @@ std::vector<std::optional<double>> measured_figures(const RunWatch& watch, const
 std::optional<Measured> observed(Bench& bench, const Choice& choice, const Truth& truth,
                                  double radius) {
     Measured row{.choice = choice};
-    World world = started_at(bench.scene, choice.rate);
-    Solver solver(choice.solver);
+    Trial trial = started(bench, choice);
+    const World& world = trial.world();
     RunWatch watch(bench.scene, RunWatch::Conservation::noted);
     std::vector<Meeting> meetings;
     std::uint64_t ball_ticks = 0;
     const std::uint64_t ticks = ticks_of(bench, choice.rate);
     const std::uint64_t period = ticks_each(choice.rate, bench.common);
     while (world.tick() < ticks) {
-        const TickOutcome outcome = tick(bench, world, solver);
+        const TickOutcome outcome = tick(bench, trial);
         if (outcome == TickOutcome::cancelled) return std::nullopt;
         if (outcome == TickOutcome::too_dense) ++row.too_dense;
         ball_ticks += world.balls().size();
         watch.note_tick(world);
         const std::size_t next = row.errors.size();
         if (next < truth.positions.size()) {
-            note_meetings(meetings, solver.contacts());
+            note_meetings(meetings, trial.contacts());
             if (world.tick() == bench.points[next] * period)
                 row.errors.push_back(error_at(truth, next, world, meetings, radius));
         }
     }
     row.ball_seconds = static_cast<double>(ball_ticks) / choice.rate;
+    row.refused = trial.refused();
     row.figures = measured_figures(watch, world, radius);
     return row;
 }
@@ -141,8 +164,8 @@ std::optional<Measured> observed(Bench& bench, const Choice& choice, const Truth
 // of a few balls, so it is read once for several ticks.
 std::optional<double> timed(Bench& bench, const Choice& choice) {
     constexpr std::uint64_t ticks_a_reading = 16;
-    World world = started_at(bench.scene, choice.rate);
-    Solver solver(choice.solver);
+    Trial trial = started(bench, choice);
+    const World& world = trial.world();
     const std::uint64_t ticks = ticks_of(bench, choice.rate);
     const auto keep_going = [&] { return bench.hooks.go_on(bench.done, bench.total); };
     double seconds = 0.0;
@@ -150,7 +173,7 @@ std::optional<double> timed(Bench& bench, const Choice& choice) {
         const std::uint64_t until = std::min(ticks, world.tick() + ticks_a_reading);
         const double before = bench.hooks.clock();
         for (; world.tick() < until; ++bench.done)
-            if (solver.tick(world, keep_going) == TickOutcome::cancelled) return std::nullopt;
+            if (trial.tick(keep_going) == TickOutcome::cancelled) return std::nullopt;
         seconds += bench.hooks.clock() - before;
         if (!keep_going()) return std::nullopt;
     }
@@ -223,8 +246,9 @@ std::optional<Measurement> measure(const Scene& scene, const MeasureSettings& se
     const Reference reference = reference_settings(rate);
     Bench bench = prepare(scene, settings, hooks, choices, reference);
     const double radius = mean_radius(scene.world);
-    const std::optional<Truth> truth = find_truth(bench, reference, radius);
+    std::optional<Truth> truth = find_truth(bench, reference, radius);
     if (!truth) return std::nullopt;
+    const IndependentCheck independent = check_truth(bench, *truth, radius);
 
     Measurement measurement{.rate = rate,
                             .seed = scene.world.seed(),
@@ -238,6 +262,7 @@ std::optional<Measurement> measure(const Scene& scene, const MeasureSettings& se
                             .horizons = {},
                             .doubts = truth->doubts,
                             .chaos = truth->chaos,
+                            .independent = independent,
                             .headline = {},
                             .rows = {}};
     for (std::size_t i = 0; i < truth->positions.size(); ++i)

@@ -5,8 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "game/commands/command.h"
 #include "lab/hooks.h"
 #include "lab/measure/contact_order.h"
+#include "lab/measure/independent.h"
 #include "lab/measure/pareto.h"
 #include "lab/run/choice.h"
 #include "lab/run/figures.h"
@@ -24,10 +26,11 @@ struct MeasureSettings {
     double time = 2.0;  ///< s simulated by every choice, > 0
     int repeats = 3;    ///< runs of each choice to measure its cost, >= 1, besides the one that
                         ///< measures everything else
-    double tolerance = 1e-3;          ///< radii, > 0: an acceptable error
-    std::vector<double> rates;        ///< ticks a second, each > 0; empty: the usual rates
-    std::vector<SolverKind> solvers;  ///< empty: all solvers
-    std::optional<double> horizon;    ///< s, > 0: when errors are compared; none: see headline
+    double tolerance = 1e-3;             ///< radii, > 0: an acceptable error
+    std::vector<double> rates;           ///< ticks a second, each > 0; empty: the usual rates
+    std::vector<SolverKind> solvers;     ///< empty: all solvers
+    std::optional<double> horizon;       ///< s, > 0: when errors are compared; none: see headline
+    std::vector<TimedCommand> commands;  ///< of a recording of the level: see Trial
 };
 
 /// The error of a choice at one instant.
@@ -55,6 +58,7 @@ struct Measured {
     /// measure` does not have the figure.
     std::vector<std::optional<double>> figures;
     std::uint64_t too_dense = 0;  ///< ticks in which time stood still (TickOutcome::too_dense)
+    std::uint64_t refused = 0;    ///< commands of the recording
 };
 
 struct Measurement {
@@ -71,8 +75,10 @@ struct Measurement {
     /// lowest common rate, as long as the reference can be trusted.
     std::vector<double> horizons;
     std::vector<double> doubts;  ///< by horizon: RMS difference of the two reference runs, radii
-    /// When the two reference runs differed by more than the tolerance; none: they never did.
+    /// When the two reference runs, or the independent check, differed by more than the tolerance;
+    /// none: they never did.
     std::optional<double> chaos;
+    IndependentCheck independent;  ///< differences in radii
     /// Index of the horizon at which choices are compared: the last one at which three quarters of
     /// the choices have an error below one radius, or the last one up to MeasureSettings::horizon.
     /// None if the references diverge at once: then faults other than the error decide.

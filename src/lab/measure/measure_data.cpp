@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -34,6 +35,21 @@ void write_reference(JsonWriter& json, std::string_view key, const Choice& choic
     json.key(key);
     json.begin_object(Layout::one_line);
     write_choice(json, choice);
+    json.end_object();
+}
+
+void write_independent(JsonWriter& json, const Measurement& measurement) {
+    const IndependentCheck& check = measurement.independent;
+    const bool is_there = !check.differences.empty();
+    json.key("independent");
+    json.begin_object(Layout::one_line);
+    write_optional(json, "until",
+                   is_there ? std::optional(measurement.horizons[check.differences.size() - 1])
+                            : std::nullopt);
+    write_optional(
+        json, "rms",
+        is_there ? std::optional(*std::ranges::max_element(check.differences)) : std::nullopt);
+    json.field("ended", check.ended);
     json.end_object();
 }
 
@@ -91,6 +107,7 @@ void write_rows(JsonWriter& json, const Measurement& measurement) {
         for (std::size_t k = 0; k < figures().size(); ++k)
             if (figures()[k].is_in_measure) write_figure(json, figures()[k], row.figures[k]);
         json.field("too_dense_ticks", row.too_dense);
+        json.field("refused", row.refused);
         write_faults(json, measurement, row);
         write_errors(json, measurement, row);
         write_cost(json, measurement, row, front[i]);
@@ -175,6 +192,7 @@ std::string measure_json(std::string_view level, const Measurement& measurement,
     }
     json.end_list();
     write_optional(json, "chaos", measurement.chaos);
+    write_independent(json, measurement);
     write_optional(json, "horizon",
                    measurement.headline ? std::optional(measurement.horizons[*measurement.headline])
                                         : std::nullopt);

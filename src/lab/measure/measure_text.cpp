@@ -62,12 +62,23 @@ std::string believed(const Measurement& measurement) {
         fmt::format("{:g}", measurement.tolerance));
 }
 
+std::string independent(const Measurement& measurement) {
+    const IndependentCheck& check = measurement.independent;
+    if (check.differences.empty())
+        return fmt::format("Independent check: none, since {}.\n", check.ended);
+    return fmt::format("Independent check with 32 digits: within {} radii up to {}{}{}.\n",
+                       small(*std::ranges::max_element(check.differences)),
+                       seconds_text(measurement.horizons[check.differences.size() - 1]),
+                       check.ended.empty() ? "" : ";\n  ", check.ended);
+}
+
 std::string heading(std::string_view title, const Measurement& measurement) {
     return fmt::format(
         "{}: {} balls, {} s at {} ticks a second; best of {} runs\n"
-        "Reference: {}.\n{}",
+        "Reference: {}.\n{}{}",
         title, measurement.balls, measurement.time, rate_text(measurement.rate),
-        measurement.repeats, reference_text(measurement.reference), believed(measurement));
+        measurement.repeats, reference_text(measurement.reference), believed(measurement),
+        independent(measurement));
 }
 
 // The first columns, which all tables share.
@@ -235,6 +246,9 @@ std::string measure_text(std::string_view title, const Measurement& measurement)
         if (row.too_dense > 0)
             text += fmt::format("{}: time stood still for the rest of {} ticks, too dense.\n",
                                 named(row.choice), row.too_dense);
+        if (row.refused > 0)
+            text += fmt::format("{}: {} commands of the recording were refused.\n",
+                                named(row.choice), row.refused);
     }
     if (measurement.headline)
         text += "\nThe error as it grows:\n\n" + error_table(measurement, front);

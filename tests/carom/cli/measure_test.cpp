@@ -158,6 +158,23 @@ TEST_CASE("measure prints tables, or writes files, and all but the cost is repro
     CHECK(kept.substr(0, picks) == without_cost(run_carom(to_files).out).substr(0, picks));
 }
 
+TEST_CASE("measure takes a recording, so that a game can be judged") {
+    const TemporaryFolder folder;
+    const std::string level = folder.file("crowd.level", crowd);
+    const std::string replay = folder.path("a.replay");
+    const std::string script = folder.file("a.txt", "at 3 remove-ball 0\n");
+    REQUIRE(run_carom({"run", level, "--ticks", "12", "--commands", script, "--record", replay})
+                .exit_code == 0);
+    const Finished measured = run_carom({"measure", replay, "--rates", "60", "--solvers",
+                                         "swept,event", "--repeats", "1", "--json", "-"});
+    CHECK(measured.exit_code == 0);
+    CHECK(has(measured.out, "\"time\": 0.2,"));
+    CHECK(has(measured.out, "\"refused\": 0,"));
+    const Finished refused = run_carom({"measure", replay, "--rate", "90"});
+    CHECK(refused.exit_code == 2);
+    CHECK(has(refused.err, "is a recording, which leaves no choice of --rate"));
+}
+
 TEST_CASE("measure does not start if its output cannot be written") {
     const TemporaryFolder folder;
     const std::string level = folder.file("crowd.level", crowd);

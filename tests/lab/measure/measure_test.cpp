@@ -306,3 +306,63 @@ TEST_CASE("the JSON has its keys, and the picked choices") {
     CHECK(has(json, "\"check\": {\"solver\": \"event\", \"settings\": {\"extended\": false}"));
     CHECK(has(measure_json("thin", measurement, 1e-9, {}), "\"choice\": null"));
 }
+
+TEST_CASE("the reference agrees with an independent computation in 32 digits") {
+    const char* const scenes[] = {
+        crowd,
+        "rate 60\nuse gravity 0,-10\nkind disc r=0.5 e=0.9\nbox 0,0 20,20\n"
+        "edge r=0.3 4,8 12,5\nedge r=0.7 14,11 14.1,11\nfill disc count=8 box=2,12,18,19 speed=4\n",
+    };
+    for (const char* const scene : scenes) {
+        const Measurement measurement =
+            measured(load(scene),
+                     {.time = 0.6, .repeats = 1, .rates = {60}, .solvers = {SolverKind::event}});
+        const IndependentCheck& check = measurement.independent;
+        CHECK(check.ended == "");
+        REQUIRE(check.differences.size() == measurement.horizons.size());
+        CHECK(std::ranges::max(check.differences) < 1e-13);
+        CHECK(has(measure_text("x", measurement), "Independent check with 32 digits: within "));
+    }
+}
+
+TEST_CASE("the independent check says where it ends") {
+    // Three balls that touch meet at one instant; friction is beyond it.
+    const MeasureSettings settings{
+        .time = 0.6, .repeats = 1, .rates = {60}, .solvers = {SolverKind::event}};
+    const Measurement row =
+        measured(load("rate 60\nball a at=0,0 v=10,0 r=1\nball b at=4,0 r=1\nball c at=6,0 r=1\n"),
+                 settings);
+    CHECK(row.independent.ended == "impacts at one instant are beyond it");
+    CHECK(row.independent.differences.size() < row.horizons.size());
+    CHECK_FALSE(row.chaos);
+    // A ball that lies on the floor, beside one that bounces.
+    const Measurement rest = measured(load("rate 60\nuse gravity 0,-10\nmaterial m e=0.5\n"
+                                           "edge m r=0 0,0 9,0\n"
+                                           "ball a at=2,1 r=1\nball b at=6,2 r=1\n"),
+                                      settings);
+    CHECK(rest.independent.differences.empty());
+    CHECK_FALSE(rest.chaos);
+    const Measurement spin =
+        measured(load("rate 60\nuse spin\nball a at=0,0 v=1,0 r=1\n"), settings);
+    CHECK(spin.independent.differences.empty());
+    CHECK(has(measure_text("x", spin), "Independent check: none, since it knows only gravity"));
+}
+
+TEST_CASE("a recording's commands reach every choice, at the time nearest to theirs") {
+    MeasureSettings settings{.time = 1.0,
+                             .repeats = 1,
+                             .rates = {15, 60, 240},
+                             .solvers = {SolverKind::swept, SolverKind::event}};
+    const Scene scene = load("rate 60\nball a at=0,0 v=1,0 r=1\n");
+    settings.commands = {{30, command::Strike{BallId{0}, {0.0, 8.0}}},
+                         {40, command::SetSolver{{.kind = SolverKind::discrete}}},
+                         {45, command::RemoveBall{BallId{7}}}};
+    const Measurement measurement = measured(scene, settings);
+    CHECK(measurement.independent.ended == "it knows no commands");
+    for (const Measured& row : measurement.rows) {
+        CHECK(row.errors.back().rms <= 0.27);
+        CHECK((row.choice.rate < 60 || row.errors.back().rms < 1e-12));
+        CHECK(row.refused == 1);
+        CHECK(worst_fault(measurement, row).name == "refused");
+    }
+}

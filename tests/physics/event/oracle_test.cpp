@@ -68,26 +68,26 @@ struct Worst {
     std::size_t impacts = 0;
 };
 
-double distance_of(const oracle::Point& a, const oracle::Point& b) {
-    const oracle::Number x = a.x - b.x;
-    const oracle::Number y = a.y - b.y;
-    return oracle::Number(sqrt(oracle::Number(x * x + y * y))).get_d();
+double distance_of(const many_digits::Point& a, const many_digits::Point& b) {
+    const many_digits::Number x = a.x - b.x;
+    const many_digits::Number y = a.y - b.y;
+    return many_digits::Number(sqrt(many_digits::Number(x * x + y * y))).get_d();
 }
 
 // Runs until differences have grown by `most_growth`, or for `ticks` of 1/64 s. `floor`: the
 // rounding of reading a double.
 Worst compare(std::uint64_t who, bool extended, std::uint64_t ticks, double most_growth,
               double floor) {
-    oracle::use_many_digits();
+    many_digits::use();
     World world = scene(who);
-    oracle::Oracle exact(world);
-    std::vector<oracle::Oracle> others;
-    const oracle::Number hair("1e-30");
+    many_digits::Oracle exact(world);
+    std::vector<many_digits::Oracle> others;
+    const many_digits::Number hair("1e-30");
     for (std::uint64_t k = 0; k < 3; ++k) {
         others.emplace_back(world);
         for (std::size_t i = 0; i < world.balls().size(); ++i) {
             const auto some = [&](std::uint64_t n) {
-                return oracle::Number(hair * draw(-1, 1, who, 10'000 + 100 * k + 4 * i + n));
+                return many_digits::Number(hair * draw(-1, 1, who, 10'000 + 100 * k + 4 * i + n));
             };
             others.back().nudge(i, {some(0), some(1)}, {some(2), some(3)});
         }
@@ -98,13 +98,13 @@ Worst compare(std::uint64_t who, bool extended, std::uint64_t ticks, double most
     while (world.tick() < ticks) {
         solver.tick(world);
         contacts.insert(contacts.end(), solver.contacts().begin(), solver.contacts().end());
-        const oracle::Number time(world.time());
+        const many_digits::Number time(world.time());
         exact.run_until(time);
         for (auto& other : others)
             other.run_until(time);
         double error = 0.0;
         for (std::size_t i = 0; i < world.balls().size(); ++i) {
-            const oracle::Point there = exact.position(i);
+            const many_digits::Point there = exact.position(i);
             for (const auto& other : others)
                 worst.growth =
                     std::max(worst.growth, distance_of(there, other.position(i)) / 1e-30);
@@ -150,12 +150,12 @@ void check(bool extended, std::uint64_t count, std::uint64_t ticks) {
 }  // namespace
 
 TEST_CASE("oracle: a falling ball follows Galileo, and so do its bounces") {
-    oracle::use_many_digits();
+    many_digits::use();
     World world = scenes::empty();
     world.edit_definition().model.gravity = Vec2{0.0, -8.0};
     add_capsule(world, {{-5.0, 0.0}, {5.0, 0.0}, 0.0}, 0);
     add_ball(world, {.position = {0.5, 5.0}, .velocity = {1.0, 0.0}, .radius = 1.0});
-    oracle::Oracle exact(world);
+    many_digits::Oracle exact(world);
     exact.run_until(3.5);  // falls 4 in 1 s, and bounces each 2 s
     REQUIRE(exact.impacts().size() == 2);
     CHECK(exact.impacts()[0].time == 1.0);
@@ -168,7 +168,7 @@ TEST_CASE("oracle: a falling ball follows Galileo, and so do its bounces") {
     add_capsule(pair, {{10.0, 0.0}, {12.0, 0.0}, 0.5}, 0);
     add_ball(pair, {.position = {0.0, 0.0}, .velocity = {2.0, 0.0}, .radius = 1.0});
     add_ball(pair, {.position = {4.0, 0.0}, .velocity = {0.0, 0.0}, .radius = 0.5});
-    oracle::Oracle other(pair);
+    many_digits::Oracle other(pair);
     other.run_until(4.5);
     REQUIRE(other.impacts().size() == 2);
     CHECK(other.impacts()[0].time == 1.25);
