@@ -8,6 +8,7 @@ namespace carom {
 ///
 /// 2: `event` misses no impact of oversized balls that cross a torus several times within a search;
 /// a hand that moves an edge of a cluster and lets go of it ends the hybrid step.
-inline constexpr int physics_version = 2;
+/// 3: under `event` a ball whose spin has been braked keeps its supports.
+inline constexpr int physics_version = 3;
 
 }  // namespace carom

@@ -138,7 +138,7 @@ const std::vector<std::uint32_t>& Transitions<Real>::handle(std::uint32_t ball) 
     const BallState<Real> state = trajectories_.state_now(ball);
     if (scene_.world->model().spin) friction_.end_slip(ball);
     trajectories_.start(ball, scene_.now, state.position, state.velocity);
-    if (before.motion == Motion::resting && rest_.is_held_up(ball)) {
+    if (guard_.is_frozen(before) && rest_.is_held_up(ball)) {
         // A frozen ball that its neighbours hold lies on them, even if they have not come to rest.
         balls_[ball].line.motion = Motion::resting;
         balls_.curve(ball).acceleration = {};
