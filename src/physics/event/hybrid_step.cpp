@@ -74,8 +74,8 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
         const EventMemory& of_free = event_memory(free_.world);
         memory.trajectories = of_free.trajectories;
         if (!world.held_capsules().empty()) memory.trajectories.obstacles = 0;
-        memory.contacts.swap(SolverAccess(cluster_.world).memory().use<ContactMemory>().contacts);
         find_staying(cluster_.world, memory.clustered);
+        memory.contacts.swap(SolverAccess(cluster_.world).memory().use<ContactMemory>().contacts);
         memory.clustered.insert(memory.clustered.end(), of_free.clustered.begin(),
                                 of_free.clustered.end());
         std::ranges::sort(memory.clustered);
