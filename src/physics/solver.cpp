@@ -1,5 +1,8 @@
 #include "physics/solver.h"
 
+#include <optional>
+
+#include "physics/broad_phase/cell_frame.h"
 #include "physics/solver_table.h"
 #include "physics/tick/emitters_and_sinks.h"
 #include "physics/tick/undo.h"
@@ -7,7 +10,14 @@
 namespace carom {
 namespace {
 
-// Inside a solver bodies go by index; outside by id. Looked up one by one, the ids of many balls
+// On a torus a solver names the place of a contact in whichever period it has found it.
+void wrap_points(const std::optional<Box>& torus, std::span<Contact> contacts) {
+    if (!torus) return;
+    for (Contact& contact : contacts)
+        contact.point = wrapped(contact.point, *torus);
+}
+
+// Inside a solver bodies go by index, outside by id. Looked up one by one, the ids of many balls
 // would have to come from far away in memory.
 void name_bodies(World& world, std::span<Contact> contacts) {
     const std::vector<BallId>& ids = world.balls().id;
@@ -94,6 +104,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     stop_slow_balls(world, state.touched);
     ++world.edit_tick();
     name_bodies(world, state.contacts);
+    wrap_points(world.model().wrap, state.contacts);
     drain_sinks(world);
     return outcome;
 }

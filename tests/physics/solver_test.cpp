@@ -169,6 +169,22 @@ TEST_CASE("contacts are matched by id, even if some ids are missing, in every so
         }
 }
 
+TEST_CASE("on a torus, a contact lies within it in every solver") {
+    for (const SolverKind kind : solvers_available()) {
+        CAPTURE(name(kind));
+        World world = scenes::empty();
+        world.edit_definition().model.wrap = Box{{0.0, 0.0}, {20.0, 20.0}};
+        add_ball(world, {.position = {1.6, 10.0}, .velocity = {-1.0, 0.0}});
+        add_ball(world, {.position = {19.5, 10.0}, .velocity = {1.0, 0.0}});
+        Solver solver({.kind = kind});
+        for (int tick = 0; tick < 60 && solver.contacts().empty(); ++tick)
+            solver.tick(world);
+        REQUIRE(solver.contacts().size() == 1);
+        CHECK(solver.contacts()[0].point.x == doctest::Approx(0.55).epsilon(0.02));
+        CHECK(solver.contacts()[0].point.y == doctest::Approx(10.0));
+    }
+}
+
 TEST_CASE("no ball falls faster than the limit, tick after tick, in every solver") {
     for (const SolverKind kind : solvers_available()) {
         CAPTURE(name(kind));

@@ -16,7 +16,7 @@ struct Contact {
     ContactKind kind = ContactKind::ball_ball;
     std::uint32_t a = 0;
     std::uint32_t b = 0;
-    Vec2 point;   ///< where they touch
+    Vec2 point;   ///< where they touch; on a torus within it, once the tick is done
     Vec2 normal;  ///< unit, from b to a; what the impulse acted along (turned, under scatter)
     /// Closing speed along the normal before, length/s, > 0. A constraint of `contact` reports the
     /// impulse over the effective mass instead, also for a ball at rest.

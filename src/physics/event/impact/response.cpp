@@ -182,7 +182,7 @@ void Response<Real>::record_contact(std::size_t at, std::vector<Contact>& contac
                         .kind = on_ball ? ContactKind::ball_ball : ContactKind::ball_edge,
                         .a = is_swapped ? point.other : body.ball,
                         .b = is_swapped ? body.ball : point.other,
-                        .point = world.model().wrap ? wrapped(place, *world.model().wrap) : place,
+                        .point = place,
                         .normal = is_swapped ? -normal : normal,
                         .approach = approach,
                         .impulse = static_cast<double>(passed_[at])});
