@@ -9,7 +9,8 @@ namespace carom {
 /// 2: `event` misses no impact of oversized balls that cross a torus several times within a search;
 /// a hand that moves an edge of a cluster and lets go of it ends the hybrid step.
 /// 3: under `event` a ball whose spin has been braked keeps its supports, and the contacts of a
-/// hybrid step, not those of the one before, decide which balls stay in the cluster.
+/// hybrid step, not those of the one before, decide which balls stay in the cluster; a contact of a
+/// jam that does not approach never pulls.
 inline constexpr int physics_version = 3;
 
 }  // namespace carom

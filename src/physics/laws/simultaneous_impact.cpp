@@ -225,14 +225,18 @@ std::pmr::vector<Real> reflect(std::span<ImpactBody<Real>> bodies,
                                std::span<const ImpactContact<Real>> contacts,
                                std::pmr::memory_resource* memory) {
     std::pmr::vector<Real> passed(contacts.size(), memory);
+    const auto reflect_one = [&](std::uint32_t index) {
+        if (approach_of<Real>(contacts[index], bodies) > Real{})
+            passed[index] = reflect_alone(bodies, contacts[index]);
+    };
     if (contacts.size() == 1) {
-        passed[0] = reflect_alone(bodies, contacts[0]);
+        reflect_one(0);
         return passed;
     }
     for (const auto& group : groups_of<Real>(bodies, contacts, memory)) {
         const std::size_t count = group.size();
         if (count == 1) {
-            passed[group[0]] = reflect_alone(bodies, contacts[group[0]]);
+            reflect_one(group[0]);
             continue;
         }
         Real restitution = contacts[group[0]].restitution;

@@ -47,9 +47,9 @@ Real approach_of(const ImpactContact<Real>& contact, std::span<const ImpactBody<
 
 /// One step of the rule: changes the velocities of `bodies`, and returns the impulse of each
 /// contact, >= 0. Contacts connected through movable bodies all take the smallest restitution among
-/// them. Memory, also for the result, comes from `memory`. Pre: at least one body of each contact
-/// is movable; all approach, or all have restitution 0 (then one that does not approach passes an
-/// impulse only if those of others make it approach).
+/// them. A contact that does not approach passes an impulse only if those of others make it
+/// approach. Memory, also for the result, comes from `memory`. Pre: at least one body of each
+/// contact is movable.
 template <typename Real>
 std::pmr::vector<Real> reflect(
     std::span<ImpactBody<Real>> bodies, std::span<const ImpactContact<Real>> contacts,
@@ -65,7 +65,7 @@ void push(std::span<ImpactBody<Real>> bodies, const ImpactContact<Real>& contact
         bodies[contact.b].velocity -= way * bodies[contact.b].inverse_mass;
 }
 
-/// `reflect` for a single contact: returns its impulse.
+/// `reflect` for a single contact, which approaches: returns its impulse.
 template <typename Real>
 Real reflect_alone(std::span<ImpactBody<Real>> bodies, const ImpactContact<Real>& contact) {
     const Real square = length_squared(contact.normal);

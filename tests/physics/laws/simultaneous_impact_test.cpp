@@ -243,6 +243,26 @@ TEST_CASE("simultaneous impact: the order of bodies and of contacts does not mat
     CHECK(worst < 1e-11);
 }
 
+TEST_CASE("simultaneous impact: a contact that does not approach never pulls") {
+    // A ball that leaves a wall, alone and beside one that runs into another wall.
+    const Body leaving{{1.0, 0.0}, 1.0};
+    const Body arriving{{-2.0, 0.0}, 1.0};
+    for (const double restitution : {0.0, 1.0}) {
+        CAPTURE(restitution);
+        const Touch first{.a = 0, .normal = {1.0, 0.0}, .restitution = restitution};
+        const Touch second{.a = 1, .normal = {1.0, 0.0}, .restitution = restitution};
+        std::vector<Body> bodies{leaving, arriving};
+        const std::vector<Touch> contacts{first, second};
+        const auto alone = reflect<double>(bodies, std::vector<Touch>{first});
+        CHECK(alone[0] == 0.0);
+        CHECK(bodies[0].velocity == leaving.velocity);
+        const auto both = reflect<double>(bodies, contacts);
+        CHECK(both[0] == 0.0);
+        CHECK(bodies[0].velocity == leaving.velocity);
+        CHECK(both[1] == 2.0 * (1.0 + restitution));
+    }
+}
+
 TEST_CASE("simultaneous impact: 32 digits give the same result, more accurately") {
     for (std::uint64_t who = 0; who < 200; ++who) {
         CAPTURE(who);
