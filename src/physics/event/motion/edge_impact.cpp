@@ -237,11 +237,17 @@ std::optional<Real> moving_edge_time_of_impact(const Trajectory<Real>& trajector
     const Real whole = length(shape.end - shape.start);
     const BallState<Real> now = state_at(trajectory, field, begin);
     const Real speed = length(now.velocity) + greater(length(from), length(to));
-    Real bound = most_acceleration(trajectory, field, begin);
+    const Real ours = most_acceleration(trajectory, field, begin);
     const Real zero{};
+    Real bound = ours;     // of the search
+    Real pressing = ours;  // what may press the bodies together, for tolerances
     if (whole > zero) {
         const Real turning = Real(2.0) * length(to - from) / whole;
-        bound += turning * (Real(2.0) * (speed + bound * (last - begin)) + turning * whole);
+        const Real fastest = speed + ours * (last - begin);
+        const Real away = contact_with(shape, now.position, zero).gap + shape.radius;
+        const Real furthest = away + fastest * (last - begin);
+        bound += turning * (Real(2.0) * fastest + turning * furthest);
+        pressing += turning * (Real(2.0) * fastest + turning * whole);
     }
     const auto separation_at = [&](const Real& time) -> Separation<Real> {
         const BallState<Real> state = state_at(trajectory, field, time);
@@ -249,7 +255,7 @@ std::optional<Real> moving_edge_time_of_impact(const Trajectory<Real>& trajector
         const Vector<Real> surface = from + (to - from) * contact.place;
         return {contact.gap, dot(contact.normal, state.velocity - surface), zero};
     };
-    auto limits = tolerance(now.position, radius, speed, bound, radius, field.pressing,
+    auto limits = tolerance(now.position, radius, speed, pressing, radius, field.pressing,
                             is_on_cloth(trajectory) ? moving_rest_height : rest_height);
     return first_time_of_impact<Real>(separation_at, begin, last, bound, limits, search);
 }

@@ -64,11 +64,12 @@ std::optional<Real> edge_time_of_impact(const Trajectory<Real>& trajectory, cons
 ///
 /// The bound of the search is, for ends with velocities u and v,
 ///
-///     A = B + w (2 (s + B T) + w L)    with w = 2 |v - u| / L
+///     A = B + w (2 S + w (D + S T))    with w = 2 |v - u| / L and S = s + B T
 ///
-/// B is the ball's most_acceleration, L the edge's length and s the ball's speed plus that of the
-/// faster end, all at `begin`; T = end - begin. It holds while the edge is at least L / 2 long, so
-/// that it turns no faster than w. An edge that shrinks further in a tick may miss an impact.
+/// B is the ball's most_acceleration, L the edge's length, D the distance of the ball's centre from
+/// the edge's spine, and s the ball's speed plus that of the faster end, all at `begin`; T = end -
+/// begin. It holds while the edge is at least L / 2 long, so that it turns no faster than w. An
+/// edge that shrinks further in a tick may miss an impact. README.md derives the bound.
 ///
 /// The result depends on `begin` and `end`, and a suspended search resumes from a later `begin`: no
 /// tick with kinematic edges is continued, so the search need not be repeatable from the trajectory

@@ -81,3 +81,33 @@ TEST_CASE("edge impact: a kinematic edge goes on until it stops") {
     const auto high = thrown({0.0, 1.6}, {});
     CHECK(!moving_edge_time_of_impact<double>(high, edge, 0.4, field, 2.0, 9.0, search));
 }
+
+TEST_CASE("edge impact: a turning edge meets even a much larger ball in time") {
+    // The edge turns about its middle, and the ball lies above that: the distance first shrinks
+    // with the square of the time.
+    for (const double radius : {0.05, 1.0, 10.0, 1000.0}) {
+        CAPTURE(radius);
+        constexpr double whole = 0.1;
+        constexpr double gap = 0.004;
+        MovingEdge<double> edge;
+        edge.edge = Edge<double>({{-whole / 2, 0.0}, {whole / 2, 0.0}, 0.0}, {});
+        edge.start_velocity = {0.0, -1.0};
+        edge.end_velocity = {0.0, 1.0};
+        edge.stop = 1.0;
+        const auto path = thrown({0.0, radius + gap}, {});
+        const auto gap_at = [&](double time) {
+            return contact_with(edge.at(time), path.position, radius).gap;
+        };
+        double before = 0.0;
+        while (before < 1.0 && gap_at(before) > 0.0)
+            before += 1e-6;
+        ToiSearch<double> search;
+        const auto time = moving_edge_time_of_impact<double>(path, edge, radius, Field<double>{},
+                                                             0.0, 1.0, search);
+        REQUIRE(time.has_value() == (before < 1.0));
+        if (!time) continue;
+        CHECK(*time <= before);
+        CHECK(*time > before - 2e-6);
+        CHECK(gap_at(*time) > -1e-9);
+    }
+}
