@@ -2,7 +2,8 @@
 # folder. Messages go to standard error, since standard output belongs to the program.
 
 play_packages=(g++ cmake ninja-build pkg-config libncurses-dev libfmt-dev libcli11-dev)
-test_packages=(doctest-dev libgmp-dev libvterm-dev ncurses-term openssh-server openssh-client)
+test_packages=(doctest-dev libgmp-dev libvterm-dev ncurses-term openssh-server openssh-client
+    dpkg-dev file)
 
 # ctest runs as many test programs at once as there are cores.
 export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}

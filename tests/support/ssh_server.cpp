@@ -37,25 +37,6 @@ sockaddr_in loopback(int port) {
     return address;
 }
 
-int free_port() {
-    const int handle = socket(AF_INET, SOCK_STREAM, 0);
-    sockaddr_in address = loopback(0);
-    socklen_t length = sizeof address;
-    bind(handle, reinterpret_cast<const sockaddr*>(&address), length);
-    getsockname(handle, reinterpret_cast<sockaddr*>(&address), &length);
-    close(handle);
-    return ntohs(address.sin_port);
-}
-
-bool is_listening(int port) {
-    const int handle = socket(AF_INET, SOCK_STREAM, 0);
-    const sockaddr_in address = loopback(port);
-    const bool connected =
-        connect(handle, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
-    close(handle);
-    return connected;
-}
-
 // Starts it in the background with its output in a file.
 pid_t run(std::vector<std::string> arguments, const std::string& output) {
     const pid_t process = fork();
@@ -79,20 +60,42 @@ std::string user_name() {
 
 }  // namespace
 
+int free_port() {
+    const int handle = socket(AF_INET, SOCK_STREAM, 0);
+    sockaddr_in address = loopback(0);
+    socklen_t length = sizeof address;
+    bind(handle, reinterpret_cast<const sockaddr*>(&address), length);
+    getsockname(handle, reinterpret_cast<sockaddr*>(&address), &length);
+    close(handle);
+    return ntohs(address.sin_port);
+}
+
+bool is_listening(int port) {
+    const int handle = socket(AF_INET, SOCK_STREAM, 0);
+    const sockaddr_in address = loopback(port);
+    const bool connected =
+        connect(handle, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+    close(handle);
+    return connected;
+}
+
+void make_ssh_key(const std::string& file) {
+    const auto keygen = program("ssh-keygen");
+    if (!keygen) return;
+    waitpid(run({*keygen, "-q", "-t", "ed25519", "-N", "", "-f", file}, "/dev/null"), nullptr, 0);
+}
+
 std::optional<SshServer> SshServer::start() {
     const auto sshd = program("sshd");
-    const auto keygen = program("ssh-keygen");
-    if (!sshd || !keygen || !program("ssh")) return std::nullopt;
+    if (!sshd || !program("ssh-keygen") || !program("ssh")) return std::nullopt;
     SshServer server;
     std::string pattern = std::filesystem::temp_directory_path() / "carom-ssh-XXXXXX";
     server.folder_ = mkdtemp(pattern.data());
     server.port_ = free_port();
     const std::string& folder = server.folder_;
     const std::string log = folder + "/log";
-    for (const char* const key : {"/host", "/user"}) {
-        waitpid(run({*keygen, "-q", "-t", "ed25519", "-N", "", "-f", folder + key}, log), nullptr,
-                0);
-    }
+    for (const char* const key : {"/host", "/user"})
+        make_ssh_key(folder + key);
     std::filesystem::copy_file(folder + "/user.pub", folder + "/authorized");
     std::ofstream(folder + "/config") << "Port " << server.port_ << "\nListenAddress 127.0.0.1\n"
                                       << "HostKey " << folder << "/host\n"

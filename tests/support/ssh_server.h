@@ -9,6 +9,12 @@
 /// A real sshd on loopback, for the user who runs the tests, with its own keys.
 namespace carom::test {
 
+/// A port of loopback that nothing uses.
+int free_port();
+bool is_listening(int port);
+/// Makes a key without a passphrase: `file` and `file.pub`. Pre: ssh-keygen is installed.
+void make_ssh_key(const std::string& file);
+
 class SshServer {
   public:
     /// None if sshd, ssh or ssh-keygen is not installed.

@@ -117,6 +117,20 @@ std::vector<CompareOptions::Side> two_solvers(std::string_view option, Text text
     return sides;
 }
 
+std::string guest_name(std::string_view option, Text text) {
+    if (is_guest_name(text)) return text;
+    throw BadValue(
+        fmt::format("{} takes a name of up to 32 small letters, digits, '-' and '_', but is '{}'",
+                    option, text));
+}
+
+double idle_time(std::string_view option, Text text) {
+    const double seconds = duration(option, text);
+    if (seconds < 0.1 || seconds > 1e6)
+        throw BadValue(fmt::format("{} must be from 0.1s to 1000000s, but is '{}'", option, text));
+    return seconds;
+}
+
 std::size_t bytes_of_mebibytes(std::string_view option, Text text) {
     return static_cast<std::size_t>(number_in({0, 65536}, option, text) * 1048576.0);
 }
@@ -165,6 +179,18 @@ void add_view_options(Command& command, PlayOptions& play) {
     command.add({"--rewind", "MIB", "Most memory for stepping back, in MiB"}, play.rewind_bytes,
                 bytes_of_mebibytes);
     command.add({"--cast", "FILE", "Film the screen, for asciinema play"}, play.cast);
+}
+
+void add_guest(CLI::App& app, GuestOptions& guest) {
+    Command carom(app);
+    carom.add({"--guest", "NAME", "Play as a guest of this account, in a folder of its own"},
+              guest.name, guest_name);
+    carom.add({"--guest-saves", "N", "Levels that the guest may keep; 20 by default"},
+              guest.most_saves, count(1, 10000, "--guest-saves must be from 1 to 10000"));
+    carom.add({"--guest-idle", "TIME", "End after so long without input, as in 600s; 1800s"},
+              guest.idle, idle_time);
+    carom.add({"--guest-sessions", "N", "Sessions of the guest at a time; 2 by default"},
+              guest.most_sessions, count(1, 100, "--guest-sessions must be from 1 to 100"));
 }
 
 void add_play(CLI::App& app, PlayOptions& options) {
@@ -279,6 +305,7 @@ void add_check_and_list(CLI::App& app, CheckOptions& options) {
 }  // namespace
 
 void add_commands(CLI::App& app, CommandOptions& options) {
+    add_guest(app, options.guest);
     add_play(app, options.play);
     add_run(app, options.run);
     add_replay_and_verify(app, options.play, options.verify);

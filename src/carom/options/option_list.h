@@ -12,7 +12,8 @@ namespace carom {
 
 /// The options of each command. Only those of the typed command are filled in.
 struct CommandOptions {
-    PlayOptions play;  ///< also for `replay`, and without a command
+    GuestOptions guest;  ///< without a command
+    PlayOptions play;    ///< also for `replay`, and without a command
     RunOptions run;
     MeasureOptions measure;
     CompareOptions compare;

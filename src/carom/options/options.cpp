@@ -76,6 +76,10 @@ Request request_of(const CLI::App* command, Options& options) {
 
 Request request_of(const CLI::App* command, CommandOptions& options) {
     const std::string name = command->get_parent() == nullptr ? "" : command->get_name();
+    if (!options.guest.name.empty()) {
+        if (!name.empty()) return mistake(command, "--guest opens the menu, and takes no command");
+        options.play.guest = options.guest;
+    }
     if (name == "run") return request_of(command, options.run);
     if (name == "measure") return std::move(options.measure);
     if (name == "compare") return std::move(options.compare);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "carom/options/guest_options.h"
 #include "physics/solver.h"
 #include "terminal/canvas/renderer.h"
 
@@ -39,6 +40,7 @@ struct PlayOptions {
     int opponent = 0;     ///< pool: the skill of the AI player as second player, 1..4; 0: a person
     /// Resume the unfinished game without asking; without a level, the last one.
     bool resume = false;
+    std::optional<GuestOptions> guest;  ///< plays as a guest of the account, from the menu
     std::size_t rewind_bytes = std::size_t{64} << 20;  ///< memory limit for the history
 };
 

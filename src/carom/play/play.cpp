@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "carom/files/files.h"
+#include "carom/files/guest.h"
 #include "carom/files/print.h"
 #include "carom/play/asciinema.h"
 #include "carom/play/play_loop.h"
@@ -82,20 +83,39 @@ int play_here(const PlayOptions& options) {
         print_error(error->message);
         return 2;
     }
+    bool was_idle = false;
     {
         Screen screen = std::move(std::get<Screen>(opened));
-        PlayLoop(program, screen, pacing, asciinema ? &*asciinema : nullptr).run();
+        PlayLoop loop(program, screen, pacing, asciinema ? &*asciinema : nullptr);
+        if (options.guest) loop.end_when_idle(options.guest->idle);
+        loop.run();
+        was_idle = loop.was_idle();
     }
+    if (was_idle)
+        print_note(
+            fmt::format("carom: ended after {:g} s without a key; an unfinished game is kept\n",
+                        options.guest->idle));
     const auto lost_asciinema = asciinema ? asciinema->finish(seconds_now()) : std::nullopt;
-    if (program.is_kept()) print_note("the match was kept: carom play --resume goes on with it\n");
+    if (program.is_kept() && !options.guest)
+        print_note("the match was kept: carom play --resume goes on with it\n");
     for (const auto& lost : {program.lost_recording(), lost_asciinema})
         if (lost) print_error(*lost);
     return program.lost_recording() || lost_asciinema ? 2 : 0;
 }
 
+int play_as_guest(const PlayOptions& options) {
+    const auto session = become_guest(*options.guest);
+    if (std::holds_alternative<FileLock>(session)) return play_here(options);
+    print_error(std::get<std::string>(session));
+    return 2;
+}
+
 }  // namespace
 
 int play(const PlayOptions& options) {
+    if (options.guest)
+        return run_supervised([&] { return play_as_guest(options); },
+                              "the game was kept: the menu lists it");
     return run_supervised([&] { return play_here(options); },
                           "the game was kept: carom play --resume takes it up where it stood");
 }

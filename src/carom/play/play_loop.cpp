@@ -49,6 +49,7 @@ void PlayLoop::run() {
     program_.set_keep_going([this] { return may_tick_go_on(); });
     program_.set_capabilities(screen_.capabilities());
     last_ = seconds_now();
+    last_input_ = last_;
     while (!program_.is_over())
         turn();
     program_.set_keep_going({});
@@ -85,6 +86,7 @@ void PlayLoop::turn() {
 
     wait(is_late);
     handle_input();
+    end_if_idle();
 }
 
 bool PlayLoop::is_heavy() const {
@@ -174,6 +176,7 @@ void PlayLoop::wait(bool is_late) {
         seconds = std::max(pacing_.seconds_to_frame(now, input_came_), least);
     }
     if (!input_.empty()) seconds = 0.0;
+    seconds = std::min(seconds, std::max(0.0, last_input_ + most_idle_ - now));
     for (const InputEvent& event : screen_.wait(std::min(seconds, longest_wait)))
         input_.push(event);
     pacing_.answered(screen_.frames_answered(), seconds_now());
@@ -192,12 +195,22 @@ void PlayLoop::handle_input() {
 }
 
 void PlayLoop::handle(const InputEvent& event) {
+    using enum InputEvent::Kind;
     input_came_ = true;
     cancels_tick_ = false;
+    if (event.kind == key || event.kind == mouse) last_input_ = seconds_now();
     if (event.kind == InputEvent::Kind::resize)
         program_.set_capabilities(screen_.capabilities());
     else
         program_.handle(event, seconds_now());
+}
+
+void PlayLoop::end_if_idle() {
+    if (program_.is_over() || seconds_now() - last_input_ < most_idle_) return;
+    was_idle_ = true;
+    InputEvent end;
+    end.kind = InputEvent::Kind::end;
+    program_.handle(end, seconds_now());
 }
 
 }  // namespace carom

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <limits>
 
 #include "carom/play/asciinema.h"
 #include "carom/play/input_queue.h"
@@ -33,8 +34,12 @@ class PlayLoop {
     PlayLoop(Program& program, Screen& screen, const PacingOptions& pacing,
              AsciinemaRecording* asciinema);
 
+    /// Interrupts the program after so many seconds without a key or the mouse.
+    void end_when_idle(double seconds) { most_idle_ = seconds; }
     /// Returns when the program has ended.
     void run();
+    /// Whether it has ended because nobody pressed a key.
+    bool was_idle() const { return was_idle_; }
 
   private:
     void turn();
@@ -49,6 +54,7 @@ class PlayLoop {
     void wait(bool is_late);
     void handle_input();
     void handle(const InputEvent& event);
+    void end_if_idle();
 
     Program& program_;
     Screen& screen_;
@@ -58,6 +64,10 @@ class PlayLoop {
     double last_ = 0.0;
     bool input_came_ = true;   ///< input has arrived whose effect is not drawn yet
     double ticks_took_ = 0.0;  ///< the last time the game ran, s
+
+    double most_idle_ = std::numeric_limits<double>::infinity();  ///< s
+    double last_input_ = 0.0;  ///< the time of the last key or mouse event, s
+    bool was_idle_ = false;
 
     InputQueue input_;
     // Input that arrives while a tick is computed in this thread.

@@ -73,7 +73,8 @@ void Program::handle_game(RunningGame& game, const InputEvent& event, double now
             break;
         }
         case PlayRequest::save:
-            game.save_level(now);
+            game.save_level(now,
+                            options_.guest ? options_.guest->most_saves : RunningGame::unlimited);
             break;
         case PlayRequest::toggle_mouse:
             mouse_ = !mouse_;

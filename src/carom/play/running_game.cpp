@@ -7,6 +7,7 @@
 
 #include "carom/controllers/pool_controller.h"
 #include "carom/files/files.h"
+#include "carom/files/guest.h"
 #include "game/session/save_level.h"
 
 namespace carom {
@@ -56,7 +57,7 @@ void RunningGame::compare_marks() {
             "this is not what was recorded: at tick {} the fingerprint differs", *tick));
 }
 
-void RunningGame::save_level(double now) {
+void RunningGame::save_level(double now, std::size_t most) {
     namespace fs = std::filesystem;
     const Session& session = player.session();
     if (!session.scene().table.is_empty())
@@ -68,11 +69,15 @@ void RunningGame::save_level(double now) {
     std::error_code error;
     for (int n = 1; !is_same_press && (path.empty() || fs::exists(path, error)); ++n)
         path = fmt::format("{}-{}.level", stem, n);
+    std::optional<std::string> removed;
+    if (!is_same_press && most != unlimited) removed = make_room_for_a_level(most);
     if (const auto problem =
             write_file_atomically(path, level_text(session.scene(), session.world())))
         return player.complain(*problem);
     saved_level = path;
-    player.say("saved as " + path);
+    player.say(removed
+                   ? fmt::format("saved as {}; {}, the oldest of {}, is gone", path, *removed, most)
+                   : "saved as " + path);
 }
 
 }  // namespace carom

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,8 +41,10 @@ struct RunningGame {
     /// under another physics version, only that. The replay continues either way.
     void compare_marks();
     /// Saves the world as a level file in the current folder. `now`: s on a monotonic clock. Saving
-    /// again within a second, as a held key does, replaces that file.
-    void save_level(double now);
+    /// again within a second, as a held key does, replaces that file. `most`: levels that may be
+    /// kept there; the oldest give way.
+    void save_level(double now, std::size_t most = unlimited);
+    static constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 };
 
 }  // namespace carom
