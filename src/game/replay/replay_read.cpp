@@ -6,6 +6,7 @@
 #include "game/ai/planner.h"
 #include "game/replay/replay_commands.h"
 #include "game/replay/replay_text.h"
+#include "game/session/fingerprint_mark.h"
 #include "level/text/text.h"
 #include "physics/world/fingerprint.h"
 
@@ -110,7 +111,7 @@ class ReplayReader {
             has_solver_ = true;
         } else if (keyword == "rate") {
             replay_.rate = words.real();
-            has_rate_ = replay_.rate > 0.0;
+            has_rate_ = replay_.rate >= 1e-3 && replay_.rate <= 1e9;
         } else if (keyword == "seed") {
             replay_.seed = words.integer<std::uint64_t>();
             has_seed_ = true;
@@ -210,7 +211,7 @@ class ReplayReader {
         if (replay_.texts.empty()) return missing("file 0");
         if (!has_hash_) return missing("hash");
         if (!has_solver_) return missing("solver");
-        if (!has_rate_) return Fault{"'rate' is missing, or not positive", record_again};
+        if (!has_rate_) return Fault{"'rate' is missing, or not in 0.001..1e9", record_again};
         if (!has_seed_) return missing("seed");
         if (has_position_ && replay_.position > replay_.end)
             return Fault{"'stands' lies after 'end'", record_again};
@@ -218,6 +219,10 @@ class ReplayReader {
             return Fault{"there are commands after 'end'", record_again};
         if (!replay_.marks.empty() && replay_.marks.back().tick > replay_.end)
             return Fault{"there are marks after 'end'", record_again};
+        // So a wrong `end` costs no more time than the recording has.
+        if (!replay_.marks.empty() &&
+            replay_.end - replay_.marks.back().tick > mark_interval(replay_.rate))
+            return Fault{"'end' lies more than a second after the last fingerprint", record_again};
         return std::nullopt;
     }
 

@@ -69,7 +69,8 @@
 ///
 /// A text that begins with `carom replay 2` has neither `physics` nor `fingerprint`: both are 1.
 ///
-/// The lines `at` and `mark` are each in ascending order of ticks. All lines are required but
+/// The lines `at` and `mark` are each in ascending order of ticks. If there are marks, the last one
+/// lies at most a second before `end`. All lines are required but
 /// `include`, `set`, `at`, `mark`, `opponent`, `stance` and `stands`. `end` is the last line:
 /// without it the recording is incomplete.
 namespace carom {

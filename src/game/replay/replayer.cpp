@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "game/session/game_state.h"
 #include "level/load.h"
 #include "physics/version.h"
 #include "physics/world/fingerprint.h"
@@ -82,6 +83,13 @@ std::variant<Scene, ReplayError> scene_of(const Replay& replay) {
             fmt::format("the level in it has been changed: its hash is {}, not {}",
                         hexadecimal(loaded.scene->text_hash), hexadecimal(replay.level_hash)),
             remedy};
+    for (const TimedCommand& timed : replay.commands)
+        if (!is_within_reach(*loaded.scene, timed.command))
+            return ReplayError{
+                1,
+                fmt::format("the command at tick {} names a place that is too far away",
+                            timed.tick),
+                remedy};
     return std::move(*loaded.scene);
 }
 

@@ -1,5 +1,9 @@
 #include "game/session/game_state.h"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "game/digest.h"
 #include "game/pinball/pinball.h"
 #include "physics/world/fingerprint.h"
@@ -66,6 +70,20 @@ std::uint64_t digest_of(const World& world, const PinballState& s, int version) 
     return digest.value();
 }
 
+// The places that a command names.
+std::vector<Vec2> places_of(const Command& command) {
+    using namespace command;
+    if (const auto* hold = std::get_if<HoldBall>(&command)) return {hold->target};
+    if (const auto* hold = std::get_if<HoldCapsule>(&command))
+        return {hold->start_target, hold->end_target};
+    if (const auto* place = std::get_if<PlaceBall>(&command)) return {place->position};
+    if (const auto* place = std::get_if<PlaceCapsule>(&command)) return {place->start, place->end};
+    if (const auto* add = std::get_if<AddBall>(&command)) return {add->spec.position};
+    if (const auto* add = std::get_if<AddCapsule>(&command))
+        return {add->shape.start, add->shape.end};
+    return {};
+}
+
 }  // namespace
 
 GameState begin_game(const Scene& scene) {
@@ -81,8 +99,20 @@ void update_game(const Scene& scene, World& world, GameState& game,
     if (auto* pool = std::get_if<PoolPlay>(&game)) update_pool(scene, world, *pool, contacts);
 }
 
+bool is_within_reach(const Scene& scene, const Command& command) {
+    constexpr double furthest = 1000.0;  // view's sizes
+    const Vec2 extent = size(scene.view);
+    const double reach = furthest * std::max(extent.x, extent.y);
+    if (!(reach > 0.0)) return true;  // a scene without a view
+    return std::ranges::none_of(places_of(command), [&](Vec2 place) {
+        const Vec2 away = place - scene.view.low;
+        return std::abs(away.x) > reach || std::abs(away.y) > reach;
+    });
+}
+
 std::optional<std::string> refusal(const Scene& scene, const World& world, const GameState& game,
                                    const Command& command) {
+    if (!is_within_reach(scene, command)) return "the place is too far away";
     if (const auto* pool = std::get_if<PoolPlay>(&game))
         return refusal(scene, world, *pool, command);
     const auto* press = std::get_if<command::Press>(&command);

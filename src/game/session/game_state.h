@@ -32,7 +32,13 @@ GameState begin_game(const Scene& scene);
 void update_game(const Scene& scene, World& world, GameState& game,
                  std::span<const Contact> contacts);
 
-/// refusal(world, command), extended by the commands and the rules of the game.
+/// Whether all places that the command names are at most 1,000 times the view's size away from the
+/// view. Further away nobody can point, and a hand that went there would meet all the scene at
+/// once.
+bool is_within_reach(const Scene& scene, const Command& command);
+
+/// refusal(world, command), extended by is_within_reach and by the commands and the rules of the
+/// game.
 std::optional<std::string> refusal(const Scene& scene, const World& world, const GameState& game,
                                    const Command& command);
 /// execute(world, command), extended by the commands of the game. Pre: the command is not refused.

@@ -107,6 +107,21 @@ TEST_CASE("a replay that does not match is detected") {
     }
 }
 
+TEST_CASE("a place beyond all that can be pointed at is refused before anything is computed") {
+    Session session(busy_box(), swept);
+    for (const Vec2 place : {Vec2{7e16, 0.0}, Vec2{0.0, -7e16}}) {
+        CHECK(*session.apply(command::HoldBall{BallId{0}, place}) == "the place is too far away");
+        CHECK(session.apply(command::PlaceCapsule{CapsuleId{0}, {0.0, 0.0}, place}));
+        Replay replay = written_and_read(cut_off());
+        replay.commands.back().command = command::HoldBall{BallId{0}, place};
+        replay.level_hash = load_level(replay.texts.front(), replay.level).scene->text_hash;
+        const auto scene = scene_of(replay);
+        REQUIRE(std::holds_alternative<ReplayError>(scene));
+        CHECK(std::get<ReplayError>(scene).message ==
+              "the command at tick 499 names a place that is too far away");
+    }
+}
+
 TEST_CASE("a session without commands or ticks is a replay too") {
     Replayer replayer(written_and_read(Session(busy_box(), swept)), busy_box());
     CHECK_FALSE(replayer.advance(1));
