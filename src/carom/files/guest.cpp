@@ -78,7 +78,7 @@ std::variant<FileLock, std::string> become_guest(const GuestOptions& guest) {
     return session;
 }
 
-std::optional<std::string> make_room_for_a_level(std::size_t most) {
+std::optional<std::string> remove_oldest_levels(std::size_t most) {
     namespace fs = std::filesystem;
     std::vector<std::pair<fs::file_time_type, std::string>> saved;
     std::error_code error;
@@ -87,7 +87,7 @@ std::optional<std::string> make_room_for_a_level(std::size_t most) {
             saved.emplace_back(entry.last_write_time(error), entry.path().filename().string());
     std::ranges::sort(saved);
     std::optional<std::string> removed;
-    for (std::size_t i = 0; i + most <= saved.size() && i < saved.size(); ++i) {
+    for (std::size_t i = 0; i + most < saved.size(); ++i) {
         ::unlink(saved[i].second.c_str());
         removed = saved[i].second;
     }

@@ -22,8 +22,8 @@ namespace carom {
 /// the folder cannot be made, or the guest plays in too many sessions already.
 std::variant<FileLock, std::string> become_guest(const GuestOptions& guest);
 
-/// Removes the oldest levels of the working folder, so that fewer than `most` are left. Returns the
-/// name of the last one that was removed, if any.
-std::optional<std::string> make_room_for_a_level(std::size_t most);
+/// Removes the oldest levels of the working folder until `most` are left. Returns the name of the
+/// last one that was removed, if any.
+std::optional<std::string> remove_oldest_levels(std::size_t most);
 
 }  // namespace carom

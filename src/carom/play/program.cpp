@@ -219,8 +219,8 @@ void Program::finish_resuming() {
     player.say("taken up where it stood; " + preferences_.keys.hint("pause") + " goes on");
     enter(std::move(source), std::move(player), std::nullopt);
     RunningGame& game = std::get<RunningGame>(page_);
-    game.autosave();  // saved under the new name before the old file is removed
-    forget(done.game);
+    // The old file stays until the game is saved under its new name.
+    if (game.autosave()) forget(done.game);
 }
 
 /// Writes the recording; false if it cannot be written. Then the game is kept, as an interrupted

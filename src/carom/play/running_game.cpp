@@ -12,20 +12,24 @@
 
 namespace carom {
 
-void RunningGame::autosave() {
+bool RunningGame::autosave() {
     const Session& session = player.session();
     const std::uint64_t tick = session.world().tick();
     const std::size_t commands = session.commands().size();
     const auto setup = player.shot_setup();
-    if (tick == saved_tick && commands == saved_commands && setup == saved_setup) return;
-    if (!session.is_complete() || player.is_watching()) return;
-    saved_tick = tick;
-    saved_commands = commands;
-    saved_setup = setup;
+    if (tick == saved_tick && commands == saved_commands && setup == saved_setup) return true;
+    if (!session.is_complete() || player.is_watching()) return false;
     Replay replay = record(session, source.path, source.overrides);
     replay.opponent = player.opponent();
     replay.setup = setup;
-    if (const auto problem = resume_file.save(replay)) player.complain(*problem);
+    if (const auto problem = resume_file.save(replay)) {
+        player.complain(*problem);
+        return false;
+    }
+    saved_tick = tick;
+    saved_commands = commands;
+    saved_setup = setup;
+    return true;
 }
 
 bool RunningGame::is_saved() const {
@@ -69,12 +73,11 @@ void RunningGame::save_level(double now, std::size_t most) {
     std::error_code error;
     for (int n = 1; !is_same_press && (path.empty() || fs::exists(path, error)); ++n)
         path = fmt::format("{}-{}.level", stem, n);
-    std::optional<std::string> removed;
-    if (!is_same_press && most != unlimited) removed = make_room_for_a_level(most);
     if (const auto problem =
             write_file_atomically(path, level_text(session.scene(), session.world())))
         return player.complain(*problem);
     saved_level = path;
+    const auto removed = most == unlimited ? std::nullopt : remove_oldest_levels(most);
     player.say(removed
                    ? fmt::format("saved as {}; {}, the oldest of {}, is gone", path, *removed, most)
                    : "saved as " + path);

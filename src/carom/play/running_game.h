@@ -32,8 +32,9 @@ struct RunningGame {
     double level_saved = 0.0;                ///< when it was asked for it last, s
     int recorded_physics = physics_version;  ///< physics version of a watched recording
 
-    /// Writes the resume file, if the game has changed since it was last written.
-    void autosave();
+    /// Writes the resume file, if the game has changed since it was last written. False: the file
+    /// is not there, or is older than the game; after an error, the next call tries again.
+    bool autosave();
     bool is_saved() const;
     /// Ends the game normally. True: it is a match of pool that is not won, and it is kept.
     bool leave();

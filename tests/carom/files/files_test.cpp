@@ -156,8 +156,9 @@ TEST_CASE("whatever fails while a file is replaced, the old or the new one is th
         set_file_fault(FileFault::full_disk, number);
         const auto error = write_file_atomically(path, new_text);
         set_file_fault(FileFault::none, 0);
-        // The last call syncs the folder: the file is there already.
-        CHECK(error.has_value() == (number < calls));
+        // The second call locks the temporary file, which not every file system can. The last one
+        // syncs the folder: the file is there already.
+        CHECK(error.has_value() == (number != 2 && number < calls));
         CHECK(content(path) == (error ? old_text : new_text));
         CHECK(folder.names() == std::vector<std::string>{"out"});
     }

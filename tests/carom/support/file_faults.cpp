@@ -1,6 +1,9 @@
 #include "carom/support/file_faults.h"
 
+#include <dlfcn.h>
 #include <fcntl.h>
+#include <stdlib.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -58,4 +61,22 @@ extern "C" int fsync(int file) {
 extern "C" int rename(const char* from, const char* to) noexcept {
     return is_to_fail() ? -1
                         : static_cast<int>(syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0));
+}
+
+extern "C" int mkostemps(char* name, int ending, int flags) {
+    using Function = int (*)(char*, int, int);
+    static const auto original = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "mkostemps"));
+    return is_to_fail() ? -1 : original(name, ending, flags);
+}
+
+extern "C" int mkdir(const char* path, mode_t mode) noexcept {
+    return is_to_fail() ? -1 : static_cast<int>(syscall(SYS_mkdirat, AT_FDCWD, path, mode));
+}
+
+extern "C" int flock(int file, int operation) noexcept {
+    return is_to_fail() ? -1 : static_cast<int>(syscall(SYS_flock, file, operation));
+}
+
+extern "C" int unlink(const char* path) noexcept {
+    return is_to_fail() ? -1 : static_cast<int>(syscall(SYS_unlinkat, AT_FDCWD, path, 0));
 }
