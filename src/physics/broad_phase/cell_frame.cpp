@@ -120,7 +120,7 @@ CellFrame frame_around(const World& world, double cell, double cells_a_ball) {
                       cells_a_ball);
 }
 
-double room_of_a_ball(const World& world) {
+double area_per_ball(const World& world) {
     const auto count = static_cast<double>(world.balls().size());
     if (count == 0.0) return 0.0;
     if (world.model().wrap) {

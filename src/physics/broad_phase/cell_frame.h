@@ -58,7 +58,7 @@ CellFrame frame_around(const World& world, double cell, double cells_a_ball = 4.
 CellFrame frame_around(const std::vector<Vec2>& points, double cell, double cells_a_point = 4.0);
 
 /// Rough area a ball, where most of them are, length^2; 0 without balls.
-double room_of_a_ball(const World& world);
+double area_per_ball(const World& world);
 
 /// Radius of the largest ball; 0 without balls.
 double largest_radius(const Balls& balls);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/vec2.h"
-#include "physics/broad_phase/fat_pairs.h"
+#include "physics/broad_phase/near_pairs.h"
 #include "physics/laws/free_motion.h"
 #include "physics/world/world.h"
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/broad_phase/fat_pairs.h"
+#include "physics/broad_phase/near_pairs.h"
 
 namespace carom {
 

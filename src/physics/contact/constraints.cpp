@@ -34,7 +34,8 @@ void ContactConstraints::begin_all() {
         const ContactPair& pair = pairs_[indices[k]];
         const double gap = pair.separation;
         const double stiffer =
-            std::min(-gap * (0.5 * contact_tolerance::stiffening / overlap_bound(bodies_, pair)),
+            std::min(-gap * (contact_tolerance::overlap_limit * contact_tolerance::stiffening /
+                             overlap_bound(bodies_, pair)),
                      contact_tolerance::most_stiffening);
         if (pair.is_new) new_.push_back(k);
         constraints_[k] = {

@@ -32,7 +32,7 @@ double skin_for(double speed, double radius, const SkinTerms& terms, double hit)
 // balls typically go further than their radius in a tick, such skins would overlap with crowds:
 // there they last for a substep.
 double most_radii(const World& world) {
-    return typical_way(world) > 1.0 ? 0.5 : 4.0;
+    return typical_travel_in_radii(world) > 1.0 ? 0.5 : 4.0;
 }
 
 // Whether a ball that is `away` from its reference position cannot leave its skin in the next

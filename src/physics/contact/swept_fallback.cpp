@@ -15,7 +15,7 @@ bool is_flight_only(const World& world) {
 
 int flight_substeps(const World& world, int most) {
     if (most == 1) return 1;
-    const double share = typical_way(world) / 0.3;
+    const double share = typical_travel_in_radii(world) / 0.3;
     // No ball at all, or balls of no size: not a number, or without bound.
     return share > 1.0 ? static_cast<int>(std::min(std::ceil(share), 1.0 * most)) : 1;
 }

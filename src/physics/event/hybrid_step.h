@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "physics/broad_phase/fat_pairs.h"
+#include "physics/broad_phase/near_pairs.h"
 #include "physics/contact/solver.h"
 #include "physics/event/engine.h"
 #include "physics/event/motion/event_memory.h"

@@ -61,7 +61,7 @@ Totals totals(const World& world) {
             angular.value() + 0.0};
 }
 
-double typical_way(const World& world) {
+double typical_travel_in_radii(const World& world) {
     double ways = 0.0;
     for (const Vec2 velocity : world.balls().velocity)
         ways += length_squared(velocity);

@@ -20,7 +20,7 @@ Totals totals(const World& world);
 
 /// How far balls travel in a tick, in radii: the RMS speed times the tick over the RMS radius. NaN
 /// where no ball moves and none has a size; infinite where balls without a size move.
-double typical_way(const World& world);
+double typical_travel_in_radii(const World& world);
 
 /// Depth of the deepest overlap between bodies that collide, a length; 0 when nothing overlaps.
 /// Covers ball against ball and ball against edge, held balls included; on a torus the nearest

@@ -11,7 +11,7 @@ template <typename Real>
 CellFrame BallCells<Real>::frame_for(const World& world) const {
     double least = 2.02 * largest_;
     // In a thin gas a ball would cross many cells between two impacts: one ball a cell is enough.
-    const double room = room_of_a_ball(world);
+    const double room = area_per_ball(world);
     while (least > 0.0 && 4.0 * least * least < room)
         least *= 2.0;
     constexpr double cells_a_ball = 16.0;

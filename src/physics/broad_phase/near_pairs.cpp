@@ -1,4 +1,4 @@
-#include "physics/broad_phase/fat_pairs.h"
+#include "physics/broad_phase/near_pairs.h"
 
 #include <algorithm>
 #include <array>
