@@ -20,12 +20,12 @@ struct RunInput {
     std::uint64_t ticks = 0;          ///< to run
 };
 
-/// Reads it. Scene::solver is the one that is asked for: by the options, else by the recording,
-/// else by the level. Experiments are judged under a script, but not in a recording that has
-/// commands. None: an error, which has been printed.
+/// Reads the input. Scene::solver becomes the requested solver: that of the options, else of the
+/// recording, else of the level. Experiments are judged under a script, but not in a recording that
+/// has commands. None: an error, which has been printed.
 std::optional<RunInput> open_run_input(const RunOptions& options);
 
-/// What a command that is refused gets as its message: with its line in the script, if it has one.
+/// The message about a refused command, with its line in the script if it has one.
 std::string told_refusal(const RunOptions& options, const RunInput& input,
                          const ScriptRunner::Refused& refused);
 

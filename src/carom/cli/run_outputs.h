@@ -27,7 +27,7 @@ class RunOutputs {
     void write_recording(const Replay& replay);
     void commit();
 
-    /// Every output is a pipe that its reader has closed, so there is nobody to run for.
+    /// Whether every output is a pipe that its reader has closed, so that the run may end.
     bool is_pointless();
     /// The first error; empty: none.
     std::string error();
@@ -46,7 +46,7 @@ class RunOutputs {
 /// Whether one of the outputs is standard output.
 bool to_standard_output(const RunOptions& options);
 
-/// Why two outputs would overwrite each other; none: they have names of their own.
+/// Why two outputs would overwrite each other; none: all have different names.
 std::optional<std::string> clash_of_outputs(const RunOptions& options);
 
 }  // namespace carom

@@ -76,7 +76,8 @@ std::optional<std::string> write_file_atomically(const std::string& path, std::s
 
 /// A lock between processes: an empty file, which its holder removes. The lock is gone when its
 /// process has ended, however that ended, though the file may then stay until the next lock.
-/// Where the file system has no locks, everybody gets it: data matter more than the order.
+/// Where the file system has no locks, every process gets it: saving the data matters more than
+/// taking turns.
 class FileLock {
   public:
     /// Whether to wait, for at most five seconds, while another holds the lock.

@@ -29,7 +29,7 @@ struct RunningGame {
     std::vector<FingerprintMark> expected{};  ///< fingerprints of a watched recording
     std::size_t marks_compared = 0;
     std::string saved_level{};               ///< the file that save_level() wrote last
-    double level_saved = 0.0;                ///< when it was asked for it last, s
+    double level_saved = 0.0;                ///< the time of that request, s
     int recorded_physics = physics_version;  ///< physics version of a watched recording
 
     /// Writes the resume file, if the game has changed since it was last written. False: the file

@@ -29,7 +29,7 @@ struct CommandScript {
 /// line. An empty script is no error.
 std::variant<CommandScript, ReplayError> read_script(std::string_view text);
 
-/// Executes commands at their ticks, in a world that somebody else steps.
+/// Executes commands at their ticks, in a world that the caller advances.
 class ScriptRunner {
   public:
     /// Pre: in ascending order of ticks.
@@ -45,7 +45,7 @@ class ScriptRunner {
     std::optional<Refused> execute_due(const Scene& scene, World& world, GameState& game,
                                        Solver& solver);
 
-    /// The number of commands that lie in ticks to come.
+    /// The number of commands that have not been executed yet.
     std::size_t remaining() const { return commands_.size() - next_; }
 
   private:

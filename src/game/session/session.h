@@ -58,12 +58,12 @@ class Session {
     std::optional<std::string> apply(const Command& command);
 
     /// One tick forward. Behind latest(), this replays the logged commands. Returns false, and
-    /// changes nothing, at the end of what is followed and where the tick was cancelled.
+    /// changes nothing, at the end of a recording that it plays, and if the tick was cancelled.
     bool step_forward();
     /// One tick back, to exactly the state that was. False at earliest().
     bool step_back();
-    /// Goes to a tick in earliest()..latest() by the shortest way. False when it is outside, and
-    /// where a tick on the way was cancelled: the present is then before it.
+    /// Goes to a tick in earliest()..latest() with as few ticks as possible. False if it is
+    /// outside, and if a tick on the way was cancelled: the present is then before it.
     bool go_to(std::uint64_t tick);
     /// Forward to the first tick with a contact of two bodies that had none in the tick before; at
     /// most `limit` ticks. False when there was no such tick.
@@ -98,7 +98,7 @@ class Session {
     void follow(std::vector<TimedCommand> commands, std::uint64_t end,
                 int version = fingerprint_version);
     bool is_following() const { return is_following_; }
-    /// Whether there is nothing left to follow.
+    /// Whether the recording has been played to its end.
     bool is_at_end() const { return is_following_ && world_.tick() >= latest_; }
     void stop_following() { is_following_ = false; }
     /// Why a command of the recording was refused: a sentence that begins with its tick. The
