@@ -18,8 +18,9 @@ namespace carom {
 /// sources; tolerances.h has the thresholds.
 ///
 /// Free flight is exact, an elastic bounce keeps the energy to rounding, no body passes through
-/// another, and a bounce that would rise no higher than about g h^2 for a substep of h seconds is
-/// lost. Pressed bodies overlap slightly, the more the heavier the load.
+/// another (but for moving edges as under `swept`), and a bounce that would rise no higher than
+/// about g h^2 for a substep of h seconds is lost. Pressed bodies overlap slightly, the more the
+/// heavier the load.
 ///
 /// Where nothing in a scene can press, `swept` stands in for it: swept_fallback.h.
 class ContactSolver {

@@ -15,7 +15,8 @@ namespace carom {
 
 /// The solver `swept`: in each substep balls go along straight paths. The first impact of all is
 /// found and resolved, and the rest of the substep goes on. Nothing passes through anything,
-/// however fast.
+/// however fast, except that a ball which a moving edge touches for less than 1e-4 of the substep
+/// may pass through that edge (geometry/impact.h).
 ///
 /// README.md in this folder has the substep in pseudo-code, the invariants and what the solver gets
 /// wrong; tolerances.h has the thresholds.
