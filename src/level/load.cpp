@@ -67,16 +67,21 @@ LoadResult load_level(std::string_view text, std::string_view file, const LoadOp
     if (const auto fault = find_fault(main.text)) {
         context.reporter.error(fault->code, {&main, fault->line, fault->column, 1}, fault->message,
                                fault->remedy);
-        return {std::nullopt, context.reporter.diagnostics()};
+        return {std::nullopt, context.reporter.diagnostics(), 0};
     }
     scene.file = std::string(file);
     std::vector<FoundInclude> found;
     LoadOptions noted = options;
     noted.resolve_include = noting(options.resolve_include, found);
-    interpret(main, noted, store, scene, context);
-    assemble(noted, scene, context);
+    try {
+        interpret(main, noted, store, scene, context);
+        assemble(noted, scene, context);
+    } catch (const LoadStopped&) {
+        // The reason is among the diagnostics.
+    }
 
     LoadResult result;
+    result.operations = context.work.spent();
     result.diagnostics = context.reporter.diagnostics();
     if (context.reporter.has_errors()) return result;
     TextHash hash;

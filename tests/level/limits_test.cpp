@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
 #include "level/support/files.h"
+#include "level/text/reporter.h"
+#include "level/text/utf8.h"
 
 using namespace carom;
 using namespace carom::test;
@@ -56,7 +58,7 @@ TEST_CASE("short levels that expand without bound are refused") {
     check_refused(load_lines("repeat 1e6\n" + long_line + "end\n"), "more than 1000000");
     check_refused(load_lines("repeat 1e5\nmap cell=1\n" + repeated(repeated(" ", 4000) + "\n", 10) +
                              "end\nend\n"),
-                  "characters");
+                  "too much work");
     check_refused(load_lines(repeated("fill count=1 box=0,0,9,9 r=0.001\n", 1001)),
                   "more than 1000 fills");
 }
@@ -140,10 +142,99 @@ TEST_CASE("crowds of items that hardly collide load in bounded time") {
     CHECK(ghosts.diagnostics[1].message.find("too crowded to look for gaps") != std::string::npos);
     const std::string diagonals = "repeat 100000\n edge -100,-100 100,100\nend\n";
     check_refused(load_lines(diagonals + "fill count=200000 box=-100,-100,100,100 r=0.01\n"),
-                  "too crowded for this fill");
+                  "too much work");
     check_refused(load_lines("fill count=20000 box=0,0,3000,3000\n" +
                              repeated("fill count=1 box=0,0,3000,3000\n", 999)),
-                  "too crowded for this fill");
+                  "too much work");
+}
+
+// Regression: each of these files, below 1 MB, took from 1.7 to more than 40 seconds, or gigabytes.
+TEST_CASE("short files of costly statements are refused for their work") {
+    const auto list = [](std::string_view text, int count, std::string_view separator) {
+        return repeated(std::string(text) + std::string(separator), count - 1) + std::string(text);
+    };
+    const auto refuse = [](const std::string& lines) {
+        check_refused(load_lines(lines), "too much work");
+    };
+    refuse("repeat 20000\npeg at=" + list("1", 1900, "+") + ",0 r=1\nend\n");
+    std::string part = "part p";
+    for (int i = 0; i < 500; ++i)
+        part += " k" + std::to_string(i) + "=1";
+    refuse(part + "\nend\nrepeat 400000\nplace p at=0,0\nend\n");
+    std::string lets = "let";
+    for (int i = 0; i < 60'000; ++i)
+        lets += " a" + std::to_string(i) + "=1 \\\n";
+    refuse("repeat 900\n" + lets + "\nend\n");
+    refuse("map cell=1\n" + repeated("#", 4000) + "\n" + repeated("#\n", 400'000) + "end\n");
+    refuse("bins at=0,0 count=90000 width=1 depth=1 open\n" +
+           repeated("expect mean(bins) 1 within 1\n", 30'000));
+    refuse("bins at=0,0 count=90000 width=1 depth=1 open\n" +
+           repeated("show histogram of=bins against=uniform\n", 20'000));
+    refuse("use overlap\nrepeat 999\nfill count=1000 box=0,0,10,10\nend\n");
+}
+
+// Regression: after a fill that failed, each of 998 more was tried, for 24 seconds.
+TEST_CASE("after a fill that does not fit none is tried") {
+    const auto fills = [](int count) {
+        return load_lines("repeat " + std::to_string(count) +
+                          "\nfill count=1000 box=0,0,130,130\nend\n");
+    };
+    check_refused(fills(10), "the box has room for only");
+    check_refused(fills(999), "the box has room for only");
+    CHECK(fills(999).operations < 2 * fills(10).operations);
+}
+
+// Regression: a file of 3.9 MB of junk took 7 seconds, to describe 400,000 mistakes of which 20 are
+// shown.
+TEST_CASE("loading stops at 200 mistakes") {
+    std::string junk;
+    std::string unknown;
+    for (int i = 0; i < 1000; ++i) {
+        junk += "word" + std::to_string(i) + "\n";
+        unknown += "expect word" + std::to_string(i) + ".x 1 within 1\n";
+    }
+    for (const std::string& lines : {junk, unknown, repeated("use grvity\n", 1000)}) {
+        const LoadResult result = load_lines(lines);
+        CHECK(result.diagnostics.size() == max_diagnostics);
+        CHECK(result.diagnostics.front().line == 2);
+    }
+    Reporter reporter;
+    const SourceText source{.name = "a.level", .text = {}, .lines = {}, .included_from = {}};
+    int reported = 0;
+    const auto report_all = [&] {
+        for (; reported < 1000; ++reported)
+            reporter.error("unknown-name", {&source, reported + 1, 1, 1}, "");
+    };
+    CHECK_THROWS_AS(report_all(), LoadStopped);
+    CHECK(reported == max_errors - 1);
+}
+
+// Regression: every map copied all legends.
+TEST_CASE("the work of a map does not grow with the number of legends") {
+    const auto load = [](int legends) {
+        std::string lines;
+        for (int i = 0; i < legends; ++i) {
+            lines += "legend ball ";
+            append_utf8(lines, static_cast<char32_t>(0x4e00 + i));
+            lines += "\n";
+        }
+        return load_lines(lines + "repeat 1000 step=2,0\nmap cell=1\no\nend\nend\n");
+    };
+    REQUIRE(load(10'000).scene);
+    CHECK(load(10'000).scene->world.balls().size() == 1000);
+}
+
+TEST_CASE("there are at most 100,000 zones and devices") {
+    check_refused(load_lines("bins at=0,0 count=100001 width=1 depth=1 open\n"), "zones and bins");
+    check_refused(load_lines("repeat 200000\npocket at=0,0 r=1\nend\n"), "zones and bins");
+    check_refused(load_lines("repeat 200000\nlamp l at=0,0\nend\n"), "devices");
+}
+
+// Regression: the expression kept the address of a flag of the finished block.
+TEST_CASE("the radius of a fill may use the variable of a repeat") {
+    const Scene scene = load_clean(
+        "repeat 2 i step=100,0\n fill count=3 box=100*i,0,100*i+50,50 m=1..2 r=m+i\nend\n");
+    CHECK(scene.world.balls().size() == 6);
 }
 
 TEST_CASE("a thousand kinds with a collide statement for each pair load") {

@@ -67,7 +67,7 @@ class Assembly {
         ball.mass =
             spec.mass.value_or(kinds.mass.value_or(kinds.density * pi * ball.radius * ball.radius));
         ball.restitution = spec.restitution.value_or(kind.restitution);
-        ball.spec = spec;
+        ball.spec = static_cast<int>(&spec - ir_.balls.data());
         ball.kind = of.kind;
         ball.binding = spec.binding;
         ball.origin = spec.origin;
@@ -112,7 +112,7 @@ class Assembly {
             const FillIr& fill = ir_.fills[i];
             while (taken < fill.balls_before)
                 balls_.push_back(placed[taken++]);
-            add_fill(fill, names_.fills[i].kind, obstacles, owners);
+            if (!add_fill(fill, names_.fills[i].kind, obstacles, owners)) break;
         }
         while (taken < placed.size())
             balls_.push_back(placed[taken++]);
@@ -136,15 +136,15 @@ class Assembly {
         return solid;
     }
 
-    // `owners` has the kinds of the discs among the obstacles.
-    void add_fill(const FillIr& fill, ClassIndex kind, Obstacles& obstacles,
+    // `owners` has the kinds of the discs among the obstacles. False: the fill has an error.
+    bool add_fill(const FillIr& fill, ClassIndex kind, Obstacles& obstacles,
                   std::vector<ClassIndex>& owners) {
         FillObstacles around{obstacles, {}};
         if (ir_.settings.may_overlap || !names_.all_collide()) {
             around.solid = [&] { return solid_to(kind, obstacles, owners); };
         }
         const auto filled = place_fill(fill, defaults_of(kind), around, context_);
-        if (!filled) return;
+        if (!filled) return false;
         for (const FilledBall& from : *filled) {
             StartingBall ball;
             ball.position = from.position;
@@ -158,6 +158,7 @@ class Assembly {
             obstacles.discs.push_back({ball.position, ball.radius});
             owners.push_back(kind);
         }
+        return true;
     }
 
     void make_world() {
@@ -170,7 +171,8 @@ class Assembly {
         make_model(world.edit_definition().model);
         if (world.model().filtered) world.edit_definition().meets = names_.collision_matrix;
         for (const StartingBall& ball : balls_) {
-            BallSpec spec = ball.spec;
+            BallSpec spec;
+            if (ball.spec >= 0) spec = ir_.balls[static_cast<std::size_t>(ball.spec)];
             spec.kind = ball.kind;
             spec.position = ball.position;
             spec.velocity = ball.velocity;

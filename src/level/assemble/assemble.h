@@ -13,7 +13,7 @@ struct StartingBall {
     double mass = 1.0;
     double restitution = 1.0;
     ClassIndex kind = 0;
-    BallSpec spec;     ///< as the file has it; what stands above replaces it
+    int spec = -1;     ///< index into LevelIr::balls; -1: placed by a fill
     int binding = -1;  ///< index into LevelIr::ball_bindings; -1: placed by a fill
     Origin origin;
 };

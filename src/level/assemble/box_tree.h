@@ -15,15 +15,17 @@ class BoxTree {
     explicit BoxTree(std::vector<Box> boxes);
 
     /// Calls `visit(index)` for each box that overlaps `box`, until a call returns false. The order
-    /// depends on the boxes alone.
+    /// depends on the boxes alone. Returns how many nodes of the tree it looked at.
     template <typename Visit>
-    void query(const Box& box, Visit visit) const {
-        if (nodes_.empty()) return;
+    std::uint64_t query(const Box& box, Visit visit) const {
+        if (nodes_.empty()) return 0;
+        std::uint64_t looks = 0;
         std::vector<std::uint32_t>& stack = stack_;
         stack.assign(1, 0);
         while (!stack.empty()) {
             const Node node = nodes_[stack.back()];
             stack.pop_back();
+            ++looks;
             if (!overlaps(node.box, box)) continue;
             if (node.count == 0) {
                 stack.push_back(node.first + 1);
@@ -31,9 +33,10 @@ class BoxTree {
                 continue;
             }
             for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-                if (overlaps(boxes_[order_[i]], box) && !visit(order_[i])) return;
+                if (overlaps(boxes_[order_[i]], box) && !visit(order_[i])) return looks;
             }
         }
+        return looks;
     }
 
   private:

@@ -17,7 +17,13 @@ namespace carom {
 namespace {
 
 constexpr std::uint32_t attempts = 300;
-constexpr std::uint64_t max_fill_tests = 200'000'000;
+
+// Operations of a WorkBudget.
+constexpr std::uint64_t cost_of_a_ball = 20;       // its random sizes and velocity
+constexpr std::uint64_t cost_of_a_try = 3;         // of a random place
+constexpr std::uint64_t cost_of_a_site = 3;        // of a lattice
+constexpr std::uint64_t cost_of_an_obstacle = 20;  // near the box
+constexpr std::uint64_t far_obstacles_for_one = 8;
 
 // The purpose of a random number; each purpose has a stream of its own.
 enum class Purpose : std::uint64_t { mass = 1, radius, place, shift, direction, speed, gaussian };
@@ -112,13 +118,12 @@ void draw_velocities(const FillIr& fill, const FillRandom& chance, std::vector<F
 
 class FillPlacer {
   public:
-    /// `tests` counts obstacle tests over all fills (Context::fill_tests).
     FillPlacer(const FillIr& fill, const Obstacles& obstacles, const FillRandom& chance,
-               std::vector<FilledBall>& balls, std::uint64_t& tests)
+               std::vector<FilledBall>& balls, WorkBudget& work)
         : fill_(fill),
           random_(chance),
           balls_(balls),
-          tests_(tests),
+          work_(work),
           keeps_apart_(obstacles.each_other),
           tree_(boxes_near(obstacles, fill.box)) {
         // The tree holds the obstacles that overlap the box: first the discs, then the capsules.
@@ -128,15 +133,14 @@ class FillPlacer {
         for (const Capsule& capsule : obstacles.capsules) {
             if (overlaps(bounds(capsule), fill.box)) near_capsules_.push_back(capsule);
         }
-        constexpr std::uint64_t cost_of_entry = 20;  // of building the tree, in tests
-        tests_ += cost_of_entry * (near_discs_.size() + near_capsules_.size());
+        work_.spend((obstacles.discs.size() + obstacles.capsules.size()) / far_obstacles_for_one +
+                    cost_of_an_obstacle * (near_discs_.size() + near_capsules_.size()));
     }
 
     /// Places all balls at random, else on a lattice. Returns how many were placed.
     std::uint32_t place() {
         const std::uint32_t placed = at_random();
-        if (placed == fill_.count || is_exhausted()) return placed;
-        return std::max(placed, on_lattice());
+        return placed == fill_.count ? placed : std::max(placed, on_lattice());
     }
 
   private:
@@ -150,9 +154,10 @@ class FillPlacer {
         for (const std::uint32_t i : order)
             radii.push_back(balls_[i].radius);
         HierarchicalGrid grid(fill_.box, radii);
+        const std::uint64_t least_left = work_.left() / 2;
         std::uint32_t placed = 0;
         for (const std::uint32_t i : order) {
-            if (!find_place(i, grid)) return placed;
+            if (!find_place(i, grid, least_left)) return placed;
             if (keeps_apart_) grid.add({balls_[i].position, balls_[i].radius});
             ++placed;
         }
@@ -164,7 +169,10 @@ class FillPlacer {
         double largest = 0.0;
         for (const FilledBall& ball : balls_)
             largest = std::max(largest, ball.radius);
-        const auto is_open = [&](Vec2 site) { return is_free({site, largest}); };
+        const auto is_open = [&](Vec2 site) {
+            work_.spend(cost_of_a_site);
+            return is_free({site, largest});
+        };
         const Lattice lattice = widest_lattice(fill_.box, largest, fill_.count, is_open);
         if (lattice.sites.size() < fill_.count) {
             return static_cast<std::uint32_t>(lattice.sites.size());
@@ -191,22 +199,21 @@ class FillPlacer {
         return boxes;
     }
 
-    bool is_exhausted() const { return tests_ > max_fill_tests; }
-
     bool is_free(const Disc& disc) {
-        bool is_free = !is_exhausted();
-        tree_.query(bounds(disc), [&](std::uint32_t i) {
-            if (++tests_ > max_fill_tests) is_free = false;
-            if (!is_free) return false;
+        bool is_free = true;
+        std::uint64_t looks = 0;
+        looks += tree_.query(bounds(disc), [&](std::uint32_t i) {
+            ++looks;
             is_free = i < near_discs_.size()
                           ? separation(disc, near_discs_[i]) >= 0.0
                           : separation(disc, near_capsules_[i - near_discs_.size()]) >= 0.0;
             return is_free;
         });
+        work_.spend(looks);
         return is_free;
     }
 
-    bool find_place(std::uint32_t i, const HierarchicalGrid& grid) {
+    bool find_place(std::uint32_t i, const HierarchicalGrid& grid, std::uint64_t least_left) {
         FilledBall& ball = balls_[i];
         const Box room = grow(fill_.box, -ball.radius);
         if (room.low.x > room.high.x || room.low.y > room.high.y) return false;
@@ -215,7 +222,11 @@ class FillPlacer {
                 random_.between(room.low.x, room.high.x, Purpose::place, i, 2 * attempt),
                 random_.between(room.low.y, room.high.y, Purpose::place, i, 2 * attempt + 1)};
             const Disc disc{ball.position, ball.radius};
-            if (!grid.touches(disc) && is_free(disc)) return true;
+            std::uint64_t looks = 0;
+            const bool is_place = !grid.touches(disc, looks) && is_free(disc);
+            work_.spend(cost_of_a_try + looks);
+            if (is_place) return true;
+            if (work_.left() < least_left) return false;
         }
         return false;
     }
@@ -235,7 +246,7 @@ class FillPlacer {
     const FillIr& fill_;
     const FillRandom& random_;
     std::vector<FilledBall>& balls_;
-    std::uint64_t& tests_;
+    WorkBudget& work_;
     bool keeps_apart_;
     BoxTree tree_;
     std::vector<Disc> near_discs_;
@@ -247,25 +258,21 @@ class FillPlacer {
 std::optional<std::vector<FilledBall>> place_fill(const FillIr& fill, const FillDefaults& defaults,
                                                   const FillObstacles& obstacles,
                                                   Context& context) {
-    if (context.fill_tests > max_fill_tests) return std::nullopt;  // already reported
+    context.work.begin(fill.origin.span);
+    context.work.earn(fill.count);
+    context.work.spend(fill.count * cost_of_a_ball);
     const FillRandom chance(context.seed, fill.number);
     std::vector<FilledBall> balls(fill.count);
     if (!draw_sizes(fill, defaults, chance, balls, context)) return std::nullopt;
     draw_velocities(fill, chance, balls);
     const auto place_among = [&](const Obstacles& among) {
-        return FillPlacer(fill, among, chance, balls, context.fill_tests).place();
+        return FillPlacer(fill, among, chance, balls, context.work).place();
     };
     std::uint32_t placed = place_among(obstacles.all);
-    if (placed < fill.count && obstacles.solid && context.fill_tests <= max_fill_tests) {
+    if (placed < fill.count && obstacles.solid) {
         placed = place_among(obstacles.solid());
     }
     if (placed == fill.count) return balls;
-    if (context.fill_tests > max_fill_tests) {
-        context.reporter.error("fill-too-crowded", fill.origin.span,
-                               "the level is too crowded for this fill",
-                               "draw less into its box, or fill it in fewer parts");
-        return std::nullopt;
-    }
     context.reporter.error(
         "fill-does-not-fit", fill.origin.span,
         fmt::format("the box has room for only {} of {} balls", placed, fill.count),

@@ -43,15 +43,16 @@ struct FillDefaults {
 /// not fit, which is reported.
 ///
 /// Larger balls come first; each takes the first free one of 300 random positions. If a ball finds
-/// none (at packings above about 0.5), all balls go on a lattice instead, with random shifts as far
-/// as there is room. Placement fails only if the densest lattice has too few sites, or if all fills
-/// together have tested obstacles 200 million times.
+/// none (at packings above about 0.5), or the search has used half of the work that is left to the
+/// level (WorkBudget), all balls go on a lattice instead, with random shifts as far as there is
+/// room. Placement fails only if the densest lattice has too few sites. After the first fill that
+/// fails none is placed, since it would be placed among others than the author meant.
 ///
 /// The random numbers of ball i depend on the seed, the number of the fill and i alone. A velocity
 /// has a speed from a range and a random direction. With rms=, velocities are Gaussian, truncated
 /// at 8 standard deviations, and scaled so that their root mean square is exactly the given value.
 ///
-/// 1,000,000 balls at a packing of 0.3 take about a second.
+/// 1,000,000 balls at a packing of 0.3 take about half a second.
 std::optional<std::vector<FilledBall>> place_fill(const FillIr& fill, const FillDefaults& defaults,
                                                   const FillObstacles& obstacles, Context& context);
 

@@ -11,6 +11,16 @@ int cells_along(double length, double cell) {
     return static_cast<int>(length / cell) + 1;
 }
 
+// separation(a, b) < 0, without its square root where the answer is far from rounding.
+bool overlap(const Disc& a, const Disc& b) {
+    constexpr double rounding = 1e-12;
+    const double reach = a.radius + b.radius;
+    const double square = length_squared(b.center - a.center);
+    if (square > reach * reach * (1.0 + rounding)) return false;
+    if (square < reach * reach * (1.0 - rounding)) return true;
+    return separation(a, b) < 0.0;
+}
+
 }  // namespace
 
 HierarchicalGrid::HierarchicalGrid(const Box& box, const std::vector<double>& radii) : box_(box) {
@@ -54,18 +64,20 @@ void HierarchicalGrid::add(const Disc& disc) {
     discs_.push_back(disc);
 }
 
-bool HierarchicalGrid::touches(const Disc& disc) const {
+bool HierarchicalGrid::touches(const Disc& disc, std::uint64_t& looks) const {
     for (const Grid& grid : grids_) {
         const double reach = disc.radius + grid.largest;
         const int last_row = row(grid, disc.center.y + reach);
         const int first_column = column(grid, disc.center.x - reach);
         const int last_column = column(grid, disc.center.x + reach);
         for (int r = row(grid, disc.center.y - reach); r <= last_row; ++r) {
+            ++looks;
             for (int c = first_column; c <= last_column; ++c) {
                 const auto cell = static_cast<std::size_t>(r) * grid.columns + c;
                 for (std::int32_t i = grid.first[cell]; i >= 0;
                      i = next_[static_cast<std::size_t>(i)]) {
-                    if (separation(disc, discs_[static_cast<std::size_t>(i)]) < 0.0) return true;
+                    ++looks;
+                    if (overlap(disc, discs_[static_cast<std::size_t>(i)])) return true;
                 }
             }
         }

@@ -17,8 +17,9 @@ class HierarchicalGrid {
 
     /// Adds a disc. Pre: its centre lies in the box.
     void add(const Disc& disc);
-    /// Whether the disc overlaps a disc added before. Pre: it is no larger than those.
-    bool touches(const Disc& disc) const;
+    /// Whether the disc overlaps a disc added before. Adds the rows of cells and the discs that it
+    /// looked at to `looks`. Pre: the disc is no larger than those added.
+    bool touches(const Disc& disc, std::uint64_t& looks) const;
 
   private:
     struct Grid {

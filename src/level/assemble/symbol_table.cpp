@@ -11,6 +11,9 @@
 namespace carom {
 namespace {
 
+// Of the lists that each `show` and each `expect` keeps of its bins, in operations of a WorkBudget.
+constexpr std::uint64_t cost_of_a_bin = 20;
+
 // The parts of "name(inside)"; none: the word is not of that form.
 struct Call {
     Word name;
@@ -56,7 +59,6 @@ void SymbolTable::name_balls(const std::vector<StartingBall>& balls) {
         ++count;
         const bool is_plain = count == 1 && !binding.is_numbered;
         ball_names_[i] = is_plain ? std::string(base) : fmt::format("{}.{}", base, count);
-        ball_numbers_[ball_names_[i]] = static_cast<std::uint32_t>(i);
         if (binding.name && !is_identifier(base)) {
             context_.reporter.error("not-a-name", binding.name->span(),
                                     fmt::format("'{}' is not a name", base),
@@ -155,6 +157,7 @@ std::optional<Show> SymbolTable::make_show(const ShowIr& spec) {
     if (spec.what == Show::What::energy) return show;
     const Bins* bins = bins_named(*spec.of);
     if (!bins) return std::nullopt;
+    context_.work.spend(cost_of_a_bin * bins->zones.size());
     show.of = bins->name;
     for (std::uint32_t i = 0; i < bins->zones.size(); ++i) {
         show.counters.push_back(bins->first_counter + i);
@@ -193,6 +196,19 @@ std::optional<Quantity> SymbolTable::quantity_of(const Word& word) {
     return std::nullopt;
 }
 
+// The number of the ball of this name. Sorts the names first: most levels of many balls never ask.
+std::optional<std::uint32_t> SymbolTable::ball_named(std::string_view name) {
+    const auto name_of = [&](std::uint32_t i) { return std::string_view(ball_names_[i]); };
+    if (named_balls_.empty()) {
+        for (std::uint32_t i = 0; i < ball_names_.size(); ++i)
+            if (!ball_names_[i].empty()) named_balls_.push_back(i);
+        std::ranges::sort(named_balls_, {}, name_of);
+    }
+    const auto found = std::ranges::lower_bound(named_balls_, name, {}, name_of);
+    if (found == named_balls_.end() || name_of(*found) != name) return std::nullopt;
+    return *found;
+}
+
 std::optional<Quantity> SymbolTable::ball_quantity(const Word& word, std::size_t dot) {
     const Word ball = word.part(0, dot);
     const Word what = word.part(dot + 1);
@@ -210,12 +226,11 @@ std::optional<Quantity> SymbolTable::ball_quantity(const Word& word, std::size_t
                                 fmt::format("it has {}", fmt::join(kinds, " ")));
         return std::nullopt;
     }
-    const auto number = ball_numbers_.find(ball.text);
-    if (number != ball_numbers_.end()) return Quantity{*found, BallId{number->second}, {}, {}};
+    if (const auto number = ball_named(ball.text)) return Quantity{*found, BallId{*number}, {}, {}};
     if (is_error_name(ball.text)) return std::nullopt;
     std::vector<std::string_view> known;
-    for (const auto& [other, index] : ball_numbers_)
-        known.push_back(other);
+    for (const std::uint32_t i : named_balls_)
+        known.push_back(ball_names_[i]);
     context_.reporter.error(
         "unknown-ball", ball.span(), fmt::format("there is no ball '{}'", ball.text),
         did_you_mean(ball.text, known, "give the ball a name: ball NAME at=..."));
@@ -242,10 +257,12 @@ std::optional<Quantity> SymbolTable::bins_quantity(const Word& word, std::size_t
     }
     const Bins* bins = bins_named(call->inside);
     if (!bins) return std::nullopt;
+    context_.work.spend(cost_of_a_bin * bins->zones.size());
     Quantity quantity{*found, {}, {}, {}};
     for (std::uint32_t i = 0; i < bins->zones.size(); ++i) {
         quantity.counters.push_back(bins->first_counter + i);
     }
+    context_.work.spend(shows_.size());
     for (const Show& show : shows_) {
         if (show.of == bins->name && !show.expected.empty()) quantity.expected = show.expected;
     }
@@ -271,9 +288,11 @@ std::optional<Expect> SymbolTable::make_expect(const ExpectIr& spec) {
 void SymbolTable::check_references() {
     collect_bins();
     for (const ShowIr& spec : ir_.shows) {
+        context_.work.begin(spec.span);
         if (auto show = make_show(spec)) shows_.push_back(std::move(*show));
     }
     for (const ExpectIr& spec : ir_.expects) {
+        context_.work.begin(spec.quantity.span());
         if (auto expect = make_expect(spec)) expects_.push_back(std::move(*expect));
     }
 }

@@ -37,6 +37,7 @@ class SymbolTable {
     std::optional<Show> make_show(const ShowIr& spec);
     std::optional<std::vector<double>> expected_shares(const Word& against, std::size_t bins);
     std::optional<Expect> make_expect(const ExpectIr& spec);
+    std::optional<std::uint32_t> ball_named(std::string_view name);
     std::optional<Quantity> quantity_of(const Word& word);
     std::optional<Quantity> ball_quantity(const Word& word, std::size_t dot);
     std::optional<Quantity> bins_quantity(const Word& word, std::size_t open);
@@ -45,7 +46,7 @@ class SymbolTable {
     const ResolvedNames& names_;
     Context& context_;
     std::vector<std::string> ball_names_;
-    std::map<std::string, std::uint32_t, std::less<>> ball_numbers_;
+    std::vector<std::uint32_t> named_balls_;  ///< by name; filled when first needed
     std::vector<Bins> bins_;
     std::map<std::string, std::size_t, std::less<>> bins_index_;
     std::vector<std::uint32_t> world_zones_;

@@ -25,15 +25,13 @@ void Interpreter::run_level(const std::vector<Node>& nodes) {
 }
 
 void Interpreter::run_all(const std::vector<Node>& nodes, const Frame& frame) {
-    for (const Node& node : nodes) {
-        if (is_stopped_) return;
+    for (const Node& node : nodes)
         if (node.statement) run(node, frame);
-    }
 }
 
 void Interpreter::run(const Node& node, const Frame& frame) {
     const Statement& statement = *node.statement;
-    if (!count_step(node)) return;
+    count_step(node);
     if (statement.place == Place::top && !frame.is_top) {
         context_.reporter.error("statement-in-block", node.keyword().span(),
                                 fmt::format("{} does not belong in a block", statement.name),
@@ -44,26 +42,21 @@ void Interpreter::run(const Node& node, const Frame& frame) {
     run_statement(replacement ? *replacement : node, frame, node.keyword().span());
 }
 
-bool Interpreter::count_step(const Node& node) {
-    constexpr std::size_t most_errors = 200;
-    constexpr std::uint64_t most_characters = 100'000'000;
-    constexpr std::uint64_t cost_of_a_cell = 8;  // of a map, in characters of a word
+void Interpreter::count_step(const Node& node) {
+    // In operations of a WorkBudget; the evaluation of numbers costs more.
+    constexpr std::uint64_t cost_of_a_statement = 10;
+    constexpr std::uint64_t cost_of_a_word = 10;
+    constexpr std::uint64_t characters_for_one = 2;
+    std::uint64_t characters = 0;
     for (const Word& word : node.words)
-        characters_ += word.text.size();
-    for (const Word& line : node.drawing)
-        characters_ += cost_of_a_cell * (line.text.size() + 1);
-    if (context_.reporter.errors() >= most_errors || context_.is_at_limit) is_stopped_ = true;
-    if (is_stopped_) return false;
-    if (++steps_ <= max_items && characters_ <= most_characters) return true;
-    context_.reporter.error(
-        steps_ > max_items ? FaultCode("too-many-statements") : FaultCode("too-many-characters"),
-        node.keyword().span(),
-        steps_ > max_items
-            ? fmt::format("the level unrolls to more than {} statements", max_items)
-            : fmt::format("the level unrolls to more than {} characters", most_characters),
-        "repeat less");
-    is_stopped_ = true;
-    return false;
+        characters += word.text.size();
+    context_.work.begin(node.keyword().span());
+    context_.work.spend(cost_of_a_statement + cost_of_a_word * node.words.size() +
+                        characters / characters_for_one);
+    if (++steps_ <= max_items) return;
+    context_.reporter.stop("too-many-statements", node.keyword().span(),
+                           fmt::format("the level unrolls to more than {} statements", max_items),
+                           "repeat less");
 }
 
 // `stands_at` is the position in the file, even if `node` is an override that replaces the
@@ -95,12 +88,10 @@ bool Interpreter::is_first_of_its_kind(const Statement& statement, const Span& a
 void Interpreter::run_body(const Node& node, const Frame& frame, const Transform& transform,
                            int image, Names names) {
     if (frame.depth >= max_block_depth) {
-        context_.reporter.error(
+        context_.reporter.stop(
             "block-too-deep", node.keyword().span(),
             fmt::format("blocks and parts are nested deeper than {}", max_block_depth),
             "nest them less; and no part can place itself");
-        is_stopped_ = true;
-        return;
     }
     Scope scope;
     scope.outer = frame.scope;

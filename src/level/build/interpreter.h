@@ -16,9 +16,9 @@ namespace carom {
 /// Runs trees of statements. It knows how statements are run, not what they do: their effect is the
 /// action in their row of the table (language/statement.h).
 ///
-/// A level is untrusted data, so the work is bounded: 1,000,000 statements, 100,000,000 characters
-/// read, 32 nested blocks, 200 errors. At a limit the interpreter reports an error (for the last
-/// limit, the errors themselves are the report) and stops.
+/// A level is untrusted data, so the work is bounded: 1,000,000 statements, 32 nested blocks, and
+/// the operations of a WorkBudget. At a limit the interpreter reports an error and throws
+/// LoadStopped.
 class Interpreter {
   public:
     Interpreter(const LoadOptions& options, SourceStore& store, Context& context);
@@ -32,9 +32,8 @@ class Interpreter {
     /// applied before the frame's own. `image` tells copies made by mirror (Origin::image).
     void run_body(const Node& node, const Frame& frame, const Transform& transform, int image,
                   Names names);
-    /// Counts a statement against the limits; false: a limit is reached.
-    bool count_step(const Node& node);
-    bool is_stopped() const { return is_stopped_; }
+    /// Counts a statement against the limits.
+    void count_step(const Node& node);
     /// A number for a mirror image; each call returns a new one.
     int new_image() { return ++images_; }
 
@@ -58,8 +57,6 @@ class Interpreter {
         unique_;  ///< the places of statements with Statement::is_unique
     int images_ = 0;
     std::uint64_t steps_ = 0;
-    std::uint64_t characters_ = 0;
-    bool is_stopped_ = false;
 };
 
 /// Reads the header of `main` and interprets the level. Pre: `main` is in `store` and has no fault

@@ -7,6 +7,11 @@
 #include "level/text/spelling.h"
 
 namespace carom {
+namespace {
+
+constexpr std::uint64_t cost_of_a_key = 20;  // of binding it, in operations
+
+}  // namespace
 
 Variable Parts::evaluated(const Word& key, const Word& expression, const Scope& scope) {
     return {evaluate(expression, scope, context_.rules(), context_.reporter), key.span(), nullptr};
@@ -28,6 +33,7 @@ void Parts::define(const Arguments& arguments, const Scope& scope) {
         std::optional<Variable> otherwise;
         if (!expression.text.empty()) otherwise = evaluated(key, expression, scope);
         part.keys.emplace_back(key, otherwise);
+        part.key_names.insert(key.text);
     }
     const auto [first, is_new] = parts_.emplace(std::string(name.text), std::move(part));
     if (is_new) return;
@@ -61,11 +67,12 @@ std::optional<Parts::Placed> Parts::bind(const Arguments& arguments, const Scope
 
 bool Parts::take_given(const Arguments& arguments, const Part& part, const Scope& scope,
                        Names& names) {
-    std::vector<std::string_view> known;
-    for (const auto& [key, otherwise] : part.keys)
-        known.push_back(key.text);
     for (const auto& [key, expression] : arguments.own_keys) {
-        if (std::ranges::count(known, key.text) == 0) {
+        context_.work.spend(cost_of_a_key);
+        if (!part.key_names.contains(key.text)) {
+            std::vector<std::string_view> known;
+            for (const auto& [other, otherwise] : part.keys)
+                known.push_back(other.text);
             context_.reporter.error(
                 "unknown-part-key", key.span(),
                 fmt::format("part {} has no key '{}'", arguments.plain[0].text, key.text),
@@ -82,6 +89,7 @@ bool Parts::take_given(const Arguments& arguments, const Part& part, const Scope
 
 bool Parts::take_defaults(const Arguments& arguments, const Part& part, Names& names) {
     for (const auto& [key, otherwise] : part.keys) {
+        context_.work.spend(cost_of_a_key);
         if (names.contains(key.text)) continue;
         if (!otherwise) {
             context_.reporter.error(

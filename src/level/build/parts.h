@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,7 @@ class Parts {
         Span span;
         std::vector<std::pair<Word, std::optional<Variable>>>
             keys;  ///< with their defaults; none: `place` must give it
+        std::set<std::string_view> key_names;
         bool is_placed = false;
     };
     Part* find(const Word& name);

@@ -10,7 +10,7 @@
 #include "level/ir/transform.h"
 #include "level/scene/load_options.h"
 #include "level/scene/scene.h"
-#include "level/text/reporter.h"
+#include "level/text/work_budget.h"
 #include "level/values/expression.h"
 
 /// State that the stages of loading share.
@@ -29,6 +29,7 @@ using BindingKey = std::pair<const Node*, const char*>;
 
 struct Context {
     Reporter reporter;
+    WorkBudget work{reporter};
     LevelIr ir;
     LengthUnit unit = LengthUnit::natural;
     /// The line `units` had an error, so numbers are not checked for their units.
@@ -41,13 +42,9 @@ struct Context {
     /// The values in LevelIr::spin_needs, so that a repeated statement adds each of them once.
     std::set<const char*> spin_needs_seen;
     std::uint64_t seed = 0;
-    /// Obstacles that fills have tested so far: bounds the work.
-    std::uint64_t fill_tests = 0;
-    /// There are too many balls or edges: the interpreter stops.
-    bool is_at_limit = false;
 
-    ExpressionRules rules() const {
-        return {is_unit_unknown ? LengthUnit::millimetre : unit, &top_level_lets};
+    ExpressionRules rules() {
+        return {is_unit_unknown ? LengthUnit::millimetre : unit, &top_level_lets, &work};
     }
 };
 

@@ -18,14 +18,19 @@ BindingKey key_of(const Node* node, const std::optional<Word>& word) {
 
 }  // namespace
 
-bool reserve_balls(std::uint64_t count, const Span& at, Context& context) {
+void reserve_balls(std::uint64_t count, const Span& at, Context& context) {
     context.ir.balls_reserved += count;
-    if (context.ir.balls_reserved <= max_items) return true;
-    context.reporter.error("too-many-balls", at,
-                           fmt::format("the level has more than {} balls", max_items),
-                           "make fewer of them");
-    context.is_at_limit = true;
-    return false;
+    if (context.ir.balls_reserved <= max_items) return;
+    context.reporter.stop("too-many-balls", at,
+                          fmt::format("the level has more than {} balls", max_items),
+                          "make fewer of them");
+}
+
+void reserve_zones(std::uint64_t count, const Span& at, Context& context) {
+    if (context.ir.zones.size() + count <= max_zones) return;
+    context.reporter.stop("too-many-zones", at,
+                          fmt::format("the level has more than {} zones and bins", max_zones),
+                          "make fewer of them");
 }
 
 int begin_chain(bool is_closed, Context& context) {
@@ -33,22 +38,20 @@ int begin_chain(bool is_closed, Context& context) {
     return static_cast<int>(context.ir.chains.size()) - 1;
 }
 
-bool emit_capsule(const Capsule& shape, Side side, int binding, int chain, const Span& at,
+void emit_capsule(const Capsule& shape, Side side, int binding, int chain, const Span& at,
                   const Frame& frame, Context& context) {
     if (context.ir.capsules.size() >= max_items) {
-        context.reporter.error("too-many-edges", at,
-                               fmt::format("the level has more than {} edges", max_items),
-                               "draw fewer of them");
-        context.is_at_limit = true;
-        return false;
+        context.reporter.stop("too-many-edges", at,
+                              fmt::format("the level has more than {} edges", max_items),
+                              "draw fewer of them");
     }
+    context.work.earn(1);
     const Transform& t = frame.transform;
     context.ir.capsules.push_back({{t.point(shape.start), t.point(shape.end), shape.radius},
                                    turned(side, t),
                                    binding,
                                    chain,
                                    {at, frame.image}});
-    return true;
 }
 
 int bind_edges(EdgeBinding binding, Context& context) {
@@ -68,7 +71,8 @@ int name_balls(BallBinding binding, Context& context) {
 }
 
 void emit_ball(const BallIr& ball, const Frame& frame, Context& context) {
-    if (!reserve_balls(1, ball.origin.span, context)) return;
+    reserve_balls(1, ball.origin.span, context);
+    context.work.earn(1);
     BallIr placed = ball;
     placed.position = frame.transform.point(ball.position);
     placed.velocity = frame.transform.direction(ball.velocity);

@@ -249,4 +249,7 @@ inline constexpr std::size_t max_classes = 1000;
 /// The most balls, the most edges, and the most statements that a level may run.
 inline constexpr std::uint64_t max_items = 1'000'000;
 
+/// The most zones (bins, pockets, rollovers ...), and the most pinball devices.
+inline constexpr std::uint64_t max_zones = 100'000;
+
 }  // namespace carom

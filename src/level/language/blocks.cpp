@@ -79,7 +79,7 @@ class BlockReader {
     bool read_into(std::vector<Node>& nodes, int depth) {
         while (true) {
             std::vector<Word> words = lines_.next();
-            if (words.empty() || stopped_) return false;
+            if (words.empty()) return false;
             if (words.front().text == "end") {
                 if (words.size() > 1) {
                     reporter_.error("word-after-end", words[1].span(),
@@ -122,15 +122,13 @@ class BlockReader {
             node.statement ? node.statement : guess(table_, node.keyword().text);
         if (!shape || !shape->opens_block) return;
         if (depth >= max_block_depth) {
-            reporter_.error("block-too-deep", node.keyword().span(),
-                            fmt::format("blocks are nested deeper than {}", max_block_depth),
-                            "take some of them out, or use part and place");
-            stopped_ = true;
-            return;
+            reporter_.stop("block-too-deep", node.keyword().span(),
+                           fmt::format("blocks are nested deeper than {}", max_block_depth),
+                           "take some of them out, or use part and place");
         }
         const bool is_closed =
             shape->body_is_drawing ? read_drawing(node) : read_into(node.body, depth + 1);
-        if (!is_closed && !stopped_) report_no_end(node, reporter_);
+        if (!is_closed) report_no_end(node, reporter_);
     }
 
     bool read_drawing(Node& node) {
@@ -144,7 +142,6 @@ class BlockReader {
     LineReader lines_;
     const StatementTable& table_;
     Reporter& reporter_;
-    bool stopped_ = false;
 };
 
 }  // namespace

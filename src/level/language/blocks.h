@@ -26,8 +26,8 @@ struct Node {
 inline constexpr int max_block_depth = 32;
 
 /// The statements of a source, looked up in `table`, which must outlive them. Reports unknown
-/// keywords, missing and stray `end`s, and blocks nested deeper than max_block_depth; reading stops
-/// at such a block. An unknown keyword that resembles a block's opens a block, so that its `end` is
+/// keywords, missing and stray `end`s; stops (Reporter::stop) at blocks nested deeper than
+/// max_block_depth. An unknown keyword that resembles a block's opens a block, so that its `end` is
 /// not reported as well.
 std::vector<Node> read_blocks(const SourceText& source, const StatementTable& table,
                               Reporter& reporter);

@@ -38,13 +38,14 @@ Vec2 absolute(Vec2 v) {
 // Copies the variables that an expression uses, so that it can be evaluated later.
 Scope names_in(const Word& expression, const Scope& scope) {
     Scope asked;
+    std::uint64_t cost = 0;  // that of the word is spent where it is evaluated
     const std::string_view text = expression.text;
     for (std::size_t i = 0; i < text.size();) {
         std::size_t end = i;
         while (end < text.size() && continues_identifier(text[end]))
             ++end;
         const std::string_view name = text.substr(i, end - i);
-        const Variable* variable = scope.find(name);
+        const Variable* variable = scope.find(name, cost);
         if (variable) asked.names.emplace(std::string(name), *variable);
         i = end + 1;
     }
@@ -65,7 +66,9 @@ bool read_radius(const Arguments& arguments, const Frame& frame, FillIr& fill, C
     fill.least_radius = range->first;
     fill.most_radius = range->second;
     if (uses_mass) {
-        scope.names["m"].used = nullptr;
+        // The fill outlives the blocks whose variables it uses.
+        for (auto& [name, variable] : scope.names)
+            variable.used = nullptr;
         fill.radius_of_mass = expression;
         fill.scope = std::move(scope);
     }
@@ -95,7 +98,7 @@ void build_spawn(const Arguments& arguments, const Frame& frame, Context& contex
     const Vec2 velocity_jitter = arguments.pair_or("vjitter", {});
     const bool has_jitter = !(jitter == Vec2{}) || !(velocity_jitter == Vec2{});
     if (has_jitter && !keeps_axes(arguments, frame, context)) return;
-    if (!reserve_balls(arguments.count("count"), arguments.span_of("count"), context)) return;
+    reserve_balls(arguments.count("count"), arguments.span_of("count"), context);
     EmitterIr spec;
     spec.kind = arguments.plain.front();
     spec.emitter.at = t.point(arguments.pair_or("at", {}));
@@ -111,7 +114,7 @@ void build_spawn(const Arguments& arguments, const Frame& frame, Context& contex
 void build_fill(const Arguments& arguments, const Frame& frame, Context& context) {
     if (!keeps_axes(arguments, frame, context)) return;
     const std::uint32_t count = arguments.count("count");
-    if (!reserve_balls(count, arguments.span_of("count"), context)) return;
+    reserve_balls(count, arguments.span_of("count"), context);
     if (context.ir.fills.size() >= max_fills) {
         context.reporter.error("too-many-fills", arguments.node->keyword().span(),
                                fmt::format("the level has more than {} fills", max_fills),
@@ -158,10 +161,6 @@ void build_cradle(const Arguments& arguments, const Frame& frame, Context& conte
         context.reporter.error("cradle-moves-too-many", arguments.span_of("in"),
                                fmt::format("in={:.6g} is more than count={}", moving, count),
                                "move as many balls as there are, or fewer");
-        return;
-    }
-    if (count > max_items) {
-        reserve_balls(count, arguments.span_of("count"), context);
         return;
     }
     BallIr ball;

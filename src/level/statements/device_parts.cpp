@@ -30,6 +30,11 @@ Origin origin_of(const Arguments& arguments, const Frame& frame) {
 }
 
 int add_device(DeviceIr device, Context& context) {
+    if (context.ir.devices.size() >= max_zones) {
+        context.reporter.stop("too-many-devices", device.origin.span,
+                              fmt::format("the level has more than {} devices", max_zones),
+                              "make fewer of them");
+    }
     context.ir.devices.push_back(std::move(device));
     return static_cast<int>(context.ir.devices.size()) - 1;
 }
@@ -40,19 +45,13 @@ void emit_device_capsule(const Capsule& shape, Side side, DeviceIr device, const
     context.ir.chains.back().has_gaps = false;
     const int binding = device.binding;
     const int number = add_device(std::move(device), context);
-    if (emit_capsule(shape, side, binding, chain, at, frame, context))
-        context.ir.capsules.back().device = number;
+    emit_capsule(shape, side, binding, chain, at, frame, context);
+    context.ir.capsules.back().device = number;
 }
 
 void emit_device_zone(const Capsule& shape, Zone::Effect effect, DeviceIr device, const Span& at,
                       const Frame& frame, Context& context) {
-    if (context.ir.zones.size() >= max_items) {
-        context.reporter.error("too-many-zones", at,
-                               fmt::format("the level has more than {} zones", max_items),
-                               "make fewer of them");
-        context.is_at_limit = true;
-        return;
-    }
+    reserve_zones(1, at, context);
     const Transform& t = frame.transform;
     const int binding = device.binding;
     const int number = add_device(std::move(device), context);

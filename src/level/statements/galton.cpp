@@ -35,11 +35,8 @@ void build_pegs(PegLayout layout, const Arguments& arguments, const Frame& frame
         }
         for (std::uint32_t k = 0; k < columns; ++k) {
             const Vec2 place{at.x + (k - 0.5 * (columns - 1.0)) * pitch, at.y - i * row};
-            if (!emit_capsule({place, place, radius}, Side::both, binding,
-                              begin_chain(false, context), arguments.span_of("rows"), frame,
-                              context)) {
-                return;
-            }
+            emit_capsule({place, place, radius}, Side::both, binding, begin_chain(false, context),
+                         arguments.span_of("rows"), frame, context);
         }
     }
 }
@@ -65,19 +62,11 @@ void build_bins(const Arguments& arguments, const Frame& frame, Context& context
     const int binding = bind_edges(edge_binding_of(arguments), context);
     const auto x_of = [&](double i) { return at.x + (i - 0.5 * count) * width; };
 
-    if (context.ir.zones.size() + count > max_items) {
-        context.reporter.error("too-many-zones", span,
-                               fmt::format("the level has more than {} bins", max_items),
-                               "make fewer of them");
-        context.is_at_limit = true;
-        return;
-    }
+    reserve_zones(count, span, context);
     for (std::uint32_t i = 0; i <= count && !is_open; ++i) {
         const Vec2 foot{x_of(i), floor};
-        if (!emit_capsule({foot, {foot.x, at.y - wall}, wall}, Side::both, binding,
-                          begin_chain(false, context), span, frame, context)) {
-            return;
-        }
+        emit_capsule({foot, {foot.x, at.y - wall}, wall}, Side::both, binding,
+                     begin_chain(false, context), span, frame, context);
     }
     if (!is_sink && !is_open) {
         emit_capsule({{x_of(0), floor}, {x_of(count), floor}, wall}, Side::both, binding,
@@ -100,13 +89,7 @@ void build_bins(const Arguments& arguments, const Frame& frame, Context& context
 
 // Makes a single zone that counts balls. Zones with the same name form a group of bins.
 void build_zone(const Arguments& arguments, const Frame& frame, Context& context) {
-    if (context.ir.zones.size() >= max_items) {
-        context.reporter.error("too-many-zones", arguments.node->keyword().span(),
-                               fmt::format("the level has more than {} zones", max_items),
-                               "make fewer of them");
-        context.is_at_limit = true;
-        return;
-    }
+    reserve_zones(1, arguments.node->keyword().span(), context);
     const Transform& t = frame.transform;
     Zone zone;
     zone.shape = {t.point(arguments.points[0]), t.point(arguments.points[1]),

@@ -56,12 +56,12 @@ class MapBuilder {
           frame_(frame),
           context_(context),
           drawing_(arguments.node->drawing),
-          legends_(context.ir.legends),
           cell_(arguments.number_or("cell", 1.0)),
           corner_(arguments.pair_or("at", {})) {
-        add_default("#", LegendIr::What::solid);
-        add_default("o", LegendIr::What::ball);
-        add_default("*", LegendIr::What::peg);
+        // Building looks at each place of the drawing several times.
+        constexpr std::uint64_t cost_of_a_place = 4;
+        context.work.spend(cost_of_a_place * static_cast<std::uint64_t>(drawing_.rows() + 1) *
+                           static_cast<std::uint64_t>(drawing_.columns() + 1));
     }
 
     void build() {
@@ -77,11 +77,16 @@ class MapBuilder {
     }
 
   private:
-    // A built-in letter keeps its meaning unless a legend of the level redefines it.
-    void add_default(std::string_view letter, LegendIr::What what) {
-        LegendIr legend;
-        legend.what = what;
-        legends_.emplace(std::string(letter), legend);
+    // What a letter means; null: nothing. A built-in letter keeps its meaning unless a legend of
+    // the level redefines it.
+    const LegendIr* legend_of(std::string_view letter) const {
+        static const LegendIr solid{.what = LegendIr::What::solid};
+        static const LegendIr ball{.what = LegendIr::What::ball};
+        static const LegendIr peg{.what = LegendIr::What::peg};
+        if (letter == " ") return nullptr;
+        const auto found = context_.ir.legends.find(letter);
+        if (found != context_.ir.legends.end()) return &found->second;
+        return letter == "#" ? &solid : letter == "o" ? &ball : letter == "*" ? &peg : nullptr;
     }
 
     static bool is_line(std::string_view c) {
@@ -94,14 +99,14 @@ class MapBuilder {
     }
 
     // A joint draws nothing, but lines that run into it meet at its centre.
-    bool is_joint(std::string_view c) const { return c == "+" && !legends_.contains(c); }
+    bool is_joint(std::string_view c) const { return c == "+" && !legend_of(c); }
 
     bool check_letters() {
         bool is_valid = true;
         for (int row = 0; row < drawing_.rows(); ++row) {
             for (int column = 0; column < drawing_.columns(); ++column) {
                 const std::string_view c = drawing_.at(row, column);
-                if (c == " " || c == "." || is_line(c) || is_joint(c) || legends_.contains(c)) {
+                if (c == " " || c == "." || is_line(c) || is_joint(c) || legend_of(c)) {
                     continue;
                 }
                 is_valid = false;
@@ -130,7 +135,7 @@ class MapBuilder {
         if (c == "|") return build_run(row, column, 1, 0, {0.0, 0.5}, {1.0, 0.5});
         if (c == "/") return build_run(row, column, 1, -1, {0.0, 1.0}, {1.0, 0.0});
         if (c == "\\") return build_run(row, column, 1, 1, {0.0, 0.0}, {1.0, 1.0});
-        const LegendIr& legend = legends_.find(c)->second;
+        const LegendIr& legend = *legend_of(c);
         const Vec2 middle = point(row + 0.5, column + 0.5);
         if (legend.what == LegendIr::What::ball) build_ball(legend, middle, row, column);
         if (legend.what == LegendIr::What::peg) {
@@ -174,9 +179,8 @@ class MapBuilder {
     }
 
     const LegendIr* solid_at(int row, int column) const {
-        const auto found = legends_.find(drawing_.at(row, column));
-        if (found == legends_.end() || found->second.what != LegendIr::What::solid) return nullptr;
-        return &found->second;
+        const LegendIr* legend = legend_of(drawing_.at(row, column));
+        return legend && legend->what == LegendIr::What::solid ? legend : nullptr;
     }
 
     // The legend of the edge between two cells of which exactly one is solid; null: no edge.
@@ -233,7 +237,6 @@ class MapBuilder {
     const Frame& frame_;
     Context& context_;
     Drawing drawing_;
-    std::map<std::string, LegendIr, std::less<>> legends_;
     double cell_;
     Vec2 corner_;
 };

@@ -69,7 +69,7 @@ void build_bumper(const Arguments& arguments, const Frame& frame, Context& conte
     Material material = default_material(rubber, context);
     take_kick(arguments, material, context);
     const int binding = bind_device(arguments, material, context);
-    for (std::size_t i = 0; i < arguments.places.size() && !context.is_at_limit; ++i) {
+    for (std::size_t i = 0; i < arguments.places.size(); ++i) {
         const Vec2 at = arguments.places[i];
         emit_device_capsule({at, at, arguments.number_or("r", 0.0)}, Side::both,
                             {.device = {.kind = DeviceKind::bumper},
@@ -94,7 +94,7 @@ void build_edges(DeviceKind kind, Material material, const std::optional<Vec2>& 
                  const Arguments& arguments, const Frame& frame, Context& context) {
     if (!are_ends_paired(arguments, context)) return;
     const int binding = bind_device(arguments, default_material(material, context), context);
-    for (std::size_t i = 0; i < arguments.points.size() && !context.is_at_limit; i += 2) {
+    for (std::size_t i = 0; i < arguments.points.size(); i += 2) {
         const Vec2 from = arguments.points[i];
         const Vec2 to = arguments.points[i + 1];
         const Span span = arguments.point_words[i + 1].span();

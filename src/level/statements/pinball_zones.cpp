@@ -24,7 +24,7 @@ void build_zones(const Device& device, const Arguments& arguments, const Frame& 
                  Context& context) {
     const double radius = zone_radius(arguments, context);
     const int binding = bind_device(arguments, std::nullopt, context);
-    for (std::size_t i = 0; i < arguments.places.size() && !context.is_at_limit; ++i) {
+    for (std::size_t i = 0; i < arguments.places.size(); ++i) {
         const Vec2 at = arguments.places[i];
         emit_device_zone({at, at, radius}, Zone::Effect::census,
                          device_at(at, device, binding, arguments, frame),
@@ -56,7 +56,7 @@ void build_hole(const Arguments& arguments, const Frame& frame, Context& context
     device.hold = arguments.number_or("hold", 1.0);
     const double radius = zone_radius(arguments, context);
     const int binding = bind_device(arguments, std::nullopt, context);
-    for (std::size_t i = 0; i < arguments.places.size() && !context.is_at_limit; ++i) {
+    for (std::size_t i = 0; i < arguments.places.size(); ++i) {
         const Vec2 at = arguments.places[i];
         const Vec2 aim = arguments.pair_or("toward", {}) - at;
         const double distance = length(aim);

@@ -116,6 +116,7 @@ void build_rack(const Arguments& arguments, const Frame& frame, Context& context
 }
 
 void build_pocket(const Arguments& arguments, const Frame& frame, Context& context) {
+    reserve_zones(1, arguments.span_of("r"), context);
     Zone zone;
     const Vec2 at = frame.transform.point(arguments.pair_or("at", {}));
     zone.shape = {at, at, arguments.number_or("r", 0.0)};

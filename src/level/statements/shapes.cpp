@@ -151,10 +151,8 @@ void add_polyline(std::vector<Corner> corners, bool is_closed, const Arguments& 
     for (std::size_t i = 0; i < pieces; ++i) {
         const Corner& end = corners[(i + 1) % corners.size()];
         if (corners[i].point == end.point) continue;  // two fillets that meet
-        if (!emit_capsule({corners[i].point, end.point, radius}, side_of(arguments), binding, chain,
-                          end.span, frame, context)) {
-            return;
-        }
+        emit_capsule({corners[i].point, end.point, radius}, side_of(arguments), binding, chain,
+                     end.span, frame, context);
     }
 }
 

@@ -5,7 +5,7 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t most_kept = 1000;  // bounds the memory that a file full of errors can take
+constexpr std::size_t most_kept = 1000;  // bounds the memory that a file full of warnings can take
 
 std::tuple<int, int, int, Severity> rank(int order, const Diagnostic& d) {
     return {order, d.line, d.column, d.severity};
@@ -14,8 +14,14 @@ std::tuple<int, int, int, Severity> rank(int order, const Diagnostic& d) {
 }  // namespace
 
 void Reporter::error(FaultCode code, const Span& at, std::string message, std::string remedy) {
+    add(Severity::error, code, at, std::move(message), std::move(remedy));
+    if (++errors_ >= max_errors) throw LoadStopped{};
+}
+
+void Reporter::stop(FaultCode code, const Span& at, std::string message, std::string remedy) {
     ++errors_;
     add(Severity::error, code, at, std::move(message), std::move(remedy));
+    throw LoadStopped{};
 }
 
 void Reporter::warning(FaultCode code, const Span& at, std::string message, std::string remedy) {
@@ -25,7 +31,7 @@ void Reporter::warning(FaultCode code, const Span& at, std::string message, std:
 void Reporter::add(Severity severity, FaultCode code, const Span& at, std::string message,
                    std::string remedy) {
     const int order = at.source ? at.source->order : 0;
-    if (entries_.size() >= most_kept) return;
+    if (severity == Severity::warning && entries_.size() >= most_kept) return;
     if (!places_.insert({severity, order, at.line, at.column}).second) return;
     Diagnostic d;
     d.severity = severity;

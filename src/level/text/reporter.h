@@ -12,11 +12,21 @@ namespace carom {
 
 inline constexpr std::size_t max_diagnostics = 20;
 
+/// Loading stops at this many errors: finding and describing more would take unbounded time.
+inline constexpr std::size_t max_errors = 200;
+
+/// Thrown to stop loading after a report, and caught by load_level.
+struct LoadStopped {};
+
 /// Invariant: there is at most one error and one warning for a line and column, so an error in a
 /// statement that is repeated a thousand times is reported once.
 class Reporter {
   public:
+    /// Throws LoadStopped at the last of max_errors.
     void error(FaultCode code, const Span& at, std::string message, std::string remedy = {});
+    /// Reports an error at a limit of the loader, and throws LoadStopped.
+    [[noreturn]] void stop(FaultCode code, const Span& at, std::string message,
+                           std::string remedy = {});
     void warning(FaultCode code, const Span& at, std::string message, std::string remedy = {});
 
     bool has_errors() const { return errors_ > 0; }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "geometry/elementary.h"
@@ -20,7 +21,11 @@ class Parser {
     Parser(const Word& word, const Scope& scope, const ExpressionRules& rules, Reporter& reporter)
         : word_(word), text_(word.text), scope_(scope), rules_(rules), reporter_(reporter) {}
 
+    /// What parsing has cost so far, in operations (WorkBudget).
+    std::uint64_t cost() const { return cost_; }
+
     std::optional<Value> whole() {
+        cost_ += text_.size() / 4;
         const std::optional<Value> value = sum();
         if (value && at_ < text_.size()) {
             const std::string_view rest = text_.substr(at_);
@@ -147,6 +152,7 @@ class Parser {
     }
 
     Result atom() {
+        cost_ += 4;
         const char c = peek();
         if (begins_literal(text_.substr(at_))) return number();
         if (starts_identifier(c)) return name();
@@ -185,7 +191,7 @@ class Parser {
 
     Result number() {
         const std::size_t start = at_;
-        const auto is_let = [&](std::string_view name) { return scope_.find(name) != nullptr; };
+        const auto is_let = [&](std::string_view name) { return scope_.find(name, cost_); };
         const Literal literal = read_literal(text_.substr(start), rules_.unit, is_let);
         if (!literal.fault.empty()) {
             return mistake(literal.code, start + literal.fault_at, literal.fault_length,
@@ -209,7 +215,7 @@ class Parser {
                                         "there are sqrt sin cos tan abs min max floor ceil round"));
         }
         // A variable hides a constant or a function of its name.
-        const Variable* variable = scope_.find(name);
+        const Variable* variable = scope_.find(name, cost_);
         if (!variable && name == "pi") return Value{pi, {}};
         if (!variable && function) {
             return mistake(
@@ -277,12 +283,15 @@ class Parser {
     int depth_ = 0;
     int signs_ = 0;
     bool failed_ = false;
+    std::uint64_t cost_ = 0;
 };
 
 }  // namespace
 
-const Variable* Scope::find(std::string_view name) const {
+const Variable* Scope::find(std::string_view name, std::uint64_t& cost) const {
     for (const Scope* scope = this; scope; scope = scope->outer) {
+        if (scope->names.empty()) continue;
+        cost += 2 + std::bit_width(scope->names.size());
         const auto found = scope->names.find(name);
         if (found != scope->names.end()) return &found->second;
     }
@@ -291,7 +300,10 @@ const Variable* Scope::find(std::string_view name) const {
 
 std::optional<Value> evaluate(const Word& word, const Scope& scope, const ExpressionRules& rules,
                               Reporter& reporter) {
-    return Parser(word, scope, rules, reporter).whole();
+    Parser parser(word, scope, rules, reporter);
+    const std::optional<Value> value = parser.whole();
+    if (rules.work) rules.work->spend(parser.cost());
+    return value;
 }
 
 std::vector<Word> split_outside_brackets(const Word& word, std::string_view separator) {

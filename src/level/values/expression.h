@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "level/text/words.h"
+#include "level/text/work_budget.h"
 #include "level/values/dimension.h"
 
 /// Expressions: + - * / ^, brackets, names of variables, pi and functions. A variable may be called
@@ -26,7 +27,8 @@ struct Scope {
     std::map<std::string, Variable, std::less<>> names;
     Scope* outer = nullptr;
 
-    const Variable* find(std::string_view name) const;
+    /// Null: there is none. Adds what the search costs to `cost` (WorkBudget).
+    const Variable* find(std::string_view name, std::uint64_t& cost) const;
 };
 
 struct ExpressionRules {
@@ -34,6 +36,7 @@ struct ExpressionRules {
     /// Names that the file defines later at top level, with their lines: for the message about a
     /// use before the definition.
     const std::map<std::string, int, std::less<>>* defined_later = nullptr;
+    WorkBudget* work = nullptr;  ///< pays for the evaluation; may be null
 };
 
 /// The deepest nesting of brackets, signs and powers.
