@@ -42,6 +42,12 @@ void check_pockets(const std::vector<StartingBall>& balls, Context& context) {
 
 void check_game(Context& context) {
     const LevelIr& ir = context.ir;
+    if (ir.settings.table.is_game && !ir.cues.empty()) {
+        context.reporter.error("cue-in-pinball", ir.cues.front().ball.span(),
+                               "game pinball has flippers and plungers, and no cue",
+                               "take the cue out, or the line game pinball");
+        return;
+    }
     const GameRow* game = ir.settings.game ? game_named(*ir.settings.game) : nullptr;
     if (!game || !game->rack || context.reporter.has_errors()) return;
     const auto needs = [&](std::string_view what, std::string_view line) {

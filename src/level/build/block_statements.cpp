@@ -14,6 +14,11 @@ void define_variable(const Word& name, const Word& expression, const Frame& fram
                      Context& context) {
     constexpr std::uint64_t cost = 50;  // of a variable, in operations
     context.work.spend(cost);
+    if (name.text == "pi") {
+        context.reporter.warning("let-hides-constant", name.span(),
+                                 "this pi hides the constant pi, 3.14159...",
+                                 "choose another name");
+    }
     LetUse& use = context.lets[name.text.data()];
     use.span = name.span();
     use.name = std::string(name.text);

@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <set>
+
 #include "level/ir/arguments.h"
 #include "level/ir/emit.h"
 #include "level/statements/families.h"
 #include "level/statements/keys.h"
+#include "level/text/lookalikes.h"
 #include "level/text/utf8.h"
 
 namespace carom {
@@ -31,6 +34,10 @@ class Drawing {
 
     int rows() const { return static_cast<int>(cells_.size()); }
     int columns() const { return columns_; }
+    /// The number of characters in the row.
+    int length(int row) const {
+        return static_cast<int>(cells_[static_cast<std::size_t>(row)].size());
+    }
     /// The character of a cell; blank outside of the drawing. Rows count from the top.
     std::string_view at(int row, int column) const {
         if (row < 0 || row >= rows() || column < 0) return " ";
@@ -101,26 +108,66 @@ class MapBuilder {
     // A joint draws nothing, but lines that run into it meet at its centre.
     bool is_joint(std::string_view c) const { return c == "+" && !legend_of(c); }
 
+    // A character with a meaning in drawings.
+    bool is_known(std::string_view c) const {
+        return c == " " || c == "." || is_line(c) || is_joint(c) || legend_of(c);
+    }
+
+    // Reports each unknown character once, and a comment as such.
     bool check_letters() {
         bool is_valid = true;
         for (int row = 0; row < drawing_.rows(); ++row) {
-            for (int column = 0; column < drawing_.columns(); ++column) {
-                const std::string_view c = drawing_.at(row, column);
-                if (c == " " || c == "." || is_line(c) || is_joint(c) || legend_of(c)) {
-                    continue;
-                }
+            int last = drawing_.length(row);
+            if (const std::optional<int> comment = comment_in(row)) {
+                context_.reporter.error("comment-in-map", drawing_.span(row, *comment),
+                                        "a drawing cannot have comments",
+                                        "write it above the map, or below its end");
                 is_valid = false;
-                const bool is_tab = c == "\t";
-                context_.reporter.error(
-                    is_tab ? FaultCode("map-tab") : FaultCode("map-letter-unknown"),
-                    drawing_.span(row, column),
-                    is_tab ? "a tab stands in the drawing"
-                           : fmt::format("'{}' means nothing in a drawing", c),
-                    is_tab ? "write blanks"
-                           : fmt::format("explain it above: legend ball {} kind=NAME", c));
+                last = *comment;
+            }
+            for (int column = 0; column < last; ++column) {
+                const std::string_view c = drawing_.at(row, column);
+                if (is_known(c)) continue;
+                is_valid = false;
+                if (reported_.insert(c).second) report_letter(c, drawing_.span(row, column));
             }
         }
         return is_valid;
+    }
+
+    void report_letter(std::string_view c, const Span& at) {
+        if (c == "\t")
+            return context_.reporter.error("map-tab", at, "a tab stands in the drawing",
+                                           "write blanks");
+        if (const Lookalike* like = lookalike(decode_utf8(c).character))
+            return context_.reporter.error("lookalike", at,
+                                           fmt::format("{} stands here", like->name),
+                                           std::string(like->remedy));
+        context_.reporter.error("map-letter-unknown", at,
+                                fmt::format("'{}' means nothing in a drawing", c),
+                                fmt::format("explain it above: legend ball {} kind=NAME", c));
+    }
+
+    // The column at which a comment begins: a mark of comments, and behind it a word of three
+    // letters or more, one of them unknown.
+    std::optional<int> comment_in(int row) const {
+        const auto is_mark = [&](int column) {
+            const std::string_view c = drawing_.at(row, column);
+            return c == "#" || c == ";" ||
+                   ((c == "/" || c == "-") && drawing_.at(row, column + 1) == c);
+        };
+        std::optional<int> mark;
+        int letters = 0;
+        bool has_unknown = false;
+        for (int column = 0; column < drawing_.length(row); ++column) {
+            const std::string_view c = drawing_.at(row, column);
+            if (!mark && is_mark(column)) mark = column;
+            const bool is_letter = is_identifier(c);
+            letters = is_letter ? letters + 1 : 0;
+            has_unknown = is_letter && ((letters > 1 && has_unknown) || !is_known(c));
+            if (mark && has_unknown && letters >= 3) return mark;
+        }
+        return std::nullopt;
     }
 
     // The upper left corner of the cell in this row and column, in the coordinates of the frame.
@@ -239,6 +286,7 @@ class MapBuilder {
     Drawing drawing_;
     double cell_;
     Vec2 corner_;
+    std::set<std::string_view> reported_;  ///< unknown characters
 };
 
 void build_map(const Arguments& arguments, const Frame& frame, Context& context) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "level/text/lookalikes.h"
 #include "level/text/utf8.h"
 
 namespace carom {
@@ -27,7 +28,9 @@ std::vector<std::string> printable_characters(std::string_view text) {
         if (character == "\t") {
             result.emplace_back(" ");
         } else {
-            result.emplace_back(length == 0 || is_control(character) ? "?" : character);
+            const bool is_hidden = length == 0 || is_control(character) ||
+                                   is_invisible(decode_utf8(character).character);
+            result.emplace_back(is_hidden ? "?" : character);
         }
         i += character.size();
     }

@@ -46,8 +46,8 @@ struct Diagnostic {
     std::vector<IncludedFrom> included_from;  ///< innermost first
 };
 
-/// `text` made safe for a terminal: '?' replaces control characters and bytes that are not UTF-8, a
-/// space replaces a tab.
+/// `text` made safe for a terminal: '?' replaces control characters, invisible ones
+/// (lookalikes.h) and bytes that are not UTF-8, a space replaces a tab.
 std::string printable(std::string_view text);
 
 /// The diagnostic as text for a terminal:

@@ -51,7 +51,14 @@ void Reporter::add(Severity severity, FaultCode code, const Span& at, std::strin
 }
 
 std::vector<Diagnostic> Reporter::diagnostics() const {
-    std::vector<Entry> sorted = entries_;
+    std::vector<Entry> sorted;
+    // A warning at the place of an error is likely to follow from it.
+    for (const Entry& e : entries_) {
+        const Diagnostic& d = e.diagnostic;
+        if (d.severity == Severity::error ||
+            !places_.contains({Severity::error, e.order, d.line, d.column}))
+            sorted.push_back(e);
+    }
     const auto by_severity = [](const Entry& e) { return e.diagnostic.severity; };
     const auto by_place = [](const Entry& e) { return rank(e.order, e.diagnostic); };
     std::ranges::sort(sorted, {}, by_place);

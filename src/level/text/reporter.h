@@ -33,8 +33,8 @@ class Reporter {
     /// The number of calls of error() so far. If it grew, a called function has reported an error.
     std::size_t errors() const { return errors_; }
 
-    /// The first max_diagnostics, ordered by source, line and column. If there are more, errors
-    /// come before warnings.
+    /// The first max_diagnostics, ordered by source, line and column, without the warnings at the
+    /// places of errors. If there are more, errors come before warnings.
     std::vector<Diagnostic> diagnostics() const;
 
   private:

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "level/text/diagnostic.h"
+#include "level/text/lookalikes.h"
 
 /// The text of a level, and positions in it. Columns count characters (code points), not bytes.
 namespace carom {
@@ -16,9 +18,10 @@ namespace carom {
 struct SourceText {
     std::string name;
     std::string text;
-    std::vector<std::string_view> lines;      ///< without their ends (LF or CR LF)
-    std::vector<IncludedFrom> included_from;  ///< innermost first
-    int order = 0;                            ///< diagnostics are sorted by it first
+    std::vector<std::string_view> lines;       ///< without their ends (LF or CR LF)
+    std::map<std::size_t, MendedLine> mended;  ///< by index, the lines with lookalikes
+    std::vector<IncludedFrom> included_from;   ///< innermost first
+    int order = 0;                             ///< diagnostics are sorted by it first
 };
 
 /// A position in a source. Line and column from 1.

@@ -1,5 +1,7 @@
 #include "level/text/words.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace carom {
@@ -14,6 +16,16 @@ bool is_blank_or_comment(std::string_view text) {
     return first == std::string_view::npos || text[first] == '#';
 }
 
+// The length of the mark if the word begins a comment as in C, Lua, SQL or INI files; 0 otherwise.
+// `before`: the words of the statement so far. `legend ball ;` explains the letter.
+std::size_t foreign_comment_mark(std::string_view word, const std::vector<Word>& before) {
+    if (word.starts_with("//") || word.starts_with("/*")) return 2;
+    const bool is_letter =
+        word.size() == 1 && before.size() == 2 && before.front().text == "legend";
+    if (word.starts_with(";") && !is_letter) return 1;
+    return word == "--" || (word.starts_with("--") && before.empty()) ? 2 : 0;
+}
+
 }  // namespace
 
 Word Word::part(std::size_t offset, std::size_t count) const {
@@ -23,11 +35,21 @@ Word Word::part(std::size_t offset, std::size_t count) const {
 std::vector<Word> LineReader::next() {
     std::vector<Word> words;
     while (line_ < source_->lines.size()) {
-        const bool goes_on = split(source_->lines[line_], static_cast<int>(line_) + 1, words);
+        const bool goes_on = split(clean_line(line_), static_cast<int>(line_) + 1, words);
         ++line_;
         if (!goes_on && !words.empty()) return words;
     }
     return words;
+}
+
+std::string_view LineReader::clean_line(std::size_t index) {
+    const auto found = source_->mended.find(index);
+    if (found == source_->mended.end()) return source_->lines[index];
+    const MendedLine::Mend& first = found->second.mends.front();
+    reporter_->error("lookalike", {source_, static_cast<int>(index) + 1, first.column, 1},
+                     fmt::format("{} stands here", first.lookalike->name),
+                     std::string(first.lookalike->remedy));
+    return found->second.text;
 }
 
 std::optional<Word> LineReader::next_verbatim() {
@@ -74,7 +96,15 @@ bool LineReader::split(std::string_view line, int number, std::vector<Word>& wor
                 ++end;
             }
         }
-        words.push_back(word_at(i, end));
+        const Word word = word_at(i, end);
+        if (const std::size_t mark = foreign_comment_mark(word.text, words); mark > 0) {
+            reporter_->error(
+                "foreign-comment", word.part(0, mark).span(),
+                fmt::format("'{}' does not begin a comment", word.text.substr(0, mark)),
+                "a comment begins with #");
+            return false;
+        }
+        words.push_back(word);
         i = end;
     }
     return false;

@@ -31,12 +31,15 @@ class LineReader {
     LineReader(const SourceText& source, Reporter& reporter)
         : source_(&source), reporter_(&reporter) {}
 
-    /// The words of the next line that has words; empty at the end of the source.
+    /// The words of the next line that has words; empty at the end of the source. Lookalikes, and
+    /// comments as other languages write them, are reported and read as the author meant them.
     std::vector<Word> next();
     /// The next line, verbatim (for drawings); none at the end of the source.
     std::optional<Word> next_verbatim();
 
   private:
+    /// A line without lookalikes; reports the first of them.
+    std::string_view clean_line(std::size_t index);
     /// Adds the words of one line; true when a backslash continues it.
     bool split(std::string_view line, int number, std::vector<Word>& words);
 
