@@ -162,7 +162,7 @@ TEST_CASE("mirror makes images, but no duplicates on its line") {
         "  peg at=0,10 r=1\n"
         "  peg at=0,0 r=0.5\n"
         "  edge -5,20 5,20\n"
-        "  edge one 20,0 30,0 side=left\n"
+        "  edge name=one 20,0 30,0 side=left\n"
         "  ball b at=50,3 v=1,2\n"
         "end\n");
     const World& world = scene.world;

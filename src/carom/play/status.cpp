@@ -99,7 +99,14 @@ std::vector<HudCheck> checks_of(const PlayContext& play) {
         // The histogram panel shows these.
         if (is_of_bins(expect.what.kind) && play.panels.is_histogram_drawn()) continue;
         if (const auto measured = measure(expect.what, play.session.world(), nullptr))
-            checks.push_back({expect.quantity, *measured, expect.value, expect.tolerance});
+            checks.push_back({.quantity = expect.quantity,
+                              .relation = expect.relation == Expect::Relation::within
+                                              ? "of"
+                                              : sign(expect.relation),
+                              .measured = *measured,
+                              .value = expect.value,
+                              .is_exact = expect.tolerance == 0.0,
+                              .holds = holds(expect, *measured)});
     }
     return checks;
 }

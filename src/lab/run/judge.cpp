@@ -87,10 +87,30 @@ std::string_view name(Verdict verdict) {
     }
 }
 
-Judgement judge(const Expect& expect, const World& world, const RunWatch& watch) {
+void judge(const Expect& expect, const World& world, const RunWatch& watch, bool is_last,
+           Judgement& judgement) {
+    using enum Expect::When;
+    if (judgement.is_decided) return;
+    const double due = expect.at ? std::round(*expect.at * world.rate()) : 0.0;
+    const auto now = static_cast<double>(world.tick());
+    if (expect.at && now > due) return;
+    const bool is_due = expect.at ? now == due : is_last;
+    if (expect.when == last && !is_due) return;
+
     const std::optional<double> measured = measure(expect.what, world, &watch);
-    const bool holds = measured && std::abs(*measured - expect.value) <= expect.tolerance;
-    return {.verdict = holds ? Verdict::holds : Verdict::fails, .measured = measured, .reason = {}};
+    const bool is_so = measured && holds(expect, *measured);
+    if (measured) {
+        judgement.measured = measured;
+        judgement.time = world.time();
+    }
+    const bool decides = (expect.when == by && is_so) || (expect.when == never && is_so) ||
+                         (expect.when == always && measured && !is_so);
+    if (!decides && !is_due) return;
+    const bool is_met =
+        expect.when == last || expect.when == by ? is_so : !decides && judgement.measured;
+    judgement.verdict = is_met ? Verdict::holds : Verdict::fails;
+    judgement.reason = {};
+    judgement.is_decided = true;
 }
 
 }  // namespace carom

@@ -24,11 +24,20 @@ std::string_view name(Verdict verdict);
 
 struct Judgement {
     Verdict verdict = Verdict::not_judged;
+    /// At the tick that decided, else at the last one judged.
     std::optional<double> measured;
-    std::string_view reason;  ///< why not judged; empty otherwise
+    std::string_view reason;     ///< why not judged; empty otherwise
+    std::optional<double> time;  ///< of the tick that `measured` is from, s
+    bool is_decided = false;     ///< no later tick can change the verdict
 };
 
-/// Holds if there is a value and it is within the tolerance, limits included.
-Judgement judge(const Expect& expect, const World& world, const RunWatch& watch);
+/// Judges the expectation at the present tick, and updates its judgement. Called after every tick,
+/// in order, the start included. `is_last`: the run ends here, so expectations without a time are
+/// judged.
+///
+/// A tick at which the quantity has no value (see measure()) counts for none of `by`, `always` and
+/// `never`; if it had none at any tick, the expectation fails. So does one at a certain time.
+void judge(const Expect& expect, const World& world, const RunWatch& watch, bool is_last,
+           Judgement& judgement);
 
 }  // namespace carom

@@ -1,7 +1,6 @@
 #include "lab/run/run_record.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace carom {
 namespace {
@@ -9,13 +8,10 @@ namespace {
 constexpr std::string_view overridden = "the level was changed from outside";
 constexpr std::string_view not_reached = "the run ended before its time";
 
-void judge_due(RunRecord& record, const Scene& scene, const World& world) {
+void judge_all(RunRecord& record, const Scene& scene, const World& world, bool is_last) {
     if (scene.overridden) return;
-    for (std::size_t i = 0; i < scene.expects.size(); ++i) {
-        const std::optional<double> at = scene.expects[i].at;
-        if (!at || std::round(*at * world.rate()) != static_cast<double>(world.tick())) continue;
-        record.judgements[i] = judge(scene.expects[i], world, record.watch);
-    }
+    for (std::size_t i = 0; i < scene.expects.size(); ++i)
+        judge(scene.expects[i], world, record.watch, is_last, record.judgements[i]);
 }
 
 }  // namespace
@@ -28,22 +24,18 @@ RunRecord begin_record(const Scene& scene, const SolverSettings& solver) {
                      .judgements = {}};
     const Judgement not_yet{.reason = scene.overridden ? overridden : not_reached};
     record.judgements.assign(scene.expects.size(), not_yet);
-    judge_due(record, scene, scene.world);
+    judge_all(record, scene, scene.world, false);
     return record;
 }
 
 void note_tick(RunRecord& record, const Scene& scene, const World& world) {
     record.watch.note_tick(world);
     record.ball_ticks += world.balls().size();
-    judge_due(record, scene, world);
+    judge_all(record, scene, world, false);
 }
 
 void note_end(RunRecord& record, const Scene& scene, const World& world) {
-    if (scene.overridden) return;
-    for (std::size_t i = 0; i < scene.expects.size(); ++i) {
-        if (scene.expects[i].at) continue;
-        record.judgements[i] = judge(scene.expects[i], world, record.watch);
-    }
+    judge_all(record, scene, world, true);
 }
 
 bool has_failure(const RunRecord& record) {

@@ -19,8 +19,7 @@ struct RunRecord {
     Totals totals_start;
     RunWatch watch;
     std::uint64_t ball_ticks = 0;  ///< the number of balls, summed over the ticks
-    /// By Scene::expects. An expectation with a time is judged after the tick nearest to it; one
-    /// without a time, at the end.
+    /// By Scene::expects. A time means the tick nearest to it; no time means the end.
     std::vector<Judgement> judgements;
     /// The counts of a game, by name; noted at the end.
     std::vector<std::pair<std::string, std::uint64_t>> tallies;

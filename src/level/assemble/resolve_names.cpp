@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "geometry/elementary.h"
 #include "level/assemble/class_names.h"
@@ -37,6 +38,7 @@ class Resolver {
           materials_(material_names_) {}
 
     ResolvedNames resolve() {
+        collect_rule_names();
         for (const EdgeBinding& binding : ir_.edge_bindings) {
             result_.edges.push_back(resolve_edges(binding));
         }
@@ -57,6 +59,16 @@ class Resolver {
     }
 
   private:
+    void collect_rule_names() {
+        for (const RuleIr& rule : ir_.rules) {
+            rule_names_.insert(rule.name.text);
+            for (const RuleIr::Need& need : rule.needs)
+                rule_names_.insert(need.name.text);
+            for (const RuleActionIr& action : rule.actions)
+                if (action.group) rule_names_.insert(action.group->text);
+        }
+    }
+
     ResolvedBalls resolve_kind(const std::optional<Word>& name) {
         if (!name) return {kinds_.default_class(), true};
         if (const auto kind = kinds_.find(name->text)) {
@@ -82,11 +94,16 @@ class Resolver {
         ResolvedEdges edges;
         std::vector<Word> words = binding.plain;
         std::optional<Word> material = binding.material;
-        if (binding.may_begin_with_material && !words.empty() &&
-            (words.size() == 2 || materials_.has(words[0].text))) {
+        if (!has_one_of_each(binding)) {
+            edges.is_valid = false;
+            return edges;
+        }
+        if (binding.may_begin_with_material && !words.empty() && !material &&
+            (words.size() == 2 || binding.name || materials_.has(words[0].text))) {
             material = words[0];
             words.erase(words.begin());
         }
+        if (binding.name) words = {*binding.name};
         if (material) {
             const auto found = known_material(*material);
             edges.is_valid = found.has_value();
@@ -95,12 +112,47 @@ class Resolver {
             edges.material = materials_.default_class();
         }
         if (binding.device_material) is_of_own_material_.push_back(!material);
-        if (!words.empty()) take_name(words[0], binding.may_begin_with_material, edges);
+        if (!words.empty()) take_name(words[0], edges);
+        if (edges.is_valid && binding.may_begin_with_material && !words.empty() && !binding.name &&
+            !material && !binding.device_material)
+            warn_of_material(words[0]);
         return edges;
     }
 
-    // Takes a word before the points as the name, and warns if it resembles a material.
-    void take_name(const Word& word, bool may_be_material, ResolvedEdges& edges) {
+    // Reports a second material or name: one before the points, and one as a key.
+    bool has_one_of_each(const EdgeBinding& binding) {
+        if (!binding.may_begin_with_material || binding.plain.empty()) return true;
+        const Word& first = binding.plain.front();
+        if (binding.material && (binding.plain.size() == 2 || materials_.has(first.text))) {
+            context_.reporter.error("material-twice", first.span(),
+                                    fmt::format("the material stands here too: '{}'", first.text),
+                                    "keep this word or material=");
+            return false;
+        }
+        const std::size_t most = 2u - (binding.material ? 1u : 0u) - (binding.name ? 1u : 0u);
+        if (binding.plain.size() <= most) return true;
+        context_.reporter.error(
+            "name-twice", binding.plain.back().span(),
+            fmt::format("the name stands here too: '{}'", binding.plain.back().text),
+            "keep this word or name=");
+        return false;
+    }
+
+    // A lone word before the points that is no material may be a misspelt or forgotten one: the
+    // edges would silently be elastic. A name that rules use is a name.
+    void warn_of_material(const Word& word) {
+        if (rule_names_.contains(word.text)) return;
+        const auto near = nearest_word(word.text, material_names_);
+        context_.reporter.warning(
+            "material-taken-for-name", word.span(),
+            fmt::format("'{}' is no material, so it is taken for a name", word.text),
+            near
+                ? fmt::format("did you mean '{}'? If it is a name, write name={}", *near, word.text)
+                : fmt::format("define it: material {} e=..., or write name={}", word.text,
+                              word.text));
+    }
+
+    void take_name(const Word& word, ResolvedEdges& edges) {
         if (!is_identifier(word.text)) {
             context_.reporter.error("not-a-name", word.span(),
                                     fmt::format("'{}' is not a name", word.text),
@@ -110,12 +162,6 @@ class Resolver {
         }
         edges.name = std::string(word.text);
         edges.name_at = word.span();
-        const auto near = nearest_word(word.text, material_names_);
-        if (!may_be_material || !near || edges.material < material_names_.size()) return;
-        context_.reporter.warning(
-            "material-taken-for-name", word.span(),
-            fmt::format("'{}' is no material, so it is taken for a name", word.text),
-            fmt::format("did you mean '{}'?", *near));
     }
 
     void make_classes() {
@@ -228,6 +274,7 @@ class Resolver {
     std::vector<std::string_view> material_names_;
     ClassNames kinds_;
     ClassNames materials_;
+    std::set<std::string_view> rule_names_;  ///< names that the rules of a game use
     std::size_t kinds_of_a_layer_ = 0;
     std::vector<bool> is_of_own_material_;  ///< for each binding of a device
     ResolvedNames result_;

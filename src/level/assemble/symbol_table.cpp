@@ -275,12 +275,9 @@ std::optional<Quantity> SymbolTable::bins_quantity(const Word& word, std::size_t
 std::optional<Expect> SymbolTable::make_expect(const ExpectIr& spec) {
     const auto what = quantity_of(spec.quantity);
     if (!what) return std::nullopt;
-    Expect expect;
+    Expect expect = spec.expect;
     expect.quantity = std::string(spec.quantity.text);
     expect.what = *what;
-    expect.value = spec.value;
-    expect.tolerance = spec.tolerance;
-    expect.at = spec.at;
     expect.line = spec.quantity.line;
     return expect;
 }

@@ -68,19 +68,17 @@ class Reading {
             return;
         }
         const std::size_t equals = word.text.find('=');
-        if (equals != std::string_view::npos) {
+        if (word.text == "<=" || word.text == ">=") {
+            read_plain(word);
+        } else if (equals != std::string_view::npos) {
             read_key(word, equals);
-            return;
-        }
-        if (std::ranges::count(statement().flags, word.text) > 0) {
+        } else if (std::ranges::count(statement().flags, word.text) > 0) {
             result_.flags.insert(word.text);
-            return;
-        }
-        if (statement().points_most > 0 && split_outside_brackets(word, ",").size() > 1) {
+        } else if (statement().points_most > 0 && split_outside_brackets(word, ",").size() > 1) {
             read_point(word);
-            return;
+        } else {
+            read_plain(word);
         }
-        read_plain(word);
     }
 
     void read_point(const Word& word) {

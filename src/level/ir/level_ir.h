@@ -37,7 +37,8 @@ struct EdgeBinding {
     const Node* node = nullptr;
     std::vector<Word> plain;
     bool may_begin_with_material = false;
-    std::optional<Word> material{};  ///< the value of material=
+    std::optional<Word> material{};  ///< the value of material=; `plain` then has no material
+    std::optional<Word> name{};      ///< the value of name=; `plain` then has no name
     bool makes_edges = true;         ///< false: the statement makes zones, which have no material
     /// A pinball device: its material where the author names none; its kick in any case.
     std::optional<Material> device_material{};
@@ -171,9 +172,7 @@ struct ShowIr {
 
 struct ExpectIr {
     Word quantity;
-    double value = 0.0;
-    double tolerance = 0.0;
-    std::optional<double> at;
+    Expect expect;  ///< without its quantity
 };
 
 /// A value other than 0 that has an effect only under `use spin`.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -26,12 +28,36 @@ std::string remedy_for(const Label& label, Measure measure, const Context& conte
                        sample(measure, context.unit));
 }
 
+// The number that the author wrote, without its unit; the value of an expression.
+std::string own_number(const Word& word, const Value& value) {
+    double number = 0.0;
+    const char* end = word.text.data() + word.text.size();
+    const auto [stop, fault] = std::from_chars(word.text.data(), end, number);
+    const bool is_literal = fault == std::errc{} && std::all_of(stop, end, [](char c) {
+                                return starts_identifier(c) || c == '/' || c == '2' || c == '3';
+                            });
+    return is_literal ? std::string(word.text.data(), stop) : fmt::format("{:.6g}", value.number);
+}
+
+// "write a time, such as at=20s" for at=20: the author's number with a unit that fits.
+std::string remedy_with(const Word& word, const Value& value, const Label& label, Measure measure,
+                        const Context& context) {
+    const bool is_bare = context.unit == LengthUnit::natural || measure == Measure::length ||
+                         measure == Measure::angle || measure == Measure::number ||
+                         measure == Measure::whole || measure == Measure::soften ||
+                         measure == Measure::frequency;
+    const std::string unit = is_bare                    ? ""
+                             : measure == Measure::mass ? "g"
+                                                        : report_unit(dimension_of(measure));
+    return fmt::format("write {}, such as {}{}{}", described(measure), lead_of(label),
+                       own_number(word, value), unit);
+}
+
 // Converts a value to the units of the world, or reports a wrong dimension.
 std::optional<double> converted(const Word& word, const Value& value, const Label& label,
                                 Measure measure, Context& context) {
     if (context.is_unit_unknown) return value.number;
     const Dimension wanted = dimension_of(measure);
-    if (measure == Measure::result) return value.number;
     const bool is_angular =
         measure == Measure::angular_speed || measure == Measure::angular_acceleration;
     if (is_angular && value.dimension == wanted) return value.number / (180.0 / pi);
@@ -42,7 +68,7 @@ std::optional<double> converted(const Word& word, const Value& value, const Labe
         context.reporter.error("wrong-dimension", word.span(),
                                fmt::format("{} is {}, {} is wanted", word.text,
                                            described(value.dimension), described(measure)),
-                               remedy_for(label, measure, context));
+                               remedy_with(word, value, label, measure, context));
         return std::nullopt;
     }
     if (value.dimension == wanted || (value.is_bare() && value.number == 0.0)) {
@@ -57,14 +83,13 @@ std::optional<double> converted(const Word& word, const Value& value, const Labe
         context.reporter.error(
             "unit-missing", word.span(),
             fmt::format("{} has no unit, {} is wanted", word.text, described(measure)),
-            fmt::format("write it with its unit, such as {}{}", lead_of(label),
-                        sample(measure, context.unit)));
+            remedy_with(word, value, label, measure, context));
         return std::nullopt;
     }
     context.reporter.error("wrong-dimension", word.span(),
                            fmt::format("{} is {}, {} is wanted", word.text,
                                        described(value.dimension), described(measure)),
-                           remedy_for(label, measure, context));
+                           remedy_with(word, value, label, measure, context));
     return std::nullopt;
 }
 
@@ -108,6 +133,22 @@ std::string_view demand(Bound bound) {
     return "";
 }
 
+// A number like the one out of bounds that is allowed: without its sign, or a share in place of
+// percent. None: there is no such number.
+std::optional<double> nearest_allowed(double number, Bound bound) {
+    const double size = std::abs(number);
+    switch (bound) {
+        case Bound::unit_interval:
+        case Bound::positive_unit_interval:
+            if (size == 0.0) return std::nullopt;
+            return size <= 1.0 ? size : size < 2.0 || size > 100.0 ? 1.0 : size / 100.0;
+        case Bound::up_to_thousand:
+            return std::clamp(number, 1.0, 1000.0);
+        default:
+            return number < 0.0 ? std::optional(size) : std::nullopt;
+    }
+}
+
 // Checks the bounds of a number. A remedy shows the number that the author wrote, corrected.
 std::optional<double> bounded(const Word& word, double number, const Label& label, Measure measure,
                               Bound bound, Context& context) {
@@ -116,19 +157,15 @@ std::optional<double> bounded(const Word& word, double number, const Label& labe
     if (measure == Measure::whole && std::floor(number) != number) {
         context.reporter.error("number-not-whole", word.span(),
                                fmt::format("{} must be a whole number, but is {}", subject, shown),
-                               remedy_for(label, measure, context));
+                               fmt::format("write a whole number, such as {}{:.6g}", lead_of(label),
+                                           std::ceil(number)));
         return std::nullopt;
     }
     if (!holds(number, bound)) {
-        const std::string mended =
-            bound == Bound::unit_interval || bound == Bound::positive_unit_interval
-                ? "0.8"
-                : written(-number, measure, context.unit);
         std::string remedy = remedy_for(label, measure, context);
-        if (number < 0.0 && bound != Bound::up_to_thousand) {
-            remedy =
-                fmt::format("write {}, such as {}{}", described(measure), lead_of(label), mended);
-        }
+        if (const auto mended = nearest_allowed(number, bound))
+            remedy = fmt::format("write {}, such as {}{}", described(measure), lead_of(label),
+                                 written(*mended, measure, context.unit));
         if (bound == Bound::layer)
             remedy =
                 fmt::format("write {}0 for the table, or 1 for what is above it", lead_of(label));
@@ -175,6 +212,49 @@ std::optional<double> read_number(const Word& word, const Label& label, Measure 
     const std::optional<double> number = converted(word, *value, label, measure, context);
     if (!number) return std::nullopt;
     return bounded(word, *number, label, measure, bound, context);
+}
+
+std::optional<double> read_quantity(const Word& word, const Dimension& wanted, Bare bare,
+                                    Bound bound, const Scope& scope, Context& context) {
+    const std::optional<Value> value = evaluate(word, scope, context.rules(), context.reporter);
+    if (!value) return std::nullopt;
+    double number = value->number;
+    const std::string unit = report_unit(wanted);
+    const Dimension& is = value->dimension;
+    const bool is_natural = context.unit == LengthUnit::natural;
+    if (is == wanted) {
+        for (int i = 0; i < wanted.angle; ++i)
+            number /= 180.0 / pi;
+    } else if (context.is_unit_unknown || (value->is_bare() && (is_natural || number == 0.0))) {
+        // As it stands.
+    } else if (value->is_bare() && wanted == length_dimension &&
+               context.unit == LengthUnit::metre) {
+        // In metres, whichever rule applies.
+    } else if (value->is_bare() && wanted == length_dimension && bare == Bare::like_elsewhere) {
+        number *= scale(context.unit);
+    } else if (value->is_bare() && bare == Bare::like_elsewhere) {
+        context.reporter.error(
+            "unit-missing", word.span(),
+            fmt::format("{} has no unit, {} is wanted", word.text, described(wanted)),
+            fmt::format("write it with its unit, such as {:.6g}{}", number, unit));
+        return std::nullopt;
+    } else if (value->is_bare()) {
+        const std::string own = wanted == length_dimension
+                                    ? fmt::format("{:.6g}{} or ", number, symbol(context.unit))
+                                    : "";
+        context.reporter.warning("result-without-unit", word.span(),
+                                 fmt::format("{} has no unit: it is read in {}", word.text, unit),
+                                 fmt::format("write {}{:.6g}{}", own, number, unit));
+    } else if (!is_natural || is.angle != wanted.angle || is.time != wanted.time) {
+        context.reporter.error(
+            "wrong-dimension", word.span(),
+            fmt::format("{} is {}, {} is wanted", word.text, described(is), described(wanted)),
+            is_natural ? fmt::format("write a number without a unit, such as {:.6g}", number)
+                       : fmt::format("write a number in {}, such as {:.6g}{}",
+                                     unit.empty() ? "no unit" : unit, number, unit));
+        return std::nullopt;
+    }
+    return bounded(word, number, {described(wanted), ""}, Measure::number, bound, context);
 }
 
 std::optional<std::pair<double, double>> read_range(const Word& word, const Label& label,

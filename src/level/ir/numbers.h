@@ -22,6 +22,16 @@ struct Label {
 std::optional<double> read_number(const Word& word, const Label& label, Measure measure,
                                   Bound bound, const Scope& scope, Context& context);
 
+/// How a bare number is read in a level with units.
+enum class Bare {
+    like_elsewhere,  ///< a length is in the unit of the level; other quantities need their unit
+    si               ///< in SI units, with a warning unless the wanted quantity is a pure number
+};
+
+/// A number of any dimension. Angles are converted to radians.
+std::optional<double> read_quantity(const Word& word, const Dimension& wanted, Bare bare,
+                                    Bound bound, const Scope& scope, Context& context);
+
 /// A range "a..b", or "a", which stands for "a..a": its ends, the smaller first.
 std::optional<std::pair<double, double>> read_range(const Word& word, const Label& label,
                                                     Measure measure, Bound bound,

@@ -23,20 +23,34 @@ constexpr std::array<QuantityRow, 25> rows{{
      .of_world = [](W w) { return counted(w.ball_ball_collisions() + w.ball_edge_collisions()); }},
     {.name = "ball_ball", .of_world = [](W w) { return counted(w.ball_ball_collisions()); }},
     {.name = "ball_edge", .of_world = [](W w) { return counted(w.ball_edge_collisions()); }},
-    {.name = "kinetic_energy", .of_world = [](W w) { return totals(w).kinetic_energy; }},
-    {.name = "potential_energy", .of_world = [](W w) { return totals(w).potential_energy; }},
+    {.name = "kinetic_energy",
+     .dimension = energy_dimension,
+     .of_world = [](W w) { return totals(w).kinetic_energy; }},
+    {.name = "potential_energy",
+     .dimension = energy_dimension,
+     .of_world = [](W w) { return totals(w).potential_energy; }},
     {.name = "energy",
+     .dimension = energy_dimension,
      .of_world =
          [](W w) {
              const Totals sums = totals(w);
              return sums.kinetic_energy + sums.potential_energy;
          }},
-    {.name = "momentum_x", .of_world = [](W w) { return totals(w).momentum.x; }},
-    {.name = "momentum_y", .of_world = [](W w) { return totals(w).momentum.y; }},
-    {.name = "angular_momentum", .of_world = [](W w) { return totals(w).angular_momentum; }},
-    {.name = "time", .of_world = [](W w) { return w.time(); }},  // s since the start
-    {.name = "overlap",                                          // a length
+    {.name = "momentum_x",
+     .dimension = momentum_dimension,
+     .of_world = [](W w) { return totals(w).momentum.x; }},
+    {.name = "momentum_y",
+     .dimension = momentum_dimension,
+     .of_world = [](W w) { return totals(w).momentum.y; }},
+    {.name = "angular_momentum",
+     .dimension = angular_momentum_dimension,
+     .of_world = [](W w) { return totals(w).angular_momentum; }},
+    {.name = "time",  // since the start
+     .dimension = time_dimension,
+     .of_world = [](W w) { return w.time(); }},
+    {.name = "overlap",
      .scope = run,
+     .dimension = length_dimension,
      .at_tick = [](W w) { return deepest_overlap(w); },
      .field = {.key = "max_overlap",
                .head = "overlap",
@@ -55,21 +69,27 @@ constexpr std::array<QuantityRow, 25> rows{{
     {.name = "removed", .of_world = [](W w) { return counted(w.removed().size()); }},
     {.name = "x",
      .scope = ball,
+     .dimension = length_dimension,
      .of_ball = [](W w, std::size_t i) { return w.balls().position[i].x; }},
     {.name = "y",
      .scope = ball,
+     .dimension = length_dimension,
      .of_ball = [](W w, std::size_t i) { return w.balls().position[i].y; }},
     {.name = "vx",
      .scope = ball,
+     .dimension = speed_dimension,
      .of_ball = [](W w, std::size_t i) { return w.balls().velocity[i].x; }},
     {.name = "vy",
      .scope = ball,
+     .dimension = speed_dimension,
      .of_ball = [](W w, std::size_t i) { return w.balls().velocity[i].y; }},
     {.name = "speed",
      .scope = ball,
+     .dimension = speed_dimension,
      .of_ball = [](W w, std::size_t i) { return length(w.balls().velocity[i]); }},
     {.name = "w",  // spin, rad/s, counter-clockwise; 0 in a model without spin
      .scope = ball,
+     .dimension = angular_speed_dimension,
      .of_ball = [](W w, std::size_t i) { return w.model().spin ? w.balls().spin[i] : 0.0; }},
     {.name = "count", .scope = bins},           // balls in all bins
     {.name = "mean", .scope = bins},            // of the bin numbers
@@ -99,6 +119,13 @@ std::span<const QuantityRow> quantities() {
 QuantityKind quantity_named(std::string_view name) {
     const auto found = std::ranges::find(rows, name, &QuantityRow::name);
     return found == rows.end() ? nullptr : &*found;
+}
+
+QuantityKind quantity_in(std::string_view word) {
+    if (const std::size_t open = word.find('('); open != std::string_view::npos)
+        return quantity_named(word.substr(0, open));
+    const std::size_t dot = word.rfind('.');
+    return quantity_named(dot == std::string_view::npos ? word : word.substr(dot + 1));
 }
 
 std::vector<double> binomial_shares(int n, double p) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "level/scene/physical_dimension.h"
 #include "physics/world/ids.h"
 
 /// The quantities that an `expect` can measure, and those that reports of `carom run` and `carom
@@ -42,6 +43,7 @@ struct ReportField {
 struct QuantityRow {
     std::string_view name;  ///< as written in levels
     QuantityScope scope = QuantityScope::world;
+    Dimension dimension{};  ///< all 0: a pure number
     // How it is computed: the function of its scope, or none.
     double (*of_world)(const World& world) = nullptr;
     /// Of scope `run`: the largest value at the end of any tick.
@@ -71,6 +73,8 @@ std::string_view name(QuantityKind kind);
 std::span<const QuantityRow> quantities();
 /// The quantity of this name; null if there is none.
 QuantityKind quantity_named(std::string_view name);
+/// The quantity of a word such as "energy", "cue.x" or "mean(bins)"; null if there is none.
+QuantityKind quantity_in(std::string_view word);
 
 /// The probabilities of k hits in n tosses with probability p, for k = 0..n. Computed by recurrence
 /// from the most likely k, so no relevant value over- or underflows; they add up to 1 within

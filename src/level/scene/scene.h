@@ -32,15 +32,32 @@ struct Show {
     std::string against;
 };
 
-/// An experiment: a quantity of the run, and the value that the level expects.
+/// An experiment: a quantity of the run, and what the level expects of its value. Units: those of
+/// the world.
 struct Expect {
+    /// How the quantity compares to `value`; `within`: it differs by `tolerance` at most.
+    enum class Relation : std::uint8_t { within, less, at_most, more, at_least };
+    /// The ticks at which the relation must hold. The last one is that of `at`.
+    enum class When : std::uint8_t {
+        last,    ///< the last one
+        by,      ///< some tick
+        always,  ///< every tick
+        never    ///< no tick
+    };
     std::string quantity;  ///< as the level writes it
     Quantity what;
     double value = 0.0;
     double tolerance = 0.0;
     std::optional<double> at;  ///< s; none: the end of the run
     int line = 0;
+    Relation relation = Relation::within;
+    When when = When::last;
 };
+
+/// "within", "<", "<=", ">", ">=".
+std::string_view sign(Expect::Relation relation);
+/// Whether the relation of `expect` holds for this value.
+bool holds(const Expect& expect, double measured);
 
 /// Balls, edges and zones that share a name.
 struct Group {

@@ -22,6 +22,8 @@ int bind_device(const Arguments& arguments, const std::optional<Material>& mater
     EdgeBinding binding{arguments.node, arguments.plain, material.has_value(), std::nullopt};
     binding.makes_edges = material.has_value();
     binding.device_material = material;
+    binding.material = arguments.word("material");
+    binding.name = arguments.word("name");
     return bind_edges(std::move(binding), context);
 }
 

@@ -24,20 +24,76 @@ void show_energy(const Arguments& arguments, const Frame&, Context& context) {
     add_show(Show::What::energy, arguments, context);
 }
 
+std::optional<Expect::Relation> relation_of(std::string_view word) {
+    using enum Expect::Relation;
+    for (const Expect::Relation relation : {within, less, at_most, more, at_least})
+        if (sign(relation) == word) return relation;
+    return std::nullopt;
+}
+
+constexpr std::string_view expect_remedy =
+    "write it as: expect QUANTITY VALUE within TOLERANCE, or: expect QUANTITY < VALUE";
+
+// The tick or ticks at which it must hold.
+bool read_when(const Arguments& arguments, Expect& expect, Context& context) {
+    const bool has_by = arguments.has("by");
+    const bool is_always = arguments.flag("always");
+    const bool is_never = arguments.flag("never");
+    if ((is_always && is_never) || (arguments.has("at") && (has_by || is_always || is_never))) {
+        context.reporter.error(
+            "expect-at-several-times",
+            arguments.has("at") ? arguments.span_of("at") : arguments.node->keyword().span(),
+            "an expect has one of at=, by=, always and never",
+            "at=: at that time; by=: at some time up to it; always, never: at every time, at none");
+        return false;
+    }
+    expect.at = arguments.number(has_by ? "by" : "at");
+    if (has_by) expect.when = Expect::When::by;
+    if (is_always) expect.when = Expect::When::always;
+    if (is_never) expect.when = Expect::When::never;
+    return true;
+}
+
 void add_expect(const Arguments& arguments, const Frame& frame, Context& context) {
     const std::vector<Word>& words = arguments.plain;
-    if (words[2].text != "within") {
-        context.reporter.error("within-missing", words[2].span(),
-                               fmt::format("'{}' stands where 'within' is wanted", words[2].text),
-                               "write it as: expect QUANTITY VALUE within TOLERANCE");
+    ExpectIr spec{words[0], {}};
+    Expect& expect = spec.expect;
+    const std::optional<Expect::Relation> relation = relation_of(words[1].text);
+    const bool is_comparison = relation && relation != Expect::Relation::within;
+    if (!is_comparison && (words.size() < 4 || words[2].text != "within")) {
+        const Word& at = words.size() < 4 ? words[1] : words[2];
+        context.reporter.error("within-missing", at.span(),
+                               words.size() < 4
+                                   ? "a tolerance is missing"
+                                   : fmt::format("'{}' stands where 'within' is wanted", at.text),
+                               std::string(expect_remedy));
         return;
     }
-    const auto value =
-        read_number(words[1], {}, Measure::result, Bound::any, *frame.scope, context);
-    const auto tolerance = read_number(words[3], {"the tolerance", ""}, Measure::result,
-                                       Bound::not_negative, *frame.scope, context);
+    if (is_comparison && words.size() > 3) {
+        context.reporter.error("unexpected-word", words[3].span(),
+                               fmt::format("'{}' is not expected here", words[3].text),
+                               std::string(expect_remedy));
+        return;
+    }
+    if (!read_when(arguments, expect, context)) return;
+    expect.relation = relation.value_or(Expect::Relation::within);
+    const QuantityKind kind = quantity_in(words[0].text);
+    if (!kind) {  // reported when it is looked up
+        context.ir.expects.push_back(std::move(spec));
+        return;
+    }
+    const auto read = [&](const Word& word, Bare bare, Bound bound) {
+        return read_quantity(word, kind->dimension, bare, bound, *frame.scope, context);
+    };
+    // The older form reads bare numbers in SI units, whatever the unit of the level.
+    const auto value = is_comparison ? read(words[2], Bare::like_elsewhere, Bound::any)
+                                     : read(words[1], Bare::si, Bound::any);
+    const auto tolerance =
+        is_comparison ? std::optional(0.0) : read(words[3], Bare::si, Bound::not_negative);
     if (!value || !tolerance) return;
-    context.ir.expects.push_back({words[0], *value, *tolerance, arguments.number("at")});
+    expect.value = *value;
+    expect.tolerance = *tolerance;
+    context.ir.expects.push_back(std::move(spec));
 }
 
 }  // namespace
@@ -53,12 +109,15 @@ std::vector<Statement> experiment_statements() {
          .keys = {{"of", word, Measure::number, any, true}, {"against", call}}},
         {.name = "show energy", .usage = "show energy", .action = show_energy, .place = Place::top},
         {.name = "expect",
-         .usage = "expect QUANTITY VALUE within TOLERANCE [at=TIME]",
+         .usage = "expect QUANTITY VALUE within TOLERANCE|<|<=|>|>= VALUE [at=TIME] "
+                  "[by=TIME] [always|never]",
          .action = add_expect,
          .place = Place::top,
-         .plain_least = 4,
+         .plain_least = 3,
          .plain_most = 4,
-         .keys = {{"at", scalar, Measure::time, not_negative}}},
+         .keys = {{"at", scalar, Measure::time, not_negative},
+                  {"by", scalar, Measure::time, not_negative}},
+         .flags = {"always", "never"}},
     };
 }
 

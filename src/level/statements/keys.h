@@ -10,6 +10,8 @@ inline constexpr KeyRule at{"at", KeyShape::pair, Measure::length, Bound::any, t
 inline constexpr KeyRule places{"at", KeyShape::pair, Measure::length, Bound::any, true, true};
 inline constexpr KeyRule kind{"kind", KeyShape::word};
 inline constexpr KeyRule material{"material", KeyShape::word};
+/// Of edges, whose first plain word may be a material.
+inline constexpr KeyRule name{"name", KeyShape::word};
 inline constexpr KeyRule ball_radius{"r", KeyShape::scalar, Measure::length, Bound::positive};
 inline constexpr KeyRule edge_radius{"r", KeyShape::scalar, Measure::length, Bound::not_negative};
 inline constexpr KeyRule required_edge_radius{"r", KeyShape::scalar, Measure::length,

@@ -172,20 +172,21 @@ std::vector<Statement> pinball_statements() {
     const KeyRule kick{"kick", scalar, speed, not_negative, true};
     const KeyRule from{"from", scalar, speed, not_negative};
     const auto edges = [](std::string_view name, std::string_view usage, StatementAction action,
-                          std::vector<KeyRule> keys) {
+                          std::vector<KeyRule> own) {
+        own.insert(own.end(), {keys::material, keys::name});
         return Statement{.name = name,
                          .usage = usage,
                          .action = action,
                          .plain_most = 2,
                          .points_least = 2,
                          .points_most = many,
-                         .keys = std::move(keys),
+                         .keys = std::move(own),
                          .binds_names = true};
     };
     return {
         {.name = "flipper",
          .usage = "flipper [MATERIAL] [NAME] at=X,Y length= r= [rest=ANGLE] [up=ANGLE] "
-                  "[rise=TIME] [fall=TIME] [key=auto|left|right]",
+                  "[rise=TIME] [fall=TIME] [key=auto|left|right] [material=] [name=]",
          .action = build_flipper,
          .plain_most = 2,
          .keys = {keys::at,
@@ -195,30 +196,44 @@ std::vector<Statement> pinball_statements() {
                   {"up", scalar, angle},
                   {"rise", scalar, time, positive},
                   {"fall", scalar, time, positive},
-                  {"key", word}},
+                  {"key", word},
+                  keys::material,
+                  keys::name},
          .binds_names = true},
         {.name = "bumper",
-         .usage = "bumper [MATERIAL] [NAME] at=X,Y ... r= kick=SPEED [from=SPEED]",
+         .usage = "bumper [MATERIAL] [NAME] at=X,Y ... r= kick=SPEED [from=SPEED] [material=] "
+                  "[name=]",
          .action = build_bumper,
          .plain_most = 2,
-         .keys = {keys::places, {"r", scalar, length, positive, true}, kick, from},
+         .keys = {keys::places,
+                  {"r", scalar, length, positive, true},
+                  kick,
+                  from,
+                  keys::material,
+                  keys::name},
          .binds_names = true},
-        edges("slingshot", "slingshot [MATERIAL] [NAME] X,Y X,Y ... kick=SPEED [from=SPEED] [r=]",
+        edges("slingshot",
+              "slingshot [MATERIAL] [NAME] X,Y X,Y ... kick=SPEED [from=SPEED] [r=] "
+              "[material=] [name=]",
               build_slingshot, {kick, from, keys::edge_radius}),
-        edges("droptarget", "droptarget [MATERIAL] [NAME] X,Y X,Y ... [r=]", build_droptarget,
-              {keys::edge_radius}),
-        edges("target", "target [MATERIAL] [NAME] X,Y X,Y ... [r=]", build_target,
-              {keys::edge_radius}),
-        edges("gate", "gate [MATERIAL] [NAME] X,Y X,Y ... pass=up|down|left|right [r=]", build_gate,
-              {{"pass", word, Measure::number, any, true}, keys::edge_radius}),
+        edges("droptarget", "droptarget [MATERIAL] [NAME] X,Y X,Y ... [r=] [material=] [name=]",
+              build_droptarget, {keys::edge_radius}),
+        edges("target", "target [MATERIAL] [NAME] X,Y X,Y ... [r=] [material=] [name=]",
+              build_target, {keys::edge_radius}),
+        edges("gate",
+              "gate [MATERIAL] [NAME] X,Y X,Y ... pass=up|down|left|right [r=] [material=] [name=]",
+              build_gate, {{"pass", word, Measure::number, any, true}, keys::edge_radius}),
         {.name = "plunger",
-         .usage = "plunger [MATERIAL] [NAME] at=X,Y dir=up|down|left|right speed=A..B [width=]",
+         .usage = "plunger [MATERIAL] [NAME] at=X,Y dir=up|down|left|right speed=A..B [width=] "
+                  "[material=] [name=]",
          .action = build_plunger,
          .plain_most = 2,
          .keys = {keys::at,
                   {"dir", word, Measure::number, any, true},
                   {"speed", range, speed, not_negative, true},
-                  {"width", scalar, length, positive}},
+                  {"width", scalar, length, positive},
+                  keys::material,
+                  keys::name},
          .binds_names = true},
     };
 }

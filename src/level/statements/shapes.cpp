@@ -30,7 +30,8 @@ bool is_side_known(const Arguments& arguments, Context& context) {
 }
 
 EdgeBinding shape_binding(const Arguments& arguments) {
-    return {arguments.node, arguments.plain, true, std::nullopt};
+    return {arguments.node, arguments.plain, true, arguments.word("material"),
+            arguments.word("name")};
 }
 
 // A vertex of a polyline, and the span for messages about the piece that ends there.
@@ -226,16 +227,18 @@ std::vector<Statement> shape_statements() {
     const KeyRule side{"side", word};
     return {
         {.name = "edge",
-         .usage = "edge [MATERIAL] [NAME] X,Y X,Y ... [r=] [close] [fillet=] [side=left|right]",
+         .usage = "edge [MATERIAL] [NAME] X,Y X,Y ... [r=] [close] [fillet=] [side=left|right] "
+                  "[material=] [name=]",
          .action = build_edge,
          .plain_most = 2,
          .points_least = 2,
          .points_most = many,
-         .keys = {keys::edge_radius, fillet, side},
+         .keys = {keys::edge_radius, fillet, side, keys::material, keys::name},
          .flags = {"close"},
          .binds_names = true},
         {.name = "arc",
-         .usage = "arc [MATERIAL] [NAME] at=X,Y radius= [from=] [to=] [r=] [side=left|right]",
+         .usage = "arc [MATERIAL] [NAME] at=X,Y radius= [from=] [to=] [r=] [side=left|right] "
+                  "[material=] [name=]",
          .action = build_arc,
          .plain_most = 2,
          .keys = {keys::at,
@@ -243,21 +246,24 @@ std::vector<Statement> shape_statements() {
                   {"from", scalar, Measure::angle},
                   {"to", scalar, Measure::angle},
                   keys::edge_radius,
-                  side},
+                  side,
+                  keys::material,
+                  keys::name},
          .binds_names = true},
         {.name = "peg",
-         .usage = "peg [MATERIAL] [NAME] at=X,Y r=",
+         .usage = "peg [MATERIAL] [NAME] at=X,Y r= [material=] [name=]",
          .action = build_peg,
          .plain_most = 2,
-         .keys = {keys::at, keys::required_edge_radius},
+         .keys = {keys::at, keys::required_edge_radius, keys::material, keys::name},
          .binds_names = true},
         {.name = "box",
-         .usage = "box [MATERIAL] [NAME] X0,Y0 X1,Y1 [r=] [fillet=] [side=left|right]",
+         .usage = "box [MATERIAL] [NAME] X0,Y0 X1,Y1 [r=] [fillet=] [side=left|right] [material=] "
+                  "[name=]",
          .action = build_box,
          .plain_most = 2,
          .points_least = 2,
          .points_most = 2,
-         .keys = {keys::edge_radius, fillet, side},
+         .keys = {keys::edge_radius, fillet, side, keys::material, keys::name},
          .binds_names = true},
     };
 }

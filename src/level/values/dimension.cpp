@@ -10,45 +10,39 @@
 namespace carom {
 namespace {
 
-constexpr std::array units{Unit{"um", 1e-6, length_dimension},
-                           Unit{"mm", 1e-3, length_dimension},
-                           Unit{"cm", 1e-2, length_dimension},
-                           Unit{"m", 1.0, length_dimension},
-                           Unit{"km", 1e3, length_dimension},
-                           Unit{"in", 0.0254, length_dimension},
-                           Unit{"mg", 1e-6, mass_dimension},
-                           Unit{"g", 1e-3, mass_dimension},
-                           Unit{"kg", 1.0, mass_dimension},
-                           Unit{"us", 1e-6, time_dimension},
-                           Unit{"ms", 1e-3, time_dimension},
-                           Unit{"s", 1.0, time_dimension},
-                           Unit{"min", 60.0, time_dimension},
-                           Unit{"Hz", 1.0, rate_dimension},
-                           Unit{"kHz", 1e3, rate_dimension},
-                           Unit{"deg", 1.0, angle_dimension},
-                           Unit{"rad", 180.0 / pi, angle_dimension},
-                           Unit{"J", 1.0, {2, 1, -2, 0}},
-                           Unit{"Ns", 1.0, {1, 1, -1, 0}}};
+constexpr std::array units{
+    Unit{"um", 1e-6, length_dimension},       Unit{"mm", 1e-3, length_dimension},
+    Unit{"cm", 1e-2, length_dimension},       Unit{"m", 1.0, length_dimension},
+    Unit{"km", 1e3, length_dimension},        Unit{"in", 0.0254, length_dimension},
+    Unit{"mg", 1e-6, mass_dimension},         Unit{"g", 1e-3, mass_dimension},
+    Unit{"kg", 1.0, mass_dimension},          Unit{"us", 1e-6, time_dimension},
+    Unit{"ms", 1e-3, time_dimension},         Unit{"s", 1.0, time_dimension},
+    Unit{"min", 60.0, time_dimension},        Unit{"Hz", 1.0, rate_dimension},
+    Unit{"kHz", 1e3, rate_dimension},         Unit{"deg", 1.0, angle_dimension},
+    Unit{"rad", 180.0 / pi, angle_dimension}, Unit{"J", 1.0, energy_dimension},
+    Unit{"Ns", 1.0, momentum_dimension},      Unit{"Js", 1.0, angular_momentum_dimension}};
 
 struct NamedDimension {
     Dimension dimension;
     std::string_view name;
 };
 
-constexpr std::array named_dimensions{NamedDimension{{}, "a number without a unit"},
-                                      NamedDimension{length_dimension, "a length"},
-                                      NamedDimension{mass_dimension, "a mass"},
-                                      NamedDimension{time_dimension, "a time"},
-                                      NamedDimension{angle_dimension, "an angle"},
-                                      NamedDimension{rate_dimension, "a rate"},
-                                      NamedDimension{{2, 0, 0, 0}, "an area"},
-                                      NamedDimension{{1, 0, -1, 0}, "a speed"},
-                                      NamedDimension{{1, 0, -2, 0}, "an acceleration"},
-                                      NamedDimension{{-2, 1, 0, 0}, "a density"},
-                                      NamedDimension{{0, 0, -1, 1}, "an angular speed"},
-                                      NamedDimension{{0, 0, -2, 1}, "an angular acceleration"},
-                                      NamedDimension{{2, 1, -2, 0}, "an energy"},
-                                      NamedDimension{{1, 1, -1, 0}, "a momentum"}};
+constexpr std::array named_dimensions{
+    NamedDimension{{}, "a number without a unit"},
+    NamedDimension{length_dimension, "a length"},
+    NamedDimension{mass_dimension, "a mass"},
+    NamedDimension{time_dimension, "a time"},
+    NamedDimension{angle_dimension, "an angle"},
+    NamedDimension{rate_dimension, "a rate"},
+    NamedDimension{{2, 0, 0, 0}, "an area"},
+    NamedDimension{speed_dimension, "a speed"},
+    NamedDimension{{1, 0, -2, 0}, "an acceleration"},
+    NamedDimension{{-2, 1, 0, 0}, "a density"},
+    NamedDimension{angular_speed_dimension, "an angular speed"},
+    NamedDimension{{0, 0, -2, 1}, "an angular acceleration"},
+    NamedDimension{energy_dimension, "an energy"},
+    NamedDimension{momentum_dimension, "a momentum"},
+    NamedDimension{angular_momentum_dimension, "an angular momentum"}};
 
 struct MeasureFacts {
     Measure measure;
@@ -73,8 +67,7 @@ constexpr std::array measures{
     MeasureFacts{Measure::soften, {-1, 0, 1, 0}, "a number", "0.4", "0.4"},
     MeasureFacts{Measure::angular_speed, {0, 0, -1, 1}, "an angular speed", "10", "10rad/s"},
     MeasureFacts{
-        Measure::angular_acceleration, {0, 0, -2, 1}, "an angular acceleration", "10", "10rad/s2"},
-    MeasureFacts{Measure::result, {}, "a number", "0.5", "0.5"}};
+        Measure::angular_acceleration, {0, 0, -2, 1}, "an angular acceleration", "10", "10rad/s2"}};
 
 const MeasureFacts& facts(Measure measure) {
     return measures[static_cast<std::size_t>(measure)];
@@ -143,6 +136,16 @@ std::string si_symbol(const Dimension& dimension) {
     add("deg", dimension.angle);
     add("s", dimension.time);
     return below.empty() ? above : above + '/' + below;
+}
+
+std::string report_unit(const Dimension& dimension) {
+    if (dimension.angle != 0) {
+        std::string unit = si_symbol(dimension);
+        return unit.replace(unit.find("deg"), 3, "rad");
+    }
+    for (const std::string_view name : {"J", "Ns", "Js"})
+        if (unit_named(name)->dimension == dimension) return std::string(name);
+    return si_symbol(dimension);
 }
 
 std::string described(const Dimension& dimension) {

@@ -5,34 +5,11 @@
 #include <string_view>
 #include <vector>
 
+#include "level/scene/physical_dimension.h"
 #include "level/scene/scene.h"
 
 /// Physical dimensions, and the units of the level language.
 namespace carom {
-
-/// Exponents of the base dimensions. All zero: a bare number, which takes the dimension of its
-/// context.
-struct Dimension {
-    int length = 0;
-    int mass = 0;
-    int time = 0;
-    int angle = 0;
-
-    friend constexpr bool operator==(const Dimension&, const Dimension&) = default;
-};
-
-inline constexpr Dimension length_dimension{1, 0, 0, 0};
-inline constexpr Dimension mass_dimension{0, 1, 0, 0};
-inline constexpr Dimension time_dimension{0, 0, 1, 0};
-inline constexpr Dimension angle_dimension{0, 0, 0, 1};
-inline constexpr Dimension rate_dimension{0, 0, -1, 0};
-
-constexpr Dimension operator*(const Dimension& a, const Dimension& b) {
-    return {a.length + b.length, a.mass + b.mass, a.time + b.time, a.angle + b.angle};
-}
-constexpr Dimension operator/(const Dimension& a, const Dimension& b) {
-    return {a.length - b.length, a.mass - b.mass, a.time - b.time, a.angle - b.angle};
-}
 
 /// A number with a dimension, in SI units. Angles are in degrees until they are used, so that right
 /// angles stay exact.
@@ -66,6 +43,8 @@ std::vector<std::string_view> unit_names();
 std::string described(const Dimension& dimension);
 /// "m/s2", "kg"; empty for a bare number; degrees for angles.
 std::string si_symbol(const Dimension& dimension);
+/// The unit of a quantity in reports, as a level can write it: "m", "J", "rad/s".
+std::string report_unit(const Dimension& dimension);
 
 /// The kind of number that a statement expects.
 enum class Measure {
@@ -77,13 +56,12 @@ enum class Measure {
     mass,
     speed,
     acceleration,
-    rate,                  ///< 1/s; needs its unit in a level with units
-    frequency,             ///< 1/s; may be bare in a level with units
-    density,               ///< mass/length^2
-    soften,                ///< s/length; a bare number is in s/m
-    angular_speed,         ///< rad/s; a bare number in a level without units is in rad/s
-    angular_acceleration,  ///< rad/s2; bare numbers like angular_speed
-    result                 ///< the value of an experiment: bare, or with any unit
+    rate,                 ///< 1/s; needs its unit in a level with units
+    frequency,            ///< 1/s; may be bare in a level with units
+    density,              ///< mass/length^2
+    soften,               ///< s/length; a bare number is in s/m
+    angular_speed,        ///< rad/s; a bare number in a level without units is in rad/s
+    angular_acceleration  ///< rad/s2; bare numbers like angular_speed
 };
 
 Dimension dimension_of(Measure measure);

@@ -81,16 +81,14 @@ Field drift_field(std::string_view label, double drift, int rank, const Look& lo
     return {std::string(label), padded(std::move(text), 8), ink_of(role, look), rank};
 }
 
-// "2817 of 3141", "5.9871 of 6": green once the value is as expected.
+// "2817 of 3141", "5.9871 of 6", "0.4 < 0.5": green once the value is as expected.
 Field check_field(const HudCheck& check, int rank, const Look& look) {
     const std::string value = fmt::format("{:.8g}", check.value);
-    const bool is_whole = check.tolerance == 0.0;
-    const std::string measured =
-        is_whole ? fmt::format("{:.8g}", check.measured) : fmt::format("{:.5g}", check.measured);
-    const bool holds = std::abs(check.measured - check.value) <= check.tolerance;
-    const int width = is_whole ? columns_of(value) : std::max(7, columns_of(value));
-    return {check.quantity, fmt::format("{:>{}} of {}", measured, width, value),
-            ink_of(holds ? Role::good : Role::text, look), rank};
+    const std::string measured = check.is_exact ? fmt::format("{:.8g}", check.measured)
+                                                : fmt::format("{:.5g}", check.measured);
+    const int width = check.is_exact ? columns_of(value) : std::max(7, columns_of(value));
+    return {check.quantity, fmt::format("{:>{}} {} {}", measured, width, check.relation, value),
+            ink_of(check.holds ? Role::good : Role::text, look), rank};
 }
 
 // The state of play: running or paused, how fast, and how far back.

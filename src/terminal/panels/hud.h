@@ -22,10 +22,12 @@ struct KeyHelp {
 
 /// A quantity with the value that the level expects, and its value now.
 struct HudCheck {
-    std::string quantity;  ///< "collisions"
+    std::string quantity;              ///< "collisions"
+    std::string_view relation = "of";  ///< between the values: "of", "<"
     double measured = 0.0;
     double value = 0.0;
-    double tolerance = 0.0;
+    bool is_exact = false;  ///< it must have this very value, so all digits count
+    bool holds = false;     ///< now
 };
 
 struct HudInfo {

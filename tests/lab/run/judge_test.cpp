@@ -87,7 +87,9 @@ TEST_CASE("a removed ball has no position") {
     remove_ball(scene.world, quantity.ball);
     CHECK_FALSE(measure(quantity, scene.world, nullptr).has_value());
     const Expect expect{.quantity = "a.x", .what = quantity, .value = 3.0, .tolerance = 1e9};
-    CHECK(judge(expect, scene.world, watch_of(scene)).verdict == Verdict::fails);
+    Judgement judgement;
+    judge(expect, scene.world, watch_of(scene), true, judgement);
+    CHECK(judgement.verdict == Verdict::fails);
 }
 
 TEST_CASE("quantities of bins") {
@@ -134,6 +136,52 @@ TEST_CASE("an expectation is judged at its time, or else at the end") {
     CHECK(record.judgements[3].verdict == Verdict::holds);
     CHECK(record.judgements[4].verdict == Verdict::not_judged);
     CHECK(has_failure(record));
+}
+
+TEST_CASE("an expectation compares, at a time, by a time, always and never") {
+    const Scene scene = load(
+        "ball a at=0,0 v=12,0\n"
+        "expect a.x < 6.1 at=0.5\n"   // 6
+        "expect a.x <= 5.9 at=0.5\n"  // fails
+        "expect a.x > 11.9\n"         // at the end, 12
+        "expect a.x > 5 by=0.5\n"     // at some tick
+        "expect a.x >= 7 by=0.5\n"    // fails: 6 at most
+        "expect a.x > 20 by=5s\n"     // not judged
+        "expect a.x < 12.5 always\n"  // holds
+        "expect a.x < 6 always\n"     // fails at 0.5
+        "expect a.x < 6.05 always by=0.5\n"
+        "expect a.x > 12.5 never\n"
+        "expect a.x 6 within 0.01 never\n"  // fails at 0.5
+        "expect a.x 3 within 0.01 by=0.5\n"
+        "expect a.x < 5 always by=3s\n");  // fails before its time
+    const RunRecord record = run(scene, 120);
+    using enum Verdict;
+    const std::vector<Verdict> verdicts{holds, fails, holds, holds, fails, not_judged, holds,
+                                        fails, holds, holds, fails, holds, fails};
+    REQUIRE(record.judgements.size() == verdicts.size());
+    for (std::size_t i = 0; i < verdicts.size(); ++i) {
+        CAPTURE(i);
+        CHECK(record.judgements[i].verdict == verdicts[i]);
+    }
+    CHECK(*record.judgements[7].time == doctest::Approx(0.5));
+    CHECK(*record.judgements[10].time == doctest::Approx(0.5));
+}
+
+// The mean of empty bins has no value; a ball that was removed has no place.
+TEST_CASE("ticks without a value count for nothing, but there must be one with a value") {
+    const Scene scene = load(
+        "ball a at=0,0 v=12,0\n"
+        "bins at=0,-20 count=2 width=1 depth=1 open\n"
+        "zone gone 9,-1 9,1 r=1 sink\n"
+        "expect a.x < 12 always\n"
+        "expect a.x > 8 by=1s\n"
+        "expect mean(bins) < 5 always\n"
+        "expect a.x < 12\n");
+    const RunRecord record = run(scene, 120);
+    CHECK(record.judgements[0].verdict == Verdict::holds);
+    CHECK(record.judgements[1].verdict == Verdict::fails);  // it is taken at 8
+    CHECK(record.judgements[2].verdict == Verdict::fails);  // never any value
+    CHECK(record.judgements[3].verdict == Verdict::fails);  // gone at the end
 }
 
 TEST_CASE("nothing is judged if options changed the level") {

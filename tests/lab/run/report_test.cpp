@@ -130,7 +130,9 @@ TEST_CASE("in a model with spin, report and trace include it") {
     CHECK(trace_header(scene.world) == "tick,time,id,x,y,vx,vy,w\n");
     CHECK(trace_rows(scene.world) == "0,0,0,1,2,0,0,-2.5\n");
     const RunWatch watch(scene, RunWatch::Conservation::ignored);
-    CHECK(judge(scene.expects.at(0), scene.world, watch).verdict == Verdict::holds);
+    Judgement judgement;
+    judge(scene.expects.at(0), scene.world, watch, true, judgement);
+    CHECK(judgement.verdict == Verdict::holds);
 }
 
 TEST_CASE("the summary and the verdicts read well") {
@@ -139,14 +141,16 @@ TEST_CASE("the summary and the verdicts read well") {
             "ball a at=0,0 v=1,0\n"
             "expect a.x 0.5 within 1e-12\n"
             "expect a.x 3 within 0.25\n"
-            "expect a.x 1 within 0 at=5\n",
+            "expect a.x 1 within 0 at=5\n"
+            "expect a.x < 0.25 always by=1s\n",
             32);
     const std::string text = summary(finished.scene, finished.world, finished.record, 0.25);
     CHECK(has(text, "A test\n0.5 s simulated in 32 ticks by event"));
     CHECK(verdicts(finished.scene, finished.record, Verdict::holds) ==
           "test.level:4: holds: expect a.x 0.5 within 1e-12: it is 0.5\n");
     CHECK(verdicts(finished.scene, finished.record, Verdict::fails) ==
-          "test.level:5: error: expect a.x 3 within 0.25: it is 0.5\n");
+          "test.level:5: error: expect a.x 3 within 0.25: it is 0.5\n"
+          "test.level:7: error: expect a.x < 0.25 always by 1s: it is 0.25 at 0.25 s\n");
     CHECK(verdicts(finished.scene, finished.record, Verdict::not_judged) ==
           "test.level:6: not judged: expect a.x 1 within 0: the run ended before its time\n");
 }

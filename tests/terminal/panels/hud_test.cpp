@@ -98,7 +98,8 @@ TEST_CASE("status lines in small windows keep the most important fields") {
 
 TEST_CASE("expectations come first, and are green once they hold") {
     HudInfo info = galton();
-    info.checks = {{"collisions", 2817, 3141, 0.0}, {"energy", 1.25, 1.0, 0.5}};
+    info.checks = {{.quantity = "collisions", .measured = 2817, .value = 3141, .is_exact = true},
+                   {.quantity = "energy", .measured = 1.25, .value = 1.0}};
     const std::string text = drawn(info, 160, 24);
     CHECK(text.find(" collisions 2817 of 3141  energy    1.25 of 1  KE") != std::string::npos);
     CHECK(text.find("4711") == std::string::npos);  // not repeated
@@ -106,13 +107,23 @@ TEST_CASE("expectations come first, and are green once they hold") {
 
     const Look look{256, true, false};
     const auto color = [&](double measured) {
-        info.checks = {{"collisions", measured, 3141, 0.0}};
+        info.checks = {{.quantity = "collisions",
+                        .measured = measured,
+                        .value = 3141,
+                        .is_exact = true,
+                        .holds = measured == 3141}};
         Canvas canvas(80, 24);
         draw_hud(canvas, info, look);
         return canvas.at(12, 22).foreground;
     };
     CHECK(color(3141) == ink_of(Role::good, look).color);
     CHECK(color(2817) == ink_of(Role::text, look).color);
+}
+
+TEST_CASE("a limit that the level expects stands beside the value") {
+    HudInfo info = galton();
+    info.checks = {{.quantity = "a.x", .relation = "<", .measured = 0.25, .value = 0.5}};
+    CHECK(drawn(info, 160, 24).find(" a.x    0.25 < 0.5") != std::string::npos);
 }
 
 TEST_CASE("a long title gets half of the line before the least important numbers do") {
