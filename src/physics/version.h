@@ -11,7 +11,8 @@ namespace carom {
 /// 3: under `event` a ball whose spin has been braked keeps its supports, and the contacts of a
 /// hybrid step, not those of the one before, decide which balls stay in the cluster; a contact of a
 /// jam that does not approach never pulls; a turning kinematic edge meets in time a ball whose
-/// centre is further away than the edge is long.
+/// centre is further away than the edge is long; a flipper recoils from its stop, and is held
+/// there with less force.
 inline constexpr int physics_version = 3;
 
 }  // namespace carom

@@ -42,7 +42,9 @@ class Assembly {
         symbols.fill_in(scene_);
         fill_in_pool(balls_, symbols.world_zones(), scene_, context_);
         table.fill_in(scene_, symbols.world_zones());
-        if (!context_.reporter.has_errors()) check_gaps(balls_, names_, context_);
+        if (context_.reporter.has_errors()) return;
+        check_flippers(balls_, names_, context_);
+        check_gaps(balls_, names_, context_);
     }
 
   private:

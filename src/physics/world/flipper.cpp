@@ -16,14 +16,30 @@ struct Swing {
     double rate = 0.0;
 };
 
+// Shares of the speed at the end of a whole stroke: with which a flipper recoils from the stop at
+// the top, the slowest that recoils, and the fastest at which it comes back from a recoil.
+constexpr double recoil = 0.1;
+constexpr double least_to_recoil = 0.2;
+constexpr double return_speed = 0.04;
+// From this progress on, the end-of-stroke switch is open: a flipper that is not on its way up at
+// speed is pulled by the hold winding alone, with this share of the force.
+constexpr double end_of_stroke = 0.9;
+constexpr double hold_force = 0.3;
+
 // At the end of a tick that nothing stops.
 Swing swing_after(const Flipper& flipper, double duration) {
-    // From a standstill, half the acceleration times the square of the time is 1.
-    const double acceleration = flipper.is_pressed ? 2.0 / (flipper.rise * flipper.rise)
-                                                   : -2.0 / (flipper.fall * flipper.fall);
-    const double rate = flipper.rate + acceleration * duration;
+    const double full_speed = 2.0 / flipper.rise;
+    const bool is_held = flipper.is_pressed && flipper.progress >= end_of_stroke &&
+                         flipper.rate < least_to_recoil * full_speed;
+    // Of progress, 1/s^2. From a standstill, half of it times the square of the time is 1.
+    const double power = 2.0 / (flipper.rise * flipper.rise);
+    const double acceleration = is_held              ? hold_force * power
+                                : flipper.is_pressed ? power
+                                                     : -2.0 / (flipper.fall * flipper.fall);
+    double rate = flipper.rate + acceleration * duration;
+    if (is_held) rate = std::min(rate, return_speed * full_speed);
     const double progress = flipper.progress + 0.5 * (flipper.rate + rate) * duration;
-    if (progress >= 1.0) return {1.0, 0.0};
+    if (progress >= 1.0) return {1.0, rate > least_to_recoil * full_speed ? -recoil * rate : 0.0};
     if (progress <= 0.0) return {0.0, 0.0};
     return {progress, rate};
 }
