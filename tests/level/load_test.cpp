@@ -109,6 +109,19 @@ TEST_CASE("each use statement sets its term of the model") {
     CHECK(scene.view == Box{{-10, -10}, {10, 10}});
 }
 
+TEST_CASE("a level says what it needs of the solver") {
+    const Need need = load_clean("tolerance 0.01r within 10s\nbudget 2ms\nball a at=0,0\n")
+                          .world.definition()
+                          .need;
+    CHECK(need.tolerance == 0.01);
+    CHECK(need.within == 10.0);
+    CHECK(need.budget == 0.002);
+    const Scene plain = load_clean("tolerance 1e-6r\nball a at=0,0\n");
+    CHECK(plain.world.definition().need.tolerance == 1e-6);
+    CHECK(plain.world.definition().need.within == 10.0);
+    CHECK_FALSE(plain.world.definition().need.budget);
+}
+
 TEST_CASE("a term of 0 is off") {
     const Scene scene =
         load_clean("use gravity 0,0\nuse drag 0\nuse stop 0\nuse scatter 0\nball a at=0,0\n");

@@ -92,6 +92,9 @@ class LevelWriter {
         line("rate {}", world_.rate());
         line("seed {}", world_.seed());
         if (scene_.solver) line("solver {}", settings_text(*scene_.solver, SettingsText::used));
+        const Need& need = world_.definition().need;
+        if (need.tolerance) line("tolerance {}r within {}s", *need.tolerance, need.within);
+        if (need.budget) line("budget {}s", *need.budget);
         // A game of pool needs a rack, but the balls are written one by one here.
         if (scene_.game != "sandbox" && !referee_of(scene_.game)) line("game {}", scene_.game);
         line("world {} {}", place(scene_.view.low), place(scene_.view.high));

@@ -171,6 +171,7 @@ class Assembly {
         world.edit_definition().kinds = names_.kinds;
         world.edit_definition().materials = names_.materials;
         make_model(world.edit_definition().model);
+        world.edit_definition().need = s.need;
         if (world.model().filtered) world.edit_definition().meets = names_.collision_matrix;
         for (const StartingBall& ball : balls_) {
             BallSpec spec;

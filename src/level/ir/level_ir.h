@@ -195,6 +195,7 @@ struct LevelSettings {
     bool may_overlap = false;
     std::optional<Box> world;
     std::optional<SolverSettings> solver;
+    Need need;
     std::optional<double> rate;
     std::optional<std::uint64_t> seed;
     std::optional<std::string> game;

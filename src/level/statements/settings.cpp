@@ -125,6 +125,32 @@ void set_solver(const Arguments& arguments, const Frame&, Context& context) {
     context.ir.settings.solver = settings;
 }
 
+// "tolerance 0.01r within 10s"
+void set_tolerance(const Arguments& arguments, const Frame& frame, Context& context) {
+    const Word& word = arguments.plain[0];
+    const bool is_complete = arguments.plain.size() == 1 ||
+                             (arguments.plain.size() == 3 && arguments.plain[1].text == "within");
+    if (!is_complete || !word.text.ends_with('r')) {
+        context.reporter.error("tolerance-incomplete", word.span(),
+                               "a tolerance is in ball radii, with the time that it is for",
+                               "write such as: tolerance 0.01r within 10s");
+        return;
+    }
+    const auto radii = read_number(word.part(0, word.text.size() - 1), {"tolerance", " "},
+                                   Measure::number, Bound::positive, *frame.scope, context);
+    if (!radii) return;
+    context.ir.settings.need.tolerance = radii;
+    if (arguments.plain.size() == 1) return;
+    const auto time = read_number(arguments.plain[2], {"within", " "}, Measure::time,
+                                  Bound::positive, *frame.scope, context);
+    if (time) context.ir.settings.need.within = *time;
+}
+
+void set_budget(const Arguments& arguments, const Frame& frame, Context& context) {
+    context.ir.settings.need.budget = read_number(
+        arguments.plain[0], {"budget", " "}, Measure::time, Bound::positive, *frame.scope, context);
+}
+
 void set_rate(const Arguments& arguments, const Frame& frame, Context& context) {
     constexpr double fastest = 1e9;
     const Word& word = arguments.plain.front();
@@ -218,6 +244,12 @@ std::vector<Statement> setting_statements() {
              .keys = {{"updates", scalar, Measure::whole, up_to_thousand},
                       {"steps", scalar, Measure::whole, up_to_thousand},
                       {"substeps", scalar, Measure::whole, up_to_thousand}}}),
+        setting({.name = "tolerance",
+                 .usage = "tolerance RADIIr [within TIME]",
+                 .action = set_tolerance,
+                 .plain_least = 1,
+                 .plain_most = 3}),
+        one_word_setting("budget", "budget TIME", set_budget),
         one_word_setting("rate", "rate HZ", set_rate),
         one_word_setting("seed", "seed N", set_seed),
     };

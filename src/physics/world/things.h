@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/shapes.h"
@@ -27,8 +28,22 @@ struct Zone {
 
 /// What a scene is made of. Ticks do not change it, except that the model becomes lossy when an
 /// emitter makes the first ball that loses energy.
+/// What the level asks of the solver that `auto` picks; no solver reads it.
+///
+/// With a budget: the most accurate that keeps it, and the tolerance. With a tolerance alone: the
+/// cheapest that keeps it. If nothing does, the most accurate, or without a tolerance whatever
+/// keeps the budget.
+struct Need {
+    std::optional<double> tolerance;  ///< error of a position, radii, > 0 ...
+    double within = 10.0;             ///< ... after so many seconds, > 0
+    std::optional<double> budget;     ///< s of computation a tick, > 0
+
+    friend bool operator==(const Need&, const Need&) = default;
+};
+
 struct Definition {
     Model model;
+    Need need;
     std::uint64_t seed = 0;
     double rate = 120.0;  ///< ticks a second, > 0
     std::vector<Kind> kinds;
