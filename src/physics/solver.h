@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "physics/broad_phase/cell_frame.h"
@@ -27,10 +27,14 @@ bool supports(SolverKind kind, const Model& model);
 /// where gravity acts, balls meet, and impacts lose energy.
 bool hands_heaps_over(const Model& model, const SolverSettings& settings);
 
-/// What `auto` picks for a world, and the reason in one sentence. Depends on the world alone.
+/// What `auto` picks for a world, by the estimates of solver_cost.h, and the reason, with what else
+/// was weighed. It depends on the world alone, never on a clock.
+///
+/// Without a Need: the cheapest of `swept`, `contact` and `event`; or `event`, which is the most
+/// accurate, if it costs at most 1.5 times as much. With one: see Need.
 struct SolverPick {
     SolverSettings settings;
-    std::string_view reason;
+    std::string reason;
 };
 SolverPick pick_solver(const World& world);
 
