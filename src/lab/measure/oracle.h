@@ -24,7 +24,7 @@ struct Point {
     Number y;
 };
 
-struct Impact {
+struct OracleImpact {
     double time = 0.0;
     std::uint32_t a = 0;
     std::int64_t b = 0;  ///< ball; or -1 - capsule
@@ -166,7 +166,7 @@ class Oracle {
     Stop run_until(const Number& time) { return run_until(time, time); }
 
     Place position(std::size_t index) const { return place_at(index, now_); }
-    const std::vector<Impact>& impacts() const { return impacts_; }
+    const std::vector<OracleImpact>& impacts() const { return impacts_; }
 
   private:
     struct Ball {
@@ -211,7 +211,7 @@ class Oracle {
     std::vector<Ball> balls_;
     std::vector<Next> next_;
     std::vector<Edge> edges_;
-    std::vector<Impact> impacts_;
+    std::vector<OracleImpact> impacts_;
     Number now_;
     Number predicted_;  ///< impacts are known up to then
     std::uint64_t tests_left_ = 0;
