@@ -14,3 +14,5 @@ carom_layer(game carom_level)
 add_executable(carom-fingerprints tests/golden/golden.cpp tests/golden/trace.cpp tests/golden/print_fingerprints.cpp)
 target_include_directories(carom-fingerprints PRIVATE tests)
 target_link_libraries(carom-fingerprints PRIVATE carom_game)
+# Shows whether the options above prevent fused multiply-adds: see .ci/run.
+add_library(carom_rotation STATIC EXCLUDE_FROM_ALL tests/golden/rotation.cpp)
