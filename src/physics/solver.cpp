@@ -5,6 +5,7 @@
 #include "physics/broad_phase/cell_frame.h"
 #include "physics/solver_table.h"
 #include "physics/tick/emitters_and_sinks.h"
+#include "physics/tick/hands.h"
 #include "physics/tick/undo.h"
 
 namespace carom {
@@ -64,7 +65,33 @@ struct Solver::State {
     std::vector<Contact> contacts;
     std::vector<std::uint8_t> touched;
     TickUndo undo;
+    HandStep hands;
+    World before_hands;
+
+    TickOutcome advance(World& world, const std::function<bool()>& keep_going);
+    TickOutcome advance_hands(World& world, const std::function<bool()>& keep_going);
 };
+
+TickOutcome Solver::State::advance(World& world, const std::function<bool()>& keep_going) {
+    contacts.clear();
+    touched.assign(world.balls().size(), 0);
+    return method->advance(world, {contacts, touched, keep_going});
+}
+
+// The tick is tried with shorter and shorter ways of the hands, until it is sound.
+TickOutcome Solver::State::advance_hands(World& world, const std::function<bool()>& keep_going) {
+    before_hands = world;
+    for (double share = hands.first_share();; share = HandStep::next_share(share)) {
+        hands.aim(world, share);
+        const TickOutcome outcome = advance(world, keep_going);
+        if (outcome == TickOutcome::cancelled) return outcome;
+        if (share == 0.0 || hands.is_sound(before_hands, world)) {
+            hands.end(world, share);
+            return outcome;
+        }
+        world = before_hands;
+    }
+}
 
 Solver::Solver(const SolverSettings& settings) : state_(std::make_unique<State>()) {
     state_->settings = settings;
@@ -90,11 +117,10 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     if (can_cancel) state.undo.note(world);
     emit(world);
     drive_flippers(world);
-    state.contacts.clear();
-    state.touched.assign(world.balls().size(), 0);
     const std::function<bool()> never_asked;
-    const TickOutcome outcome = state.method->advance(
-        world, {state.contacts, state.touched, can_cancel ? keep_going : never_asked});
+    const std::function<bool()>& asked = can_cancel ? keep_going : never_asked;
+    const TickOutcome outcome =
+        state.hands.begin(world) ? state.advance_hands(world, asked) : state.advance(world, asked);
     if (outcome == TickOutcome::cancelled) {
         state.contacts.clear();
         state.undo.take_back(world);

@@ -114,7 +114,7 @@ class EventMethod final : public SolverMethod {
     TickOutcome advance(World& world, TickWork work) override {
         // The list stays as it is until the tick is done: a cancelled tick leaves the memory alone.
         const bool has_clusters = hands_heaps_over(world.model(), {.kind = SolverKind::event}) &&
-                                  !event_memory(world).clustered.empty();
+                                  HybridStep::is_needed(world);
         const EventOutcome outcome =
             has_clusters ? hybrid_.tick(world, event_, contact_, work.contacts, work.touched,
                                         work.keep_going)

@@ -12,7 +12,8 @@ namespace carom {
 /// hybrid step, not those of the one before, decide which balls stay in the cluster; a contact of a
 /// jam that does not approach never pulls; a turning kinematic edge meets in time a ball whose
 /// centre is further away than the edge is long; a flipper recoils from its stop, and is held
-/// there with less force.
+/// there with less force; hands yield (tick/hands.h); driven edges keep their speed at every impact
+/// under `contact`, and at the end of a tick under `event`.
 inline constexpr int physics_version = 3;
 
 }  // namespace carom

@@ -25,6 +25,21 @@ EventMemory& memory_of(World& world) {
     return SolverAccess(world).memory().use<EventMemory>();
 }
 
+// Whether the hand moves what it holds up, however slowly.
+bool lifts(const World& world, const Hand& hand) {
+    constexpr double least_rise = 0.1;  // sine of the slope
+    Vec2 way;
+    if (hand.is_on_ball) {
+        if (const auto index = index_of(world, BallId{hand.number}))
+            way = displacement(world, world.balls().position[*index], hand.start_target);
+    } else if (const auto index = index_of(world, CapsuleId{hand.number})) {
+        const Capsule& shape = world.capsules().shape[*index];
+        way = 0.5 * ((hand.start_target - shape.start) + (hand.end_target - shape.end));
+    }
+    const Vec2 gravity = world.model().gravity.value_or(Vec2{});
+    return dot(way, gravity) < -least_rise * length(way) * length(gravity);
+}
+
 }  // namespace
 
 EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactSolver& contact,
@@ -138,9 +153,34 @@ void HybridStep::find_cluster(const World& world) {
     for (const BallId id : event_memory(world).clustered)
         if (const auto index = index_of(world, id))
             is_clustered_[root_of(static_cast<std::uint32_t>(*index))] = 1;
+    for (const Hand& hand : world.hands().each)
+        if (lifts(world, hand))
+            if (const auto node = node_of(world, hand)) is_clustered_[root_of(*node)] = 1;
     // A root is the lowest node of its tree.
     for (std::uint32_t i = 0; i < parent_.size(); ++i)
         is_clustered_[i] = is_clustered_[root_of(i)];
+}
+
+// The node of what the hand holds.
+std::optional<std::uint32_t> HybridStep::node_of(const World& world, const Hand& hand) {
+    if (hand.is_on_ball) {
+        const auto index = index_of(world, BallId{hand.number});
+        return index ? std::optional(static_cast<std::uint32_t>(*index)) : std::nullopt;
+    }
+    const auto place = std::ranges::lower_bound(world.held_capsules(), CapsuleId{hand.number}, {},
+                                                &HeldCapsule::id);
+    if (place == world.held_capsules().end() || place->id != CapsuleId{hand.number})
+        return std::nullopt;
+    const auto held = static_cast<std::size_t>(place - world.held_capsules().begin());
+    return static_cast<std::uint32_t>(world.balls().size() + held);
+}
+
+bool HybridStep::is_needed(const World& world) {
+    const std::vector<Hand>& hands = world.hands().each;
+    if (hands.empty()) return !event_memory(world).clustered.empty();
+    if (std::ranges::any_of(hands, [&](const Hand& hand) { return lifts(world, hand); }))
+        return true;
+    return !event_memory(world).clustered.empty() && world.balls().size() > most_pushed;
 }
 
 void HybridStep::unite_held_capsules(const World& world) {

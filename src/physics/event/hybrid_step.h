@@ -40,8 +40,16 @@ namespace carom {
 /// In the cluster the guarantees of `contact` hold: no tunnelling, energy of elastic impacts, a
 /// small overlap under pressure that shrinks with more substeps, and a result that depends on the
 /// tick rate. Emitters, sinks and flippers act once, on the whole world, outside of this.
+///
+/// *Hands.* What a hand lifts belongs to the cluster, dense or not: in events a pile on a moving
+/// plate hops without end. While hands push in other directions, and the world has at most
+/// `most_pushed` balls, there are no clusters: events let nothing overlap.
 class HybridStep {
   public:
+    /// Whether the next tick needs a hybrid step. Pre: the model has gravity, losses and collisions
+    /// of balls.
+    static bool is_needed(const World& world);
+
     /// The cluster of the next tick, as far as it is known before its impacts. Ascending.
     const std::vector<BallId>& cluster_of(const World& world);
 
@@ -52,6 +60,7 @@ class HybridStep {
     static constexpr double most_fall = 1.0 / 2048.0;
     static constexpr int most_attempts = 4;
     static constexpr double sunk = 1e-5;
+    static constexpr std::size_t most_pushed = 64;
 
     /// A tick of a world whose EventMemory::clustered is not empty. As EventEngine::tick; a tick
     /// that is cancelled leaves the world as it was.
@@ -71,6 +80,7 @@ class HybridStep {
     void find_reach(const World& world);
     void find_cluster(const World& world);
     void unite_held_capsules(const World& world);
+    static std::optional<std::uint32_t> node_of(const World& world, const Hand& hand);
     std::uint32_t root_of(std::uint32_t node);
     void unite(std::uint32_t a, std::uint32_t b);
     void take_part(const World& world, bool of_cluster, Part& part) const;

@@ -7,7 +7,9 @@ void TickUndo::note(const World& world) {
     lossy_ = world.model().lossy;
     next_ball_ = world.next_ball();
     emitters_ = world.emitters();
+    held_balls_ = world.held_balls();
     held_capsules_ = world.held_capsules();
+    hands_ = world.hands();
     moves_edges_ = !world.held_capsules().empty() || !world.flippers().empty();
     if (moves_edges_) shapes_ = world.capsules().shape;
 }
@@ -17,7 +19,9 @@ void TickUndo::take_back(World& world) const {
     world.edit_definition().model.lossy = lossy_;
     world.give_back_ball_ids(next_ball_);
     world.edit_emitters() = emitters_;
+    if (!held_balls_.empty()) world.edit_held_balls() = held_balls_;
     world.edit_held_capsules() = held_capsules_;
+    world.edit_hands() = hands_;
     if (moves_edges_) world.edit_capsules().shape = shapes_;
 }
 

@@ -24,7 +24,9 @@ class TickUndo {
     bool lossy_ = false;
     std::uint32_t next_ball_ = 0;
     std::vector<Emitter> emitters_;
+    std::vector<HeldBall> held_balls_;
     std::vector<HeldCapsule> held_capsules_;
+    Hands hands_;
     bool moves_edges_ = false;
     std::vector<Capsule> shapes_;  // if moves_edges_
 };

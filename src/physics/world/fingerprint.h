@@ -21,12 +21,12 @@ inline constexpr int fingerprint_version = 2;
 
 /// 64 bits over the state that ticks and commands change: the number of the tick, bodies, kinematic
 /// targets, flippers, emitters, counters of sinks, gravity, and solver memory. Not in it: what a
-/// level fixes for good (kinds, materials, the rest of the model), the next ids, the list of
-/// removed balls, the numbers of collisions, and that the model has become lossy or one_way, which
-/// shows in the columns.
-/// Worlds that are equal have equal fingerprints on every machine; two that differ in what is in it
-/// share one with a chance of about 2^-64. Stamps are no part of it. Cost: one multiplication for
-/// each number in the world. Pre: version is in 1..fingerprint_version.
+/// level fixes for good (kinds, materials, the rest of the model), how hands have moved
+/// (World::hands), the next ids, the list of removed balls, the numbers of collisions, and that the
+/// model has become lossy or one_way, which shows in the columns. Worlds that are equal have equal
+/// fingerprints on every machine; two that differ in what is in it share one with a chance of about
+/// 2^-64. Stamps are no part of it. Cost: one multiplication for each number in the world. Pre:
+/// version is in 1..fingerprint_version.
 std::uint64_t fingerprint(const World& world, int version = fingerprint_version);
 
 /// 16 lower-case hexadecimal digits.

@@ -85,6 +85,27 @@ struct HeldCapsule {
     bool is_driven = false;
 };
 
+/// A hand that holds a ball or an edge, as far as the next tick has to know of it: see
+/// tick/hands.h.
+struct Hand {
+    bool is_on_ball = false;
+    std::uint32_t number = 0;  ///< id of the ball or the edge
+    Vec2 start_target;         ///< that of the last tick; of a ball, its target
+    Vec2 end_target;
+    double pace = 0.0;  ///< the fastest that it goes, length/s
+
+    friend bool operator==(const Hand&, const Hand&) = default;
+};
+
+/// All hands. They yield together, so that edges that are carried by a common joint stay joined.
+struct Hands {
+    std::vector<Hand> each;  ///< balls before edges, ascending by number
+    double share = 1.0;      ///< of their ways that they went in the last tick
+    double overlap = 0.0;    ///< deepest one of all bodies when the first hand came, in radii
+
+    friend bool operator==(const Hands&, const Hands&) = default;
+};
+
 /// A ball that has been removed.
 struct Removal {
     BallId id{};

@@ -71,7 +71,8 @@ std::size_t World::bytes() const {
            bytes_in(definition_.kinds) + bytes_in(definition_.materials) +
            bytes_in(definition_.meets) + bytes_in(definition_.zones) + bytes_in(emitters_) +
            bytes_in(flippers_) + bytes_in(held_balls_) + bytes_in(held_capsules_) +
-           bytes_in(ledger_.counters) + bytes_in(ledger_.removed) + memory_.bytes();
+           bytes_in(hands_.each) + bytes_in(ledger_.counters) + bytes_in(ledger_.removed) +
+           memory_.bytes();
 }
 
 BallId add_ball(World& world, const BallSpec& spec) {

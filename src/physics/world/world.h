@@ -53,6 +53,7 @@ class World {
     const std::vector<Flipper>& flippers() const { return flippers_; }
     const std::vector<HeldBall>& held_balls() const { return held_balls_; }           ///< by id
     const std::vector<HeldCapsule>& held_capsules() const { return held_capsules_; }  ///< by id
+    const Hands& hands() const { return hands_; }  ///< of what is held, but for flippers
 
     const std::vector<std::uint64_t>& counters() const { return ledger_.counters; }
     const std::vector<Removal>& removed() const { return ledger_.removed; }
@@ -74,6 +75,7 @@ class World {
     std::vector<Flipper>& edit_flippers() { return flippers_; }
     std::vector<HeldBall>& edit_held_balls();
     std::vector<HeldCapsule>& edit_held_capsules();
+    Hands& edit_hands() { return hands_; }
     Ledger& edit_ledger() { return ledger_; }
     SolverMemory& edit_memory();
     /// A new id. The caller adds the row.
@@ -93,6 +95,7 @@ class World {
     std::vector<Flipper> flippers_;
     std::vector<HeldBall> held_balls_;
     std::vector<HeldCapsule> held_capsules_;
+    Hands hands_;
     Ledger ledger_;
     SolverMemory memory_;
     Stamps stamps_;

@@ -122,7 +122,7 @@ void ImpactCluster<Real>::add_kinematic_edge(std::uint32_t body, const Kinematic
     point.gap = contact.gap;
     point.contact.a = body;
     point.contact.normal = contact.normal;
-    if (scene_.now < edge.edge.stop) {
+    if (!edge.is_stopped) {
         point.surface_velocity =
             edge.edge.start_velocity +
             (edge.edge.end_velocity - edge.edge.start_velocity) * contact.place;
@@ -247,11 +247,18 @@ bool ImpactCluster<Real>::touches_ball(std::uint32_t body) const {
 
 template <typename Real>
 void ImpactCluster<Real>::note_speeds(bool stops) {
+    const auto& cloth = scene_.world->model().cloth;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         Vector<Real>& velocity = motion_[i].velocity;
         const Real speed = length(velocity);
         if (bodies_[i].fastest < speed) bodies_[i].fastest = speed;
-        if (stops && !(speed > Real(residual_rounding<Real>) * bodies_[i].fastest)) velocity = {};
+        if (!stops) continue;
+        // A jam on cloth would go on with ever smaller speeds.
+        const Real least =
+            cloth ? Real(pressed_rounding) * square_root(Real(cloth->slide * cloth->gravity) *
+                                                         radius_of(static_cast<std::uint32_t>(i)))
+                  : Real{};
+        if (!(speed > least + Real(residual_rounding<Real>) * bodies_[i].fastest)) velocity = {};
     }
 }
 

@@ -14,6 +14,10 @@ void PositionCorrection<Real>::apply() {
     const Real allowed(on_cloth ? overlap_heights_on_cloth * cloth_rest_height
                                 : overlap_heights * moving_rest_height);
     for (const ContactPoint<Real>& point : cluster_.contacts()) {
+        if (point.kind == EventKind::kinematic_edge && on_cloth) {
+            move_out_of(point);
+            continue;
+        }
         if (point.kind != EventKind::ball_ball) continue;
         const Real small = cluster_.smaller_radius(point);
         if (!(point.gap < -allowed * small)) continue;
@@ -30,6 +34,20 @@ void PositionCorrection<Real>::apply() {
         a.is_moved = b.is_moved = true;
         cluster_.note_correction();
     }
+}
+
+// A ball on cloth slips when it leaves the edge that pushes it, and rolls when it comes back, which
+// it does more slowly: impact by impact it would sink into the edge.
+template <typename Real>
+void PositionCorrection<Real>::move_out_of(const ContactPoint<Real>& point) {
+    if (!(point.gap < Real{})) return;
+    const Real depth = std::min(-point.gap, Real(most_correction) * cluster_.smaller_radius(point));
+    const Vector<Real> displacement = point.contact.normal * depth;
+    if (!(share_of(point.contact.a, displacement) > Real{})) return;
+    ClusterBody<Real>& body = cluster_.bodies()[point.contact.a];
+    body.position += displacement;
+    body.is_moved = true;
+    cluster_.note_correction();
 }
 
 // The body's inverse mass if it may be displaced so far, which may not take it into an edge; else

@@ -23,6 +23,7 @@ class PositionCorrection {
     void apply();
 
   private:
+    void move_out_of(const ContactPoint<Real>& point);
     Real share_of(std::uint32_t body, const Vector<Real>& displacement) const;
 
     const EventScene<Real>& scene_;

@@ -28,16 +28,23 @@ template <typename Real>
 const std::vector<std::uint32_t>& Response<Real>::resolve(std::uint32_t ball,
                                                           const BallEvent<Real>& event,
                                                           const ImpactRecord& record) {
+    const std::size_t contacts = record.contacts.size();
     cluster_.begin(ball, event);
-    const bool is_jammed = run_rounds(record.contacts);
-    const bool stops_kinematic = is_squeezed(is_jammed);
+    bool is_jammed = run_rounds(record.contacts);
+    if (is_squeezed(is_jammed) && kinematic_.stop()) {
+        // The kinematic bodies stop before this impact: what they pushed into the jam is taken
+        // back.
+        record.contacts.resize(contacts);
+        cluster_.end();
+        cluster_.begin(ball, event);
+        is_jammed = run_rounds(record.contacts);
+    }
     correction_.apply();
     start_trajectories(record.touched);
     for (const std::uint32_t each : changed_)
         rest_.settle(each);
     for (const std::uint32_t each : changed_)
         guard_.freeze_if_due(each, is_jammed);
-    if (stops_kinematic) kinematic_.stop();
     return changed_;
 }
 

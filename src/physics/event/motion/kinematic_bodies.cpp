@@ -33,19 +33,23 @@ void KinematicBodies<Real>::take() {
 }
 
 template <typename Real>
-void KinematicBodies<Real>::stop() {
+bool KinematicBodies<Real>::stop() {
+    bool has_moved = false;
     for (KinematicEdge<Real>& edge : edges_) {
-        if (!(scene_.now < edge.edge.stop)) continue;
+        if (edge.is_stopped) continue;
+        edge.is_stopped = true;
         edge.edge.stop = scene_.now;
-        has_stopped_ = true;
+        has_moved = true;
     }
     for (std::uint32_t i = 0; i < balls_.size(); ++i) {
         const LinearPart<Real>& line = balls_[i].line;
         if (line.motion != Motion::held || line.velocity == Vector<Real>{}) continue;
         trajectories_.start(i, scene_.now, trajectories_.state_now(i).position, {});
         trajectories_.hold(i);
-        has_stopped_ = true;
+        has_moved = true;
     }
+    has_stopped_ = has_stopped_ || has_moved;
+    return has_moved;
 }
 
 template class KinematicBodies<double>;

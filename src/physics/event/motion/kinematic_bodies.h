@@ -16,6 +16,7 @@ template <typename Real>
 struct KinematicEdge {
     std::uint32_t capsule = 0;
     bool is_motorised = false;  ///< a solenoid drives it: its surface throws (driven_restitution)
+    bool is_stopped = false;    ///< before the end of the tick, at the end of which it still moves
     MovingEdge<Real> edge;
 };
 
@@ -41,8 +42,8 @@ class KinematicBodies {
     const std::vector<KinematicEdge<Real>>& edges() const { return edges_; }
 
     /// Stops all of them now. Trajectories of other balls stay, but every prediction is outdated:
-    /// see `take_stopped`.
-    void stop();
+    /// see `take_stopped`. Whether anything moved.
+    bool stop();
     /// Whether something has stopped since the last call.
     bool take_stopped() {
         const bool stopped = has_stopped_;

@@ -168,7 +168,10 @@ void Predictor<Real>::choose_next(std::uint32_t ball) {
         space_.for_each_ball_near(ball, [&](std::uint32_t other, int across, int along) {
             predict_pair(ball, other, across, along, best);
         });
-    if (model.ball_edge && balls_[ball].line.motion != Motion::resting) predict_edges(ball, best);
+    if (model.ball_edge) {
+        if (balls_[ball].line.motion != Motion::resting) predict_edges(ball, best);
+        predict_kinematic_edges(ball, best);
+    }
     resume_searches(ball, best);
     balls_.plan(ball).set_next_event(best);
 }
@@ -286,6 +289,13 @@ void Predictor<Real>::predict_edges(std::uint32_t ball, BallEvent<Real>& best) {
                       static_cast<std::int8_t>(along), capsule, 0},
                      best);
     });
+}
+
+// A ball that rests or lies still can be hit by these, too.
+template <typename Real>
+void Predictor<Real>::predict_kinematic_edges(std::uint32_t ball, BallEvent<Real>& best) {
+    if (kinematic_.edges().empty()) return;
+    const Trajectory<Real> path = balls_.path(ball);
     for (std::uint32_t i = 0; i < kinematic_.edges().size(); ++i) {
         const KinematicEdge<Real>& edge = kinematic_.edges()[i];
         if (!scene_.ball_collides_with(ball, edge.capsule)) continue;

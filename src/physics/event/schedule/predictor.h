@@ -67,6 +67,7 @@ class Predictor {
     void choose_next_of_still(std::uint32_t ball);
     void choose_next_of_uniform(std::uint32_t ball, FirstCollision<Real> first);
     void predict_edges(std::uint32_t ball, BallEvent<Real>& best);
+    void predict_kinematic_edges(std::uint32_t ball, BallEvent<Real>& best);
     void predict_pair(std::uint32_t ball, std::uint32_t other, int across, int along,
                       BallEvent<Real>& best);
     bool may_meet(std::uint32_t ball, std::uint32_t other) const;

@@ -1,0 +1,251 @@
+#include "physics/tick/hands.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/closest.h"
+#include "physics/tick/kinematic.h"
+#include "physics/tick/totals.h"
+
+namespace carom {
+namespace {
+
+// A hand has reached its target within this share of the target's next step.
+constexpr double arrival = 1e-6;
+// Hands that yield begin at this share again, and stand still below it.
+constexpr double least_share = 1.0 / 64.0;
+// A ball that a hand pushes becomes no faster than this many times the hand's pace.
+constexpr double most_throw = 2.0;
+// Pushes make overlaps deeper by no more than this, in radii.
+constexpr double most_overlap = 0.02;
+
+// The longer way of the two ends of an edge.
+double longer(Vec2 start, Vec2 end) {
+    return std::max(length(start), length(end));
+}
+
+const Hand* find_hand(const Hands& hands, bool is_on_ball, std::uint32_t number) {
+    for (const Hand& hand : hands.each)
+        if (hand.is_on_ball == is_on_ball && hand.number == number) return &hand;
+    return nullptr;
+}
+
+// The hand after the target has gone on; `rest` is its remaining way to the old target.
+Hand moved_on(const Hands& hands, Hand hand, double way, double rest, double rate) {
+    const Hand* const last = find_hand(hands, hand.is_on_ball, hand.number);
+    if (!last) {
+        hand.pace = way * rate;
+        return hand;
+    }
+    const double step =
+        longer(hand.start_target - last->start_target, hand.end_target - last->end_target);
+    if (step == 0.0)
+        hand.pace = last->pace;
+    else if (rest <= arrival * step)
+        hand.pace = step * rate;
+    else
+        hand.pace = std::max(last->pace, step * rate);
+    return hand;
+}
+
+}  // namespace
+
+bool HandStep::begin(World& world) {
+    const auto is_hand = [](const HeldCapsule& held) { return !held.is_driven; };
+    if (world.held_balls().empty() && std::ranges::none_of(world.held_capsules(), is_hand)) {
+        if (!world.hands().each.empty()) world.edit_hands() = {};
+        return false;
+    }
+    const Hands& last = world.hands();
+    Hands hands;
+    for (const HeldBall& held : world.held_balls()) {
+        const auto index = index_of(world, held.id);
+        if (!index) continue;
+        const Vec2 place = world.balls().position[*index];
+        const Hand* const was = find_hand(last, true, number(held.id));
+        const double rest =
+            was ? length(rest_of_way(world, {held.id, was->start_target}, place)) : 0.0;
+        hands.each.push_back(moved_on(
+            last, {.is_on_ball = true, .number = number(held.id), .start_target = held.target},
+            length(rest_of_way(world, held, place)), rest, world.rate()));
+    }
+    for (const HeldCapsule& held : world.held_capsules()) {
+        const auto index = index_of(world, held.id);
+        if (!index || !is_hand(held)) continue;
+        const Capsule& shape = world.capsules().shape[*index];
+        const Hand* const was = find_hand(last, false, number(held.id));
+        const double rest =
+            was ? longer(was->start_target - shape.start, was->end_target - shape.end) : 0.0;
+        hands.each.push_back(
+            moved_on(last,
+                     {.number = number(held.id),
+                      .start_target = held.start_target,
+                      .end_target = held.end_target},
+                     longer(held.start_target - shape.start, held.end_target - shape.end), rest,
+                     world.rate()));
+    }
+    const bool is_first = last.each.empty();
+    hands.share = is_first ? 1.0 : last.share;
+    hands.overlap = is_first ? deepest_overlap(world) : last.overlap;
+    share_ = std::min(1.0, std::max(2.0 * hands.share, least_share));
+    fastest_ = 0.0;
+    for (const Hand& hand : hands.each)
+        fastest_ = std::max(fastest_, hand.pace);
+    balls_ = world.held_balls();
+    edges_ = world.held_capsules();
+    world.edit_hands() = std::move(hands);
+    return true;
+}
+
+double HandStep::next_share(double share) {
+    return share > least_share ? 0.5 * share : 0.0;
+}
+
+void HandStep::aim(World& world, double share) const {
+    // A free hand goes to its target, without rounding.
+    const auto part_of = [&](double way, double pace) {
+        const double most = pace * world.tick_length() * (1.0 + arrival);
+        return share * (way > most ? most / way : 1.0);
+    };
+    std::vector<HeldBall> balls = balls_;
+    for (HeldBall& held : balls) {
+        const auto index = index_of(world, held.id);
+        const Hand* const hand = find_hand(world.hands(), true, number(held.id));
+        if (!index || !hand) continue;
+        const Vec2 place = world.balls().position[*index];
+        const Vec2 way = rest_of_way(world, held, place);
+        const double part = part_of(length(way), hand->pace);
+        if (part < 1.0) held.target = place + way * part;
+    }
+    std::vector<HeldCapsule> edges = edges_;
+    for (HeldCapsule& held : edges) {
+        const auto index = index_of(world, held.id);
+        const Hand* const hand = find_hand(world.hands(), false, number(held.id));
+        if (!index || !hand || held.is_driven) continue;
+        const Capsule& shape = world.capsules().shape[*index];
+        const Vec2 start = held.start_target - shape.start;
+        const Vec2 end = held.end_target - shape.end;
+        const double part = part_of(longer(start, end), hand->pace);
+        if (part == 1.0) continue;
+        held.start_target = shape.start + start * part;
+        held.end_target = shape.end + end * part;
+    }
+    world.edit_held_balls() = std::move(balls);
+    world.edit_held_capsules() = std::move(edges);
+}
+
+void HandStep::end(World& world, double share) const {
+    world.edit_held_balls() = balls_;
+    world.edit_held_capsules() = edges_;
+    world.edit_hands().share = share;
+}
+
+namespace {
+
+double fastest_ball(const World& world) {
+    double fastest = 0.0;
+    for (const Vec2 velocity : world.balls().velocity)
+        fastest = std::max(fastest, length_squared(velocity));
+    return std::sqrt(fastest);
+}
+
+// Whether a ball has come to the other side of a held edge.
+bool has_passed(const World& before, const World& after) {
+    for (const HeldCapsule& held : after.held_capsules()) {
+        const auto index = index_of(after, held.id);
+        if (!index || held.is_driven) continue;
+        const Capsule& was = before.capsules().shape[*index];
+        const Capsule& is = after.capsules().shape[*index];
+        for (std::size_t i = 0; i < after.balls().size(); ++i) {
+            if (!kind_meets_material(after, after.balls().kind[i],
+                                     after.capsules().material[*index]))
+                continue;
+            const Vec2 from = before.balls().position[i];
+            const Vec2 to = after.balls().position[i];
+            const double first = cross(was.end - was.start, from - was.start);
+            const double last = cross(is.end - is.start, to - is.start);
+            if (!(first * last < 0.0)) continue;
+            const auto is_beside = [](const Capsule& edge, Vec2 place) {
+                const double at = closest_parameter(edge.start, edge.end, place);
+                return at > 0.0 && at < 1.0;
+            };
+            if (is_beside(was, from) && is_beside(is, to)) return true;
+        }
+    }
+    return false;
+}
+
+// Depth of the overlap of a ball with an edge, and with another ball, in radii of the smaller one.
+double overlap_with(const World& world, std::uint32_t ball, const Capsule& edge) {
+    const double radius = world.balls().radius[ball];
+    return -separation(Disc{world.balls().position[ball], radius}, edge) / radius;
+}
+
+double overlap_of(const World& world, std::uint32_t a, std::uint32_t b) {
+    const Balls& balls = world.balls();
+    Vec2 offset = balls.position[a] - balls.position[b];
+    if (world.model().wrap) offset = nearest_image(offset, size(*world.model().wrap));
+    return (balls.radius[a] + balls.radius[b] - length(offset)) /
+           std::min(balls.radius[a], balls.radius[b]);
+}
+
+}  // namespace
+
+// Calls visit(depth, a pair's depth in another world) for every pair that may overlap in `world`;
+// the second is a function of that world.
+template <typename Visit>
+void HandStep::for_each_overlap(const World& world, Visit&& visit) {
+    for (const HeldCapsule& held : world.held_capsules()) {
+        const auto index = index_of(world, held.id);
+        if (!index) continue;
+        const ClassIndex material = world.capsules().material[*index];
+        for (std::uint32_t i = 0; i < world.balls().size(); ++i)
+            if (kind_meets_material(world, world.balls().kind[i], material))
+                visit([i, edge = *index](const World& any) {
+                    return overlap_with(any, i, any.capsules().shape[edge]);
+                });
+    }
+    margin_.assign(world.balls().size(), 0.0);
+    near_.find(world, margin_, order_);
+    const Vec2 torus = world.model().wrap ? size(*world.model().wrap) : Vec2{};
+    for (const NearPair& pair : near_.pairs()) {
+        const std::uint32_t a = order_[pair.a];
+        if (pair.edge == NearPair::no_edge) {
+            visit([a, b = order_[pair.b]](const World& any) { return overlap_of(any, a, b); });
+        } else if (!world.model().one_way || world.capsules().side[pair.edge] == Side::both) {
+            visit([&, a](const World& any) {
+                Capsule edge = any.capsules().shape[pair.edge];
+                const Vec2 shift{pair.across * torus.x, pair.along * torus.y};
+                edge.start += shift;
+                edge.end += shift;
+                return overlap_with(any, a, edge);
+            });
+        }
+    }
+}
+
+double HandStep::deepest_overlap(const World& world) {
+    double deepest = 0.0;
+    for_each_overlap(world, [&](auto&& depth_in) { deepest = std::max(deepest, depth_in(world)); });
+    return deepest;
+}
+
+// Whether no pair overlaps more than pushes may make it, unless it did before.
+bool HandStep::is_free_of_overlap(const World& before, const World& after) {
+    const double most = after.hands().overlap + most_overlap;
+    bool is_free = true;
+    for_each_overlap(after, [&](auto&& depth_in) {
+        const double now = depth_in(after);
+        is_free = is_free && !(now > most && now > depth_in(before));
+    });
+    return is_free;
+}
+
+bool HandStep::is_sound(const World& before, const World& after) {
+    const double fall = length(before.model().gravity.value_or(Vec2{})) * before.tick_length();
+    const double most = std::max(most_throw * fastest_, fastest_ball(before)) + 2.0 * fall;
+    if (fastest_ball(after) > most * (1.0 + arrival)) return false;
+    return !has_passed(before, after) && is_free_of_overlap(before, after);
+}
+
+}  // namespace carom
