@@ -59,7 +59,8 @@ class ContactKinematics {
 
     /// Balls that a kinematic body presses on without being able to move them, and all that touch
     /// such balls, keep at most the speed at which they moved in the substep. Otherwise they would
-    /// keep that of a body whose target is far away.
+    /// keep that of a body whose target is far away. Here bodies touch if their gap at the start of
+    /// the substep was at most `kinematic_overlap` of the smaller radius.
     void settle_jams(ContactPairs& pairs, ContactBodies& bodies, const ContactSubstep& step);
 
   private:

@@ -26,7 +26,8 @@ struct ContactPath {
     double end = 0.0;            ///< s in the substep
     std::uint32_t version = 0;
     std::uint16_t impacts = 0;
-    std::uint16_t pushes = 0;  ///< impacts with kinematic bodies that moved towards it
+    /// Impacts with kinematic edges that moved towards it, and with held balls, moving or not.
+    std::uint16_t pushes = 0;
     bool is_free = false;
     bool is_frozen = false;      ///< for the rest of the substep
     bool is_surrounded = false;  ///< all balls in its pairs have paths

@@ -14,7 +14,7 @@ namespace carom {
 ///
 /// Which balls overlap is decided before any is pushed, and which overlap edges when the balls are
 /// separated; pairs go by the numbers of their balls. So the result depends on positions and
-/// numbers, not on cells. A held ball does not give way.
+/// numbers, not on cells. A held ball does not give way to balls; edges stop it.
 class OverlapSeparation {
   public:
     OverlapSeparation(const OverlapStep& step, const OverlapKinematics& kinematics,

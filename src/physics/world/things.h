@@ -76,7 +76,7 @@ struct HeldBall {
 
 /// An edge as a kinematic body. Its ends move to their targets during the next tick. It pushes
 /// balls aside without throwing them: a ball leaves it no faster along the normal than it came, or
-/// than the edge moves.
+/// than the edge moves and 5 % of its approach (`hand_restitution`, laws/bounce.h).
 struct HeldCapsule {
     CapsuleId id{};
     Vec2 start_target;
