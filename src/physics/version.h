@@ -13,7 +13,8 @@ namespace carom {
 /// jam that does not approach never pulls; a turning kinematic edge meets in time a ball whose
 /// centre is further away than the edge is long; a flipper recoils from its stop, and is held
 /// there with less force; hands yield (tick/hands.h); driven edges keep their speed at every impact
-/// under `contact`, and at the end of a tick under `event`.
+/// under `contact`, and at the end of a tick under `event`; arcs and fillets have smooth joints,
+/// along which balls roll on without a loss under `event`, `swept` and `contact` (laws/curve.h).
 inline constexpr int physics_version = 3;
 
 }  // namespace carom

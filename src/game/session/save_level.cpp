@@ -9,6 +9,7 @@
 
 #include "game/referees/referee.h"
 #include "geometry/elementary.h"
+#include "physics/laws/curve.h"
 #include "physics/tick/totals.h"
 
 namespace carom {
@@ -164,6 +165,27 @@ class LevelWriter {
         return {};
     }
 
+    /// Whether capsule i goes on smoothly in `next`.
+    bool is_joined(std::size_t i, std::size_t next) const {
+        const Capsules& capsules = world_.capsules();
+        return !capsules.joints.empty() && capsules.joints[i][1] == capsules.id[next];
+    }
+
+    /// Whether capsule i has smooth joints that only a smooth line gives it.
+    bool is_curved(std::size_t i) const {
+        return (continues_line(i) && is_joined(i, i + 1)) ||
+               (i > 0 && continues_line(i - 1) && is_joined(i - 1, i));
+    }
+
+    /// Whether the loader makes the joint of the two smooth or not as it is now, if the line that
+    /// they are in is smooth or not.
+    bool keeps_joint(std::size_t i, std::size_t next, bool is_smooth) const {
+        const Capsules& capsules = world_.capsules();
+        const Capsule& shape = capsules.shape[i];
+        const bool becomes_one = is_smooth && can_join(shape, capsules.shape[next], shape.end);
+        return becomes_one == is_joined(i, next);
+    }
+
     /// Whether capsule i + 1 continues where capsule i ends, as one line.
     bool continues_line(std::size_t i) const {
         const Capsules& capsules = world_.capsules();
@@ -188,10 +210,12 @@ class LevelWriter {
 
     void edges() {
         for (std::size_t first = 0; first < world_.capsules().size();) {
+            const bool is_smooth = is_curved(first);
             std::size_t last = first;
-            while (continues_line(last) && !ends_outline(first, last))
+            while (continues_line(last) && !ends_outline(first, last) &&
+                   is_curved(last + 1) == is_smooth && keeps_joint(last, last + 1, is_smooth))
                 ++last;
-            edge(first, last);
+            edge(first, last, is_smooth);
             first = last + 1;
         }
     }
@@ -200,7 +224,7 @@ class LevelWriter {
         return world_.capsules().shape[first].start == world_.capsules().shape[last].end;
     }
 
-    void edge(std::size_t first, std::size_t last) {
+    void edge(std::size_t first, std::size_t last, bool is_smooth) {
         const Capsules& capsules = world_.capsules();
         const Capsule& shape = capsules.shape[first];
         const std::string_view group = group_of(capsules.id[first]);
@@ -212,11 +236,12 @@ class LevelWriter {
         constexpr std::string_view sides[] = {"", " side=left", " side=right", ""};
         text_ += fmt::format("edge {} r={}{} {}", names, shape.radius,
                              sides[static_cast<std::size_t>(side_of(first))], place(shape.start));
-        const bool closes = is_outline(first, last);
+        const bool closes = is_outline(first, last) && keeps_joint(last, first, is_smooth);
         for (std::size_t i = first; i <= last - (closes ? 1 : 0); ++i) {
             if ((i - first) % points_a_line == points_a_line - 1) text_ += " \\\n   ";
             text_ += " " + place(capsules.shape[i].end);
         }
+        if (is_smooth) text_ += " smooth";
         text_ += closes ? " close\n" : "\n";
     }
 

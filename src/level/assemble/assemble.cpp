@@ -7,6 +7,7 @@
 
 #include "geometry/elementary.h"
 #include "level/assemble/checks.h"
+#include "level/assemble/curves.h"
 #include "level/assemble/fill.h"
 #include "level/assemble/mirror_duplicates.h"
 #include "level/assemble/pinball_assembly.h"
@@ -187,6 +188,7 @@ class Assembly {
         for (const CapsuleIr& edge : ir_.capsules) {
             add_capsule(world, edge.shape, material_of(edge), edge.side);
         }
+        join_curves(ir_, world);
         for (std::size_t i = 0; i < ir_.emitters.size(); ++i) {
             Emitter emitter = ir_.emitters[i].emitter;
             emitter.kind = names_.emitters[i].kind;

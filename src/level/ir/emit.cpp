@@ -33,8 +33,8 @@ void reserve_zones(std::uint64_t count, const Span& at, Context& context) {
                           "make fewer of them");
 }
 
-int begin_chain(bool is_closed, Context& context) {
-    context.ir.chains.push_back({is_closed});
+int begin_chain(bool is_closed, Context& context, bool is_smooth) {
+    context.ir.chains.push_back({is_closed, is_smooth});
     return static_cast<int>(context.ir.chains.size()) - 1;
 }
 

@@ -10,7 +10,7 @@ namespace carom {
 void reserve_balls(std::uint64_t count, const Span& at, Context& context);
 void reserve_zones(std::uint64_t count, const Span& at, Context& context);
 /// Starts a chain: capsules that are pieces of one edge. Returns its index.
-int begin_chain(bool is_closed, Context& context);
+int begin_chain(bool is_closed, Context& context, bool is_smooth = false);
 void emit_capsule(const Capsule& shape, Side side, int binding, int chain, const Span& at,
                   const Frame& frame, Context& context);
 int bind_edges(EdgeBinding binding, Context& context);

@@ -78,7 +78,8 @@ struct CapsuleIr {
 
 struct ChainIr {
     bool is_closed = false;
-    bool has_gaps = true;  ///< false: gaps at its ends are intended
+    bool is_smooth = false;  ///< a curve: an arc, a polyline with fillets, or one that says so
+    bool has_gaps = true;    ///< false: gaps at its ends are intended
 };
 
 struct ZoneIr {

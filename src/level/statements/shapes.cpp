@@ -123,7 +123,7 @@ std::vector<Corner> rounded(const std::vector<Corner>& corners, bool is_closed, 
 }
 
 void add_polyline(std::vector<Corner> corners, bool is_closed, const Arguments& arguments,
-                  const Frame& frame, Context& context) {
+                  const Frame& frame, Context& context, bool is_smooth) {
     for (std::size_t i = 1; i < corners.size(); ++i) {
         if (!(corners[i].point == corners[i - 1].point)) continue;
         context.reporter.error("edge-without-length", corners[i].span,
@@ -147,7 +147,7 @@ void add_polyline(std::vector<Corner> corners, bool is_closed, const Arguments& 
     }
     const double radius = arguments.number_or("r", 0.0);
     const int binding = bind_edges(shape_binding(arguments), context);
-    const int chain = begin_chain(closes, context);
+    const int chain = begin_chain(closes, context, is_smooth || fillet > 0.0);
     const std::size_t pieces = closes ? corners.size() : corners.size() - 1;
     for (std::size_t i = 0; i < pieces; ++i) {
         const Corner& end = corners[(i + 1) % corners.size()];
@@ -168,7 +168,8 @@ void build_edge(const Arguments& arguments, const Frame& frame, Context& context
                                "an edge of two points cannot be closed", "add a third point");
         return;
     }
-    add_polyline(std::move(corners), arguments.flag("close"), arguments, frame, context);
+    add_polyline(std::move(corners), arguments.flag("close"), arguments, frame, context,
+                 arguments.flag("smooth"));
 }
 
 void build_box(const Arguments& arguments, const Frame& frame, Context& context) {
@@ -182,7 +183,7 @@ void build_box(const Arguments& arguments, const Frame& frame, Context& context)
         return;
     }
     add_polyline({{a, span}, {{b.x, a.y}, span}, {b, span}, {{a.x, b.y}, span}}, true, arguments,
-                 frame, context);
+                 frame, context, false);
 }
 
 void build_arc(const Arguments& arguments, const Frame& frame, Context& context) {
@@ -208,7 +209,7 @@ void build_arc(const Arguments& arguments, const Frame& frame, Context& context)
         const SinCos at = sin_cos_degrees(i == pieces ? to : from + sweep * share);
         corners.push_back({center + Vec2{at.cos, at.sin} * radius, span});
     }
-    add_polyline(std::move(corners), false, arguments, frame, context);
+    add_polyline(std::move(corners), false, arguments, frame, context, true);
 }
 
 void build_peg(const Arguments& arguments, const Frame& frame, Context& context) {
@@ -227,14 +228,14 @@ std::vector<Statement> shape_statements() {
     const KeyRule side{"side", word};
     return {
         {.name = "edge",
-         .usage = "edge [MATERIAL] [NAME] X,Y X,Y ... [r=] [close] [fillet=] [side=left|right] "
-                  "[material=] [name=]",
+         .usage = "edge [MATERIAL] [NAME] X,Y X,Y ... [r=] [close] [smooth] [fillet=] "
+                  "[side=left|right] [material=] [name=]",
          .action = build_edge,
          .plain_most = 2,
          .points_least = 2,
          .points_most = many,
          .keys = {keys::edge_radius, fillet, side, keys::material, keys::name},
-         .flags = {"close"},
+         .flags = {"close", "smooth"},
          .binds_names = true},
         {.name = "arc",
          .usage = "arc [MATERIAL] [NAME] at=X,Y radius= [from=] [to=] [r=] [side=left|right] "

@@ -5,6 +5,7 @@
 #include "geometry/closest.h"
 #include "physics/contact/tolerances.h"
 #include "physics/laws/contact_material.h"
+#include "physics/laws/curve.h"
 
 namespace carom {
 
@@ -90,6 +91,24 @@ bool ContactClassification::has_high_mass_ratio(const ContactPair& pair) const {
            std::max(a, b) >= contact_tolerance::high_mass_ratio * std::min(a, b);
 }
 
+// Whether a ball meets a piece of a curve because the curve turns, and not because gravity presses
+// the ball on it in this substep.
+bool ContactClassification::is_led_by_curve(const World& world, const ContactPair& pair,
+                                            double approach) const {
+    if (!world.model().curved || pair.b != bodies_.fixed) return false;
+    const Joints& joints = world.capsules().joints[pair.edge];
+    if (joints[0] == no_joint && joints[1] == no_joint) return false;
+    if (!(approach > contact_tolerance::least_turn * step_.rest_speed)) return false;
+    return pair.separation > 0.0 ||
+           curve_bounce(world, pair.edge,
+                        {.position = bodies_.position[pair.a],
+                         .velocity = bodies_.start_velocity[pair.a],
+                         .normal = pair.normal,
+                         .reach = bodies_.radius[pair.a] + world.capsules().shape[pair.edge].radius,
+                         .restitution = 0.0})
+               .is_flat;
+}
+
 template <Terms terms>
 inline ContactState ContactClassification::state_of(const World& world,
                                                     const ContactPair& pair) const {
@@ -104,6 +123,8 @@ inline ContactState ContactClassification::state_of(const World& world,
     const double radius = smaller_radius(bodies_, pair);
     const double most = contact_tolerance::most_travel * radius / step_.duration;
     const bool pushed = terms.special() && pair.is_kinematic && is_pushed(world, pair, approach);
+    if (terms.special() && is_led_by_curve(world, pair, -dot(without_fall, pair.normal)))
+        return ccd;
     // A kinematic body that touches goes on pushing, however far its target: it can be held back.
     const bool is_fast =
         length_squared(relative) > most * most && !(pushed && pair.separation <= 0.0);

@@ -22,6 +22,8 @@ namespace carom {
 ///   - it is enclosed: each of its balls has `enclosed_contacts` pressing contacts, its restitution
 ///     is above 0 and below 1, and gravity acts
 ///   - a kinematic body pushes the ball faster than it would bounce off
+/// A ball that the turn of a curve leads against its next piece is a candidate for continuous
+/// collision, too, however slow: it rolls on there (laws/curve.h).
 /// Any other pair that approaches is a candidate for continuous collision.
 class ContactClassification {
   public:
@@ -54,6 +56,7 @@ class ContactClassification {
     void measure(const World& world, ContactPair& pair);
     template <Terms terms>
     ContactState state_of(const World& world, const ContactPair& pair) const;
+    bool is_led_by_curve(const World& world, const ContactPair& pair, double approach) const;
     bool is_pushed(const World& world, const ContactPair& pair, double approach) const;
 
     const ContactSubstep& step_;

@@ -10,6 +10,7 @@
 #include "physics/contact/classification.h"
 #include "physics/contact/kinematics.h"
 #include "physics/contact/paths.h"
+#include "physics/laws/curve.h"
 
 namespace carom {
 
@@ -76,6 +77,9 @@ class ContactImpacts {
     void collide(World& world, const ContactEvent& event, std::vector<Contact>& contacts);
     std::optional<Contact> collide_balls(World& world, ContactPair& pair, double now);
     std::optional<Contact> collide_edge(World& world, ContactPair& pair, double now);
+    CurveBounce bounce_off_curve(const World& world, const ContactPair& pair, Vec2 normal,
+                                 double now) const;
+    std::optional<Contact> roll_on(const World& world, ContactPair& pair, Vec2 normal, double now);
     void stop_edge(const World& world, const ContactPair& pair, double now);
 
     const ContactSubstep& step_;

@@ -80,6 +80,7 @@ std::optional<double> ContactPaths::redirect(std::uint32_t body, double now, Vec
     path.pull = {};
     path.surface_speed = surface_speed;
     path.turn = 0.0;
+    path.rolls_on = false;
     ++path.version;
     if (path.is_frozen) return std::nullopt;
     if (++path.impacts >= contact_tolerance::most_impacts) {
@@ -94,6 +95,31 @@ std::optional<double> ContactPaths::redirect(std::uint32_t body, double now, Vec
     path.is_free = true;
     path.chord.velocity = carom::chord_velocity(step_.drag, velocity, step_.gravity, left);
     path.end = step_.duration;
+    return end_at_skin(body, now);
+}
+
+std::optional<double> ContactPaths::roll_on(std::uint32_t body, double now, Vec2 velocity,
+                                            double surface_speed, Vec2 normal) {
+    const double press = -dot(step_.gravity, normal);
+    ContactPath& path = (*this)[body];
+    const bool was_free = path.is_free;
+    if (path.is_frozen || (was_free && !(press > 0.0)))
+        return redirect(body, now, velocity, surface_speed);
+    path.chord.position = position_at(body, now);
+    path.chord.time = now;
+    path.velocity = velocity;
+    path.pull = was_free ? step_.gravity + normal * press : Vec2{};
+    path.chord.velocity = velocity + path.pull * (0.5 * (step_.duration - now));
+    path.surface_speed = surface_speed;
+    path.turn = 0.0;
+    path.end = step_.duration;
+    path.is_free = false;
+    path.rolls_on = true;
+    ++path.version;
+    if (++path.impacts >= contact_tolerance::most_impacts) {
+        freeze(body, now);
+        return std::nullopt;
+    }
     return end_at_skin(body, now);
 }
 
@@ -173,6 +199,12 @@ void ContactPaths::take_back_what_was_not_given(std::span<ContactConstraint> con
         return has_path(body) ? velocity_at(body, step_.duration) : bodies_.body[body].velocity;
     };
     for (ContactConstraint& constraint : constraints) {
+        if (constraint.b == bodies_.fixed && has_path(constraint.a) &&
+            (*this)[constraint.a].rolls_on) {
+            // It has left this piece of the curve with all of the impulse.
+            constraint.mass = constraint.impulse = constraint.tangential_impulse = 0.0;
+            continue;
+        }
         const Share a = given(constraint.a);
         const Share b = given(constraint.b);
         const double share = std::min(a.impulse, b.impulse);

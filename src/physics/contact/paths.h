@@ -31,6 +31,7 @@ struct ContactPath {
     bool is_free = false;
     bool is_frozen = false;      ///< for the rest of the substep
     bool is_surrounded = false;  ///< all balls in its pairs have paths
+    bool rolls_on = false;       ///< its last impact has led it along a curve
     std::uint32_t body = 0;
 };
 
@@ -73,6 +74,15 @@ class ContactPaths {
     /// substep ends, and so freezes: the time.
     std::optional<double> redirect(std::uint32_t body, double now, Vec2 velocity,
                                    double surface_speed);
+    /// From `now` on the ball goes along a piece of a curve, whose normal is this, or flies off it.
+    /// The time as in `redirect`.
+    std::optional<double> roll_on(std::uint32_t body, double now, Vec2 velocity,
+                                  double surface_speed, Vec2 normal);
+    /// Velocity and surface speed with which it rolls on along a curve: a ball that constraints
+    /// press has those of the end of the substep already, since no more impulses follow.
+    double rolling_time(std::uint32_t body, double now) const {
+        return (*this)[body].is_free ? now : step_.duration;
+    }
     /// Shortens the path to where it leaves the skin, and says when.
     std::optional<double> end_at_skin(std::uint32_t body, double now);
     /// The ball has been pushed by a kinematic body; after `most_pushes` it freezes and stops.

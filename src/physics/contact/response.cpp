@@ -97,6 +97,8 @@ std::optional<Contact> ContactImpacts::collide_edge(World& world, ContactPair& p
         redirect(a, now, velocity + normal * std::max(0.0, approach), surface_speed);
         return std::nullopt;
     }
+    const CurveBounce curve = bounce_off_curve(world, pair, normal, now);
+    if (curve.way == CurveBounce::Way::rolls_on) return roll_on(world, pair, normal, now);
     const double inverse_mass = bodies_.body[a].inverse_mass;
     const double least = std::max(noise, along_normal > 0.0 ? 0.0 : step_.rest_speed);
     const bool meets_again = pair.has_settled;
@@ -106,7 +108,10 @@ std::optional<Contact> ContactImpacts::collide_edge(World& world, ContactPair& p
     Exchange done{0.0, approach};
     if (approach > 0.0) {
         const double restitution = bounces ? restitution_of(world, bodies_, pair, approach) : 0.0;
-        if (bounces) along = bounce_normal(world, bodies_.ball[a], normal, velocity, restitution);
+        if (bounces) {
+            if (curve.way == CurveBounce::Way::bounces) along = curve.normal;
+            along = bounce_normal(world, bodies_.ball[a], along, velocity, restitution);
+        }
         done =
             bounce_off(velocity, inverse_mass, along, dot(surface, along), restitution, is_driven);
         if (bounces && world.model().kicks)
@@ -128,6 +133,52 @@ std::optional<Contact> ContactImpacts::collide_edge(World& world, ContactPair& p
                    .point = position - normal * bodies_.radius[a],
                    .normal = along,
                    .approach = done.approach,
+                   .impulse = done.impulse};
+}
+
+// How a ball bounces off an edge that may be a piece of a curve. Where it does not leave it for the
+// rest of the substep, it rolls on.
+CurveBounce ContactImpacts::bounce_off_curve(const World& world, const ContactPair& pair,
+                                             Vec2 normal, double now) const {
+    if (!world.model().curved || pair.b != bodies_.fixed) return {};
+    const double then = paths_.rolling_time(pair.a, now);
+    const Vec2 velocity = paths_.velocity_at(pair.a, then);
+    const double approach = -dot(velocity, normal);
+    const CurveImpact impact{
+        .position = paths_.position_at(pair.a, now),
+        .velocity = velocity,
+        .normal = normal,
+        .reach = bodies_.radius[pair.a] + world.capsules().shape[pair.edge].radius,
+        .restitution = restitution_of(world, bodies_, pair, std::max(0.0, approach))};
+    CurveBounce bounce = curve_bounce(world, pair.edge, impact);
+    const bool stays = then > now || approach <= step_.rest_speed;
+    if (bounce.is_flat && stays) bounce.way = CurveBounce::Way::rolls_on;
+    return bounce;
+}
+
+std::optional<Contact> ContactImpacts::roll_on(const World& world, ContactPair& pair, Vec2 normal,
+                                               double now) {
+    const std::uint32_t a = pair.a;
+    const double then = paths_.rolling_time(a, now);
+    Vec2 velocity = paths_.velocity_at(a, then);
+    double surface_speed = paths_.surface_speed_at(a, then);
+    const double approach = -dot(velocity, normal);
+    const double inverse_mass = bodies_.body[a].inverse_mass;
+    const Exchange done =
+        bounce_off(velocity, inverse_mass, rolling_normal(velocity, normal), 0.0, 1.0);
+    if (step_.spins)
+        apply_friction_on_surface(velocity, {surface_speed, 1.0}, inverse_mass, normal, {},
+                                  done.impulse, {pair.friction, *world.model().spin});
+    const Vec2 position = paths_.position_at(a, now);
+    pair.has_settled = true;
+    push_freeze(a, paths_.roll_on(a, now, velocity, surface_speed, normal));
+    return Contact{.time = now,
+                   .kind = ContactKind::ball_edge,
+                   .a = bodies_.ball[a],
+                   .b = pair.edge,
+                   .point = position - normal * bodies_.radius[a],
+                   .normal = normal,
+                   .approach = approach,
                    .impulse = done.impulse};
 }
 

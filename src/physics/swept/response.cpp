@@ -175,6 +175,7 @@ std::optional<Contact> SweptResponse::collide_free_ball(World& world, EdgeImpact
     const std::uint32_t ball = impact.ball;
     const double approach = impact.approach;
     const Passed passed = bounce_off_edge(world, impact);
+    if (passed.rolls_on) paths_.end_rest(ball);
     if (world.model().spin && !passed.is_resting)
         apply_edge_friction(world, impact, passed.exchange.impulse);
     if (passed.is_resting) {
@@ -191,7 +192,7 @@ std::optional<Contact> SweptResponse::collide_free_ball(World& world, EdgeImpact
     }
     const bool is_thrown = impact.is_driven && impact.pushing > 0.0;
     paths_.count_impact(world, ball, impact.velocity,
-                        (passed.is_resting && !is_thrown) || !(approach > 0.0));
+                        (passed.is_resting && !is_thrown && !passed.rolls_on) || !(approach > 0.0));
     if (world.model().cloth) paths_.stop_sliding_if_pressed(world, ball, impact.velocity);
     redirect(world, ball, impact.now, impact.velocity);
     if (!(approach > 0.0)) return std::nullopt;
@@ -209,13 +210,19 @@ SweptResponse::Passed SweptResponse::bounce_off_edge(World& world, EdgeImpact& i
     const double approach = impact.approach;
     const double restitution = restitution_of_edge(world, impact.capsule, std::max(0.0, approach));
     const bool is_pushed = impact.pushing > 0.0 && !impact.is_driven;
+    CurveBounce curve;
+    if (world.model().curved && !kinematics_.find(impact.capsule)) {
+        curve = bounce_off_curve(world, impact, restitution);
+        if (curve.way == CurveBounce::Way::rolls_on) return roll_on(impact);
+    }
     if (is_pushed || (restitution < 1.0 && approach < step_.rest_speed))
         return {rest_on_edge(impact, restitution), true};
     const std::uint32_t ball = impact.ball;
     Vec2 after = impact.velocity;
     Exchange exchange{0.0, approach};
     if (approach > 0.0) {
-        impact.along = bounce_normal(world, ball, impact.normal, impact.velocity, restitution);
+        const Vec2 normal = curve.way == CurveBounce::Way::bounces ? curve.normal : impact.normal;
+        impact.along = bounce_normal(world, ball, normal, impact.velocity, restitution);
         exchange = bounce_off(after, paths_.inverse_mass(ball), impact.along, impact.pushing,
                               restitution, impact.is_driven);
         if (world.model().kicks)
@@ -226,11 +233,32 @@ SweptResponse::Passed SweptResponse::bounce_off_edge(World& world, EdgeImpact& i
     }
     const Vec2 chord = paths_.chord_velocity(world, ball, after, step_.gravity, impact.now);
     if (dot(chord, impact.normal) < impact.pushing) {
+        if (curve.is_flat) return roll_on(impact);
         impact.along = impact.normal;
         return {rest_on_edge(impact, restitution), true};
     }
     impact.velocity = after;
     return {exchange, false};
+}
+
+CurveBounce SweptResponse::bounce_off_curve(const World& world, const EdgeImpact& impact,
+                                            double restitution) const {
+    return curve_bounce(
+        world, impact.capsule,
+        {.position = impact.position,
+         .velocity = impact.velocity,
+         .normal = impact.normal,
+         .reach = world.balls().radius[impact.ball] + world.capsules().shape[impact.capsule].radius,
+         .restitution = restitution});
+}
+
+// Turns the velocity along the piece of a curve, and away from it by a hair, as at rest.
+SweptResponse::Passed SweptResponse::roll_on(EdgeImpact& impact) const {
+    impact.along = rolling_normal(impact.velocity, impact.normal);
+    const Exchange exchange =
+        bounce_off(impact.velocity, paths_.inverse_mass(impact.ball), impact.along, 0.0, 1.0);
+    impact.velocity += impact.normal * (impact.approach * swept_tolerance::resting_restitution);
+    return {.exchange = exchange, .is_resting = true, .rolls_on = true};
 }
 
 // Takes the approach away.

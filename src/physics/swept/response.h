@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "physics/laws/bounce.h"
+#include "physics/laws/curve.h"
 #include "physics/swept/candidates.h"
 #include "physics/swept/kinematics.h"
 #include "physics/swept/paths.h"
@@ -68,6 +69,7 @@ class SweptResponse {
         Exchange exchange;
         bool is_resting = false;
         bool is_contact = false;
+        bool rolls_on = false;  ///< along a curve: it rests, and has kept its speed
     };
 
     std::optional<Contact> collide_balls(World& world, const SweptEvent& event);
@@ -80,6 +82,9 @@ class SweptResponse {
     SweptOutcome collide_edge(World& world, const SweptEvent& event);
     std::optional<Contact> collide_free_ball(World& world, EdgeImpact& impact);
     Passed bounce_off_edge(World& world, EdgeImpact& impact) const;
+    CurveBounce bounce_off_curve(const World& world, const EdgeImpact& impact,
+                                 double restitution) const;
+    Passed roll_on(EdgeImpact& impact) const;
     Exchange rest_on_edge(EdgeImpact& impact, double restitution) const;
     void apply_edge_friction(World& world, EdgeImpact& impact, double impulse) const;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -102,11 +103,17 @@ struct Balls {
 /// drop target that is down.
 enum class Side : std::uint8_t { both, left, right, none };
 
+/// The edges in which a piece of a curve goes on at its start and at its end; `no_joint` where it
+/// ends, or has a corner. laws/curve.h says what such a joint is.
+using Joints = std::array<CapsuleId, 2>;
+inline constexpr CapsuleId no_joint{0xffffffffu};
+
 struct Capsules {
     std::vector<CapsuleId> id;
     std::vector<Capsule> shape;
     std::vector<ClassIndex> material;  ///< index into World::materials
     std::vector<Side> side;            ///< with Model::one_way
+    std::vector<Joints> joints;        ///< with Model::curved
 
     std::size_t size() const { return id.size(); }
 
@@ -171,6 +178,7 @@ constexpr void Capsules::for_each_column(Visit&& visit) {
     visit(Column<Capsule>{"shape", &Capsules::shape});
     visit(Column<ClassIndex>{"material", &Capsules::material});
     visit(Column<Side>{"side", &Capsules::side});
+    visit(Column<Joints>{"joints", &Capsules::joints});
 }
 
 /// How many columns a table lists.

@@ -51,6 +51,8 @@ struct Model {
     bool one_way = false;
     /// Some edges kick what hits them: Material::kick.
     bool kicks = false;
+    /// Some edges are pieces of a curve, with smooth joints: Capsules::joints.
+    bool curved = false;
     /// Not every pair meets: see World::meets.
     bool filtered = false;
     /// Some pair of balls may meet. False: no ball-ball work at all.

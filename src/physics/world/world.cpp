@@ -117,6 +117,7 @@ CapsuleId add_capsule(World& world, const Capsule& shape, ClassIndex material, S
     capsules.shape.push_back(shape);
     capsules.material.push_back(material);
     if (world.model().one_way) capsules.side.push_back(side);
+    if (world.model().curved) capsules.joints.push_back({no_joint, no_joint});
     return id;
 }
 
@@ -133,6 +134,16 @@ void set_side(World& world, CapsuleId id, Side side) {
     if (!index) return;
     if (side != Side::both) become_one_way(world);
     if (world.model().one_way) world.edit_capsules().side[*index] = side;
+}
+
+void set_joints(World& world, CapsuleId id, const Joints& joints) {
+    const auto index = index_of(world, id);
+    if (!index) return;
+    if (!world.model().curved) {
+        world.edit_definition().model.curved = true;
+        world.edit_capsules().joints.assign(world.capsules().size(), {no_joint, no_joint});
+    }
+    world.edit_capsules().joints[*index] = joints;
 }
 
 std::size_t kinds_of_a_layer(const World& world) {

@@ -126,6 +126,10 @@ std::optional<std::size_t> index_of(const World& world, CapsuleId id);
 /// happens when there is no such edge.
 void set_side(World& world, CapsuleId id, Side side);
 
+/// The edge is a piece of a curve from now on, and goes on in these; the model becomes curved.
+/// Nothing happens when there is no such edge.
+void set_joints(World& world, CapsuleId id, const Joints& joints);
+
 /// How many kinds there are, each counted once whatever the layers.
 std::size_t kinds_of_a_layer(const World& world);
 /// The ball is on this layer from now on: it meets what stands there. Nothing happens when there is

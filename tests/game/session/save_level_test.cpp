@@ -31,6 +31,15 @@ bool same_bits(Vec2 a, Vec2 b) {
     return same_bits(a.x, b.x) && same_bits(a.y, b.y);
 }
 
+// The edges in which each edge goes on smoothly, by index.
+std::vector<std::optional<std::size_t>> joints_of(const World& world) {
+    std::vector<std::optional<std::size_t>> found;
+    for (const Joints& joints : world.capsules().joints)
+        for (const CapsuleId id : joints)
+            found.push_back(index_of(world, id));
+    return found;
+}
+
 void check_same(const World& a, const World& b) {
     REQUIRE(a.balls().size() == b.balls().size());
     for (std::size_t i = 0; i < a.balls().size(); ++i) {
@@ -46,6 +55,7 @@ void check_same(const World& a, const World& b) {
     CHECK(a.capsules().shape == b.capsules().shape);
     CHECK(a.capsules().material == b.capsules().material);
     CHECK(a.capsules().side == b.capsules().side);
+    CHECK(joints_of(a) == joints_of(b));
     CHECK(a.model() == b.model());
     CHECK(a.meets() == b.meets());
     CHECK(a.seed() == b.seed());
@@ -176,6 +186,21 @@ TEST_CASE("an emitter keeps its remaining balls, and an empty one is dropped") {
     World empty = world;
     empty.edit_emitters()[0].emitted = 100;
     CHECK(loaded(level_text(scene, empty)).world.emitters().empty());
+}
+
+TEST_CASE("curves and their corners are saved") {
+    const std::string start = "carom 1 \"curves\"\nmaterial m e=0.4\nball at=0,0\n";
+    for (const std::string edges :
+         {"arc m at=0,0 radius=11 from=180 to=0\n", "arc m at=0,0 radius=11\n",
+          "box m -20,-20 20,20 fillet=3\n", "edge m -9,-20 -9,0 0,-6 fillet=2\nedge m 0,-6 9,-8\n",
+          "edge m smooth 0,-9 5,-8.5 9,-7 12,-5\nedge m 12,-5 14,-3\n",
+          "edge m -11,-20 -11,0\narc m at=0,0 radius=11 from=180 to=0\nedge m 11,0 11,-20\n",
+          "edge m -9,-9 0,-8 9,-9\nedge m smooth 9,-9 12,-8.5 14,-7.8\n"}) {
+        CAPTURE(edges);
+        const Scene scene = loaded(start + edges);
+        CHECK(scene.world.model().curved);
+        check_same(scene.world, loaded(level_text(scene, scene.world)).world);
+    }
 }
 
 TEST_CASE("a player's changes are saved") {

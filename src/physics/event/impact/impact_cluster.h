@@ -25,6 +25,8 @@ struct ClusterBody {
     bool is_scanned = false;
     bool is_changed = false;
     bool is_moved = false;  ///< by position correction
+    bool rolls_on = false;  ///< along a curve, which alone is no collision
+    bool has_collided = false;
     bool was_resting = false;
     std::uint32_t first_neighbour = 0;  ///< once it is scanned
     std::uint32_t neighbours = 0;

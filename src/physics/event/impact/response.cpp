@@ -5,6 +5,7 @@
 
 #include "physics/event/motion/tolerances.h"
 #include "physics/laws/contact_material.h"
+#include "physics/laws/curve.h"
 
 namespace carom {
 
@@ -117,21 +118,48 @@ void Response<Real>::prepare_group(bool is_alone) {
     const World& world = *scene_.world;
     group_.clear();
     approach_.clear();
+    rolls_on_ = false;
     for (const std::uint32_t index : approaching_) {
         ContactPoint<Real>& point = cluster_.contacts()[index];
         const double restitution = restitution_.of(point, is_alone);
         point.contact.restitution = Real(restitution);
         group_.push_back(point.contact);
-        if (point.kind == EventKind::ball_edge && world.model().scatter && is_alone &&
+        if (is_alone && world.model().curved) rolls_on_ = follow_curve(point);
+        if (!rolls_on_ && point.kind == EventKind::ball_edge && world.model().scatter && is_alone &&
             point.contact.restitution > Real{}) {
             const std::uint32_t ball = cluster_.bodies()[point.contact.a].ball;
             const Vec2 velocity(cluster_.motion()[point.contact.a].velocity);
             group_.back().normal =
                 Vector<Real>(bounce_normal(world, ball, scatter_counts_[ball],
-                                           Vec2(point.contact.normal), velocity, restitution));
+                                           Vec2(group_.back().normal), velocity, restitution));
         }
         approach_.push_back(approach_of<Real>(group_.back(), cluster_.motion()));
     }
+}
+
+// A single ball meets an edge: the last of the group follows the curve of which that is a piece.
+// Whether it rolls on.
+template <typename Real>
+bool Response<Real>::follow_curve(const ContactPoint<Real>& point) {
+    if (point.kind != EventKind::ball_edge) return false;
+    const ClusterBody<Real>& body = cluster_.bodies()[point.contact.a];
+    const Vector<Real>& velocity = cluster_.motion()[point.contact.a].velocity;
+    ImpactContact<Real>& contact = group_.back();
+    const double reach = static_cast<double>(balls_.radius(body.ball)) +
+                         scene_.world->capsules().shape[point.other].radius;
+    const CurveBounce bounce =
+        curve_bounce(*scene_.world, point.other,
+                     {.position = Vec2(body.position),
+                      .velocity = Vec2(velocity),
+                      .normal = Vec2(contact.normal),
+                      .reach = reach,
+                      .restitution = static_cast<double>(contact.restitution)});
+    if (bounce.way == CurveBounce::Way::bounces) contact.normal = Vector<Real>(bounce.normal);
+    if (bounce.way != CurveBounce::Way::rolls_on) return false;
+    contact.normal = rolling_normal(velocity, contact.normal);
+    contact.restitution = Real(1.0);
+    cluster_.bodies()[point.contact.a].rolls_on = true;
+    return true;
 }
 
 template <typename Real>
@@ -163,8 +191,10 @@ void Response<Real>::pass_impulses(bool is_alone, std::vector<Contact>& contacts
         if (!(passed_[at] > Real{})) continue;
         const ContactPoint<Real>& point = cluster_.contacts()[approaching_[at]];
         for (const std::uint32_t body : {point.contact.a, point.contact.b})
-            if (body != ImpactContact<Real>::fixed && !(is_soft && bodies[body].was_resting))
+            if (body != ImpactContact<Real>::fixed && !(is_soft && bodies[body].was_resting)) {
                 bodies[body].is_changed = true;
+                bodies[body].has_collided = bodies[body].has_collided || !rolls_on_;
+            }
         record_contact(at, contacts);
     }
 }
@@ -291,7 +321,9 @@ void Response<Real>::start_trajectories(std::vector<std::uint8_t>& touched) {
         if (each.is_moved) space_.cells().enter(balls_, each.ball, Vec2(line.position));
         if (model.spin) trajectories_.spin(each.ball).spin = each.spin;
         if (model.cloth) balls_.curve(each.ball).center = each.roll;
-        line.recent_collisions = guard_.count(each.ball, before, each.position);
+        line.recent_collisions = each.rolls_on && !each.has_collided
+                                     ? before.recent_collisions
+                                     : guard_.count(each.ball, before, each.position);
         if (before.motion == Motion::held) trajectories_.hold(each.ball);
         if (line.recent_collisions > dense_collisions && cluster_.touches_ball(i))
             guard_.note_dense(each.ball);

@@ -72,6 +72,7 @@ class Response {
     Real pressing_speed(const ContactPoint<Real>& point) const;
     void pass_impulses(bool is_alone, std::vector<Contact>& contacts);
     void prepare_group(bool is_alone);
+    bool follow_curve(const ContactPoint<Real>& point);
     void record_contact(std::size_t at, std::vector<Contact>& contacts);
     void stop_all();
     void hold_frozen();
@@ -97,6 +98,7 @@ class Response {
     std::vector<Real> approach_;              ///< of those, length/s
     std::pmr::unsynchronized_pool_resource memory_{{.largest_required_pool_block = 1 << 20}};
     std::pmr::vector<Real> passed_{&memory_};  ///< normal impulses of those
+    bool rolls_on_ = false;  ///< the group is one ball that rolls on along a curve
     std::vector<std::uint32_t> changed_;
 };
 
