@@ -5,8 +5,10 @@
 
 #include "game/digest.h"
 #include "game/referees/referee.h"
+#include "geometry/closest.h"
 #include "geometry/impact.h"
 #include "level/scene/games.h"
+#include "physics/world/random.h"
 
 namespace carom {
 
@@ -96,16 +98,70 @@ void run_out_of_time(const Scene& scene, World& world, PoolPlay& play) {
     carry_out(scene, world, play, judge_time(play.rules));
 }
 
-void note_contacts(PoolPlay& play, std::span<const Contact> contacts) {
+// Whether a place is beyond the head string, seen from its head.
+bool is_beyond_string(const Scene& scene, Vec2 place) {
+    return dot(place - head_spot(scene), rack_of(scene).toward) >= 0.0;
+}
+
+bool touches(const World& world, std::size_t ball, std::size_t edge) {
+    constexpr double hair = 1e-4;  // radii
+    const double radius = world.balls().radius[ball];
+    return separation({world.balls().position[ball], radius}, world.capsules().shape[edge]) <=
+           hair * radius;
+}
+
+// The balls that lie at an edge when a shot begins.
+std::vector<PoolPlay::Frozen> find_frozen(const World& world, const PoolPlay& play) {
+    std::vector<PoolPlay::Frozen> frozen;
+    for (std::size_t n = 0; n < play.balls.size(); ++n) {
+        const auto ball = play.balls[n] ? index_of(world, *play.balls[n]) : std::nullopt;
+        for (std::size_t edge = 0; ball && edge < world.capsules().size(); ++edge)
+            if (touches(world, *ball, edge))
+                frozen.push_back({static_cast<int>(n), world.capsules().id[edge]});
+    }
+    return frozen;
+}
+
+// Forgets those that have left their edges, at the end of a tick.
+void thaw(const World& world, PoolPlay& play) {
+    std::erase_if(play.frozen, [&](const PoolPlay::Frozen& frozen) {
+        const auto& id = play.balls[static_cast<std::size_t>(frozen.ball)];
+        const auto ball = id ? index_of(world, *id) : std::nullopt;
+        const auto edge = index_of(world, frozen.edge);
+        return !ball || !edge || !touches(world, *ball, *edge);
+    });
+}
+
+void note_first_hit(const Scene& scene, const World& world, PoolPlay& play, const Contact& contact,
+                    int ball) {
+    play.shot.first_hit = ball;
+    // The normal points from ball b to ball a.
+    const bool cue_is_a = play.balls[cue_ball] == BallId{contact.a};
+    const Vec2 towards = cue_is_a ? -contact.normal : contact.normal;
+    const auto centre = [&](int number, double side) {
+        const auto& id = play.balls[static_cast<std::size_t>(number)];
+        const auto index = id ? index_of(world, *id) : std::nullopt;
+        return contact.point + towards * (side * (index ? world.balls().radius[*index] : 0.0));
+    };
+    const bool has_crossed = play.has_crossed || is_beyond_string(scene, centre(cue_ball, -1.0));
+    play.shot.hit_behind_string = !has_crossed && !is_beyond_string(scene, centre(ball, 1.0));
+}
+
+void note_contacts(const Scene& scene, const World& world, PoolPlay& play,
+                   std::span<const Contact> contacts) {
     for (const Contact& contact : contacts) {
         const auto a = number_of(play, BallId{contact.a});
         if (contact.kind == ContactKind::ball_ball) {
             const auto b = number_of(play, BallId{contact.b});
             if (!a || !b || play.shot.first_hit) continue;
-            if (*a == cue_ball || *b == cue_ball) play.shot.first_hit = *a == cue_ball ? *b : *a;
+            if (*a == cue_ball || *b == cue_ball)
+                note_first_hit(scene, world, play, contact, *a == cue_ball ? *b : *a);
             continue;
         }
         if (!a) continue;
+        if (std::ranges::count(play.frozen, PoolPlay::Frozen{*a, world.capsules().id[contact.b]}) >
+            0)
+            continue;
         if (play.shot.first_hit) play.shot.rail_after_hit = true;
         play.shot.railed |= std::uint32_t{1} << *a;
     }
@@ -137,7 +193,7 @@ void execute(const Scene& scene, World& world, PoolPlay& play, const Command& co
         rack_again(scene, world, play);
     } else {
         execute(world, command);
-        if (std::holds_alternative<command::Strike>(command)) begin_shot(play);
+        if (std::holds_alternative<command::Strike>(command)) begin_shot(world, play);
     }
 }
 
@@ -203,6 +259,19 @@ std::uint64_t digest_of(std::uint64_t start, const PoolPlay& play) {
     add(play.frames[0]);
     add(play.frames[1]);
     if (play.race > 0) add(play.race);
+    // Later members count only where a game uses them, so that older recordings keep their marks.
+    if (play.shot.hit_behind_string) add(1);
+    if (play.has_crossed && rules.in_hand == CueInHand::behind_head_string) add(2);
+    for (const PoolPlay::Frozen& frozen : play.frozen) {
+        add(frozen.ball);
+        add(number(frozen.edge));
+    }
+    if (rules.options.stalemate > 0) {
+        add(rules.options.stalemate);
+        add(rules.breaker);
+        add(rules.idle_shots);
+    }
+    if (play.winner_breaks) add(3);
     if (play.clock > 0) {
         digest.add(play.clock);
         digest.add(play.clock_from);
@@ -211,7 +280,8 @@ std::uint64_t digest_of(std::uint64_t start, const PoolPlay& play) {
 }
 
 std::size_t bytes_of(const PoolPlay& play) {
-    return play.shot.pocketed.capacity() * sizeof(PoolShot::Pocketed) +
+    return play.frozen.capacity() * sizeof(PoolPlay::Frozen) +
+           play.shot.pocketed.capacity() * sizeof(PoolShot::Pocketed) +
            play.rules.choices.capacity() * sizeof(PoolChoice);
 }
 
@@ -248,8 +318,17 @@ std::optional<PoolPlay> begin_pool(const Scene& scene, int breaker) {
     const Referee* referee = referee_of(scene.game);
     if (!referee) return std::nullopt;
     PoolPlay play;
+    const PoolRules& rules = scene.pool.rules;
+    if (rules.is_tossed)
+        breaker = static_cast<int>(
+            random_bits(scene.world.seed(), RandomStream::level, number(scene.pool.cue->ball), 0) &
+            1u);
     play.breaker = breaker;
-    play.rules = begin_rack(*referee, breaker);
+    play.rules = begin_rack(*referee, breaker,
+                            {.nine_on_break_wins = rules.nine_on_break_wins,
+                             .fouls_that_lose = rules.fouls_that_lose,
+                             .stalemate = rules.stalemate});
+    play.winner_breaks = rules.winner_breaks;
     const int count = static_cast<int>(rack_of(scene).balls.size());
     for (int ball = 0; ball <= count; ++ball)
         play.balls[static_cast<std::size_t>(ball)] = first_id(scene, ball);
@@ -258,8 +337,10 @@ std::optional<PoolPlay> begin_pool(const Scene& scene, int breaker) {
     return play;
 }
 
-void begin_shot(PoolPlay& play) {
+void begin_shot(const World& world, PoolPlay& play) {
     play.is_shooting = true;
+    play.has_crossed = false;
+    play.frozen = find_frozen(world, play);
     play.shooter = play.rules.player;
     play.shot = {};
     ++play.shots;
@@ -271,10 +352,14 @@ void update_pool(const Scene& scene, World& world, PoolPlay& play,
         if (time_left(world, play) == std::uint64_t{0}) run_out_of_time(scene, world, play);
         return;
     }
-    note_contacts(play, contacts);
+    note_contacts(scene, world, play, contacts);
     note_pocketed(scene, world, play);
+    thaw(world, play);
+    const auto cue = play.balls[cue_ball] ? index_of(world, *play.balls[cue_ball]) : std::nullopt;
+    if (cue && is_beyond_string(scene, world.balls().position[*cue])) play.has_crossed = true;
     if (!is_at_rest(world)) return;
     play.is_shooting = false;
+    play.frozen.clear();
     carry_out(scene, world, play, judge(play.rules, play.call, play.shot));
 }
 
@@ -285,7 +370,9 @@ void make_choice(const Scene& scene, World& world, PoolPlay& play, PoolChoice ch
 void rack_again(const Scene& scene, World& world, PoolPlay& play) {
     if (match_winner(play)) play.frames = {};
     play.clock_from = world.tick();
-    if (play.rules.phase == PoolPhase::over) play.breaker = 1 - play.breaker;
+    if (play.rules.phase == PoolPhase::over)
+        play.breaker =
+            play.winner_breaks && play.rules.winner ? *play.rules.winner : 1 - play.breaker;
     play.rules = begin_rack(*play.rules.referee, play.breaker, play.rules.options);
     play.call = {};
     play.shot = {};

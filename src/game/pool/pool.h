@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "game/commands/command.h"
 #include "game/referees/pool_state.h"
@@ -23,11 +24,22 @@ struct PoolPlay {
     std::array<std::optional<BallId>, 16> balls{};
     PoolCall call;  ///< for the next shot
     bool is_shooting = false;
-    PoolShot shot;               ///< the record of the present or the last shot
+    PoolShot shot;             ///< the record of the present or the last shot
+    bool has_crossed = false;  ///< the cue ball has been beyond the head string in that shot
+    /// Balls by number that lie frozen to an edge: hits of that edge do not count until the ball
+    /// has left it.
+    struct Frozen {
+        int ball = 0;
+        CapsuleId edge{};
+
+        friend bool operator==(const Frozen&, const Frozen&) = default;
+    };
+    std::vector<Frozen> frozen;
     std::optional<int> shooter;  ///< of that shot; none: no shot in this frame yet
     PoolFoul last_foul = PoolFoul::none;
     std::uint32_t shots = 0;
     int breaker = 0;                        ///< of this frame
+    bool winner_breaks = false;             ///< the next one; else the players take turns
     std::array<std::uint32_t, 2> frames{};  ///< won by each player in this match
     std::uint32_t race = 0;                 ///< frames that win the match; 0: no end
     std::uint64_t clock = 0;                ///< shot clock, ticks; 0: none
@@ -36,7 +48,8 @@ struct PoolPlay {
     friend bool operator==(const PoolPlay&, const PoolPlay&) = default;
 };
 
-/// None unless the scene's game has a referee (referees/referee.h).
+/// None unless the scene's game has a referee (referees/referee.h). `breaker` breaks the first
+/// frame, unless the level has a coin tossed for it, which falls by the level's seed.
 std::optional<PoolPlay> begin_pool(const Scene& scene, int breaker = 0);
 
 /// Why this ball cannot be struck now, as a sentence; none if it can.
@@ -53,7 +66,7 @@ std::optional<std::string> refusal(const Scene& scene, const World& world, const
 void execute(const Scene& scene, World& world, PoolPlay& play, const Command& command);
 
 /// Records that the cue ball has been struck. Pre: not refused.
-void begin_shot(PoolPlay& play);
+void begin_shot(const World& world, PoolPlay& play);
 
 /// Records the events of a tick. When the balls are at rest the shot is judged: spotted balls and a
 /// pocketed cue ball return. Pre: called after every tick of `world`, with its contacts.

@@ -80,6 +80,8 @@ std::string_view foul_text(PoolFoul foul) {
             return "fewer than four balls met a cushion";
         case PoolFoul::time:
             return "the time is up";
+        case PoolFoul::behind_string:
+            return "the ball met first was behind the line";
     }
     return "";
 }
@@ -118,7 +120,10 @@ std::string turn_text(const PoolPlay& play, const PlayerNames& names) {
     const std::string race = play.race > 0 ? fmt::format(" to {},", play.race) : "";
     const std::string frames = fmt::format("{}:{}{} ", play.frames[0], play.frames[1], race);
     if (rules.winner) return frames + win_text(play, names);
-    return frames + name_of(names, rules.player) + target_text(rules) + ": " + task_text(play);
+    const std::string warning =
+        is_warned(rules) && !play.is_shooting ? ", the next foul loses" : "";
+    return frames + name_of(names, rules.player) + target_text(rules) + ": " + task_text(play) +
+           warning;
 }
 
 std::string clock_text(const World& world, const PoolPlay& play) {
@@ -133,9 +138,15 @@ std::string outcome_text(const PoolPlay& play, const PlayerNames& names) {
     if (!play.shooter || play.is_shooting) return "";
     const PoolState& rules = play.rules;
     const std::string fallen = fallen_text(play.shot);
-    const std::string foul = play.last_foul == PoolFoul::none
-                                 ? ""
-                                 : fmt::format("foul: {}. ", foul_text(play.last_foul));
+    std::string foul = play.last_foul == PoolFoul::none
+                           ? ""
+                           : fmt::format("foul: {}. ", foul_text(play.last_foul));
+    PoolState shooter = rules;
+    shooter.player = *play.shooter;
+    if (play.last_foul != PoolFoul::none && is_warned(shooter))
+        foul += fmt::format("{}: the next foul loses. ", name_of(names, *play.shooter));
+    if (rules.phase == PoolPhase::breaking)
+        return foul + fmt::format("stalemate: {} breaks again", name_of(names, rules.player));
     if (rules.winner) return fallen + foul + win_text(play, names);
     const std::string& next = name_of(names, rules.player);
     if (rules.phase == PoolPhase::choosing) return fallen + foul + next + ": to choose";

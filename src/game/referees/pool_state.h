@@ -29,6 +29,8 @@ struct PoolShot {
     bool rail_after_hit = false;     ///< a ball hit a cushion after that
     std::uint32_t railed = 0;        ///< bit n: object ball n hit a cushion
     std::vector<Pocketed> pocketed;  ///< in order, including the cue ball
+    /// The first ball lay behind the head string, and the cue ball had not crossed it.
+    bool hit_behind_string = false;
 
     friend bool operator==(const PoolShot&, const PoolShot&) = default;
 };
@@ -50,12 +52,13 @@ struct PoolCall {
 
 enum class PoolFoul : std::uint8_t {
     none,
-    scratch,     ///< the cue ball was pocketed
-    no_hit,      ///< the cue ball hit no ball
-    wrong_ball,  ///< the cue ball first hit an illegal ball
-    no_rail,     ///< nothing was pocketed and no ball hit a cushion after the first hit
-    weak_break,  ///< 9-ball: nothing was pocketed, and fewer than four balls hit a cushion
-    time,        ///< the player did not shoot before the shot clock ran out
+    scratch,        ///< the cue ball was pocketed
+    no_hit,         ///< the cue ball hit no ball
+    wrong_ball,     ///< the cue ball first hit an illegal ball
+    no_rail,        ///< nothing was pocketed and no ball hit a cushion after the first hit
+    weak_break,     ///< 9-ball: nothing was pocketed, and fewer than four balls hit a cushion
+    time,           ///< the player did not shoot before the shot clock ran out
+    behind_string,  ///< in hand behind the head string, it first hit a ball behind it: see PoolShot
 };
 
 /// Where the cue ball may be placed before the next shot.
@@ -75,6 +78,9 @@ enum class PoolPhase : std::uint8_t { breaking, choosing, playing, over };
 struct PoolOptions {
     bool nine_on_break_wins = true;
     int fouls_that_lose = 3;  ///< 9-ball: consecutive fouls; 0: never
+    /// So many shots in a row that pocket no object ball are a stalemate: the balls are racked
+    /// again, and the player who broke breaks again. 0: never.
+    int stalemate = 0;
 
     friend bool operator==(const PoolOptions&, const PoolOptions&) = default;
 };
@@ -91,6 +97,8 @@ struct PoolState {
     CueInHand in_hand = CueInHand::behind_head_string;
     bool may_push_out = false;   ///< 9-ball: the shot after the break may be a push-out
     std::array<int, 2> fouls{};  ///< 9-ball: consecutive, by player
+    int breaker = 0;
+    int idle_shots = 0;  ///< in a row, without an object ball pocketed; with PoolOptions::stalemate
     /// The options in the phase `choosing`; `take_table` comes first if it is among them.
     std::vector<PoolChoice> choices;
     std::optional<int> winner;
@@ -105,7 +113,7 @@ bool is_down(const PoolState& state, int ball);
 struct PoolRuling {
     PoolFoul foul = PoolFoul::none;
     std::vector<int> respot;  ///< balls to spot; never the cue ball
-    bool rerack = false;      ///< all balls are racked again (only after a choice)
+    bool rerack = false;      ///< all balls are racked again: after a choice, or a stalemate
     PoolState next;
 
     friend bool operator==(const PoolRuling&, const PoolRuling&) = default;

@@ -33,7 +33,7 @@ PoolState begin_rack(const Referee& referee, int breaker, const PoolOptions& opt
     PoolState state;
     state.referee = &referee;
     state.options = options;
-    state.player = breaker;
+    state.player = state.breaker = breaker;
     return state;
 }
 
@@ -52,7 +52,22 @@ bool may_call_shots(const PoolState& state) {
 }
 
 PoolRuling judge(const PoolState& state, const PoolCall& call, const PoolShot& shot) {
-    return state.referee->judge(state, call, shot);
+    PoolRuling ruling = state.referee->judge(state, call, shot);
+    if (state.options.stalemate > 0) {
+        int& idle = ruling.next.idle_shots;
+        idle = pocketed_object_balls(shot) == 0 ? idle + 1 : 0;
+        if (idle >= state.options.stalemate && ruling.next.phase == PoolPhase::playing) {
+            ruling.respot.clear();
+            ruling.rerack = true;
+            ruling.next = begin_rack(*state.referee, state.breaker, state.options);
+        }
+    }
+    return ruling;
+}
+
+bool is_warned(const PoolState& state) {
+    const int most = state.options.fouls_that_lose;
+    return most > 1 && state.fouls[static_cast<std::size_t>(state.player)] == most - 1;
 }
 
 PoolRuling judge_time(const PoolState& state) {

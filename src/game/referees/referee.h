@@ -67,8 +67,11 @@ bool may_hit_first(const PoolState& state, int ball);
 /// Whether a pot or a safety can be called for the next shot.
 bool may_call_shots(const PoolState& state);
 
-/// Referee::judge by the referee of this rack.
+/// Referee::judge by the referee of this rack, and its stalemate (PoolOptions).
 PoolRuling judge(const PoolState& state, const PoolCall& call, const PoolShot& shot);
+
+/// Whether the next foul of the player whose turn it is loses the frame, so that a warning is due.
+bool is_warned(const PoolState& state);
 
 /// Judges that the time for a shot has expired: a foul, after which the opponent has ball in hand;
 /// on the break, the opponent breaks from behind the head string. A player who had to choose gets

@@ -34,6 +34,9 @@ PoolFoul common_foul(const PoolState& state, const PoolShot& shot) {
     if (is_pocketed(shot, cue_ball)) return PoolFoul::scratch;
     if (!shot.first_hit) return PoolFoul::no_hit;
     if (!may_hit_first(state, *shot.first_hit)) return PoolFoul::wrong_ball;
+    const bool was_behind =
+        state.phase == PoolPhase::playing && state.in_hand == CueInHand::behind_head_string;
+    if (was_behind && shot.hit_behind_string) return PoolFoul::behind_string;
     if (pocketed_object_balls(shot) == 0 && !shot.rail_after_hit) return PoolFoul::no_rail;
     return PoolFoul::none;
 }

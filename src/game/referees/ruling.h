@@ -21,7 +21,8 @@ std::uint32_t pocketed_object_balls(const PoolShot& shot);
 bool made_call(const PoolShot& shot, const PoolCall& call);
 /// Whether a break pocketed an object ball, or drove at least four to a cushion.
 bool is_open_break(const PoolShot& shot);
-/// The first of the fouls that every game has: scratch, no hit, wrong ball, no rail.
+/// The first of the fouls that every game has: scratch, no hit, wrong ball, behind the
+/// head string, no rail.
 PoolFoul common_foul(const PoolState& state, const PoolShot& shot);
 
 /// The initial ruling: the phase is playing, nobody has ball in hand, and the balls that the shot

@@ -89,6 +89,7 @@ void fill_in_pool(const std::vector<StartingBall>& balls,
     std::ranges::sort(scene.pool.pockets);
     scene.pool.race = ir.settings.race;
     scene.pool.clock = ir.settings.clock;
+    scene.pool.rules = ir.settings.rules;
     for (const CueIr& cue : ir.cues) {
         const auto named = std::ranges::find(scene.ball_names, cue.ball.text);
         if (named != scene.ball_names.end()) {

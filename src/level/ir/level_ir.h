@@ -204,6 +204,7 @@ struct LevelSettings {
     PinballTable table;      ///< the settings of `game pinball`; no devices
     std::uint32_t race = 0;  ///< of a game of pool
     double clock = 0.0;      ///< of a game of pool, s
+    PoolRules rules;         ///< of a game of pool
 };
 
 /// The meaning of a letter of a map.

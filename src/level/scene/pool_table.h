@@ -26,12 +26,23 @@ struct Rack {
     Vec2 toward;  ///< unit vector from the apex towards the back row
 };
 
+/// What a level may choose of the rules of its game of pool.
+struct PoolRules {
+    bool nine_on_break_wins = true;  ///< 9-ball; else the 9 is spotted
+    int fouls_that_lose = 3;         ///< 9-ball: in a row; 0: never
+    int stalemate = 0;           ///< shots in a row that pocket nothing, after which the balls are
+                                 ///< racked again; 0: never
+    bool winner_breaks = false;  ///< the next frame; else the players take turns
+    bool is_tossed = false;      ///< a coin decides who breaks first, by the level's seed
+};
+
 struct PoolTable {
     std::optional<Cue> cue;
     std::vector<Rack> racks;
     std::vector<std::uint32_t> pockets;  ///< indices into World::zones
     std::uint32_t race = 0;              ///< frames that win the match; 0: the match has no end
     double clock = 0.0;                  ///< the shot clock, s; 0: none
+    PoolRules rules;
 };
 
 }  // namespace carom

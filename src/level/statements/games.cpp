@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "level/ir/arguments.h"
 #include "level/scene/games.h"
 #include "level/statements/families.h"
@@ -18,6 +21,32 @@ void set_pinball(const Arguments& arguments, PinballTable& table) {
     if (arguments.has("highscores")) table.highscores = arguments.count("highscores");
 }
 
+constexpr std::array<std::string_view, 5> pool_keys{"race", "clock", "stalemate", "breaks",
+                                                    "first"};
+constexpr std::array<std::string_view, 2> nine_ball_keys{"fouls", "nine"};
+
+// Whether the word of the key is `special`, and not `usual`, its value where the key is absent.
+bool is_special(const Arguments& arguments, std::string_view key, std::string_view special,
+                std::string_view usual, Context& context) {
+    const std::optional<Word> word = arguments.word(key);
+    if (!word || word->text == usual) return false;
+    if (word->text == special) return true;
+    context.reporter.error("unknown-rule", word->span(),
+                           fmt::format("{}= is not '{}'", key, word->text),
+                           fmt::format("write {}={} or {}={}", key, usual, key, special));
+    return false;
+}
+
+void set_pool_rules(const Arguments& arguments, Context& context) {
+    PoolRules& rules = context.ir.settings.rules;
+    rules.nine_on_break_wins = !is_special(arguments, "nine", "spotted", "wins", context);
+    rules.winner_breaks = is_special(arguments, "breaks", "winner", "turns", context);
+    rules.is_tossed = is_special(arguments, "first", "toss", "player1", context);
+    if (arguments.has("fouls")) rules.fouls_that_lose = static_cast<int>(arguments.count("fouls"));
+    if (arguments.has("stalemate"))
+        rules.stalemate = static_cast<int>(arguments.count("stalemate"));
+}
+
 void set_game(const Arguments& arguments, const Frame&, Context& context) {
     using enum GameRow::Family;
     const Word& word = arguments.plain.front();
@@ -32,12 +61,17 @@ void set_game(const Arguments& arguments, const Frame&, Context& context) {
         return;
     }
     for (const auto& [key, value] : arguments.values) {
-        const bool is_of_pool = key == "race" || key == "clock";
-        if (is_of_pool == (family == pool)) continue;
+        const bool is_of_pool = std::ranges::count(pool_keys, key) > 0;
+        const bool is_of_nine_ball = std::ranges::count(nine_ball_keys, key) > 0;
+        if (is_of_nine_ball && word.text == "nineball") continue;
+        if (!is_of_nine_ball && is_of_pool == (family == pool)) continue;
         context.reporter.error("game-key-of-other-game", arguments.span_of(key),
                                fmt::format("game {} has no {}=", word.text, key),
-                               family == pool ? "a game of pool has race= and clock="
-                                              : "race= and clock= belong to games of pool");
+                               is_of_nine_ball  ? "fouls= and nine= belong to game nineball"
+                               : family == pool ? "a game of pool has race=, clock=, stalemate=, "
+                                                  "breaks= and first="
+                                                : "race=, clock=, stalemate=, breaks= and first= "
+                                                  "belong to games of pool");
         return;
     }
     if (!game) {
@@ -53,6 +87,7 @@ void set_game(const Arguments& arguments, const Frame&, Context& context) {
     if (family == pinball) set_pinball(arguments, context.ir.settings.table);
     if (arguments.has("race")) context.ir.settings.race = arguments.count("race");
     context.ir.settings.clock = arguments.number_or("clock", 0.0);
+    set_pool_rules(arguments, context);
 }
 
 }  // namespace
@@ -62,7 +97,8 @@ std::vector<Statement> game_statements() {
     using enum Bound;
     static const std::string game_usage =
         "game " + game_names("|") +
-        " [race=N] [clock=TIME] [balls=N] [save=TIME] [tilt=N] [bonus=N] [highscores=N]";
+        " [race=N] [clock=TIME] [stalemate=N] [breaks=turns|winner] [first=player1|toss] "
+        "[fouls=N] [nine=wins|spotted] [balls=N] [save=TIME] [tilt=N] [bonus=N] [highscores=N]";
     return {
         {.name = "game",
          .usage = game_usage,
@@ -72,6 +108,11 @@ std::vector<Statement> game_statements() {
          .plain_most = 1,
          .keys = {{"race", scalar, Measure::whole, up_to_thousand},
                   {"clock", scalar, Measure::time, positive},
+                  {"stalemate", scalar, Measure::whole, up_to_thousand},
+                  {"breaks", KeyShape::word},
+                  {"first", KeyShape::word},
+                  {"fouls", scalar, Measure::whole, not_negative},
+                  {"nine", KeyShape::word},
                   {"balls", scalar, Measure::whole, up_to_thousand},
                   {"save", scalar, Measure::time, not_negative},
                   {"tilt", scalar, Measure::whole, not_negative},

@@ -25,7 +25,7 @@ struct Table {
     void shoot(Vec2 velocity) {
         REQUIRE_FALSE(refusal_to_shoot(play, *play.balls[0]));
         world.edit_balls().velocity[cue()] = velocity;
-        begin_shot(play);
+        begin_shot(world, play);
         wait();
     }
     void wait() {
@@ -190,7 +190,7 @@ TEST_CASE("a 9 that does not count is spotted on the foot spot, or behind it") {
 TEST_CASE("a copy of world and rack, taken in the middle of a shot, ends with the same bits") {
     Table table("eight-ball");
     table.world.edit_balls().velocity[table.cue()] = {9.0, 0.2};
-    begin_shot(table.play);
+    begin_shot(table.world, table.play);
     for (int i = 0; i < 100; ++i)
         table.step();
     Table copy("eight-ball");
@@ -260,4 +260,70 @@ TEST_CASE("a match ends with the last frame of the race, and the next starts at 
     CHECK(table.play.frames == std::array<std::uint32_t, 2>{0, 0});
     CHECK_FALSE(match_winner(table.play));
     CHECK(table.play.breaker == 1);
+}
+
+TEST_CASE("a ball frozen to a rail counts for that rail only after leaving it") {
+    for (const bool is_frozen : {true, false}) {
+        CAPTURE(is_frozen);
+        Table table("nine-ball");
+        const double radius = table.world.balls().radius[table.cue()];
+        // The cue ball pushes the 1 along the upper rail, softly.
+        const double top = 0.635 - radius - (is_frozen ? 0.0 : 0.3 * radius);
+        for (int ball = 2; ball < 10; ++ball)
+            table.put(ball, {-1.0 + 0.1 * ball, -0.3});
+        table.put(1, {0.3, top});
+        table.put(0, {0.2, 0.5});
+        table.play.rules.phase = PoolPhase::playing;
+        table.play.rules.in_hand = CueInHand::no;
+        const Vec2 way = table.place_of(1) - table.place_of(0);
+        table.shoot(way * (0.6 / length(way)));
+        CHECK(table.play.shot.first_hit == 1);
+        CHECK((table.play.shot.railed & 2u) == (is_frozen ? 0u : 2u));
+    }
+}
+
+TEST_CASE("a hit behind the head string is noted unless the cue ball has crossed it") {
+    for (const bool crosses : {false, true}) {
+        CAPTURE(crosses);
+        Table table("nine-ball");
+        const Vec2 head = head_spot(table.scene);
+        const double out = rack_of(table.scene).toward.x;  // along x
+        table.put(1, head + Vec2{-0.25 * out, 0.2});
+        for (int ball = 2; ball < 10; ++ball)
+            table.put(ball, {-0.1 * out + 0.1 * ball * out, -0.3});
+        table.put(0, head + Vec2{-0.25 * out, 0.0});
+        table.play.rules.phase = PoolPhase::playing;
+        // Straight at the ball, or over the string and back from a cushion that stands there.
+        if (crosses) table.play.has_crossed = true;
+        table.world.edit_balls().velocity[table.cue()] = {0.0, 1.0};
+        begin_shot(table.world, table.play);
+        if (crosses) table.play.has_crossed = true;
+        table.wait();
+        CHECK(table.play.shot.first_hit == 1);
+        CHECK(table.play.shot.hit_behind_string == !crosses);
+    }
+}
+
+TEST_CASE("a level chooses who breaks, how many fouls lose, and what the nine is worth") {
+    const auto rules = [](PoolRules chosen, std::uint64_t seed = 0) {
+        Scene scene = test::shipped_level("nine-ball");
+        scene.pool.rules = chosen;
+        scene.world.edit_definition().seed = seed;
+        return *begin_pool(scene);
+    };
+    CHECK(rules({.fouls_that_lose = 2}).rules.options.fouls_that_lose == 2);
+    CHECK_FALSE(rules({.nine_on_break_wins = false}).rules.options.nine_on_break_wins);
+    int tossed = 0;
+    for (std::uint64_t seed = 0; seed < 64; ++seed)
+        tossed += rules({.is_tossed = true}, seed).breaker;
+    CHECK(tossed > 16);
+    CHECK(tossed < 48);
+    for (const bool winner_breaks : {false, true}) {
+        Table table("nine-ball");
+        table.play.winner_breaks = winner_breaks;
+        table.play.rules.phase = PoolPhase::over;
+        table.play.rules.winner = 0;
+        rack_again(table.scene, table.world, table.play);
+        CHECK(table.play.breaker == (winner_breaks ? 0 : 1));
+    }
 }

@@ -65,3 +65,55 @@ TEST_CASE("calls: pots and safeties in 8-ball after the break, never in 9-ball")
     CHECK_FALSE(may_call_shots(choosing));
     CHECK_FALSE(may_call_shots(nine_ball(0, true)));
 }
+
+TEST_CASE("in hand behind the head string, a ball behind it may be hit only from beyond it") {
+    PoolState state = eight_ball(open);
+    state.in_hand = CueInHand::behind_head_string;
+    PoolShot behind = shot(3);
+    behind.hit_behind_string = true;
+    PoolState usual = eight_ball(open);
+    PoolState breaking = begin_rack(*referee_of("eightball"), 0);
+    const Case cases[] = {
+        {"from behind", state, safety, behind, PoolFoul::behind_string, 1, anywhere, open, {}},
+        {"beyond it", state, safety, shot(3), PoolFoul::none, 1, not_in_hand, open, {}},
+        {"not in hand", usual, safety, behind, PoolFoul::none, 1, not_in_hand, open, {}},
+    };
+    for (const Case& each : cases)
+        check(each);
+    PoolShot break_behind = break_shot(four_railed);
+    break_behind.hit_behind_string = true;
+    CHECK(judge(breaking, no_call, break_behind).foul == PoolFoul::none);
+}
+
+TEST_CASE("the player whose next foul loses is warned") {
+    PoolState state = nine_ball();
+    CHECK_FALSE(is_warned(state));
+    state.fouls = {2, 0};
+    CHECK(is_warned(state));
+    state.player = 1;
+    CHECK_FALSE(is_warned(state));
+    for (const int most : {0, 1}) {
+        state.options.fouls_that_lose = most;
+        state.fouls = {0, 0};
+        CHECK_FALSE(is_warned(state));
+    }
+}
+
+TEST_CASE("shots in a row that pocket nothing are a stalemate, if the level says how many") {
+    PoolState state = eight_ball(PoolGroup::solids);
+    state.breaker = 1;
+    state.options.stalemate = 3;
+    const PoolShot idle = shot(1);
+    for (int i = 0; i < 2; ++i) {
+        const PoolRuling ruling = judge(state, safety, idle);
+        CHECK_FALSE(ruling.rerack);
+        state = ruling.next;
+        state.group.reset();
+    }
+    CHECK(judge(state, safety, shot(1, {{1, 0}})).next.idle_shots == 0);
+    const PoolRuling ruling = judge(state, safety, idle);
+    CHECK(ruling.rerack);
+    CHECK(ruling.next == begin_rack(*referee_of("eightball"), 1, state.options));
+    state.options.stalemate = 0;
+    CHECK_FALSE(judge(state, safety, idle).rerack);
+}
