@@ -149,11 +149,22 @@ std::optional<double> nearest_allowed(double number, Bound bound) {
     }
 }
 
+double rounded_to_six_digits(double number) {
+    const std::string text = fmt::format("{:.6g}", number);
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    return number;
+}
+
 // Checks the bounds of a number. A remedy shows the number that the author wrote, corrected.
 std::optional<double> bounded(const Word& word, double number, const Label& label, Measure measure,
                               Bound bound, Context& context) {
     const std::string subject(label.name.empty() ? described(measure) : std::string(label.name));
-    const std::string shown = written(number, measure, context.unit);
+    const auto is_out = [&](double value) {
+        return (measure == Measure::whole && std::floor(value) != value) || !holds(value, bound);
+    };
+    // With all digits where six would show a number that is allowed: 1.0000001 is not 1.
+    const int digits = is_out(number) && !is_out(rounded_to_six_digits(number)) ? 17 : 6;
+    const std::string shown = written(number, measure, context.unit, digits);
     if (measure == Measure::whole && std::floor(number) != number) {
         context.reporter.error("number-not-whole", word.span(),
                                fmt::format("{} must be a whole number, but is {}", subject, shown),

@@ -167,15 +167,16 @@ std::string_view sample(Measure measure, LengthUnit unit) {
     return unit == LengthUnit::natural ? facts(measure).natural_sample : facts(measure).unit_sample;
 }
 
-std::string written(double number, Measure measure, LengthUnit unit) {
+std::string written(double number, Measure measure, LengthUnit unit, int digits) {
     const bool is_plain = unit == LengthUnit::natural || measure == Measure::soften ||
                           measure == Measure::frequency || measure == Measure::angle ||
                           number == 0.0;
-    if (is_plain) return fmt::format("{:.6g}", number);
-    if (measure == Measure::angular_speed) return fmt::format("{:.6g}rad/s", number);
-    if (measure == Measure::angular_acceleration) return fmt::format("{:.6g}rad/s2", number);
-    if (measure == Measure::length) return fmt::format("{:.6g}", number / scale(unit));
-    return fmt::format("{:.6g}{}", number, si_symbol(dimension_of(measure)));
+    if (is_plain) return fmt::format("{:.{}g}", number, digits);
+    if (measure == Measure::angular_speed) return fmt::format("{:.{}g}rad/s", number, digits);
+    if (measure == Measure::angular_acceleration)
+        return fmt::format("{:.{}g}rad/s2", number, digits);
+    if (measure == Measure::length) return fmt::format("{:.{}g}", number / scale(unit), digits);
+    return fmt::format("{:.{}g}{}", number, digits, si_symbol(dimension_of(measure)));
 }
 
 }  // namespace carom

@@ -70,6 +70,6 @@ std::string described(Measure measure);
 /// An example value in a level with these units: "2", "0.8m/s".
 std::string_view sample(Measure measure, LengthUnit unit);
 /// `number`, in the units of the world, as written in a level, to 6 digits: -0.2, 0.003kg.
-std::string written(double number, Measure measure, LengthUnit unit);
+std::string written(double number, Measure measure, LengthUnit unit, int digits = 6);
 
 }  // namespace carom
