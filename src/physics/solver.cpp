@@ -1,5 +1,6 @@
 #include "physics/solver.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "physics/broad_phase/cell_frame.h"
@@ -38,6 +39,14 @@ void name_bodies(World& world, std::span<Contact> contacts) {
     }
 }
 
+void name_standing(const World& world, std::span<const std::uint32_t> balls,
+                   std::vector<BallId>& named) {
+    for (const std::uint32_t ball : balls)
+        named.push_back(world.balls().id[ball]);
+    std::ranges::sort(named);
+    named.erase(std::ranges::unique(named).begin(), named.end());
+}
+
 }  // namespace
 
 std::span<const SolverKind> solvers_available() {
@@ -64,6 +73,7 @@ struct Solver::State {
     std::unique_ptr<SolverMethod> method;
     std::vector<Contact> contacts;
     std::vector<std::uint8_t> touched;
+    std::vector<BallId> standing;
     TickUndo undo;
     HandStep hands;
     World before_hands;
@@ -107,6 +117,9 @@ const SolverSettings& Solver::settings() const {
 std::span<const Contact> Solver::contacts() const {
     return state_->contacts;
 }
+std::span<const BallId> Solver::standing() const {
+    return state_->standing;
+}
 const CellFrame& Solver::cells() const {
     return state_->method->cells();
 }
@@ -117,6 +130,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     if (can_cancel) state.undo.note(world);
     emit(world);
     drive_flippers(world);
+    state.standing.clear();
     const std::function<bool()> never_asked;
     const std::function<bool()>& asked = can_cancel ? keep_going : never_asked;
     const TickOutcome outcome =
@@ -126,13 +140,14 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
         state.undo.take_back(world);
         return outcome;
     }
+    name_standing(world, state.method->standing(), state.standing);
     rest_flippers(world);
     stop_slow_balls(world, state.touched);
     ++world.edit_tick();
     name_bodies(world, state.contacts);
     wrap_points(world.model().wrap, state.contacts);
     drain_sinks(world);
-    return outcome;
+    return state.standing.empty() ? outcome : TickOutcome::stood_still;
 }
 
 }  // namespace carom

@@ -42,9 +42,8 @@ SolverPick pick_solver(const World& world);
 enum class TickOutcome : std::uint8_t {
     done,
     cancelled,  ///< `keep_going` said so: the world is as it was before the tick
-    /// More events than a tick may have (100 million): time stood still for the rest of the tick,
-    /// which counts as done. Has nothing to do with dense clusters, which `contact` steps.
-    too_dense
+    /// Done, but for some balls (Solver::standing) time stood still for a part of the tick.
+    stood_still
 };
 
 /// Advances worlds. Holds settings and scratch memory, but nothing that the next tick depends on:
@@ -69,6 +68,11 @@ class Solver {
     /// The exchanges of momentum of the last tick, in the order in which they were made. Valid
     /// until the next tick.
     std::span<const Contact> contacts() const;
+
+    /// The balls for which time stood still in a part of the last tick, ascending: a limit of work
+    /// was reached (tick/work_budget.h), or the solver could follow their paths no further
+    /// (docs/physics.md). They have kept their velocities. Valid until the next tick.
+    std::span<const BallId> standing() const;
 
     /// The cells in which the last tick looked for neighbours; one cell before the first tick.
     const CellFrame& cells() const;

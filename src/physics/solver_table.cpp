@@ -62,6 +62,7 @@ class SweptMethod final : public SolverMethod {
         if (!token.is_cancelled()) forget_all(world);
         return outcome_of(token);
     }
+    std::span<const std::uint32_t> standing() const override { return solver_.standing(); }
     const CellFrame& cells() const override { return solver_.cells(); }
 
   private:
@@ -86,6 +87,9 @@ class ContactMethod final : public SolverMethod {
         if (!token.is_cancelled()) forget_all(world);
         return outcome_of(token);
     }
+    std::span<const std::uint32_t> standing() const override {
+        return was_swept_ ? swept_.standing() : contact_.standing();
+    }
     const CellFrame& cells() const override {
         return was_swept_ ? swept_.cells() : contact_.cells();
     }
@@ -97,17 +101,6 @@ class ContactMethod final : public SolverMethod {
     SweptSolver swept_;
 };
 
-TickOutcome outcome_of(EventOutcome outcome) {
-    switch (outcome) {
-        case EventOutcome::cancelled:
-            return TickOutcome::cancelled;
-        case EventOutcome::too_dense:
-            return TickOutcome::too_dense;
-        default:
-            return TickOutcome::done;
-    }
-}
-
 // Hybrid stepping: `contact` moves clusters that are too dense for events.
 class EventMethod final : public SolverMethod {
   public:
@@ -115,6 +108,7 @@ class EventMethod final : public SolverMethod {
         // The list stays as it is until the tick is done: a cancelled tick leaves the memory alone.
         const bool has_clusters = hands_heaps_over(world.model(), {.kind = SolverKind::event}) &&
                                   HybridStep::is_needed(world);
+        was_hybrid_ = has_clusters;
         const EventOutcome outcome =
             has_clusters ? hybrid_.tick(world, event_, contact_, work.contacts, work.touched,
                                         work.keep_going)
@@ -123,11 +117,15 @@ class EventMethod final : public SolverMethod {
         EventMemory& memory = SolverAccess(world).memory().use<EventMemory>();
         if (!has_clusters) memory.contacts.clear();
         memory.reference.clear();
-        return outcome_of(outcome);
+        return TickOutcome::done;
+    }
+    std::span<const std::uint32_t> standing() const override {
+        return was_hybrid_ ? hybrid_.standing() : event_.standing();
     }
     const CellFrame& cells() const override { return event_.cells(); }
 
   private:
+    bool was_hybrid_ = false;
     EventEngine<double> event_;
     ContactSolver contact_;
     HybridStep hybrid_;
@@ -143,8 +141,9 @@ class ExtendedEventMethod final : public SolverMethod {
         memory.clustered.clear();
         memory.contacts.clear();
         memory.reference.clear();
-        return outcome_of(outcome);
+        return TickOutcome::done;
     }
+    std::span<const std::uint32_t> standing() const override { return event_.standing(); }
     const CellFrame& cells() const override { return event_.cells(); }
 
   private:

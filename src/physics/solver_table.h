@@ -33,6 +33,9 @@ class SolverMethod {
     /// cancelled: then the caller puts the world back.
     virtual TickOutcome advance(World& world, TickWork work) = 0;
 
+    /// The balls for which time stood still in a part of the last tick, by index, with repetitions.
+    virtual std::span<const std::uint32_t> standing() const { return {}; }
+
     /// The cells in which the last tick looked for neighbours.
     virtual const CellFrame& cells() const = 0;
 };

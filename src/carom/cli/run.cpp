@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <optional>
-#include <utility>
 
 #include "carom/cli/interrupt.h"
 #include "carom/cli/progress.h"
@@ -62,7 +61,6 @@ class Run {
         compare_with_recording();
     }
     void compare_with_recording();
-    void tell_too_dense() const;
 
     const RunInput& input_;
     RunOutputs& outputs_;
@@ -77,13 +75,6 @@ class Run {
     std::optional<ScriptRunner::Refused> refused_;
     double seconds_ = 0.0;  ///< spent in the solver
 };
-
-void Run::tell_too_dense() const {
-    print_note(
-        fmt::format("note: too dense for events: time stood still in tick {} ({:.6g} s), and "
-                    "maybe in later ones\n",
-                    world_.tick(), world_.time()));
-}
 
 // Says once if the run departs from the recording, as under other physics.
 void Run::compare_with_recording() {
@@ -107,7 +98,6 @@ void Run::compare_with_recording() {
 void Run::simulate() {
     using Clock = std::chrono::steady_clock;
     Clock::duration cost{};
-    bool is_told = false;
     execute_due();
     mark();
     outputs_.write_start(world_);
@@ -118,9 +108,9 @@ void Run::simulate() {
             solver_.tick(world_, [] { return InterruptGuard::signal() == 0; });
         cost += Clock::now() - before;
         if (outcome == TickOutcome::cancelled) break;
-        if (outcome == TickOutcome::too_dense && !std::exchange(is_told, true)) tell_too_dense();
         update_game(input_.scene, world_, game_, solver_.contacts());
         note_tick(record_, input_.scene, world_);
+        note_standing(record_, world_, solver_.standing().size());
         outputs_.write_tick(world_, solver_);
         execute_due();
         if (world_.tick() % mark_interval(world_.rate()) == 0) mark();
@@ -136,6 +126,7 @@ void Run::finish(const std::string& level) {
     if (runner_.remaining() > 0 && world_.tick() == input_.ticks && !input_.recording)
         print_note(fmt::format("note: {} of the commands lie after the last tick, {}\n",
                                runner_.remaining(), input_.ticks));
+    print_note(notes_text(record_, world_.rate()));
     outputs_.write_report(report_json(level, input_.scene, world_, record_, seconds_));
     if (replay_.marks.back().tick < world_.tick()) mark();
     const auto& commands = input_.script.commands;

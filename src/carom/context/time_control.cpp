@@ -19,8 +19,9 @@ void go_to(PlayContext& play, std::uint64_t tick) {
 }
 
 void tell_outcome(PlayContext& play) {
-    if (play.session.outcome() == TickOutcome::too_dense)
-        complain(play, "too dense for events: time stood still");
+    const std::size_t balls = play.session.standing();
+    if (balls > 0)
+        complain(play, fmt::format("time stood still for {} ball{}", balls, balls == 1 ? "" : "s"));
 }
 
 /// Computes one tick; false at the end of a recording.

@@ -76,6 +76,8 @@ class Session {
     void set_keep_going(std::function<bool()> keep_going) { keep_going_ = std::move(keep_going); }
     /// How the last tick ended.
     TickOutcome outcome() const { return outcome_; }
+    /// For how many balls time stood still in a part of it: see Solver::standing.
+    std::size_t standing() const { return solver_.standing().size(); }
 
     /// The earliest tick that go_to() accepts, and the latest that has been reached.
     std::uint64_t earliest() const { return base_ ? base_->world.tick() : 0; }

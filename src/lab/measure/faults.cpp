@@ -26,7 +26,7 @@ std::array<Fault, 6> faults(const Measurement& measurement, const Measured& row)
              {"overlap", share_of(value("max_overlap"), promised_overlap)},
              {"energy", share_of(value("energy_drift"), promised_drift)},
              {"escapes", never * value("escaped")},
-             {"standstill", never * static_cast<double>(row.too_dense)},
+             {"standstill", never * static_cast<double>(row.stood_still)},
              {"refused", never * static_cast<double>(row.refused)}}};
 }
 

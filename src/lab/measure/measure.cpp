@@ -144,7 +144,7 @@ std::optional<Measured> observed(Bench& bench, const Choice& choice, const Truth
     while (world.tick() < ticks) {
         const TickOutcome outcome = tick(bench, trial);
         if (outcome == TickOutcome::cancelled) return std::nullopt;
-        if (outcome == TickOutcome::too_dense) ++row.too_dense;
+        if (outcome == TickOutcome::stood_still) ++row.stood_still;
         ball_ticks += world.balls().size();
         watch.note_tick(world);
         const std::size_t next = row.errors.size();

@@ -57,8 +57,8 @@ struct Measured {
     /// By figures(), for the whole run, lengths in radii. None if there is no value, or if `carom
     /// measure` does not have the figure.
     std::vector<std::optional<double>> figures;
-    std::uint64_t too_dense = 0;  ///< ticks in which time stood still (TickOutcome::too_dense)
-    std::uint64_t refused = 0;    ///< commands of the recording
+    std::uint64_t stood_still = 0;  ///< ticks in which time stood still for some balls
+    std::uint64_t refused = 0;      ///< commands of the recording
 };
 
 struct Measurement {

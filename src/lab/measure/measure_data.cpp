@@ -106,7 +106,7 @@ void write_rows(JsonWriter& json, const Measurement& measurement) {
         json.field("good_for", row.good_for);
         for (std::size_t k = 0; k < figures().size(); ++k)
             if (figures()[k].is_in_measure) write_figure(json, figures()[k], row.figures[k]);
-        json.field("too_dense_ticks", row.too_dense);
+        json.field("stood_still_ticks", row.stood_still);
         json.field("refused", row.refused);
         write_faults(json, measurement, row);
         write_errors(json, measurement, row);

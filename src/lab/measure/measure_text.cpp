@@ -243,9 +243,9 @@ std::string measure_text(std::string_view title, const Measurement& measurement)
         "missed, extra, and out of order by the same instant; balls that got out.\n\n";
     text += fault_table(measurement, front);
     for (const Measured& row : measurement.rows) {
-        if (row.too_dense > 0)
-            text += fmt::format("{}: time stood still for the rest of {} ticks, too dense.\n",
-                                named(row.choice), row.too_dense);
+        if (row.stood_still > 0)
+            text += fmt::format("{}: in {} ticks time stood still for some balls.\n",
+                                named(row.choice), row.stood_still);
         if (row.refused > 0)
             text += fmt::format("{}: {} commands of the recording were refused.\n",
                                 named(row.choice), row.refused);

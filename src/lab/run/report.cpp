@@ -171,6 +171,22 @@ void write_expects(JsonWriter& json, const Scene& scene, const RunRecord& record
     json.end_list();
 }
 
+void write_notes(JsonWriter& json, const RunRecord& record) {
+    const StoodStill& noted = record.stood_still;
+    json.key("notes");
+    json.begin_list(Layout::lines);
+    if (noted.ticks > 0) {
+        json.begin_object(Layout::one_line);
+        json.field("kind", "stood_still");
+        json.field("ticks", noted.ticks);
+        json.field("first_tick", noted.first_tick);
+        json.field("balls", std::uint64_t{noted.balls});
+        json.field("most_balls", std::uint64_t{noted.most_balls});
+        json.end_object();
+    }
+    json.end_list();
+}
+
 void write_cost(JsonWriter& json, const RunRecord& record, double seconds) {
     const double ball_ticks = static_cast<double>(record.ball_ticks);
     json.key("cost");
@@ -229,6 +245,7 @@ std::string report_json(std::string_view level, const Scene& scene, const World&
         if (figure.is_in_run) write_figure(json, figure, record.watch.value(figure, world));
     write_counters(json, scene, world, record);
     write_expects(json, scene, record);
+    write_notes(json, record);
     write_cost(json, record, seconds);
     json.field("fingerprint", std::string_view(hexadecimal(fingerprint(world))));
     json.end_object();

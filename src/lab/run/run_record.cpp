@@ -1,5 +1,7 @@
 #include "lab/run/run_record.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace carom {
@@ -20,6 +22,7 @@ RunRecord begin_record(const Scene& scene, const SolverSettings& solver) {
     RunRecord record{.solver = solver,
                      .totals_start = totals(scene.world),
                      .watch = RunWatch(scene, RunWatch::Conservation::ignored),
+                     .stood_still = {},
                      .ball_ticks = 0,
                      .judgements = {}};
     const Judgement not_yet{.reason = scene.overridden ? overridden : not_reached};
@@ -32,6 +35,27 @@ void note_tick(RunRecord& record, const Scene& scene, const World& world) {
     record.watch.note_tick(world);
     record.ball_ticks += world.balls().size();
     judge_all(record, scene, world, false);
+}
+
+void note_standing(RunRecord& record, const World& world, std::size_t balls) {
+    if (balls == 0) return;
+    StoodStill& noted = record.stood_still;
+    if (++noted.ticks == 1) {
+        noted.first_tick = world.tick();
+        noted.balls = balls;
+    }
+    noted.most_balls = std::max(noted.most_balls, balls);
+}
+
+std::string notes_text(const RunRecord& record, double rate) {
+    const StoodStill& noted = record.stood_still;
+    if (noted.ticks == 0) return {};
+    return fmt::format(
+        "note: time stood still in {} tick{}, first in tick {} ({:.6g} s) for {} ball{}, for at "
+        "most {} in one tick: more work than a tick may take. Their energy is unchanged.\n",
+        noted.ticks, noted.ticks == 1 ? "" : "s", noted.first_tick,
+        static_cast<double>(noted.first_tick) / rate, noted.balls, noted.balls == 1 ? "" : "s",
+        noted.most_balls);
 }
 
 void note_end(RunRecord& record, const Scene& scene, const World& world) {

@@ -13,11 +13,20 @@
 
 namespace carom {
 
+/// The ticks in which time stood still for some balls (Solver::standing).
+struct StoodStill {
+    std::uint64_t ticks = 0;       ///< how many
+    std::uint64_t first_tick = 0;  ///< from 1
+    std::size_t balls = 0;         ///< in the first of them
+    std::size_t most_balls = 0;    ///< in any of them
+};
+
 /// The data that a run collects for its report.
 struct RunRecord {
     SolverSettings solver;
     Totals totals_start;
     RunWatch watch;
+    StoodStill stood_still;
     std::uint64_t ball_ticks = 0;  ///< the number of balls, summed over the ticks
     /// By Scene::expects. A time means the tick nearest to it; no time means the end.
     std::vector<Judgement> judgements;
@@ -30,6 +39,13 @@ RunRecord begin_record(const Scene& scene, const SolverSettings& solver);
 
 /// Pre: called after every tick of `world`, which began as scene.world.
 void note_tick(RunRecord& record, const Scene& scene, const World& world);
+
+/// Notes for how many balls time stood still in the tick that `world` has just completed.
+void note_standing(RunRecord& record, const World& world, std::size_t balls);
+
+/// What is noteworthy of the run, a line for each kind of note, each with "note: ". Empty if
+/// nothing is.
+std::string notes_text(const RunRecord& record, double rate);
 
 /// Judges expectations due at the end. Not called for an interrupted run.
 void note_end(RunRecord& record, const Scene& scene, const World& world);

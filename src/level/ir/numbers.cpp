@@ -162,8 +162,8 @@ std::optional<double> bounded(const Word& word, double number, const Label& labe
     const auto is_out = [&](double value) {
         return (measure == Measure::whole && std::floor(value) != value) || !holds(value, bound);
     };
-    // With all digits where six would show a number that is allowed: 1.0000001 is not 1.
-    const int digits = is_out(number) && !is_out(rounded_to_six_digits(number)) ? 17 : 6;
+    // With more digits where six would show a number that is allowed: 1.0000001 is not 1.
+    const int digits = is_out(number) && !is_out(rounded_to_six_digits(number)) ? 15 : 6;
     const std::string shown = written(number, measure, context.unit, digits);
     if (measure == Measure::whole && std::floor(number) != number) {
         context.reporter.error("number-not-whole", word.span(),

@@ -56,6 +56,9 @@ class ContactImpacts {
     void run(World& world, std::span<ContactConstraint> constraints,
              std::vector<Contact>& contacts);
 
+    void begin_tick() { paths_.begin_tick(); }
+    std::span<const std::uint32_t> standing() const { return paths_.standing(); }
+
     /// Longest displacement that impulses gave in the substep.
     double most_push() const { return most_push_; }
 

@@ -170,6 +170,7 @@ void ContactPaths::freeze(std::uint32_t body, double now) {
     path.is_free = false;
     path.is_frozen = true;
     ++path.version;
+    standing_.push_back(bodies_.ball[body]);
 }
 
 void ContactPaths::freeze_behind(std::uint32_t other, std::uint32_t body, Vec2 normal, double now) {

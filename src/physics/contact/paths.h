@@ -45,6 +45,11 @@ class ContactPaths {
     ContactPaths(const ContactSubstep& step, ContactBodies& bodies, ContactPairs& pairs)
         : step_(step), bodies_(bodies), pairs_(pairs) {}
 
+    void begin_tick() { standing_.clear(); }
+    /// The balls for which time has stood still in the tick, by index in the world, with
+    /// repetitions.
+    std::span<const std::uint32_t> standing() const { return standing_; }
+
     /// Begins a substep: only held balls have paths.
     void begin();
     /// Ends it: balls are where their paths lead. `constraints` keep only impulses that their balls
@@ -108,6 +113,7 @@ class ContactPaths {
     ContactPairs& pairs_;
     std::vector<ContactPath> paths_;
     std::vector<std::uint32_t> place_;  // by body, in paths_
+    std::vector<std::uint32_t> standing_;
 };
 
 }  // namespace carom

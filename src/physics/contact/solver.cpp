@@ -12,6 +12,7 @@ void ContactSolver::tick(World& world, int substeps, std::vector<Contact>& conta
     const int count = substeps_needed(world, substeps);
     step_ = contact_substep(world, count);
     kinematics_.begin_tick();
+    impacts_.begin_tick();
     for (int i = 0; i < count; ++i) {
         is_reloaded_ = true;
         if (i == 0) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "physics/contact/classification.h"
@@ -38,6 +39,8 @@ class ContactSolver {
 
     /// The cells in which the last tick looked for pairs.
     const CellFrame& cells() const { return pairs_.frame(); }
+    /// The balls for which time has stood still in the last tick, by index, with repetitions.
+    std::span<const std::uint32_t> standing() const { return impacts_.standing(); }
 
   private:
     void begin(World& world);

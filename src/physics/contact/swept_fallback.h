@@ -7,8 +7,8 @@
 /// Without gravity and drag, where every restitution is 1 and nothing is held, no pair can ever
 /// press: every impact bounces at once. Between impacts all balls fly straight, on paths that are
 /// exact however long they are, so cutting a tick into substeps changes only the last digits. That
-/// is what `swept` does, in less memory and in one piece. It resolves up to
-/// swept_tolerance::most_impacts a ball one by one, so a jam of elastic balls costs more.
+/// is what `swept` does, in less memory and in one piece. It resolves impacts one by one up to its
+/// budget of work (tick/work_budget.h), so a jam of elastic balls costs more.
 namespace carom {
 
 /// Whether the next tick is such a one. Depends on the model and on what is held.

@@ -11,16 +11,11 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
     begin(world, keep_going);
     if (work_.is_cancelled()) return EventOutcome::cancelled;
     const ImpactRecord record{contacts, touched};
-    EventOutcome outcome = EventOutcome::done;
     while (const std::optional<std::uint32_t> first = schedule_.first()) {
         const std::uint32_t ball = *first;
         const BallEvent<Real> event = balls_.plan(ball).next_event();
         if (!(event.time <= scene_.end)) break;
         work_.count_event();
-        if (work_.events() > most_events) {
-            outcome = EventOutcome::too_dense;
-            break;
-        }
         if (!work_.may_go_on()) return EventOutcome::cancelled;
         if (scene_.now < event.time) scene_.now = event.time;
         const bool is_handled =
@@ -30,17 +25,19 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
             predict_all();
             if (work_.is_cancelled()) return EventOutcome::cancelled;
         }
+        if (work_.is_over_budget()) charge(ball, event);
     }
-    if (outcome == EventOutcome::too_dense) stop_time();
     scene_.now = scene_.end;
-    sync_.write(world, outcome == EventOutcome::too_dense);
-    return outcome;
+    standstill_.end_tick();
+    sync_.write(world, !standstill_.is_empty());
+    return EventOutcome::done;
 }
 
 template <typename Real>
 void EventEngine<Real>::begin(World& world, const std::function<bool()>& keep_going) {
-    work_.begin(keep_going);
+    work_.begin(keep_going, world.balls().size());
     guard_.begin_tick();
+    standstill_.begin_tick();
     scene_.world = &world;
     scene_.field = field_of<Real>(world.model());
     scene_.period = world.model().wrap ? size(*world.model().wrap) : Vec2{};
@@ -118,26 +115,17 @@ void EventEngine<Real>::predict_all() {
     schedule_.rebuild();
 }
 
-// Time stands still for the rest of the tick: every ball stays where it is, with its velocity.
+// Time stands still for a ball that has used its share of the work.
 template <typename Real>
-void EventEngine<Real>::stop_time() {
-    const Model& model = scene_.world->model();
-    for (std::uint32_t i = 0; i < balls_.size(); ++i) {
-        const BallState<Real> state = trajectories_.state_now(i);
-        const Vector<Real> roll =
-            model.cloth ? trajectories_.roll_at(i, scene_.now) : Vector<Real>{};
-        Trajectory<Real> path;
-        path.time = scene_.end;
-        path.position = state.position;
-        path.velocity = state.velocity;
-        path.acceleration = scene_.field.gravity;
-        balls_.set_path(i, path);
-        if (model.spin) trajectories_.continue_spin(i, scene_.now);
-        if (!model.cloth) continue;
-        trajectories_.spin(i).time = scene_.end;
-        balls_.curve(i).center = roll;
-        cloth_.begin_phase(i);
-    }
+void EventEngine<Real>::charge(std::uint32_t ball, const BallEvent<Real>& event) {
+    const std::uint64_t work = work_.take_uncharged();
+    const auto charge_ball = [&](std::uint32_t each) {
+        if (!work_.charge(each, work) || balls_[each].line.motion == Motion::held) return;
+        standstill_.stop(each);
+        predict(each);
+    };
+    charge_ball(ball);
+    if (event.kind == EventKind::ball_ball) charge_ball(event.other);
 }
 
 template class EventEngine<double>;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "physics/event/impact/impact_cluster.h"
@@ -20,6 +21,7 @@
 #include "physics/event/schedule/predictor.h"
 #include "physics/event/schedule/schedule.h"
 #include "physics/event/schedule/transitions.h"
+#include "physics/event/standstill.h"
 #include "physics/event/uniform_motion.h"
 #include "physics/event/world_sync.h"
 #include "physics/world/contact.h"
@@ -30,7 +32,6 @@ namespace carom {
 enum class EventOutcome : std::uint8_t {
     done,
     cancelled,  ///< asked to stop: the world is as it was before the tick
-    too_dense,  ///< more than `most_events`: time stood still for the rest of the tick
 };
 
 /// The solver `event`: event-driven simulation on exact trajectories. README.md in this folder is
@@ -52,6 +53,8 @@ class EventEngine {
                       std::vector<std::uint8_t>& touched, const std::function<bool()>& keep_going);
 
     const CellFrame& cells() const { return space_.cells().frame(); }
+    /// The balls for which time stood still in a part of the last tick, by index.
+    std::span<const std::uint32_t> standing() const { return standstill_.balls(); }
     /// Of the searches for times of impact, in the last tick.
     std::uint64_t iterations() const { return work_.search().iterations; }
 
@@ -62,7 +65,7 @@ class EventEngine {
     void impact(std::uint32_t ball, const BallEvent<Real>& event, const ImpactRecord& record);
     void predict(std::uint32_t ball);
     void predict_all();
-    void stop_time();
+    void charge(std::uint32_t ball, const BallEvent<Real>& event);
 
     EventScene<Real> scene_;
     WorkMeter<Real> work_;
@@ -83,6 +86,7 @@ class EventEngine {
     std::vector<std::uint32_t> scatter_counts_;  ///< by ball: World::balls.edge_contacts
     Response<Real> response_{{scene_, balls_, space_, trajectories_, kinematic_, cluster_, rest_,
                               friction_, guard_, work_, scatter_counts_}};
+    Standstill<Real> standstill_{scene_, balls_, trajectories_, cloth_};
     UniformMotion<Real> uniform_{scene_, balls_, space_, trajectories_, predictor_, schedule_};
     WorldSync<Real> sync_{{scene_, balls_, space_, trajectories_, kinematic_, rest_, cloth_, guard_,
                            uniform_, work_.search(), scatter_counts_}};

@@ -51,12 +51,14 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
         // The balls of the cluster no longer exist.
         const EventOutcome outcome = event.tick(world, contacts, touched, keep_going);
         if (outcome != EventOutcome::cancelled) memory_of(world).contacts.clear();
+        standing_.assign(event.standing().begin(), event.standing().end());
         return outcome;
     }
     for (int attempt = 1;; ++attempt) {
         const bool is_all = std::ranges::find(is_clustered_, 0) == is_clustered_.end();
         if (is_all || attempt > most_attempts) {
             contact.tick(world, substeps_for(world), contacts, touched);
+            standing_.assign(contact.standing().begin(), contact.standing().end());
             forget_trajectories(world);
             find_staying(world, memory_of(world).clustered);
             return EventOutcome::done;
@@ -77,6 +79,11 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
         }
         write_back(world, free_, touched);
         write_back(world, cluster_, touched);
+        standing_.clear();
+        for (const std::uint32_t ball : event.standing())
+            standing_.push_back(free_.ball[ball]);
+        for (const std::uint32_t ball : contact.standing())
+            standing_.push_back(cluster_.ball[ball]);
         for (std::size_t h = 0; h < world.held_capsules().size(); ++h) {
             const auto index = index_of(world, world.held_capsules()[h].id);
             if (!index) continue;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "physics/broad_phase/near_pairs.h"
@@ -68,6 +69,9 @@ class HybridStep {
                       std::vector<Contact>& contacts, std::vector<std::uint8_t>& touched,
                       const std::function<bool()>& keep_going);
 
+    /// The balls for which time stood still in a part of the last tick, by index, with repetitions.
+    std::span<const std::uint32_t> standing() const { return standing_; }
+
   private:
     /// Some of the balls of a world, as a world of their own.
     struct Part {
@@ -93,6 +97,7 @@ class HybridStep {
     static int substeps_for(const World& cluster);
     void find_staying(const World& cluster, std::vector<BallId>& staying);
 
+    std::vector<std::uint32_t> standing_;
     NearPairs near_;
     std::vector<std::uint32_t> order_;        // of the balls in near_
     std::vector<double> reach_;               // by ball, length

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "physics/broad_phase/cell_frame.h"
-#include "physics/contact/swept_fallback.h"
 #include "physics/swept/tolerances.h"
 #include "physics/tick/kinematic.h"
 #include "physics/world/solver_access.h"
@@ -38,13 +37,14 @@ SweptSubstep swept_substep(const World& world, int count) {
     step.rest_speed =
         model.gravity ? swept_tolerance::resting_approach * length(*model.gravity) * step.duration
                       : 0.0;
-    step.keeps_energy = is_flight_only(world);
+    step.keeps_energy = !model.lossy && world.held_balls().empty() && world.held_capsules().empty();
     return step;
 }
 
 void SweptPaths::begin_tick(const World& world) {
     inverse_mass_ = world.balls().inverse_mass;
     make_held_balls_immovable(world, inverse_mass_);
+    standing_.clear();
 }
 
 void SweptPaths::begin(const World& world, double share_of_way) {
@@ -136,17 +136,33 @@ bool SweptPaths::redirect(const World& world, std::uint32_t ball, double now, Ve
     return path.version++ == 0;
 }
 
-void SweptPaths::count_impact(const World& world, std::uint32_t ball, Vec2 velocity,
-                              bool is_resting) {
+void SweptPaths::count_resting_impact(const World& world, std::uint32_t ball, Vec2 velocity) {
     SweptPath& path = paths_[ball];
     if (path.is_frozen) return;
-    ++path.impacts;
-    if (is_resting) ++path.resting_impacts;
-    const int most = swept_tolerance::most_resting_impacts * (world.model().cloth ? 2 : 1);
-    if (path.resting_impacts < most && path.impacts < swept_tolerance::most_impacts) return;
+    ++path.resting_impacts;
+    const std::uint32_t most =
+        swept_tolerance::most_resting_impacts * (world.model().cloth ? 2u : 1u);
+    if (path.resting_impacts < most) return;
     path.is_frozen = true;
     path.is_grounded = true;
     path.start_velocity = step_.keeps_energy ? velocity : Vec2{};
+    if (!step_.keeps_energy) return;
+    path.is_standing = true;
+    standing_.push_back(ball);
+}
+
+void SweptPaths::stand_still(World& world, std::uint32_t ball, double now) {
+    const Vec2 velocity = velocity_at(world, ball, now);
+    if (world.model().spin) {
+        advance_spin(world, ball, now);
+        spin_rate_[ball] = 0.0;
+    }
+    SweptPath& path = paths_[ball];
+    path.is_frozen = true;
+    path.is_grounded = true;
+    path.is_standing = true;
+    path.start_velocity = velocity;
+    standing_.push_back(ball);
 }
 
 void SweptPaths::rest_on(const World& world, std::uint32_t ball, Vec2 normal) {

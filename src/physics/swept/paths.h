@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/shapes.h"
@@ -18,12 +19,12 @@ namespace carom {
 struct alignas(64) SweptPath {
     Chord chord;
     Vec2 start_velocity;  ///< of the parabola, at chord.time; of a frozen ball, at the end
-    std::uint32_t version : 29 = 0;     ///< counts its changes of path
+    std::uint32_t version : 28 = 0;     ///< counts its changes of path
     std::uint32_t is_frozen : 1 = 0;    ///< until the substep ends
+    std::uint32_t is_standing : 1 = 0;  ///< frozen, and keeps its velocity: time stands still
     std::uint32_t is_grounded : 1 = 0;  ///< rests on something that does not give way
     std::uint32_t is_resting : 1 = 0;   ///< has resting contacts
-    std::uint16_t impacts = 0;
-    std::uint16_t resting_impacts = 0;
+    std::uint32_t resting_impacts = 0;
 };
 
 /// The resting contacts of a ball.
@@ -42,9 +43,10 @@ struct SweptRest {
 /// motion through sliding, rolling and rest.
 ///
 /// A ball that rests on something immovable feels only the gravity along it. A frozen ball stays
-/// where it is until the substep ends; it loses its velocity, except in a scene that is all elastic
-/// flight (contact/swept_fallback.h), where it only loses time. A held ball goes straight to its
-/// target.
+/// where it is until the substep ends. One that resting impacts press again and again has come to
+/// rest, as bounces that lose energy end: it loses its velocity. In an elastic scene, and beyond
+/// the budget of work (tick/work_budget.h), time stands still for it: it keeps velocity, spin and
+/// roll. A held ball goes straight to its target.
 ///
 /// Positions and velocities in the world are those of the start of the substep until `finish`; spin
 /// and roll in the world are those at the time of a ball's last change of path.
@@ -99,8 +101,12 @@ class SweptPaths {
     /// does not take. Predictions along its old path become void. Whether this is its first change
     /// of path in the substep.
     bool redirect(const World& world, std::uint32_t ball, double now, Vec2 velocity);
-    /// Counts an impact which the ball leaves at `velocity`, and freezes it after too many.
-    void count_impact(const World& world, std::uint32_t ball, Vec2 velocity, bool is_resting);
+    /// Counts a resting impact, which the ball leaves at `velocity`, and freezes it after too many.
+    void count_resting_impact(const World& world, std::uint32_t ball, Vec2 velocity);
+    /// Time stands still for the ball from `now` on; `redirect` must follow. Pre: it is not frozen.
+    void stand_still(World& world, std::uint32_t ball, double now);
+    /// The balls for which time has stood still in this tick, with repetitions.
+    std::span<const std::uint32_t> standing() const { return standing_; }
     /// The ball has come to rest on something immovable; `normal` points from there to the ball.
     void rest_on(const World& world, std::uint32_t ball, Vec2 normal);
     /// A bounce has taken the ball off what it rested on.
@@ -136,6 +142,7 @@ class SweptPaths {
     std::vector<SweptRest> resting_;  // of the balls that rest; empty without gravity
     std::vector<double> inverse_mass_;
     std::vector<double> spin_rate_;  // rad/s^2 since the path's time; empty unless Model::spin
+    std::vector<std::uint32_t> standing_;
 };
 
 }  // namespace carom

@@ -82,19 +82,23 @@ template <Terms terms>
 void SweptPrediction::predict_one(const World& world, std::uint32_t ball, double now,
                                   bool only_higher) {
     std::optional<SweptEvent> best;
+    std::uint64_t tests = 0;
     const SweptCandidates::Place place = candidates_.place_of(world, ball, now);
     if (world.model().ball_ball)
         candidates_.for_each_ball(world, ball, now, place, [&](std::uint32_t other) {
+            ++tests;
             if (other == ball || (only_higher && other < ball)) return;
             predict_ball<terms>(world, ball, other, now, best);
         });
     if (world.model().ball_edge && !paths_[ball].is_frozen)
         candidates_.for_each_edge(place, [&](std::uint32_t capsule, Vec2 shift) {
+            ++tests;
             predict_edge<terms>(world, ball, capsule, shift, now, best);
         });
     if (terms.special() && world.model().ball_edge)
         for (const HeldEdge& edge : kinematics_.edges())
             predict_edge<terms>(world, ball, edge.capsule, {}, now, best);
+    tests_ += tests;
     if (best && best->time < step_.duration) schedule_.push(*best);
 }
 

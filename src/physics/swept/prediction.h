@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "physics/memory/prefetch.h"
 #include "physics/swept/candidates.h"
@@ -36,6 +37,8 @@ class SweptPrediction {
 
     /// Whether the other body has changed its path since the prediction.
     bool is_void(const SweptEvent& event) const;
+    /// How many pairs have been tested for single balls, since the last call.
+    std::uint64_t take_tests() { return std::exchange(tests_, 0); }
     /// In scenes of many balls: prefetches what the next events of the schedule need.
     void prefetch(const World& world) const {
         if (paths_.size() >= too_many_to_cache) prefetch_next(world);
@@ -59,6 +62,7 @@ class SweptPrediction {
     const SweptKinematics& kinematics_;
     SweptCandidates& candidates_;
     SweptSchedule& schedule_;
+    std::uint64_t tests_ = 0;
 };
 
 }  // namespace carom

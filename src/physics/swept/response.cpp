@@ -36,8 +36,9 @@ std::optional<Contact> SweptResponse::collide_balls(World& world, const SweptEve
     const bool is_resting = passed.is_resting || !passed.is_contact;
     for (const std::uint32_t ball : {a, b}) {
         if (!is_resting) paths_.end_rest(ball);
-        paths_.count_impact(world, ball, ball == a ? impact.velocity_a : impact.velocity_b,
-                            is_resting);
+        if (is_resting)
+            paths_.count_resting_impact(world, ball,
+                                        ball == a ? impact.velocity_a : impact.velocity_b);
     }
     if (world.model().cloth) {
         paths_.stop_sliding_if_pressed(world, a, impact.velocity_a);
@@ -164,7 +165,7 @@ SweptOutcome SweptResponse::collide_edge(World& world, const SweptEvent& event) 
     impact.approach = impact.pushing - dot(impact.velocity, event.normal);
     if (paths_.is_held(ball)) {
         // It goes no further than the edge lets it.
-        paths_.count_impact(world, ball, {}, true);
+        paths_.count_resting_impact(world, ball, {});
         redirect(world, ball, now, impact.velocity + event.normal * impact.approach);
         return {};
     }
@@ -191,8 +192,8 @@ std::optional<Contact> SweptResponse::collide_free_ball(World& world, EdgeImpact
         paths_.end_rest(ball);
     }
     const bool is_thrown = impact.is_driven && impact.pushing > 0.0;
-    paths_.count_impact(world, ball, impact.velocity,
-                        (passed.is_resting && !is_thrown && !passed.rolls_on) || !(approach > 0.0));
+    if ((passed.is_resting && !is_thrown && !passed.rolls_on) || !(approach > 0.0))
+        paths_.count_resting_impact(world, ball, impact.velocity);
     if (world.model().cloth) paths_.stop_sliding_if_pressed(world, ball, impact.velocity);
     redirect(world, ball, impact.now, impact.velocity);
     if (!(approach > 0.0)) return std::nullopt;

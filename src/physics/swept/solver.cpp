@@ -1,13 +1,9 @@
 #include "physics/swept/solver.h"
 
+#include "physics/swept/tolerances.h"
 #include "physics/tick/emitters_and_sinks.h"
 
 namespace carom {
-namespace {
-
-constexpr std::size_t work_of_impact = 8;  // see tick/cancellation.h
-
-}  // namespace
 
 void SweptSolver::tick(World& world, int substeps, std::vector<Contact>& contacts,
                        std::vector<std::uint8_t>& touched, CancellationToken& token) {
@@ -21,6 +17,7 @@ void SweptSolver::tick(World& world, int substeps, std::vector<Contact>& contact
         paths_.begin(world, share_of_way);
         kinematics_.begin(world, share_of_way / step_.duration);
         if (!token.may_continue(world.balls().size())) return;
+        budget_.begin(world.balls().size(), swept_tolerance::budget, count);
         resolve_impacts(world, contacts, touched, token);
         if (token.is_cancelled()) return;
         paths_.finish(world);
@@ -33,13 +30,15 @@ void SweptSolver::resolve_impacts(World& world, std::vector<Contact>& contacts,
     candidates_.find(world);
     schedule_.clear();
     prediction_.predict_at_start(world);
-    while (token.may_continue(work_of_impact)) {
+    prediction_.take_tests();
+    while (token.may_continue(swept_tolerance::work_of_impact)) {
         const std::optional<SweptEvent> event = schedule_.take();
         if (!event) break;
         prediction_.prefetch(world);
         if (event->ball_version != paths_[event->ball].version) continue;
         if (prediction_.is_void(*event)) {
             prediction_.predict(world, event->ball, event->time);
+            charge(world, *event);
             continue;
         }
         const SweptOutcome outcome = response_.collide(world, *event);
@@ -50,6 +49,7 @@ void SweptSolver::resolve_impacts(World& world, std::vector<Contact>& contacts,
             contacts.back().time += step_.start_time;
         }
         predict_after(world, *event, outcome.has_stopped_edge);
+        charge(world, *event);
     }
 }
 
@@ -63,6 +63,20 @@ void SweptSolver::predict_after(const World& world, const SweptEvent& event,
     candidates_.merge_if_many_changed(world);
     prediction_.predict(world, event.ball, event.time);
     if (event.kind == ContactKind::ball_ball) prediction_.predict(world, event.other, event.time);
+}
+
+// Time stands still for a ball that has used its share of the work.
+void SweptSolver::charge(World& world, const SweptEvent& event) {
+    const std::uint64_t work = prediction_.take_tests() + swept_tolerance::work_of_impact;
+    if (!budget_.spend(work)) return;
+    for (const std::uint32_t ball : {event.ball, event.other}) {
+        if (ball == event.other && event.kind != ContactKind::ball_ball) break;
+        if (!budget_.charge(ball, work) || paths_[ball].is_frozen) continue;
+        paths_.stand_still(world, ball, event.time);
+        const bool is_first = paths_.redirect(world, ball, event.time, {});
+        candidates_.note_change(world, ball, event.time, is_first);
+        prediction_.predict(world, ball, event.time);
+    }
 }
 
 }  // namespace carom

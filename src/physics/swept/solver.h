@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "physics/swept/candidates.h"
@@ -10,6 +11,7 @@
 #include "physics/swept/response.h"
 #include "physics/swept/schedule.h"
 #include "physics/tick/cancellation.h"
+#include "physics/tick/work_budget.h"
 
 namespace carom {
 
@@ -35,13 +37,17 @@ class SweptSolver {
 
     /// The cells in which the last tick looked for pairs.
     const CellFrame& cells() const { return candidates_.frame(); }
+    /// The balls for which time has stood still in the last tick, by index, with repetitions.
+    std::span<const std::uint32_t> standing() const { return paths_.standing(); }
 
   private:
     void resolve_impacts(World& world, std::vector<Contact>& contacts,
                          std::vector<std::uint8_t>& touched, CancellationToken& token);
+    void charge(World& world, const SweptEvent& event);
     void predict_after(const World& world, const SweptEvent& event, bool has_stopped_edge);
 
     SweptSubstep step_;
+    WorkBudget budget_;
     SweptPaths paths_{step_};
     SweptKinematics kinematics_;
     SweptCandidates candidates_{step_, paths_};

@@ -47,12 +47,12 @@ void SweptPaths::finish_turning(World& world, std::uint32_t ball, double since) 
     Balls& balls = SolverAccess(world).balls();
     const SweptPath& path = paths_[ball];
     const bool is_stopped = path.is_frozen || is_held(ball);
-    balls.spin[ball] = (path.is_frozen && !step_.keeps_energy) || is_held(ball)
+    balls.spin[ball] = (path.is_frozen && !path.is_standing) || is_held(ball)
                            ? 0.0
                            : balls.spin[ball] + spin_rate_[ball] * since;
     if (!world.model().cloth) return;
     if (is_stopped) {
-        balls.roll[ball] = {};
+        if (!path.is_standing || is_held(ball)) balls.roll[ball] = {};
         return;
     }
     const auto after = on_cloth(world, ball, path.start_velocity, since);

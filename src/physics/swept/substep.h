@@ -13,9 +13,11 @@ struct SweptSubstep {
     Terms terms;
     Flight flight;  ///< over the substep
     Vec2 gravity;
-    Vec2 torus;                 ///< width and height; 0 on a plane
-    double rest_speed = 0.0;    ///< a slower approach does not bounce, length/s
-    bool keeps_energy = false;  ///< a frozen ball keeps its velocity
+    Vec2 torus;               ///< width and height; 0 on a plane
+    double rest_speed = 0.0;  ///< a slower approach does not bounce, length/s
+    /// Nothing but friction takes energy: a ball that is pressed too often does not come to rest,
+    /// but time stands still for it.
+    bool keeps_energy = false;
 };
 
 /// The constants for a tick of `world` in `count` substeps.

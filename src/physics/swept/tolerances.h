@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstdint>
+
+#include "physics/tick/work_budget.h"
+
 // clang-format off
 /// The thresholds of the method `swept`, in one table. Thresholds with a single use stand beside
 /// it: when paths that have changed are searched in cells (candidates.cpp), from how many edges a
@@ -12,7 +16,7 @@
 /// | resting_restitution  | 1e-6  | share of the approach          | resting balls hop / rounding makes them meet again |
 /// | noise                | 1e-14 | share of the speeds            | slow contacts are lost / rounding counts as contact |
 /// | most_resting_impacts | 16    | of a ball in a substep         | piles cost more / sliding balls freeze |
-/// | most_impacts         | 4096  | of a ball in a substep         | jams cost more / fast balls between walls freeze |
+/// | budget               | 12500 | tests of a pair, by ball and tick | ticks of 10 s / time stands still in jams and tubes |
 // clang-format on
 namespace carom::swept_tolerance {
 
@@ -27,8 +31,10 @@ inline constexpr double resting_restitution = 1e-6;
 inline constexpr double noise = 1e-14;
 /// A ball freezes after so many impacts in a substep that leave it resting; on cloth after twice
 /// as many, since at the first limit it stops sliding.
-inline constexpr int most_resting_impacts = 16;
-/// A ball freezes after so many impacts of any kind in a substep.
-inline constexpr int most_impacts = 4096;
+inline constexpr std::uint32_t most_resting_impacts = 16;
+/// The work of a tick (tick/work_budget.h): tests of a pair of bodies, each some 40 ns, by ball. An
+/// impact counts as `work_of_impact` tests more.
+inline constexpr WorkBudget::Allowance budget{.per_ball = 12'500, .least_balls = 20};
+inline constexpr std::uint64_t work_of_impact = 16;
 
 }  // namespace carom::swept_tolerance

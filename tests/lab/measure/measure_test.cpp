@@ -99,7 +99,7 @@ TEST_CASE("the error of event equals the reference's own uncertainty, at any rat
             CHECK(row.errors[i].contacts.extra == 0);
             CHECK(row.errors[i].contacts.out_of_order == 0);
         }
-        CHECK(row.too_dense == 0);
+        CHECK(row.stood_still == 0);
     }
 }
 
@@ -222,12 +222,12 @@ TEST_CASE("without a known truth, the other faults decide") {
     Measurement measurement{.time = 1.0, .tolerance = 1e-3, .reference = {}};
     Measured row;
     row.cost = {1.0, 1.0};
-    row.too_dense = 2;
+    row.stood_still = 2;
     row.figures.resize(figures().size());
     measurement.rows = {row};
     CHECK(worst_fault(measurement, row).name == "standstill");
     CHECK(worst_fault(measurement, row).share == 2 * never);
-    measurement.rows.front().too_dense = 0;
+    measurement.rows.front().stood_still = 0;
     CHECK(tradeoffs(measurement).front().fault == 0.0);
     CHECK(has(tolerance_answer(measurement, 1e-3), "nobody knows the error"));
     CHECK(has(measure_json("x", measurement, {}, {}), "\"faults\": {\"error\": null, "));

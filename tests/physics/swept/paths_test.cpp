@@ -49,23 +49,29 @@ TEST_CASE("swept paths: the velocity is the parabola's at the height of the chor
     }
 }
 
-TEST_CASE("swept paths: a ball freezes after too many resting impacts, and loses its velocity") {
-    World world = falling(3.0);
-    const SweptSubstep step = swept_substep(world, 1);
-    SweptPaths paths(step);
-    paths.begin_tick(world);
-    paths.begin(world, 1.0);
-    for (int i = 0; i < swept_tolerance::most_resting_impacts; ++i) {
-        CHECK(!paths[0].is_frozen);
-        paths.count_impact(world, 0, {1.0, 0.0}, true);
+TEST_CASE("swept paths: a ball that is pressed too often rests, or time stands still") {
+    for (const bool is_elastic : {false, true}) {
+        CAPTURE(is_elastic);
+        World world = falling(3.0);
+        world.edit_definition().model.lossy = !is_elastic;
+        const SweptSubstep step = swept_substep(world, 1);
+        SweptPaths paths(step);
+        paths.begin_tick(world);
+        paths.begin(world, 1.0);
+        paths.redirect(world, 0, 0.5, {1.0, 0.0});
+        for (std::uint32_t i = 0; i < swept_tolerance::most_resting_impacts; ++i) {
+            CHECK(!paths[0].is_frozen);
+            paths.count_resting_impact(world, 0, {1.0, 0.0});
+        }
+        CHECK(paths[0].is_frozen);
+        CHECK(paths.standing().size() == (is_elastic ? 1 : 0));
+        CHECK(!paths.redirect(world, 0, 0.5, {1.0, 0.0}));
+        const Vec2 there = paths.position_at(0, 0.5);
+        CHECK(paths.position_at(0, 1.0) == there);
+        paths.finish(world);
+        CHECK(world.balls().position[0] == there);
+        CHECK(world.balls().velocity[0] == (is_elastic ? Vec2{1.0, 0.0} : Vec2{}));
     }
-    CHECK(paths[0].is_frozen);
-    CHECK(paths.redirect(world, 0, 0.5, {1.0, 0.0}));
-    const Vec2 there = paths.position_at(0, 0.5);
-    CHECK(paths.position_at(0, 1.0) == there);
-    paths.finish(world);
-    CHECK(world.balls().position[0] == there);
-    CHECK(world.balls().velocity[0] == Vec2{});
 }
 
 TEST_CASE("swept paths: a ball on two supports feels what both leave of gravity") {

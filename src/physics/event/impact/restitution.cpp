@@ -25,7 +25,10 @@ double Restitution<Real>::of_balls(const ContactPoint<Real>& point, bool is_alon
     const double restitution = restitution_of_balls(world, body.ball, point.other);
     const bool is_pushed = cluster_.motion()[point.contact.a].inverse_mass == Real{} ||
                            cluster_.motion()[point.contact.b].inverse_mass == Real{};
-    if (is_pushed && (ours.motion == Motion::held || theirs.motion == Motion::held))
+    const auto is_in_hand = [&](std::uint32_t ball, const Trajectory<Real>& path) {
+        return path.motion == Motion::held && scene_.is_in_hand(ball);
+    };
+    if (is_pushed && (is_in_hand(body.ball, ours) || is_in_hand(point.other, theirs)))
         return hand_restitution;
     if (restitution < 1.0 && ours.recent_collisions > most_collisions_in_place &&
         theirs.recent_collisions > most_collisions_in_place)

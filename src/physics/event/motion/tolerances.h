@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "geometry/double_double.h"
+#include "physics/tick/work_budget.h"
 
 /// The thresholds of the method `event`, in one table: what each one decides, its unit, how it
 /// relates to the others, and what breaks when it is ten times as large or as small.
@@ -152,9 +153,10 @@ inline constexpr double most_correction = 0.5;
 
 // --- Costs: limits of work ----------------------------------------------------------------------
 
-/// Events of one tick, after which time stands still for the remainder of the tick
-/// (EventOutcome::too_dense): changes the result.
-inline constexpr std::uint64_t most_events = 100'000'000;
+/// The work of a tick (tick/work_budget.h): events, each about 1 us, by ball. Changes the result.
+/// So many iterations of a search count as one.
+inline constexpr WorkBudget::Allowance event_budget{.per_ball = 1'000};
+inline constexpr std::uint64_t iterations_per_unit = 32;
 
 /// Events between two polls of the cancellation token, and iterations of a search that take as long
 /// as an event.

@@ -12,7 +12,7 @@ TEST_CASE(
     int asked = 0;
     const std::function<bool()> keep_going = [&] { return ++asked < 3; };
     WorkMeter<double> work;
-    work.begin(keep_going);
+    work.begin(keep_going, 1);
     CHECK(work.may_go_on());
     CHECK(asked == 0);
     for (std::uint64_t i = 0; i < events_between_polls; ++i)
@@ -29,7 +29,30 @@ TEST_CASE(
     CHECK(!work.may_go_on());
     CHECK(work.is_cancelled());
     const std::function<bool()> nobody;
-    work.begin(nobody);
+    work.begin(nobody, 1);
     work.count_rounds(2 * events_between_polls);
     CHECK(work.may_go_on());
+}
+
+TEST_CASE("event work meter: over the budget, each ball has a share") {
+    WorkMeter<double> meter;
+    const std::function<bool()> never_asked;
+    const std::size_t balls = 2 * event_budget.least_balls;
+    meter.begin(never_asked, balls);
+    meter.count_rounds(event_budget.per_ball * balls);
+    CHECK(meter.may_go_on());
+    CHECK(!meter.is_over_budget());
+    meter.count_rounds(events_between_polls);
+    CHECK(meter.may_go_on());
+    CHECK(meter.is_over_budget());
+    CHECK(meter.take_uncharged() == 0);
+    meter.count_event();
+    meter.count_rounds(event_budget.per_ball - 1);
+    const std::uint64_t work = meter.take_uncharged();
+    CHECK(work == event_budget.per_ball);
+    CHECK(!meter.charge(0, work));
+    CHECK(!meter.charge(1, work));
+    CHECK(meter.charge(1, 1));
+    meter.begin(never_asked, balls);
+    CHECK(!meter.is_over_budget());
 }
