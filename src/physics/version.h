@@ -14,9 +14,9 @@ namespace carom {
 /// centre is further away than the edge is long; a flipper recoils from its stop, and is held
 /// there with less force; hands yield (tick/hands.h); driven edges keep their speed at every impact
 /// under `contact`, and at the end of a tick under `event`; arcs and fillets have smooth joints,
-/// along which balls roll on without a loss under `event`, `swept` and `contact` (laws/curve.h); `swept`
-/// and `event` limit the work of a tick by one budget (tick/work_budget.h), and `swept` no longer
-/// takes the velocity of a ball that meets too much in an elastic scene.
+/// along which balls roll on without a loss under `event`, `swept` and `contact` (laws/curve.h);
+/// `swept` and `event` limit the work of a tick by one budget (tick/work_budget.h), and `swept` no
+/// longer takes the velocity of a ball that meets too much in an elastic scene.
 inline constexpr int physics_version = 3;
 
 }  // namespace carom

@@ -14,6 +14,7 @@
 #include "carom/play/recording.h"
 #include "carom/text/version.h"
 #include "game/replay/replayer.h"
+#include "lab/run/invariants.h"
 #include "lab/run/report.h"
 #include "physics/version.h"
 #include "physics/world/fingerprint.h"
@@ -34,6 +35,7 @@ class Run {
           record_(begin_record(input.scene, settings)),
           runner_(input.script.commands),
           follows_recording_(input.recording && !options.solver) {
+        if (options.check) check_.emplace(input.scene, settings.kind);
         replay_ = begin_replay(
             input.scene, settings,
             input.recording ? input.recording->level : name_in_recording(input.scene.file),
@@ -48,6 +50,11 @@ class Run {
 
     const std::optional<ScriptRunner::Refused>& refused() const { return refused_; }
     const RunRecord& record() const { return record_; }
+    /// Why the run ended early under --check.
+    std::optional<std::string> broken() const {
+        if (!breach_) return std::nullopt;
+        return carom::text(*breach_, world_.rate());
+    }
     std::string text() const {
         return summary(input_.scene, world_, record_, seconds_) +
                verdicts(input_.scene, record_, Verdict::holds) +
@@ -73,6 +80,8 @@ class Run {
     bool follows_recording_ = false;  ///< as far as seen
     std::size_t next_mark_ = 0;       ///< of the recording
     std::optional<ScriptRunner::Refused> refused_;
+    std::optional<InvariantCheck> check_;
+    std::optional<Breach> breach_;
     double seconds_ = 0.0;  ///< spent in the solver
 };
 
@@ -112,6 +121,8 @@ void Run::simulate() {
         note_tick(record_, input_.scene, world_);
         note_standing(record_, world_, solver_.standing().size());
         outputs_.write_tick(world_, solver_);
+        if (check_) breach_ = check_->note_tick(world_, outcome == TickOutcome::stood_still);
+        if (breach_) break;
         execute_due();
         if (world_.tick() % mark_interval(world_.rate()) == 0) mark();
         if (!outputs_.error().empty() || outputs_.is_pointless()) break;
@@ -170,7 +181,9 @@ int run_input(const RunOptions& options, const RunInput& input) {
     }
     if (!outputs.any() && !options.explain && !print_out(run.text())) return 2;
     print_note(verdicts(input.scene, run.record(), Verdict::fails));
-    return has_failure(run.record()) ? 1 : 0;
+    const std::optional<std::string> broken = run.broken();
+    if (broken) print_error(*broken);
+    return broken || has_failure(run.record()) ? 1 : 0;
 }
 
 }  // namespace

@@ -226,6 +226,8 @@ void add_run(CLI::App& app, RunOptions& options) {
     run.add({"--events", "FILE", "Every contact, one JSON object a line"}, options.events);
     run.add({"--trace", "FILE", "Every ball at every tick, as CSV"}, options.trace);
     run.add({"--record", "FILE", "A recording, for carom replay and verify"}, options.record);
+    run.add({"--check", "", "Check energy, sides, overlap and time after every tick"},
+            options.check);
     run.add({"--explain", "", "Say which physics is in force, and which solver runs and why"},
             options.explain);
     run.app().footer("FILE may be -, standard output, for one of them.");

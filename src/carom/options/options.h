@@ -27,6 +27,7 @@ struct RunOptions {
     std::string events;
     std::string trace;
     std::string record;
+    bool check = false;
     bool explain = false;
 };
 

@@ -1,0 +1,313 @@
+#include "lab/run/invariants.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace carom {
+namespace {
+
+double energy_of(const World& world) {
+    const Balls& balls = world.balls();
+    const Model& model = world.model();
+    double sum = 0.0;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const double mass = 1.0 / balls.inverse_mass[i];
+        double square = length_squared(balls.velocity[i]);
+        if (model.spin) {
+            const double inertia = *model.spin * balls.radius[i] * balls.radius[i];
+            square += inertia * balls.spin[i] * balls.spin[i];
+            // On cloth the ball rolls too: its roll is a surface speed.
+            if (model.cloth) square += *model.spin * length_squared(balls.roll[i]);
+        }
+        sum += 0.5 * mass * square;
+        if (model.gravity) sum -= mass * dot(*model.gravity, balls.position[i]);
+    }
+    return sum;
+}
+
+double kinetic_energy_of(const World& world) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < world.balls().size(); ++i)
+        sum += 0.5 * length_squared(world.balls().velocity[i]) / world.balls().inverse_mass[i];
+    return sum;
+}
+
+// Whether something besides the balls may give energy in a tick.
+bool may_be_given_energy(const World& world) {
+    return !world.held_balls().empty() || !world.held_capsules().empty() ||
+           !world.flippers().empty() || world.model().kicks ||
+           (world.model().wrap && world.model().gravity);
+}
+
+bool is_held(const World& world, BallId id) {
+    return std::ranges::find(world.held_balls(), id, &HeldBall::id) != world.held_balls().end();
+}
+
+bool is_moved(const World& world, CapsuleId id) {
+    return std::ranges::find(world.held_capsules(), id, &HeldCapsule::id) !=
+               world.held_capsules().end() ||
+           std::ranges::find(world.flippers(), id, &Flipper::capsule) != world.flippers().end();
+}
+
+// Whether the edge stands in the way of all balls of that kind, from both sides.
+bool is_wall(const World& world, std::size_t edge, ClassIndex kind) {
+    const Capsules& edges = world.capsules();
+    return (!world.model().one_way || edges.side[edge] == Side::both) &&
+           (!world.model().filtered || kind_meets_material(world, kind, edges.material[edge])) &&
+           !is_moved(world, edges.id[edge]);
+}
+
+double distance_to_segment(Vec2 point, const Capsule& edge) {
+    const Vec2 span = edge.end - edge.start;
+    const double whole = length_squared(span);
+    const double share =
+        whole > 0.0 ? std::clamp(dot(point - edge.start, span) / whole, 0.0, 1.0) : 0.0;
+    return length(point - edge.start - span * share);
+}
+
+bool are_on_two_sides(Vec2 a, Vec2 b, Vec2 start, Vec2 end) {
+    const double first = cross(end - start, a - start);
+    const double second = cross(end - start, b - start);
+    return (first > 0.0 && second < 0.0) || (first < 0.0 && second > 0.0);
+}
+
+constexpr std::uint64_t edge_mark = std::uint64_t{1} << 32;
+
+}  // namespace
+
+Promise promise_of(SolverKind solver) {
+    switch (solver) {
+        case SolverKind::event:
+            return {.energy = 1e-9, .overlap = 1e-3, .keeps_sides = true};
+        case SolverKind::swept:
+            return {.energy = 1e-3, .overlap = 1e-3, .keeps_sides = true};
+        case SolverKind::contact:
+            return {.energy = 1e-2, .overlap = 0.51, .keeps_sides = true};
+        default:
+            return {};
+    }
+}
+
+std::string_view name(Breach::Kind kind) {
+    constexpr std::string_view names[] = {"finite", "energy", "side", "escape", "overlap", "time"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+std::string text(const Breach& breach, double rate) {
+    std::string where;
+    if (breach.ball) where += fmt::format(", ball {}", number(*breach.ball));
+    if (breach.other) where += fmt::format(", ball {}", number(*breach.other));
+    if (breach.edge) where += fmt::format(", edge {}", number(*breach.edge));
+    return fmt::format("{} is broken in tick {} ({:.6g} s){}: by {:.6g}", name(breach.kind),
+                       breach.tick, static_cast<double>(breach.tick) / rate, where, breach.amount);
+}
+
+InvariantCheck::InvariantCheck(const Scene& scene, SolverKind solver)
+    : promise_(promise_of(solver)), escape_(scene) {
+    const World& world = scene.world;
+    escaped_ = escape_.escaped(world);
+    baseline_ = energy_of(world);
+    scale_ = kinetic_energy_of(world);
+    sort(world);
+    if (promise_.overlap)
+        for_each_overlap(world, [&](const Pair& pair, double depth, double radius, const Breach&) {
+            if (depth > *promise_.overlap * radius) exempt_.push_back(pair);
+        });
+    std::ranges::sort(exempt_);
+    remember(world);
+}
+
+std::optional<Breach> InvariantCheck::note_tick(const World& world, bool stood_still) {
+    std::optional<Breach> breach = check_finite(world);
+    if (breach) return breach;
+    escape_.note_births(world);
+    sort(world);
+    breach = check_energy(world);
+    if (!breach && promise_.keeps_sides) breach = check_sides(world);
+    if (!breach && promise_.keeps_sides) {
+        const std::size_t escaped = escape_.escaped(world);
+        if (escaped > escaped_)
+            breach = Breach{.kind = Breach::Kind::escape,
+                            .tick = world.tick(),
+                            .amount = static_cast<double>(escaped - escaped_)};
+    }
+    if (!breach && promise_.overlap) breach = check_overlap(world);
+    if (!breach) breach = check_time(world, stood_still);
+    remember(world);
+    return breach;
+}
+
+void InvariantCheck::remember(const World& world) {
+    tick_ = world.tick();
+    ids_ = world.balls().id;
+    position_ = world.balls().position;
+    velocity_ = world.balls().velocity;
+}
+
+void InvariantCheck::sort(const World& world) {
+    const Balls& balls = world.balls();
+    order_.resize(balls.size());
+    std::iota(order_.begin(), order_.end(), 0u);
+    std::ranges::sort(order_, [&](std::uint32_t a, std::uint32_t b) {
+        if (balls.position[a].x != balls.position[b].x)
+            return balls.position[a].x < balls.position[b].x;
+        return a < b;
+    });
+    widest_ = balls.size() == 0 ? 0.0 : *std::ranges::max_element(balls.radius);
+}
+
+std::optional<Breach> InvariantCheck::check_finite(const World& world) const {
+    const Balls& balls = world.balls();
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const double sum =
+            balls.position[i].x + balls.position[i].y + balls.velocity[i].x + balls.velocity[i].y;
+        if (std::isfinite(sum)) continue;
+        return Breach{.kind = Breach::Kind::not_finite,
+                      .tick = world.tick(),
+                      .ball = balls.id[i],
+                      .amount = sum};
+    }
+    return std::nullopt;
+}
+
+std::optional<Breach> InvariantCheck::check_energy(const World& world) {
+    const double energy = energy_of(world);
+    scale_ = std::max(scale_, kinetic_energy_of(world));
+    if (!promise_.energy || ids_ != world.balls().id) {
+        baseline_ = energy;
+        return std::nullopt;
+    }
+    if (may_be_given_energy(world)) baseline_ = std::max(baseline_, energy);
+    const double gain = energy - baseline_;
+    // Potential energy is measured from the origin: its rounding is that of the coordinates.
+    const double rounding = 1e-12 * std::fabs(baseline_);
+    if (!(gain > *promise_.energy * scale_ + rounding)) return std::nullopt;
+    return Breach{.kind = Breach::Kind::energy, .tick = world.tick(), .amount = gain};
+}
+
+std::optional<Breach> InvariantCheck::check_sides(const World& world) const {
+    const Balls& balls = world.balls();
+    const Capsules& edges = world.capsules();
+    if (world.model().wrap || !world.model().ball_edge) return std::nullopt;
+    const Vec2 gravity = world.model().gravity.value_or(Vec2{});
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        while (before < ids_.size() && ids_[before] < balls.id[i])
+            ++before;
+        if (before == ids_.size()) break;
+        if (ids_[before] != balls.id[i] || is_held(world, balls.id[i])) continue;
+        const Vec2 from = position_[before];
+        const Vec2 to = balls.position[i];
+        const double fastest = std::max(length(velocity_[before]), length(balls.velocity[i])) +
+                               length(gravity) * world.tick_length();
+        const double way = 2.0 * fastest * world.tick_length();
+        for (std::size_t e = 0; e < edges.size(); ++e) {
+            const Capsule& edge = edges.shape[e];
+            if (!are_on_two_sides(from, to, edge.start, edge.end) ||
+                !are_on_two_sides(edge.start, edge.end, from, to) ||
+                !is_wall(world, e, balls.kind[i]))
+                continue;
+            const double detour = std::min(length(from - edge.start) + length(to - edge.start),
+                                           length(from - edge.end) + length(to - edge.end));
+            if (detour <= way) continue;
+            return Breach{.kind = Breach::Kind::side,
+                          .tick = world.tick(),
+                          .ball = balls.id[i],
+                          .edge = edges.id[e],
+                          .amount = distance_to_segment(to, edge)};
+        }
+    }
+    return std::nullopt;
+}
+
+bool InvariantCheck::is_exempt(const Pair& pair) const {
+    return std::ranges::binary_search(exempt_, pair);
+}
+
+template <typename Visit>
+void InvariantCheck::for_each_overlap(const World& world, Visit&& visit) const {
+    const Balls& balls = world.balls();
+    const std::optional<Box>& torus = world.model().wrap;
+    for (std::size_t at = 0; at < order_.size() && world.model().ball_ball; ++at) {
+        const std::uint32_t i = order_[at];
+        for (std::size_t next = at + 1; next < order_.size(); ++next) {
+            const std::uint32_t j = order_[next];
+            Vec2 offset = balls.position[j] - balls.position[i];
+            if (!torus && offset.x > balls.radius[i] + widest_) break;
+            if (torus) {
+                const double wide = torus->high.x - torus->low.x;
+                const double high = torus->high.y - torus->low.y;
+                offset.x -= wide * std::round(offset.x / wide);
+                offset.y -= high * std::round(offset.y / high);
+            }
+            const double depth = balls.radius[i] + balls.radius[j] - length(offset);
+            if (!(depth > 0.0) || is_held(world, balls.id[i]) || is_held(world, balls.id[j]) ||
+                (world.model().filtered && !kinds_meet(world, balls.kind[i], balls.kind[j])))
+                continue;
+            const std::uint32_t a = std::min(i, j);
+            const std::uint32_t b = std::max(i, j);
+            visit(Pair{number(balls.id[a]), number(balls.id[b])}, depth,
+                  std::min(balls.radius[a], balls.radius[b]),
+                  Breach{.ball = balls.id[a], .other = balls.id[b]});
+        }
+    }
+    if (torus || !world.model().ball_edge) return;
+    const Capsules& edges = world.capsules();
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        const Capsule& edge = edges.shape[e];
+        const double low = std::min(edge.start.x, edge.end.x) - edge.radius - widest_;
+        const double high = std::max(edge.start.x, edge.end.x) + edge.radius + widest_;
+        auto at = std::ranges::lower_bound(order_, low, {},
+                                           [&](std::uint32_t i) { return balls.position[i].x; });
+        for (; at != order_.end() && balls.position[*at].x <= high; ++at) {
+            const std::uint32_t i = *at;
+            const double depth =
+                balls.radius[i] + edge.radius - distance_to_segment(balls.position[i], edge);
+            if (!(depth > 0.0) || !is_wall(world, e, balls.kind[i]) || is_held(world, balls.id[i]))
+                continue;
+            visit(Pair{number(balls.id[i]), edge_mark + number(edges.id[e])}, depth,
+                  balls.radius[i], Breach{.ball = balls.id[i], .edge = edges.id[e]});
+        }
+    }
+}
+
+std::optional<Breach> InvariantCheck::check_overlap(const World& world) {
+    std::optional<Breach> deepest;
+    std::vector<Pair> still_deep;
+    for_each_overlap(world, [&](const Pair& pair, double depth, double radius, Breach breach) {
+        if (!(depth > *promise_.overlap * radius)) return;
+        if (is_exempt(pair)) {
+            still_deep.push_back(pair);
+            return;
+        }
+        if (deepest && depth <= deepest->amount) return;
+        breach.kind = Breach::Kind::overlap;
+        breach.tick = world.tick();
+        breach.amount = depth;
+        deepest = breach;
+    });
+    std::ranges::sort(still_deep);
+    exempt_ = std::move(still_deep);
+    return deepest;
+}
+
+std::optional<Breach> InvariantCheck::check_time(const World& world, bool stood_still) const {
+    const Balls& balls = world.balls();
+    if (world.tick() != tick_ + 1)
+        return Breach{.kind = Breach::Kind::time, .tick = world.tick(), .amount = 0.0};
+    if (stood_still || ids_ != balls.id || world.model().wrap) return std::nullopt;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const double speed = std::min(length(velocity_[i]), length(balls.velocity[i]));
+        if (!(balls.position[i] == position_[i]) || is_held(world, balls.id[i]) ||
+            !(speed * world.tick_length() > 1e-3 * balls.radius[i]))
+            continue;
+        return Breach{
+            .kind = Breach::Kind::time, .tick = world.tick(), .ball = balls.id[i], .amount = speed};
+    }
+    return std::nullopt;
+}
+
+}  // namespace carom

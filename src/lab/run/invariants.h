@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lab/run/escape.h"
+#include "level/scene/scene.h"
+#include "physics/tick/solver_settings.h"
+#include "physics/world/world.h"
+
+/// What every tick must keep, whatever the scene: measured from positions, velocities and shapes
+/// alone, with code of its own, so that a fault of a solver cannot hide itself.
+namespace carom {
+
+/// What a solver promises. No value: it promises nothing, as `discrete` and `substep`, whose faults
+/// are measured elsewhere (docs/accuracy.md).
+struct Promise {
+    std::optional<double> energy;   ///< largest gain, as a share of the largest energy in play
+    std::optional<double> overlap;  ///< deepest, as a share of the smaller radius
+    bool keeps_sides = false;       ///< no ball passes through an edge or out of an outline
+};
+Promise promise_of(SolverKind solver);
+
+/// An invariant that does not hold.
+struct Breach {
+    enum class Kind : std::uint8_t { not_finite, energy, side, escape, overlap, time };
+    Kind kind = Kind::not_finite;
+    std::uint64_t tick = 0;         ///< the first after which it does not, from 1
+    std::optional<BallId> ball;     ///< none: the scene as a whole
+    std::optional<BallId> other;    ///< that it overlaps
+    std::optional<CapsuleId> edge;  ///< that it overlaps, or has passed
+    double amount = 0.0;            ///< energy gained, depth, or speed at which it stands
+};
+/// "energy", "side" ...
+std::string_view name(Breach::Kind kind);
+/// One line for people, without its end.
+std::string text(const Breach& breach, double rate);
+
+/// Checks a run, tick by tick.
+///
+///   finite    all positions and velocities are finite numbers
+///   energy    kinetic and potential energy have not grown beyond their value at the start. Where
+///             something may give energy (hands, flippers, kicking edges, gravity on a torus, the
+///             ramps of pinball), a gain counts as given; so does a change of the set of balls
+///   side      the centre of no ball has crossed the spine of a fixed edge that is solid on both
+///             sides, unless it can have gone round an end: the chord of the tick is tested, and
+///             the way round an end compared with twice the ball's speed
+///   escape    no ball is outside of an outline in which it started (EscapeWatch)
+///   overlap   no two bodies that meet overlap deeper than the solver promises. A pair that starts
+///             deeper, as under `use overlap`, counts once it is no longer. Held, moving and
+///             one-way edges, held balls, and edges on a torus do not count
+///   time      the tick has advanced, and no ball that has a speed has stayed exactly where it was,
+///             unless the solver has told that time stood still for some
+///
+/// Cost: a sort of the balls by x, then pairs of balls that are near along x, and every edge with
+/// the balls near it along x.
+class InvariantCheck {
+  public:
+    InvariantCheck(const Scene& scene, SolverKind solver);
+
+    /// Pre: called after every tick. The first breach in the order of the list; none: all hold.
+    std::optional<Breach> note_tick(const World& world, bool stood_still);
+
+  private:
+    using Pair = std::pair<std::uint64_t, std::uint64_t>;
+
+    std::optional<Breach> check_finite(const World& world) const;
+    std::optional<Breach> check_energy(const World& world);
+    std::optional<Breach> check_sides(const World& world) const;
+    std::optional<Breach> check_overlap(const World& world);
+    std::optional<Breach> check_time(const World& world, bool stood_still) const;
+    void sort(const World& world);
+    void remember(const World& world);
+    bool is_exempt(const Pair& pair) const;
+    /// visit(pair, depth, smaller radius, ball, other ball or none, edge or none) of all overlaps.
+    template <typename Visit>
+    void for_each_overlap(const World& world, Visit&& visit) const;
+
+    Promise promise_;
+    EscapeWatch escape_;
+    std::size_t escaped_ = 0;
+    std::uint64_t tick_ = 0;
+    std::vector<BallId> ids_;  // before the tick, like the two below
+    std::vector<Vec2> position_;
+    std::vector<Vec2> velocity_;
+    std::vector<std::uint32_t> order_;  // of balls, by x
+    double widest_ = 0.0;               // radius
+    double baseline_ = 0.0;             // energy that was there and given
+    double scale_ = 0.0;                // the largest energy in play
+    std::vector<Pair> exempt_;          // pairs that started too deep, ascending
+};
+
+}  // namespace carom

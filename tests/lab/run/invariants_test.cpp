@@ -1,0 +1,168 @@
+#include "lab/run/invariants.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "physics/solver.h"
+
+using namespace carom;
+
+namespace {
+
+// Twelve balls under gravity in a closed box, of which each test tampers with one between two
+// ticks.
+struct Run {
+    Scene scene;
+    World world;
+    Solver solver;
+    InvariantCheck check;
+
+    explicit Run(SolverKind kind = SolverKind::event)
+        : scene(box()), world(scene.world), solver({.kind = kind}), check(scene, kind) {}
+
+    static Scene box() {
+        Scene scene;
+        World& world = scene.world;
+        world.edit_definition().kinds = {{}};
+        world.edit_definition().materials = {{}};
+        world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+        const std::array<Vec2, 4> corners{Vec2{0, 0}, Vec2{40, 0}, Vec2{40, 30}, Vec2{0, 30}};
+        std::vector<CapsuleId> outline;
+        for (std::size_t i = 0; i < 4; ++i)
+            outline.push_back(add_capsule(world, {corners[i], corners[(i + 1) % 4], 0.0}, 0));
+        scene.outlines.push_back(outline);
+        add_capsule(world, {{20.0, 0.0}, {20.0, 25.0}, 0.0}, 0);
+        for (int i = 0; i < 12; ++i)
+            add_ball(world, {.position = {2.0 + 3.0 * (i % 6), 3.0 + 4.0 * (i / 6)},
+                             .velocity = {i - 5.0, 2.0}});
+        return scene;
+    }
+    std::optional<Breach> tick() {
+        const TickOutcome outcome = solver.tick(world);
+        return check.note_tick(world, outcome == TickOutcome::stood_still);
+    }
+    /// Ten good ticks, an eleventh after which `tamper` changes the world, and what is found.
+    template <typename Tamper>
+    Breach broken_by(Tamper&& tamper) {
+        for (int i = 0; i < 10; ++i)
+            REQUIRE(!tick());
+        const TickOutcome outcome = solver.tick(world);
+        tamper(world);
+        const auto breach = check.note_tick(world, outcome == TickOutcome::stood_still);
+        REQUIRE(breach);
+        CHECK(breach->tick == 11);
+        return *breach;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("invariants: a run that nobody tampers with keeps them, under every solver") {
+    for (const SolverKind kind : solvers_available()) {
+        CAPTURE(std::string(name(kind)));
+        Run run(kind);
+        for (int i = 0; i < 240; ++i) {
+            const auto breach = run.tick();
+            if (breach) FAIL(text(*breach, run.world.rate()));
+        }
+    }
+}
+
+TEST_CASE("invariants: a number that is not finite is caught") {
+    Run run;
+    const Breach breach =
+        run.broken_by([](World& world) { world.edit_balls().velocity[3].x = std::nan(""); });
+    CHECK(breach.kind == Breach::Kind::not_finite);
+    CHECK(breach.ball == BallId{3});
+}
+
+TEST_CASE("invariants: energy from nothing is caught, with its amount") {
+    Run run;
+    double gain = 0.0;
+    const Breach breach = run.broken_by([&](World& world) {
+        Vec2& velocity = world.edit_balls().velocity[3];
+        gain = 0.5 * 1e-6 * length_squared(velocity) / world.balls().inverse_mass[3];
+        velocity = velocity * std::sqrt(1.0 + 1e-6);
+    });
+    CHECK(breach.kind == Breach::Kind::energy);
+    CHECK(breach.amount == doctest::Approx(gain).epsilon(1e-3));
+}
+
+TEST_CASE("invariants: a ball on the other side of an edge is caught") {
+    Run run;
+    const Breach breach = run.broken_by([](World& world) {
+        world.edit_balls().position[5] = Vec2{20.0 + 2.0, world.balls().position[5].y};
+    });
+    CHECK(breach.kind == Breach::Kind::side);
+    CHECK(breach.ball == BallId{5});
+    CHECK(breach.edge == CapsuleId{4});
+    CHECK(breach.amount == doctest::Approx(2.0));
+}
+
+TEST_CASE("invariants: a ball outside of its box is caught, even if it went round the end") {
+    Run run;
+    const Breach breach = run.broken_by([](World& world) {
+        Balls& balls = world.edit_balls();
+        const double speed = length(balls.velocity[0]);
+        balls.position[0] = Vec2{-1e-9 - 0.0 * speed, balls.position[0].y};
+    });
+    const bool is_caught = breach.kind == Breach::Kind::side || breach.kind == Breach::Kind::escape;
+    CHECK(is_caught);
+}
+
+TEST_CASE("invariants: an overlap is caught, with both bodies and its depth") {
+    Run run;
+    const Breach breach = run.broken_by([](World& world) {
+        Balls& balls = world.edit_balls();
+        balls.position[7] = balls.position[6] + Vec2{1.9, 0.0};
+        balls.velocity[7] = {};
+    });
+    CHECK(breach.kind == Breach::Kind::overlap);
+    CHECK(breach.ball == BallId{6});
+    CHECK(breach.other == BallId{7});
+    CHECK(breach.amount == doctest::Approx(0.1));
+}
+
+TEST_CASE("invariants: a ball that stands still with a speed is caught, unless it is told") {
+    for (const bool is_told : {false, true}) {
+        Run run;
+        for (int i = 0; i < 10; ++i)
+            REQUIRE(!run.tick());
+        const Vec2 before = run.world.balls().position[2];
+        run.solver.tick(run.world);
+        run.world.edit_balls().position[2] = before;
+        run.world.edit_balls().velocity[2] = run.world.balls().velocity[2] * 0.5;
+        const auto breach = run.check.note_tick(run.world, is_told);
+        CHECK(breach.has_value() == !is_told);
+        if (breach) CHECK(breach->kind == Breach::Kind::time);
+    }
+}
+
+TEST_CASE("invariants: a tick that does not advance is caught") {
+    Run run;
+    REQUIRE(!run.tick());
+    const auto breach = run.check.note_tick(run.world, false);
+    REQUIRE(breach);
+    CHECK(breach->kind == Breach::Kind::time);
+}
+
+TEST_CASE("invariants: pairs that start inside one another do not count until they have parted") {
+    Scene scene = Run::box();
+    scene.world.edit_balls().position[1] = scene.world.balls().position[0] + Vec2{1.0, 0.0};
+    InvariantCheck check(scene, SolverKind::event);
+    World world = scene.world;
+    ++world.edit_tick();
+    CHECK(!check.note_tick(world, true));
+    world.edit_balls().position[1] = world.balls().position[0] + Vec2{2.1, 0.0};
+    ++world.edit_tick();
+    CHECK(!check.note_tick(world, true));
+    world.edit_balls().position[1] = world.balls().position[0] + Vec2{1.0, 0.0};
+    ++world.edit_tick();
+    const auto breach = check.note_tick(world, true);
+    REQUIRE(breach);
+    CHECK(breach->kind == Breach::Kind::overlap);
+}
