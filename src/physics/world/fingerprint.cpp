@@ -23,6 +23,20 @@ void add_columns(Hash& hash, const Table& table, std::size_t first_columns) {
     });
 }
 
+// Nothing while nothing is held: recordings from before hands keep their marks there.
+void add_hands(Hash& hash, const Hands& hands) {
+    if (hands.each.empty()) return;
+    for (const Hand& hand : hands.each) {
+        hash.add(hand.is_on_ball);
+        hash.add(hand.number);
+        hash.add(hand.start_target);
+        hash.add(hand.end_target);
+        hash.add(hand.pace);
+    }
+    hash.add(hands.share);
+    hash.add(hands.overlap);
+}
+
 void add_kinematic_bodies(Hash& hash, const World& world) {
     for (const Flipper& flipper : world.flippers()) {
         hash.add(flipper.capsule);
@@ -42,6 +56,7 @@ void add_kinematic_bodies(Hash& hash, const World& world) {
         hash.add(held.end_target);
         hash.add(held.is_driven);
     }
+    add_hands(hash, world.hands());
 }
 
 std::uint64_t fingerprint_2(const World& world) {

@@ -32,6 +32,9 @@ void set(ClassIndex& value, std::uint32_t row) {
 void set(std::uint32_t& value, std::uint32_t row) {
     value = row + 7;
 }
+void set(Joints& value, std::uint32_t row) {
+    value = {CapsuleId{2 * row}, CapsuleId{2 * row + 1}};
+}
 void set(Side& value, std::uint32_t row) {
     value = static_cast<Side>(1 + row % 3);
 }

@@ -18,7 +18,7 @@ namespace {
 World full() {
     World world = scenes::empty();
     Model& model = world.edit_definition().model;
-    model.lossy = model.one_way = true;
+    model.lossy = model.one_way = model.curved = true;
     model.scatter = 0.1;
     model.spin = 0.4;
     model.cloth = Cloth{};
@@ -32,6 +32,7 @@ World full() {
     world.edit_flippers().push_back({.capsule = CapsuleId{0}});
     world.edit_held_balls().push_back({.id = BallId{0}});
     world.edit_held_capsules().push_back({.id = CapsuleId{1}});
+    world.edit_hands().each = {{.number = 1}};
     world.edit_ledger().counters = {3};
     EventMemory& memory = edit_event_memory(world);
     memory.trajectories.lines.resize(2);
@@ -61,6 +62,9 @@ void change(ClassIndex& value) {
 void change(std::uint32_t& value) {
     ++value;
 }
+void change(Joints& value) {
+    value[1] = CapsuleId{7};
+}
 void change(Capsule& value) {
     value.end.x += 0.5;
 }
@@ -87,6 +91,10 @@ const std::vector<Change>& changes() {
         {"no held ball", [](World& w) { w.edit_held_balls().clear(); }},
         {"target of an edge", [](World& w) { w.edit_held_capsules()[0].end_target.x = 1.0; }},
         {"motor", [](World& w) { w.edit_held_capsules()[0].is_driven = true; }},
+        {"pace of a hand", [](World& w) { w.edit_hands().each[0].pace = 1.0; }},
+        {"last target of a hand", [](World& w) { w.edit_hands().each[0].end_target.x = 1.0; }},
+        {"share of the hands", [](World& w) { w.edit_hands().share = 0.5; }},
+        {"overlap before the hands", [](World& w) { w.edit_hands().overlap = 0.5; }},
         {"path", [=](World& w) { memory(w).trajectories.lines[1].velocity.x = 1.0; }},
         {"path's motion",
          [=](World& w) { memory(w).trajectories.lines[1].motion = Motion::resting; }},
