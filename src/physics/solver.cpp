@@ -44,7 +44,7 @@ void name_standing(const World& world, std::span<const std::uint32_t> balls,
     for (const std::uint32_t ball : balls)
         named.push_back(world.balls().id[ball]);
     std::ranges::sort(named);
-    named.erase(std::ranges::unique(named).begin(), named.end());
+    named.erase(std::unique(named.begin(), named.end()), named.end());
 }
 
 }  // namespace

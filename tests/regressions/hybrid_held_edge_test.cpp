@@ -73,3 +73,19 @@ TEST_CASE("event: a hand that moved an edge in a cluster lets go of it for all b
     // It has bounced off the end of the edge, and not off its side.
     CHECK(whole.balls().velocity[3].x > 0.0);
 }
+
+// Lifted edges are stepped by `contact`, with the balls that lie on them. Without a ball there was
+// nothing to choose the substeps by, and the program crashed.
+TEST_CASE("event: a hand lifts an edge on which nothing lies") {
+    SlidingEdge scene;
+    World& world = scene.world;
+    edit_event_memory(world).clustered.clear();
+    const CapsuleId shelf = add_capsule(world, {{-60.0, 0.0}, {-50.0, 0.0}, 0.0}, 0);
+    Solver solver({.kind = SolverKind::event});
+    for (int tick = 1; tick <= 10; ++tick) {
+        const double height = 0.05 * tick;
+        world.edit_held_capsules() = {{shelf, {-60.0, height}, {-50.0, height}}};
+        solver.tick(world);
+    }
+    CHECK(world.capsules().shape.back().start.y == doctest::Approx(0.5));
+}

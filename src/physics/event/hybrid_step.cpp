@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <span>
 
 #include "geometry/closest.h"
 #include "physics/broad_phase/capsule_cells.h"
@@ -47,8 +48,8 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
                               const std::function<bool()>& keep_going) {
     find_reach(world);
     find_cluster(world);
-    if (std::ranges::find(is_clustered_, 1) == is_clustered_.end()) {
-        // The balls of the cluster no longer exist.
+    if (!has_clustered_ball(world)) {
+        // The balls of the cluster no longer exist, or a hand lifts nothing.
         const EventOutcome outcome = event.tick(world, contacts, touched, keep_going);
         if (outcome != EventOutcome::cancelled) memory_of(world).contacts.clear();
         standing_.assign(event.standing().begin(), event.standing().end());
@@ -166,6 +167,11 @@ void HybridStep::find_cluster(const World& world) {
     // A root is the lowest node of its tree.
     for (std::uint32_t i = 0; i < parent_.size(); ++i)
         is_clustered_[i] = is_clustered_[root_of(i)];
+}
+
+bool HybridStep::has_clustered_ball(const World& world) const {
+    const auto balls = std::span(is_clustered_).first(world.balls().size());
+    return std::ranges::find(balls, 1) != balls.end();
 }
 
 // The node of what the hand holds.

@@ -83,6 +83,7 @@ class HybridStep {
 
     void find_reach(const World& world);
     void find_cluster(const World& world);
+    bool has_clustered_ball(const World& world) const;
     void unite_held_capsules(const World& world);
     static std::optional<std::uint32_t> node_of(const World& world, const Hand& hand);
     std::uint32_t root_of(std::uint32_t node);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/closest.h"
 #include "physics/tick/kinematic.h"
@@ -57,7 +58,8 @@ bool HandStep::begin(World& world) {
         return false;
     }
     const Hands& last = world.hands();
-    Hands hands;
+    Hands& hands = hands_;
+    hands.each.clear();
     for (const HeldBall& held : world.held_balls()) {
         const auto index = index_of(world, held.id);
         if (!index) continue;
@@ -93,7 +95,7 @@ bool HandStep::begin(World& world) {
         fastest_ = std::max(fastest_, hand.pace);
     balls_ = world.held_balls();
     edges_ = world.held_capsules();
-    world.edit_hands() = std::move(hands);
+    std::swap(world.edit_hands(), hands);
     return true;
 }
 
@@ -101,14 +103,14 @@ double HandStep::next_share(double share) {
     return share > least_share ? 0.5 * share : 0.0;
 }
 
-void HandStep::aim(World& world, double share) const {
+void HandStep::aim(World& world, double share) {
     // A free hand goes to its target, without rounding.
     const auto part_of = [&](double way, double pace) {
         const double most = pace * world.tick_length() * (1.0 + arrival);
         return share * (way > most ? most / way : 1.0);
     };
-    std::vector<HeldBall> balls = balls_;
-    for (HeldBall& held : balls) {
+    aimed_balls_ = balls_;
+    for (HeldBall& held : aimed_balls_) {
         const auto index = index_of(world, held.id);
         const Hand* const hand = find_hand(world.hands(), true, number(held.id));
         if (!index || !hand) continue;
@@ -117,8 +119,8 @@ void HandStep::aim(World& world, double share) const {
         const double part = part_of(length(way), hand->pace);
         if (part < 1.0) held.target = place + way * part;
     }
-    std::vector<HeldCapsule> edges = edges_;
-    for (HeldCapsule& held : edges) {
+    aimed_edges_ = edges_;
+    for (HeldCapsule& held : aimed_edges_) {
         const auto index = index_of(world, held.id);
         const Hand* const hand = find_hand(world.hands(), false, number(held.id));
         if (!index || !hand || held.is_driven) continue;
@@ -130,8 +132,8 @@ void HandStep::aim(World& world, double share) const {
         held.start_target = shape.start + start * part;
         held.end_target = shape.end + end * part;
     }
-    world.edit_held_balls() = std::move(balls);
-    world.edit_held_capsules() = std::move(edges);
+    world.edit_held_balls() = aimed_balls_;
+    world.edit_held_capsules() = aimed_edges_;
 }
 
 void HandStep::end(World& world, double share) const {

@@ -33,7 +33,7 @@ class HandStep {
     static double next_share(double share);
 
     /// Sets the targets in the world to where the hands would be at the end of this tick.
-    void aim(World& world, double share) const;
+    void aim(World& world, double share);
     /// Ends the tick: the targets are the player's again.
     void end(World& world, double share) const;
 
@@ -51,6 +51,9 @@ class HandStep {
     std::vector<HeldBall> balls_;
     std::vector<HeldCapsule> edges_;
     // Scratch.
+    Hands hands_;
+    std::vector<HeldBall> aimed_balls_;
+    std::vector<HeldCapsule> aimed_edges_;
     NearPairs near_;
     std::vector<std::uint32_t> order_;
     std::vector<double> margin_;
