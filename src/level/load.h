@@ -15,7 +15,7 @@ namespace carom {
 struct LoadResult {
     std::optional<Scene> scene;           ///< absent when there is an error
     std::vector<Diagnostic> diagnostics;  ///< in order of file and line; at most 20
-    std::uint64_t operations = 0;         ///< what loading has cost (text/work_budget.h)
+    std::uint64_t operations = 0;         ///< what loading has cost (text/load_budget.h)
 };
 
 /// Loads `text`, the content of the level `file`. The name is used in messages and as the base of

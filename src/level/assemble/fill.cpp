@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t attempts = 300;
 
-// Operations of a WorkBudget.
+// Operations of a LoadBudget.
 constexpr std::uint64_t cost_of_a_ball = 20;       // its random sizes and velocity
 constexpr std::uint64_t cost_of_a_try = 3;         // of a random place
 constexpr std::uint64_t cost_of_a_site = 3;        // of a lattice
@@ -119,7 +119,7 @@ void draw_velocities(const FillIr& fill, const FillRandom& chance, std::vector<F
 class FillPlacer {
   public:
     FillPlacer(const FillIr& fill, const Obstacles& obstacles, const FillRandom& chance,
-               std::vector<FilledBall>& balls, WorkBudget& work)
+               std::vector<FilledBall>& balls, LoadBudget& work)
         : fill_(fill),
           random_(chance),
           balls_(balls),
@@ -246,7 +246,7 @@ class FillPlacer {
     const FillIr& fill_;
     const FillRandom& random_;
     std::vector<FilledBall>& balls_;
-    WorkBudget& work_;
+    LoadBudget& work_;
     bool keeps_apart_;
     BoxTree tree_;
     std::vector<Disc> near_discs_;

@@ -44,7 +44,7 @@ struct FillDefaults {
 ///
 /// Larger balls come first; each takes the first free one of 300 random positions. If a ball finds
 /// none (at packings above about 0.5), or the search has used half of the work that is left to the
-/// level (WorkBudget), all balls go on a lattice instead, with random shifts as far as there is
+/// level (LoadBudget), all balls go on a lattice instead, with random shifts as far as there is
 /// room. Placement fails only if the densest lattice has too few sites. After the first fill that
 /// fails none is placed, since it would be placed among others than the author meant.
 ///

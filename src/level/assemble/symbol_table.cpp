@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-// Of the lists that each `show` and each `expect` keeps of its bins, in operations of a WorkBudget.
+// Of the lists that each `show` and each `expect` keeps of its bins, in operations of a LoadBudget.
 constexpr std::uint64_t cost_of_a_bin = 20;
 
 // The parts of "name(inside)"; none: the word is not of that form.

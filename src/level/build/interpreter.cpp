@@ -43,7 +43,7 @@ void Interpreter::run(const Node& node, const Frame& frame) {
 }
 
 void Interpreter::count_step(const Node& node) {
-    // In operations of a WorkBudget; the evaluation of numbers costs more.
+    // In operations of a LoadBudget; the evaluation of numbers costs more.
     constexpr std::uint64_t cost_of_a_statement = 10;
     constexpr std::uint64_t cost_of_a_word = 10;
     constexpr std::uint64_t characters_for_one = 2;

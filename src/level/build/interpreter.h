@@ -17,7 +17,7 @@ namespace carom {
 /// action in their row of the table (language/statement.h).
 ///
 /// A level is untrusted data, so the work is bounded: 1,000,000 statements, 32 nested blocks, and
-/// the operations of a WorkBudget. At a limit the interpreter reports an error and throws
+/// the operations of a LoadBudget. At a limit the interpreter reports an error and throws
 /// LoadStopped.
 class Interpreter {
   public:

@@ -10,7 +10,7 @@
 #include "level/ir/transform.h"
 #include "level/scene/load_options.h"
 #include "level/scene/scene.h"
-#include "level/text/work_budget.h"
+#include "level/text/load_budget.h"
 #include "level/values/expression.h"
 
 /// State that the stages of loading share.
@@ -29,7 +29,7 @@ using BindingKey = std::pair<const Node*, const char*>;
 
 struct Context {
     Reporter reporter;
-    WorkBudget work{reporter};
+    LoadBudget work{reporter};
     LevelIr ir;
     LengthUnit unit = LengthUnit::natural;
     /// The line `units` had an error, so numbers are not checked for their units.

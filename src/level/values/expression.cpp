@@ -21,7 +21,7 @@ class Parser {
     Parser(const Word& word, const Scope& scope, const ExpressionRules& rules, Reporter& reporter)
         : word_(word), text_(word.text), scope_(scope), rules_(rules), reporter_(reporter) {}
 
-    /// What parsing has cost so far, in operations (WorkBudget).
+    /// What parsing has cost so far, in operations (LoadBudget).
     std::uint64_t cost() const { return cost_; }
 
     std::optional<Value> whole() {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "level/text/load_budget.h"
 #include "level/text/words.h"
-#include "level/text/work_budget.h"
 #include "level/values/dimension.h"
 
 /// Expressions: + - * / ^, brackets, names of variables, pi and functions. A variable may be called
@@ -27,7 +27,7 @@ struct Scope {
     std::map<std::string, Variable, std::less<>> names;
     Scope* outer = nullptr;
 
-    /// Null: there is none. Adds what the search costs to `cost` (WorkBudget).
+    /// Null: there is none. Adds what the search costs to `cost` (LoadBudget).
     const Variable* find(std::string_view name, std::uint64_t& cost) const;
 };
 
@@ -36,7 +36,7 @@ struct ExpressionRules {
     /// Names that the file defines later at top level, with their lines: for the message about a
     /// use before the definition.
     const std::map<std::string, int, std::less<>>* defined_later = nullptr;
-    WorkBudget* work = nullptr;  ///< pays for the evaluation; may be null
+    LoadBudget* work = nullptr;  ///< pays for the evaluation; may be null
 };
 
 /// The deepest nesting of brackets, signs and powers.

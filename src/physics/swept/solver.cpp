@@ -31,14 +31,16 @@ void SweptSolver::resolve_impacts(World& world, std::vector<Contact>& contacts,
     schedule_.clear();
     prediction_.predict_at_start(world);
     prediction_.take_tests();
-    while (token.may_continue(swept_tolerance::work_of_impact)) {
+    std::uint64_t work = 0;
+    while (token.may_continue(work)) {
         const std::optional<SweptEvent> event = schedule_.take();
         if (!event) break;
+        work = swept_tolerance::work_of_impact;
         prediction_.prefetch(world);
         if (event->ball_version != paths_[event->ball].version) continue;
         if (prediction_.is_void(*event)) {
             prediction_.predict(world, event->ball, event->time);
-            charge(world, *event);
+            work = charge(world, *event);
             continue;
         }
         const SweptOutcome outcome = response_.collide(world, *event);
@@ -49,7 +51,7 @@ void SweptSolver::resolve_impacts(World& world, std::vector<Contact>& contacts,
             contacts.back().time += step_.start_time;
         }
         predict_after(world, *event, outcome.has_stopped_edge);
-        charge(world, *event);
+        work = charge(world, *event);
     }
 }
 
@@ -65,10 +67,10 @@ void SweptSolver::predict_after(const World& world, const SweptEvent& event,
     if (event.kind == ContactKind::ball_ball) prediction_.predict(world, event.other, event.time);
 }
 
-// Time stands still for a ball that has used its share of the work.
-void SweptSolver::charge(World& world, const SweptEvent& event) {
+// Time stands still for a ball that has used its share of the work. Returns the work of the event.
+std::uint64_t SweptSolver::charge(World& world, const SweptEvent& event) {
     const std::uint64_t work = prediction_.take_tests() + swept_tolerance::work_of_impact;
-    if (!budget_.spend(work)) return;
+    if (!budget_.spend(work)) return work;
     for (const std::uint32_t ball : {event.ball, event.other}) {
         if (ball == event.other && event.kind != ContactKind::ball_ball) break;
         if (!budget_.charge(ball, work) || paths_[ball].is_frozen) continue;
@@ -77,6 +79,7 @@ void SweptSolver::charge(World& world, const SweptEvent& event) {
         candidates_.note_change(world, ball, event.time, is_first);
         prediction_.predict(world, ball, event.time);
     }
+    return work;
 }
 
 }  // namespace carom

@@ -43,7 +43,7 @@ class SweptSolver {
   private:
     void resolve_impacts(World& world, std::vector<Contact>& contacts,
                          std::vector<std::uint8_t>& touched, CancellationToken& token);
-    void charge(World& world, const SweptEvent& event);
+    std::uint64_t charge(World& world, const SweptEvent& event);
     void predict_after(const World& world, const SweptEvent& event, bool has_stopped_edge);
 
     SweptSubstep step_;

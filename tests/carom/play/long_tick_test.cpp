@@ -12,13 +12,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A tick is one second of a gas with millions of collisions: many seconds of work.
+// A tick is one second of a gas in which each ball spheads its budget: many seconds of work.
 std::string level(const std::string& solver) {
-    return "carom 1 \"Long ticks\"\nrate 1\nsolver " + solver + R"(
-kind light r=0.5
-box 0,0 140,75
-fill light count=500 box=0,0,140,75 speed=1000000
-)";
+    const std::string head = "carom 1 \"Long ticks\"\nrate 1\nkind light r=0.5\n";
+    if (solver == "event")
+        return head + "solver event\nbox 0,0 1084,581\n" +
+               "fill light count=30000 box=0,0,1084,581 speed=1000000\n";
+    return head + "solver " + solver + "\nbox 0,0 443,237\n" +
+           "fill light count=5000 box=0,0,443,237 speed=1000000\n";
 }
 
 struct LevelFile {

@@ -9,11 +9,11 @@ namespace carom {
 
 /// Counts operations, not seconds, so that every machine refuses the same files. One operation is
 /// worth about 7 ns. Work that keeps memory costs an operation for each byte or so.
-class WorkBudget {
+class LoadBudget {
   public:
-    explicit WorkBudget(Reporter& reporter) : reporter_(reporter) {}
-    WorkBudget(const WorkBudget&) = delete;
-    WorkBudget& operator=(const WorkBudget&) = delete;
+    explicit LoadBudget(Reporter& reporter) : reporter_(reporter) {}
+    LoadBudget(const LoadBudget&) = delete;
+    LoadBudget& operator=(const LoadBudget&) = delete;
 
     /// The statement that the following work belongs to, for the message at the limit.
     void begin(const Span& statement) { statement_ = statement; }
