@@ -16,11 +16,14 @@ namespace {
 std::string level(const std::string& solver) {
     const std::string head = "carom 1 \"Long ticks\"\nrate 1\nkind light r=0.5\n";
     if (solver == "event")
-        return head + "solver event\nbox 0,0 1084,581\n" +
-               "fill light count=30000 box=0,0,1084,581 speed=1000000\n";
-    return head + "solver " + solver + "\nbox 0,0 443,237\n" +
-           "fill light count=5000 box=0,0,443,237 speed=1000000\n";
+        return head + "solver event\nbox 0,0 560,300\n" +
+               "fill light count=8000 box=0,0,560,300 speed=1000000\n";
+    return head + "solver " + solver + "\nbox 0,0 313,168\n" +
+           "fill light count=2500 box=0,0,313,168 speed=1000000\n";
 }
+
+// With sanitizers each step between two polls takes longer, s.
+constexpr double patience = 30.0;
 
 struct LevelFile {
     fs::path path =
@@ -42,19 +45,19 @@ TEST_CASE("play answers keys inside a long tick") {
     TerminalProgram game(
         {CAROM_BINARY_DIR "/carom", "play", file.path.string()},
         {.environment = {{"XDG_CONFIG_HOME", folder}, {"XDG_STATE_HOME", folder}}});
-    REQUIRE(game.wait_for_text("Long ticks"));
+    REQUIRE(game.wait_for_text("Long ticks", patience));
     game.send(".");
     game.settle();
     // The tick is under way; each of these cancels it, and is shown before the next tick starts.
     game.send("?");
-    CHECK(game.wait_for_text("any key goes back"));
+    CHECK(game.wait_for_text("any key goes back", patience));
     game.send("x");
-    CHECK(game.wait_for_text("took too long"));
+    CHECK(game.wait_for_text("took too long", patience));
     game.send(" ");
-    game.settle(1.5);
+    game.settle(0.5);
     game.send("G");
-    CHECK(game.wait_for_text("gravity"));
+    CHECK(game.wait_for_text("gravity", patience));
     game.send("q");
-    CHECK(game.wait_for_end());
+    CHECK(game.wait_for_end(patience));
     fs::remove_all(folder);
 }
