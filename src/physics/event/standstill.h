@@ -13,7 +13,7 @@ namespace carom {
 
 /// The balls for which time stands still until the tick ends, since they have used their share of
 /// the work (tick/work_budget.h). Until then such a ball is held where it is, an immovable
-/// obstacle; then it goes on with the velocity, roll and spin that it had.
+/// obstacle; then it continues with the velocity, roll and spin that it had.
 template <typename Real>
 class Standstill {
   public:

@@ -32,7 +32,7 @@ class FlipperBench {
     FlipperBench(const Scene& scene, const Inlane& lane, Vec2 at, Vec2 velocity = {});
     /// From the same state, with a solver of its own, to try what a press would do.
     FlipperBench fork() const;
-    /// As if the flipper's button were pressed, or not; for longer than it takes to get there.
+    /// Puts the flipper at rest at its upper or lower stop, with its button pressed or released.
     void settle_flipper(bool is_up);
     void press(bool is_down);
     void press_other(bool is_down);

@@ -127,7 +127,7 @@ TEST_CASE("invariants: an overlap is caught, with both bodies and its depth") {
     CHECK(breach.amount == doctest::Approx(0.1));
 }
 
-TEST_CASE("invariants: a ball that stands still with a speed is caught, unless it is told") {
+TEST_CASE("invariants: a moving ball that stands still is caught, unless it is reported") {
     for (const bool is_told : {false, true}) {
         Run run;
         for (int i = 0; i < 10; ++i)
