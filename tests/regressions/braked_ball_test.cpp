@@ -46,8 +46,8 @@ TEST_CASE("event: a ball whose spin has been braked still rests on its supports"
     REQUIRE(groove.world.balls().spin[0] == 0.0);
     const StoredTrajectories braked = event_memory(groove.world).trajectories;
     CHECK(braked.lines[0].motion == Motion::resting);
-    CHECK(braked.curves[0].support.by == PathSupport::By::edge);
-    CHECK(braked.curves[0].second_support.by == PathSupport::By::edge);
+    CHECK(braked.curves[0].support.kind == SupportId::Kind::edge);
+    CHECK(braked.curves[0].second_support.kind == SupportId::Kind::edge);
     for (int tick = 0; tick < 600; ++tick)
         solver.tick(groove.world);
     CHECK(event_memory(groove.world).trajectories.lines[0].time == braked.lines[0].time);

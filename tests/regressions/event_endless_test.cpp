@@ -102,14 +102,14 @@ TEST_CASE("event: an approach at the smallest representable speed is no impact")
     const Edge<double> peg(Capsule{{0.0, 0.0}, {0.0, 0.0}, 0.0}, {});
     for (const double speed : {5e-324, 1e-320, 1e-310, 1e-300}) {
         CAPTURE(speed);
-        Trajectory<double> path;
-        path.position = {0.5, 0.0};
-        path.velocity = {-speed, 0.0};
+        Trajectory<double> trajectory;
+        trajectory.position = {0.5, 0.0};
+        trajectory.velocity = {-speed, 0.0};
         ToiSearch<double> search;
-        CHECK(!edge_time_of_impact(path, wall, 0.5, Field<double>{}, 1.0, search));
-        CHECK(!edge_time_of_impact(path, peg, 0.5, Field<double>{}, 1.0, search));
+        CHECK(!edge_time_of_impact(trajectory, wall, 0.5, Field<double>{}, 1.0, search));
+        CHECK(!edge_time_of_impact(trajectory, peg, 0.5, Field<double>{}, 1.0, search));
         Trajectory<double> other;
-        CHECK(!ball_time_of_impact(path, other, {}, 0.5, 0.25, Field<double>{}, 1.0, search));
+        CHECK(!ball_time_of_impact(trajectory, other, {}, 0.5, 0.25, Field<double>{}, 1.0, search));
     }
 }
 

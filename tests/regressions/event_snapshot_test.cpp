@@ -122,7 +122,7 @@ TEST_CASE("event: a snapshot continues with the same bits if a ball's support is
         for (int tick = 0; tick < 120; ++tick)
             solver.tick(world);
         REQUIRE(event_memory(world).trajectories.lines[1].motion == Motion::resting);
-        REQUIRE(event_memory(world).trajectories.curves[1].support.by == PathSupport::By::ball);
+        REQUIRE(event_memory(world).trajectories.curves[1].support.kind == SupportId::Kind::ball);
         REQUIRE(event_memory(world).trajectories.lines[1].recent_collisions > 0);
         world.edit_balls().position[0] += push;
         world.edit_balls().velocity[0].y = 0.1;

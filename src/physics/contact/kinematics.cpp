@@ -30,8 +30,8 @@ void ContactKinematics::begin_substep(const World& world, const ContactSubstep& 
     for (std::size_t i = 0; i < balls_.size(); ++i) {
         ContactHeldBall& ball = balls_[i];
         ball.share = 1.0;
-        const Vec2 way =
-            rest_of_way(world, world.held_balls()[ball.held], bodies.position[ball.body]);
+        const Vec2 way = displacement_to_target(world, world.held_balls()[ball.held],
+                                                bodies.position[ball.body]);
         ball.velocity = way * per_second(i);
     }
     for (std::size_t i = 0; i < edges_.size(); ++i) {

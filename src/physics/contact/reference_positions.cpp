@@ -79,7 +79,8 @@ void set_reference_positions(World& world, const ContactSubstep& step) {
     }
     for (const HeldBall& held : world.held_balls())
         if (const auto index = index_of(world, held.id))
-            reference.skin[*index] += length(rest_of_way(world, held, balls.position[*index]));
+            reference.skin[*index] +=
+                length(displacement_to_target(world, held, balls.position[*index]));
 }
 
 bool has_valid_reference_positions(const World& world, const ContactSubstep& step) {

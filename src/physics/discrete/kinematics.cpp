@@ -20,7 +20,7 @@ void OverlapKinematics::move(World& world, double share, double duration) {
         const auto index = index_of(world, held.id);
         if (!index) continue;
         Vec2& position = SolverAccess(world).balls().position[*index];
-        const Vec2 displacement = rest_of_way(world, held, position) * share;
+        const Vec2 displacement = displacement_to_target(world, held, position) * share;
         position += displacement;
         longest_displacement_ = std::max(longest_displacement_, length(displacement));
         SolverAccess(world).balls().velocity[*index] = {};

@@ -48,18 +48,18 @@ inline bool UniformMotion<Real>::find_near(std::uint32_t ball, std::uint32_t par
     const Real size = balls[ball].radius;
     const Real slack = Real(gap_roundings) * rounding_at(position, Real{});
     const Vector<Real> from = position;
-    const Vector<Real> way = velocity;
+    const Vector<Real> own_velocity = velocity;
     std::size_t count = 0;
     std::size_t approached = 0;
     int are_apart = 1;
     auto chains = space_.cells().chains_near(balls_, ball);
     chains.for_each(balls, [&](std::uint32_t other, int, int) {
-        const LinearPart<Real>& path = balls[other].line;
-        const Vector<Real> offset = from - (path.position + path.velocity * (now - path.time));
+        const LinearPart<Real>& line = balls[other].line;
+        const Vector<Real> offset = from - (line.position + line.velocity * (now - line.time));
         const Real reach = size + balls[other].radius;
         // The rough limit of ImpactCluster, which no ball that may touch exceeds.
         const Real rough = reach * Real(1.0 + 4.0 * contact_slop) + slack;
-        const StraightApproach<Real> approach(offset, way - path.velocity, reach);
+        const StraightApproach<Real> approach(offset, own_velocity - line.velocity, reach);
         const auto is_other = static_cast<int>(other != partner);
         are_apart &= (is_other ^ 1) | static_cast<int>(length_squared(offset) > rough * rough);
         const std::size_t at = std::min(count, NearBalls<Real>::most - 1);
@@ -100,16 +100,16 @@ bool UniformMotion<Real>::collide(std::uint32_t ball, const BallEvent<Real>& eve
     Pair pair{{std::min(ball, event.other), std::max(ball, event.other)}, {}, {}, {}, {}};
     for (std::size_t i = 0; i < 2; ++i) {
         const BallRecord<Real>& each = balls_[pair.ball[i]];
-        if (each.line.recent_collisions >= most_collisions_in_place) return false;
+        if (each.line.recent_collisions >= most_recent_collisions) return false;
         // + 0 clears -0, as state_at does.
         const Vector<Real> speed = each.line.velocity + Vector<Real>{};
         pair.position[i] = each.line.position + speed * (scene_.now - each.line.time);
         pair.motion[i] = {speed, balls_.plan(pair.ball[i]).inverse_mass};
-        const Vector<Real> way = pair.position[i] - each.line.position;
+        const Vector<Real> moved = pair.position[i] - each.line.position;
         const Real near = Real(contact_slop) * each.radius;
         // A rough test first: nearly all have moved further.
         const bool is_in_place =
-            length_squared(way) < Real(2.0) * near * near && length(way) < near;
+            length_squared(moved) < Real(2.0) * near * near && length(moved) < near;
         pair.collisions[i] = select(is_in_place, each.line.recent_collisions + 1, 0);
     }
     pair.offset = pair.position[0] - pair.position[1];

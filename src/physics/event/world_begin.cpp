@@ -98,7 +98,7 @@ void WorldSync<Real>::rebuild(const World& world) {
     if constexpr (!std::is_same_v<Real, double>) before = balls_;
     balls_.resize(count, may_curve(world.model()));
     for (std::size_t i = 0; i < count; ++i) {
-        balls_.set_path(i, {});
+        balls_.set_trajectory(i, {});
         balls_.plan(i).set_next_event({});
     }
     take_stored(world, before);
@@ -110,7 +110,7 @@ void WorldSync<Real>::rebuild(const World& world) {
     take_spins(world);
     for (std::size_t i = 0; i < count; ++i)
         is_kept_[i] = is_kept_[i] && !(balls_.plan(i).inverse_mass == Real{}) &&
-                      leads_through(balls_.path(i), i);
+                      leads_through(balls_.trajectory(i), i);
     const std::uint64_t obstacles = event_memory(world).trajectories.obstacles;
     if (obstacles == 0 || obstacles != digest_of_obstacles(world))
         for (std::uint32_t i = 0; i < count; ++i)
@@ -141,9 +141,9 @@ void WorldSync<Real>::take_stored(const World& world, const BallTable<Real>& bef
                 ++at;
             if (at >= stored.lines.size() || stored.lines[at].id != world.balls().id[i]) continue;
             const StoredCurve curve = at < stored.curves.size() ? stored.curves[at] : StoredCurve{};
-            balls_.set_path(i, trajectory_from(stored.lines[at], curve));
+            balls_.set_trajectory(i, trajectory_from(stored.lines[at], curve));
             is_kept_[i] = (!world.model().spin || at < stored.spins.size()) &&
-                          are_carriers_unchanged(balls_.path(i), curve.carriers);
+                          are_carriers_unchanged(balls_.trajectory(i), curve.carriers);
             if (world.model().spin && is_kept_[i]) spin_from_[i] = static_cast<std::int64_t>(at);
         }
     } else if (last_written_.is_valid && last_written_.tick == world.tick() &&
@@ -153,8 +153,8 @@ void WorldSync<Real>::take_stored(const World& world, const BallTable<Real>& bef
                 ++at;
             if (at >= last_written_.ids.size() || last_written_.ids[at] != world.balls().id[i])
                 continue;
-            balls_.set_path(i, before.path(at));
-            is_kept_[i] = are_carriers_unchanged(balls_.path(i), last_written_.carriers[at]);
+            balls_.set_trajectory(i, before.trajectory(at));
+            is_kept_[i] = are_carriers_unchanged(balls_.trajectory(i), last_written_.carriers[at]);
             if (world.model().spin) spin_from_[i] = static_cast<std::int64_t>(at);
         }
     }
@@ -170,8 +170,8 @@ void WorldSync<Real>::take_spins(const World& world) {
         if (spin_from_[i] < 0) {
             trajectories_.spin(i) = {scene_.now, Real(world.balls().spin[i]), Real{}, false};
         } else if constexpr (std::is_same_v<Real, double>) {
-            const StoredSpin& path = event_memory(world).trajectories.spins[at];
-            trajectories_.spin(i) = {path.time, path.spin, path.rate, path.rolls};
+            const StoredSpin& stored = event_memory(world).trajectories.spins[at];
+            trajectories_.spin(i) = {stored.time, stored.spin, stored.rate, stored.rolls};
         } else {
             trajectories_.spin(i) = before[at];
         }

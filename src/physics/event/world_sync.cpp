@@ -61,7 +61,7 @@ auto WorldSync<Real>::shown(std::size_t ball, const Real& time) const -> Shown {
     if (!world.model().gravity && !scene_.field.has_drag && line.motion == Motion::free) {
         result = {place_on(line, time), Vec2(line.velocity)};
     } else {
-        const BallState<Real> state = state_at(balls_.path(ball), scene_.field, time);
+        const BallState<Real> state = state_at(balls_.trajectory(ball), scene_.field, time);
         result.position = Vec2(state.position);
         if (line.motion != Motion::held) result.velocity = Vec2(state.velocity);
     }
@@ -87,7 +87,7 @@ void WorldSync<Real>::write_lines(World& world) {
     const std::size_t count = balls_.size();
     const Real began(world.time());
     const bool are_all = is_rebuilt_ || !std::is_same_v<Real, double>;
-    if (are_all) clear_paths(world);
+    if (are_all) clear_stored(world);
     std::array<std::uint32_t, 4096> begun;
     for (std::size_t first = 0; first < count; first += begun.size()) {
         const std::size_t last = std::min(first + begun.size(), count);
@@ -128,7 +128,7 @@ void WorldSync<Real>::write_begun(World& world, std::span<const std::uint32_t> b
 }
 
 template <typename Real>
-void WorldSync<Real>::write_paths(World& world) {
+void WorldSync<Real>::write_states(World& world) {
     Balls& balls = SolverAccess(world).balls();
     for (std::size_t i = 0; i < balls_.size(); ++i) {
         const Shown state = shown(i, scene_.end);
@@ -152,7 +152,7 @@ bool WorldSync<Real>::limit_speeds(World& world) const {
 
 // Makes room for all trajectories to be stored anew.
 template <typename Real>
-void WorldSync<Real>::clear_paths(World& world) {
+void WorldSync<Real>::clear_stored(World& world) {
     if constexpr (std::is_same_v<Real, double>) {
         StoredTrajectories& stored = stored_in(world);
         stored.lines.assign(balls_.size(), {});
@@ -164,16 +164,16 @@ void WorldSync<Real>::clear_paths(World& world) {
 
 // Stores the trajectories that started in this tick, or all.
 template <typename Real>
-void WorldSync<Real>::store_paths(World& world) {
+void WorldSync<Real>::store_trajectories(World& world) {
     StoredTrajectories& stored = stored_in(world);
     const auto store = [&](std::uint32_t i) {
-        const Trajectory<Real> path = balls_.path(i);
+        const Trajectory<Real> trajectory = balls_.trajectory(i);
         if constexpr (!std::is_same_v<Real, double>) {
             last_written_.carriers[i] =
-                digest_of_carriers(world, path.support, path.second_support);
+                digest_of_carriers(world, trajectory.support, trajectory.second_support);
         } else {
-            stored.lines[i] = stored_line(world.balls().id[i], path);
-            if (balls_.may_curve()) stored.curves[i] = stored_curve(world, path);
+            stored.lines[i] = stored_line(world.balls().id[i], trajectory);
+            if (balls_.may_curve()) stored.curves[i] = stored_curve(world, trajectory);
         }
     };
     const bool are_all = is_rebuilt_ || trajectories_.started().size() >= balls_.size() ||
@@ -183,7 +183,7 @@ void WorldSync<Real>::store_paths(World& world) {
             store(i);
         return;
     }
-    clear_paths(world);
+    clear_stored(world);
     for (std::uint32_t i = 0; i < balls_.size(); ++i)
         store(i);
 }
@@ -195,9 +195,9 @@ void WorldSync<Real>::write(World& world, bool has_stopped) {
     if (writes_lines()) {
         write_lines(world);
     } else {
-        write_paths(world);
+        write_states(world);
         is_limited = limit_speeds(world);
-        store_paths(world);
+        store_trajectories(world);
     }
     const SolverAccess access(world);
     access.balls().edge_contacts = scatter_counts_;

@@ -89,8 +89,8 @@ class WorldSync {
     void drop_unsupported();
     void start_or_shift(const World& world, std::uint32_t ball);
     // retained.cpp: which stored trajectories still hold
-    bool leads_through(const Trajectory<Real>& path, std::size_t ball) const;
-    bool are_carriers_unchanged(const Trajectory<Real>& path, std::uint32_t digest) const;
+    bool leads_through(const Trajectory<Real>& trajectory, std::size_t ball) const;
+    bool are_carriers_unchanged(const Trajectory<Real>& trajectory, std::uint32_t digest) const;
     bool has_support(std::size_t ball) const;
     bool has_passed_an_edge(std::uint32_t ball);
     // world_sync.cpp
@@ -108,10 +108,10 @@ class WorldSync {
     }
     void write_lines(World& world);
     void write_begun(World& world, std::span<const std::uint32_t> begun);
-    void write_paths(World& world);
+    void write_states(World& world);
     bool limit_speeds(World& world) const;
-    void clear_paths(World& world);
-    void store_paths(World& world);
+    void clear_stored(World& world);
+    void store_trajectories(World& world);
     void write_spins(World& world);
     void write_rolls(World& world) const;
     void write_dense(World& world);

@@ -64,7 +64,8 @@ void SweptPaths::begin(const World& world, double share_of_way) {
         const auto index = index_of(world, held.id);
         if (!index) continue;
         paths_[*index].chord.velocity =
-            rest_of_way(world, held, balls.position[*index]) * (share_of_way / step_.duration);
+            displacement_to_target(world, held, balls.position[*index]) *
+            (share_of_way / step_.duration);
     }
     spin_rate_.assign(world.model().spin ? balls.size() : 0, 0.0);
 }

@@ -66,10 +66,10 @@ bool HandStep::begin(World& world) {
         const Vec2 place = world.balls().position[*index];
         const Hand* const was = find_hand(last, true, number(held.id));
         const double rest =
-            was ? length(rest_of_way(world, {held.id, was->start_target}, place)) : 0.0;
+            was ? length(displacement_to_target(world, {held.id, was->start_target}, place)) : 0.0;
         hands.each.push_back(moved_on(
             last, {.is_on_ball = true, .number = number(held.id), .start_target = held.target},
-            length(rest_of_way(world, held, place)), rest, world.rate()));
+            length(displacement_to_target(world, held, place)), rest, world.rate()));
     }
     for (const HeldCapsule& held : world.held_capsules()) {
         const auto index = index_of(world, held.id);
@@ -115,7 +115,7 @@ void HandStep::aim(World& world, double share) {
         const Hand* const hand = find_hand(world.hands(), true, number(held.id));
         if (!index || !hand) continue;
         const Vec2 place = world.balls().position[*index];
-        const Vec2 way = rest_of_way(world, held, place);
+        const Vec2 way = displacement_to_target(world, held, place);
         const double part = part_of(length(way), hand->pace);
         if (part < 1.0) held.target = place + way * part;
     }

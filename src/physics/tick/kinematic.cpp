@@ -49,7 +49,7 @@ Vec2 surface_velocity(const HeldEdge& edge, const Capsule& shape, Vec2 point) {
     return (edge.start_velocity + (edge.end_velocity - edge.start_velocity) * place) * edge.share;
 }
 
-Vec2 rest_of_way(const World& world, const HeldBall& held, Vec2 position) {
+Vec2 displacement_to_target(const World& world, const HeldBall& held, Vec2 position) {
     const Vec2 way = held.target - position;
     return world.model().wrap ? nearest_image(way, size(*world.model().wrap)) : way;
 }

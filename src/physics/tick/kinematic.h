@@ -52,7 +52,7 @@ Capsule shape_at(const HeldEdge& edge, const World& world, double now);
 Vec2 surface_velocity(const HeldEdge& edge, const Capsule& shape, Vec2 point);
 
 /// Displacement of a held ball at `position` to its target; on a torus the shortest.
-Vec2 rest_of_way(const World& world, const HeldBall& held, Vec2 position);
+Vec2 displacement_to_target(const World& world, const HeldBall& held, Vec2 position);
 
 /// Sets the inverse mass of held balls to 0. `inverse_mass` is by ball.
 void make_held_balls_immovable(const World& world, std::vector<double>& inverse_mass);

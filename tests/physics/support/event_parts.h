@@ -36,7 +36,7 @@ struct EventParts {
         const auto count = static_cast<std::uint32_t>(world.balls().size());
         balls.resize(count, may_curve(world.model()));
         for (std::uint32_t i = 0; i < count; ++i) {
-            balls.set_path(i, {});
+            balls.set_trajectory(i, {});
             balls.plan(i).inverse_mass = world.balls().inverse_mass[i];
             balls[i].radius = world.balls().radius[i];
         }

@@ -67,9 +67,9 @@ TEST_CASE("a held ball is immovable, and takes the shorter way on a torus") {
     world.edit_definition().model.wrap = Box{{0, 0}, {10, 10}};
     const BallId id = add_ball(world, {.position = {9, 5}});
     const HeldBall held{.id = id, .target = {1, 5}};
-    CHECK(rest_of_way(world, held, {9, 5}) == Vec2{2, 0});
+    CHECK(displacement_to_target(world, held, {9, 5}) == Vec2{2, 0});
     world.edit_definition().model.wrap.reset();
-    CHECK(rest_of_way(world, held, {9, 5}) == Vec2{-8, 0});
+    CHECK(displacement_to_target(world, held, {9, 5}) == Vec2{-8, 0});
     world.edit_held_balls().push_back(held);
     std::vector<double> inverse_mass{1.0};
     make_held_balls_immovable(world, inverse_mass);

@@ -42,8 +42,8 @@ World with_trajectories() {
                                   .velocity = {}}};
     memory.trajectories.curves = {{.acceleration = {0.0, -9.0},
                                    .center = {8.0, 1.5},
-                                   .support = {PathSupport::By::edge, -1, 1, 2},
-                                   .second_support = {PathSupport::By::ball, 0, -1, 9},
+                                   .support = {SupportId::Kind::edge, -1, 1, 2},
+                                   .second_support = {SupportId::Kind::ball, 0, -1, 9},
                                    .carriers = 77},
                                   {.acceleration = {}, .center = {2.5, 0.0}}};
     memory.trajectories.spins = {{.time = 0.5, .spin = -2.0, .rate = 0.125, .rolls = true},

@@ -78,7 +78,7 @@ void ImpactCluster<Real>::add_ball(std::uint32_t body, std::uint32_t other, int 
     point.contact.normal = distance > Real{}
                                ? offset / distance
                                : Vector<Real>{ball < other ? Real(1.0) : Real(-1.0), Real{}};
-    point.support = {PathSupport::By::ball, static_cast<std::int8_t>(across),
+    point.support = {SupportId::Kind::ball, static_cast<std::int8_t>(across),
                      static_cast<std::int8_t>(along), number(scene_.world->balls().id[other])};
     contacts_.push_back(point);
 }
@@ -104,7 +104,7 @@ void ImpactCluster<Real>::add_edge(std::uint32_t body, std::uint32_t capsule, in
     point.gap = contact.gap;
     point.contact.a = body;
     point.contact.normal = contact.normal;
-    point.support = {PathSupport::By::edge, static_cast<std::int8_t>(across),
+    point.support = {SupportId::Kind::edge, static_cast<std::int8_t>(across),
                      static_cast<std::int8_t>(along), number(scene_.world->capsules().id[capsule])};
     contacts_.push_back(point);
 }
@@ -170,9 +170,9 @@ void ImpactCluster<Real>::find_neighbours(std::uint32_t body) {
             neighbours_.resize(2 * count + 16);
             close_.resize(std::max(close_.size(), neighbours_.size()));
         }
-        const LinearPart<Real>& path = balls[other].line;
-        Vector<Real> offset = position - (is_uniform && path.motion == Motion::free
-                                              ? path.position + path.velocity * (now - path.time)
+        const LinearPart<Real>& line = balls[other].line;
+        Vector<Real> offset = position - (is_uniform && line.motion == Motion::free
+                                              ? line.position + line.velocity * (now - line.time)
                                               : trajectories_.position_now(other));
         if (wraps) offset = offset - scene_.image_shift(across, along);
         const Real reach = size + balls[other].radius;

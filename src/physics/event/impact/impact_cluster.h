@@ -49,7 +49,7 @@ struct ContactPoint {
     EventKind kind = EventKind::ball_ball;
     std::uint32_t other = 0;  ///< ball or capsule
     bool is_motorised = false;
-    PathSupport support;            ///< as which it would carry the body
+    SupportId support;              ///< as which it would carry the body
     Real gap{};                     ///< length
     Vector<Real> surface_velocity;  ///< of a kinematic edge, length/s
 };

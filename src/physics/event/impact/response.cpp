@@ -244,7 +244,7 @@ void Response<Real>::stop_all() {
 template <typename Real>
 void Response<Real>::hold_frozen() {
     for (std::size_t i = 0; i < cluster_.bodies().size(); ++i)
-        if (guard_.is_frozen(balls_.path(cluster_.bodies()[i].ball)))
+        if (guard_.is_frozen(balls_.trajectory(cluster_.bodies()[i].ball)))
             cluster_.motion()[i] = {{}, Real{}};
 }
 
@@ -261,7 +261,7 @@ bool Response<Real>::is_squeezed(bool is_jammed) {
     for (const ContactPoint<Real>& point : cluster_.contacts()) {
         const std::uint32_t ball = cluster_.bodies()[point.contact.a].ball;
         const bool is_endless =
-            is_jammed || balls_[ball].line.recent_collisions > most_collisions_in_place;
+            is_jammed || balls_[ball].line.recent_collisions > most_recent_collisions;
         const bool is_kinematic =
             point.kind == EventKind::kinematic_edge ||
             (point.kind == EventKind::ball_ball && (is_held(ball) || is_held(point.other)));
@@ -314,7 +314,7 @@ void Response<Real>::start_trajectories(std::vector<std::uint8_t>& touched) {
         const ClusterBody<Real>& each = bodies[i];
         touched[each.ball] |= each.is_changed;
         if (!each.is_changed) continue;
-        const Trajectory<Real> before = balls_.path(each.ball);
+        const Trajectory<Real> before = balls_.trajectory(each.ball);
         if (each.is_moved) space_.cells().leave(balls_, each.ball);
         trajectories_.start(each.ball, scene_.now, each.position, cluster_.motion()[i].velocity);
         LinearPart<Real>& line = balls_[each.ball].line;

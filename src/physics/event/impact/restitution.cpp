@@ -20,18 +20,18 @@ double Restitution<Real>::of_balls(const ContactPoint<Real>& point, bool is_alon
                                    const Real& approach) const {
     const World& world = *scene_.world;
     const ClusterBody<Real>& body = cluster_.bodies()[point.contact.a];
-    const Trajectory<Real> ours = balls_.path(body.ball);
-    const Trajectory<Real> theirs = balls_.path(point.other);
+    const Trajectory<Real> ours = balls_.trajectory(body.ball);
+    const Trajectory<Real> theirs = balls_.trajectory(point.other);
     const double restitution = restitution_of_balls(world, body.ball, point.other);
     const bool is_pushed = cluster_.motion()[point.contact.a].inverse_mass == Real{} ||
                            cluster_.motion()[point.contact.b].inverse_mass == Real{};
-    const auto is_in_hand = [&](std::uint32_t ball, const Trajectory<Real>& path) {
-        return path.motion == Motion::held && scene_.is_in_hand(ball);
+    const auto is_in_hand = [&](std::uint32_t ball, const Trajectory<Real>& trajectory) {
+        return trajectory.motion == Motion::held && scene_.is_in_hand(ball);
     };
     if (is_pushed && (is_in_hand(body.ball, ours) || is_in_hand(point.other, theirs)))
         return hand_restitution;
-    if (restitution < 1.0 && ours.recent_collisions > most_collisions_in_place &&
-        theirs.recent_collisions > most_collisions_in_place)
+    if (restitution < 1.0 && ours.recent_collisions > most_recent_collisions &&
+        theirs.recent_collisions > most_recent_collisions)
         return 0.0;
     if (!is_alone || !world.model().gravity) return restitution;
     const Real press = -dot(ours.acceleration - theirs.acceleration, point.contact.normal);
@@ -49,7 +49,7 @@ double Restitution<Real>::of_edge(const ContactPoint<Real>& point, bool is_alone
                                   const Real& approach) const {
     const World& world = *scene_.world;
     const std::uint32_t ball = cluster_.bodies()[point.contact.a].ball;
-    const Trajectory<Real> path = balls_.path(ball);
+    const Trajectory<Real> trajectory = balls_.trajectory(ball);
     const double speed = static_cast<double>(approach);
     const double surface = static_cast<double>(point.contact.surface);
     const double restitution = restitution_of_edge(world, point.other, std::max(0.0, speed));
@@ -59,7 +59,7 @@ double Restitution<Real>::of_edge(const ContactPoint<Real>& point, bool is_alone
         // As fast as it must be to be found (edge_impact.cpp): with less of a rebound the ball
         // would sink into the edge, the deeper the longer it is pushed.
         const double height = world.model().cloth ? moving_rest_height : rest_height;
-        const Real pull = length(path.acceleration) * balls_.radius(ball);
+        const Real pull = length(trajectory.acceleration) * balls_.radius(ball);
         if (approach * approach < Real(4.0 * height) * pull) return 1.0;
         // What bounce_off gives, as a share of the approach.
         Vec2 velocity(cluster_.motion()[point.contact.a].velocity);
@@ -69,11 +69,11 @@ double Restitution<Real>::of_edge(const ContactPoint<Real>& point, bool is_alone
                    ? std::max(0.0, (dot(velocity, normal) - surface) / done.approach)
                    : 0.0;
     }
-    if (restitution < 1.0 && path.recent_collisions > most_collisions_in_place &&
+    if (restitution < 1.0 && trajectory.recent_collisions > most_recent_collisions &&
         !world.model().gravity)
         return 0.0;
     if (!is_alone || !world.model().gravity) return restitution;
-    const Real press = -dot(path.acceleration, point.contact.normal);
+    const Real press = -dot(trajectory.acceleration, point.contact.normal);
     if (!(press > Real{})) return restitution;
     const Real rebound = approach * Real(restitution);
     return rebound * rebound < Real(2.0 * rest_height) * press * balls_.radius(ball) ? 0.0

@@ -15,7 +15,7 @@ namespace carom {
 ///   ball and edge pressed by cloth          rest_height                   0
 ///   two balls pressed by cloth              cloth_rest_height             1
 ///   ball and kinematic body, by cloth       2 moving_rest_height          1
-///   two balls with more than most_collisions_in_place each                0
+///   two balls with more than most_recent_collisions each                0
 ///   such a ball and an edge, without gravity                              0
 ///   ball pushed by a held ball              always                        hand_restitution
 ///   kinematic edge that approaches          always                        laws/bounce.h

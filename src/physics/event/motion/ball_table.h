@@ -104,14 +104,14 @@ class BallTable {
     BallRecord<Real>& operator[](std::size_t ball) { return records_[ball]; }
     const BallRecord<Real>& operator[](std::size_t ball) const { return records_[ball]; }
     const Real& radius(std::size_t ball) const { return records_[ball].radius; }
-    Trajectory<Real> path(std::size_t ball) const {
+    Trajectory<Real> trajectory(std::size_t ball) const {
         return curves_.empty() ? Trajectory<Real>{records_[ball].line, {}}
                                : Trajectory<Real>{records_[ball].line, curves_[ball]};
     }
     /// Pre: the trajectory is straight, unless trajectories may curve.
-    void set_path(std::size_t ball, const Trajectory<Real>& path) {
-        records_[ball].line = path;
-        if (!curves_.empty()) curves_[ball] = path;
+    void set_trajectory(std::size_t ball, const Trajectory<Real>& trajectory) {
+        records_[ball].line = trajectory;
+        if (!curves_.empty()) curves_[ball] = trajectory;
     }
     bool may_curve() const { return !curves_.empty(); }
     /// Pre: may_curve().

@@ -19,8 +19,8 @@ void add_stored(Hash& hash, const StoredLine& line) {
     hash.add(line.velocity);
 }
 
-void add_stored(Hash& hash, const PathSupport& support) {
-    hash.add(support.by);
+void add_stored(Hash& hash, const SupportId& support) {
+    hash.add(support.kind);
     hash.add(support.across);
     hash.add(support.along);
     hash.add(support.number);

@@ -27,15 +27,15 @@ enum class Motion : std::uint8_t {
     still      ///< on cloth
 };
 
-/// What supports a ball, by number; on a torus, which periodic image of it.
-struct PathSupport {
-    enum class By : std::uint8_t { nothing, edge, ball };
-    By by = By::nothing;
+/// Names the edge or ball that supports a ball; on a torus also the periodic image of it.
+struct SupportId {
+    enum class Kind : std::uint8_t { nothing, edge, ball };
+    Kind kind = Kind::nothing;
     std::int8_t across = 0;
     std::int8_t along = 0;
     std::uint32_t number = 0;
 
-    friend bool operator==(const PathSupport&, const PathSupport&) = default;
+    friend bool operator==(const SupportId&, const SupportId&) = default;
 };
 
 /// The linear part of a trajectory: the ball is at `position` with `velocity` at `time`, that of
@@ -57,8 +57,8 @@ struct StoredLine {
 struct StoredCurve {
     Vec2 acceleration;  ///< since the line's `time`, before drag, length/s^2
     Vec2 center;        ///< turning: of the circle; on cloth: the roll (cloth.h) at `time`
-    PathSupport support;
-    PathSupport second_support;
+    SupportId support;
+    SupportId second_support;
     /// Digest of the edges that support the ball, as they were when the trajectory started
     /// (stored_trajectory.h): with another one, the support is gone.
     std::uint32_t carriers = 0;

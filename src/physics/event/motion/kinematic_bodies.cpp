@@ -11,9 +11,10 @@ void KinematicBodies<Real>::take() {
     for (const HeldBall& held : world.held_balls()) {
         const auto index = index_of(world, held.id);
         if (!index) continue;
-        const Vec2 way = rest_of_way(world, held, world.balls().position[*index]);
+        const Vec2 displacement =
+            displacement_to_target(world, held, world.balls().position[*index]);
         balls_.plan(*index).inverse_mass = Real{};
-        balls_[*index].line.velocity = Vector<Real>(way) / duration;
+        balls_[*index].line.velocity = Vector<Real>(displacement) / duration;
     }
     edges_.clear();
     list_kinematic_edges(world, held_);

@@ -43,14 +43,15 @@ struct EventScene {
         return false;
     }
     /// Whether that image of the edge supports a ball on this trajectory.
-    bool is_supported_by(const Trajectory<Real>& path, std::uint32_t capsule, int across,
+    bool is_supported_by(const Trajectory<Real>& trajectory, std::uint32_t capsule, int across,
                          int along) const {
-        const auto is = [&](const PathSupport& support) {
-            return support.by == PathSupport::By::edge && support.across == across &&
+        const auto is = [&](const SupportId& support) {
+            return support.kind == SupportId::Kind::edge && support.across == across &&
                    support.along == along &&
                    support.number == number(world->capsules().id[capsule]);
         };
-        return path.motion != Motion::free && (is(path.support) || is(path.second_support));
+        return trajectory.motion != Motion::free &&
+               (is(trajectory.support) || is(trajectory.second_support));
     }
     /// The displacement of a periodic image.
     Vector<Real> image_shift(int across, int along) const {

@@ -74,10 +74,10 @@ void SpatialIndex<Real>::for_each_ball_near(std::uint32_t ball, Visit&& visit) c
     const auto with_images = [&](std::uint32_t other) {
         if (other == ball) return;
         if (!scene_.world->model().wrap) return visit(other, 0, 0);
-        const Vec2 way(state_at(balls_.path(ball), scene_.field, scene_.now).position -
-                       state_at(balls_.path(other), scene_.field, scene_.now).position);
-        const int across = static_cast<int>(std::floor(way.x / scene_.period.x + 0.5));
-        const int along = static_cast<int>(std::floor(way.y / scene_.period.y + 0.5));
+        const Vec2 offset(state_at(balls_.trajectory(ball), scene_.field, scene_.now).position -
+                          state_at(balls_.trajectory(other), scene_.field, scene_.now).position);
+        const int across = static_cast<int>(std::floor(offset.x / scene_.period.x + 0.5));
+        const int along = static_cast<int>(std::floor(offset.y / scene_.period.y + 0.5));
         for (int i = across - oversized_images; i <= across + oversized_images; ++i)
             for (int j = along - oversized_images; j <= along + oversized_images; ++j)
                 visit(other, i, j);
@@ -109,10 +109,10 @@ void SpatialIndex<Real>::for_each_edge_around(std::uint32_t ball, CellSpot spot,
     int across = 0;
     int along = 0;
     if (world.model().wrap) {
-        const Vec2 way(state_at(balls_.path(ball), scene_.field, scene_.now).position -
-                       Vector<Real>(world.model().wrap->low));
-        across = static_cast<int>(std::floor(way.x / scene_.period.x));
-        along = static_cast<int>(std::floor(way.y / scene_.period.y));
+        const Vec2 offset(state_at(balls_.trajectory(ball), scene_.field, scene_.now).position -
+                          Vector<Real>(world.model().wrap->low));
+        across = static_cast<int>(std::floor(offset.x / scene_.period.x));
+        along = static_cast<int>(std::floor(offset.y / scene_.period.y));
     }
     const int reach = world.model().wrap ? 1 : 0;
     for (std::uint32_t capsule = 0; capsule < world.capsules().size(); ++capsule) {

@@ -5,27 +5,28 @@
 namespace carom {
 
 Trajectory<double> trajectory_from(const StoredLine& stored, const StoredCurve& curve) {
-    Trajectory<double> path;
-    path.time = stored.time;
-    path.position = Vector<double>(stored.position);
-    path.velocity = Vector<double>(stored.velocity);
-    path.acceleration = Vector<double>(curve.acceleration);
-    path.center = Vector<double>(curve.center);
-    path.motion = stored.motion;
-    path.support = curve.support;
-    path.second_support = curve.second_support;
-    path.recent_collisions = stored.recent_collisions;
-    return path;
+    Trajectory<double> trajectory;
+    trajectory.time = stored.time;
+    trajectory.position = Vector<double>(stored.position);
+    trajectory.velocity = Vector<double>(stored.velocity);
+    trajectory.acceleration = Vector<double>(curve.acceleration);
+    trajectory.center = Vector<double>(curve.center);
+    trajectory.motion = stored.motion;
+    trajectory.support = curve.support;
+    trajectory.second_support = curve.second_support;
+    trajectory.recent_collisions = stored.recent_collisions;
+    return trajectory;
 }
 
-StoredCurve stored_curve(const World& world, const Trajectory<double>& path) {
-    return {.acceleration = Vec2(path.acceleration),
-            .center = Vec2(path.center),
-            .support = path.support,
-            .second_support = path.second_support,
-            .carriers = path.motion == Motion::free
-                            ? 0
-                            : digest_of_carriers(world, path.support, path.second_support)};
+StoredCurve stored_curve(const World& world, const Trajectory<double>& trajectory) {
+    return {
+        .acceleration = Vec2(trajectory.acceleration),
+        .center = Vec2(trajectory.center),
+        .support = trajectory.support,
+        .second_support = trajectory.second_support,
+        .carriers = trajectory.motion == Motion::free
+                        ? 0
+                        : digest_of_carriers(world, trajectory.support, trajectory.second_support)};
 }
 
 namespace {
@@ -42,14 +43,14 @@ std::uint64_t digest_with_edge(std::uint64_t digest, const World& world, std::si
 
 }  // namespace
 
-std::uint32_t digest_of_carriers(const World& world, const PathSupport& support,
-                                 const PathSupport& second) {
+std::uint32_t digest_of_carriers(const World& world, const SupportId& support,
+                                 const SupportId& second) {
     std::uint64_t digest = 0;
-    for (const PathSupport& by : {support, second}) {
-        if (by.by != PathSupport::By::edge) continue;
-        digest = digest_with(digest, std::uint64_t{by.number});
-        const auto index = index_of(world, CapsuleId{by.number});
-        if (!index || is_held(world, CapsuleId{by.number})) continue;
+    for (const SupportId& carrier : {support, second}) {
+        if (carrier.kind != SupportId::Kind::edge) continue;
+        digest = digest_with(digest, std::uint64_t{carrier.number});
+        const auto index = index_of(world, CapsuleId{carrier.number});
+        if (!index || is_held(world, CapsuleId{carrier.number})) continue;
         digest = digest_with_edge(digest, world, *index);
     }
     return static_cast<std::uint32_t>(digest >> 32);

@@ -19,13 +19,13 @@ inline StoredLine stored_line(BallId id, const LinearPart<double>& line) {
             .position = Vec2(line.position),
             .velocity = Vec2(line.velocity)};
 }
-StoredCurve stored_curve(const World& world, const Trajectory<double>& path);
+StoredCurve stored_curve(const World& world, const Trajectory<double>& trajectory);
 
 /// StoredCurve::carriers of a ball with these supports: a digest of where the edges among them are
 /// and on which side they are solid; 0 where there are none. An edge that is gone or held counts as
 /// one of another shape.
-std::uint32_t digest_of_carriers(const World& world, const PathSupport& support,
-                                 const PathSupport& second);
+std::uint32_t digest_of_carriers(const World& world, const SupportId& support,
+                                 const SupportId& second);
 
 /// StoredTrajectories::obstacles: a digest of the edges that nothing holds, of the radii, and of
 /// which kinds collide; never 0.

@@ -122,7 +122,7 @@ inline constexpr double pressing_share = 1e-9;
 /// edge; kinematic bodies in contact with such a ball stop; a jammed ball is frozen. Equals
 /// `dense_collisions` by choice: nothing relies on it.
 /// x10: a collapse takes more impacts to end; /10: long cradles may lose energy.
-inline constexpr std::uint32_t most_collisions_in_place = 64;
+inline constexpr std::uint32_t most_recent_collisions = 64;
 
 /// Above this count of collisions in quick succession, a slow ball is frozen for a while. x10:
 /// heaps take longer to freeze; /10: balls that merely rattle are frozen. It exceeds

@@ -41,19 +41,20 @@ void Trajectories<Real>::hold(std::uint32_t ball) {
 }
 
 template <typename Real>
-void Trajectories<Real>::put_to_rest(std::uint32_t ball, const PathSupport& support,
-                                     const PathSupport& second_support) {
-    Trajectory<Real> path = balls_.path(ball);
-    path.motion = Motion::resting;
-    path.velocity = path.acceleration = {};
-    path.support = support;
-    path.second_support = second_support;
-    balls_.set_path(ball, path);
+void Trajectories<Real>::put_to_rest(std::uint32_t ball, const SupportId& support,
+                                     const SupportId& second_support) {
+    Trajectory<Real> trajectory = balls_.trajectory(ball);
+    trajectory.motion = Motion::resting;
+    trajectory.velocity = trajectory.acceleration = {};
+    trajectory.support = support;
+    trajectory.second_support = second_support;
+    balls_.set_trajectory(ball, trajectory);
 }
 
 template <typename Real>
-Vec2 Trajectories<Real>::shown_position(const Trajectory<Real>& path, const Real& time) const {
-    const Vec2 position(state_at(path, scene_.field, time).position);
+Vec2 Trajectories<Real>::shown_position(const Trajectory<Real>& trajectory,
+                                        const Real& time) const {
+    const Vec2 position(state_at(trajectory, scene_.field, time).position);
     return scene_.world->model().wrap ? wrapped(position, *scene_.world->model().wrap) : position;
 }
 
@@ -74,11 +75,13 @@ void Trajectories<Real>::continue_spin(std::uint32_t ball, const Real& time) {
 
 template <typename Real>
 Vector<Real> Trajectories<Real>::roll_at(std::uint32_t ball, const Real& time) const {
-    const Trajectory<Real> path = balls_.path(ball);
-    const Real since = time - path.time;
-    if (path.motion == Motion::slipping)
-        return path.center - path.acceleration * (since / Real(*scene_.world->model().spin));
-    if (path.motion == Motion::rolling) return path.velocity + path.acceleration * since;
+    const Trajectory<Real> trajectory = balls_.trajectory(ball);
+    const Real since = time - trajectory.time;
+    if (trajectory.motion == Motion::slipping)
+        return trajectory.center -
+               trajectory.acceleration * (since / Real(*scene_.world->model().spin));
+    if (trajectory.motion == Motion::rolling)
+        return trajectory.velocity + trajectory.acceleration * since;
     return {};
 }
 

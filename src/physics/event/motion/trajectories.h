@@ -53,12 +53,11 @@ class Trajectories {
     /// The trajectory that has just started is that of a kinematic ball: uniform motion.
     void hold(std::uint32_t ball);
     /// The trajectory that has just started is one of rest on these supports.
-    void put_to_rest(std::uint32_t ball, const PathSupport& support,
-                     const PathSupport& second_support);
+    void put_to_rest(std::uint32_t ball, const SupportId& support, const SupportId& second_support);
 
     /// Where the ball is now, and how fast.
     BallState<Real> state_now(std::uint32_t ball) const {
-        return state_at(balls_.path(ball), scene_.field, scene_.now);
+        return state_at(balls_.trajectory(ball), scene_.field, scene_.now);
     }
     Vector<Real> position_now(std::uint32_t ball) const {
         const LinearPart<Real>& line = balls_[ball].line;
@@ -67,12 +66,13 @@ class Trajectories {
             return line.position +
                    (line.velocity + scene_.field.gravity * (Real(0.5) * since)) * since;
         }
-        const Trajectory<Real> path = balls_.path(ball);
-        return is_parabola(path, scene_.field) ? parabola_at(path, scene_.now)
-                                               : state_at(path, scene_.field, scene_.now).position;
+        const Trajectory<Real> trajectory = balls_.trajectory(ball);
+        return is_parabola(trajectory, scene_.field)
+                   ? parabola_at(trajectory, scene_.now)
+                   : state_at(trajectory, scene_.field, scene_.now).position;
     }
     /// Where World::balls shows a position: on a torus, in the frame.
-    Vec2 shown_position(const Trajectory<Real>& path, const Real& time) const;
+    Vec2 shown_position(const Trajectory<Real>& trajectory, const Real& time) const;
 
     /// Pre, for all that concerns spin: Model::spin.
     SpinTrajectory<Real>& spin(std::uint32_t ball) { return spins_[ball]; }

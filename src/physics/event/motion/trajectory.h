@@ -39,8 +39,8 @@ template <typename Real>
 struct AccelerationPart {
     Vector<Real> acceleration;
     Vector<Real> center;  ///< of the circle (Motion::turning); on cloth, the roll at `time`
-    PathSupport support;
-    PathSupport second_support;
+    SupportId support;
+    SupportId second_support;
 
     friend bool operator==(const AccelerationPart&, const AccelerationPart&) = default;
 };

@@ -24,7 +24,7 @@ class ClothPhases {
         : scene_(scene), balls_(balls), trajectories_(trajectories), supports_(supports) {}
 
     /// The phase that starts with the trajectory's velocity and its roll, `center`.
-    ClothPhase<Real> phase_of(const Trajectory<Real>& path) const;
+    ClothPhase<Real> phase_of(const Trajectory<Real>& trajectory) const;
     /// Chooses the phase of a ball whose trajectory has just started, with its roll in `center`.
     void begin_phase(std::uint32_t ball);
     /// When the phase ends, s; none: never.
@@ -32,7 +32,7 @@ class ClothPhases {
     /// The phase ends now: a ball that slipped rolls, one that rolled lies still.
     void end_phase(std::uint32_t ball);
     /// Whether a stored trajectory is one of the scene's cloth; without cloth, one of none.
-    bool is_of_this_cloth(const Trajectory<Real>& path) const;
+    bool is_of_this_cloth(const Trajectory<Real>& trajectory) const;
 
   private:
     const EventScene<Real>& scene_;

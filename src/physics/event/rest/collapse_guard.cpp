@@ -31,7 +31,7 @@ void CollapseGuard<Real>::freeze_if_due(std::uint32_t ball, bool is_jammed) {
     const Model& model = scene_.world->model();
     const LinearPart<Real>& line = balls_[ball].line;
     const bool is_due =
-        is_jammed ? line.recent_collisions > most_collisions_in_place
+        is_jammed ? line.recent_collisions > most_recent_collisions
                   : line.recent_collisions > most_collisions_before_freezing && model.lossy;
     if (!is_due || !model.gravity) return;
     if (line.motion == Motion::resting || line.motion == Motion::held) return;

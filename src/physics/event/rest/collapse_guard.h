@@ -23,9 +23,9 @@ namespace carom {
 /// | count above                           | condition           | what happens |
 /// |---------------------------------------|---------------------|---|
 /// | dense_collisions (64)                 | the last with a ball; gravity, losses | the ball is in a dense cluster: `contact` takes it over when the tick ends (hybrid_step.h) |
-/// | most_collisions_in_place (64)         | of both balls; of one ball at an edge without gravity | a restitution below 1 is 0 (restitution.h) |
-/// | most_collisions_in_place (64)         | a kinematic body touches the ball | kinematic bodies stop (response.h) |
-/// | most_collisions_in_place (64)         | jammed, slow; gravity | the ball is frozen, also in an elastic scene |
+/// | most_recent_collisions (64)           | of both balls; of one ball at an edge without gravity | a restitution below 1 is 0 (restitution.h) |
+/// | most_recent_collisions (64)           | a kinematic body touches the ball | kinematic bodies stop (response.h) |
+/// | most_recent_collisions (64)           | jammed, slow; gravity | the ball is frozen, also in an elastic scene |
 /// | most_collisions_before_freezing (256) | slow; gravity, losses | the ball is frozen |
 ///
 /// A frozen ball rests without a support until `thaw_time`. Freezing loses energy and momentum. Slow:
@@ -55,8 +55,9 @@ class CollapseGuard {
     Real thaw_time(std::uint32_t ball) const {
         return balls_[ball].line.time + fall_time(ball) * Real(frozen_share);
     }
-    static bool is_frozen(const Trajectory<Real>& path) {
-        return path.motion == Motion::resting && path.support.by == PathSupport::By::nothing;
+    static bool is_frozen(const Trajectory<Real>& trajectory) {
+        return trajectory.motion == Motion::resting &&
+               trajectory.support.kind == SupportId::Kind::nothing;
     }
 
     /// An impact with another ball has left this count: the ball may be in a dense cluster.

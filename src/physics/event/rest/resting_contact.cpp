@@ -14,8 +14,8 @@ Real rounding_of(const Vector<Real>& gravity) {
 
 template <typename Real>
 void RestingContact<Real>::settle(std::uint32_t ball) {
-    const LinearPart<Real> path = balls_[ball].line;
-    if (path.motion != Motion::free) return;
+    const LinearPart<Real> line = balls_[ball].line;
+    if (line.motion != Motion::free) return;
     if (scene_.world->model().cloth) return cloth_.begin_phase(ball);
     if (!scene_.world->model().gravity) return;
     const std::vector<Support<Real>>& supports = supports_.of(ball, false);
@@ -25,7 +25,7 @@ void RestingContact<Real>::settle(std::uint32_t ball) {
         const Real turn = cross(first.normal, second.normal);
         const Real fall = Real(wedge_rest_heights * rest_height) * length(scene_.field.gravity) *
                           balls_.radius(ball) / (turn * turn);
-        if (length_squared(path.velocity) <= fall) {
+        if (length_squared(line.velocity) <= fall) {
             const bool spins = scene_.world->model().spin.has_value();
             if (spins && friction_.rolls_off(ball, first, second)) return rest_on_one(ball, first);
             if (spins && friction_.rolls_off(ball, second, first)) return rest_on_one(ball, second);
@@ -49,23 +49,23 @@ void RestingContact<Real>::settle(std::uint32_t ball) {
 template <typename Real>
 void RestingContact<Real>::rest_on_two(std::uint32_t ball, const Support<Real>& first,
                                        const Support<Real>& second) {
-    trajectories_.put_to_rest(ball, first.by, second.by);
+    trajectories_.put_to_rest(ball, first.id, second.id);
     if (!scene_.world->model().spin) return;
     const Vector<Real>& gravity = scene_.field.gravity;
     const Real turn = cross(first.normal, second.normal);
     const Real ours = cross(-gravity, second.normal) / turn;
     const Real theirs = cross(first.normal, -gravity) / turn;
-    friction_.brake(ball, friction_.coefficient(ball, first.by) * ours +
-                              friction_.coefficient(ball, second.by) * theirs);
+    friction_.brake(ball, friction_.coefficient(ball, first.id) * ours +
+                              friction_.coefficient(ball, second.id) * theirs);
 }
 
 // The ball slides along the support, turns round it, or rests on it.
 template <typename Real>
 void RestingContact<Real>::rest_on_one(std::uint32_t ball, const Support<Real>& support) {
     const Vector<Real>& gravity = scene_.field.gravity;
-    Trajectory<Real> path = balls_.path(ball);
+    Trajectory<Real> trajectory = balls_.trajectory(ball);
     const Vector<Real> velocity =
-        path.velocity - support.normal * dot(path.velocity, support.normal);
+        trajectory.velocity - support.normal * dot(trajectory.velocity, support.normal);
     Vector<Real> along = gravity - support.normal * dot(gravity, support.normal);
     if (length(along) <= rounding_of(gravity)) along = {};
     if (scene_.world->model().spin && support.is_side) {
@@ -77,17 +77,17 @@ void RestingContact<Real>::rest_on_one(std::uint32_t ball, const Support<Real>& 
     }
     const bool is_still = velocity == Vector<Real>{} && along == Vector<Real>{};
     if (!support.is_side && !is_still) {
-        const Real circle = length(path.position - support.center);
+        const Real circle = length(trajectory.position - support.center);
         const Real press = -dot(gravity, support.normal) - length_squared(velocity) / circle;
         if (!(press > Real{})) return;
-        path.center = support.center;
+        trajectory.center = support.center;
     }
-    path.support = support.by;
-    path.velocity = velocity;
-    path.acceleration = along;
-    path.motion =
+    trajectory.support = support.id;
+    trajectory.velocity = velocity;
+    trajectory.acceleration = along;
+    trajectory.motion =
         is_still ? Motion::resting : (support.is_side ? Motion::sliding : Motion::turning);
-    balls_.set_path(ball, path);
+    balls_.set_trajectory(ball, trajectory);
 }
 
 // Whether a ball that would slide on the support, from rest, is barred by the other.
@@ -146,17 +146,17 @@ void RestingContact<Real>::release_supported(std::uint32_t ball,
         moved_.pop_back();
         const auto id = number(scene_.world->balls().id[support]);
         space_.for_each_ball_near(support, [&](std::uint32_t other, int, int) {
-            const Trajectory<Real> path = balls_.path(other);
-            const auto is_support = [id](const PathSupport& by) {
-                return by.by == PathSupport::By::ball && by.number == id;
+            const Trajectory<Real> trajectory = balls_.trajectory(other);
+            const auto is_support = [id](const SupportId& support) {
+                return support.kind == SupportId::Kind::ball && support.number == id;
             };
-            if (path.motion == Motion::free ||
-                (!is_support(path.support) && !is_support(path.second_support)))
+            if (trajectory.motion == Motion::free ||
+                (!is_support(trajectory.support) && !is_support(trajectory.second_support)))
                 return;
             const BallState<Real> state = trajectories_.state_now(other);
-            if (path.motion == Motion::resting) moved_.push_back(other);
+            if (trajectory.motion == Motion::resting) moved_.push_back(other);
             trajectories_.start(other, scene_.now, state.position, state.velocity);
-            balls_[other].line.recent_collisions = path.recent_collisions;
+            balls_[other].line.recent_collisions = trajectory.recent_collisions;
             released.push_back(other);
         });
     }

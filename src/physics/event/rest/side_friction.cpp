@@ -8,12 +8,12 @@
 namespace carom {
 
 template <typename Real>
-Real SideFriction<Real>::coefficient(std::uint32_t ball, const PathSupport& support) const {
-    if (support.by == PathSupport::By::edge) {
+Real SideFriction<Real>::coefficient(std::uint32_t ball, const SupportId& support) const {
+    if (support.kind == SupportId::Kind::edge) {
         const auto index = index_of(*scene_.world, CapsuleId{support.number});
         return Real(friction_of_edge(*scene_.world, *index));
     }
-    if (support.by != PathSupport::By::ball) return Real{};
+    if (support.kind != SupportId::Kind::ball) return Real{};
     const auto index = index_of(*scene_.world, BallId{support.number});
     return Real(friction_of_balls(*scene_.world, ball, *index));
 }
@@ -36,7 +36,7 @@ auto SideFriction<Real>::on_side(std::uint32_t ball, const Support<Real>& suppor
     Effect effect;
     effect.spin = trajectories_.spin(ball);
     const Real press = -dot(scene_.field.gravity, support.normal);
-    const Real most = coefficient(ball, support.by) * press;
+    const Real most = coefficient(ball, support.id) * press;
     if (!(most > Real{})) return effect;
     const Real inertia(*scene_.world->model().spin);
     const Real size = balls_.radius(ball);
@@ -73,10 +73,10 @@ bool SideFriction<Real>::rest_braced(std::uint32_t ball, const Support<Real>& ca
     if (effect.spin.rolls || effect.acceleration == Vector<Real>{}) return false;
     const auto barrier = supports_.barrier_to(ball, velocity, acceleration);
     if (!barrier) return false;
-    const Real ours = coefficient(ball, carrier.by);
-    const Real theirs = coefficient(ball, barrier->by);
+    const Real ours = coefficient(ball, carrier.id);
+    const Real theirs = coefficient(ball, barrier->id);
     const Real press = -dot(scene_.field.gravity, carrier.normal) / (Real(1.0) + ours * theirs);
-    trajectories_.put_to_rest(ball, carrier.by, barrier->by);
+    trajectories_.put_to_rest(ball, carrier.id, barrier->id);
     brake(ball, ours * press * (Real(1.0) + theirs));
     return true;
 }
@@ -94,60 +94,63 @@ bool SideFriction<Real>::rolls_off(std::uint32_t ball, const Support<Real>& side
 
 template <typename Real>
 std::optional<Real> SideFriction<Real>::end_of_slip(std::uint32_t ball, const Real& horizon) {
-    const Trajectory<Real> path = balls_.path(ball);
+    const Trajectory<Real> trajectory = balls_.trajectory(ball);
     const SpinTrajectory<Real>& turn = trajectories_.spin(ball);
     if (turn.rolls) {
         if (!scene_.field.has_drag) return std::nullopt;
-        return path.time + Real(rolling_piece) / scene_.field.drag;
+        return trajectory.time + Real(rolling_piece) / scene_.field.drag;
     }
     if (turn.rate == Real{}) return std::nullopt;
-    if (path.motion == Motion::resting) return turn.time - turn.spin / turn.rate;
+    if (trajectory.motion == Motion::resting) return turn.time - turn.spin / turn.rate;
     // In the direction in which the slip is u - r w, as in laws/bounce.h.
     const Real size = balls_.radius(ball);
     const Vector<Real> along = slip_direction(ball);
-    const Real slip = dot(path.velocity, along) - size * turn.spin;
-    if (!(absolute(slip) > slip_tolerance(ball, path.velocity))) return std::nullopt;
+    const Real slip = dot(trajectory.velocity, along) - size * turn.spin;
+    if (!(absolute(slip) > slip_tolerance(ball, trajectory.velocity))) return std::nullopt;
     const Real sign(slip < Real{} ? -1.0 : 1.0);
-    const Real bend = dot(path.acceleration, along) - size * turn.rate;
+    const Real bend = dot(trajectory.acceleration, along) - size * turn.rate;
     if (!scene_.field.has_drag) {
         if (!(bend * sign < Real{})) return std::nullopt;
-        return path.time - slip / bend;
+        return trajectory.time - slip / bend;
     }
-    const Real most = scene_.field.drag * most_acceleration(path, scene_.field, path.time);
+    const Real most =
+        scene_.field.drag * most_acceleration(trajectory, scene_.field, trajectory.time);
     return first_time_of_impact<Real>(
         [&](const Real& when) -> Separation<Real> {
-            const Real speed = dot(state_at(path, scene_.field, when).velocity, along);
+            const Real speed = dot(state_at(trajectory, scene_.field, when).velocity, along);
             return {sign * (speed - size * trajectories_.spin_at(ball, when)),
                     sign * (bend - scene_.field.drag * speed), Real{}};
         },
-        path.time, horizon, most, {slip_tolerance(ball, path.velocity), Real{}}, search_);
+        trajectory.time, horizon, most, {slip_tolerance(ball, trajectory.velocity), Real{}},
+        search_);
 }
 
 // To the left of the normal of the side along which the ball slides.
 template <typename Real>
 Vector<Real> SideFriction<Real>::slip_direction(std::uint32_t ball) const {
-    const Trajectory<Real> path = balls_.path(ball);
-    const auto capsule = index_of(*scene_.world, CapsuleId{path.support.number});
-    const Edge<Real> edge(scene_.world->capsules().shape[*capsule],
-                          Vec2(scene_.image_shift(path.support.across, path.support.along)));
+    const Trajectory<Real> trajectory = balls_.trajectory(ball);
+    const auto capsule = index_of(*scene_.world, CapsuleId{trajectory.support.number});
+    const Edge<Real> edge(
+        scene_.world->capsules().shape[*capsule],
+        Vec2(scene_.image_shift(trajectory.support.across, trajectory.support.along)));
     const Vector<Real> span = edge.end - edge.start;
     const Vector<Real> direction = span / length(span);
-    const bool is_left = !(cross(span, path.position - edge.start) < Real{});
+    const bool is_left = !(cross(span, trajectory.position - edge.start) < Real{});
     return is_left ? -direction : direction;
 }
 
 template <typename Real>
 void SideFriction<Real>::end_slip(std::uint32_t ball) {
-    const Trajectory<Real> path = balls_.path(ball);
+    const Trajectory<Real> trajectory = balls_.trajectory(ball);
     const bool rolled = trajectories_.spin(ball).rolls;
     const bool was_braked =
-        path.motion == Motion::resting && !(trajectories_.spin(ball).rate == Real{});
+        trajectory.motion == Motion::resting && !(trajectories_.spin(ball).rate == Real{});
     const Real first = trajectories_.spin(ball).spin;
     trajectories_.continue_spin(ball, scene_.now);
     Real& spin = trajectories_.spin(ball).spin;
     if (was_braked && absolute(spin) <= Real(slip_rounding<Real>) * absolute(first)) spin = Real{};
-    if (rolled && path.motion == Motion::sliding && scene_.field.has_drag)
-        spin = dot(state_at(path, scene_.field, scene_.now).velocity, slip_direction(ball)) /
+    if (rolled && trajectory.motion == Motion::sliding && scene_.field.has_drag)
+        spin = dot(state_at(trajectory, scene_.field, scene_.now).velocity, slip_direction(ball)) /
                balls_.radius(ball);
 }
 

@@ -45,7 +45,7 @@ class SideFriction {
     };
 
     /// The coefficient of friction of the ball with a support; 0 where there is none.
-    Real coefficient(std::uint32_t ball, const PathSupport& support) const;
+    Real coefficient(std::uint32_t ball, const SupportId& support) const;
     /// On a side, for a ball at this velocity along it; `pull` is gravity's component along it.
     Effect on_side(std::uint32_t ball, const Support<Real>& support, const Vector<Real>& velocity,
                    const Vector<Real>& pull) const;

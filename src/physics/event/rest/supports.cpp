@@ -19,23 +19,23 @@ const std::vector<Support<Real>>& Supports<Real>::of(std::uint32_t ball, bool al
     const Real near = size * Real(also_moving ? 4.0 * moving_rest_height : contact_slop);
     space_.for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int across, int along) {
         add_edge(line, size, near, capsule, shift,
-                 {PathSupport::By::edge, static_cast<std::int8_t>(across),
+                 {SupportId::Kind::edge, static_cast<std::int8_t>(across),
                   static_cast<std::int8_t>(along), number(scene_.world->capsules().id[capsule])});
     });
     space_.for_each_ball_near(ball, [&](std::uint32_t other, int across, int along) {
         if (!scene_.balls_collide(ball, other)) return;
         if (!also_moving && balls_[other].line.motion != Motion::resting) return;
         add_ball(line, size, near, other,
-                 {PathSupport::By::ball, static_cast<std::int8_t>(across),
+                 {SupportId::Kind::ball, static_cast<std::int8_t>(across),
                   static_cast<std::int8_t>(along), number(scene_.world->balls().id[other])});
     });
     // By number: the cells must not show.
     for (std::vector<Support<Real>>* const some : {&points_, &bars_}) {
         std::sort(some->begin(), some->end(), [](const Support<Real>& a, const Support<Real>& b) {
-            const auto key = [](const PathSupport& by) {
-                return std::tuple(by.by, by.number, by.across, by.along);
+            const auto key = [](const SupportId& id) {
+                return std::tuple(id.kind, id.number, id.across, id.along);
             };
-            return key(a.by) < key(b.by);
+            return key(a.id) < key(b.id);
         });
         sides_.insert(sides_.end(), some->begin(), some->end());
     }
@@ -59,13 +59,13 @@ void Supports<Real>::add(const LinearPart<Real>& line, const Real& size, Support
 
 template <typename Real>
 void Supports<Real>::add_edge(const LinearPart<Real>& line, const Real& size, const Real& near,
-                              std::uint32_t capsule, Vec2 shift, PathSupport by) {
+                              std::uint32_t capsule, Vec2 shift, SupportId id) {
     const Edge<Real> edge(scene_.world->capsules().shape[capsule], shift);
     const auto contact = contact_with(edge, line.position, size);
     const Real rounding = Real(gap_roundings) * rounding_at(line.position, size + edge.radius);
     if (contact.gap > near + rounding || !scene_.is_solid(capsule, line.position, shift)) return;
     Support<Real> support;
-    support.by = by;
+    support.id = id;
     support.center = edge.start;
     if (!edge.is_point()) {
         const Vector<Real> span = edge.end - edge.start;
@@ -99,10 +99,10 @@ void Supports<Real>::add_edge(const LinearPart<Real>& line, const Real& size, co
 
 template <typename Real>
 void Supports<Real>::add_ball(const LinearPart<Real>& line, const Real& size, const Real& near,
-                              std::uint32_t other, PathSupport by) {
+                              std::uint32_t other, SupportId id) {
     Support<Real> support;
     support.center =
-        trajectories_.state_now(other).position + scene_.image_shift(by.across, by.along);
+        trajectories_.state_now(other).position + scene_.image_shift(id.across, id.along);
     const Vector<Real> arm = line.position - support.center;
     const Real distance = length(arm);
     const Real reach = size + balls_.radius(other);
@@ -110,7 +110,7 @@ void Supports<Real>::add_ball(const LinearPart<Real>& line, const Real& size, co
         distance - reach > near + Real(gap_roundings) * rounding_at(line.position, reach))
         return;
     support.normal = arm / distance;
-    support.by = by;
+    support.id = id;
     add(line, size, support, points_);
 }
 
@@ -133,7 +133,7 @@ std::optional<Support<Real>> Supports<Real>::barrier_to(std::uint32_t ball,
         if (rate * rate > Real(wedge_rest_heights * rest_height) * press * size) return;
         Support<Real> support;
         support.normal = contact.normal;
-        support.by = {PathSupport::By::edge, static_cast<std::int8_t>(across),
+        support.id = {SupportId::Kind::edge, static_cast<std::int8_t>(across),
                       static_cast<std::int8_t>(along),
                       number(scene_.world->capsules().id[capsule])};
         found = support;

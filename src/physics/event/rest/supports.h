@@ -18,7 +18,7 @@ struct Support {
     Vector<Real> center;  ///< of a round end or of a ball
     bool is_side = false;
     bool bears_weight = false;  ///< gravity presses the ball on it; else it may bar the way
-    PathSupport by;
+    SupportId id;
 };
 
 /// The contacts that support a ball which is about to slide, turn or rest.
@@ -46,9 +46,9 @@ class Supports {
     void add(const LinearPart<Real>& line, const Real& size, Support<Real>& support,
              std::vector<Support<Real>>& bearing);
     void add_edge(const LinearPart<Real>& line, const Real& size, const Real& near,
-                  std::uint32_t capsule, Vec2 shift, PathSupport by);
+                  std::uint32_t capsule, Vec2 shift, SupportId id);
     void add_ball(const LinearPart<Real>& line, const Real& size, const Real& near,
-                  std::uint32_t other, PathSupport by);
+                  std::uint32_t other, SupportId id);
 
     const EventScene<Real>& scene_;
     const BallTable<Real>& balls_;

@@ -29,7 +29,7 @@ Real time_to_cover(const Real& far, const Real& speed, const Real& acceleration)
 
 template <typename Real>
 inline void CellTransfers<Real>::predict_through(std::uint32_t side, std::uint32_t ball,
-                                                 const Trajectory<Real>& path, bool is_simple,
+                                                 const Trajectory<Real>& trajectory, bool is_simple,
                                                  const BallState<Real>& now, const Real& last,
                                                  BallEvent<Real>& best) const {
     const CellFrame& frame = cells_.frame();
@@ -46,11 +46,11 @@ inline void CellTransfers<Real>::predict_through(std::uint32_t side, std::uint32
     const auto along = [is_column](const Vector<Real>& v) { return is_column ? v.x : v.y; };
     const ToiTolerance<Real> exact{};
     if (is_simple) {
-        const bool is_straight = path.acceleration == Vector<Real>{};
+        const bool is_straight = trajectory.acceleration == Vector<Real>{};
         if (is_straight && !(along(now.velocity) * sign > Real{})) return;
         const auto since = quadratic_time_of_impact<Real>(
             {(border - along(now.position)) * sign, -along(now.velocity) * sign,
-             -along(path.acceleration) * sign},
+             -along(trajectory.acceleration) * sign},
             exact);
         if (since) keep_earlier(ball, transfer_at<Real>(scene_.now + *since, side), best);
         return;
@@ -59,39 +59,40 @@ inline void CellTransfers<Real>::predict_through(std::uint32_t side, std::uint32
     // the ball has crossed the border itself by then decides; if not, it predicts again.
     const Real delay(
         std::min(most_transfer_delay * width, 0.5 * (edge_reach - 1.0) * cells_.largest()));
-    const Real most = most_acceleration(path, scene_.field, scene_.now);
+    const Real most = most_acceleration(trajectory, scene_.field, scene_.now);
     const auto since = quadratic_time_of_impact<Real>(
         {(border - along(now.position)) * sign + delay, -along(now.velocity) * sign, -most}, exact);
     if (!since) return;
     const Real time = scene_.now + *since;
     if (!(time < last)) return;
-    const Vector<Real> there = state_at(path, scene_.field, time).position;
+    const Vector<Real> there = state_at(trajectory, scene_.field, time).position;
     const bool has_crossed = (border - along(there)) * sign <= Real{};
     keep_earlier(ball, transfer_at(time, has_crossed ? side : cell_transfer::predict_again), best);
 }
 
 template <typename Real>
 void CellTransfers<Real>::predict(std::uint32_t ball, BallEvent<Real>& best) const {
-    const Trajectory<Real> path = balls_.path(ball);
-    if (path.motion == Motion::resting || path.motion == Motion::still) return;
-    const BallState<Real> now = state_at(path, scene_.field, scene_.now);
+    const Trajectory<Real> trajectory = balls_.trajectory(ball);
+    if (trajectory.motion == Motion::resting || trajectory.motion == Motion::still) return;
+    const BallState<Real> now = state_at(trajectory, scene_.field, scene_.now);
     if (cells_.is_oversized(balls_, ball)) {
-        if (scene_.world->model().wrap) predict_next_images(path, now, ball, best);
+        if (scene_.world->model().wrap) predict_next_images(trajectory, now, ball, best);
         return;
     }
-    const bool is_simple = is_parabola(path, scene_.field);
-    const Real last = path.motion == Motion::turning ? piece_end(path, scene_.field) : best.time;
+    const bool is_simple = is_parabola(trajectory, scene_.field);
+    const Real last =
+        trajectory.motion == Motion::turning ? piece_end(trajectory, scene_.field) : best.time;
     for (std::uint32_t side = 0; side < cell_transfer::sides; ++side)
-        predict_through(side, ball, path, is_simple, now, last, best);
+        predict_through(side, ball, trajectory, is_simple, now, last, best);
 }
 
 template <typename Real>
-void CellTransfers<Real>::predict_next_images(const Trajectory<Real>& path,
+void CellTransfers<Real>::predict_next_images(const Trajectory<Real>& trajectory,
                                               const BallState<Real>& now, std::uint32_t ball,
                                               BallEvent<Real>& best) const {
     const Real far(oversized_periods * std::min(scene_.period.x, scene_.period.y));
-    const Real since =
-        time_to_cover(far, length(now.velocity), most_acceleration(path, scene_.field, scene_.now));
+    const Real since = time_to_cover(far, length(now.velocity),
+                                     most_acceleration(trajectory, scene_.field, scene_.now));
     keep_earlier(ball, transfer_at(scene_.now + since, cell_transfer::predict_again), best);
 }
 
@@ -99,16 +100,17 @@ template <typename Real>
 void CellTransfers<Real>::predict_restart(std::uint32_t ball, BallEvent<Real>& best) const {
     const LinearPart<Real>& line = balls_[ball].line;
     if (line.motion != Motion::free && !is_on_cloth(line)) return;
-    const Trajectory<Real> path = balls_.path(ball);
+    const Trajectory<Real> trajectory = balls_.trajectory(ball);
     const Real far(most_periods * std::min(scene_.period.x, scene_.period.y));
     // A rough bound first: nearly all balls have another event before.
     const auto sum_of_parts = [](const Vector<Real>& v) { return absolute(v.x) + absolute(v.y); };
-    const Real since = best.time - path.time;
-    const Real most = sum_of_parts(path.velocity) + sum_of_parts(path.acceleration) * since;
+    const Real since = best.time - trajectory.time;
+    const Real most =
+        sum_of_parts(trajectory.velocity) + sum_of_parts(trajectory.acceleration) * since;
     if (most * since < far) return;
     // Drag only shortens the way.
-    const Real time =
-        path.time + time_to_cover(far, length(path.velocity), length(path.acceleration));
+    const Real time = trajectory.time + time_to_cover(far, length(trajectory.velocity),
+                                                      length(trajectory.acceleration));
     if (!(time < Real(std::numeric_limits<double>::infinity()))) return;
     keep_earlier(
         ball, transfer_at(time < scene_.now ? scene_.now : time, cell_transfer::restart_in_frame),

@@ -41,11 +41,11 @@ class CellTransfers {
     void predict_restart(std::uint32_t ball, BallEvent<Real>& best) const;
 
   private:
-    void predict_next_images(const Trajectory<Real>& path, const BallState<Real>& now,
+    void predict_next_images(const Trajectory<Real>& trajectory, const BallState<Real>& now,
                              std::uint32_t ball, BallEvent<Real>& best) const;
     /// Inlined, so that each side is compiled by itself.
     [[gnu::always_inline]] void predict_through(std::uint32_t side, std::uint32_t ball,
-                                                const Trajectory<Real>& path, bool is_simple,
+                                                const Trajectory<Real>& trajectory, bool is_simple,
                                                 const BallState<Real>& now, const Real& last,
                                                 BallEvent<Real>& best) const;
 
@@ -58,7 +58,7 @@ class CellTransfers {
 template <typename Real>
 template <bool may_wrap>
 inline auto CellTransfers<Real>::uniform_crossing(std::uint32_t ball) const -> Crossing {
-    const LinearPart<Real>& path = balls_[ball].line;
+    const LinearPart<Real>& line = balls_[ball].line;
     const CellPlace& own = balls_.plan(ball).place;
     const CellFrame& frame = cells_.frame();
     const bool is_bounded = !may_wrap || !frame.wraps;
@@ -66,8 +66,8 @@ inline auto CellTransfers<Real>::uniform_crossing(std::uint32_t ball) const -> C
     Crossing crossing;
     bool is_y = false;
     if constexpr (std::is_same_v<Real, double>) {
-        const F64x2 speed{path.velocity.x, path.velocity.y};
-        const F64x2 place{path.position.x, path.position.y};
+        const F64x2 speed{line.velocity.x, line.velocity.y};
+        const F64x2 place{line.position.x, line.position.y};
         const F64x2 origin{frame.origin.x, frame.origin.y};
         const F64x2 width{frame.cell.x, frame.cell.y};
         const F64x2 last{static_cast<double>(frame.columns), static_cast<double>(frame.rows)};
@@ -76,7 +76,7 @@ inline auto CellTransfers<Real>::uniform_crossing(std::uint32_t ball) const -> C
         const F64x2 one{1.0, 1.0};
         const F64x2 never{infinity, infinity};
         const F64x2 border = cell + (speed > zero ? one : zero);
-        const F64x2 crossed = path.time + ((origin + width * border) - place) / speed;
+        const F64x2 crossed = line.time + ((origin + width * border) - place) / speed;
         const F64x2 no_earlier = at_least(F64x2{scene_.now, scene_.now}, crossed);
         auto is_crossing = speed != zero;
         if (is_bounded) is_crossing &= (border > zero) & (border < last);
@@ -90,18 +90,18 @@ inline auto CellTransfers<Real>::uniform_crossing(std::uint32_t ball) const -> C
                                     double origin, double width) {
             const int border = place + static_cast<int>(speed > zero);
             if (speed == zero || (is_bounded && (border <= 0 || border >= count))) return never;
-            const Real time = path.time + (Real(origin + width * border) - from) / speed;
+            const Real time = line.time + (Real(origin + width * border) - from) / speed;
             return time < scene_.now ? scene_.now : time;
         };
-        const Real x = along_axis(path.position.x, path.velocity.x, own.column, frame.columns,
+        const Real x = along_axis(line.position.x, line.velocity.x, own.column, frame.columns,
                                   frame.origin.x, frame.cell.x);
-        const Real y = along_axis(path.position.y, path.velocity.y, own.row, frame.rows,
+        const Real y = along_axis(line.position.y, line.velocity.y, own.row, frame.rows,
                                   frame.origin.y, frame.cell.y);
         is_y = y < x;
         crossing.time = is_y ? y : x;
     }
-    const auto to_x = static_cast<std::uint32_t>(!(path.velocity.x > Real{}));
-    const auto to_y = static_cast<std::uint32_t>(!(path.velocity.y > Real{}));
+    const auto to_x = static_cast<std::uint32_t>(!(line.velocity.x > Real{}));
+    const auto to_y = static_cast<std::uint32_t>(!(line.velocity.y > Real{}));
     crossing.side = select(is_y, cell_transfer::up + to_y, to_x);
     return crossing;
 }

@@ -52,9 +52,9 @@ void Predictor<Real>::predict_among(std::uint32_t ball,
     const Neighbour<Real>* const near = neighbours.data();
     const auto count = static_cast<std::uint32_t>(neighbours.size());
     const auto approach_to = [&](const Neighbour<Real>& other) {
-        const LinearPart<Real>& path = balls[other.other].line;
-        Vector<Real> relative = velocity - path.velocity;
-        if (has_gravity) relative += scene_.field.gravity * -(now - path.time);
+        const LinearPart<Real>& line = balls[other.other].line;
+        Vector<Real> relative = velocity - line.velocity;
+        if (has_gravity) relative += scene_.field.gravity * -(now - line.time);
         return StraightApproach<Real>(other.offset, relative, other.reach);
     };
     // First selects, without branches, the neighbours that may be met, and those whose trajectories
@@ -66,9 +66,9 @@ void Predictor<Real>::predict_among(std::uint32_t ball,
     std::size_t started_count = 0;
     int are_free = 1;
     for (std::uint32_t i = 0; i < count; ++i) {
-        const LinearPart<Real>& path = balls[near[i].other].line;
-        const auto has_started = static_cast<int>(path.time == now);
-        are_free &= static_cast<int>(path.motion == Motion::free);
+        const LinearPart<Real>& line = balls[near[i].other].line;
+        const auto has_started = static_cast<int>(line.time == now);
+        are_free &= static_cast<int>(line.motion == Motion::free);
         approached[approached_count] = started[started_count] = i;
         approached_count += static_cast<std::size_t>(
             static_cast<int>(approach_to(near[i]).is_impact()) & ~has_started);
@@ -240,8 +240,8 @@ bool Predictor<Real>::may_meet(std::uint32_t ball, std::uint32_t other) const {
     const auto rests_on = [this](std::uint32_t upper, std::uint32_t lower) {
         const auto id = number(scene_.world->balls().id[lower]);
         const AccelerationPart<Real>& curve = balls_.curve(upper);
-        return (curve.support.by == PathSupport::By::ball && curve.support.number == id) ||
-               (curve.second_support.by == PathSupport::By::ball &&
+        return (curve.support.kind == SupportId::Kind::ball && curve.support.number == id) ||
+               (curve.second_support.kind == SupportId::Kind::ball &&
                 curve.second_support.number == id);
     };
     if (!balls_.may_curve()) return true;
@@ -253,8 +253,8 @@ template <typename Real>
 void Predictor<Real>::predict_pair(std::uint32_t ball, std::uint32_t other, int across, int along,
                                    BallEvent<Real>& best) {
     if (!may_meet(ball, other)) return;
-    const Trajectory<Real> ours = balls_.path(ball);
-    const Trajectory<Real> theirs = balls_.path(other);
+    const Trajectory<Real> ours = balls_.trajectory(ball);
+    const Trajectory<Real> theirs = balls_.trajectory(other);
     const Real our_radius = balls_.radius(ball);
     const Real their_radius = balls_.radius(other);
     // As seen from the lower ball, so that both find the same bits.
@@ -275,15 +275,16 @@ void Predictor<Real>::predict_pair(std::uint32_t ball, std::uint32_t other, int 
 
 template <typename Real>
 void Predictor<Real>::predict_edges(std::uint32_t ball, BallEvent<Real>& best) {
-    const Trajectory<Real> path = balls_.path(ball);
+    const Trajectory<Real> trajectory = balls_.trajectory(ball);
     space_.for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int across, int along) {
-        if (scene_.is_supported_by(path, capsule, across, along)) return;
+        if (scene_.is_supported_by(trajectory, capsule, across, along)) return;
         const Edge<Real> edge(scene_.world->capsules().shape[capsule], shift);
-        auto time =
-            edge_time_of_impact(path, edge, balls_.radius(ball), scene_.field, best.time, search_);
+        auto time = edge_time_of_impact(trajectory, edge, balls_.radius(ball), scene_.field,
+                                        best.time, search_);
         if (!time) return;
         if (*time < scene_.now) time = scene_.now;
-        if (!scene_.is_solid(capsule, state_at(path, scene_.field, *time).position, shift)) return;
+        if (!scene_.is_solid(capsule, state_at(trajectory, scene_.field, *time).position, shift))
+            return;
         keep_earlier(ball,
                      {*time, EventKind::ball_edge, static_cast<std::int8_t>(across),
                       static_cast<std::int8_t>(along), capsule, 0},
@@ -295,16 +296,16 @@ void Predictor<Real>::predict_edges(std::uint32_t ball, BallEvent<Real>& best) {
 template <typename Real>
 void Predictor<Real>::predict_kinematic_edges(std::uint32_t ball, BallEvent<Real>& best) {
     if (kinematic_.edges().empty()) return;
-    const Trajectory<Real> path = balls_.path(ball);
+    const Trajectory<Real> trajectory = balls_.trajectory(ball);
     for (std::uint32_t i = 0; i < kinematic_.edges().size(); ++i) {
         const KinematicEdge<Real>& edge = kinematic_.edges()[i];
         if (!scene_.ball_collides_with(ball, edge.capsule)) continue;
         const Real horizon = scene_.end < best.time ? scene_.end : best.time;
-        const Real begin = path.time < scene_.now ? scene_.now : path.time;
-        const auto time = moving_edge_time_of_impact(path, edge.edge, balls_.radius(ball),
+        const Real begin = trajectory.time < scene_.now ? scene_.now : trajectory.time;
+        const auto time = moving_edge_time_of_impact(trajectory, edge.edge, balls_.radius(ball),
                                                      scene_.field, begin, horizon, search_);
         if (!time) continue;
-        if (!scene_.is_solid(edge.capsule, state_at(path, scene_.field, *time).position, {}))
+        if (!scene_.is_solid(edge.capsule, state_at(trajectory, scene_.field, *time).position, {}))
             continue;
         keep_earlier(ball, {*time, EventKind::kinematic_edge, 0, 0, i, 0}, best);
     }

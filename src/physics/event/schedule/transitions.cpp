@@ -35,56 +35,58 @@ template <typename Real>
 void Transitions<Real>::predict(std::uint32_t ball, BallEvent<Real>& best) {
     const Motion motion = balls_[ball].line.motion;
     if (motion == Motion::free || motion == Motion::held) return;
-    const Trajectory<Real> path = balls_.path(ball);
-    if (is_on_cloth(path)) {
+    const Trajectory<Real> trajectory = balls_.trajectory(ball);
+    if (is_on_cloth(trajectory)) {
         if (const auto time = cloth_.end_of_phase(ball))
             keep_earlier(ball, transition_at(*time < scene_.now ? scene_.now : *time), best);
         return;
     }
-    if (path.motion == Motion::turning) {
+    if (trajectory.motion == Motion::turning) {
         if (const auto time = end_of_turn(ball)) keep_earlier(ball, transition_at(*time), best);
         return;
     }
-    if (guard_.is_frozen(path)) keep_earlier(ball, transition_at(guard_.thaw_time(ball)), best);
+    if (guard_.is_frozen(trajectory))
+        keep_earlier(ball, transition_at(guard_.thaw_time(ball)), best);
     if (scene_.world->model().spin)
         if (const auto time = friction_.end_of_slip(ball, best.time))
             keep_earlier(ball, transition_at(*time < scene_.now ? scene_.now : *time), best);
-    if (path.motion == Motion::sliding) predict_end_of_side(ball, path, best);
+    if (trajectory.motion == Motion::sliding) predict_end_of_side(ball, trajectory, best);
 }
 
 template <typename Real>
-void Transitions<Real>::predict_end_of_side(std::uint32_t ball, const Trajectory<Real>& path,
+void Transitions<Real>::predict_end_of_side(std::uint32_t ball, const Trajectory<Real>& trajectory,
                                             BallEvent<Real>& best) {
-    const auto capsule = index_of(*scene_.world, CapsuleId{path.support.number});
-    const Edge<Real> edge(scene_.world->capsules().shape[*capsule],
-                          Vec2(scene_.image_shift(path.support.across, path.support.along)));
+    const auto capsule = index_of(*scene_.world, CapsuleId{trajectory.support.number});
+    const Edge<Real> edge(
+        scene_.world->capsules().shape[*capsule],
+        Vec2(scene_.image_shift(trajectory.support.across, trajectory.support.along)));
     const Vector<Real> span = edge.end - edge.start;
     const Real whole = length(span);
     const Vector<Real> along = span / whole;
-    const Real place = dot(along, path.position - edge.start);
-    const Real rate = dot(along, path.velocity);
-    const Real acceleration = dot(along, path.acceleration);
+    const Real place = dot(along, trajectory.position - edge.start);
+    const Real rate = dot(along, trajectory.velocity);
+    const Real acceleration = dot(along, trajectory.acceleration);
     const ToiTolerance<Real> exact{};
     for (const bool to_end : {false, true}) {
         std::optional<Real> time;
-        if (is_parabola(path, scene_.field)) {
+        if (is_parabola(trajectory, scene_.field)) {
             const auto since = quadratic_time_of_impact<Real>(
                 to_end ? Separation<Real>{whole - place, -rate, -acceleration}
                        : Separation<Real>{place, rate, acceleration},
                 exact);
-            if (since) time = path.time + *since;
+            if (since) time = trajectory.time + *since;
         } else {
-            const Real bound = most_acceleration(path, scene_.field, path.time);
+            const Real bound = most_acceleration(trajectory, scene_.field, trajectory.time);
             time = first_time_of_impact<Real>(
                 [&](const Real& when) -> Separation<Real> {
-                    const BallState<Real> state = state_at(path, scene_.field, when);
+                    const BallState<Real> state = state_at(trajectory, scene_.field, when);
                     const Real there = dot(along, state.position - edge.start);
                     const Real speed = dot(along, state.velocity);
                     return to_end ? Separation<Real>{whole - there, -speed, Real{}}
                                   : Separation<Real>{there, speed, Real{}};
                 },
-                path.time, Real(best.time), bound, {rounding_at(path.position, whole), Real{}},
-                search_);
+                trajectory.time, Real(best.time), bound,
+                {rounding_at(trajectory.position, whole), Real{}}, search_);
         }
         if (time) keep_earlier(ball, transition_at(*time), best);
     }
@@ -92,25 +94,26 @@ void Transitions<Real>::predict_end_of_side(std::uint32_t ball, const Trajectory
 
 template <typename Real>
 std::optional<Real> Transitions<Real>::end_of_turn(std::uint32_t ball) const {
-    const Trajectory<Real> path = balls_.path(ball);
-    Real last = piece_end(path, scene_.field);
-    const Turn<Real> first = turn_at(path, scene_.field, path.time);
+    const Trajectory<Real> trajectory = balls_.trajectory(ball);
+    Real last = piece_end(trajectory, scene_.field);
+    const Turn<Real> first = turn_at(trajectory, scene_.field, trajectory.time);
     const auto shorten = [&](auto&& value) {
         if (!(value(last) < Real{})) return;
-        last = change_of_sign<Real>(value, path.time, last);
+        last = change_of_sign<Real>(value, trajectory.time, last);
     };
     const Real zero{};
     if (!(first.speed == zero))
         shorten([&](const Real& time) {
-            const Real speed = turn_at(path, scene_.field, time).speed;
+            const Real speed = turn_at(trajectory, scene_.field, time).speed;
             return first.speed < zero ? -speed : speed;
         });
-    shorten([&](const Real& time) { return turn_at(path, scene_.field, time).press; });
-    if (path.support.by != PathSupport::By::edge) return last;
-    const bool is_left_turn = !(turn_at(path, scene_.field, last).speed < zero);
+    shorten([&](const Real& time) { return turn_at(trajectory, scene_.field, time).press; });
+    if (trajectory.support.kind != SupportId::Kind::edge) return last;
+    const bool is_left_turn = !(turn_at(trajectory, scene_.field, last).speed < zero);
     space_.for_each_edge_near(ball, [&](std::uint32_t capsule, Vec2 shift, int, int) {
         const Edge<Real> edge(scene_.world->capsules().shape[capsule], shift);
-        if (edge.is_point() || !(edge.start == path.center || edge.end == path.center)) return;
+        if (edge.is_point() || !(edge.start == trajectory.center || edge.end == trajectory.center))
+            return;
         const Vector<Real> side = perpendicular(edge.end - edge.start);
         for (const Vector<Real>& normal : {side, -side}) {
             // Positive while the side is ahead of the ball.
@@ -120,8 +123,9 @@ std::optional<Real> Transitions<Real>::end_of_turn(std::uint32_t ball) const {
             // A side that begins where the ball is must be behind it: else it would support it now.
             const Real here = Real(2.0 * contact_slop) * balls_.radius(ball) / first.radius;
             if (!(ahead(first.normal) > here) || !(dot(first.normal, normal) > zero)) continue;
-            shorten(
-                [&](const Real& time) { return ahead(turn_at(path, scene_.field, time).normal); });
+            shorten([&](const Real& time) {
+                return ahead(turn_at(trajectory, scene_.field, time).normal);
+            });
         }
     });
     return last;
@@ -134,7 +138,7 @@ const std::vector<std::uint32_t>& Transitions<Real>::handle(std::uint32_t ball) 
         cloth_.end_phase(ball);
         return changed_;
     }
-    const Trajectory<Real> before = balls_.path(ball);
+    const Trajectory<Real> before = balls_.trajectory(ball);
     const BallState<Real> state = trajectories_.state_now(ball);
     if (scene_.world->model().spin) friction_.end_slip(ball);
     trajectories_.start(ball, scene_.now, state.position, state.velocity);

@@ -49,7 +49,7 @@ class Transitions {
     void restart_in_frame(std::uint32_t ball);
 
   private:
-    void predict_end_of_side(std::uint32_t ball, const Trajectory<Real>& path,
+    void predict_end_of_side(std::uint32_t ball, const Trajectory<Real>& trajectory,
                              BallEvent<Real>& best);
     std::optional<Real> end_of_turn(std::uint32_t ball) const;
     void release_from(std::uint32_t ball);

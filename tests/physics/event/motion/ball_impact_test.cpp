@@ -9,12 +9,12 @@ using namespace carom;
 namespace {
 
 Trajectory<double> flight(double time, Vec2 position, Vec2 velocity, Vec2 acceleration = {}) {
-    Trajectory<double> path;
-    path.time = time;
-    path.position = Vector<double>(position);
-    path.velocity = Vector<double>(velocity);
-    path.acceleration = Vector<double>(acceleration);
-    return path;
+    Trajectory<double> trajectory;
+    trajectory.time = time;
+    trajectory.position = Vector<double>(position);
+    trajectory.velocity = Vector<double>(velocity);
+    trajectory.acceleration = Vector<double>(acceleration);
+    return trajectory;
 }
 
 std::optional<double> impact_of(const Trajectory<double>& a, const Trajectory<double>& b,

@@ -11,17 +11,17 @@ namespace {
 const Edge<double> floor_edge(Capsule{{-2.0, 0.0}, {2.0, 0.0}, 0.1}, {});
 
 Trajectory<double> thrown(Vec2 position, Vec2 velocity, Vec2 acceleration = {}) {
-    Trajectory<double> path;
-    path.position = Vector<double>(position);
-    path.velocity = Vector<double>(velocity);
-    path.acceleration = Vector<double>(acceleration);
-    return path;
+    Trajectory<double> trajectory;
+    trajectory.position = Vector<double>(position);
+    trajectory.velocity = Vector<double>(velocity);
+    trajectory.acceleration = Vector<double>(acceleration);
+    return trajectory;
 }
 
-std::optional<double> impact_with(const Edge<double>& edge, const Trajectory<double>& path,
+std::optional<double> impact_with(const Edge<double>& edge, const Trajectory<double>& trajectory,
                                   double end = 100.0) {
     ToiSearch<double> search;
-    return edge_time_of_impact<double>(path, edge, 0.4, Field<double>{}, end, search);
+    return edge_time_of_impact<double>(trajectory, edge, 0.4, Field<double>{}, end, search);
 }
 
 }  // namespace
@@ -53,14 +53,14 @@ TEST_CASE("edge impact: sides and ends, from both sides") {
 }
 
 TEST_CASE("edge impact: a parabola comes back to the side") {
-    const auto path = thrown({0.0, 0.5}, {0.0, 5.0}, {0.0, -10.0});
-    CHECK(impact_with(floor_edge, path) == doctest::Approx(1.0));
+    const auto trajectory = thrown({0.0, 0.5}, {0.0, 5.0}, {0.0, -10.0});
+    CHECK(impact_with(floor_edge, trajectory) == doctest::Approx(1.0));
 }
 
 TEST_CASE("edge impact: a resting ball meets no edge") {
-    auto path = thrown({0.0, 0.5}, {});
-    path.motion = Motion::resting;
-    CHECK(impact_with(floor_edge, path) == std::nullopt);
+    auto trajectory = thrown({0.0, 0.5}, {});
+    trajectory.motion = Motion::resting;
+    CHECK(impact_with(floor_edge, trajectory) == std::nullopt);
 }
 
 TEST_CASE("edge impact: a kinematic edge goes on until it stops") {
@@ -94,16 +94,16 @@ TEST_CASE("edge impact: a turning edge meets even a much larger ball in time") {
         edge.start_velocity = {0.0, -1.0};
         edge.end_velocity = {0.0, 1.0};
         edge.stop = 1.0;
-        const auto path = thrown({0.0, radius + gap}, {});
+        const auto trajectory = thrown({0.0, radius + gap}, {});
         const auto gap_at = [&](double time) {
-            return contact_with(edge.at(time), path.position, radius).gap;
+            return contact_with(edge.at(time), trajectory.position, radius).gap;
         };
         double before = 0.0;
         while (before < 1.0 && gap_at(before) > 0.0)
             before += 1e-6;
         ToiSearch<double> search;
-        const auto time = moving_edge_time_of_impact<double>(path, edge, radius, Field<double>{},
-                                                             0.0, 1.0, search);
+        const auto time = moving_edge_time_of_impact<double>(trajectory, edge, radius,
+                                                             Field<double>{}, 0.0, 1.0, search);
         REQUIRE(time.has_value() == (before < 1.0));
         if (!time) continue;
         CHECK(*time <= before);

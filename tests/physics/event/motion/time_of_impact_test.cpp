@@ -106,22 +106,22 @@ TEST_CASE("time of impact: a held edge at rest takes no more iterations than a f
 TEST_CASE("time of impact: a stopped kinematic edge takes no more iterations than one at rest") {
     Field<double> field;
     field.gravity = {0.0, -10.0};
-    Trajectory<double> path;
-    path.acceleration = field.gravity;
-    path.velocity = {0.0, 5.0};
+    Trajectory<double> trajectory;
+    trajectory.acceleration = field.gravity;
+    trajectory.velocity = {0.0, 5.0};
     for (const double gap : {1e-3, 1e-6, 1e-9}) {
         CAPTURE(gap);
-        path.position = {-0.5 - gap, 0.0};
+        trajectory.position = {-0.5 - gap, 0.0};
         MovingEdge<double> edge;
         edge.edge = Edge<double>(Capsule{{0.0, 0.0}, {10.0, 0.0}, 0.0}, {});
         edge.stop = -1.0;
         edge.time = -1.0;
         ToiSearch<double> stood;
-        CHECK(!moving_edge_time_of_impact(path, edge, 0.5, field, 0.0, 0.1, stood));
+        CHECK(!moving_edge_time_of_impact(trajectory, edge, 0.5, field, 0.0, 0.1, stood));
         edge.start_velocity = {0.0, -3.0};
         edge.end_velocity = {0.0, 40.0};
         ToiSearch<double> stopped;
-        CHECK(!moving_edge_time_of_impact(path, edge, 0.5, field, 0.0, 0.1, stopped));
+        CHECK(!moving_edge_time_of_impact(trajectory, edge, 0.5, field, 0.0, 0.1, stopped));
         CHECK(stopped.iterations == stood.iterations);
     }
 }

@@ -18,7 +18,7 @@ TEST_CASE("cloth phases: a struck ball slips, rolls, then rests") {
     for (const Motion next : {Motion::rolling, Motion::still}) {
         const auto end = parts.cloth.end_of_phase(0);
         REQUIRE(end);
-        CHECK(parts.cloth.is_of_this_cloth(parts.balls.path(0)));
+        CHECK(parts.cloth.is_of_this_cloth(parts.balls.trajectory(0)));
         parts.scene.now = *end;
         parts.cloth.end_phase(0);
         CHECK(parts.balls[0].line.motion == next);

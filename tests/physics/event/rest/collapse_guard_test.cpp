@@ -22,7 +22,7 @@ World one_ball(bool has_gravity, Vec2 velocity = {}) {
 
 TEST_CASE("collapse guard: quick succession counts, and a pause resets at the same pace") {
     EventParts parts(one_ball(true));
-    Trajectory<double> before = parts.balls.path(0);
+    Trajectory<double> before = parts.balls.trajectory(0);
     before.recent_collisions = 10;
     // A fall through the radius takes 0.5 s.
     const double quick = 0.5 * quick_succession;
@@ -37,7 +37,7 @@ TEST_CASE("collapse guard: quick succession counts, and a pause resets at the sa
 
 TEST_CASE("collapse guard: without gravity, collisions in place count") {
     EventParts parts(one_ball(false));
-    Trajectory<double> before = parts.balls.path(0);
+    Trajectory<double> before = parts.balls.trajectory(0);
     before.recent_collisions = 10;
     CHECK(parts.guard.count(0, before, {0.5 * contact_slop, 0.0}) == 11);
     CHECK(parts.guard.count(0, before, {2.0 * contact_slop, 0.0}) == 0);
@@ -48,15 +48,15 @@ TEST_CASE("collapse guard: slow balls are frozen above the limit, fast ones neve
         EventParts parts(one_ball(true, velocity));
         parts.balls[0].line.recent_collisions = collisions;
         parts.guard.freeze_if_due(0, is_jammed);
-        const bool is_frozen = parts.guard.is_frozen(parts.balls.path(0));
+        const bool is_frozen = parts.guard.is_frozen(parts.balls.trajectory(0));
         if (is_frozen) CHECK(parts.balls[0].line.recent_collisions == collisions_after_freezing);
         if (is_frozen) CHECK(parts.guard.thaw_time(0) == doctest::Approx(parts.scene.now + 0.125));
         return is_frozen;
     };
     CHECK(!is_frozen_after({}, most_collisions_before_freezing, false));
     CHECK(is_frozen_after({}, most_collisions_before_freezing + 1, false));
-    CHECK(!is_frozen_after({}, most_collisions_in_place, true));
-    CHECK(is_frozen_after({}, most_collisions_in_place + 1, true));
+    CHECK(!is_frozen_after({}, most_recent_collisions, true));
+    CHECK(is_frozen_after({}, most_recent_collisions + 1, true));
     // A fall through the diameter ends at 4 sqrt(2).
     CHECK(is_frozen_after({3.9, 0.0}, most_collisions_before_freezing + 1, false));
     CHECK(!is_frozen_after({4.1, 0.0}, most_collisions_before_freezing + 1, false));
