@@ -107,7 +107,7 @@ class EventMethod final : public SolverMethod {
     TickOutcome advance(World& world, TickWork work) override {
         // The list stays as it is until the tick is done: a cancelled tick leaves the memory alone.
         const bool has_clusters = hands_heaps_over(world.model(), {.kind = SolverKind::event}) &&
-                                  HybridStep::is_needed(world);
+                                  HybridCluster::is_needed(world);
         was_hybrid_ = has_clusters;
         const EventOutcome outcome =
             has_clusters ? hybrid_.tick(world, event_, contact_, work.contacts, work.touched,

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "physics/event/hybrid_step.h"
+#include "physics/event/hybrid_cluster.h"
 #include "physics/event/motion/event_memory.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
@@ -36,7 +36,7 @@ struct SlidingEdge {
         add_ball(world, {.position = {-7.5, 1.366}, .velocity = {}});
         add_ball(world, {.position = {9.97, 3.0}, .velocity = {}});
         // Of few balls a hand makes no clusters.
-        for (int i = 0; i < static_cast<int>(HybridStep::most_pushed); ++i)
+        for (int i = 0; i < static_cast<int>(HybridCluster::most_pushed); ++i)
             add_ball(world, {.position = {100.0 + 3.0 * i, 50.0}, .velocity = {}});
         edit_event_memory(world).clustered = {BallId{0}, BallId{1}, BallId{2}};
     }

@@ -42,8 +42,8 @@ std::vector<BallId> balls(std::initializer_list<std::uint32_t> numbers) {
     return ids;
 }
 
-// Ticks until `heaped` has an entry, at most `most`.
-bool runs_into_a_heap(World world, int most) {
+// Whether a ball becomes dense within `most` ticks.
+bool makes_a_cluster(World world, int most) {
     Solver solver({.kind = SolverKind::event});
     for (int i = 0; i < most; ++i) {
         solver.tick(world);
@@ -61,7 +61,7 @@ TEST_CASE("event: a scene that is not too dense is never handed over to contact"
         World bounce = open_air(restitution);
         add_floor(bounce);
         add_ball(bounce, {.position = {0.0, 3.0}, .velocity = {1.0, 0.0}});
-        CHECK_FALSE(runs_into_a_heap(bounce, 3000));
+        CHECK_FALSE(makes_a_cluster(bounce, 3000));
         // Balls that come to rest in the hollows between resting balls, and are hit there.
         World rack = open_air(restitution);
         add_floor(rack);
@@ -71,7 +71,7 @@ TEST_CASE("event: a scene that is not too dense is never handed over to contact"
                                 .velocity = {}});
         add_capsule(rack, {{-0.5, 0.0}, {-0.5, 9.0}, 0.0}, 0);
         add_capsule(rack, {{3.5, 0.0}, {3.5, 9.0}, 0.0}, 0);
-        CHECK_FALSE(runs_into_a_heap(rack, 1000));
+        CHECK_FALSE(makes_a_cluster(rack, 1000));
         if (restitution < 0.9) continue;
         // A cradle on a floor: as many out as in, again and again, until the walls have damped it.
         World cradle = open_air(restitution);
@@ -80,7 +80,7 @@ TEST_CASE("event: a scene that is not too dense is never handed over to contact"
             add_ball(cradle, {.position = {1.0 * i, 0.5}, .velocity = {i < 2 ? 3.0 : 0.0, 0.0}});
         add_capsule(cradle, {{-5.0, 0.0}, {-5.0, 9.0}, 0.0}, 0);
         add_capsule(cradle, {{12.0, 0.0}, {12.0, 9.0}, 0.0}, 0);
-        CHECK_FALSE(runs_into_a_heap(cradle, 1000));
+        CHECK_FALSE(makes_a_cluster(cradle, 1000));
     }
     // A gas of elastic balls whose walls lose a little, and one that is twice as dense.
     for (const double shrink : {1.0, 0.775}) {
@@ -97,128 +97,20 @@ TEST_CASE("event: a scene that is not too dense is never handed over to contact"
         }
         for (double& radius : gas.edit_balls().radius)
             radius = std::min(radius, 0.99);
-        CHECK_FALSE(runs_into_a_heap(gas, 240));
+        CHECK_FALSE(makes_a_cluster(gas, 240));
     }
 }
 
 TEST_CASE("event: too many impacts in quick succession make a cluster") {
     World world = scenes::bucket(40, 0.5);
-    CHECK(runs_into_a_heap(world, 240));
+    CHECK(makes_a_cluster(world, 240));
     // Elastic balls of a bucket stay event-driven.
-    CHECK_FALSE(runs_into_a_heap(scenes::bucket(40, 1.0), 240));
+    CHECK_FALSE(makes_a_cluster(scenes::bucket(40, 1.0), 240));
     // The rule applies only under gravity.
     world.edit_definition().model.gravity.reset();
     for (Vec2& velocity : world.edit_balls().velocity)
         velocity = {0.0, -1.0};
-    CHECK_FALSE(runs_into_a_heap(world, 240));
-}
-
-TEST_CASE(
-    "event: a cluster is the dense balls, and everything that could meet them within a tick") {
-    // In a tick a ball moves as far as its speed takes it, and 0.001 by its fall.
-    struct Row {
-        const char* what;
-        std::vector<double> x;      // of balls on a line
-        std::vector<double> speed;  // along it
-        std::vector<BallId> heaped;
-        std::vector<BallId> heap;
-    };
-    const std::vector<double> still(6, 0.0);
-    const Row rows[] = {
-        {"nobody", {0.0, 1.0}, still, {}, {}},
-        {"a ball that is gone", {0.0, 1.0}, still, balls({7}), {}},
-        {"one alone", {0.0, 1.1}, still, balls({0}), balls({0})},
-        {"what touches", {0.0, 1.0, 2.0, 3.1}, still, balls({0}), balls({0, 1, 2})},
-        {"from the middle", {0.0, 1.0, 2.0, 3.1}, still, balls({1}), balls({0, 1, 2})},
-        {"two heaps", {0.0, 1.0, 5.0, 6.0, 9.0}, still, balls({1, 2}), balls({0, 1, 2, 3})},
-        {"a guest", {0.0, 1.0, 2.1}, {0.0, 0.0, -20.0}, balls({0}), balls({0, 1, 2})},
-        {"too slow for one", {0.0, 1.0, 2.1}, {0.0, 0.0, -9.0}, balls({0}), balls({0, 1})},
-        {"its guest", {0.0, 1.1, 2.2}, {0.0, -20.0, 0.0}, balls({0}), balls({0, 1, 2})},
-        {"a fast member", {0.0, 1.5}, {60.0, 0.0}, balls({0}), balls({0, 1})},
-    };
-    for (const Row& row : rows) {
-        CAPTURE(row.what);
-        World world = open_air(0.5);
-        for (std::size_t i = 0; i < row.x.size(); ++i)
-            add_ball(world, {.position = {row.x[i], 0.0}, .velocity = {row.speed[i], 0.0}});
-        edit_event_memory(world).clustered = row.heaped;
-        HybridStep hybrid;
-        CHECK(hybrid.cluster_of(world) == row.heap);
-    }
-
-    // Across the seam of a torus; only those that meet one another; through a hand.
-    World torus = open_air(0.5);
-    torus.edit_definition().model.wrap = Box{{0.0, 0.0}, {20.0, 20.0}};
-    for (const double x : {0.4, 19.4, 10.0})
-        add_ball(torus, {.position = {x, 5.0}, .velocity = {}});
-    edit_event_memory(torus).clustered = balls({0});
-    HybridStep hybrid;
-    CHECK(hybrid.cluster_of(torus) == balls({0, 1}));
-
-    World layers = open_air(0.5);
-    layers.edit_definition().kinds.push_back(layers.kinds()[0]);
-    layers.edit_definition().model.filtered = true;
-    layers.edit_definition().meets = {1, 0, 1, 0, 1, 1, 1, 1, 0};
-    add_ball(layers, {.kind = 0, .position = {0.0, 0.0}, .velocity = {}});
-    add_ball(layers, {.kind = 1, .position = {0.5, 0.0}, .velocity = {}});
-    edit_event_memory(layers).clustered = balls({0});
-    CHECK(hybrid.cluster_of(layers) == balls({0}));
-
-    World hand = open_air(0.5);
-    const CapsuleId blade = add_capsule(hand, {{0.0, 1.0}, {9.0, 1.0}, 0.1}, 0);
-    for (const double x : {0.0, 4.0, 8.0, 20.0})
-        add_ball(hand, {.position = {x, 0.0}, .velocity = {}});
-    edit_event_memory(hand).clustered = balls({0});
-    CHECK(hybrid.cluster_of(hand) == balls({0}));
-    hand.edit_held_capsules().push_back({blade, {0.0, 0.5}, {9.0, 0.5}});
-    CHECK(hybrid.cluster_of(hand) == balls({0, 1, 2}));
-}
-
-TEST_CASE("event: a ball returns when nothing presses it on another and it overlaps nothing") {
-    struct Row {
-        const char* what;
-        double gap;    // of two balls side by side in the air
-        double apart;  // speed of the second
-        bool comes_back;
-    };
-    const Row rows[] = {
-        {"in flight", 0.1, 0.0, true},
-        {"that touches, and is not pressed", 1e-4, 0.0, true},
-        {"that overlaps", -0.01, 0.0, false},
-        {"that leaves an overlap", -0.01, 3.0, true},
-    };
-    for (const Row& row : rows) {
-        CAPTURE(row.what);
-        World world = open_air(0.5);
-        add_ball(world, {.position = {0.0, 9.0}, .velocity = {}});
-        add_ball(world, {.position = {1.0 + row.gap, 9.0}, .velocity = {row.apart, 0.0}});
-        edit_event_memory(world).clustered = balls({0, 1});
-        Solver solver({.kind = SolverKind::event});
-        solver.tick(world);
-        CHECK(event_memory(world).clustered.empty() == row.comes_back);
-        if (!row.comes_back) continue;
-        // On an exact trajectory, whatever tick it ends in.
-        const Vec2 place = world.balls().position[1];
-        const Vec2 velocity = world.balls().velocity[1];
-        for (int i = 0; i < 50; ++i)
-            solver.tick(world);
-        CHECK(event_memory(world).clustered.empty());
-        CHECK(world.balls().position[1].x == doctest::Approx(place.x + 0.5 * velocity.x));
-        const double fallen = place.y + 0.5 * velocity.y - 5.0 * 0.25;
-        CHECK(std::abs(world.balls().position[1].y - fallen) < 1e-13 * 9.0);
-    }
-    // A ball pressed into the floor stays in the cluster until it leaves the floor.
-    World world = open_air(0.5);
-    add_floor(world);
-    add_ball(world, {.position = {0.0, 0.49}, .velocity = {}});
-    edit_event_memory(world).clustered = balls({0});
-    Solver solver({.kind = SolverKind::event});
-    solver.tick(world);
-    CHECK(event_memory(world).clustered == balls({0}));
-    world.edit_balls().velocity[0] = {0.0, 3.0};
-    for (int i = 0; i < 3; ++i)
-        solver.tick(world);
-    CHECK(event_memory(world).clustered.empty());
+    CHECK_FALSE(makes_a_cluster(world, 240));
 }
 
 TEST_CASE("event: a bucket of balls comes to rest as a cluster, without sinking into itself") {
@@ -525,33 +417,6 @@ TEST_CASE("event: a cancelled tick without gravity keeps the cluster for when it
     CHECK(fingerprint(world) == fingerprint(other));
 }
 
-TEST_CASE("event: the choice of clustered balls does not depend on their order") {
-    World world = scenes::bucket(60, 0.5);
-    Solver solver({.kind = SolverKind::event});
-    while (event_memory(world).clustered.empty())
-        solver.tick(world);
-    const std::size_t count = world.balls().size();
-    World turned = world;
-    for (std::size_t i = 0; i < count; ++i) {
-        turned.edit_balls().position[i] = world.balls().position[count - 1 - i];
-        turned.edit_balls().velocity[i] = world.balls().velocity[count - 1 - i];
-    }
-    const auto number_there = [&](BallId id) {
-        return BallId{static_cast<std::uint32_t>(count - 1 - number(id))};
-    };
-    edit_event_memory(turned).clustered.clear();
-    for (std::size_t i = event_memory(world).clustered.size(); i-- > 0;)
-        edit_event_memory(turned).clustered.push_back(
-            number_there(event_memory(world).clustered[i]));
-    HybridStep hybrid;
-    std::vector<BallId> heap = hybrid.cluster_of(world);
-    const std::vector<BallId> heap_there = hybrid.cluster_of(turned);
-    std::ranges::reverse(heap);
-    std::ranges::transform(heap, heap.begin(), number_there);
-    CHECK(heap == heap_there);
-    CHECK_FALSE(heap.empty());
-}
-
 TEST_CASE("event: an elastic gas above a cluster keeps its energy") {
     World world = scenes::bucket(60, 0.3);
     Solver solver({.kind = SolverKind::event});
@@ -599,8 +464,6 @@ TEST_CASE(
     const BallId slow = add_ball(world, {.position = {-7.0, 0.5}, .velocity = {}});
     add_ball(world, {.position = {-9.5, 0.5}, .velocity = {50.0, 0.0}, .mass = 100.0});
     edit_event_memory(world).clustered = balls({0, 1, 2, 3, 4, 5});
-    HybridStep hybrid;
-    REQUIRE(hybrid.cluster_of(world) == balls({0, 1, 2, 3, 4, 5}));
     Solver solver({.kind = SolverKind::event});
     solver.tick(world);
     // It has met the row.

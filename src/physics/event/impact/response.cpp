@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "physics/event/impact/squeeze.h"
 #include "physics/event/motion/tolerances.h"
 #include "physics/laws/contact_material.h"
 #include "physics/laws/curve.h"
@@ -32,7 +33,8 @@ const std::vector<std::uint32_t>& Response<Real>::resolve(std::uint32_t ball,
     const std::size_t contacts = record.contacts.size();
     cluster_.begin(ball, event);
     bool is_jammed = run_rounds(record.contacts);
-    if (is_squeezed(is_jammed) && kinematic_.stop()) {
+    const bool can_hold_back = hold_back(cluster_, balls_);
+    if ((!can_hold_back || pushes_without_end(cluster_, balls_, is_jammed)) && kinematic_.stop()) {
         // The kinematic bodies stop before this impact: what they pushed into the jam is taken
         // back.
         record.contacts.resize(contacts);
@@ -246,62 +248,6 @@ void Response<Real>::hold_frozen() {
     for (std::size_t i = 0; i < cluster_.bodies().size(); ++i)
         if (guard_.is_frozen(balls_.trajectory(cluster_.bodies()[i].ball)))
             cluster_.motion()[i] = {{}, Real{}};
-}
-
-// Whether kinematic bodies must stop: one that cannot be held back from what bars it, or one whose
-// collisions do not terminate.
-template <typename Real>
-bool Response<Real>::is_squeezed(bool is_jammed) {
-    bool squeezed = false;
-    const auto is_held = [&](std::uint32_t ball) {
-        return balls_[ball].line.motion == Motion::held;
-    };
-    for (std::uint32_t i = 0; i < cluster_.bodies().size(); ++i)
-        if (is_held(cluster_.bodies()[i].ball) && !hold_back(i)) squeezed = true;
-    for (const ContactPoint<Real>& point : cluster_.contacts()) {
-        const std::uint32_t ball = cluster_.bodies()[point.contact.a].ball;
-        const bool is_endless =
-            is_jammed || balls_[ball].line.recent_collisions > most_recent_collisions;
-        const bool is_kinematic =
-            point.kind == EventKind::kinematic_edge ||
-            (point.kind == EventKind::ball_ball && (is_held(ball) || is_held(point.other)));
-        squeezed = squeezed || (is_endless && is_kinematic);
-    }
-    return squeezed;
-}
-
-// A held ball goes no further against an edge that bars it, but along it; if that leads against
-// another edge that it touches, along that one; else it stops. False: an edge comes at it even
-// then.
-template <typename Real>
-bool Response<Real>::hold_back(std::uint32_t body) {
-    const auto for_each_bar = [&](auto&& visit) {
-        for (const ContactPoint<Real>& point : cluster_.contacts())
-            if (point.kind != EventKind::ball_ball && point.contact.a == body) visit(point.contact);
-    };
-    const auto is_free = [&](const Vector<Real>& velocity) {
-        bool is = true;
-        for_each_bar([&](const ImpactContact<Real>& bar) {
-            const Real speeds = length(velocity) + absolute(bar.surface);
-            is = is && !(bar.surface - dot(velocity, bar.normal) >
-                         Real(residual_rounding<Real>) * speeds);
-        });
-        return is;
-    };
-    Vector<Real>& velocity = cluster_.motion()[body].velocity;
-    const Vector<Real> wanted = velocity;
-    const auto along = [](const Vector<Real>& way, const ImpactContact<Real>& bar) {
-        const Real into = bar.surface - dot(way, bar.normal);
-        return into > Real{} ? way + bar.normal * into : way;
-    };
-    for_each_bar([&](const ImpactContact<Real>& bar) { velocity = along(velocity, bar); });
-    if (is_free(velocity)) return true;
-    for_each_bar([&](const ImpactContact<Real>& bar) {
-        if (!is_free(velocity)) velocity = along(wanted, bar);
-    });
-    if (is_free(velocity)) return true;
-    velocity = {};
-    return is_free(velocity);
 }
 
 // Starts the new trajectory of every changed body, and free flight of what it supported.

@@ -30,7 +30,7 @@ struct ImpactRecord {
 ///       none: done
 ///       pass simultaneous impulses (laws/simultaneous_impact.h), friction, kicks
 ///       add what the changed bodies touch
-///   kinematic bodies that squeeze a ball stop
+///   kinematic bodies that squeeze a ball stop (squeeze.h), and all is done again
 ///   separate balls that overlap (position_correction.h)
 ///   start the trajectories, count the collisions, settle, freeze what the collapse guard says
 ///
@@ -76,8 +76,6 @@ class Response {
     void record_contact(std::size_t at, std::vector<Contact>& contacts);
     void stop_all();
     void hold_frozen();
-    bool is_squeezed(bool is_jammed);
-    bool hold_back(std::uint32_t body);
     void start_trajectories(std::vector<std::uint8_t>& touched);
 
     const EventScene<Real>& scene_;

@@ -103,7 +103,7 @@ class EventMemory final : public ContactMemory {
   public:
     StoredTrajectories trajectories;
     /// The balls that the next hybrid step hands over to `contact`, with all that could meet them
-    /// (hybrid_step.h). Ascending; ids of removed balls are ignored.
+    /// (hybrid_cluster.h). Ascending; ids of removed balls are ignored.
     std::vector<BallId> clustered;
 
     static const char type_name;

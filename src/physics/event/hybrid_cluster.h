@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "physics/broad_phase/near_pairs.h"
+#include "physics/world/contact.h"
+#include "physics/world/ids.h"
+#include "physics/world/world.h"
+
+namespace carom {
+
+/// The cluster of a hybrid step (hybrid_step.h): the balls and held bodies that `contact` steps in
+/// this tick. It depends on the world alone, and not on the order of balls.
+///
+/// *Dense* is a ball with more than `dense_collisions` collisions in quick succession, the last of
+/// them with another ball, where gravity acts and impacts lose energy. EventMemory::clustered names
+/// the dense balls at the end of a tick.
+///
+/// *The cluster* of a tick: the balls of EventMemory::clustered, all that could meet one of them
+/// within the tick, all that could meet those, and so on. A ball is assumed to get as far as its
+/// speed and twice a fall from rest take it: its *reach*. A held body belongs to the cluster if it
+/// could meet a ball of it; then so do all balls that it could meet.
+///
+/// An impact can make a ball faster than its reach allows: then its reach becomes twice the
+/// distance that it got (`widen`), and the cluster is found again.
+///
+/// *Coming back.* After the tick a ball stays in EventMemory::clustered while something presses it
+/// on another ball, and while it overlaps a ball or an edge by more than `sunk` of its radius. All
+/// others start exact trajectories; those that touch the cluster belong to it again in the next
+/// tick.
+///
+/// *Hands.* What a hand lifts belongs to the cluster, dense or not: in events a pile on a moving
+/// plate hops without end. While hands push in other directions, and the world has at most
+/// `most_pushed` balls, there are no clusters: events let nothing overlap.
+class HybridCluster {
+  public:
+    /// Whether the next tick needs a hybrid step. Pre: the model has gravity, losses and collisions
+    /// of balls.
+    static bool is_needed(const World& world);
+
+    static constexpr double sunk = 1e-5;
+    static constexpr std::size_t most_pushed = 64;
+
+    /// Finds the cluster of the next tick, as far as it is known before its impacts.
+    void find(const World& world);
+    /// Widens the reach of a ball that was at `place` during the tick, if that is further away than
+    /// its reach. Whether it was. Pre: `find` for this world.
+    bool widen(const World& world, std::uint32_t ball, Vec2 place);
+    /// Finds the cluster with the reaches as widened. Whether it has changed.
+    bool find_again(const World& world);
+
+    bool has_ball(std::size_t ball) const { return is_clustered_[ball] != 0; }
+    /// By index into World::held_capsules.
+    bool has_held_capsule(std::size_t held) const { return has_ball(ball_count_ + held); }
+    bool has_balls() const;
+    bool is_everything() const;
+
+    /// The balls that stay in EventMemory::clustered. `cluster` is a world of the balls of the
+    /// cluster at the end of the tick. Ascending.
+    void find_staying(const World& cluster, std::vector<BallId>& staying);
+
+  private:
+    void find_reach(const World& world);
+    void unite_and_mark(const World& world);
+    void unite_held_capsules(const World& world);
+    static std::optional<std::uint32_t> node_of(const World& world, const Hand& hand);
+    std::uint32_t root_of(std::uint32_t node);
+    void unite(std::uint32_t a, std::uint32_t b);
+
+    NearPairs near_;
+    std::vector<std::uint32_t> order_;        // of the balls in near_
+    std::vector<double> reach_;               // by ball, length
+    std::vector<std::uint32_t> parent_;       // union-find: balls, then held capsules
+    std::vector<std::uint8_t> is_clustered_;  // by ball, then by World::held_capsules
+    std::vector<std::uint8_t> was_clustered_;
+    std::size_t ball_count_ = 0;
+    std::vector<std::uint8_t> stays_;  // find_staying: by ball of the cluster
+    std::vector<double> margin_;
+};
+
+}  // namespace carom
