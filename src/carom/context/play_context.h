@@ -16,6 +16,7 @@
 #include "carom/context/playback_clock.h"
 #include "carom/context/pointer_tool.h"
 #include "game/session/session.h"
+#include "terminal/input/key_repeat.h"
 
 /// The parts of a game in play: the data that actions and controllers work on. Each part has a
 /// header of its own.
@@ -48,6 +49,7 @@ struct CoveringPage {
 struct TerminalState {
     bool mouse_is_off = false;
     bool tells_key_release = false;
+    std::optional<KeyRepeatTimes> key_repeat{};  ///< as learnt; none: not known
     bool rings = false;        ///< the player wants the bell for kicks at a pinball table
     bool bell_is_due = false;  ///< to be rung once
 };

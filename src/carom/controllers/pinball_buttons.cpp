@@ -6,51 +6,65 @@
 namespace carom {
 namespace {
 
-// A terminal repeats a key after 0.25 to 0.6 s, then about 30 times a second.
-constexpr double flipper_hold = 0.2;
-constexpr double plunger_hold = 0.6;
-constexpr double nudge_hold = 0.1;
-constexpr double repeat_hold = 0.15;
-constexpr double repeats_within = 0.12;
+// How long a flipper drops that is pressed again while it is up, s: it falls by about a third.
+constexpr double drop_time = 0.05;
 
-double first_hold(Button button) {
-    switch (button) {
-        case Button::left_flipper:
-        case Button::right_flipper:
-            return flipper_hold;
-        case Button::plunger:
-            return plunger_hold;
-        default:
-            return nudge_hold;
-    }
+bool is_flipper(Button button) {
+    return button == Button::left_flipper || button == Button::right_flipper;
 }
 
 }  // namespace
 
 std::vector<command::Press> PinballButtons::take(Button button, const InputEvent& event) {
+    using enum InputEvent::Action;
     Held& held = held_[static_cast<std::size_t>(button)];
-    const bool is_toggled =
-        toggles_ && (button == Button::left_flipper || button == Button::right_flipper);
-    if (event.action == InputEvent::Action::release) {
+    const bool is_toggled = toggles_ && is_flipper(button);
+    if (event.action == release) {
         tells_release_ = true;
         if (is_toggled || !std::exchange(held.is_down, false)) return {};
         return {{button, false}};
     }
-    const bool repeats = event.action == InputEvent::Action::repeat || held.since < repeats_within;
-    held.since = 0.0;
+    const double time = now_ + event.after;
+    const bool repeats = tells_release_
+                             ? event.action == repeat
+                             : repeat_.take(event.key, time) == KeyRepeat::Meaning::repeat;
     if (is_toggled) {
         if (repeats) return {};
         held.is_down = !held.is_down;
         return {{button, held.is_down}};
     }
-    held.left = repeats ? std::max(held.left, repeat_hold) : first_hold(button);
-    if (std::exchange(held.is_down, true)) return {};
+    if (held.is_down) {
+        if (repeats || tells_release_) return {};
+        return press_again(button, held, time);
+    }
+    // A repeat that comes later than it should raises a flipper again, and pulls no plunger.
+    if (held.rises_at || (repeats && !is_flipper(button))) return {};
+    held.is_down = true;
     return {{button, true}};
+}
+
+std::vector<command::Press> PinballButtons::press_again(Button button, Held& held,
+                                                        double time) const {
+    if (held.mouse) return {};
+    if (button == Button::plunger) {
+        held.is_down = false;
+        return {{button, false}};
+    }
+    if (!is_flipper(button)) return {{button, false}, {button, true}};
+    held.is_down = false;
+    held.rises_at = time + drop_time;
+    return {{button, false}};
+}
+
+void PinballButtons::take_other_key(const InputEvent& event) {
+    if (event.action == InputEvent::Action::release || tells_release_) return;
+    repeat_.take(event.key, now_ + event.after);
 }
 
 std::vector<command::Press> PinballButtons::press_mouse(std::uint8_t mouse, Button button) {
     Held& held = held_[static_cast<std::size_t>(button)];
     held.mouse = mouse;
+    held.rises_at.reset();
     if (std::exchange(held.is_down, true)) return {};
     return {{button, true}};
 }
@@ -72,25 +86,36 @@ bool PinballButtons::has_mouse() const {
 }
 
 std::vector<command::Press> PinballButtons::pass(double seconds) {
-    std::vector<command::Press> released;
+    now_ += seconds;
+    std::vector<command::Press> changes;
     for (std::size_t i = 0; i < held_.size(); ++i) {
         Held& held = held_[i];
-        const bool is_flipper = i <= static_cast<std::size_t>(Button::right_flipper);
-        held.since += seconds;
-        held.left -= seconds;
-        const bool stays = tells_release_ || held.mouse || (toggles_ && is_flipper);
-        if (!held.is_down || held.left > 0.0 || stays) continue;
+        const auto button = static_cast<Button>(i);
+        if (held.rises_at && now_ >= *held.rises_at) {
+            held.rises_at.reset();
+            held.is_down = true;
+            changes.push_back({button, true});
+        }
+        const bool stays = tells_release_ || held.mouse || (toggles_ && is_flipper(button));
+        if (!held.is_down || stays || now_ < repeat_.may_be_held_until()) continue;
         held.is_down = false;
-        released.push_back({static_cast<Button>(i), false});
+        changes.push_back({button, false});
     }
-    return released;
+    return changes;
+}
+
+std::vector<command::Press> PinballButtons::let_go(Button button) {
+    if (!std::exchange(held_[static_cast<std::size_t>(button)].is_down, false)) return {};
+    return {{button, false}};
 }
 
 std::vector<command::Press> PinballButtons::release_all() {
     std::vector<command::Press> released;
-    for (std::size_t i = 0; i < held_.size(); ++i)
+    for (std::size_t i = 0; i < held_.size(); ++i) {
+        held_[i].rises_at.reset();
         if (std::exchange(held_[i].is_down, false))
             released.push_back({static_cast<Button>(i), false});
+    }
     return released;
 }
 

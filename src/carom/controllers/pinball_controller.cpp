@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "carom/controllers/power_bar.h"
 #include "game/pinball/pinball.h"
 
 namespace carom {
@@ -17,20 +18,35 @@ void press_buttons(PlayContext& play, const std::vector<command::Press>& presses
     if (!presses.empty()) play.needs_draw = true;
 }
 
+bool is_over(const Session& session) {
+    return session.scene().table.is_game &&
+           std::get<PinballState>(session.game()).phase == PinballState::Phase::over;
+}
+
 bool has_flippers(const Scene& scene) {
     return has_button(scene, Button::left_flipper) || has_button(scene, Button::right_flipper);
 }
 
 }  // namespace
 
-void PinballController::learn_key_release(const PlayContext& play) {
+void PinballController::learn_keys(PlayContext& play) {
     if (play.terminal.tells_key_release) input_.set_tells_release();
+    if (play.terminal.key_repeat) input_.remember(*play.terminal.key_repeat);
+}
+
+void PinballController::press_key(PlayContext& play, Button button, const InputEvent& event) {
+    demo_.reset();
+    const bool starts_game = button == Button::plunger && is_over(play.session);
+    press_buttons(play, input_.take_key(button, event));
+    // The key that starts a game does not pull the plunger under its first ball.
+    if (starts_game) press_buttons(play, input_.let_go_of_plunger());
+    play.terminal.key_repeat = input_.key_repeat();
 }
 
 bool PinballController::take(PlayContext& play, const InputEvent& event) {
     if (event.kind == InputEvent::Kind::mouse) return take_mouse(play, event);
     if (event.kind != InputEvent::Kind::key) return false;
-    learn_key_release(play);
+    learn_keys(play);
     if (feedback_.scores().initials()) {
         feedback_.scores().type(event);
         play.needs_draw = true;
@@ -38,10 +54,10 @@ bool PinballController::take(PlayContext& play, const InputEvent& event) {
     }
     const Key key = key_of(event);
     if (const auto button = play.keys.button_of(key)) {
-        demo_.reset();
-        press_buttons(play, input_.take_key(*button, event));
+        press_key(play, *button, event);
         return true;
     }
+    input_.take_other_key(event);
     const Action* const action = play.keys.action_of(key, KeyLayer::pinball);
     if (!action) return false;
     if (event.action == InputEvent::Action::press) perform(play, *action);
@@ -72,7 +88,7 @@ void PinballController::perform(PlayContext& play, const Action& action) {
 }
 
 void PinballController::pass(PlayContext& play, double seconds) {
-    learn_key_release(play);
+    learn_keys(play);
     press_buttons(play, input_.pass(seconds));
     feedback_.pass(play, seconds);
 }
@@ -121,7 +137,7 @@ Camera PinballController::fit(const PlayContext& play, const CellArea& area, dou
 }
 
 void PinballController::look(PlayContext& play) {
-    learn_key_release(play);
+    learn_keys(play);
 }
 
 void PinballController::annotate(const PlayContext& play, Annotations& annotations) const {
@@ -135,6 +151,12 @@ void PinballController::draw_panel(const PlayContext& play, Canvas& canvas) cons
 
 void PinballController::add_status(const PlayContext& play, HudInfo& info) const {
     feedback_.add_score(play, info);
+    const double pull = std::get<PinballState>(play.session.game()).pull;
+    if (pull > 0.0) {
+        info.game = fmt::format("plunger {} {:.0f} %", power_bar(pull, play.view.options.look),
+                                100.0 * pull);
+        return;
+    }
     if (!has_flippers(play.session.scene())) return;
     const std::string mouse = play.terminal.mouse_is_off ? "" : " or mouse buttons";
     info.game = fmt::format("flippers {} {}{}: {} ({}: change)", play.keys.hint("left-flipper"),

@@ -37,7 +37,8 @@ class PinballController : public FreeController {
 
   private:
     bool take_mouse(PlayContext& play, const InputEvent& event);
-    void learn_key_release(const PlayContext& play);
+    void learn_keys(PlayContext& play);
+    void press_key(PlayContext& play, Button button, const InputEvent& event);
 
     PinballInput input_;
     std::optional<DemoPlayer> demo_;

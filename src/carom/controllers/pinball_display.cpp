@@ -14,7 +14,9 @@ constexpr double ball_rows = 1.0;     // diameter of a ball that the eye can fol
 constexpr double lamp_radius = 0.7;   // radius of a lamp, in radii of the ball
 constexpr double warning_time = 3.0;  // s of blinking before a light goes out
 constexpr double blinks = 8.0;        // changes a second
-constexpr double shake = 1.2;         // radii that a nudge moves the picture
+constexpr double gauge_beside = 2.4;  // place and length of the plunger's gauge, in radii
+constexpr double gauge_length = 12.0;
+constexpr double shake = 1.2;  // radii that a nudge moves the picture
 
 const PinballState& state_of(const Session& session) {
     return std::get<PinballState>(session.game());
@@ -134,9 +136,15 @@ TableAnnotations PinballDisplay::annotations(const Session& session) const {
             const auto index = index_of(session.world(), device.capsules.front());
             if (!index) continue;
             const Capsule plate = session.world().capsules().shape[*index];
-            const double pulled = state_of(session).pull * 3.0 * ball_radius(session);
+            const double pull = state_of(session).pull;
+            const double pulled = pull * 3.0 * ball_radius(session);
             const Vec2 back = device.direction * -(pulled + 0.3 * ball_radius(session));
             annotations.plungers.push_back({plate.start + back, plate.end + back, plate.radius});
+            if (pull <= 0.0) continue;
+            const Vec2 beside = Vec2{-device.direction.y, device.direction.x} * gauge_beside;
+            const Vec2 foot = device.place + beside * ball_radius(session);
+            annotations.gauges.push_back(
+                {foot, foot + device.direction * (gauge_length * ball_radius(session)), pull});
         }
     }
     return annotations;

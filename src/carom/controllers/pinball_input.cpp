@@ -1,5 +1,7 @@
 #include "carom/controllers/pinball_input.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -70,7 +72,8 @@ std::string PinballInput::next_flipper_mode() {
 
 std::string PinballInput::flipper_mode() const {
     if (buttons_.toggles()) return "each press turns one over";
-    return buttons_.tells_release() ? "up while held" : "up 0.2 s, on while the key repeats";
+    if (buttons_.tells_release()) return "up while held";
+    return fmt::format("up while held (a tap: {:.2f} s)", buttons_.repeat().tap_length());
 }
 
 }  // namespace carom

@@ -18,6 +18,10 @@ class PinballInput {
     std::vector<command::Press> take_key(Button button, const InputEvent& event) {
         return buttons_.take(button, event);
     }
+    /// A press of a key without a button.
+    void take_other_key(const InputEvent& event) { buttons_.take_other_key(event); }
+    /// Lets go of the plunger, whether or not its key is still held.
+    std::vector<command::Press> let_go_of_plunger() { return buttons_.let_go(Button::plunger); }
     /// Left mouse button: left flipper; right: right flipper; middle: plunger. A press of the left
     /// button on a plunger with a ball pulls that plunger. `at`: the mouse position in the world.
     /// None: the event is not for the table.
@@ -35,10 +39,13 @@ class PinballInput {
     /// Switches between flippers that toggle and flippers that are up only while held. Returns the
     /// new mode as a sentence.
     std::string next_flipper_mode();
-    /// The current mode, for the status line: "up while held".
+    /// The current mode, for the status line: "up while held (a tap: 0.70 s)".
     std::string flipper_mode() const;
     /// The terminal reports key releases.
     void set_tells_release() { buttons_.set_tells_release(true); }
+    /// How the terminal repeats keys, as learnt in earlier games, and as known now.
+    void remember(const KeyRepeatTimes& times) { buttons_.remember(times); }
+    const std::optional<KeyRepeatTimes>& key_repeat() const { return buttons_.repeat().times(); }
 
   private:
     /// The plunger that the mouse holds, from where, and whether it has been dragged.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "carom/controllers/pool_aim.h"
+#include "carom/controllers/power_bar.h"
 #include "game/ai/pool_shots.h"
 #include "game/commands/aiming.h"
 #include "geometry/elementary.h"
@@ -11,15 +12,6 @@
 /// Draws the aim.
 namespace carom {
 namespace {
-
-std::string bar(double share, const Look& look) {
-    constexpr int width = 12;
-    const int full = static_cast<int>(std::lround(share * width));
-    std::string text = look.utf8 ? "▕" : "[";
-    for (int i = 0; i < width; ++i)
-        text += i < full ? (look.utf8 ? "█" : "#") : (look.utf8 ? "░" : "-");
-    return text + (look.utf8 ? "▏" : "]");
-}
 
 std::string tip_text(double side, double follow) {
     std::string text;
@@ -105,8 +97,9 @@ std::string PoolAim::line(const Session& session, const Look& look) const {
     if (!may_aim(session)) return "";
     const command::Strike strike = this->strike(session);
     const double speed = length(strike.velocity);
-    std::string text = fmt::format("{} {:.2f} m/s  {}", bar(speed / most_speed(session), look),
-                                   speed, tip_text(setup_.side, setup_.follow));
+    std::string text =
+        fmt::format("{} {:.2f} m/s  {}", power_bar(speed / most_speed(session), look), speed,
+                    tip_text(setup_.side, setup_.follow));
     const auto line = aim_line(session.world(), strike.ball, strike.velocity);
     if (line && line->object && setup_.aids != Aids::none) text += "  " + cut_text(*line, look);
     const std::string called = call_text(session.scene(), call(session));

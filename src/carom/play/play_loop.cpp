@@ -125,7 +125,7 @@ void PlayLoop::listen(bool owes_picture) {
         for (const InputEvent& event : screen_.wait(seconds, worker_.handle())) {
             has_input_ = true;
             if (program_.cancels_tick(event)) is_cancelled_ = true;
-            input_.push(event);
+            queue(event);
         }
         const double now = seconds_now();
         pacing_.answered(screen_.frames_answered(), now);
@@ -147,8 +147,13 @@ void PlayLoop::look_for_input() {
     next_look_ = now + look_interval;
     for (const InputEvent& event : screen_.wait(0.0)) {
         cancels_tick_ = cancels_tick_ || program_.cancels_tick(event);
-        input_.push(event);
+        queue(event);
     }
+}
+
+void PlayLoop::queue(InputEvent event) {
+    event.after = seconds_now() - last_;
+    input_.push(event);
 }
 
 Canvas PlayLoop::draw(bool is_stalled) {
@@ -178,7 +183,7 @@ void PlayLoop::wait(bool is_late) {
     if (!input_.empty()) seconds = 0.0;
     seconds = std::min(seconds, std::max(0.0, last_input_ + most_idle_ - now));
     for (const InputEvent& event : screen_.wait(std::min(seconds, longest_wait)))
-        input_.push(event);
+        queue(event);
     pacing_.answered(screen_.frames_answered(), seconds_now());
 }
 

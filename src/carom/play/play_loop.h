@@ -49,6 +49,7 @@ class PlayLoop {
     bool is_heavy() const;
     bool may_tick_go_on();
     void look_for_input();
+    void queue(InputEvent event);
     Canvas draw(bool is_stalled);
     void show(const Canvas& canvas, double now);
     void wait(bool is_late);

@@ -48,6 +48,11 @@ class Player {
     void set_mouse_is_off(bool is_off) { play_.terminal.mouse_is_off = is_off; }
     /// Whether the terminal reports key releases.
     void set_key_release(bool tells) { play_.terminal.tells_key_release = tells; }
+    /// How the terminal repeats keys; none: not known yet.
+    void set_key_repeat(const std::optional<KeyRepeatTimes>& times) {
+        play_.terminal.key_repeat = times;
+    }
+    const std::optional<KeyRepeatTimes>& key_repeat() const { return play_.terminal.key_repeat; }
     /// Whether the terminal's bell rings for kicks at a pinball table.
     void set_bell(bool rings) { play_.terminal.rings = rings; }
     bool has_bell() const { return play_.terminal.rings; }

@@ -67,13 +67,31 @@ Wrong choose_renderer(std::string_view text, std::optional<RendererChoice>& targ
     return std::nullopt;
 }
 
-Wrong set_fps(std::string_view text, std::optional<double>& fps) {
+std::optional<double> number_in(std::string_view text, double least, double most) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !(value >= 1.0) ||
-        value > 1000.0)
-        return fmt::format("'{}' is not a number in 1..1000", text);
+    if (error != std::errc{} || end != text.data() + text.size() || !(value >= least) ||
+        value > most)
+        return std::nullopt;
+    return value;
+}
+
+Wrong set_fps(std::string_view text, std::optional<double>& fps) {
+    const auto value = number_in(text, 1.0, 1000.0);
+    if (!value) return fmt::format("'{}' is not a number in 1..1000", text);
     fps = value;
+    return std::nullopt;
+}
+
+Wrong set_key_repeat(std::string_view text, std::optional<KeyRepeatTimes>& target) {
+    const std::size_t blank = std::min(text.find(' '), text.size());
+    const auto delay = number_in(text.substr(0, blank), 100.0, 2000.0);
+    const auto period = number_in(text.substr(std::min(blank + 1, text.size())), 1.0, 200.0);
+    if (!delay || !period)
+        return fmt::format(
+            "'{}' is not a delay in 100..2000 ms and a period in 1..200 ms, as in '{}'", text,
+            "660 40");
+    target = {*delay / 1000.0, *period / 1000.0};
     return std::nullopt;
 }
 
@@ -96,6 +114,8 @@ constexpr Setting settings[] = {
      [](Preferences& p, std::string_view v) { return choose(ball_styles, v, p.ball_style); }},
     {"trails", [](Preferences& p, std::string_view v) { return choose(switches, v, p.trails); }},
     {"bell", [](Preferences& p, std::string_view v) { return choose(switches, v, p.bell); }},
+    {"key-repeat",
+     [](Preferences& p, std::string_view v) { return set_key_repeat(v, p.key_repeat); }},
 };
 
 constexpr std::string_view blanks = " \t\r";
@@ -215,6 +235,10 @@ std::string_view text_of(ColorBy by) {
 
 std::string_view text_of(BallStyle style) {
     return name_in(ball_styles, style);
+}
+
+std::string text_of(const KeyRepeatTimes& times) {
+    return fmt::format("{:.0f} {:.0f}", 1000.0 * times.delay, 1000.0 * times.period);
 }
 
 std::optional<std::string> preferences_path() {

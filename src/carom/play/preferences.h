@@ -8,6 +8,7 @@
 #include "carom/context/key_map.h"
 #include "carom/options/play_options.h"
 #include "terminal/draw/draw.h"
+#include "terminal/input/key_repeat.h"
 
 /// The player's preferences, kept in a small text file that may be edited. Its grammar is one
 /// statement a line; `#` starts a comment:
@@ -23,6 +24,7 @@
 ///     balls = outline         filled, outline
 ///     trails = on             on, off
 ///     bell = on               on, off
+///     key-repeat = 660 40     ms from a press to its first repeat, and between repeats, as learnt
 namespace carom {
 
 struct Preferences {
@@ -36,6 +38,7 @@ struct Preferences {
     BallStyle ball_style = BallStyle::filled;
     bool trails = false;
     bool bell = false;
+    std::optional<KeyRepeatTimes> key_repeat;
 };
 
 /// A line with an error has no effect; all others do.
@@ -51,6 +54,7 @@ std::string with_setting(std::string_view text, std::string_view name, std::stri
 
 std::string_view text_of(ColorBy by);
 std::string_view text_of(BallStyle style);
+std::string text_of(const KeyRepeatTimes& times);
 
 /// carom/preferences in the user's configuration folder ($XDG_CONFIG_HOME, else ~/.config). None:
 /// the user has no such folder.

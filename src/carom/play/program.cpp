@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -165,6 +166,7 @@ void Program::enter(LevelSource source, Player player, std::optional<Interrupted
     player.set_mouse_is_off(!mouse_);
     player.set_key_release(capabilities_.key_release);
     player.set_bell(preferences_.bell);
+    player.set_key_repeat(preferences_.key_repeat);
     player.set_keep_going(keep_going_);
     if (options_.paused) player.pause(true);
     show_high_scores(player, source.path);
@@ -243,12 +245,16 @@ bool Program::end_game() {
 }
 
 void Program::leave_game() {
-    if (auto* game = std::get_if<RunningGame>(&page_)) is_kept_ = game->leave();
+    auto* game = std::get_if<RunningGame>(&page_);
+    if (!game) return;
+    keep_key_repeat(*game);
+    is_kept_ = game->leave();
 }
 
 void Program::interrupt() {
     auto* game = std::get_if<RunningGame>(&page_);
     if (!game) return;
+    keep_key_repeat(*game);
     game->autosave();
     if (recording_)
         lost_recording_ =
@@ -275,6 +281,18 @@ void Program::keep_setting(std::string_view name, std::string_view value) {
     if (!fault || !game || has_told_lost_settings_) return;
     has_told_lost_settings_ = true;
     game->player.say(fmt::format("such choices are not kept: {}", *fault));
+}
+
+// What was learnt is written when the game ends, not while a ball is in play.
+void Program::keep_key_repeat(const RunningGame& game) {
+    constexpr double like = 0.15;
+    const std::optional<KeyRepeatTimes>& before = preferences_.key_repeat;
+    const std::optional<KeyRepeatTimes>& now = game.player.key_repeat();
+    if (!now || (before && std::abs(now->delay - before->delay) <= like * before->delay &&
+                 std::abs(now->period - before->period) <= like * before->period))
+        return;
+    preferences_.key_repeat = now;
+    keep_setting("key-repeat", text_of(*now));
 }
 
 void Program::keep_preferences(const ViewOptions& before, const ViewOptions& after) {

@@ -47,6 +47,16 @@ void paint_lit_edge(Raster& raster, const View& view, const TableLight& light) {
         raster.capsule(start, to_raster(view.camera, light.shape.end), radius, brush);
 }
 
+void paint_gauge(Raster& raster, const View& view, const PowerGauge& gauge) {
+    const Look& look = view.options.look;
+    const double radius = 1.3 * raster.hairline();
+    const auto at = [&](double share) {
+        return to_raster(view.camera, gauge.from + (gauge.to - gauge.from) * share);
+    };
+    raster.capsule(at(0.0), at(1.0), radius, {ink_of(Role::faint, look), 255, '|'});
+    raster.capsule(at(0.0), at(gauge.share), radius, {ink_of(Role::warning, look), 255, '#'});
+}
+
 }  // namespace
 
 void paint_lamps(Raster& raster, const View& view) {
@@ -63,6 +73,8 @@ void paint_lit_edges(Raster& raster, const View& view) {
         raster.capsule(to_raster(view.camera, plunger.start), to_raster(view.camera, plunger.end),
                        plunger.radius * view.camera.columns_per_length,
                        {ink_of(Role::cue, view.options.look), 255, '#'});
+    for (const PowerGauge& gauge : view.annotations.table->gauges)
+        paint_gauge(raster, view, gauge);
 }
 
 void polish_balls(std::vector<Ink>& inks, const View& view) {

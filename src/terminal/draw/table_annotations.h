@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/shapes.h"
+#include "geometry/vec2.h"
 
 /// What a picture of a pinball table shows besides edges.
 namespace carom {
@@ -16,9 +17,17 @@ struct TableLight {
     std::size_t family = 0;  ///< lights of one family share a colour
 };
 
+/// How far a plunger is pulled, beside it.
+struct PowerGauge {
+    Vec2 from;
+    Vec2 to;             ///< the end when it is full
+    double share = 0.0;  ///< 0..1
+};
+
 struct TableAnnotations {
     std::vector<TableLight> lights;
     std::vector<Capsule> plungers;  ///< as pulled
+    std::vector<PowerGauge> gauges;
 };
 
 }  // namespace carom

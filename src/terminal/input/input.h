@@ -33,6 +33,7 @@ struct InputEvent {
     std::uint8_t button = 0;     ///< mouse: 1 left, 2 middle, 3 right; 0 none
     double column = 0.0;  ///< mouse: in cells from the left edge; the centre of cell 0 is 0.5
     double row = 0.0;     ///< mouse: in cells from the top edge
+    double after = 0.0;   ///< s since the program's time was last advanced
 };
 
 }  // namespace carom

@@ -145,12 +145,12 @@ TEST_CASE("with key releases, the first press already holds the flipper up") {
         CAPTURE(tells);
         AtTable table(home, tells);
         const std::size_t at_rest = table.picture();
-        CHECK(table.sees(tells ? "up while held" : "up 0.2 s, on while the key repeats"));
+        CHECK(table.sees(tells ? "up while held (k" : "up while held (a tap: 0.75 s)"));
         table.key(U'z');
         table.pass(0.1);
         const std::size_t up = table.picture();
         CHECK(up != at_rest);
-        table.pass(0.6);
+        table.pass(0.75);
         CHECK((table.picture() == up) == tells);
         table.key(U'z', InputEvent::Action::release);
         table.pass(0.1);
@@ -280,6 +280,35 @@ TEST_CASE("the bell is off until a key turns it on, and the setting is kept") {
     CHECK(line == "bell = on");
     CHECK(read_preferences(line, "p").preferences.bell);
     CHECK_FALSE(read_preferences("", "p").preferences.bell);
+}
+
+TEST_CASE("how the terminal repeats keys is remembered when the game ends") {
+    const TableHome home;
+    {
+        AtTable table(home);
+        table.key(U'z');
+        for (double wait = 0.5; wait > 0.0; wait = table.now < 101.5 ? 0.04 : 0.0) {
+            table.pass(wait);
+            table.key(U'z');
+        }
+        CHECK(table.sees("a tap: 0.54 s"));
+        table.key(U'q');
+    }
+    std::ifstream file(home.path / "config/carom/preferences");
+    std::string line;
+    std::getline(file, line);
+    CHECK(line == "key-repeat = 500 40");
+    AtTable table(home, false, false, line.c_str());
+    CHECK(table.sees("a tap: 0.54 s"));
+}
+
+TEST_CASE("a gauge shows how far the plunger is pulled") {
+    const TableHome home;
+    AtTable table(home);
+    table.key(key::enter);
+    table.pass(0.3);
+    CHECK(table.sees("plunger"));
+    CHECK(table.sees("30 %"));
 }
 
 TEST_CASE("high scores and the flipper mode survive a reload of the level") {

@@ -23,6 +23,7 @@ TEST_CASE("settings and keys are read") {
         "  colors=16\r\n"
         "background = light\n"
         "fps = 30\n"
+        "key-repeat = 250 33\n"
         "mouse = off\n"
         "color-by = speed\n"
         "balls = outline\n"
@@ -40,6 +41,7 @@ TEST_CASE("settings and keys are read") {
     CHECK(p.colors == ColorChoice::c16);
     CHECK(p.light_background == true);
     CHECK(p.fps == 30.0);
+    CHECK(p.key_repeat == KeyRepeatTimes{0.25, 0.033});
     CHECK(p.mouse == false);
     CHECK(p.color_by == ColorBy::speed);
     CHECK(p.ball_style == BallStyle::outline);
@@ -60,6 +62,9 @@ TEST_CASE("an error is reported with its place, and the rest counts") {
         {"renderer = brail", "p:1:12: error: 'brail' is none of auto, ascii, half, braille"},
         {"renderer =", "p:1:1: error: '' is none of auto, ascii, half, braille"},
         {"fps = fast", "p:1:7: error: 'fast' is not a number in 1..1000"},
+        {"key-repeat = 660",
+         "p:1:14: error: '660' is not a delay in 100..2000 ms and a period in 1..200 ms, as in "
+         "'660 40'"},
         {"fps = 0", "p:1:7: error: '0' is not a number in 1..1000"},
         {"  hello", "p:1:3: error: expected 'key = action' or 'setting = value'"},
         {"= pause", "p:1:1: error: a name is missing before '='"},
