@@ -16,7 +16,8 @@ namespace carom {
 /// under `contact`, and at the end of a tick under `event`; arcs and fillets have smooth joints,
 /// along which balls roll on without a loss under `event`, `swept` and `contact` (laws/curve.h);
 /// `swept` and `event` limit the work of a tick by one budget (tick/work_budget.h), and `swept` no
-/// longer takes the velocity of a ball that meets too much in an elastic scene.
+/// longer takes the velocity of a ball that meets too much in an elastic scene; the shot clock of
+/// pool is no part of the game: its end is a command.
 inline constexpr int physics_version = 3;
 
 }  // namespace carom

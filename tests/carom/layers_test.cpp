@@ -149,6 +149,7 @@ const std::vector<std::string> rooms{
     "carom/options",
     "carom/files",
     "carom/context",
+    "carom/pool",
     "carom/controllers",
     "carom/play",
     "carom/cli",

@@ -11,6 +11,7 @@ namespace {
 constexpr double gears[] = {0.01, 0.02, 0.05, 0.1,  0.2,   0.5,   1.0,   2.0,
                             5.0,  10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0};
 constexpr int normal_gear = 6;
+constexpr double hurrying_speed = 20.0;
 constexpr int last_gear = static_cast<int>(std::size(gears)) - 1;
 
 /// A search stops after this much game time, s.
@@ -27,18 +28,26 @@ void PlaybackClock::pause(bool paused) {
 }
 
 double PlaybackClock::speed() const {
-    return gears[gear_ + normal_gear];
+    return is_hurrying_ ? hurrying_speed : gears[gear_ + normal_gear];
+}
+
+void PlaybackClock::hurry() {
+    pause(false);
+    is_hurrying_ = true;
 }
 
 void PlaybackClock::slower() {
+    is_hurrying_ = false;
     gear_ = std::max(gear_ - 1, -normal_gear);
 }
 
 void PlaybackClock::faster() {
+    is_hurrying_ = false;
     gear_ = std::min(gear_ + 1, last_gear - normal_gear);
 }
 
 void PlaybackClock::normal() {
+    is_hurrying_ = false;
     gear_ = 0;
 }
 

@@ -23,7 +23,11 @@ class PlaybackClock {
     double speed() const;
     void slower();
     void faster();
+    /// Ends hurry(), too.
     void normal();
+    /// Goes on at twenty times the level's own speed, until normal(), slower() or faster().
+    void hurry();
+    bool is_hurrying() const { return is_hurrying_; }
 
     /// Runs as fast as possible to the next collision (Session::step_to_collision), then pauses.
     void seek_collision();
@@ -46,7 +50,8 @@ class PlaybackClock {
     void measure(double seconds, std::uint64_t ticks, bool dropped);
 
     bool is_paused_ = false;
-    int gear_ = 0;               ///< 0 is the level's own speed
+    int gear_ = 0;  ///< 0 is the level's own speed
+    bool is_hurrying_ = false;
     double due_ = 0.0;           ///< ticks, < 1 between calls
     std::uint64_t seeking_ = 0;  ///< ticks left for a search
     bool search_failed_ = false;

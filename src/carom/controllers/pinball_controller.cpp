@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "carom/controllers/power_bar.h"
+#include "carom/pool/power_bar.h"
 #include "game/pinball/pinball.h"
 
 namespace carom {

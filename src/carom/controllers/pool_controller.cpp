@@ -77,9 +77,21 @@ void PoolController::pass(PlayContext& play, double seconds) {
     if (aim_.work(play.session)) play.needs_draw = true;
     opponent_.play(play, seconds);
     hear_coach(play);
+    count_time(play, seconds);
+}
+
+// The opponent needs no clock, and whoever looks back at the past is not hurried.
+void PoolController::count_time(PlayContext& play, double seconds) {
+    const Session& session = play.session;
+    if (play.clock.is_paused() || opponent_.is_turn(session) ||
+        session.world().tick() < session.latest() || !clock_.pass(session, seconds))
+        return;
+    if (const auto why_not = play.session.apply(command::TimeOut{})) complain(play, *why_not);
+    set_reference(play);
 }
 
 void PoolController::after_ticks(PlayContext& play, double) {
+    if (play.clock.is_hurrying() && !are_rolling(play)) play.clock.normal();
     if (auto outcome = announcer_.tell(play.session, names())) say(play, *std::move(outcome));
 }
 
@@ -134,8 +146,30 @@ void PoolController::shoot(PlayContext& play) {
     set_reference(play);
 }
 
-bool PoolController::turn_coarsely(const PlayContext& play, int direction) {
-    if (!aims_with_keys(play)) return false;
+bool PoolController::are_rolling(const PlayContext& play) const {
+    const PoolPlay* const pool = pool_of(play.session);
+    return pool ? pool->is_shooting : !is_at_rest(play.session.world());
+}
+
+// Whether the cue is in the player's hands, so that no key brings out the editor's cursor, even
+// while nothing can be aimed.
+bool PoolController::keeps_cue(const PlayContext& play) const {
+    return play.pointer.tool.is_empty() && !play.pointer.shows_cursor;
+}
+
+bool PoolController::edit_nothing(PlayContext& play) const {
+    if (!pool_of(play.session)) return false;
+    say(play, "only the cue moves balls here; pool-table has no rules");
+    return true;
+}
+
+void PoolController::skip_to_rest(PlayContext& play) {
+    if (!are_rolling(play)) return say(play, "the balls are at rest");
+    play.clock.hurry();
+}
+
+bool PoolController::turn_coarsely(PlayContext& play, int direction) {
+    if (!aims_with_keys(play)) return keeps_cue(play);
     aim_.turn(direction * coarse_turn);
     return true;
 }
@@ -147,8 +181,8 @@ void PoolController::turn_finely(PlayContext& play, int direction) {
         move_cursor(play, -direction * cursor_step, 0.0);
 }
 
-bool PoolController::change_speed(const PlayContext& play, int direction) {
-    if (!aims_with_keys(play)) return false;
+bool PoolController::change_speed(PlayContext& play, int direction) {
+    if (!aims_with_keys(play)) return keeps_cue(play);
     aim_.change_speed(direction * speed_step);
     return true;
 }
@@ -160,19 +194,37 @@ bool PoolController::move_tip(const PlayContext& play, int side, int follow) {
 }
 
 bool PoolController::shoot_with_key(PlayContext& play) {
-    if (!aims_with_keys(play)) return false;
-    shoot(play);
+    if (aims_with_keys(play)) {
+        shoot(play);
+        return true;
+    }
+    if (keeps_cue(play)) {
+        if (are_rolling(play))
+            say(play, fmt::format("the balls still roll: {} skips", play.keys.hint("to-rest")));
+        return true;
+    }
+    if (!pool_of(play.session)) return false;
+    // Puts down the ball in hand.
+    grab(play);
+    play.pointer.shows_cursor = !play.pointer.tool.is_empty();
     return true;
 }
 
 bool PoolController::explain_cue(PlayContext& play) const {
-    if (!aims_with_keys(play)) return false;
+    if (!aims_with_keys(play) && !pool_of(play.session)) return false;
     say(play, "the arrows aim, enter shoots; or drag with the right button");
     return true;
 }
 
 void PoolController::next_pot(PlayContext& play, bool backwards) {
     if (is_aiming(play)) say(play, aim_.next_pot(play.session, backwards));
+}
+
+// The editor's keys for the next ball.
+bool PoolController::next_pot_under_rules(PlayContext& play, bool backwards) {
+    if (!pool_of(play.session)) return false;
+    next_pot(play, backwards);
+    return true;
 }
 
 void PoolController::next_call(PlayContext& play) {

@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "carom/controllers/free_controller.h"
-#include "carom/controllers/pool_aim.h"
-#include "carom/controllers/pool_opponent.h"
-#include "carom/controllers/pool_status.h"
+#include "carom/pool/pool_aim.h"
+#include "carom/pool/pool_opponent.h"
+#include "carom/pool/pool_status.h"
+#include "carom/pool/shot_clock.h"
 
 /// Pool: aiming by keys and mouse, ball in hand, choices, the AI player, and the referee's rulings.
 /// It works at any table with a cue; without a game, balls can be dragged freely.
@@ -34,11 +35,14 @@ class PoolController : public FreeController {
     bool drags_anything() const override { return false; }
 
     // Actions. Those that return false do nothing, because the key means something else at present.
-    bool turn_coarsely(const PlayContext& play, int direction);
+    bool turn_coarsely(PlayContext& play, int direction);
     void turn_finely(PlayContext& play, int direction);
-    bool change_speed(const PlayContext& play, int direction);
+    bool change_speed(PlayContext& play, int direction);
     bool move_tip(const PlayContext& play, int side, int follow);
     bool shoot_with_key(PlayContext& play);
+    bool edit_nothing(PlayContext& play) const;
+    bool next_pot_under_rules(PlayContext& play, bool backwards);
+    void skip_to_rest(PlayContext& play);
     bool explain_cue(PlayContext& play) const;
     void next_pot(PlayContext& play, bool backwards);
     void next_call(PlayContext& play);
@@ -53,6 +57,9 @@ class PoolController : public FreeController {
     /// game of pool.
     bool set_opponent(const Session& session, int skill);
     int opponent() const { return opponent_.skill(); }
+    /// On the shot clock, s; none: no clock runs.
+    std::optional<double> time_left(const Session& session) const { return clock_.left(session); }
+    void set_time_left(const Session& session, double left) { clock_.resume(session, left); }
     const ShotSetup& setup() const { return aim_.setup(); }
     void set_up(const Session& session, const ShotSetup& setup) { aim_.set_up(session, setup); }
 
@@ -63,6 +70,9 @@ class PoolController : public FreeController {
   private:
     bool is_aiming(const PlayContext& play) const;
     bool aims_with_keys(const PlayContext& play) const;
+    bool are_rolling(const PlayContext& play) const;
+    bool keeps_cue(const PlayContext& play) const;
+    void count_time(PlayContext& play, double seconds);
     void shoot(PlayContext& play);
     void hear_coach(PlayContext& play);
     PlayerNames names() const;
@@ -71,6 +81,7 @@ class PoolController : public FreeController {
     PoolAim aim_;
     bool aims_by_mouse_ = false;  ///< the left button is down, and the cue points at the mouse
     ShotAnnouncer announcer_;
+    ShotClock clock_;
     PoolOpponent opponent_;
     PoolCoach coach_;
 };

@@ -28,15 +28,12 @@ std::string PoolController::line(const PlayContext& play) const {
 }
 
 void PoolController::add_status(const PlayContext& play, HudInfo& info) const {
-    add_pool_title(play.session, names(), info);
+    const auto left = clock_.left(play.session);
+    add_pool_title(play.session, names(), left, info);
     info.game = line(play);
     // The last seconds for the shot, or for the choice.
-    const World& world = play.session.world();
-    const PoolPlay* const pool = pool_of(play.session);
-    const auto left = pool ? time_left(world, *pool) : std::nullopt;
-    const bool is_late = left && static_cast<double>(*left) <= last_seconds * world.rate();
-    if (!is_late || opponent_.is_turn(play.session)) return;
-    info.message = fmt::format("{} left", clock_text(world, *pool));
+    if (!left || *left > last_seconds || opponent_.is_turn(play.session)) return;
+    info.message = fmt::format("{} left", clock_text(*left));
     info.message_is_error = true;
 }
 
@@ -55,6 +52,7 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
     }
     if (pool && pool->rules.phase == PoolPhase::over)
         hint("next-frame", match_winner(*pool) ? "the next match" : "the next frame");
+    if (are_rolling(play)) return hint("to-rest", "skip until they rest");
     if (!is_aiming(play)) return;
     hint("grab", "shoot");
     hints.push_back({"arrows", "aim, power"});

@@ -56,7 +56,7 @@ void WatchController::draw_panel(const PlayContext& play, Canvas& canvas) const 
 void WatchController::add_status(const PlayContext& play, HudInfo& info) const {
     info.title = "recording: " + info.title;
     if (pinball_) pinball_->add_score(play, info);
-    add_pool_title(play.session, players, info);
+    add_pool_title(play.session, players, std::nullopt, info);
 }
 
 void WatchController::set_high_scores(HighScores scores) {

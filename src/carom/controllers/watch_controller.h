@@ -4,7 +4,7 @@
 
 #include "carom/context/controller.h"
 #include "carom/controllers/pinball_feedback.h"
-#include "carom/controllers/pool_status.h"
+#include "carom/pool/pool_status.h"
 
 /// Watching a recording: keys control only time and view, and the mouse drags the view. Pool and
 /// pinball show score and turn as they do in play.

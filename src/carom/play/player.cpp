@@ -193,6 +193,16 @@ void Player::set_up(const ShotSetup& setup) {
     if (pool) pool->set_up(play_.session, setup);
 }
 
+std::optional<double> Player::shot_time_left() const {
+    const auto* const pool = dynamic_cast<const PoolController*>(play_.controller.get());
+    return pool ? pool->time_left(play_.session) : std::nullopt;
+}
+
+void Player::set_shot_time_left(double left) {
+    auto* const pool = dynamic_cast<PoolController*>(play_.controller.get());
+    if (pool) pool->set_time_left(play_.session, left);
+}
+
 void Player::demonstrate() {
     auto* const pinball = dynamic_cast<PinballController*>(play_.controller.get());
     if (pinball) pinball->demonstrate(play_, true);

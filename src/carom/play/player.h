@@ -68,6 +68,9 @@ class Player {
     /// The shot that the player is setting up at a pool table; none elsewhere.
     std::optional<ShotSetup> shot_setup() const;
     void set_up(const ShotSetup& setup);
+    /// On the shot clock of a game of pool, s; none: no clock runs.
+    std::optional<double> shot_time_left() const;
+    void set_shot_time_left(double left);
 
     /// Starts the demo at a pinball table.
     void demonstrate();

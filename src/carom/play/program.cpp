@@ -217,6 +217,7 @@ void Program::finish_resuming() {
     Player player(std::move(done.replayer).take(), view(), preferences_.keys);
     player.set_opponent(done.game.replay.opponent);
     if (done.game.replay.setup) player.set_up(*done.game.replay.setup);
+    if (done.game.replay.time_left) player.set_shot_time_left(*done.game.replay.time_left);
     player.pause(true);
     player.say("taken up where it stood; " + preferences_.keys.hint("pause") + " goes on");
     enter(std::move(source), std::move(player), std::nullopt);

@@ -22,6 +22,7 @@ bool RunningGame::autosave() {
     Replay replay = record(session, source.path, source.overrides);
     replay.opponent = player.opponent();
     replay.setup = setup;
+    replay.time_left = player.shot_time_left();
     if (const auto problem = resume_file.save(replay)) {
         player.complain(*problem);
         return false;

@@ -98,6 +98,7 @@ struct Execute {
     void operator()(const CallShot&) const {}
     void operator()(const Decide&) const {}
     void operator()(const RackAgain&) const {}
+    void operator()(const TimeOut&) const {}
 };
 
 bool is_drop(const Command& command) {

@@ -93,6 +93,8 @@ struct Decide {
 };
 /// Pool: starts the next frame.
 struct RackAgain {};
+/// Pool: the shot clock has run out. Whoever measures the player's time gives this command.
+struct TimeOut {};
 }  // namespace command
 
 using Command =
@@ -100,7 +102,7 @@ using Command =
                  command::DropCapsule, command::PlaceBall, command::PlaceCapsule, command::AddBall,
                  command::RemoveBall, command::AddCapsule, command::RemoveCapsule,
                  command::SetGravity, command::SetSolver, command::Press, command::CallShot,
-                 command::Decide, command::RackAgain, command::Pull>;
+                 command::Decide, command::RackAgain, command::Pull, command::TimeOut>;
 
 /// A command and the tick at which it applies: before tick number `tick` + 1 is computed.
 struct TimedCommand {

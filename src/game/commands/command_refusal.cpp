@@ -202,6 +202,10 @@ Refusal refused(const World&, const RackAgain&) {
     return refused_without_rules();
 }
 
+Refusal refused(const World&, const TimeOut&) {
+    return refused_without_rules();
+}
+
 }  // namespace
 
 std::optional<std::string> refusal(const World& world, const Command& command) {

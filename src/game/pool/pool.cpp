@@ -70,7 +70,6 @@ void rack_anew(const Scene& scene, World& world, PoolPlay& play) {
 }
 
 void carry_out(const Scene& scene, World& world, PoolPlay& play, const PoolRuling& ruling) {
-    play.clock_from = world.tick();
     play.rules = ruling.next;
     play.last_foul = ruling.foul;
     play.call = {};
@@ -80,14 +79,6 @@ void carry_out(const Scene& scene, World& world, PoolPlay& play, const PoolRulin
         put_back(scene, world, play, ball);
     if (!play.balls[cue_ball] && play.rules.phase != PoolPhase::over)
         put_back(scene, world, play, cue_ball);
-}
-
-// A time in s, in whole ticks, rounded up.
-std::uint64_t ticks_of(double seconds, double rate) {
-    constexpr double most = 1e15;
-    const double ticks = std::min(seconds * rate, most);
-    const auto whole = static_cast<std::uint64_t>(ticks);
-    return static_cast<double>(whole) < ticks ? whole + 1 : whole;
 }
 
 void run_out_of_time(const Scene& scene, World& world, PoolPlay& play) {
@@ -191,6 +182,8 @@ void execute(const Scene& scene, World& world, PoolPlay& play, const Command& co
         make_choice(scene, world, play, decide->choice);
     } else if (std::holds_alternative<command::RackAgain>(command)) {
         rack_again(scene, world, play);
+    } else if (std::holds_alternative<command::TimeOut>(command)) {
+        run_out_of_time(scene, world, play);
     } else {
         execute(world, command);
         if (std::holds_alternative<command::Strike>(command)) begin_shot(world, play);
@@ -272,10 +265,6 @@ std::uint64_t digest_of(std::uint64_t start, const PoolPlay& play) {
         add(rules.idle_shots);
     }
     if (play.winner_breaks) add(3);
-    if (play.clock > 0) {
-        digest.add(play.clock);
-        digest.add(play.clock_from);
-    }
     return digest.value();
 }
 
@@ -292,11 +281,8 @@ std::optional<int> match_winner(const PoolPlay& play) {
     return std::nullopt;
 }
 
-std::optional<std::uint64_t> time_left(const World& world, const PoolPlay& play) {
-    if (play.clock == 0 || play.is_shooting || play.rules.phase == PoolPhase::over)
-        return std::nullopt;
-    const std::uint64_t gone = world.tick() - play.clock_from;
-    return gone < play.clock ? play.clock - gone : 0;
+bool is_awaited(const PoolPlay& play) {
+    return !play.is_shooting && play.rules.phase != PoolPhase::over;
 }
 
 std::optional<int> number_of(const PoolPlay& play, BallId ball) {
@@ -333,7 +319,6 @@ std::optional<PoolPlay> begin_pool(const Scene& scene, int breaker) {
     for (int ball = 0; ball <= count; ++ball)
         play.balls[static_cast<std::size_t>(ball)] = first_id(scene, ball);
     play.race = scene.pool.race;
-    play.clock = ticks_of(scene.pool.clock, scene.world.rate());
     return play;
 }
 
@@ -348,10 +333,7 @@ void begin_shot(const World& world, PoolPlay& play) {
 
 void update_pool(const Scene& scene, World& world, PoolPlay& play,
                  std::span<const Contact> contacts) {
-    if (!play.is_shooting) {
-        if (time_left(world, play) == std::uint64_t{0}) run_out_of_time(scene, world, play);
-        return;
-    }
+    if (!play.is_shooting) return;
     note_contacts(scene, world, play, contacts);
     note_pocketed(scene, world, play);
     thaw(world, play);
@@ -369,7 +351,6 @@ void make_choice(const Scene& scene, World& world, PoolPlay& play, PoolChoice ch
 
 void rack_again(const Scene& scene, World& world, PoolPlay& play) {
     if (match_winner(play)) play.frames = {};
-    play.clock_from = world.tick();
     if (play.rules.phase == PoolPhase::over)
         play.breaker =
             play.winner_breaks && play.rules.winner ? *play.rules.winner : 1 - play.breaker;

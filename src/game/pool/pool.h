@@ -42,8 +42,6 @@ struct PoolPlay {
     bool winner_breaks = false;             ///< the next one; else the players take turns
     std::array<std::uint32_t, 2> frames{};  ///< won by each player in this match
     std::uint32_t race = 0;                 ///< frames that win the match; 0: no end
-    std::uint64_t clock = 0;                ///< shot clock, ticks; 0: none
-    std::uint64_t clock_from = 0;           ///< the tick at which the shot clock started
 
     friend bool operator==(const PoolPlay&, const PoolPlay&) = default;
 };
@@ -83,8 +81,8 @@ void rack_again(const Scene& scene, World& world, PoolPlay& play);
 /// The winner of the match; none: it is not decided, or has no end.
 std::optional<int> match_winner(const PoolPlay& play);
 
-/// Ticks left on the shot clock; none: no clock is running.
-std::optional<std::uint64_t> time_left(const World& world, const PoolPlay& play);
+/// Whether the player whose turn it is has a shot or a choice to make.
+bool is_awaited(const PoolPlay& play);
 
 /// The rack of the scene's game. Pre: it is a game of pool.
 const Rack& rack_of(const Scene& scene);

@@ -62,6 +62,11 @@ Refusal refused(const Scene&, const World&, const PoolPlay& play, const command:
     return play.is_shooting ? Refusal{"the balls still roll"} : Refusal{};
 }
 
+Refusal refused(const Scene& scene, const World&, const PoolPlay& play, const command::TimeOut&) {
+    if (scene.pool.clock == 0.0) return "there is no shot clock";
+    return is_awaited(play) ? Refusal{} : "the shot clock does not run";
+}
+
 Refusal refused(const Scene&, const World& world, const PoolPlay&, const command::SetSolver& set) {
     return refusal(world, Command(set));
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "game/referees/referee.h"
 
 namespace carom {
@@ -126,12 +128,8 @@ std::string turn_text(const PoolPlay& play, const PlayerNames& names) {
            warning;
 }
 
-std::string clock_text(const World& world, const PoolPlay& play) {
-    const auto left = time_left(world, play);
-    if (!left) return "";
-    const double seconds = static_cast<double>(*left) / world.rate();
-    const auto whole = static_cast<std::uint64_t>(seconds);
-    return fmt::format("{} s", static_cast<double>(whole) < seconds ? whole + 1 : whole);
+std::string clock_text(double seconds) {
+    return fmt::format("{:.0f} s", std::ceil(seconds));
 }
 
 std::string outcome_text(const PoolPlay& play, const PlayerNames& names) {

@@ -24,8 +24,8 @@ std::string call_text(const Scene& scene, const PoolCall& call);
 /// Whose turn it is, and the task: "1:0 player 1, solids, 5 left: ball in hand".
 std::string turn_text(const PoolPlay& play, const PlayerNames& names);
 
-/// The time left for a shot, in seconds rounded up: "23 s". Empty if no clock is running.
-std::string clock_text(const World& world, const PoolPlay& play);
+/// The time left for a shot, rounded up: "23 s".
+std::string clock_text(double seconds);
 
 /// The outcome of the last shot: "foul: the cue ball fell. player 2: ball in hand". Empty before
 /// the first shot of a frame, and while balls roll.

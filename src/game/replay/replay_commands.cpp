@@ -97,6 +97,7 @@ struct CommandText {
         return fmt::format("decide {}", choice_names[static_cast<std::size_t>(c.choice)]);
     }
     std::string operator()(const RackAgain&) const { return "rack"; }
+    std::string operator()(const TimeOut&) const { return "time-out"; }
     std::string operator()(const SetSolver& c) const {
         return "solver " + settings_text(c.settings, SettingsText::recorded);
     }
@@ -215,6 +216,7 @@ std::optional<Command> read_command(Words& words) {
     if (what == "call") return call_of(words);
     if (what == "decide") return Decide{value_of<PoolChoice>(words, choice_names)};
     if (what == "rack") return RackAgain{};
+    if (what == "time-out") return TimeOut{};
     if (what == "solver") return SetSolver{read_solver(words)};
     return std::nullopt;
 }

@@ -123,6 +123,8 @@ class ReplayReader {
             wrong = opponent(words.integer<int>());
         } else if (keyword == "stance") {
             replay_.setup = read_shot_setup(words);
+        } else if (keyword == "time-left") {
+            replay_.time_left = words.real();
         } else if (keyword == "stands") {
             replay_.position = words.integer<std::uint64_t>();
             has_position_ = true;

@@ -47,6 +47,7 @@ std::string replay_text(const Replay& replay) {
     }
     marks_before(replay.end + 1);
     if (replay.opponent > 0) fmt::format_to(out, "opponent {}\n", replay.opponent);
+    if (replay.time_left) fmt::format_to(out, "time-left {}\n", *replay.time_left);
     if (replay.setup) fmt::format_to(out, "stance {}\n", replay_text(*replay.setup));
     if (replay.position != replay.end) fmt::format_to(out, "stands {}\n", replay.position);
     fmt::format_to(out, "end {}\n", replay.end);

@@ -59,11 +59,13 @@
 ///     at 68 call pot 3 2                  ball 3 into pocket 2; or none, safety, push-out
 ///     at 69 decide break-again            or take-table, let-break, spot-eight, return-push
 ///     at 70 rack                          the next frame
+///     at 71 time-out                      the shot clock has run out
 ///     mark 120 0123456789abcdef
 ///     opponent 3                          the skill of the AI player as the second player;
 ///                                         absent: a person
 ///     stance 30.5 2 0.1 -0.3 full pocket 4  the shot being set up: bearing, speed, side and
 ///                                         follow of the tip, aids, intent, pocket
+///     time-left 12.5                      s on the shot clock; absent: all of it
 ///     stands 1100                         the player's position in time; absent: the end
 ///     end 1200                            the last tick
 ///
@@ -71,8 +73,8 @@
 ///
 /// The lines `at` and `mark` are each in ascending order of ticks. If there are marks, the last one
 /// lies at most a second before `end`. All lines are required but
-/// `include`, `set`, `at`, `mark`, `opponent`, `stance` and `stands`. `end` is the last line:
-/// without it the recording is incomplete.
+/// `include`, `set`, `at`, `mark`, `opponent`, `stance`, `time-left` and `stands`. `end` is the
+/// last line: without it the recording is incomplete.
 namespace carom {
 
 struct Replay {
@@ -94,6 +96,7 @@ struct Replay {
     std::uint64_t position = 0;  ///< the tick where the player stopped, 0..end
     int opponent = 0;            ///< pool: skill of the AI player, 1..4; 0: two people
     std::optional<ShotSetup> setup;
+    std::optional<double> time_left;  ///< on the shot clock, s
 };
 
 std::string replay_text(const Replay& replay);

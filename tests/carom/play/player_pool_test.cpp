@@ -262,3 +262,57 @@ TEST_CASE("the clock is shown, its last seconds are announced, and its end passe
     CHECK(person.sees("foul: the time is up"));
     CHECK(person.play().shots == 0);
 }
+
+TEST_CASE("the shot clock counts the player's seconds, whatever the speed of the game") {
+    Scene scene = test::shipped_level("eight-ball");
+    scene.pool.clock = 30.0;
+    const SolverSettings solver = pick_solver(scene.world).settings;
+    Person person(Session(std::move(scene), solver));
+    for (const char32_t key : {U'+', U'+', U'+', U'-'})
+        person.key(key);
+    for (int i = 0; i < 50; ++i)
+        person.pass(0.1);
+    CHECK(person.sees("behind the line, 25 s"));
+    // In a recording its end is a command.
+    for (int i = 0; i < 251; ++i)
+        person.pass(0.1);
+    CHECK(person.sees("player 2: to break"));
+    const auto commands = person.player.session().commands();
+    REQUIRE(commands.size() == 1);
+    CHECK(std::holds_alternative<command::TimeOut>(commands[0].command));
+}
+
+TEST_CASE("issue 20: no key takes the cue away while the balls roll") {
+    for (const char* const level : {"eight-ball", "pool-table"}) {
+        CAPTURE(level);
+        Scene scene = test::shipped_level(level);
+        const SolverSettings solver = pick_solver(scene.world).settings;
+        Person person(Session(std::move(scene), solver));
+        person.pass(0.1);
+        person.key(key::enter);
+        person.pass(0.3);
+        const auto balls_roll = [&] {
+            const auto& velocities = person.world().balls().velocity;
+            return std::ranges::any_of(velocities, [](Vec2 v) { return !(v == Vec2{}); });
+        };
+        REQUIRE(balls_roll());
+        for (const char32_t key : {key::left, key::up, key::down, key::right, key::enter})
+            person.key(key);
+        if (std::string_view(level) == "eight-ball")
+            for (const char32_t key : {key::tab, U'e', U'a', U'x', U'E', U'k', key::enter})
+                person.key(key);
+        // One key skips to rest, and the next shot has the normal speed.
+        person.key(U'j');
+        int passes = 0;
+        for (; balls_roll() && passes < 200; ++passes)
+            person.pass(0.1);
+        CHECK(passes < 30);
+        person.pass(0.1);
+        CHECK(person.player.clock().speed() == 1.0);
+        CHECK(person.sees("m/s"));
+        const std::size_t shots = person.player.session().commands().size();
+        person.key(key::left);
+        person.key(key::enter);
+        CHECK(person.player.session().commands().size() > shots);
+    }
+}

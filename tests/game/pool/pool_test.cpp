@@ -202,38 +202,31 @@ TEST_CASE("a copy of world and rack, taken in the middle of a shot, ends with th
     CHECK(table.play == copy.play);
 }
 
-TEST_CASE("the clock counts ticks while the balls are at rest, and its end is a foul") {
+TEST_CASE("the end of the shot clock is a command, and a foul") {
     Table table(timed("eight-ball", 2.0));
-    CHECK(table.play.clock == 240);
-    CHECK(time_left(table.world, table.play) == 240);
-    for (int i = 0; i < 239; ++i)
+    const Command time_out = command::TimeOut{};
+    // However long the balls lie still, the rules do not look at a clock.
+    for (int i = 0; i < 600; ++i)
         table.step();
-    CHECK(table.play.rules.player == 0);
-    CHECK(time_left(table.world, table.play) == 1);
+    CHECK(table.play.last_foul == PoolFoul::none);
     const Vec2 at = table.scene.pool.racks[0].foot - table.place_of(0);
-    table.step();
+    REQUIRE_FALSE(refusal(table.scene, table.world, table.play, time_out));
+    execute(table.scene, table.world, table.play, time_out);
     CHECK(table.play.last_foul == PoolFoul::time);
     CHECK(table.play.shooter == 0);
     CHECK(table.play.rules.player == 1);
     CHECK(table.play.rules.phase == PoolPhase::breaking);
-    CHECK(time_left(table.world, table.play) == 240);
 
-    // The shot itself is not limited, and then the clock restarts.
-    table.shoot(at * (9.0 / length(at)));
-    CHECK(table.play.last_foul == PoolFoul::none);
-    CHECK(time_left(table.world, table.play) == 240);
-}
-
-TEST_CASE("a clock is part of the digest of a game, and there is none unless one is running") {
-    Table timed_table(timed("nine-ball", 30.0));
-    Table table("nine-ball");
-    CHECK_FALSE(time_left(table.world, table.play));
-    for (int i = 0; i < 240; ++i)
+    // The shot itself is not limited.
+    execute(table.scene, table.world, table.play,
+            command::Strike{*table.play.balls[cue_ball], at * (9.0 / length(at))});
+    CHECK(refusal(table.scene, table.world, table.play, time_out));
+    while (table.play.is_shooting)
         table.step();
     CHECK(table.play.last_foul == PoolFoul::none);
-    const auto bits = digest_of(1, timed_table.play);
-    timed_table.play.clock_from = 5;
-    CHECK(digest_of(1, timed_table.play) != bits);
+    Table table_without_clock("nine-ball");
+    CHECK(refusal(table_without_clock.scene, table_without_clock.world, table_without_clock.play,
+                  time_out));
 }
 
 TEST_CASE("a match ends with the last frame of the race, and the next starts at 0-0") {

@@ -47,6 +47,7 @@ Replay everything() {
         {68, command::CallShot{{PoolCall::Kind::push_out}}},
         {69, command::Decide{PoolChoice::return_push}},
         {70, command::RackAgain{}},
+        {70, command::TimeOut{}},
     };
     replay.marks = {{600, 0xfedcba9876543210ull}, {1200, 1}};
     replay.end = 1200;

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "carom/context/play_context.h"
-#include "carom/controllers/pool_ai.h"
+#include "carom/pool/pool_ai.h"
 
 /// The AI player as the second player of a game of pool.
 namespace carom {

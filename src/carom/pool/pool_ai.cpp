@@ -1,4 +1,4 @@
-#include "carom/controllers/pool_ai.h"
+#include "carom/pool/pool_ai.h"
 
 namespace carom {
 namespace {

@@ -1,8 +1,8 @@
-#include "carom/controllers/pool_opponent.h"
+#include "carom/pool/pool_opponent.h"
 
 #include <fmt/format.h>
 
-#include "carom/controllers/pool_status.h"
+#include "carom/pool/pool_status.h"
 
 namespace carom {
 namespace {

@@ -1,4 +1,4 @@
-#include "carom/controllers/pool_status.h"
+#include "carom/pool/pool_status.h"
 
 #include <utility>
 
@@ -8,12 +8,12 @@ const PoolPlay* pool_of(const Session& session) {
     return std::get_if<PoolPlay>(&session.game());
 }
 
-void add_pool_title(const Session& session, const PlayerNames& names, HudInfo& info) {
+void add_pool_title(const Session& session, const PlayerNames& names,
+                    std::optional<double> time_left, HudInfo& info) {
     const PoolPlay* const pool = pool_of(session);
     if (!pool) return;
-    const std::string clock = clock_text(session.world(), *pool);
     info.title_comes_first = true;
-    info.title = turn_text(*pool, names) + (clock.empty() ? "" : ", " + clock);
+    info.title = turn_text(*pool, names) + (time_left ? ", " + clock_text(*time_left) : "");
 }
 
 std::optional<std::string> ShotAnnouncer::tell(const Session& session, const PlayerNames& names) {

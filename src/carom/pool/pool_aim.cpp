@@ -1,4 +1,4 @@
-#include "carom/controllers/pool_aim.h"
+#include "carom/pool/pool_aim.h"
 
 #include <fmt/format.h>
 

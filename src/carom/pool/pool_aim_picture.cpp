@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "carom/controllers/pool_aim.h"
-#include "carom/controllers/power_bar.h"
+#include "carom/pool/pool_aim.h"
+#include "carom/pool/power_bar.h"
 #include "game/ai/pool_shots.h"
 #include "game/commands/aiming.h"
 #include "geometry/elementary.h"

@@ -1,4 +1,4 @@
-#include "carom/controllers/power_bar.h"
+#include "carom/pool/power_bar.h"
 
 #include <cmath>
 

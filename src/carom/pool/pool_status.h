@@ -14,8 +14,10 @@ namespace carom {
 /// The state of the session's game of pool; null if there is none.
 const PoolPlay* pool_of(const Session& session);
 
-/// Puts the score, the turn and the shot clock into the title. Does nothing without a game of pool.
-void add_pool_title(const Session& session, const PlayerNames& names, HudInfo& info);
+/// Puts the score and the turn into the title, and the time left for the shot, s, if there is any.
+/// Does nothing without a game of pool.
+void add_pool_title(const Session& session, const PlayerNames& names,
+                    std::optional<double> time_left, HudInfo& info);
 
 /// Announces the outcome of each shot once.
 class ShotAnnouncer {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "carom/controllers/pool_aim.h"
+#include "carom/pool/pool_aim.h"
 #include "game/commands/aiming.h"
 #include "game/referees/referee.h"
 
