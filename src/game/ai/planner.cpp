@@ -6,6 +6,7 @@
 
 #include "game/ai/pool_value.h"
 #include "game/commands/aiming.h"
+#include "game/pool/table_places.h"
 #include "game/referees/referee.h"
 #include "geometry/unit.h"
 #include "physics/world/random.h"

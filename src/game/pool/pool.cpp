@@ -1,21 +1,15 @@
 #include "game/pool/pool.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "game/digest.h"
+#include "game/pool/shot_record.h"
+#include "game/pool/table_places.h"
 #include "game/referees/referee.h"
-#include "geometry/closest.h"
-#include "geometry/impact.h"
 #include "level/scene/games.h"
 #include "physics/world/random.h"
 
 namespace carom {
-
-const Rack& rack_of(const Scene& scene) {
-    return *std::ranges::find(scene.pool.racks, game_named(scene.game)->rack, &Rack::layout);
-}
-
 namespace {
 
 // Adds a ball like the scene's ball `like`, at rest at `place`.
@@ -26,25 +20,6 @@ BallId put_ball(const Scene& scene, World& world, BallId like, Vec2 place) {
 BallId first_id(const Scene& scene, int ball) {
     return ball == cue_ball ? scene.pool.cue->ball
                             : rack_of(scene).balls[static_cast<std::size_t>(ball - 1)];
-}
-
-bool is_free(const World& world, Vec2 place, double radius) {
-    for (std::size_t i = 0; i < world.balls().size(); ++i)
-        if (length(world.balls().position[i] - place) < radius + world.balls().radius[i])
-            return false;
-    return true;
-}
-
-// The nearest free position from `spot` along `way`; if there is none, in the opposite direction.
-Vec2 free_place(const World& world, Vec2 spot, Vec2 way, double radius) {
-    constexpr int most_steps = 400;
-    const double step = 0.05 * radius;
-    for (const double sign : {1.0, -1.0})
-        for (int i = 0; i < most_steps; ++i) {
-            const Vec2 place = spot + way * (sign * step * i);
-            if (is_free(world, place, radius)) return place;
-        }
-    return spot;
 }
 
 void put_back(const Scene& scene, World& world, PoolPlay& play, int ball) {
@@ -89,90 +64,6 @@ void run_out_of_time(const Scene& scene, World& world, PoolPlay& play) {
     carry_out(scene, world, play, judge_time(play.rules));
 }
 
-// Whether a place is beyond the head string, seen from its head.
-bool is_beyond_string(const Scene& scene, Vec2 place) {
-    return dot(place - head_spot(scene), rack_of(scene).toward) >= 0.0;
-}
-
-bool touches(const World& world, std::size_t ball, std::size_t edge) {
-    constexpr double hair = 1e-4;  // radii
-    const double radius = world.balls().radius[ball];
-    return separation({world.balls().position[ball], radius}, world.capsules().shape[edge]) <=
-           hair * radius;
-}
-
-// The balls that lie at an edge when a shot begins.
-std::vector<PoolPlay::Frozen> find_frozen(const World& world, const PoolPlay& play) {
-    std::vector<PoolPlay::Frozen> frozen;
-    for (std::size_t n = 0; n < play.balls.size(); ++n) {
-        const auto ball = play.balls[n] ? index_of(world, *play.balls[n]) : std::nullopt;
-        for (std::size_t edge = 0; ball && edge < world.capsules().size(); ++edge)
-            if (touches(world, *ball, edge))
-                frozen.push_back({static_cast<int>(n), world.capsules().id[edge]});
-    }
-    return frozen;
-}
-
-// Forgets those that have left their edges, at the end of a tick.
-void thaw(const World& world, PoolPlay& play) {
-    std::erase_if(play.frozen, [&](const PoolPlay::Frozen& frozen) {
-        const auto& id = play.balls[static_cast<std::size_t>(frozen.ball)];
-        const auto ball = id ? index_of(world, *id) : std::nullopt;
-        const auto edge = index_of(world, frozen.edge);
-        return !ball || !edge || !touches(world, *ball, *edge);
-    });
-}
-
-void note_first_hit(const Scene& scene, const World& world, PoolPlay& play, const Contact& contact,
-                    int ball) {
-    play.shot.first_hit = ball;
-    // The normal points from ball b to ball a.
-    const bool cue_is_a = play.balls[cue_ball] == BallId{contact.a};
-    const Vec2 towards = cue_is_a ? -contact.normal : contact.normal;
-    const auto centre = [&](int number, double side) {
-        const auto& id = play.balls[static_cast<std::size_t>(number)];
-        const auto index = id ? index_of(world, *id) : std::nullopt;
-        return contact.point + towards * (side * (index ? world.balls().radius[*index] : 0.0));
-    };
-    const bool has_crossed = play.has_crossed || is_beyond_string(scene, centre(cue_ball, -1.0));
-    play.shot.hit_behind_string = !has_crossed && !is_beyond_string(scene, centre(ball, 1.0));
-}
-
-void note_contacts(const Scene& scene, const World& world, PoolPlay& play,
-                   std::span<const Contact> contacts) {
-    for (const Contact& contact : contacts) {
-        const auto a = number_of(play, BallId{contact.a});
-        if (contact.kind == ContactKind::ball_ball) {
-            const auto b = number_of(play, BallId{contact.b});
-            if (!a || !b || play.shot.first_hit) continue;
-            if (*a == cue_ball || *b == cue_ball)
-                note_first_hit(scene, world, play, contact, *a == cue_ball ? *b : *a);
-            continue;
-        }
-        if (!a) continue;
-        if (std::ranges::count(play.frozen, PoolPlay::Frozen{*a, world.capsules().id[contact.b]}) >
-            0)
-            continue;
-        if (play.shot.first_hit) play.shot.rail_after_hit = true;
-        play.shot.railed |= std::uint32_t{1} << *a;
-    }
-}
-
-void note_pocketed(const Scene& scene, const World& world, PoolPlay& play) {
-    auto removal = world.removed().end();
-    while (removal != world.removed().begin() && std::prev(removal)->tick == world.tick())
-        --removal;
-    for (; removal != world.removed().end(); ++removal) {
-        const auto ball = number_of(play, removal->id);
-        if (!ball || removal->zone < 0) continue;
-        const auto pocket =
-            std::ranges::find(scene.pool.pockets, static_cast<std::uint32_t>(removal->zone));
-        play.shot.pocketed.push_back(
-            {*ball, static_cast<int>(pocket - scene.pool.pockets.begin())});
-        play.balls[static_cast<std::size_t>(*ball)].reset();
-    }
-}
-
 }  // namespace
 
 void execute(const Scene& scene, World& world, PoolPlay& play, const Command& command) {
@@ -188,17 +79,6 @@ void execute(const Scene& scene, World& world, PoolPlay& play, const Command& co
         execute(world, command);
         if (std::holds_alternative<command::Strike>(command)) begin_shot(world, play);
     }
-}
-
-bool is_on_table(const Scene& scene, const World& world, Vec2 place, double radius) {
-    const Vec2 from = head_spot(scene);
-    const Disc ball{from, radius};
-    for (const Capsule& edge : world.capsules().shape)
-        if (first_impact(ball, place - from, edge, 1.0)) return false;
-    return std::ranges::none_of(scene.pool.pockets, [&](std::uint32_t pocket) {
-        const Capsule& shape = scene.world.zones()[pocket].shape;
-        return length(place - shape.start) < shape.radius;
-    });
 }
 
 bool is_at_rest(const World& world) {
@@ -291,15 +171,6 @@ std::optional<int> number_of(const PoolPlay& play, BallId ball) {
     return static_cast<int>(found - play.balls.begin());
 }
 
-Vec2 head_spot(const Scene& scene) {
-    // The head spot is as far from the centre of the table as the foot spot.
-    Vec2 middle;
-    for (const std::uint32_t pocket : scene.pool.pockets)
-        middle += scene.world.zones()[pocket].shape.start;
-    middle = middle / static_cast<double>(scene.pool.pockets.size());
-    return middle * 2.0 - rack_of(scene).foot;
-}
-
 std::optional<PoolPlay> begin_pool(const Scene& scene, int breaker) {
     const Referee* referee = referee_of(scene.game);
     if (!referee) return std::nullopt;
@@ -322,23 +193,10 @@ std::optional<PoolPlay> begin_pool(const Scene& scene, int breaker) {
     return play;
 }
 
-void begin_shot(const World& world, PoolPlay& play) {
-    play.is_shooting = true;
-    play.has_crossed = false;
-    play.frozen = find_frozen(world, play);
-    play.shooter = play.rules.player;
-    play.shot = {};
-    ++play.shots;
-}
-
 void update_pool(const Scene& scene, World& world, PoolPlay& play,
                  std::span<const Contact> contacts) {
     if (!play.is_shooting) return;
-    note_contacts(scene, world, play, contacts);
-    note_pocketed(scene, world, play);
-    thaw(world, play);
-    const auto cue = play.balls[cue_ball] ? index_of(world, *play.balls[cue_ball]) : std::nullopt;
-    if (cue && is_beyond_string(scene, world.balls().position[*cue])) play.has_crossed = true;
+    record_tick(scene, world, play, contacts);
     if (!is_at_rest(world)) return;
     play.is_shooting = false;
     play.frozen.clear();

@@ -63,9 +63,6 @@ std::optional<std::string> refusal(const Scene& scene, const World& world, const
 /// Pre: not refused.
 void execute(const Scene& scene, World& world, PoolPlay& play, const Command& command);
 
-/// Records that the cue ball has been struck. Pre: not refused.
-void begin_shot(const World& world, PoolPlay& play);
-
 /// Records the events of a tick. When the balls are at rest the shot is judged: spotted balls and a
 /// pocketed cue ball return. Pre: called after every tick of `world`, with its contacts.
 void update_pool(const Scene& scene, World& world, PoolPlay& play,
@@ -84,21 +81,11 @@ std::optional<int> match_winner(const PoolPlay& play);
 /// Whether the player whose turn it is has a shot or a choice to make.
 bool is_awaited(const PoolPlay& play);
 
-/// The rack of the scene's game. Pre: it is a game of pool.
-const Rack& rack_of(const Scene& scene);
-
 /// The number of the ball; none: it is not one of the game's balls.
 std::optional<int> number_of(const PoolPlay& play, BallId ball);
 
 /// Whether no ball moves or rolls; balls may still spin in place.
 bool is_at_rest(const World& world);
-
-/// The head spot: the middle of the head string, where the cue ball starts.
-Vec2 head_spot(const Scene& scene);
-
-/// Whether a ball can be placed there, on the cloth and not over a pocket; other balls are ignored.
-/// For a convex table.
-bool is_on_table(const Scene& scene, const World& world, Vec2 place, double radius);
 
 /// The digest of the whole state, combined with `start`.
 std::uint64_t digest_of(std::uint64_t start, const PoolPlay& play);

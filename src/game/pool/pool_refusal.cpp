@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "game/pool/pool.h"
+#include "game/pool/table_places.h"
 #include "game/referees/referee.h"
 
 /// The commands that the rules of pool refuse, and why.

@@ -50,6 +50,8 @@ double spin_of(double spin) {
     return unread(spin, spin, [](double x) { return x * degrees / degrees; });
 }
 
+// The file is long since it is one writer: the statements of a level in their order, which share
+// the names of kinds and materials.
 class LevelWriter {
   public:
     LevelWriter(const Scene& scene, const World& world)

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "level/ir/numbers.h"
+#include "level/text/brackets.h"
 #include "level/text/spelling.h"
 
 namespace carom {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "level/ir/numbers.h"
+#include "level/text/brackets.h"
 #include "level/text/spelling.h"
 
 namespace carom {

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "geometry/elementary.h"
+#include "level/ir/bounds.h"
+#include "level/text/brackets.h"
 
 namespace carom {
 namespace {
@@ -93,62 +95,6 @@ std::optional<double> converted(const Word& word, const Value& value, const Labe
     return std::nullopt;
 }
 
-bool holds(double number, Bound bound) {
-    switch (bound) {
-        case Bound::not_negative:
-            return number >= 0.0;
-        case Bound::positive:
-            return number > 0.0;
-        case Bound::unit_interval:
-            return number >= 0.0 && number <= 1.0;
-        case Bound::positive_unit_interval:
-            return number > 0.0 && number <= 1.0;
-        case Bound::up_to_thousand:
-            return number >= 1.0 && number <= 1000.0;
-        case Bound::layer:
-            return number >= 0.0 && number <= 3.0;
-        case Bound::any:
-            break;
-    }
-    return true;
-}
-
-std::string_view demand(Bound bound) {
-    switch (bound) {
-        case Bound::not_negative:
-            return "must not be negative";
-        case Bound::positive:
-            return "must be more than 0";
-        case Bound::unit_interval:
-            return "must be from 0 to 1";
-        case Bound::positive_unit_interval:
-            return "must be more than 0, and 1 at most";
-        case Bound::up_to_thousand:
-            return "must be from 1 to 1000";
-        case Bound::layer:
-            return "must be from 0 to 3";
-        case Bound::any:
-            break;
-    }
-    return "";
-}
-
-// A number like the one out of bounds that is allowed: without its sign, or a share in place of
-// percent. None: there is no such number.
-std::optional<double> nearest_allowed(double number, Bound bound) {
-    const double size = std::abs(number);
-    switch (bound) {
-        case Bound::unit_interval:
-        case Bound::positive_unit_interval:
-            if (size == 0.0) return std::nullopt;
-            return size <= 1.0 ? size : size < 2.0 || size > 100.0 ? 1.0 : size / 100.0;
-        case Bound::up_to_thousand:
-            return std::clamp(number, 1.0, 1000.0);
-        default:
-            return number < 0.0 ? std::optional(size) : std::nullopt;
-    }
-}
-
 double rounded_to_six_digits(double number) {
     const std::string text = fmt::format("{:.6g}", number);
     std::from_chars(text.data(), text.data() + text.size(), number);
@@ -199,19 +145,6 @@ std::optional<double> bounded(const Word& word, double number, const Label& labe
 std::string numbers_wanted(std::size_t there, int wanted) {
     return fmt::format("{} {} here, {} are wanted", there,
                        there == 1 ? "number stands" : "numbers stand", wanted);
-}
-
-// Reports an open bracket, which hides the commas behind it, in place of a wrong count of numbers.
-bool are_brackets_closed(const Word& word, Reporter& reporter) {
-    std::vector<std::size_t> open;
-    for (std::size_t i = 0; i < word.text.size(); ++i) {
-        if (word.text[i] == '(') open.push_back(i);
-        if (word.text[i] == ')' && !open.empty()) open.pop_back();
-    }
-    if (open.empty()) return true;
-    reporter.error("bracket-not-closed", word.part(open.back(), 1).span(), "the ')' is missing",
-                   "arithmetic is written without spaces: (W-2*R)/2");
-    return false;
 }
 
 }  // namespace

@@ -1,60 +1,16 @@
 #include <fmt/format.h>
 
-#include <set>
-
 #include "level/ir/arguments.h"
 #include "level/ir/emit.h"
+#include "level/statements/drawing.h"
 #include "level/statements/families.h"
 #include "level/statements/keys.h"
-#include "level/text/lookalikes.h"
 #include "level/text/utf8.h"
 
 namespace carom {
 namespace {
 
 constexpr double peg_share = 0.25;  // default radius of a peg, in cells
-
-// The cells of a drawing: one character each.
-class Drawing {
-  public:
-    explicit Drawing(const std::vector<Word>& lines) : lines_(lines) {
-        for (const Word& line : lines) {
-            std::vector<std::string_view> row;
-            for (std::size_t i = 0; i < line.text.size();) {
-                std::size_t end = i + 1;
-                while (end < line.text.size() && continues_sequence(line.text[end]))
-                    ++end;
-                row.push_back(line.text.substr(i, end - i));
-                i = end;
-            }
-            columns_ = std::max(columns_, static_cast<int>(row.size()));
-            cells_.push_back(std::move(row));
-        }
-    }
-
-    int rows() const { return static_cast<int>(cells_.size()); }
-    int columns() const { return columns_; }
-    /// The number of characters in the row.
-    int length(int row) const {
-        return static_cast<int>(cells_[static_cast<std::size_t>(row)].size());
-    }
-    /// The character of a cell; blank outside of the drawing. Rows count from the top.
-    std::string_view at(int row, int column) const {
-        if (row < 0 || row >= rows() || column < 0) return " ";
-        const auto& line = cells_[static_cast<std::size_t>(row)];
-        if (column >= static_cast<int>(line.size())) return " ";
-        return line[static_cast<std::size_t>(column)];
-    }
-    Span span(int row, int column) const {
-        const Word& line = lines_[static_cast<std::size_t>(row)];
-        return {line.source, line.line, column + 1, 1};
-    }
-
-  private:
-    const std::vector<Word>& lines_;
-    std::vector<std::vector<std::string_view>> cells_;
-    int columns_ = 0;
-};
 
 class MapBuilder {
   public:
@@ -63,6 +19,7 @@ class MapBuilder {
           frame_(frame),
           context_(context),
           drawing_(arguments.node->drawing),
+          letters_(context.ir),
           cell_(arguments.number_or("cell", 1.0)),
           corner_(arguments.pair_or("at", {})) {
         // Building looks at each place of the drawing several times.
@@ -72,7 +29,7 @@ class MapBuilder {
     }
 
     void build() {
-        if (!check_letters()) return;
+        if (!letters_.check(drawing_, context_.reporter)) return;
         for (int row = 0; row < drawing_.rows(); ++row) {
             for (int column = 0; column < drawing_.columns(); ++column)
                 build_cell(row, column);
@@ -84,90 +41,9 @@ class MapBuilder {
     }
 
   private:
-    // What a letter means; null: nothing. A built-in letter keeps its meaning unless a legend of
-    // the level redefines it.
-    const LegendIr* legend_of(std::string_view letter) const {
-        static const LegendIr solid{.what = LegendIr::What::solid};
-        static const LegendIr ball{.what = LegendIr::What::ball};
-        static const LegendIr peg{.what = LegendIr::What::peg};
-        if (letter == " ") return nullptr;
-        const auto found = context_.ir.legends.find(letter);
-        if (found != context_.ir.legends.end()) return &found->second;
-        return letter == "#" ? &solid : letter == "o" ? &ball : letter == "*" ? &peg : nullptr;
-    }
-
-    static bool is_line(std::string_view c) {
-        return c == "-" || c == "|" || c == "/" || c == "\\";
-    }
-
     bool joins(int row, int column) const {
         const std::string_view c = drawing_.at(row, column);
-        return is_line(c) || is_joint(c);
-    }
-
-    // A joint draws nothing, but lines that run into it meet at its centre.
-    bool is_joint(std::string_view c) const { return c == "+" && !legend_of(c); }
-
-    // A character with a meaning in drawings.
-    bool is_known(std::string_view c) const {
-        return c == " " || c == "." || is_line(c) || is_joint(c) || legend_of(c);
-    }
-
-    // Reports each unknown character once, and a comment as such.
-    bool check_letters() {
-        bool is_valid = true;
-        for (int row = 0; row < drawing_.rows(); ++row) {
-            int last = drawing_.length(row);
-            if (const std::optional<int> comment = comment_in(row)) {
-                context_.reporter.error("comment-in-map", drawing_.span(row, *comment),
-                                        "a drawing cannot have comments",
-                                        "write it above the map, or below its end");
-                is_valid = false;
-                last = *comment;
-            }
-            for (int column = 0; column < last; ++column) {
-                const std::string_view c = drawing_.at(row, column);
-                if (is_known(c)) continue;
-                is_valid = false;
-                if (reported_.insert(c).second) report_letter(c, drawing_.span(row, column));
-            }
-        }
-        return is_valid;
-    }
-
-    void report_letter(std::string_view c, const Span& at) {
-        if (c == "\t")
-            return context_.reporter.error("map-tab", at, "a tab stands in the drawing",
-                                           "write blanks");
-        if (const Lookalike* like = lookalike(decode_utf8(c).character))
-            return context_.reporter.error("lookalike", at,
-                                           fmt::format("{} stands here", like->name),
-                                           std::string(like->remedy));
-        context_.reporter.error("map-letter-unknown", at,
-                                fmt::format("'{}' means nothing in a drawing", c),
-                                fmt::format("explain it above: legend ball {} kind=NAME", c));
-    }
-
-    // The column at which a comment begins: a mark of comments, and behind it a word of three
-    // letters or more, one of them unknown.
-    std::optional<int> comment_in(int row) const {
-        const auto is_mark = [&](int column) {
-            const std::string_view c = drawing_.at(row, column);
-            return c == "#" || c == ";" ||
-                   ((c == "/" || c == "-") && drawing_.at(row, column + 1) == c);
-        };
-        std::optional<int> mark;
-        int letters = 0;
-        bool has_unknown = false;
-        for (int column = 0; column < drawing_.length(row); ++column) {
-            const std::string_view c = drawing_.at(row, column);
-            if (!mark && is_mark(column)) mark = column;
-            const bool is_letter = is_identifier(c);
-            letters = is_letter ? letters + 1 : 0;
-            has_unknown = is_letter && ((letters > 1 && has_unknown) || !is_known(c));
-            if (mark && has_unknown && letters >= 3) return mark;
-        }
-        return std::nullopt;
+        return DrawingLetters::is_line(c) || letters_.is_joint(c);
     }
 
     // The upper left corner of the cell in this row and column, in the coordinates of the frame.
@@ -177,12 +53,12 @@ class MapBuilder {
 
     void build_cell(int row, int column) {
         const std::string_view c = drawing_.at(row, column);
-        if (c == " " || c == "." || is_joint(c)) return;
+        if (c == " " || c == "." || letters_.is_joint(c)) return;
         if (c == "-") return build_run(row, column, 0, 1, {0.5, 0.0}, {0.5, 1.0});
         if (c == "|") return build_run(row, column, 1, 0, {0.0, 0.5}, {1.0, 0.5});
         if (c == "/") return build_run(row, column, 1, -1, {0.0, 1.0}, {1.0, 0.0});
         if (c == "\\") return build_run(row, column, 1, 1, {0.0, 0.0}, {1.0, 1.0});
-        const LegendIr& legend = *legend_of(c);
+        const LegendIr& legend = *letters_.legend_of(c);
         const Vec2 middle = point(row + 0.5, column + 0.5);
         if (legend.what == LegendIr::What::ball) build_ball(legend, middle, row, column);
         if (legend.what == LegendIr::What::peg) {
@@ -226,7 +102,7 @@ class MapBuilder {
     }
 
     const LegendIr* solid_at(int row, int column) const {
-        const LegendIr* legend = legend_of(drawing_.at(row, column));
+        const LegendIr* legend = letters_.legend_of(drawing_.at(row, column));
         return legend && legend->what == LegendIr::What::solid ? legend : nullptr;
     }
 
@@ -284,9 +160,9 @@ class MapBuilder {
     const Frame& frame_;
     Context& context_;
     Drawing drawing_;
+    DrawingLetters letters_;
     double cell_;
     Vec2 corner_;
-    std::set<std::string_view> reported_;  ///< unknown characters
 };
 
 void build_map(const Arguments& arguments, const Frame& frame, Context& context) {

@@ -306,21 +306,4 @@ std::optional<Value> evaluate(const Word& word, const Scope& scope, const Expres
     return value;
 }
 
-std::vector<Word> split_outside_brackets(const Word& word, std::string_view separator) {
-    std::vector<Word> pieces;
-    int depth = 0;
-    std::size_t start = 0;
-    for (std::size_t i = 0; i < word.text.size(); ++i) {
-        const char c = word.text[i];
-        if (c == '(') ++depth;
-        if (c == ')') --depth;
-        if (depth > 0 || word.text.substr(i, separator.size()) != separator) continue;
-        pieces.push_back(word.part(start, i - start));
-        i += separator.size() - 1;
-        start = i + 1;
-    }
-    pieces.push_back(word.part(start));
-    return pieces;
-}
-
 }  // namespace carom

@@ -51,7 +51,4 @@ inline constexpr int max_nesting = 32;
 std::optional<Value> evaluate(const Word& word, const Scope& scope, const ExpressionRules& rules,
                               Reporter& reporter);
 
-/// Splits a word at each `separator` that is outside of brackets.
-std::vector<Word> split_outside_brackets(const Word& word, std::string_view separator);
-
 }  // namespace carom

@@ -1,57 +1,17 @@
 #include "game/pool/pool.h"
 
 #include <algorithm>
-#include <utility>
 
 #include <doctest/doctest.h>
 
+#include "game/pool/table_places.h"
 #include "game/support/shipped.h"
-#include "physics/solver.h"
+#include "game/support/table_in_play.h"
 #include "physics/world/fingerprint.h"
 
 using namespace carom;
 
 namespace {
-
-// A rack in play: shoots, and waits until the shot is judged.
-struct Table {
-    explicit Table(const std::string& level) : Table(test::shipped_level(level)) {}
-    explicit Table(Scene of)
-        : scene(std::move(of)),
-          world(scene.world),
-          play(*begin_pool(scene)),
-          solver(pick_solver(world).settings) {}
-
-    void shoot(Vec2 velocity) {
-        REQUIRE_FALSE(refusal_to_shoot(play, *play.balls[0]));
-        world.edit_balls().velocity[cue()] = velocity;
-        begin_shot(world, play);
-        wait();
-    }
-    void wait() {
-        for (int i = 0; play.is_shooting && i < 120 * 120; ++i)
-            step();
-        REQUIRE_FALSE(play.is_shooting);
-    }
-    void step() {
-        solver.tick(world);
-        update_pool(scene, world, play, solver.contacts());
-    }
-    std::size_t cue() const { return *index_of(world, *play.balls[0]); }
-    void put(int ball, Vec2 place) {
-        world.edit_balls().position[*index_of(world, *play.balls[static_cast<std::size_t>(ball)])] =
-            place;
-    }
-    Vec2 place_of(int ball) const {
-        return world.balls()
-            .position[*index_of(world, *play.balls[static_cast<std::size_t>(ball)])];
-    }
-
-    Scene scene;
-    World world;
-    PoolPlay play;
-    Solver solver;
-};
 
 // With a shot clock of so many seconds, and a race to so many frames.
 Scene timed(const std::string& level, double clock, std::uint32_t race = 0) {
@@ -70,7 +30,7 @@ TEST_CASE("a break is judged when the balls are at rest, and every ball is on th
         for (const double slant : {0.0, 0.15, 0.3}) {
             CAPTURE(level);
             CAPTURE(slant);
-            Table table(level);
+            TableInPlay table(level);
             const Vec2 at = table.scene.pool.racks[0].foot - table.place_of(0);
             table.shoot(at * (9.0 / length(at)) + Vec2{0.0, slant});
             CHECK(table.play.shots == 1);
@@ -90,7 +50,7 @@ TEST_CASE("a break is judged when the balls are at rest, and every ball is on th
 }
 
 TEST_CASE("a pocketed cue ball is a scratch, and is placed on the head spot") {
-    Table table("eight-ball");
+    TableInPlay table("eight-ball");
     table.put(0, {1.0, 0.4});
     table.shoot((corner - Vec2{1.0, 0.4}) * 8.0);
     CHECK(table.play.last_foul == PoolFoul::scratch);
@@ -105,7 +65,7 @@ TEST_CASE("a pocketed cue ball is a scratch, and is placed on the head spot") {
 }
 
 TEST_CASE("a called ball in the called pocket decides the group, and the player continues") {
-    Table table("eight-ball");
+    TableInPlay table("eight-ball");
     table.play.rules.phase = PoolPhase::playing;
     table.play.rules.in_hand = CueInHand::no;
     const Vec2 object{1.0, 0.4};
@@ -130,7 +90,7 @@ TEST_CASE("a called ball in the called pocket decides the group, and the player 
 TEST_CASE("the 8 into the called pocket wins when it is its turn, and loses earlier") {
     for (const bool is_early : {false, true}) {
         CAPTURE(is_early);
-        Table table("eight-ball");
+        TableInPlay table("eight-ball");
         table.play.rules.phase = PoolPhase::playing;
         table.play.rules.in_hand = CueInHand::no;
         table.play.rules.group = PoolGroup::solids;
@@ -154,7 +114,7 @@ TEST_CASE("the 8 into the called pocket wins when it is its turn, and loses earl
 }
 
 TEST_CASE("a weak break: the next player may have the balls reracked") {
-    Table table("eight-ball");
+    TableInPlay table("eight-ball");
     table.shoot({0.8, 0.0});
     REQUIRE(table.play.rules.phase == PoolPhase::choosing);
     CHECK(refusal_to_shoot(table.play, *table.play.balls[0]));
@@ -172,7 +132,7 @@ TEST_CASE("a weak break: the next player may have the balls reracked") {
 }
 
 TEST_CASE("a 9 that does not count is spotted on the foot spot, or behind it") {
-    Table table("nine-ball");
+    TableInPlay table("nine-ball");
     table.play.rules.phase = PoolPhase::playing;
     table.play.rules.may_push_out = true;
     table.play.call = {PoolCall::Kind::push_out, 0, 0};
@@ -188,12 +148,12 @@ TEST_CASE("a 9 that does not count is spotted on the foot spot, or behind it") {
 }
 
 TEST_CASE("a copy of world and rack, taken in the middle of a shot, ends with the same bits") {
-    Table table("eight-ball");
+    TableInPlay table("eight-ball");
     table.world.edit_balls().velocity[table.cue()] = {9.0, 0.2};
     begin_shot(table.world, table.play);
     for (int i = 0; i < 100; ++i)
         table.step();
-    Table copy("eight-ball");
+    TableInPlay copy("eight-ball");
     copy.world = table.world;
     copy.play = table.play;
     table.wait();
@@ -203,7 +163,7 @@ TEST_CASE("a copy of world and rack, taken in the middle of a shot, ends with th
 }
 
 TEST_CASE("the end of the shot clock is a command, and a foul") {
-    Table table(timed("eight-ball", 2.0));
+    TableInPlay table(timed("eight-ball", 2.0));
     const Command time_out = command::TimeOut{};
     // However long the balls lie still, the rules do not look at a clock.
     for (int i = 0; i < 600; ++i)
@@ -224,13 +184,13 @@ TEST_CASE("the end of the shot clock is a command, and a foul") {
     while (table.play.is_shooting)
         table.step();
     CHECK(table.play.last_foul == PoolFoul::none);
-    Table table_without_clock("nine-ball");
+    TableInPlay table_without_clock("nine-ball");
     CHECK(refusal(table_without_clock.scene, table_without_clock.world, table_without_clock.play,
                   time_out));
 }
 
 TEST_CASE("a match ends with the last frame of the race, and the next starts at 0-0") {
-    Table table(timed("nine-ball", 0.0, 3));
+    TableInPlay table(timed("nine-ball", 0.0, 3));
     CHECK_FALSE(match_winner(table.play));
     table.play.frames = {1, 2};
     table.play.rules.phase = PoolPhase::playing;
@@ -255,48 +215,6 @@ TEST_CASE("a match ends with the last frame of the race, and the next starts at 
     CHECK(table.play.breaker == 1);
 }
 
-TEST_CASE("a ball frozen to a rail counts for that rail only after leaving it") {
-    for (const bool is_frozen : {true, false}) {
-        CAPTURE(is_frozen);
-        Table table("nine-ball");
-        const double radius = table.world.balls().radius[table.cue()];
-        // The cue ball pushes the 1 along the upper rail, softly.
-        const double top = 0.635 - radius - (is_frozen ? 0.0 : 0.3 * radius);
-        for (int ball = 2; ball < 10; ++ball)
-            table.put(ball, {-1.0 + 0.1 * ball, -0.3});
-        table.put(1, {0.3, top});
-        table.put(0, {0.2, 0.5});
-        table.play.rules.phase = PoolPhase::playing;
-        table.play.rules.in_hand = CueInHand::no;
-        const Vec2 way = table.place_of(1) - table.place_of(0);
-        table.shoot(way * (0.6 / length(way)));
-        CHECK(table.play.shot.first_hit == 1);
-        CHECK((table.play.shot.railed & 2u) == (is_frozen ? 0u : 2u));
-    }
-}
-
-TEST_CASE("a hit behind the head string is noted unless the cue ball has crossed it") {
-    for (const bool crosses : {false, true}) {
-        CAPTURE(crosses);
-        Table table("nine-ball");
-        const Vec2 head = head_spot(table.scene);
-        const double out = rack_of(table.scene).toward.x;  // along x
-        table.put(1, head + Vec2{-0.25 * out, 0.2});
-        for (int ball = 2; ball < 10; ++ball)
-            table.put(ball, {-0.1 * out + 0.1 * ball * out, -0.3});
-        table.put(0, head + Vec2{-0.25 * out, 0.0});
-        table.play.rules.phase = PoolPhase::playing;
-        // Straight at the ball, or over the string and back from a cushion that stands there.
-        if (crosses) table.play.has_crossed = true;
-        table.world.edit_balls().velocity[table.cue()] = {0.0, 1.0};
-        begin_shot(table.world, table.play);
-        if (crosses) table.play.has_crossed = true;
-        table.wait();
-        CHECK(table.play.shot.first_hit == 1);
-        CHECK(table.play.shot.hit_behind_string == !crosses);
-    }
-}
-
 TEST_CASE("a level chooses who breaks, how many fouls lose, and what the nine is worth") {
     const auto rules = [](PoolRules chosen, std::uint64_t seed = 0) {
         Scene scene = test::shipped_level("nine-ball");
@@ -312,7 +230,7 @@ TEST_CASE("a level chooses who breaks, how many fouls lose, and what the nine is
     CHECK(tossed > 16);
     CHECK(tossed < 48);
     for (const bool winner_breaks : {false, true}) {
-        Table table("nine-ball");
+        TableInPlay table("nine-ball");
         table.play.winner_breaks = winner_breaks;
         table.play.rules.phase = PoolPhase::over;
         table.play.rules.winner = 0;

@@ -111,14 +111,3 @@ TEST_CASE("the use of an error value is not reported") {
     CHECK_FALSE(evaluate({source.text, &source, 1, 1}, scope, {}, reporter));
     CHECK_FALSE(reporter.has_errors());
 }
-
-TEST_CASE("splitting ignores separators inside brackets") {
-    SourceText source;
-    source.text = "min(1,2),3";
-    source.lines = {source.text};
-    const auto pieces = split_outside_brackets({source.text, &source, 1, 1}, ",");
-    REQUIRE(pieces.size() == 2);
-    CHECK(pieces[0].text == "min(1,2)");
-    CHECK(pieces[1].text == "3");
-    CHECK(pieces[1].column == 10);
-}

@@ -27,6 +27,11 @@ class CellTransfers {
     struct Crossing {
         Real time{};             ///< s; infinity: never
         std::uint32_t side = 0;  ///< of cell_transfer
+
+        BallEvent<Real> event() const {
+            const bool is_one = time < Real(std::numeric_limits<double>::infinity());
+            return {time, is_one ? EventKind::cell_transfer : EventKind::none, 0, 0, side, 0};
+        }
     };
 
     /// Sets `best` to the ball's next transfer if that comes before it. An oversized ball is in no

@@ -13,13 +13,6 @@ namespace {
 template <typename Real>
 constexpr BallEvent<Real> unknown_collision{.kind = EventKind::unknown};
 
-template <typename Real>
-BallEvent<Real> transfer_event(const typename CellTransfers<Real>::Crossing& crossing) {
-    const bool is_one = crossing.time < Real(std::numeric_limits<double>::infinity());
-    return {
-        crossing.time, is_one ? EventKind::cell_transfer : EventKind::none, 0, 0, crossing.side, 0};
-}
-
 }  // namespace
 
 template <typename Real>
@@ -158,8 +151,7 @@ void Predictor<Real>::choose_next(std::uint32_t ball) {
                 0};
     if (is_known) keep_earlier(ball, balls_.plan(ball).collision(), best);
     if (is_uniform)
-        keep_earlier(ball, transfer_event<Real>(transfers_.template uniform_crossing<true>(ball)),
-                     best);
+        keep_earlier(ball, transfers_.template uniform_crossing<true>(ball).event(), best);
     else
         transfers_.predict(ball, best);
     if (model.wrap) transfers_.predict_restart(ball, best);

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "geometry/vector.h"
+#include "level/scene/scene.h"
+#include "physics/world/world.h"
+
+/// Places on a pool table.
+namespace carom {
+
+/// The rack of the scene's game. Pre: it is a game of pool.
+const Rack& rack_of(const Scene& scene);
+
+/// The head spot: the middle of the head string, where the cue ball starts.
+Vec2 head_spot(const Scene& scene);
+
+/// Whether a place is on the head string or beyond it, seen from the head of the table.
+bool is_beyond_string(const Scene& scene, Vec2 place);
+
+/// Whether a ball can be placed there, on the cloth and not over a pocket; other balls are ignored.
+/// For a convex table.
+bool is_on_table(const Scene& scene, const World& world, Vec2 place, double radius);
+
+/// The nearest free place from `spot` along `direction`, a unit vector; if there is none within 20
+/// radii, in the opposite direction; else `spot`.
+Vec2 free_place(const World& world, Vec2 spot, Vec2 direction, double radius);
+
+}  // namespace carom
