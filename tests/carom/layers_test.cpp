@@ -135,6 +135,7 @@ const std::vector<std::string> rooms{
     "game/ai",
     "game/replay",
     "lab",
+    "lab/observe",
     "lab/run",
     "lab/measure",
     "lab/compare",

@@ -56,7 +56,9 @@ class Run {
         return carom::text(*breach_, world_.rate());
     }
     std::string text() const {
+        const Observer* observer = record_.watch.observer();
         return summary(input_.scene, world_, record_, seconds_) +
+               (observer ? observed_text(*observer, world_) : std::string()) +
                verdicts(input_.scene, record_, Verdict::holds) +
                verdicts(input_.scene, record_, Verdict::not_judged);
     }
@@ -118,7 +120,7 @@ void Run::simulate() {
         cost += Clock::now() - before;
         if (outcome == TickOutcome::cancelled) break;
         update_game(input_.scene, world_, game_, solver_.contacts());
-        note_tick(record_, input_.scene, world_);
+        note_tick(record_, input_.scene, world_, solver_.contacts());
         note_standing(record_, world_, solver_.standing().size());
         outputs_.write_tick(world_, solver_);
         if (check_) breach_ = check_->note_tick(world_, outcome == TickOutcome::stood_still);
@@ -139,6 +141,8 @@ void Run::finish(const std::string& level) {
                                runner_.remaining(), input_.ticks));
     print_note(notes_text(record_, world_.rate()));
     outputs_.write_report(report_json(level, input_.scene, world_, record_, seconds_));
+    if (const Observer* observer = record_.watch.observer())
+        outputs_.write_curves(curves_csv(*observer));
     if (replay_.marks.back().tick < world_.tick()) mark();
     const auto& commands = input_.script.commands;
     replay_.commands.assign(commands.begin(),

@@ -17,6 +17,7 @@ RunOutputs::RunOutputs(const RunOptions& options) {
     open(report_, options.report);
     open(events_, options.events);
     open(trace_, options.trace);
+    open(curves_, options.curves);
     open(record_, options.record);
 }
 
@@ -31,6 +32,10 @@ void RunOutputs::write_tick(const World& world, const Solver& solver) {
 
 void RunOutputs::write_report(std::string_view json) {
     if (report_) report_->write(json);
+}
+
+void RunOutputs::write_curves(std::string_view csv) {
+    if (curves_) curves_->write(csv);
 }
 
 void RunOutputs::write_recording(const Replay& replay) {
@@ -57,12 +62,12 @@ std::string RunOutputs::error() {
 
 bool to_standard_output(const RunOptions& options) {
     return options.report == "-" || options.events == "-" || options.trace == "-" ||
-           options.record == "-";
+           options.curves == "-" || options.record == "-";
 }
 
 std::optional<std::string> clash_of_outputs(const RunOptions& options) {
-    const std::array<const std::string*, 4> paths{&options.report, &options.events, &options.trace,
-                                                  &options.record};
+    const std::array<const std::string*, 5> paths{&options.report, &options.events, &options.trace,
+                                                  &options.curves, &options.record};
     for (std::size_t i = 0; i < paths.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (paths[i]->empty() || *paths[i] != *paths[j]) continue;

@@ -19,11 +19,12 @@ class RunOutputs {
     /// Opens those that are asked for; see `error`.
     explicit RunOutputs(const RunOptions& options);
 
-    bool any() const { return report_ || events_ || trace_ || record_; }
+    bool any() const { return report_ || events_ || trace_ || curves_ || record_; }
 
     void write_start(const World& world);
     void write_tick(const World& world, const Solver& solver);
     void write_report(std::string_view json);
+    void write_curves(std::string_view csv);
     void write_recording(const Replay& replay);
     void commit();
 
@@ -33,13 +34,14 @@ class RunOutputs {
     std::string error();
 
   private:
-    std::array<std::optional<OutputFile>*, 4> all() {
-        return {&report_, &events_, &trace_, &record_};
+    std::array<std::optional<OutputFile>*, 5> all() {
+        return {&report_, &events_, &trace_, &curves_, &record_};
     }
 
     std::optional<OutputFile> report_;
     std::optional<OutputFile> events_;
     std::optional<OutputFile> trace_;
+    std::optional<OutputFile> curves_;
     std::optional<OutputFile> record_;
 };
 

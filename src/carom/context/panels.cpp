@@ -1,12 +1,16 @@
 #include "carom/context/panels.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "game/session/conserved.h"
 #include "lab/run/judge.h"
 #include "physics/tick/totals.h"
+#include "terminal/panels/curve_panel.h"
 #include "terminal/panels/histogram.h"
 
 namespace carom {
@@ -27,12 +31,23 @@ CellArea cut_right(CellArea& area, int columns) {
     return {area.column + area.columns, area.row, columns, area.rows};
 }
 
+CurvePicture picture_of(Observable what, const Observer& observer, const World& world) {
+    CurvePicture picture;
+    picture.title = row_of(what).title;
+    const std::optional<double> value = observer.values(what, world).front().value;
+    picture.value = value ? fmt::format("{:.4g}", *value) : "no value";
+    for (const CurvePoint& point : observer.curve(what).points)
+        picture.points.push_back({point.x, point.y, point.expected});
+    return picture;
+}
+
 }  // namespace
 
 Panels::Panels(const Scene& scene) {
     for (const Show& show : scene.shows) {
         shows_histogram_ = shows_histogram_ || show.what == Show::What::histogram;
         shows_energy_ = shows_energy_ || show.what == Show::What::energy;
+        if (show.what == Show::What::observable) observables_.push_back(show.observable);
     }
 }
 
@@ -44,15 +59,20 @@ bool Panels::has_histogram(const Scene& scene) {
 void Panels::cut(CellArea& area, const Scene& scene, bool is_split) {
     histogram_area_ = {};
     energy_area_ = {};
-    const bool histogram = shows_histogram_ && has_histogram(scene);
-    const int panels = is_split ? 0 : (histogram ? 1 : 0) + (shows_energy_ ? 1 : 0);
-    if (panels > 0 && area.columns >= wide) {
+    observable_areas_.assign(observables_.size(), {});
+    std::vector<CellArea*> panels;
+    if (shows_histogram_ && has_histogram(scene)) panels.push_back(&histogram_area_);
+    if (shows_energy_) panels.push_back(&energy_area_);
+    for (CellArea& observed : observable_areas_)
+        panels.push_back(&observed);
+    if (is_split || panels.empty()) return;
+    if (area.columns >= wide) {
         CellArea side = cut_right(area, std::max(least_panel_columns, area.columns * 2 / 5));
-        if (histogram && shows_energy_) energy_area_ = cut_bottom(side, side.rows / 2);
-        (histogram ? histogram_area_ : energy_area_) = side;
-    } else if (panels > 0 && area.rows >= 2 * least_panel_rows) {
-        CellArea bottom = cut_bottom(area, std::max(least_panel_rows, area.rows / 3));
-        (histogram ? histogram_area_ : energy_area_) = bottom;
+        for (std::size_t i = panels.size(); i-- > 1;)
+            *panels[i] = cut_bottom(side, side.rows / static_cast<int>(i + 1));
+        *panels.front() = side;
+    } else if (area.rows >= 2 * least_panel_rows) {
+        *panels.front() = cut_bottom(area, std::max(least_panel_rows, area.rows / 3));
     }
 }
 
@@ -61,8 +81,12 @@ void Panels::sample(const World& world) {
     energy_.add({world.tick(), sums.kinetic_energy, sums.potential_energy});
 }
 
-void Panels::draw(Canvas& canvas, const Session& session, const Look& look) const {
+void Panels::draw(Canvas& canvas, const Session& session, const Observer* observer,
+                  const Look& look) const {
     const World& world = session.world();
+    for (std::size_t i = 0; observer && i < observable_areas_.size(); ++i)
+        draw_curve(canvas, observable_areas_[i], picture_of(observables_[i], *observer, world),
+                   look);
     if (energy_area_.rows > 0)
         draw_energy(canvas, energy_area_, energy_, world.tick_length(), look);
     if (histogram_area_.rows == 0) return;

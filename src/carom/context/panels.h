@@ -1,11 +1,15 @@
 #pragma once
 
+#include <vector>
+
 #include "game/session/session.h"
+#include "lab/observe/observer.h"
 #include "terminal/canvas/camera.h"
 #include "terminal/canvas/canvas.h"
 #include "terminal/panels/energy.h"
 
-/// The panels beside or below the world: the level's histogram, and the energy over time.
+/// The panels beside or below the world: the level's histogram, the energy over time, and what the
+/// level observes.
 namespace carom {
 
 class Panels {
@@ -24,13 +28,17 @@ class Panels {
     /// Adds a sample of the energy.
     void sample(const World& world);
     void clear() { energy_.clear(); }
-    void draw(Canvas& canvas, const Session& session, const Look& look) const;
+    /// `observer`: null where nothing is observed.
+    void draw(Canvas& canvas, const Session& session, const Observer* observer,
+              const Look& look) const;
 
   private:
     bool shows_histogram_ = false;
     bool shows_energy_ = false;
     CellArea histogram_area_;
     CellArea energy_area_;
+    std::vector<Observable> observables_;  ///< one panel each
+    std::vector<CellArea> observable_areas_;
     EnergyHistory energy_;
 };
 

@@ -28,6 +28,9 @@ PlayContext::PlayContext(Session game, const ViewOptions& options, KeyMap key_ma
       panels(session.scene()),
       solver_is_picked(is_picked) {
     reference.set(session.world());
+    observation = std::make_shared<PlayObserver>(session);
+    session.set_after_tick(
+        [observer = observation](const Session& now) { observer->note_tick(now); });
 }
 
 void say(PlayContext& play, std::string message) {

@@ -12,6 +12,7 @@
 #include "carom/context/key_map.h"
 #include "carom/context/messages.h"
 #include "carom/context/panels.h"
+#include "carom/context/play_observer.h"
 #include "carom/context/play_view.h"
 #include "carom/context/playback_clock.h"
 #include "carom/context/pointer_tool.h"
@@ -64,6 +65,7 @@ struct PlayContext {
     Pointer pointer;
     Companion companion;
     Panels panels;
+    std::shared_ptr<PlayObserver> observation;  ///< shared with the session, never null
     ConservedReference reference;
     Messages messages;
     CoveringPage page;

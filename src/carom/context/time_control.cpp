@@ -14,6 +14,7 @@ void prepare(PlayContext& play) {
 void go_to(PlayContext& play, std::uint64_t tick) {
     play.pointer.tool.forget();
     play.session.go_to(tick);
+    play.observation->begin(play.session);
     play.companion.follow_closely(play.session, play.keep_going);
     if (play.session.world().tick() < play.reference.tick()) set_reference(play);
 }
@@ -112,6 +113,7 @@ void restart(PlayContext& play) {
     } else {
         play.pointer.tool.forget();
         play.session.restart();
+        play.observation->begin(play.session);
     }
     set_reference(play);
     play.panels.clear();

@@ -26,6 +26,7 @@ struct RunOptions {
     std::string report;
     std::string events;
     std::string trace;
+    std::string curves;
     std::string record;
     bool check = false;
     bool explain = false;

@@ -95,10 +95,15 @@ std::vector<HudCheck> checks_of(const PlayContext& play) {
     const Scene& scene = play.session.scene();
     if (scene.overridden) return checks;
     for (const Expect& expect : scene.expects) {
-        if (expect.what.kind->scope == QuantityScope::run) continue;
+        const bool is_observed = expect.what.kind->observable.has_value();
+        if (expect.what.kind->scope == QuantityScope::run && !is_observed) continue;
         // The histogram panel shows these.
         if (is_of_bins(expect.what.kind) && play.panels.is_histogram_drawn()) continue;
-        if (const auto measured = measure(expect.what, play.session.world(), nullptr))
+        const Observer* observer = play.observation->observer();
+        const auto measured = is_observed && observer
+                                  ? observer->value(expect.what, play.session.world())
+                                  : measure(expect.what, play.session.world(), nullptr);
+        if (measured)
             checks.push_back({.quantity = expect.quantity,
                               .relation = expect.relation == Expect::Relation::within
                                               ? "of"

@@ -313,10 +313,18 @@ class LevelWriter {
         for (const Show& show : scene_.shows) {
             if (show.what == Show::What::energy)
                 line("show energy");
+            else if (show.what == Show::What::observable)
+                line("show {}", row_of(show.observable).name);
             else
                 line("show histogram of={}{}{}", show.of,
                      show.against.empty() ? "" : " against=", show.against);
         }
+        const Observation& observation = scene_.observation;
+        if (observation.what.is_empty() && observation.from == 0.0) return;
+        text_ += "observe";
+        for (const ObservableRow& row : observables())
+            if (observation.what.has(row.what)) text_ += fmt::format(" {}", row.name);
+        text_ += observation.from > 0.0 ? fmt::format(" from={}s\n", observation.from) : "\n";
     }
 
     const Scene& scene_;

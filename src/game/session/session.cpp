@@ -153,6 +153,7 @@ bool Session::advance() {
     contacts_.assign(solver_.contacts().begin(), solver_.contacts().end());
     update_game(scene_, world_, game_, contacts_);
     latest_ = std::max(latest_, world_.tick());
+    if (after_tick_) after_tick_(*this);
     execute_log_of_this_tick();
     return true;
 }

@@ -74,6 +74,11 @@ class Session {
 
     /// `keep_going` is asked now and then within a long tick; false cancels the tick.
     void set_keep_going(std::function<bool()> keep_going) { keep_going_ = std::move(keep_going); }
+    /// Called after each tick that is computed, also on the way back to an earlier one, before the
+    /// commands of that tick.
+    void set_after_tick(std::function<void(const Session&)> after_tick) {
+        after_tick_ = std::move(after_tick);
+    }
     /// How the last tick ended.
     TickOutcome outcome() const { return outcome_; }
     /// For how many balls time stood still in a part of it: see Solver::standing.
@@ -132,6 +137,7 @@ class Session {
     GameState game_;
     std::vector<Contact> contacts_;
     std::function<bool()> keep_going_;
+    std::function<void(const Session&)> after_tick_;
     TickOutcome outcome_ = TickOutcome::done;
 
     /// The earliest state, before the commands of log_ at its tick; none: the scene itself.

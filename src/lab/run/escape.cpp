@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "lab/observe/region.h"
+
 namespace carom {
 
 EscapeWatch::EscapeWatch(const Scene& scene) {
@@ -13,25 +15,18 @@ EscapeWatch::EscapeWatch(const Scene& scene) {
             const std::optional<std::size_t> index = index_of(scene.world, id);
             if (!index) continue;
             const Capsule& shape = capsules.shape[*index];
-            const Box spine = carom::bounds(Capsule{shape.start, shape.end, 0.0});
+            const Capsule thin{shape.start, shape.end, 0.0};
+            const Box spine = carom::bounds(thin);
             outline.bounds = outline.spines.empty() ? spine : join(outline.bounds, spine);
-            outline.spines.push_back({shape.start, shape.end});
+            outline.spines.push_back(thin);
         }
         outlines_.push_back(std::move(outline));
     }
     note_births(scene.world);
 }
 
-bool EscapeWatch::is_inside(const Outline& outline, Vec2 point) {
-    if (outline.spines.empty() || !contains(outline.bounds, point)) return false;
-    bool inside = false;
-    for (const Spine& spine : outline.spines) {
-        const bool spans = (spine.start.y > point.y) != (spine.end.y > point.y);
-        if (!spans) continue;
-        const double share = (point.y - spine.start.y) / (spine.end.y - spine.start.y);
-        if (point.x < spine.start.x + share * (spine.end.x - spine.start.x)) inside = !inside;
-    }
-    return inside;
+bool EscapeWatch::Outline::contains(Vec2 point) const {
+    return !spines.empty() && carom::contains(bounds, point) && is_inside(spines, point);
 }
 
 void EscapeWatch::note_births(const World& world) {
@@ -40,7 +35,7 @@ void EscapeWatch::note_births(const World& world) {
     start_outlines_.resize(world.next_ball());
     for (std::size_t i = world.balls().size(); i-- > 0 && number(world.balls().id[i]) >= known;) {
         for (std::uint32_t outline = 0; outline < outlines_.size(); ++outline) {
-            if (!is_inside(outlines_[outline], world.balls().position[i])) continue;
+            if (!outlines_[outline].contains(world.balls().position[i])) continue;
             start_outlines_[number(world.balls().id[i])].push_back(outline);
         }
     }
@@ -52,7 +47,7 @@ std::size_t EscapeWatch::escaped(const World& world) const {
     for (std::size_t i = 0; i < world.balls().size(); ++i) {
         const std::vector<std::uint32_t>& home = start_outlines_[number(world.balls().id[i])];
         const bool is_out = std::ranges::any_of(home, [&](std::uint32_t outline) {
-            return !is_inside(outlines_[outline], world.balls().position[i]);
+            return !outlines_[outline].contains(world.balls().position[i]);
         });
         if (is_out) ++count;
     }

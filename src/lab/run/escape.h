@@ -25,15 +25,12 @@ class EscapeWatch {
     std::size_t escaped(const World& world) const;
 
   private:
-    struct Spine {
-        Vec2 start;
-        Vec2 end;
-    };
     struct Outline {
         Box bounds;
-        std::vector<Spine> spines;
+        std::vector<Capsule> spines;
+
+        bool contains(Vec2 point) const;
     };
-    static bool is_inside(const Outline& outline, Vec2 point);
 
     std::vector<Outline> outlines_;
     // By ball number: the outlines in which it started.

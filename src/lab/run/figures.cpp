@@ -48,6 +48,16 @@ std::optional<double> RunWatch::value(const Figure& figure, const World& world) 
     return figure.of_run ? figure.of_run(*this, world) : value(figure.quantity, world);
 }
 
+void RunWatch::observe(const Scene& scene, const SolverSettings& solver) {
+    const ObservableSet what = observed_of(scene);
+    if (!what.is_empty()) observer_.emplace(scene, solver, what, scene.world);
+}
+
+void RunWatch::observe_tick(const Scene& scene, const World& world,
+                            std::span<const Contact> contacts) {
+    if (observer_) observer_->note_tick(scene, world, contacts);
+}
+
 double RunWatch::value(QuantityKind quantity, const World& world) const {
     if (quantity->of_world) return quantity->of_world(world);
     if (quantity->at_tick)

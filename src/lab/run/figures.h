@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lab/json.h"
+#include "lab/observe/observer.h"
 #include "lab/run/conservation.h"
 #include "lab/run/escape.h"
 #include "level/scene/quantities.h"
@@ -35,12 +36,20 @@ class RunWatch {
     /// balls per tick.
     RunWatch(const Scene& scene, Conservation conservation);
 
+    /// Measures what the level asks for (lab/observe); nothing where it asks for nothing.
+    void observe(const Scene& scene, const SolverSettings& solver);
+    /// Null: nothing is observed.
+    const Observer* observer() const { return observer_ ? &*observer_ : nullptr; }
+
     /// Pre: called after every tick.
     void note_tick(const World& world);
+    /// The same for the observer, which needs the contacts of the tick, too.
+    void observe_tick(const Scene& scene, const World& world, std::span<const Contact> contacts);
 
     /// The present value of the figure, in its unit; none if it has no value.
     std::optional<double> value(const Figure& figure, const World& world) const;
-    /// The present value of the quantity. Pre: its scope is `world` or `run`.
+    /// The present value of the quantity. Pre: its scope is `world` or `run`, and it has no
+    /// observable.
     double value(QuantityKind quantity, const World& world) const;
 
     const EscapeWatch& escape() const { return escape_; }
@@ -49,6 +58,7 @@ class RunWatch {
   private:
     EscapeWatch escape_;
     std::optional<ConservationWatch> conservation_;
+    std::optional<Observer> observer_;
     std::vector<double> largest_;  // by quantities(); 0 for one without `at_tick`
 };
 

@@ -71,6 +71,10 @@ std::optional<double> of_ball(const Quantity& quantity, const World& world) {
 std::optional<double> measure(const Quantity& quantity, const World& world, const RunWatch* watch) {
     if (is_of_ball(quantity.kind)) return of_ball(quantity, world);
     if (is_of_bins(quantity.kind)) return of_bins(quantity, world);
+    if (quantity.kind->observable) {
+        const Observer* observer = watch ? watch->observer() : nullptr;
+        return observer ? observer->value(quantity, world) : std::nullopt;
+    }
     if (watch) return watch->value(quantity.kind, world);
     if (!quantity.kind->of_world) return std::nullopt;
     return quantity.kind->of_world(world);

@@ -14,8 +14,8 @@
 namespace carom {
 
 /// The present value of the quantity. None if it has no value: for a ball that is gone, the mean of
-/// empty bins, a ratio to a variance of 0, or a quantity of scope `run` without a watch. Units:
-/// those of the world.
+/// empty bins, a ratio to a variance of 0, an observable that is not observed or not defined
+/// (lab/observe), or a quantity of scope `run` without a watch. Units: those of the world.
 std::optional<double> measure(const Quantity& quantity, const World& world, const RunWatch* watch);
 
 enum class Verdict : std::uint8_t { holds, fails, not_judged };

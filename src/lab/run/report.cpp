@@ -245,6 +245,7 @@ std::string report_json(std::string_view level, const Scene& scene, const World&
         if (figure.is_in_run) write_figure(json, figure, record.watch.value(figure, world));
     write_counters(json, scene, world, record);
     write_expects(json, scene, record);
+    write_observed(json, record.watch.observer(), world);
     write_notes(json, record);
     write_cost(json, record, seconds);
     json.field("fingerprint", std::string_view(hexadecimal(fingerprint(world))));

@@ -25,14 +25,17 @@ RunRecord begin_record(const Scene& scene, const SolverSettings& solver) {
                      .stood_still = {},
                      .ball_ticks = 0,
                      .judgements = {}};
+    record.watch.observe(scene, solver);
     const Judgement not_yet{.reason = scene.overridden ? overridden : not_reached};
     record.judgements.assign(scene.expects.size(), not_yet);
     judge_all(record, scene, scene.world, false);
     return record;
 }
 
-void note_tick(RunRecord& record, const Scene& scene, const World& world) {
+void note_tick(RunRecord& record, const Scene& scene, const World& world,
+               std::span<const Contact> contacts) {
     record.watch.note_tick(world);
+    record.watch.observe_tick(scene, world, contacts);
     record.ball_ticks += world.balls().size();
     judge_all(record, scene, world, false);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,8 +38,9 @@ struct RunRecord {
 /// Records the start, and judges expectations due at time 0.
 RunRecord begin_record(const Scene& scene, const SolverSettings& solver);
 
-/// Pre: called after every tick of `world`, which began as scene.world.
-void note_tick(RunRecord& record, const Scene& scene, const World& world);
+/// Pre: called after every tick of `world`, which began as scene.world, with its contacts.
+void note_tick(RunRecord& record, const Scene& scene, const World& world,
+               std::span<const Contact> contacts);
 
 /// Notes for how many balls time stood still in the tick that `world` has just completed.
 void note_standing(RunRecord& record, const World& world, std::size_t balls);

@@ -155,7 +155,8 @@ std::optional<std::vector<double>> SymbolTable::expected_shares(const Word& agai
 std::optional<Show> SymbolTable::make_show(const ShowIr& spec) {
     Show show;
     show.what = spec.what;
-    if (spec.what == Show::What::energy) return show;
+    show.observable = spec.observable;
+    if (spec.what != Show::What::histogram) return show;
     const Bins* bins = bins_named(*spec.of);
     if (!bins) return std::nullopt;
     context_.work.spend(cost_of_a_bin * bins->zones.size());
@@ -173,12 +174,17 @@ std::optional<Show> SymbolTable::make_show(const ShowIr& spec) {
 
 std::optional<Quantity> SymbolTable::quantity_of(const Word& word) {
     const std::size_t open = word.text.find('(');
-    if (open != std::string_view::npos) return bins_quantity(word, open);
+    if (open != std::string_view::npos) {
+        const QuantityKind kind = quantity_named(word.text.substr(0, open), true);
+        const bool is_of_edges = kind && kind->scope == QuantityScope::edges;
+        return is_of_edges ? edges_quantity(word, kind) : bins_quantity(word, open);
+    }
     const std::size_t dot = word.text.rfind('.');
     if (dot != std::string_view::npos) return ball_quantity(word, dot);
     std::vector<std::string_view> known;
     for (const QuantityRow& row : quantities()) {
         const QuantityKind kind = &row;
+        if (kind->scope == QuantityScope::edges) continue;  // "pressure" alone is another
         if (is_of_ball(kind) || is_of_bins(kind)) {
             if (name(kind) != word.text) continue;
             context_.reporter.error("quantity-without-subject", word.span(),
@@ -235,6 +241,32 @@ std::optional<Quantity> SymbolTable::ball_quantity(const Word& word, std::size_t
     context_.reporter.error(
         "unknown-ball", ball.span(), fmt::format("there is no ball '{}'", ball.text),
         did_you_mean(ball.text, known, "give the ball a name: ball NAME at=..."));
+    return std::nullopt;
+}
+
+// "pressure(wall)". The ids of edges are their numbers.
+std::optional<Quantity> SymbolTable::edges_quantity(const Word& word, QuantityKind kind) {
+    const std::optional<Call> call = call_of(word);
+    Quantity quantity{kind, {}, {}, {}, {}};
+    std::vector<std::string_view> known;
+    context_.work.spend(ir_.capsules.size());
+    for (std::size_t i = 0; i < ir_.capsules.size(); ++i) {
+        const std::string_view name =
+            names_.edges[static_cast<std::size_t>(ir_.capsules[i].binding)].name;
+        if (name.empty()) continue;
+        if (call && name == call->inside.text)
+            quantity.edges.push_back(CapsuleId{static_cast<std::uint32_t>(i)});
+        if (known.empty() || known.back() != name) known.push_back(name);
+    }
+    if (!quantity.edges.empty()) return quantity;
+    if (call && is_error_name(call->inside.text)) return std::nullopt;
+    const Word at = call ? call->inside : word;
+    context_.reporter.error(
+        "unknown-edges", at.span(),
+        call ? fmt::format("there are no edges '{}'", at.text)
+             : fmt::format("'{}' has no closing bracket", at.text),
+        call ? did_you_mean(at.text, known, "give the edges a name: edge name=wall ...")
+             : fmt::format("write {}(NAME), the name of edges", name(kind)));
     return std::nullopt;
 }
 
@@ -328,6 +360,7 @@ void SymbolTable::fill_in(Scene& scene) {
     world.edit_ledger().counters.assign(counter, 0);
     scene.shows = std::move(shows_);
     scene.expects = std::move(expects_);
+    scene.observation = ir_.observation;
 }
 
 }  // namespace carom

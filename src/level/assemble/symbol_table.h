@@ -40,6 +40,7 @@ class SymbolTable {
     std::optional<std::uint32_t> ball_named(std::string_view name);
     std::optional<Quantity> quantity_of(const Word& word);
     std::optional<Quantity> ball_quantity(const Word& word, std::size_t dot);
+    std::optional<Quantity> edges_quantity(const Word& word, QuantityKind kind);
     std::optional<Quantity> bins_quantity(const Word& word, std::size_t open);
 
     const LevelIr& ir_;

@@ -59,7 +59,7 @@ Overrides::Overrides(const std::vector<std::string>& statements, SourceStore& st
         if (key.empty()) {
             reporter.error("override-refused", node.keyword().span(),
                            fmt::format("--set cannot change '{}'", node.statement->name),
-                           "it changes: let use world solver rate seed game kind material");
+                           "it changes: let use world solver rate seed game kind material observe");
             continue;
         }
         statements_[key] = &node;

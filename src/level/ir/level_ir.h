@@ -166,6 +166,7 @@ struct CollideIr {
 
 struct ShowIr {
     Show::What what = Show::What::energy;
+    Observable observable{};
     std::optional<Word> of;
     std::optional<Word> against;
     Span span;
@@ -238,6 +239,7 @@ struct LevelIr {
     std::optional<Span> needs_cloth;  ///< the first value that needs `use cloth`
     std::vector<ShowIr> shows;
     std::vector<ExpectIr> expects;
+    Observation observation;
     std::map<std::string, LegendIr, std::less<>> legends;  ///< by letter
     /// Names of balls, edges and bins that are error values: their statements had errors, so
     /// references to them are not reported.

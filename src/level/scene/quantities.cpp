@@ -18,7 +18,7 @@ double counted(std::uint64_t count) {
 
 // Energies, momenta and angular momentum are sums over all balls. The potential energy is 0 at the
 // origin; the angular momentum is about the origin.
-constexpr std::array<QuantityRow, 25> rows{{
+constexpr std::array<QuantityRow, 33> rows{{
     {.name = "collisions",  // of balls with balls and with edges
      .of_world = [](W w) { return counted(w.ball_ball_collisions() + w.ball_edge_collisions()); }},
     {.name = "ball_ball", .of_world = [](W w) { return counted(w.ball_ball_collisions()); }},
@@ -96,6 +96,24 @@ constexpr std::array<QuantityRow, 25> rows{{
     {.name = "variance", .scope = bins},        // of the bin numbers (divided by the count)
     {.name = "variance_ratio", .scope = bins},  // variance over that of the expected shares
     {.name = "chi_square", .scope = bins},      // sum of (counted - expected)^2 / expected
+    // Observables (lab/observe).
+    {.name = "pressure",
+     .scope = edges,
+     .dimension = pressure_dimension,
+     .observable = Observable::pressure},
+    {.name = "pressure",
+     .scope = run,
+     .dimension = pressure_dimension,
+     .observable = Observable::pressure},
+    {.name = "msd", .scope = run, .dimension = area_dimension, .observable = Observable::msd},
+    {.name = "vacf", .scope = run, .observable = Observable::vacf},
+    {.name = "speed_distance", .scope = run, .observable = Observable::speeds},
+    {.name = "speed_kurtosis", .scope = run, .observable = Observable::speeds},
+    {.name = "contact_value", .scope = run, .observable = Observable::pairs},
+    {.name = "lyapunov_time",
+     .scope = run,
+     .dimension = time_dimension,
+     .observable = Observable::lyapunov},
 }};
 
 }  // namespace
@@ -116,14 +134,16 @@ std::span<const QuantityRow> quantities() {
     return rows;
 }
 
-QuantityKind quantity_named(std::string_view name) {
-    const auto found = std::ranges::find(rows, name, &QuantityRow::name);
+QuantityKind quantity_named(std::string_view name, bool has_subject) {
+    const auto found = std::ranges::find_if(rows, [&](const QuantityRow& row) {
+        return row.name == name && (row.scope != edges || has_subject);
+    });
     return found == rows.end() ? nullptr : &*found;
 }
 
 QuantityKind quantity_in(std::string_view word) {
     if (const std::size_t open = word.find('('); open != std::string_view::npos)
-        return quantity_named(word.substr(0, open));
+        return quantity_named(word.substr(0, open), true);
     const std::size_t dot = word.rfind('.');
     return quantity_named(dot == std::string_view::npos ? word : word.substr(dot + 1));
 }

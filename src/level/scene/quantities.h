@@ -2,17 +2,19 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "level/scene/observables.h"
 #include "level/scene/physical_dimension.h"
 #include "physics/world/ids.h"
 
 /// The quantities that an `expect` can measure, and those that reports of `carom run` and `carom
 /// measure` have as fields. A new quantity is a row in quantities.cpp. If it needs more than the
 /// present world or the largest value so far, it is computed in the laboratory by its name: in
-/// lab/run/figures.cpp, for bins in lab/run/judge.cpp.
+/// lab/run/figures.cpp, for bins in lab/run/judge.cpp, for observables in lab/observe.
 namespace carom {
 
 class World;
@@ -22,6 +24,7 @@ enum class QuantityScope : std::uint8_t {
     run,    ///< over all ticks so far, or relative to the start, as in `expect overlap`
     ball,   ///< of a named ball that still exists, as in `expect cue.x`
     bins,   ///< of a group of bins, as in `expect mean(bins)`; the leftmost bin counts as 0
+    edges,  ///< of the edges of one name, as in `expect pressure(wall)`
 };
 
 /// A field in the reports of `carom run` and `carom measure`, and a column in CSV.
@@ -51,6 +54,8 @@ struct QuantityRow {
     /// Pre: `ball` is a row of world.balls().
     double (*of_ball)(const World& world, std::size_t ball) = nullptr;
     ReportField field;
+    /// The observable that it is measured with; its scope is `run` or `edges`.
+    std::optional<Observable> observable{};
 };
 /// A row of quantities(), never null in a loaded level.
 using QuantityKind = const QuantityRow*;
@@ -63,6 +68,7 @@ struct Quantity {
     /// ... and the expected share of each, for variance_ratio and chi_square: from the level's
     /// `show histogram` of the same bins, else the binomial distribution of fair tosses.
     std::vector<double> expected;
+    std::vector<CapsuleId> edges{};  ///< of scope `edges`
 };
 
 bool is_of_ball(QuantityKind kind);
@@ -71,8 +77,9 @@ bool is_of_bins(QuantityKind kind);
 std::string_view name(QuantityKind kind);
 /// All quantities, in the order in which messages and reports list them.
 std::span<const QuantityRow> quantities();
-/// The quantity of this name; null if there is none.
-QuantityKind quantity_named(std::string_view name);
+/// The quantity of this name; null if there is none. `has_subject`: that of scope `edges`, if there
+/// are two, as in "pressure(wall)".
+QuantityKind quantity_named(std::string_view name, bool has_subject = false);
 /// The quantity of a word such as "energy", "cue.x" or "mean(bins)"; null if there is none.
 QuantityKind quantity_in(std::string_view word);
 

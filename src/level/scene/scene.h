@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/shapes.h"
+#include "level/scene/observables.h"
 #include "level/scene/pinball_table.h"
 #include "level/scene/pool_table.h"
 #include "level/scene/quantities.h"
@@ -22,8 +23,9 @@ enum class LengthUnit : std::uint8_t { natural, millimetre, centimetre, metre, i
 
 /// A panel that the level shows beside the world.
 struct Show {
-    enum class What : std::uint8_t { histogram, energy };
+    enum class What : std::uint8_t { histogram, energy, observable };
     What what = What::histogram;
+    Observable observable{};  ///< of What::observable
     /// Histogram: its bins from left to right, as indices into World::counters.
     std::vector<std::uint32_t> counters;
     std::string of;
@@ -100,6 +102,7 @@ struct Scene {
     std::vector<std::vector<CapsuleId>> outlines;
     std::vector<Show> shows;
     std::vector<Expect> expects;
+    Observation observation;
     /// The level's file and the files that it includes, for hashes, --watch and recordings.
     std::vector<std::string> files;
     std::vector<std::string> texts;  ///< by index of `files`

@@ -3,6 +3,7 @@
 #include "level/ir/arguments.h"
 #include "level/ir/numbers.h"
 #include "level/statements/families.h"
+#include "level/text/spelling.h"
 
 namespace carom {
 namespace {
@@ -22,6 +23,37 @@ void show_histogram(const Arguments& arguments, const Frame&, Context& context) 
 
 void show_energy(const Arguments& arguments, const Frame&, Context& context) {
     add_show(Show::What::energy, arguments, context);
+}
+
+template <Observable what>
+void show_observable(const Arguments& arguments, const Frame&, Context& context) {
+    add_show(Show::What::observable, arguments, context);
+    context.ir.shows.back().observable = what;
+}
+
+// A statement that shows an observable: "show msd".
+template <Observable what>
+Statement show_row(std::string_view name) {
+    return {.name = name, .usage = name, .action = show_observable<what>, .place = Place::top};
+}
+
+// "observe pressure msd from=2s"
+void set_observation(const Arguments& arguments, const Frame&, Context& context) {
+    Observation& observation = context.ir.observation;
+    observation = {};
+    observation.from = arguments.number_or("from", 0.0);
+    std::vector<std::string_view> known;
+    for (const ObservableRow& row : observables())
+        known.push_back(row.name);
+    for (const Word& word : arguments.plain) {
+        if (const ObservableRow* row = observable_named(word.text)) {
+            observation.what.add(row->what);
+            continue;
+        }
+        context.reporter.error(
+            "unknown-observable", word.span(), fmt::format("'{}' cannot be observed", word.text),
+            did_you_mean(word.text, known, fmt::format("there are: {}", fmt::join(known, " "))));
+    }
 }
 
 std::optional<Expect::Relation> relation_of(std::string_view word) {
@@ -108,6 +140,20 @@ std::vector<Statement> experiment_statements() {
          .place = Place::top,
          .keys = {{"of", word, Measure::number, any, true}, {"against", call}}},
         {.name = "show energy", .usage = "show energy", .action = show_energy, .place = Place::top},
+        show_row<Observable::pressure>("show pressure"),
+        show_row<Observable::msd>("show msd"),
+        show_row<Observable::vacf>("show vacf"),
+        show_row<Observable::speeds>("show speeds"),
+        show_row<Observable::pairs>("show pairs"),
+        show_row<Observable::lyapunov>("show lyapunov"),
+        {.name = "observe",
+         .usage = "observe [pressure] [msd] [vacf] [speeds] [pairs] [lyapunov] [from=TIME]",
+         .action = set_observation,
+         .place = Place::top,
+         .plain_most = many,
+         .keys = {{"from", scalar, Measure::time, not_negative}},
+         .is_unique = true,
+         .settable = Settable::whole},
         {.name = "expect",
          .usage = "expect QUANTITY VALUE within TOLERANCE|<|<=|>|>= VALUE [at=TIME] "
                   "[by=TIME] [always|never]",

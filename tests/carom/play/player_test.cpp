@@ -345,6 +345,28 @@ TEST_CASE("the status line shows the level's expectations and their state") {
     CHECK(seen().find("of 99") == std::string::npos);
 }
 
+TEST_CASE("observables are shown, in panels and beside what the level expects") {
+    Scene scene = busy_box();
+    Show show;
+    show.what = Show::What::observable;
+    show.observable = Observable::msd;
+    scene.shows = {show};
+    scene.expects = {{"msd", {quantity_named("msd"), {}, {}, {}}, 1e9, 0.0, {}, 1}};
+    Player player(Session(scene, {.kind = SolverKind::swept}), ascii_view(), KeyMap());
+    const auto has = [&](std::string_view text) {
+        Canvas window(120, 24);
+        player.draw(window, 2.0);
+        return window.text().find(text) != std::string::npos;
+    };
+    CHECK(has("mean square displacement"));
+    CHECK(has("msd     0 of 1e+09"));
+    player.advance(0.5, [] { return true; });
+    CHECK_FALSE(has("msd     0 of 1e+09"));
+    // A step back begins it anew.
+    player.handle({.kind = InputEvent::Kind::key, .key = U','});
+    CHECK(has("msd     0 of 1e+09"));
+}
+
 TEST_CASE("any keys in any order do no harm") {
     // A fixed sequence of 4,000 keys and mouse reports, from a small generator.
     Person person;

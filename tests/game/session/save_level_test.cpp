@@ -112,6 +112,8 @@ spawn light at=50,70 every=0.5 count=100 v=1,-2 jitter=0.5,0 vjitter=0.1,0.2
 bins tally at=50,20 count=4 width=5 depth=10 sink
 show histogram of=tally against=uniform
 show energy
+show msd
+observe pairs pressure from=2s
 )";
 
 const std::string metric = R"(carom 1 "In millimetres"
@@ -169,7 +171,12 @@ TEST_CASE("data besides the world are kept too") {
     CHECK(again.solver == scene.solver);
     CHECK(again.ball_names == scene.ball_names);
     CHECK(again.outlines == scene.outlines);
-    REQUIRE(again.shows.size() == 2);
+    REQUIRE(again.shows.size() == 3);
+    CHECK(again.shows[2].observable == Observable::msd);
+    CHECK(again.observation.what.has(Observable::pressure));
+    CHECK(again.observation.what.has(Observable::pairs));
+    CHECK_FALSE(again.observation.what.has(Observable::vacf));
+    CHECK(again.observation.from == 2.0);
     CHECK(again.shows[0].counters == scene.shows[0].counters);
     CHECK(again.shows[0].expected == scene.shows[0].expected);
     REQUIRE(again.world.emitters().size() == 1);

@@ -30,7 +30,7 @@ Finished run(const std::string& statements, std::uint64_t ticks) {
     run.record = begin_record(run.scene, solver.settings());
     while (run.world.tick() < ticks) {
         solver.tick(run.world);
-        note_tick(run.record, run.scene, run.world);
+        note_tick(run.record, run.scene, run.world, solver.contacts());
     }
     note_end(run.record, run.scene, run.world);
     run.report = report_json("test", run.scene, run.world, run.record, 0.25);

@@ -65,7 +65,7 @@ TEST_CASE("diagnostics name --set as their source") {
           "--set:1:1: error: --set cannot change 'ball'\n"
           "    1 | ball a at=0,0\n"
           "      | ^~~~\n"
-          "      = it changes: let use world solver rate seed game kind material\n");
+          "      = it changes: let use world solver rate seed game kind material observe\n");
     CHECK(with("", {""}).diagnostics.size() == 1);
     CHECK(with("", {"rate 5\nrate 6"}).diagnostics.size() == 1);
 }

@@ -1,0 +1,102 @@
+#include "terminal/panels/curve_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "terminal/canvas/character_width.h"
+#include "terminal/canvas/raster.h"
+#include "terminal/panels/panel.h"
+
+namespace carom {
+namespace {
+
+constexpr int least_curve_columns = 16;
+constexpr int least_curve_rows = 4;
+
+using Points = std::vector<CurvePicture::Point>;
+
+struct Span {
+    double low = 0.0;
+    double high = 0.0;
+
+    void include(double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    double share_of(double value) const { return (value - low) / (high - low); }
+};
+
+Points finite_points(const Points& all) {
+    Points points;
+    for (const CurvePicture::Point& point : all)
+        if (std::isfinite(point.x) && std::isfinite(point.y)) points.push_back(point);
+    return points;
+}
+
+Span span_of_values(const Points& points) {
+    Span span;
+    for (const CurvePicture::Point& point : points) {
+        span.include(point.y);
+        if (point.expected) span.include(*point.expected);
+    }
+    if (!(span.high > span.low)) span.high = span.low + 1.0;
+    return span;
+}
+
+void draw_points(Canvas& canvas, const CellArea& area, const Points& points, const Span& x,
+                 const Span& y, const Look& look) {
+    constexpr double aspect = 2.0;
+    Raster raster(look.utf8 ? braille_renderer() : ascii_renderer(), area.columns, area.rows,
+                  aspect);
+    const double height = raster.rows() * aspect;
+    const auto place = [&](double at, double value) {
+        // Slightly inside, so that neither end of the range is cut off.
+        return RasterPoint{x.share_of(at) * (area.columns - 0.5),
+                           height - 0.4 - y.share_of(value) * (height - 0.8)};
+    };
+    const Ink expected = ink_of(Role::expected, look);
+    const Ink measured = ink_of_class(1, look);
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (points[i - 1].expected && points[i].expected)
+            raster.line(place(points[i - 1].x, *points[i - 1].expected),
+                        place(points[i].x, *points[i].expected), expected);
+    for (std::size_t i = 1; i < points.size(); ++i)
+        raster.line(place(points[i - 1].x, points[i - 1].y), place(points[i].x, points[i].y),
+                    measured);
+    raster.show(canvas, area.column, area.row, look);
+}
+
+}  // namespace
+
+void draw_curve(Canvas& canvas, const CellArea& area, const CurvePicture& picture,
+                const Look& look) {
+    if (area.columns < least_curve_columns || area.rows < least_curve_rows) return;
+    clear_area(canvas, area);
+    std::vector<PanelText> head = {{picture.title, ink_of(Role::strong, look)}};
+    if (!picture.value.empty()) head.push_back({picture.value, ink_of(Role::text, look)});
+    write_flowing(canvas, {area.column, area.row, area.columns, 1}, head);
+    const Points points = finite_points(picture.points);
+    if (points.size() < 2 || !(points.back().x > points.front().x)) return;
+
+    const Span x{points.front().x, points.back().x};
+    const Span y = span_of_values(points);
+    const Ink faint = ink_of(Role::faint, look);
+    const std::string high = fmt::format("{:.4g}", y.high);
+    const std::string low = fmt::format("{:.4g}", y.low);
+    const int side = std::max(columns_of(high), columns_of(low)) + 1;
+    const CellArea inside{area.column + side, area.row + 1, area.columns - side, area.rows - 2};
+    write_cut(canvas, area, 1, high, faint);
+    write_cut(canvas, area, area.rows - 2, low, faint);
+    draw_points(canvas, inside, points, x, y, look);
+    const std::string from = fmt::format("{:.4g}", x.low);
+    const std::string to = fmt::format("{:.4g}", x.high);
+    const CellArea axis{inside.column, area.row + area.rows - 1, inside.columns, 1};
+    write_cut(canvas, axis, 0, from, faint);
+    const int end = axis.column + axis.columns - columns_of(to);
+    if (end > axis.column + columns_of(from))
+        canvas.write(end, axis.row, to, faint.color, default_color, faint.attributes);
+}
+
+}  // namespace carom
