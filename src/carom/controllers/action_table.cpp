@@ -125,6 +125,8 @@ constexpr Action rows[] = {
      [](Pool&, Play& play) { obey(play, command::RackAgain{}, "the balls are racked"); }},
     {"opponent", "O", "play against carom: 1 to 4, nobody", "Pool", pool,
      [](Pool& table, Play& play) { table.next_opponent(play); }},
+    {"hand", "M", "your hand in a match: 1 to 4", "Pool", pool,
+     [](Pool& table, Play& play) { table.next_hand(play); }},
     {"coach", "C", "what carom would shoot: its three best", "Pool", pool,
      [](Pool& table, Play& play) { table.ask_coach(play); }},
 
@@ -175,7 +177,8 @@ constexpr Action rows[] = {
     {"take-up", "R", "take up the game that was left", "Program", anywhere,
      ask<PlayRequest::resume>},
     {"help", "? f1", "this page", "Program", anywhere, open_page<CoveringPage::Kind::help>},
-    {"menu", "escape", "let go; the menu", "Program", anywhere, escape},
+    {"menu", "escape", "let go; the menu", "Program", anywhere, escape,
+     [](Pool& table, Play& play) { return table.give_up_stroke(play); }},
     {"quit", "q", "quit at once", "Program", anywhere, ask<PlayRequest::quit>},
 
     {"left-flipper", "z left", "the left flipper", "At pinball", pinball, Button::left_flipper},
@@ -204,6 +207,7 @@ constexpr ActionGroup groups[] = {
 constexpr HelpNote notes[] = {
     {"Mouse", "Program", "left", "", "drag a ball or an edge; the rest is the view"},
     {"Mouse", "Program", "right", "", "pull the cue and let it go (or shift, ctrl with left)"},
+    {"Mouse", "Program", "right", "", "in a match of pool: pull it back, push it through"},
     {"Mouse", "Program", "middle", "", "drag the view"},
     {"Mouse", "Program", "wheel", "", "closer, farther"},
     {"At pinball", "", "", "fit", "all of the table, or after the ball"},

@@ -17,9 +17,6 @@ constexpr double speed_step = 0.1;   // m/s
 constexpr double tip_step = 0.05;    // in radii
 constexpr double cursor_step = 0.2;  // columns, with a ball in hand
 
-/// A shorter pull, in radii of the ball, does not shoot.
-constexpr double least_pull = 1.5;
-
 }  // namespace
 
 PlayerNames PoolController::names() const {
@@ -28,7 +25,7 @@ PlayerNames PoolController::names() const {
 }
 
 bool PoolController::is_aiming(const PlayContext& play) const {
-    return !play.page.is_open() && !opponent_.is_turn(play.session) && aim_.may_aim(play.session);
+    return is_striking(play) && !stroke_.meter();
 }
 
 bool PoolController::aims_with_keys(const PlayContext& play) const {
@@ -45,6 +42,7 @@ void PoolController::perform(PlayContext& play, const Action& action) {
 // The wheel changes the speed; 1, 2 and 3 pick one of the choices that the rules offer.
 bool PoolController::take(PlayContext& play, const InputEvent& event) {
     using enum InputEvent::Action;
+    after_ = event.after;
     if (event.kind == InputEvent::Kind::mouse) {
         if ((event.action != wheel_up && event.action != wheel_down) || !is_aiming(play))
             return false;
@@ -52,6 +50,7 @@ bool PoolController::take(PlayContext& play, const InputEvent& event) {
         play.needs_draw = true;
         return true;
     }
+    if (event.kind == InputEvent::Kind::key && takes_key(play, event)) return true;
     const PoolPlay* const pool = pool_of(play.session);
     if (!pool || event.kind != InputEvent::Kind::key || event.action == release ||
         event.modifiers != no_modifier)
@@ -65,85 +64,9 @@ bool PoolController::take(PlayContext& play, const InputEvent& event) {
     return true;
 }
 
-void PoolController::point(PlayContext& play) {
-    const bool pulls = play.pointer.tool.has_cue();
-    if (!aims_by_mouse_ && !pulls) return;
-    play.needs_draw = true;
-    if (aims_by_mouse_) aim_.aim_at(play.session, play.pointer.at);
-    if (pulls) aim_.pull(play.session, play.pointer.at);
-}
-
-void PoolController::pass(PlayContext& play, double seconds) {
-    if (aim_.work(play.session)) play.needs_draw = true;
-    opponent_.play(play, seconds);
-    hear_coach(play);
-    count_time(play, seconds);
-}
-
-// The opponent needs no clock, and whoever looks back at the past is not hurried.
-void PoolController::count_time(PlayContext& play, double seconds) {
-    const Session& session = play.session;
-    if (play.clock.is_paused() || opponent_.is_turn(session) ||
-        session.world().tick() < session.latest() || !clock_.pass(session, seconds))
-        return;
-    if (const auto why_not = play.session.apply(command::TimeOut{})) complain(play, *why_not);
-    set_reference(play);
-}
-
 void PoolController::after_ticks(PlayContext& play, double) {
     if (play.clock.is_hurrying() && !are_rolling(play)) play.clock.normal();
     if (auto outcome = announcer_.tell(play.session, names())) say(play, *std::move(outcome));
-}
-
-bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
-    if (event.button == middle_button) return false;
-    const bool has_game = pool_of(play.session) != nullptr;
-    const auto cue = aim_.cue_ball(play.session);
-    const auto at_pointer = ball_at_pointer(play);
-    const bool is_left = event.button == left_button && !(event.modifiers & (shift | control));
-    if (is_left && at_pointer && !has_game) return false;
-    Pointer& pointer = play.pointer;
-    if (is_left && at_pointer && at_pointer == cue && is_aiming(play) &&
-        aim_.may_place(play.session)) {
-        pointer.tool.grab_to_place(play.session.world(), *cue, pointer.at);
-        pointer.pressed = event.button;
-        return true;
-    }
-    if (!is_aiming(play)) {
-        if (opponent_.is_turn(play.session)) say(play, "it is carom's turn");
-        const auto why_not =
-            has_game && cue ? refusal_to_shoot(*pool_of(play.session), *cue) : std::nullopt;
-        if (why_not) say(play, *why_not);
-        return has_game || !is_left;
-    }
-    pointer.pressed = event.button;
-    if (!is_left) {
-        pointer.cue_is_armed = false;
-        pointer.tool.take_cue(*cue, pointer.at);
-    } else if (!aim_.call_pocket(play.session, pointer.at)) {
-        aims_by_mouse_ = true;
-        aim_.aim_at(play.session, pointer.at);
-    }
-    return true;
-}
-
-bool PoolController::take_release(PlayContext& play) {
-    if (std::exchange(aims_by_mouse_, false)) return true;
-    if (!play.pointer.tool.has_cue()) return false;
-    play.pointer.tool.forget();
-    const World& world = play.session.world();
-    const auto cue = aim_.cue_ball(play.session);
-    const auto index = cue ? index_of(world, *cue) : std::nullopt;
-    if (!index || !is_aiming(play)) return true;
-    const double pulled = distance(play.pointer.at, world.balls().position[*index]);
-    if (pulled > least_pull * world.balls().radius[*index]) shoot(play);
-    return true;
-}
-
-void PoolController::shoot(PlayContext& play) {
-    for (const Command& command : aim_.shot(play.session))
-        if (const auto why_not = play.session.apply(command)) return complain(play, *why_not);
-    set_reference(play);
 }
 
 bool PoolController::are_rolling(const PlayContext& play) const {
@@ -175,9 +98,9 @@ bool PoolController::turn_coarsely(PlayContext& play, int direction) {
 }
 
 void PoolController::turn_finely(PlayContext& play, int direction) {
-    if (play.pointer.tool.is_empty())
+    if (aims_with_keys(play))
         aim_.turn(direction * fine_turn);
-    else
+    else if (!play.pointer.tool.is_empty())
         move_cursor(play, -direction * cursor_step, 0.0);
 }
 
@@ -190,23 +113,6 @@ bool PoolController::change_speed(PlayContext& play, int direction) {
 bool PoolController::move_tip(const PlayContext& play, int side, int follow) {
     if (!is_aiming(play) || play.pointer.shows_cursor) return false;
     aim_.move_tip(side * tip_step, follow * tip_step);
-    return true;
-}
-
-bool PoolController::shoot_with_key(PlayContext& play) {
-    if (aims_with_keys(play)) {
-        shoot(play);
-        return true;
-    }
-    if (keeps_cue(play)) {
-        if (are_rolling(play))
-            say(play, fmt::format("the balls still roll: {} skips", play.keys.hint("to-rest")));
-        return true;
-    }
-    if (!pool_of(play.session)) return false;
-    // Puts down the ball in hand.
-    grab(play);
-    play.pointer.shows_cursor = !play.pointer.tool.is_empty();
     return true;
 }
 
@@ -228,6 +134,7 @@ bool PoolController::next_pot_under_rules(PlayContext& play, bool backwards) {
 }
 
 void PoolController::next_call(PlayContext& play) {
+    if (stroke_.meter()) return;
     say(play, aim_.next_call(play.session));
 }
 
@@ -261,12 +168,13 @@ bool PoolController::set_opponent(const Session& session, int skill) {
 void PoolController::next_opponent(PlayContext& play) {
     const int next = (opponent() + 1) % (most_skill + 1);
     if (!set_opponent(play.session, next)) return say(play, "there is no game of pool here");
-    say(play, next > 0
-                  ? fmt::format("against carom, {} of {}: {}", next, most_skill, skill_text(next))
-                  : "two players");
+    say(play, next > 0 ? fmt::format("against carom, {} of {}: {}; you have {}", next, most_skill,
+                                     skill_text(next), hand_text(hand()))
+                       : "two players");
 }
 
 void PoolController::ask_coach(PlayContext& play) {
+    if (is_match(play.session)) return say(play, "there is no coach in a match");
     if (!pool_of(play.session) || !is_aiming(play))
         return say(play, "the coach speaks when you are to shoot");
     coach_.ask();
@@ -292,6 +200,7 @@ void PoolController::hear_coach(PlayContext& play) {
 
 // Goes back to the player's own last turn.
 void PoolController::undo_shot(PlayContext& play) {
+    if (is_match(play.session)) return say(play, "in a match no shot is taken back");
     opponent_.hesitate();
     if (!undo(play)) return;
     while (opponent_.is_turn(play.session) && play.session.undo()) {
@@ -301,6 +210,7 @@ void PoolController::undo_shot(PlayContext& play) {
 
 void PoolController::continue_from(PlayContext& play, const Controller& before) {
     const auto* const pool = dynamic_cast<const PoolController*>(&before);
+    if (pool) set_hand(pool->hand());
     if (pool && pool->opponent() > 0) set_opponent(play.session, pool->opponent());
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "carom/controllers/free_controller.h"
+#include "carom/pool/person_stroke.h"
 #include "carom/pool/pool_aim.h"
 #include "carom/pool/pool_opponent.h"
 #include "carom/pool/pool_status.h"
@@ -12,6 +13,9 @@
 
 /// Pool: aiming by keys and mouse, ball in hand, choices, the AI player, and the referee's rulings.
 /// It works at any table with a cue; without a game, balls can be dragged freely.
+///
+/// A game against carom, or with a length (race=), is a match: the stroke may fail, and there is
+/// no undo, no coach and no forecast. All others are practice, where a shot is exactly as aimed.
 namespace carom {
 
 class PoolController : public FreeController {
@@ -26,8 +30,10 @@ class PoolController : public FreeController {
     void point(PlayContext& play) override;
     void pass(PlayContext& play, double seconds) override;
     void after_ticks(PlayContext& play, double seconds) override;
-    bool has_work() const override { return aim_.has_work() || coach_.is_asked(); }
-    void look(PlayContext& play) override { aim_.look(play.session); }
+    bool has_work() const override {
+        return aim_.has_work() || coach_.is_asked() || stroke_.meter();
+    }
+    void look(PlayContext& play) override;
     void annotate(const PlayContext& play, Annotations& annotations) const override;
     void add_status(const PlayContext& play, HudInfo& info) const override;
     void add_hints(const PlayContext& play, std::vector<KeyHelp>& hints) const override;
@@ -43,6 +49,8 @@ class PoolController : public FreeController {
     bool edit_nothing(PlayContext& play) const;
     bool next_pot_under_rules(PlayContext& play, bool backwards);
     void skip_to_rest(PlayContext& play);
+    bool give_up_stroke(PlayContext& play);
+    void next_hand(PlayContext& play);
     bool explain_cue(PlayContext& play) const;
     void next_pot(PlayContext& play, bool backwards);
     void next_call(PlayContext& play);
@@ -60,6 +68,9 @@ class PoolController : public FreeController {
     /// On the shot clock, s; none: no clock runs.
     std::optional<double> time_left(const Session& session) const { return clock_.left(session); }
     void set_time_left(const Session& session, double left) { clock_.resume(session, left); }
+    /// The level of the person's hand in a match, least_hand..most_hand.
+    int hand() const { return stroke_.level(); }
+    void set_hand(int level) { stroke_.set_level(level); }
     const ShotSetup& setup() const { return aim_.setup(); }
     void set_up(const Session& session, const ShotSetup& setup) { aim_.set_up(session, setup); }
 
@@ -73,7 +84,11 @@ class PoolController : public FreeController {
     bool are_rolling(const PlayContext& play) const;
     bool keeps_cue(const PlayContext& play) const;
     void count_time(PlayContext& play, double seconds);
-    void shoot(PlayContext& play);
+    bool is_match(const Session& session) const;
+    bool is_striking(const PlayContext& play) const;
+    bool takes_key(PlayContext& play, const InputEvent& event);
+    void start_push(PlayContext& play);
+    void shoot(PlayContext& play, const std::optional<Stroke>& stroke = std::nullopt);
     void hear_coach(PlayContext& play);
     PlayerNames names() const;
     std::string line(const PlayContext& play) const;
@@ -81,6 +96,8 @@ class PoolController : public FreeController {
     PoolAim aim_;
     bool aims_by_mouse_ = false;  ///< the left button is down, and the cue points at the mouse
     ShotAnnouncer announcer_;
+    PersonStroke stroke_;
+    double after_ = 0.0;  ///< InputEvent::after of the event that is being handled, s
     ShotClock clock_;
     PoolOpponent opponent_;
     PoolCoach coach_;

@@ -11,13 +11,15 @@ constexpr double last_seconds = 5.0;  // s of the shot clock that are announced 
 }  // namespace
 
 void PoolController::annotate(const PlayContext& play, Annotations& annotations) const {
-    annotations.pool = aim_.annotations(play.session, is_aiming(play));
+    annotations.pool = aim_.annotations(play.session, is_striking(play));
     if (!play.pointer.tool.has_cue()) Controller::annotate(play, annotations);
 }
 
 // One line: the aim of the player or of the AI player; while balls roll, the call; then the
 // outcome.
 std::string PoolController::line(const PlayContext& play) const {
+    if (const StrokeMeter* const meter = stroke_.meter())
+        return meter->text(play.keys.hint("grab"), play.view.options.look);
     if (is_aiming(play)) return aim_.line(play.session, play.view.options.look);
     const PoolPlay* const pool = pool_of(play.session);
     if (!pool) return "";
@@ -53,12 +55,18 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
     if (pool && pool->rules.phase == PoolPhase::over)
         hint("next-frame", match_winner(*pool) ? "the next match" : "the next frame");
     if (are_rolling(play)) return hint("to-rest", "skip until they rest");
+    if (stroke_.meter()) {
+        hint("grab", "strike");
+        hint("menu", "no stroke");
+    }
     if (!is_aiming(play)) return;
-    hint("grab", "shoot");
+    const bool in_match = is_match(play.session);
+    hint("grab", in_match ? "stroke, and again: strike" : "shoot");
     hints.push_back({"arrows", "aim, power"});
     hints.push_back({"shift-arrows", "tip"});
     if (aim_.may_place(play.session)) hint("place-cue-ball", "place the ball");
-    hint("next-pot", "next pot");
+    hint("next-pot", in_match ? "next ball" : "next pot");
+    if (in_match) return;
     hint("aids", "lines");
     if (pool) hint("coach", "coach");
     if (pool && opponent() == 0) hint("opponent", "opponent");

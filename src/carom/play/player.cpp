@@ -193,6 +193,16 @@ void Player::set_up(const ShotSetup& setup) {
     if (pool) pool->set_up(play_.session, setup);
 }
 
+std::optional<int> Player::hand() const {
+    const auto* const pool = dynamic_cast<const PoolController*>(play_.controller.get());
+    return pool ? std::optional(pool->hand()) : std::nullopt;
+}
+
+void Player::set_hand(int level) {
+    auto* const pool = dynamic_cast<PoolController*>(play_.controller.get());
+    if (pool) pool->set_hand(level);
+}
+
 std::optional<double> Player::shot_time_left() const {
     const auto* const pool = dynamic_cast<const PoolController*>(play_.controller.get());
     return pool ? pool->time_left(play_.session) : std::nullopt;

@@ -69,6 +69,9 @@ class Player {
     std::optional<ShotSetup> shot_setup() const;
     void set_up(const ShotSetup& setup);
     /// On the shot clock of a game of pool, s; none: no clock runs.
+    /// The level of the person's hand in a match; none: no pool table.
+    std::optional<int> hand() const;
+    void set_hand(int level);
     std::optional<double> shot_time_left() const;
     void set_shot_time_left(double left);
 

@@ -9,6 +9,7 @@
 #include "carom/files/files.h"
 #include "carom/files/user_folders.h"
 #include "carom/text/suggest.h"
+#include "game/ai/person_hand.h"
 #include "terminal/canvas/character_width.h"
 
 namespace carom {
@@ -83,6 +84,14 @@ Wrong set_fps(std::string_view text, std::optional<double>& fps) {
     return std::nullopt;
 }
 
+Wrong set_hand(std::string_view text, int& hand) {
+    const auto value = number_in(text, least_hand, most_hand);
+    if (!value || *value != static_cast<int>(*value))
+        return fmt::format("'{}' is none of 1, 2, 3, 4", text);
+    hand = static_cast<int>(*value);
+    return std::nullopt;
+}
+
 Wrong set_key_repeat(std::string_view text, std::optional<KeyRepeatTimes>& target) {
     const std::size_t blank = std::min(text.find(' '), text.size());
     const auto delay = number_in(text.substr(0, blank), 100.0, 2000.0);
@@ -114,6 +123,7 @@ constexpr Setting settings[] = {
      [](Preferences& p, std::string_view v) { return choose(ball_styles, v, p.ball_style); }},
     {"trails", [](Preferences& p, std::string_view v) { return choose(switches, v, p.trails); }},
     {"bell", [](Preferences& p, std::string_view v) { return choose(switches, v, p.bell); }},
+    {"hand", [](Preferences& p, std::string_view v) { return set_hand(v, p.hand); }},
     {"key-repeat",
      [](Preferences& p, std::string_view v) { return set_key_repeat(v, p.key_repeat); }},
 };

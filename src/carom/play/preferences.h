@@ -24,6 +24,7 @@
 ///     balls = outline         filled, outline
 ///     trails = on             on, off
 ///     bell = on               on, off
+///     hand = 2                the hand in a match of pool, 1..4
 ///     key-repeat = 660 40     ms from a press to its first repeat, and between repeats, as learnt
 namespace carom {
 
@@ -38,6 +39,7 @@ struct Preferences {
     BallStyle ball_style = BallStyle::filled;
     bool trails = false;
     bool bell = false;
+    int hand = 2;
     std::optional<KeyRepeatTimes> key_repeat;
 };
 

@@ -166,6 +166,7 @@ void Program::enter(LevelSource source, Player player, std::optional<Interrupted
     player.set_mouse_is_off(!mouse_);
     player.set_key_release(capabilities_.key_release);
     player.set_bell(preferences_.bell);
+    player.set_hand(preferences_.hand);
     player.set_key_repeat(preferences_.key_repeat);
     player.set_keep_going(keep_going_);
     if (options_.paused) player.pause(true);

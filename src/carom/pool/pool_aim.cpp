@@ -160,7 +160,35 @@ void PoolAim::pull(const Session& session, Vec2 hand) {
     setup_.speed = std::clamp(length(way) * pull_gain, least_speed, most_speed(session));
 }
 
+void PoolAim::set_match(bool is_match) {
+    if (std::exchange(is_match_, is_match) != is_match) is_seen_ = false;
+}
+
+bool PoolAim::is_break(const Session& session) const {
+    const PoolPlay* game = play(session);
+    return game && game->rules.phase == PoolPhase::breaking;
+}
+
+Aids PoolAim::shown_aids() const {
+    return is_match_ ? Aids::ghost : setup_.aids;
+}
+
+std::string PoolAim::next_target(const Session& session, bool backwards) {
+    const auto cue = cue_ball(session);
+    const std::vector<BallId> balls = targets(session);
+    if (!cue || balls.empty()) return "there is no ball to aim at";
+    pot_ = pot_text_.empty() ? (backwards ? balls.size() - 1 : 0)
+                             : (pot_ + (backwards ? balls.size() - 1 : 1)) % balls.size();
+    const BallId ball = balls[pot_ % balls.size()];
+    setup_.bearing = bearing_of(place_of(session.world(), ball) - place_of(session.world(), *cue));
+    has_aimed_ = true;
+    const PoolPlay* game = play(session);
+    const auto number = game ? number_of(*game, ball) : std::nullopt;
+    return pot_text_ = number ? fmt::format("full at the {}", *number) : "full at the ball";
+}
+
 std::string PoolAim::next_pot(const Session& session, bool backwards) {
+    if (is_match_) return next_target(session, backwards);
     const auto cloth = cloth_box(session.scene());
     const auto cue = cue_ball(session);
     if (!cloth || !cue) return "there are no pockets here";
@@ -208,6 +236,7 @@ void PoolAim::take(const Session& session, const CandidateShot& candidate) {
 }
 
 std::string PoolAim::next_aids() {
+    if (is_match_) return "a match shows the ghost ball only";
     constexpr std::string_view texts[] = {"no help: the cue alone", "help: ghost ball and lines",
                                           "help: the whole shot",
                                           "help: 20 shots of a hand that errs"};
@@ -251,6 +280,8 @@ void PoolAim::look(const Session& session) {
     positions_ = session.world().balls().position;
     cloud_.clear();
     cloud_shots_ = 0;
+    forecast_.reset();
+    if (is_match_ || is_break(session)) return;
     Solver solver(session.solver());
     forecast_ = forecast(session.scene(), session.world(), session.game(), solver, strike(session),
                          foresight, Tracks::all);

@@ -32,13 +32,17 @@ class PoolAim {
     /// Whether the cue ball is in hand and may be placed.
     bool may_place(const Session& session) const;
 
+    /// In a match only the ghost ball is drawn, and nothing that a forecast knows is shown.
+    void set_match(bool is_match);
+
     void turn(double degrees);                  ///< counter-clockwise
     void change_speed(double by);               ///< length/s; clamped to the level's limits
     void move_tip(double side, double follow);  ///< in radii
     void aim_at(const Session& session, Vec2 place);
     /// Pulls the cue back to `hand`: the ball goes the opposite way, faster for a longer pull.
     void pull(const Session& session, Vec2 hand);
-    /// Aims at the next ball that can be pocketed, the easiest first. Returns a description.
+    /// Aims at the next ball that can be pocketed, the easiest first; in a match, full at the next
+    /// ball that may be hit first. Returns a description.
     std::string next_pot(const Session& session, bool backwards);
 
     /// Aims like a proposed shot; the cue ball stays where it is.
@@ -56,6 +60,7 @@ class PoolAim {
     void set_up(const Session& session, const ShotSetup& setup);
 
     command::Strike strike(const Session& session) const;
+    double most_speed(const Session& session) const;
     /// The commands of the shot: the call, where one is due, and the strike. Pre: may_aim().
     std::vector<Command> shot(const Session& session);
 
@@ -79,9 +84,13 @@ class PoolAim {
     std::vector<BallId> targets(const Session& session) const;
     void begin_turn(const Session& session);
     void aim_at_nearest(const Session& session);
-    double most_speed(const Session& session) const;
+    bool is_break(const Session& session) const;
+    Aids shown_aids() const;
+    std::string next_target(const Session& session, bool backwards);
+    std::optional<int> nearest_pocket(const Session& session, Vec2 object, Vec2 way) const;
 
     ShotSetup setup_;
+    bool is_match_ = false;
     bool has_aimed_ = false;  ///< the player has aimed in this turn, so the bearing is kept
     std::size_t pot_ = 0;
     std::string pot_text_;

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "carom/pool/pool_aim.h"
+#include "game/ai/pool_shots.h"
 #include "game/commands/aiming.h"
 #include "game/referees/referee.h"
 
@@ -46,16 +47,37 @@ PoolCall PoolAim::call(const Session& session) const {
     if (!may_call_shots(rules)) return {};
     if (setup_.intent == Intent::safety) return {PoolCall::Kind::safety, 0, 0};
     const auto* ahead = forecast_ ? std::get_if<PoolPlay>(&forecast_->game) : nullptr;
-    if (ahead)
+    if (ahead && !is_match_)
         for (const PoolShot::Pocketed& pocketed : ahead->shot.pocketed)
             if (pocketed.ball != 0 && may_hit_first(rules, pocketed.ball) &&
                 (setup_.intent == Intent::automatic || pocketed.pocket == setup_.pocket))
                 return {PoolCall::Kind::pot, pocketed.ball, pocketed.pocket};
-    if (setup_.intent != Intent::pocket) return {};
+    if (setup_.intent != Intent::pocket && !is_match_) return {};
     const auto line = aim_line(session.world(), *cue_ball(session), strike(session).velocity);
     const auto met = line && line->object ? number_of(*game, *line->object) : std::nullopt;
     if (!met || !may_hit_first(rules, *met)) return {};
-    return {PoolCall::Kind::pot, *met, setup_.pocket};
+    if (setup_.intent == Intent::pocket) return {PoolCall::Kind::pot, *met, setup_.pocket};
+    const Vec2 object = session.world().balls().position[*index_of(session.world(), *line->object)];
+    const auto pocket = nearest_pocket(session, object, line->object_way);
+    if (!pocket) return {};
+    return {PoolCall::Kind::pot, *met, *pocket};
+}
+
+// The pocket whose mouth lies nearest to the straight path of the object ball, by its angle. So
+// the call says where the shot points, and not whether it succeeds.
+std::optional<int> PoolAim::nearest_pocket(const Session& session, Vec2 object, Vec2 way) const {
+    const auto cloth = cloth_box(session.scene());
+    if (!cloth) return std::nullopt;
+    std::optional<int> nearest;
+    double best = 0.0;
+    for (int pocket = 0; pocket < static_cast<int>(session.scene().pool.pockets.size()); ++pocket) {
+        const Vec2 there = mouth(session.scene(), *cloth, pocket) - object;
+        const double cosine = dot(there, way) / std::max(length(there), 1e-300);
+        if (nearest && cosine <= best) continue;
+        nearest = pocket;
+        best = cosine;
+    }
+    return nearest;
 }
 
 std::vector<Command> PoolAim::shot(const Session& session) {

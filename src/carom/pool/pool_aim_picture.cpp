@@ -53,7 +53,7 @@ PoolAnnotations PoolAim::annotations(const Session& session, bool aims) const {
     PoolAnnotations annotations;
     annotations.numbers = numbers_of(session);
     annotations.cloth = cloth_box(session.scene());
-    if (!aims || !may_aim(session) || !forecast_) return annotations;
+    if (!aims || !may_aim(session) || !is_seen_) return annotations;
     const World& world = session.world();
     const BallId cue = *cue_ball(session);
     const double radius = world.balls().radius[*index_of(world, cue)];
@@ -66,18 +66,18 @@ PoolAnnotations PoolAim::annotations(const Session& session, bool aims) const {
     if (called.kind == PoolCall::Kind::pot || setup_.intent == Intent::pocket) {
         const int pocket = called.kind == PoolCall::Kind::pot ? called.pocket : setup_.pocket;
         const std::uint32_t zone = session.scene().pool.pockets[static_cast<std::size_t>(pocket)];
-        if (setup_.aids != Aids::none || setup_.intent == Intent::pocket)
+        if (shown_aids() != Aids::none || setup_.intent == Intent::pocket)
             annotations.called = session.scene().world.zones()[zone].shape.start;
     }
-    if (setup_.aids == Aids::none) return annotations;
+    if (shown_aids() == Aids::none) return annotations;
     if (const auto line = aim_line(world, cue, strike.velocity)) {
         annotations.aim = PoolAnnotations::Line{line->from, line->to};
-        if (line->object) {
+        if (line->object && !is_break(session)) {
             // A fuller hit gives the object ball more of the speed.
             const double reach = 14.0 * radius;
             const Vec2 object = world.balls().position[*index_of(world, *line->object)];
             annotations.ghost = Disc{line->to, radius};
-            if (setup_.aids == Aids::ghost) {
+            if (!is_match_ && setup_.aids == Aids::ghost) {
                 annotations.object = PoolAnnotations::Line{
                     object, object + line->object_way * (reach * line->cut_cosine)};
                 const double rest = 1.0 - line->cut_cosine * line->cut_cosine;
@@ -86,7 +86,7 @@ PoolAnnotations PoolAim::annotations(const Session& session, bool aims) const {
             }
         }
     }
-    if (setup_.aids == Aids::full)
+    if (!is_match_ && setup_.aids == Aids::full && forecast_)
         for (const Forecast::Track& track : forecast_->tracks)
             annotations.tracks.push_back({track.ball, track.way, track.zone.has_value()});
     annotations.spots = cloud_;
@@ -101,9 +101,9 @@ std::string PoolAim::line(const Session& session, const Look& look) const {
         fmt::format("{} {:.2f} m/s  {}", power_bar(speed / most_speed(session), look), speed,
                     tip_text(setup_.side, setup_.follow));
     const auto line = aim_line(session.world(), strike.ball, strike.velocity);
-    if (line && line->object && setup_.aids != Aids::none) text += "  " + cut_text(*line, look);
+    if (line && line->object && shown_aids() != Aids::none) text += "  " + cut_text(*line, look);
     const std::string called = call_text(session.scene(), call(session));
-    const bool tells = setup_.aids != Aids::none || setup_.intent != Intent::automatic;
+    const bool tells = shown_aids() != Aids::none || setup_.intent != Intent::automatic;
     if (!called.empty() && tells) text += "  calls: " + called;
     return text;
 }

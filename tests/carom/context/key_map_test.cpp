@@ -134,7 +134,7 @@ TEST_CASE("the help page lists the mouse and pinball last, with the bound keys")
     const auto sections = keys.help();
     REQUIRE(sections.size() == 8);
     CHECK(sections[6].title == "Mouse");
-    CHECK(sections[6].keys.size() == 4);
+    CHECK(sections[6].keys.size() == 5);
     CHECK(sections[7].title == "At pinball");
     CHECK(lines_of_last() ==
           "z / <- ->: flippers; also the mouse's buttons\n"

@@ -41,6 +41,13 @@ struct Person : test::PersonAtWindow {
         REQUIRE_FALSE(play().is_shooting);
         look();
     }
+    /// A stroke by the meter, 0.3 s after its start.
+    void stroke() {
+        key(key::enter);
+        pass(0.3);
+        key(key::enter);
+    }
+    Vec2 rack() const { return player.session().scene().pool.racks[0].foot; }
     const PoolPlay& play() const { return std::get<PoolPlay>(player.session().game()); }
     Vec2 cue() const {
         const World& world = player.session().world();
@@ -165,12 +172,12 @@ TEST_CASE("the aim calls the ball that it pockets, and a key calls a safety") {
     CHECK(call->call.kind == PoolCall::Kind::safety);
 }
 
-TEST_CASE("against carom: it takes its turn, and undo goes back to the person's turn") {
+TEST_CASE("against carom: it takes its turn, and no shot is taken back") {
     Person person("nine-ball");
     REQUIRE(person.player.set_opponent(2));
     CHECK(person.sees("you: to break"));
     person.key(key::down);
-    person.key(key::enter);
+    person.stroke();
     person.wait();
     if (person.play().rules.player == 1) {
         CHECK(person.sees("carom"));
@@ -181,7 +188,103 @@ TEST_CASE("against carom: it takes its turn, and undo goes back to the person's 
             person.player.advance(1.0 / 60.0, always);
         CHECK(person.play().shots == shots + 1);
         person.key(U'u');
-        CHECK(person.play().rules.player == 0);
+        CHECK(person.sees("no shot is taken back"));
+        CHECK(person.play().shots == shots + 1);
+    }
+}
+
+TEST_CASE("in a match the mark of the meter decides, and one enter alone does not shoot") {
+    for (const double wait : {0.3, 0.62}) {
+        CAPTURE(wait);
+        Person person("nine-ball");
+        REQUIRE(person.player.set_opponent(1));
+        person.player.set_hand(4);
+        person.key(key::enter);
+        CHECK(person.sees("in the middle"));
+        CHECK_FALSE(person.play().is_shooting);
+        person.key(key::left);  // no aiming meanwhile
+        person.key(key::escape);
+        CHECK(person.sees("no stroke"));
+        CHECK_FALSE(person.sees("in the middle"));
+        const Vec2 way = person.rack() - person.cue();
+        // The break is hard: the mark is in the middle after about 0.3 s, and at the end after 0.6.
+        person.key(key::enter);
+        person.pass(wait);
+        person.key(key::enter);
+        REQUIRE(person.play().is_shooting);
+        const Vec2 strike = person.last_strike();
+        const double off = std::abs(cross(strike, way)) / length(strike) / length(way);
+        CHECK((off < 0.003) == (wait == 0.3));
+    }
+}
+
+TEST_CASE("in a match the push of the mouse gives the speed, and the way is that of the aim") {
+    Person person("nine-ball");
+    REQUIRE(person.player.set_opponent(1));
+    person.player.set_hand(4);
+    person.pass(0.1);
+    person.look();
+    using enum InputEvent::Action;
+    const Vec2 way = person.rack() - person.cue();
+    const Vec2 at = person.cue() - Vec2{0.1, 0.0};
+    // Let go without a push: no shot.
+    person.mouse(press, at, 3);
+    person.mouse(move, at - Vec2{0.3, 0.0}, 3);
+    person.mouse(release, at - Vec2{0.3, 0.0}, 3);
+    CHECK_FALSE(person.play().is_shooting);
+    person.mouse(press, at, 3);
+    for (int i = 1; i <= 10; ++i) {
+        person.pass(0.02);
+        person.mouse(move, at - Vec2{0.04 * i, 0.0}, 3);
+    }
+    for (int i = 9; i >= -2; --i) {
+        person.pass(0.02);
+        person.mouse(move, at - Vec2{0.04 * i, 0.0}, 3);
+    }
+    person.mouse(release, at, 3);
+    REQUIRE(person.play().is_shooting);
+    const Vec2 strike = person.last_strike();
+    CHECK(length(strike) == doctest::Approx(2.0).epsilon(0.15));
+    CHECK(std::abs(cross(strike, way)) < 0.003 * length(strike) * length(way));
+}
+
+TEST_CASE("in a match nothing of the outcome is shown, and there is no help") {
+    Person person("eight-ball");
+    person.pass(0.1);
+    person.key(key::enter);
+    person.wait();
+    REQUIRE(person.play().rules.phase == PoolPhase::playing);
+    const auto dots = [&] {
+        const std::string text = person.look();
+        return std::count(text.begin(), text.end(), '.');
+    };
+    const auto practice = dots();
+    REQUIRE(person.player.set_opponent(1));
+    if (person.play().rules.player != 0) return;
+    CHECK(dots() < practice);
+    person.key(U'A');
+    CHECK(person.sees("ghost ball only"));
+    person.key(U'C');
+    CHECK(person.sees("no coach in a match"));
+    person.key(U'}');
+    CHECK(person.sees("full at the"));
+    // From the past nothing is shot.
+    person.key(U',');
+    person.key(key::enter);
+    person.key(key::enter);
+    CHECK(person.play().shots == 1);
+    person.key(U'M');
+    CHECK(person.sees("before the break"));
+}
+
+TEST_CASE("the same stroke of the same shot gives the same result") {
+    Vec2 first;
+    for (const int round : {0, 1}) {
+        Person person("nine-ball");
+        REQUIRE(person.player.set_opponent(1));
+        person.stroke();
+        if (round == 0) first = person.last_strike();
+        CHECK(person.last_strike() == first);
     }
 }
 

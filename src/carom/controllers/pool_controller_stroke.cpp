@@ -1,0 +1,204 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "carom/controllers/editing.h"
+#include "carom/controllers/pool_controller.h"
+#include "game/ai/person_hand.h"
+
+/// How a shot comes about: by a key or with the mouse; in a match by a stroke that may fail.
+namespace carom {
+namespace {
+
+/// A shorter pull, in radii of the ball, does not shoot.
+constexpr double least_pull = 1.5;
+
+}  // namespace
+
+bool PoolController::is_match(const Session& session) const {
+    return pool_of(session) && (opponent_.skill() > 0 || session.scene().pool.race > 0);
+}
+
+// In a match the past is only looked at: a shot from there would take back what came after.
+bool PoolController::is_striking(const PlayContext& play) const {
+    const Session& session = play.session;
+    return !play.page.is_open() && !opponent_.is_turn(session) && aim_.may_aim(session) &&
+           !(is_match(session) && session.world().tick() < session.latest());
+}
+
+void PoolController::look(PlayContext& play) {
+    aim_.set_match(is_match(play.session));
+    aim_.look(play.session);
+}
+
+void PoolController::pass(PlayContext& play, double seconds) {
+    aim_.set_match(is_match(play.session));
+    if (play.terminal.key_repeat) stroke_.remember(*play.terminal.key_repeat);
+    if (stroke_.meter()) play.needs_draw = true;
+    if (stroke_.meter() && !is_striking(play)) stroke_.end();
+    if (!stroke_.pass(seconds)) say(play, "no stroke: the time was missed");
+    if (aim_.work(play.session)) play.needs_draw = true;
+    opponent_.play(play, seconds);
+    hear_coach(play);
+    count_time(play, seconds);
+}
+
+// The opponent needs no clock, and whoever looks back at the past is not hurried.
+void PoolController::count_time(PlayContext& play, double seconds) {
+    const Session& session = play.session;
+    if (play.clock.is_paused() || opponent_.is_turn(session) ||
+        session.world().tick() < session.latest() || !clock_.pass(session, seconds))
+        return;
+    if (const auto why_not = play.session.apply(command::TimeOut{})) complain(play, *why_not);
+    set_reference(play);
+}
+
+// While the meter runs, a repeat of the key that started it does not strike.
+bool PoolController::takes_key(PlayContext& play, const InputEvent& event) {
+    using enum InputEvent::Action;
+    if (event.action == release) return false;
+    const bool repeats = play.terminal.tells_key_release ? event.action == repeat
+                                                         : stroke_.repeats(event.key, event.after);
+    if (!play.terminal.tells_key_release && stroke_.key_repeat())
+        play.terminal.key_repeat = stroke_.key_repeat();
+    return repeats && stroke_.meter();
+}
+
+void PoolController::point(PlayContext& play) {
+    const bool pulls = play.pointer.tool.has_cue();
+    if (!aims_by_mouse_ && !pulls) return;
+    play.needs_draw = true;
+    if (aims_by_mouse_) aim_.aim_at(play.session, play.pointer.at);
+    if (!pulls) return;
+    if (!is_match(play.session)) return aim_.pull(play.session, play.pointer.at);
+    if (!is_striking(play)) return;
+    MouseStroke* const push = stroke_.push();
+    const auto stroke =
+        push ? push->move(play.pointer.at, stroke_.time(after_)) : std::optional<Stroke>{};
+    if (!stroke) return;
+    play.pointer.tool.forget();
+    shoot(play, stroke);
+}
+
+void PoolController::start_push(PlayContext& play) {
+    const Session& session = play.session;
+    const Camera& camera = play.view.camera;
+    const Vec2 velocity = aim_.strike(session).velocity;
+    const Vec2 way = velocity / length(velocity);
+    const Vec2 cell = to_world(camera, {1.0, 1.0}) - to_world(camera, {0.0, 0.0});
+    const double grain = 0.5 * (std::abs(way.x * cell.y) + std::abs(way.y * cell.x));
+    const World& world = session.world();
+    const double radius = world.balls().radius[*index_of(world, *aim_.cue_ball(session))];
+    stroke_.start_push(
+        MouseStroke(play.pointer.at, way, least_pull * radius, grain, stroke_.time(after_)));
+}
+
+bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
+    if (event.button == middle_button) return false;
+    const bool has_game = pool_of(play.session) != nullptr;
+    const auto cue = aim_.cue_ball(play.session);
+    const auto at_pointer = ball_at_pointer(play);
+    const bool is_left = event.button == left_button && !(event.modifiers & (shift | control));
+    if (is_left && at_pointer && !has_game) return false;
+    Pointer& pointer = play.pointer;
+    if (is_left && at_pointer && at_pointer == cue && is_aiming(play) &&
+        aim_.may_place(play.session)) {
+        pointer.tool.grab_to_place(play.session.world(), *cue, pointer.at);
+        pointer.pressed = event.button;
+        return true;
+    }
+    if (!is_aiming(play)) {
+        if (opponent_.is_turn(play.session)) say(play, "it is carom's turn");
+        const auto why_not =
+            has_game && cue ? refusal_to_shoot(*pool_of(play.session), *cue) : std::nullopt;
+        if (why_not) say(play, *why_not);
+        return has_game || !is_left;
+    }
+    pointer.pressed = event.button;
+    if (!is_left) {
+        pointer.cue_is_armed = false;
+        pointer.tool.take_cue(*cue, pointer.at);
+        if (is_match(play.session)) start_push(play);
+    } else if (!aim_.call_pocket(play.session, pointer.at)) {
+        aims_by_mouse_ = true;
+        aim_.aim_at(play.session, pointer.at);
+    }
+    return true;
+}
+
+bool PoolController::take_release(PlayContext& play) {
+    if (std::exchange(aims_by_mouse_, false)) return true;
+    if (!play.pointer.tool.has_cue()) return stroke_.push() != nullptr;
+    play.pointer.tool.forget();
+    if (is_match(play.session)) {
+        stroke_.end();
+        say(play, "pull the cue back, then push it through the place where you took it");
+        return true;
+    }
+    const World& world = play.session.world();
+    const auto cue = aim_.cue_ball(play.session);
+    const auto index = cue ? index_of(world, *cue) : std::nullopt;
+    if (!index || !is_aiming(play)) return true;
+    const double pulled = distance(play.pointer.at, world.balls().position[*index]);
+    if (pulled > least_pull * world.balls().radius[*index]) shoot(play);
+    return true;
+}
+
+void PoolController::shoot(PlayContext& play, const std::optional<Stroke>& stroke) {
+    stroke_.end();
+    const Session& session = play.session;
+    const PoolPlay* const pool = pool_of(session);
+    for (Command command : aim_.shot(session)) {
+        auto* const strike = std::get_if<command::Strike>(&command);
+        if (strike && stroke && pool)
+            *strike = struck(*strike, *stroke, stroke_.level(), aim_.most_speed(session),
+                             session.world().seed(), pool->shots);
+        if (const auto why_not = play.session.apply(command)) return complain(play, *why_not);
+    }
+    set_reference(play);
+}
+
+bool PoolController::shoot_with_key(PlayContext& play) {
+    if (is_striking(play) && stroke_.meter()) {
+        shoot(play, stroke_.meter()->strike(after_));
+        return true;
+    }
+    if (aims_with_keys(play)) {
+        const double speed = length(aim_.strike(play.session).velocity);
+        if (is_match(play.session))
+            stroke_.start_meter(speed, aim_.most_speed(play.session));
+        else
+            shoot(play);
+        return true;
+    }
+    if (keeps_cue(play)) {
+        if (are_rolling(play))
+            say(play, fmt::format("the balls still roll: {} skips", play.keys.hint("to-rest")));
+        return true;
+    }
+    if (!pool_of(play.session)) return false;
+    // Puts down the ball in hand.
+    grab(play);
+    play.pointer.shows_cursor = !play.pointer.tool.is_empty();
+    return true;
+}
+
+bool PoolController::give_up_stroke(PlayContext& play) {
+    if (!stroke_.meter()) return false;
+    stroke_.end();
+    say(play, "no stroke");
+    return true;
+}
+
+void PoolController::next_hand(PlayContext& play) {
+    const PoolPlay* const pool = pool_of(play.session);
+    if (!pool) return say(play, "there is no game of pool here");
+    if (is_match(play.session) && pool->shooter)
+        return say(play, "the hand is chosen before the break");
+    set_hand(hand() % most_hand + least_hand);
+    say(play,
+        fmt::format("in a match you have {}, {} of {}", hand_text(hand()), hand(), most_hand));
+}
+
+}  // namespace carom

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "carom/pool/mouse_stroke.h"
+#include "carom/pool/stroke_meter.h"
+#include "terminal/input/key_repeat.h"
+
+namespace carom {
+
+/// The hand of the person in a match: its level, and the stroke in progress, by the meter or with
+/// the mouse.
+class PersonStroke {
+  public:
+    int level() const { return level_; }
+    /// Pre: least_hand <= level <= most_hand.
+    void set_level(int level) { level_ = level; }
+
+    /// Lets the player's seconds pass. Returns false when a meter has run out.
+    bool pass(double seconds);
+    /// The player's time after so many further seconds, for MouseStroke and KeyRepeat.
+    double time(double after) const { return now_ + after; }
+
+    void start_meter(double speed, double most) { meter_.emplace(speed, most); }
+    /// Null: the meter does not run.
+    const StrokeMeter* meter() const { return meter_ ? &*meter_ : nullptr; }
+    void start_push(const MouseStroke& push) { push_ = push; }
+    MouseStroke* push() { return push_ ? &*push_ : nullptr; }
+    void end() {
+        meter_.reset();
+        push_.reset();
+    }
+
+    /// Whether an arrival of `key` is a repeat, on a terminal that does not say so but whose
+    /// repeats are known.
+    bool repeats(char32_t key, double after);
+    void remember(const KeyRepeatTimes& times) { keys_.remember(times); }
+    const std::optional<KeyRepeatTimes>& key_repeat() const { return keys_.times(); }
+
+  private:
+    int level_ = 2;
+    double now_ = 0.0;  ///< s of the player's time
+    std::optional<StrokeMeter> meter_;
+    std::optional<MouseStroke> push_;
+    KeyRepeat keys_;
+};
+
+/// "a fair hand". Pre: a level of the hand.
+std::string_view hand_text(int level);
+
+}  // namespace carom
