@@ -30,8 +30,14 @@ void keep_contacts(World& world) {
     memory.replace(std::move(contacts));
 }
 
-TickOutcome outcome_of(const CancellationToken& token) {
-    return token.is_cancelled() ? TickOutcome::cancelled : TickOutcome::done;
+// A tick of a solver that can be cancelled and keeps no memory: `tick` gets the token.
+template <typename Tick>
+TickOutcome tick_without_memory(World& world, const TickWork& work, Tick tick) {
+    CancellationToken token(work.keep_going);
+    tick(token);
+    if (token.is_cancelled()) return TickOutcome::cancelled;
+    forget_all(world);
+    return TickOutcome::done;
 }
 
 class OverlapMethod final : public SolverMethod {
@@ -39,10 +45,9 @@ class OverlapMethod final : public SolverMethod {
     OverlapMethod(int updates, int steps) : updates_(updates), steps_(steps) {}
 
     TickOutcome advance(World& world, TickWork work) override {
-        CancellationToken token(work.keep_going);
-        solver_.tick(world, updates_, steps_, work.contacts, work.touched, token);
-        if (!token.is_cancelled()) forget_all(world);
-        return outcome_of(token);
+        return tick_without_memory(world, work, [&](CancellationToken& token) {
+            solver_.tick(world, updates_, steps_, work.contacts, work.touched, token);
+        });
     }
     const CellFrame& cells() const override { return solver_.cells(); }
 
@@ -57,10 +62,9 @@ class SweptMethod final : public SolverMethod {
     explicit SweptMethod(int substeps) : substeps_(substeps) {}
 
     TickOutcome advance(World& world, TickWork work) override {
-        CancellationToken token(work.keep_going);
-        solver_.tick(world, substeps_, work.contacts, work.touched, token);
-        if (!token.is_cancelled()) forget_all(world);
-        return outcome_of(token);
+        return tick_without_memory(world, work, [&](CancellationToken& token) {
+            solver_.tick(world, substeps_, work.contacts, work.touched, token);
+        });
     }
     std::span<const std::uint32_t> standing() const override { return solver_.standing(); }
     const CellFrame& cells() const override { return solver_.cells(); }
@@ -82,10 +86,10 @@ class ContactMethod final : public SolverMethod {
             contact_.tick(world, substeps_, work.contacts, work.touched);
             return TickOutcome::done;
         }
-        CancellationToken token(work.keep_going);
-        swept_.tick(world, flight_substeps(world, substeps_), work.contacts, work.touched, token);
-        if (!token.is_cancelled()) forget_all(world);
-        return outcome_of(token);
+        return tick_without_memory(world, work, [&](CancellationToken& token) {
+            swept_.tick(world, flight_substeps(world, substeps_), work.contacts, work.touched,
+                        token);
+        });
     }
     std::span<const std::uint32_t> standing() const override {
         return was_swept_ ? swept_.standing() : contact_.standing();

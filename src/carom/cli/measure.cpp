@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "carom/cli/interrupt.h"
+#include "carom/cli/open_recording.h"
 #include "carom/cli/progress.h"
 #include "carom/files/files.h"
 #include "carom/files/level_files.h"
@@ -97,22 +98,13 @@ struct Measurable {
     std::optional<double> time;  ///< s: the length of a recording
 };
 
-std::optional<Measurable> open_recording(const MeasureOptions& options) {
-    const char* option = options.rate                 ? "--rate"
-                         : options.seed               ? "--seed"
-                         : !options.overrides.empty() ? "--set"
-                                                      : nullptr;
-    if (option) {
-        print_error(fmt::format("'{}' is a recording, which leaves no choice of {}", options.level,
-                                option));
-        return std::nullopt;
-    }
-    auto opened = open_replay(options.level);
-    if (const auto* error = std::get_if<std::string>(&opened)) {
-        print_note(*error);
-        return std::nullopt;
-    }
-    auto& [replay, scene] = std::get<OpenedReplay>(opened);
+std::optional<Measurable> open_recorded(const MeasureOptions& options) {
+    std::optional<OpenedReplay> opened =
+        open_recording(options.level, {{"--rate", options.rate.has_value()},
+                                       {"--seed", options.seed.has_value()},
+                                       {"--set", !options.overrides.empty()}});
+    if (!opened) return std::nullopt;
+    auto& [replay, scene] = *opened;
     scene.solver = replay.solver;
     const double time = static_cast<double>(replay.end) / scene.world.rate();
     return Measurable{std::move(scene), std::move(replay.commands), time};
@@ -120,7 +112,7 @@ std::optional<Measurable> open_recording(const MeasureOptions& options) {
 
 // None: an error, which has been printed.
 std::optional<Measurable> open(const MeasureOptions& options) {
-    if (is_recording(options.level)) return open_recording(options);
+    if (is_recording(options.level)) return open_recorded(options);
     LoadedLevel level = load_level_file(
         options.level,
         {.overrides = options.overrides, .seed = options.seed, .rate = options.rate});

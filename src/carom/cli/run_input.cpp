@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "carom/cli/open_recording.h"
 #include "carom/files/files.h"
 #include "carom/files/level_files.h"
 #include "carom/files/print.h"
@@ -25,28 +26,14 @@ std::uint64_t ticks_to_run(const RunOptions& options, double rate,
     return static_cast<std::uint64_t>(std::round(options.time.value_or(default_seconds) * rate));
 }
 
-// The options that a recording decides itself.
-std::optional<std::string> conflict_with_recording(const RunOptions& options) {
-    const char* option = !options.commands.empty()    ? "--commands"
-                         : options.rate               ? "--rate"
-                         : options.seed               ? "--seed"
-                         : !options.overrides.empty() ? "--set"
-                                                      : nullptr;
-    if (!option) return std::nullopt;
-    return fmt::format("'{}' is a recording, which leaves no choice of {}", options.level, option);
-}
-
-std::optional<RunInput> open_recording(const RunOptions& options) {
-    if (const auto why_not = conflict_with_recording(options)) {
-        print_error(*why_not);
-        return std::nullopt;
-    }
-    auto opened = open_replay(options.level);
-    if (const auto* error = std::get_if<std::string>(&opened)) {
-        print_note(*error);
-        return std::nullopt;
-    }
-    auto& [replay, scene] = std::get<OpenedReplay>(opened);
+std::optional<RunInput> open_recorded(const RunOptions& options) {
+    std::optional<OpenedReplay> opened =
+        open_recording(options.level, {{"--commands", !options.commands.empty()},
+                                       {"--rate", options.rate.has_value()},
+                                       {"--seed", options.seed.has_value()},
+                                       {"--set", !options.overrides.empty()}});
+    if (!opened) return std::nullopt;
+    auto& [replay, scene] = *opened;
     RunInput input;
     input.scene = std::move(scene);
     const SolverSettings own = solver_for(input.scene);
@@ -81,7 +68,7 @@ bool read_commands(const RunOptions& options, RunInput& input) {
 }  // namespace
 
 std::optional<RunInput> open_run_input(const RunOptions& options) {
-    if (is_recording(options.level)) return open_recording(options);
+    if (is_recording(options.level)) return open_recorded(options);
     LoadedLevel level = load_level_file(options.level, {.overrides = options.overrides,
                                                         .seed = options.seed,
                                                         .rate = options.rate,

@@ -63,15 +63,18 @@ std::optional<double> converted(const Word& word, const Value& value, const Labe
     const bool is_angular =
         measure == Measure::angular_speed || measure == Measure::angular_acceleration;
     if (is_angular && value.dimension == wanted) return value.number / (180.0 / pi);
-    if (context.unit == LengthUnit::natural) {
-        if (value.is_bare()) return value.number;
-        const Dimension& d = value.dimension;
-        if (d.angle == wanted.angle && d.time == wanted.time) return value.number;
+    const auto wrong_dimension = [&]() -> std::optional<double> {
         context.reporter.error("wrong-dimension", word.span(),
                                fmt::format("{} is {}, {} is wanted", word.text,
                                            described(value.dimension), described(measure)),
                                remedy_with(word, value, label, measure, context));
         return std::nullopt;
+    };
+    if (context.unit == LengthUnit::natural) {
+        if (value.is_bare()) return value.number;
+        const Dimension& d = value.dimension;
+        if (d.angle == wanted.angle && d.time == wanted.time) return value.number;
+        return wrong_dimension();
     }
     if (value.dimension == wanted || (value.is_bare() && value.number == 0.0)) {
         return value.number;
@@ -88,11 +91,7 @@ std::optional<double> converted(const Word& word, const Value& value, const Labe
             remedy_with(word, value, label, measure, context));
         return std::nullopt;
     }
-    context.reporter.error("wrong-dimension", word.span(),
-                           fmt::format("{} is {}, {} is wanted", word.text,
-                                       described(value.dimension), described(measure)),
-                           remedy_with(word, value, label, measure, context));
-    return std::nullopt;
+    return wrong_dimension();
 }
 
 double rounded_to_six_digits(double number) {

@@ -34,19 +34,6 @@ constexpr ActionShape shapes[] = {
     {"message", What::message, Takes::text, "message \"TEXT\""},
 };
 
-const ActionShape* shape_named(std::string_view name) {
-    for (const ActionShape& shape : shapes)
-        if (shape.name == name) return &shape;
-    return nullptr;
-}
-
-std::vector<std::string_view> action_names() {
-    std::vector<std::string_view> names;
-    for (const ActionShape& shape : shapes)
-        names.push_back(shape.name);
-    return names;
-}
-
 class RuleReader {
   public:
     RuleReader(const Arguments& arguments, const Scope& scope, Context& context)
@@ -108,13 +95,13 @@ class RuleReader {
     }
 
     bool read_action(const std::vector<Word>& words, RuleIr& rule) {
-        const ActionShape* shape = shape_named(words[0].text);
+        const ActionShape* shape = row_named(shapes, words[0].text);
         if (!shape) {
             context_.reporter.error(
                 "unknown-action", words[0].span(),
                 fmt::format("there is no action '{}'", words[0].text),
-                did_you_mean(words[0].text, action_names(),
-                             fmt::format("there are: {}", fmt::join(action_names(), " "))));
+                did_you_mean(words[0].text, names_of(shapes),
+                             fmt::format("there are: {}", fmt::join(names_of(shapes), " "))));
             return false;
         }
         const std::size_t wanted = shape->takes == Takes::nothing ? 1 : 2;

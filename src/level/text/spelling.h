@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,5 +25,22 @@ std::optional<std::string_view> nearest_word(std::string_view word,
 /// "did you mean 'bumper'?", or `otherwise` if nothing is similar.
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates,
                          std::string otherwise);
+
+/// The row of a table with this name, or null: there is none. Rows have a member `name`.
+template <typename Rows>
+auto row_named(const Rows& rows, std::string_view name) {
+    for (const auto& row : rows)
+        if (row.name == name) return &row;
+    return decltype(&*std::begin(rows)){};
+}
+
+/// The names of all rows, as candidates.
+template <typename Rows>
+std::vector<std::string_view> names_of(const Rows& rows) {
+    std::vector<std::string_view> names;
+    for (const auto& row : rows)
+        names.push_back(row.name);
+    return names;
+}
 
 }  // namespace carom

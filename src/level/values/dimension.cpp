@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "geometry/elementary.h"
+#include "level/text/spelling.h"
 
 namespace carom {
 namespace {
@@ -108,17 +109,11 @@ std::optional<LengthUnit> length_unit_named(std::string_view name) {
 }
 
 const Unit* unit_named(std::string_view name) {
-    for (const Unit& unit : units) {
-        if (unit.name == name) return &unit;
-    }
-    return nullptr;
+    return row_named(units, name);
 }
 
 std::vector<std::string_view> unit_names() {
-    std::vector<std::string_view> names;
-    for (const Unit& unit : units)
-        names.push_back(unit.name);
-    return names;
+    return names_of(units);
 }
 
 std::string si_symbol(const Dimension& dimension) {

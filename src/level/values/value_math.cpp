@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "geometry/elementary.h"
+#include "level/text/spelling.h"
 
 namespace carom {
 namespace {
@@ -100,17 +101,11 @@ Outcome raised(const Value& base, const Value& exponent) {
 }
 
 const FunctionFacts* function_named(std::string_view name) {
-    for (const FunctionFacts& f : functions) {
-        if (f.name == name) return &f;
-    }
-    return nullptr;
+    return row_named(functions, name);
 }
 
 std::vector<std::string_view> function_names() {
-    std::vector<std::string_view> names;
-    for (const FunctionFacts& f : functions)
-        names.push_back(f.name);
-    return names;
+    return names_of(functions);
 }
 
 Outcome applied(Function function, Value a, Value b, LengthUnit unit) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "geometry/vector.h"
+#include "physics/event/motion/edge_impact.h"
 #include "physics/event/motion/trajectory.h"
 #include "physics/laws/bounce.h"
 #include "physics/world/world.h"
@@ -52,6 +53,12 @@ struct EventScene {
         };
         return trajectory.motion != Motion::free &&
                (is(trajectory.support) || is(trajectory.second_support));
+    }
+    /// The edge that supports a ball, in its periodic image. Pre: it is an edge, and exists.
+    Edge<Real> supporting_edge(const SupportId& support) const {
+        const auto capsule = index_of(*world, CapsuleId{support.number});
+        return Edge<Real>(world->capsules().shape[*capsule],
+                          Vec2(image_shift(support.across, support.along)));
     }
     /// The displacement of a periodic image.
     Vector<Real> image_shift(int across, int along) const {

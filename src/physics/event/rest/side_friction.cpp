@@ -129,10 +129,7 @@ std::optional<Real> SideFriction<Real>::end_of_slip(std::uint32_t ball, const Re
 template <typename Real>
 Vector<Real> SideFriction<Real>::slip_direction(std::uint32_t ball) const {
     const Trajectory<Real> trajectory = balls_.trajectory(ball);
-    const auto capsule = index_of(*scene_.world, CapsuleId{trajectory.support.number});
-    const Edge<Real> edge(
-        scene_.world->capsules().shape[*capsule],
-        Vec2(scene_.image_shift(trajectory.support.across, trajectory.support.along)));
+    const Edge<Real> edge = scene_.supporting_edge(trajectory.support);
     const Vector<Real> span = edge.end - edge.start;
     const Vector<Real> direction = span / length(span);
     const bool is_left = !(cross(span, trajectory.position - edge.start) < Real{});

@@ -56,10 +56,7 @@ void Transitions<Real>::predict(std::uint32_t ball, BallEvent<Real>& best) {
 template <typename Real>
 void Transitions<Real>::predict_end_of_side(std::uint32_t ball, const Trajectory<Real>& trajectory,
                                             BallEvent<Real>& best) {
-    const auto capsule = index_of(*scene_.world, CapsuleId{trajectory.support.number});
-    const Edge<Real> edge(
-        scene_.world->capsules().shape[*capsule],
-        Vec2(scene_.image_shift(trajectory.support.across, trajectory.support.along)));
+    const Edge<Real> edge = scene_.supporting_edge(trajectory.support);
     const Vector<Real> span = edge.end - edge.start;
     const Real whole = length(span);
     const Vector<Real> along = span / whole;
