@@ -7,6 +7,7 @@
 #include "game/pool/table_places.h"
 #include "game/referees/referee.h"
 #include "level/scene/games.h"
+#include "level/scene/racking.h"
 #include "physics/world/random.h"
 
 namespace carom {
@@ -31,17 +32,8 @@ void put_back(const Scene& scene, World& world, PoolPlay& play, int ball) {
     play.balls[static_cast<std::size_t>(ball)] = put_ball(scene, world, like, spot);
 }
 
-void rack_anew(const Scene& scene, World& world, PoolPlay& play) {
-    for (std::optional<BallId>& ball : play.balls) {
-        if (ball) remove_ball(world, *ball);
-        ball.reset();
-    }
-    const int count = static_cast<int>(rack_of(scene).balls.size());
-    for (int ball = 0; ball <= count; ++ball) {
-        const BallId like = first_id(scene, ball);
-        const Vec2 place = scene.world.balls().position[*index_of(scene.world, like)];
-        play.balls[static_cast<std::size_t>(ball)] = put_ball(scene, world, like, place);
-    }
+void rack_next(const Scene& scene, World& world, PoolPlay& play) {
+    rack_frame(scene, world, play, play.racks + 1);
 }
 
 void carry_out(const Scene& scene, World& world, PoolPlay& play, const PoolRuling& ruling) {
@@ -49,7 +41,7 @@ void carry_out(const Scene& scene, World& world, PoolPlay& play, const PoolRulin
     play.last_foul = ruling.foul;
     play.call = {};
     if (play.rules.winner) ++play.frames[static_cast<std::size_t>(*play.rules.winner)];
-    if (ruling.rerack) return rack_anew(scene, world, play);
+    if (ruling.rerack) return rack_next(scene, world, play);
     for (const int ball : ruling.respot)
         put_back(scene, world, play, ball);
     if (!play.balls[cue_ball] && play.rules.phase != PoolPhase::over)
@@ -145,6 +137,7 @@ std::uint64_t digest_of(std::uint64_t start, const PoolPlay& play) {
         add(rules.idle_shots);
     }
     if (play.winner_breaks) add(3);
+    if (play.racks > 0) add(play.racks);
     return digest.value();
 }
 
@@ -207,6 +200,28 @@ void make_choice(const Scene& scene, World& world, PoolPlay& play, PoolChoice ch
     carry_out(scene, world, play, choose(play.rules, choice));
 }
 
+void rack_frame(const Scene& scene, World& world, PoolPlay& play, std::uint32_t frame) {
+    play.racks = frame;
+    for (std::optional<BallId>& ball : play.balls) {
+        if (ball) remove_ball(world, *ball);
+        ball.reset();
+    }
+    const Rack& rack = rack_of(scene);
+    const std::vector<RackedBall> racked_balls =
+        racked({rack.layout, rack.toward, rack.gap, rack.seed}, frame);
+    for (int ball = 0; ball <= static_cast<int>(rack.balls.size()); ++ball) {
+        const BallId like = first_id(scene, ball);
+        const std::size_t first = *index_of(scene.world, like);
+        Vec2 place = scene.world.balls().position[first];
+        if (ball != cue_ball) {
+            const RackedBall& at = racked_balls[static_cast<std::size_t>(ball - 1)];
+            const double radius = scene.world.balls().radius[first];
+            place = rack.foot + at.shift + at.grid * (2.0 * radius + at.gap);
+        }
+        play.balls[static_cast<std::size_t>(ball)] = put_ball(scene, world, like, place);
+    }
+}
+
 void rack_again(const Scene& scene, World& world, PoolPlay& play) {
     if (match_winner(play)) play.frames = {};
     if (play.rules.phase == PoolPhase::over)
@@ -217,7 +232,7 @@ void rack_again(const Scene& scene, World& world, PoolPlay& play) {
     play.shot = {};
     play.shooter.reset();
     play.last_foul = PoolFoul::none;
-    rack_anew(scene, world, play);
+    rack_next(scene, world, play);
 }
 
 }  // namespace carom

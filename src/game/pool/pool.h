@@ -38,6 +38,7 @@ struct PoolPlay {
     std::optional<int> shooter;  ///< of that shot; none: no shot in this frame yet
     PoolFoul last_foul = PoolFoul::none;
     std::uint32_t shots = 0;
+    std::uint32_t racks = 0;                ///< since the first: see level/scene/racking.h
     int breaker = 0;                        ///< of this frame
     bool winner_breaks = false;             ///< the next one; else the players take turns
     std::array<std::uint32_t, 2> frames{};  ///< won by each player in this match
@@ -74,6 +75,10 @@ void make_choice(const Scene& scene, World& world, PoolPlay& play, PoolChoice ch
 /// Starts the next frame, which the other player breaks, or restarts an unfinished frame. After the
 /// last frame of a match another match starts. Pre: no ball is moving.
 void rack_again(const Scene& scene, World& world, PoolPlay& play);
+
+/// Racks the balls as in frame number `frame`; 0 is the level's own rack. The cue ball returns to
+/// its start.
+void rack_frame(const Scene& scene, World& world, PoolPlay& play, std::uint32_t frame);
 
 /// The winner of the match; none: it is not decided, or has no end.
 std::optional<int> match_winner(const PoolPlay& play);

@@ -31,6 +31,7 @@ PoolFrame play_pool_frame(const Scene& scene, const SolverSettings& settings,
     World world = scene.world;
     world.edit_definition().seed = scene.world.seed() + number;
     GameState game = *begin_pool(scene, static_cast<int>(number % 2));
+    if (number > 0) rack_frame(scene, world, std::get<PoolPlay>(game), number);
     const auto& play = std::get<PoolPlay>(game);
     Solver solver(settings);
     for (std::uint32_t made = 0; made < most_decisions; ++made) {

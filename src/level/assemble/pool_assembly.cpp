@@ -80,6 +80,8 @@ void fill_in_pool(const std::vector<StartingBall>& balls,
         rack.layout = from.layout;
         rack.foot = from.foot;
         rack.toward = from.toward;
+        rack.gap = from.gap;
+        rack.seed = from.seed;
         for (std::size_t i = 0; i < balls.size(); ++i)
             if (balls[i].binding == from.binding) rack.balls.push_back(scene.world.balls().id[i]);
         scene.pool.racks.push_back(std::move(rack));

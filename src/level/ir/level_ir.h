@@ -122,6 +122,8 @@ struct RackIr {
     const RackLayout* layout = nullptr;
     Vec2 foot;
     Vec2 toward;
+    double gap = 0.0;
+    std::optional<std::uint64_t> seed{};
     int binding = 0;  ///< index into LevelIr::ball_bindings
 };
 

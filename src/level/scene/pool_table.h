@@ -22,8 +22,10 @@ struct Rack {
     const RackLayout* layout = nullptr;
     /// Ball n is balls[n - 1]. The balls of a triangle are numbered row by row.
     std::vector<BallId> balls;
-    Vec2 foot;    ///< the foot spot: the position of the apex ball
-    Vec2 toward;  ///< unit vector from the apex towards the back row
+    Vec2 foot;                            ///< the foot spot: the position of the apex ball
+    Vec2 toward;                          ///< unit vector from the apex towards the back row
+    double gap = 0.0;                     ///< between neighbours
+    std::optional<std::uint64_t> seed{};  ///< see racking.h
 };
 
 /// What a level may choose of the rules of its game of pool.

@@ -123,11 +123,9 @@ TEST_CASE("a weak break: the next player may have the balls reracked") {
     CHECK(table.play.rules.player == 1);
     CHECK(table.world.balls().size() == 16);
     for (int ball = 0; ball < 16; ++ball) {
-        const BallId first =
-            ball == 0 ? table.scene.pool.cue->ball
-                      : table.scene.pool.racks[0].balls[static_cast<std::size_t>(ball - 1)];
-        CHECK(table.place_of(ball) ==
-              table.scene.world.balls().position[*index_of(table.scene.world, first)]);
+        // A rack of its own: the numbers are shuffled again.
+        const double from_foot = distance(table.place_of(ball), table.scene.pool.racks[0].foot);
+        CHECK((from_foot < 0.3) == (ball != 0));
     }
 }
 

@@ -1,8 +1,10 @@
+#include <doctest/doctest.h>
+
 #include <algorithm>
+#include <array>
 #include <string>
 #include <variant>
-
-#include <doctest/doctest.h>
+#include <vector>
 
 #include "game/ai/pool_shots.h"
 #include "game/ai/pool_value.h"
@@ -115,6 +117,29 @@ TEST_CASE("whole frames are played by commands, and the other player breaks the 
         }
         CHECK_FALSE(replayer.failure());
     }
+}
+
+TEST_CASE("issue 20: a memorised break pockets something else in the next frame") {
+    // Breaks that pocket something in the first frame.
+    int memorised = 0;
+    int alike = 0;
+    for (int aim = -40; aim <= 40 && memorised < 4; ++aim) {
+        const Vec2 strike{9.5, 0.02 * aim};
+        std::array<std::vector<PoolShot::Pocketed>, 2> pocketed;
+        Match match("nine-ball");
+        for (auto& of_frame : pocketed) {
+            REQUIRE_FALSE(match.shoot(strike));
+            match.wait();
+            of_frame = match.play().shot.pocketed;
+            std::erase_if(of_frame, [](const auto& fallen) { return fallen.ball == cue_ball; });
+            REQUIRE_FALSE(match.session.apply(command::RackAgain{}));
+        }
+        if (pocketed[0].empty()) continue;
+        ++memorised;
+        alike += pocketed[0] == pocketed[1] ? 1 : 0;
+    }
+    CHECK(memorised == 4);
+    CHECK(alike < 2);
 }
 
 TEST_CASE("three consecutive fouls lose a frame of 9-ball at the table") {
