@@ -27,6 +27,8 @@ class Assembly {
         remove_mirror_duplicates(ir_);
         names_ = resolve_names(context_);
         check_terms(context_);
+        const std::size_t items = ir_.balls.size() + ir_.capsules.size();
+        if (context_.reporter.has_errors() && items > most_checked_with_errors) return;
         collect_balls();
         check_start(balls_, names_, context_);
         check_precision(balls_, rate(), context_);
@@ -49,6 +51,9 @@ class Assembly {
     }
 
   private:
+    // Of a level with errors that has more items than this, no more errors are looked for.
+    static constexpr std::size_t most_checked_with_errors = 100'000;
+
     double rate() const { return options_.rate.value_or(own_rate()); }
 
     // Flippers need short ticks, so a game of pinball has a higher default rate.
@@ -58,7 +63,8 @@ class Assembly {
                                                                      : World{}.rate());
     }
 
-    StartingBall starting_ball(const BallIr& spec) const {
+    StartingBall starting_ball(std::size_t i) const {
+        const BallIr spec = ir_.balls[i];
         const ResolvedBalls& of = names_.balls[static_cast<std::size_t>(spec.binding)];
         const Kind& kind = names_.kinds[of.kind];
         StartingBall ball;
@@ -70,7 +76,7 @@ class Assembly {
         ball.mass =
             spec.mass.value_or(kinds.mass.value_or(kinds.density * pi * ball.radius * ball.radius));
         ball.restitution = spec.restitution.value_or(kind.restitution);
-        ball.spec = static_cast<int>(&spec - ir_.balls.data());
+        ball.spec = static_cast<int>(i);
         ball.kind = of.kind;
         ball.binding = spec.binding;
         ball.origin = spec.origin;
@@ -89,10 +95,11 @@ class Assembly {
     // Collects all balls in the order of the file. Fills are placed around everything else.
     void collect_balls() {
         std::vector<StartingBall> placed;
-        for (const BallIr& spec : ir_.balls) {
-            if (names_.balls[static_cast<std::size_t>(spec.binding)].is_valid) {
-                placed.push_back(starting_ball(spec));
-            }
+        placed.reserve(ir_.balls.size());
+        for (std::size_t i = 0; i < ir_.balls.size(); ++i) {
+            const int binding = ir_.balls[i].binding;
+            if (names_.balls[static_cast<std::size_t>(binding)].is_valid)
+                placed.push_back(starting_ball(i));
         }
         if (ir_.fills.empty()) {
             balls_ = std::move(placed);

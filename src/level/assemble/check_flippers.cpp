@@ -71,9 +71,9 @@ void check_flippers(const std::vector<StartingBall>& balls, const ResolvedNames&
             return written(value, Measure::length, context.unit);
         };
         context.reporter.warning(
-            "flipper-stands-proud", capsule.origin.span,
+            "flipper-stands-proud", capsule.origin.span(),
             fmt::format("the flipper stands {}{} proud of the edge of line {}: balls jump over it",
-                        in_units(step->height), symbol(context.unit), edge.origin.span.line),
+                        in_units(step->height), symbol(context.unit), edge.origin.span().line),
             fmt::format("end that edge at {},{}, in line with the flipper at rest",
                         in_units(flush.x), in_units(flush.y)));
     }

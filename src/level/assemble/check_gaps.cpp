@@ -109,7 +109,7 @@ void check_gaps(const std::vector<StartingBall>& balls, const ResolvedNames& nam
             return ++pairs < most_pairs;
         });
         if (pairs < most_pairs) continue;
-        context.reporter.warning("gap-check-gave-up", edges[i].origin.span,
+        context.reporter.warning("gap-check-gave-up", edges[i].origin.span(),
                                  "the level is too crowded to look for gaps that no ball can pass",
                                  "expect such gaps among its edges");
         return;
@@ -119,10 +119,10 @@ void check_gaps(const std::vector<StartingBall>& balls, const ResolvedNames& nam
         if (connected.find(gap.a) == connected.find(gap.b)) continue;
         if (!told.emplace(edges[gap.a].binding, edges[gap.b].binding).second) continue;
         context.reporter.warning(
-            "gap-too-narrow", edges[gap.a].origin.span,
+            "gap-too-narrow", edges[gap.a].origin.span(),
             fmt::format("no ball can pass the gap of {}{} to the edge of line {}",
                         written(gap.width, Measure::length, context.unit), symbol(context.unit),
-                        edges[gap.b].origin.span.line),
+                        edges[gap.b].origin.span().line),
             fmt::format("close it, or make it wider than the smallest ball, {}{}",
                         written(diameter, Measure::length, context.unit), symbol(context.unit)));
     }

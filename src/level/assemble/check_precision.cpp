@@ -39,7 +39,7 @@ void check_precision(const std::vector<StartingBall>& balls, double rate, Contex
         const double spacing = spacing_at(farthest);
         if (spacing > least_share * ball.radius) {
             context.reporter.error(
-                "coordinates-too-coarse", ball.origin.span,
+                "coordinates-too-coarse", ball.origin.span(),
                 fmt::format("numbers near {} are {} apart: too coarse for a ball of radius {}",
                             length_text(farthest), length_text(spacing), length_text(ball.radius)),
                 "move the scene closer to 0,0");
@@ -50,7 +50,7 @@ void check_precision(const std::vector<StartingBall>& balls, double rate, Contex
             !is_lost(at.y, ball.velocity.y, speed, tick))
             continue;
         context.reporter.warning(
-            "motion-lost-in-rounding", ball.origin.span,
+            "motion-lost-in-rounding", ball.origin.span(),
             fmt::format("what the ball travels in a tick, {}, is lost in rounding: numbers near "
                         "{} are {} apart",
                         length_text(speed * tick), length_text(farthest), length_text(spacing)),

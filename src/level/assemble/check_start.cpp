@@ -54,11 +54,11 @@ class StartCheck {
             const bool is_in = p.x >= world->low.x && p.x < world->high.x && p.y >= world->low.y &&
                                p.y < world->high.y;
             if (!is_in) {
-                context_.reporter.error("ball-outside-torus", ball.origin.span,
+                context_.reporter.error("ball-outside-torus", ball.origin.span(),
                                         "the ball starts outside the world",
                                         "under use wrap the world is all there is: move it inside");
             } else if (4.0 * ball.radius > side) {
-                context_.reporter.error("ball-too-large-for-torus", ball.origin.span,
+                context_.reporter.error("ball-too-large-for-torus", ball.origin.span(),
                                         "the ball is too large for the wrapped world",
                                         "each side of the world must be 4 radii at least");
             }
@@ -70,7 +70,7 @@ class StartCheck {
         if (!world) return;
         for (const EmitterIr& spec : ir_.emitters) {
             if (contains(*world, spec.emitter.at)) continue;
-            context_.reporter.error("spawn-outside-world", spec.origin.span,
+            context_.reporter.error("spawn-outside-world", spec.origin.span(),
                                     "the spawn lies outside the world",
                                     "move it inside, or make the world larger");
         }
@@ -130,14 +130,14 @@ class StartCheck {
     void check_edges(const BoxTree& tree) {
         for (const StartingBall& ball : balls_) {
             if (is_filled(ball)) continue;
-            if (!has_time(ball.origin.span)) return;
+            if (!has_time(ball.origin.span())) return;
             const auto edge =
-                edge_around(tree, {ball.position, ball.radius}, ball.kind, ball.origin.span);
+                edge_around(tree, {ball.position, ball.radius}, ball.kind, ball.origin.span());
             if (!edge) continue;
             context_.reporter.error(
-                "ball-inside-edge", ball.origin.span,
+                "ball-inside-edge", ball.origin.span(),
                 fmt::format("the ball starts inside the edge of line {}, {} deep",
-                            edge->first->origin.span.line, length_text(edge->second, context_)),
+                            edge->first->origin.span().line, length_text(edge->second, context_)),
                 "move the ball or the edge; a ball reaches r around its centre, an edge r around "
                 "its line");
         }
@@ -147,15 +147,15 @@ class StartCheck {
         for (std::size_t i = 0; i < ir_.emitters.size(); ++i) {
             const EmitterIr& spec = ir_.emitters[i];
             if (!names_.emitters[i].is_valid) continue;
-            if (!has_time(spec.origin.span)) return;
+            if (!has_time(spec.origin.span())) return;
             const ClassIndex kind = names_.emitters[i].kind;
             const auto edge = edge_around(tree, {spec.emitter.at, names_.kinds[kind].radius}, kind,
-                                          spec.origin.span);
+                                          spec.origin.span());
             if (!edge) continue;
             context_.reporter.error(
-                "spawn-inside-edge", spec.origin.span,
+                "spawn-inside-edge", spec.origin.span(),
                 fmt::format("the spawn lies inside the edge of line {}, {} deep",
-                            edge->first->origin.span.line, length_text(edge->second, context_)),
+                            edge->first->origin.span().line, length_text(edge->second, context_)),
                 "move the spawn or the edge");
         }
     }
@@ -169,7 +169,7 @@ class StartCheck {
         }
         const BoxTree tree(std::move(boxes));
         for (const std::uint32_t i : checked_) {
-            if (!has_time(balls_[i].origin.span)) return;
+            if (!has_time(balls_[i].origin.span())) return;
             for (const Vec2 image : images_of(balls_[i]))
                 check_ball(tree, i, image);
         }
@@ -200,7 +200,7 @@ class StartCheck {
         const StartingBall& ball = balls_[i];
         const Disc disc{at, ball.radius};
         tree.query(bounds(disc), [&](std::uint32_t entry) {
-            if (!has_time(ball.origin.span)) return false;
+            if (!has_time(ball.origin.span())) return false;
             const std::uint32_t k = checked_[entry];
             const StartingBall& other = balls_[k];
             if (k == i || (k > i && at == ball.position)) return true;
@@ -212,9 +212,9 @@ class StartCheck {
             const StartingBall& later = i > k ? ball : other;
             const StartingBall& earlier = i > k ? other : ball;
             context_.reporter.error(
-                "ball-inside-ball", later.origin.span,
+                "ball-inside-ball", later.origin.span(),
                 fmt::format("the ball starts inside the ball of line {}, {} deep",
-                            earlier.origin.span.line, length_text(-gap, context_)),
+                            earlier.origin.span().line, length_text(-gap, context_)),
                 "move one of them, or write 'use overlap'");
             return false;
         });

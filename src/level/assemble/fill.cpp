@@ -22,6 +22,7 @@ constexpr std::uint32_t attempts = 300;
 constexpr std::uint64_t cost_of_a_ball = 20;       // its random sizes and velocity
 constexpr std::uint64_t cost_of_a_try = 3;         // of a random place
 constexpr std::uint64_t cost_of_a_site = 3;        // of a lattice
+constexpr std::uint64_t cost_of_a_look = 3;        // at a node of the obstacles: far in memory
 constexpr std::uint64_t cost_of_an_obstacle = 20;  // near the box
 constexpr std::uint64_t far_obstacles_for_one = 8;
 
@@ -209,7 +210,7 @@ class FillPlacer {
                           : separation(disc, near_capsules_[i - near_discs_.size()]) >= 0.0;
             return is_free;
         });
-        work_.spend(looks);
+        work_.spend(cost_of_a_look * looks);
         return is_free;
     }
 
@@ -258,7 +259,7 @@ class FillPlacer {
 std::optional<std::vector<FilledBall>> place_fill(const FillIr& fill, const FillDefaults& defaults,
                                                   const FillObstacles& obstacles,
                                                   Context& context) {
-    context.work.begin(fill.origin.span);
+    context.work.begin(fill.origin.span());
     context.work.earn(fill.count);
     context.work.spend(fill.count * cost_of_a_ball);
     const FillRandom chance(context.seed, fill.number);
@@ -274,7 +275,7 @@ std::optional<std::vector<FilledBall>> place_fill(const FillIr& fill, const Fill
     }
     if (placed == fill.count) return balls;
     context.reporter.error(
-        "fill-does-not-fit", fill.origin.span,
+        "fill-does-not-fit", fill.origin.span(),
         fmt::format("the box has room for only {} of {} balls", placed, fill.count),
         "make the box larger, or the balls smaller or fewer");
     return std::nullopt;

@@ -44,6 +44,10 @@ std::vector<bool> find_duplicates(std::vector<Item> items) {
     return is_duplicate;
 }
 
+void remove_marked(BallList& balls, const std::vector<bool>& is_removed) {
+    balls.remove(is_removed);
+}
+
 template <typename T>
 void remove_marked(std::vector<T>& items, const std::vector<bool>& is_removed) {
     std::size_t kept = 0;
@@ -55,17 +59,22 @@ void remove_marked(std::vector<T>& items, const std::vector<bool>& is_removed) {
     items.erase(items.begin() + static_cast<std::ptrdiff_t>(kept), items.end());
 }
 
-template <typename T, typename PlaceOf>
-void remove_duplicates(std::vector<T>& items, PlaceOf place, std::vector<FillIr>* fills = nullptr) {
-    const auto is_copy = [](const T& item) { return item.origin.image != 0; };
-    if (std::ranges::none_of(items, is_copy)) return;
+template <typename List>
+bool has_copies(const List& items) {
+    for (std::size_t i = 0; i < items.size(); ++i)
+        if (items[i].origin.image != 0) return true;
+    return false;
+}
+
+template <typename List, typename PlaceOf>
+void remove_duplicates(List& items, PlaceOf place, std::vector<FillIr>* fills = nullptr) {
+    if (!has_copies(items)) return;
     std::vector<Item> all;
     for (std::size_t i = 0; i < items.size(); ++i) {
-        const Span& span = items[i].origin.span;
-        all.push_back({{span.source->order, span.line, span.column},
-                       place(items[i]),
-                       items[i].origin.image,
-                       i});
+        const auto& item = items[i];
+        const Span span = item.origin.span();
+        all.push_back(
+            {{span.source->order, span.line, span.column}, place(item), item.origin.image, i});
     }
     const std::vector<bool> is_duplicate = find_duplicates(std::move(all));
     if (fills) {

@@ -55,7 +55,7 @@ void PinballAssembly::collect_devices() {
         DeviceGroup& group = table_.groups[found->second];
         if (group.kind != spec.device.kind) {
             context_.reporter.error(
-                "group-of-two-kinds", spec.origin.span,
+                "group-of-two-kinds", spec.origin.span(),
                 fmt::format("'{}' is the name of a {} and of a {}", name, traits(group.kind).name,
                             traits(spec.device.kind).name),
                 "give each of them a name of its own");
@@ -72,7 +72,7 @@ void PinballAssembly::check_layers(const DeviceIr& ramp) {
     const std::size_t highest = std::max(ramp.device.from, ramp.device.to);
     if (highest < names_.layers) return;
     context_.reporter.error(
-        "layer-is-empty", ramp.origin.span, fmt::format("nothing stands on layer {}", highest),
+        "layer-is-empty", ramp.origin.span(), fmt::format("nothing stands on layer {}", highest),
         fmt::format("say which material does: material rail layer={}", highest));
 }
 

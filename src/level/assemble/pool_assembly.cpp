@@ -35,7 +35,7 @@ void check_pockets(const std::vector<StartingBall>& balls, Context& context) {
         if (!zone.is_pocket || zone.origin.image != 0 || zone.zone.shape.radius >= largest)
             continue;
         context.reporter.error(
-            "pocket-too-small", zone.origin.span, "the pocket is smaller than a ball",
+            "pocket-too-small", zone.origin.span(), "the pocket is smaller than a ball",
             fmt::format("make it {} or larger", written(largest, Measure::length, context.unit)));
     }
 }

@@ -12,7 +12,8 @@
 namespace carom {
 namespace {
 
-// Of the lists that each `show` and each `expect` keeps of its bins, in operations of a LoadBudget.
+// Of the lists that each `show` and each `expect` keeps of its bins or edges, in operations of a
+// LoadBudget.
 constexpr std::uint64_t cost_of_a_bin = 20;
 
 // The parts of "name(inside)"; none: the word is not of that form.
@@ -258,6 +259,7 @@ std::optional<Quantity> SymbolTable::edges_quantity(const Word& word, QuantityKi
             quantity.edges.push_back(CapsuleId{static_cast<std::uint32_t>(i)});
         if (known.empty() || known.back() != name) known.push_back(name);
     }
+    context_.work.spend(cost_of_a_bin * quantity.edges.size());
     if (!quantity.edges.empty()) return quantity;
     if (call && is_error_name(call->inside.text)) return std::nullopt;
     const Word at = call ? call->inside : word;

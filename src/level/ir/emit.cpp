@@ -47,11 +47,12 @@ void emit_capsule(const Capsule& shape, Side side, int binding, int chain, const
     }
     context.work.earn(1);
     const Transform& t = frame.transform;
-    context.ir.capsules.push_back({{t.point(shape.start), t.point(shape.end), shape.radius},
-                                   turned(side, t),
-                                   binding,
-                                   chain,
-                                   {at, frame.image}});
+    context.ir.capsules.push_back(
+        {.shape = {t.point(shape.start), t.point(shape.end), shape.radius},
+         .binding = binding,
+         .chain = chain,
+         .origin = Origin(at, frame.image),
+         .side = turned(side, t)});
 }
 
 int bind_edges(EdgeBinding binding, Context& context) {
@@ -71,7 +72,7 @@ int name_balls(BallBinding binding, Context& context) {
 }
 
 void emit_ball(const BallIr& ball, const Frame& frame, Context& context) {
-    reserve_balls(1, ball.origin.span, context);
+    reserve_balls(1, ball.origin.span(), context);
     context.work.earn(1);
     BallIr placed = ball;
     placed.position = frame.transform.point(ball.position);
@@ -79,7 +80,7 @@ void emit_ball(const BallIr& ball, const Frame& frame, Context& context) {
     if (ball.roll) placed.roll = frame.transform.direction(*ball.roll);
     if (frame.transform.reflects()) placed.spin = -placed.spin;
     placed.origin.image = frame.image;
-    context.ir.balls.push_back(placed);
+    if (context.ir.balls.push_back(placed)) context.work.spend(sizeof(BallIr));
 }
 
 }  // namespace carom

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "level/ir/ball_list.h"
 #include "level/language/blocks.h"
 #include "level/scene/scene.h"
 #include "level/values/expression.h"
@@ -52,28 +53,13 @@ struct BallBinding {
     bool is_numbered = false;  ///< the first ball has a suffix too, as in a cradle
 };
 
-/// The source of an item: its place in the file, and which mirror image it is.
-struct Origin {
-    Span span;
-    int image = 0;  ///< a number for each image of each mirror; 0: the original
-};
-
-/// The kind of the spec is not yet known: it is that of the binding.
-struct BallIr : BallSpec {
-    /// In a rack: the offset from `position`, in units of a diameter plus the gap.
-    Vec2 racked;
-    double gap = 0.0;
-    int binding = 0;  ///< index into LevelIr::ball_bindings
-    Origin origin;
-};
-
 struct CapsuleIr {
     Capsule shape;
-    Side side = Side::both;
     int binding = 0;  ///< index into LevelIr::edge_bindings
     int chain = 0;    ///< index into LevelIr::chains; pieces of one edge share it
     Origin origin;
     int device = -1;  ///< index into LevelIr::devices; -1: none
+    Side side = Side::both;
 };
 
 struct ChainIr {
@@ -226,7 +212,7 @@ struct LevelIr {
     std::vector<MaterialIr> materials;
     std::vector<BallBinding> ball_bindings;
     std::vector<EdgeBinding> edge_bindings;
-    std::vector<BallIr> balls;
+    BallList balls;
     std::vector<CapsuleIr> capsules;
     std::vector<ChainIr> chains;
     std::vector<ZoneIr> zones;

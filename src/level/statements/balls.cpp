@@ -88,7 +88,7 @@ void build_ball(const Arguments& arguments, const Frame& frame, Context& context
         if (!context.ir.needs_cloth) context.ir.needs_cloth = arguments.span_of("roll");
     }
     ball.binding = name_balls(ball_binding(arguments, false), context);
-    ball.origin.span = arguments.span_of("at");
+    ball.origin = Origin(arguments.span_of("at"));
     emit_ball(ball, frame, context);
 }
 
@@ -107,7 +107,7 @@ void build_spawn(const Arguments& arguments, const Frame& frame, Context& contex
     spec.emitter.velocity_jitter = absolute(t.direction(velocity_jitter));
     spec.emitter.every = arguments.number_or("every", 1.0);
     spec.emitter.count = arguments.count("count");
-    spec.origin = {arguments.span_of("at"), frame.image};
+    spec.origin = Origin(arguments.span_of("at"), frame.image);
     context.ir.emitters.push_back(std::move(spec));
 }
 
@@ -145,7 +145,7 @@ void build_fill(const Arguments& arguments, const Frame& frame, Context& context
     }
     fill.rms_speed = arguments.number_or("rms", 0.0);
     fill.balls_before = context.ir.balls.size();
-    fill.origin = {arguments.span_of("count"), frame.image};
+    fill.origin = Origin(arguments.span_of("count"), frame.image);
     if (arguments.has("r") && !read_radius(arguments, frame, fill, context)) return;
     context.ir.fills.push_back(std::move(fill));
 }
@@ -168,7 +168,7 @@ void build_cradle(const Arguments& arguments, const Frame& frame, Context& conte
     ball.mass = arguments.number("m");
     ball.restitution = arguments.number("e");
     ball.binding = name_balls(ball_binding(arguments, true), context);
-    ball.origin.span = arguments.span_of("count");
+    ball.origin = Origin(arguments.span_of("count"));
     const double half = 0.5 * (count - 1.0) * pitch;
     for (std::uint32_t i = 0; i < count; ++i) {
         const bool is_moving = i < moving;

@@ -28,12 +28,12 @@ int bind_device(const Arguments& arguments, const std::optional<Material>& mater
 }
 
 Origin origin_of(const Arguments& arguments, const Frame& frame) {
-    return {arguments.node->keyword().span(), frame.image};
+    return Origin(arguments.node->keyword().span(), frame.image);
 }
 
 int add_device(DeviceIr device, Context& context) {
     if (context.ir.devices.size() >= max_zones) {
-        context.reporter.stop("too-many-devices", device.origin.span,
+        context.reporter.stop("too-many-devices", device.origin.span(),
                               fmt::format("the level has more than {} devices", max_zones),
                               "make fewer of them");
     }
@@ -60,7 +60,7 @@ void emit_device_zone(const Capsule& shape, Zone::Effect effect, DeviceIr device
     Zone zone;
     zone.shape = {t.point(shape.start), t.point(shape.end), shape.radius};
     zone.effect = effect;
-    context.ir.zones.push_back({zone, binding, {at, frame.image}, number});
+    context.ir.zones.push_back({zone, binding, Origin(at, frame.image), number});
 }
 
 std::optional<Vec2> read_direction(const Arguments& arguments, std::string_view key,

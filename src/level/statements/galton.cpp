@@ -83,7 +83,7 @@ void build_bins(const Arguments& arguments, const Frame& frame, Context& context
         Zone zone;
         zone.shape = {t.point({x, bottom}), t.point({x, top}), 0.5 * width};
         zone.effect = is_sink ? Zone::Effect::sink : Zone::Effect::census;
-        context.ir.zones.push_back({zone, binding, {span, frame.image}});
+        context.ir.zones.push_back({zone, binding, Origin(span, frame.image)});
     }
 }
 
@@ -98,7 +98,7 @@ void build_zone(const Arguments& arguments, const Frame& frame, Context& context
     EdgeBinding names = edge_binding_of(arguments);
     names.makes_edges = false;
     const int binding = bind_edges(names, context);
-    context.ir.zones.push_back({zone, binding, {arguments.span_of("r"), frame.image}});
+    context.ir.zones.push_back({zone, binding, Origin(arguments.span_of("r"), frame.image)});
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ class MapBuilder {
         balls.kind = legend.kind ? legend.kind : arguments_.word("kind");
         if (!balls.kind) ball.radius = 0.5 * cell_;
         ball.binding = name_balls(std::move(balls), context_);
-        ball.origin.span = drawing_.span(row, column);
+        ball.origin = Origin(drawing_.span(row, column));
         emit_ball(ball, frame_, context_);
     }
 

@@ -46,7 +46,7 @@ void build_rack(const Arguments& arguments, const Frame& frame, Context& context
         ball.racked = place.grid;
         ball.gap = place.gap;
         ball.binding = rack.binding;
-        ball.origin.span = arguments.span_of("at");
+        ball.origin = Origin(arguments.span_of("at"));
         emit_ball(ball, frame, context);
     }
     context.ir.racks.push_back(rack);
@@ -61,7 +61,7 @@ void build_pocket(const Arguments& arguments, const Frame& frame, Context& conte
     EdgeBinding names{arguments.node, arguments.plain, false, {}};
     names.makes_edges = false;
     const int binding = bind_edges(names, context);
-    ZoneIr spec{zone, binding, {arguments.span_of("r"), frame.image}};
+    ZoneIr spec{zone, binding, Origin(arguments.span_of("r"), frame.image)};
     spec.is_pocket = true;
     context.ir.zones.push_back(spec);
 }
