@@ -124,6 +124,18 @@ SignalPipe::~SignalPipe() {
     }
 }
 
+SignalPipe::Delay::Delay() {
+    sigset_t delayed;
+    sigemptyset(&delayed);
+    for (int signal = 1; signal < NSIG; ++signal)
+        if (is_caught[static_cast<std::size_t>(signal)]) sigaddset(&delayed, signal);
+    sigprocmask(SIG_BLOCK, &delayed, &before_);
+}
+
+SignalPipe::Delay::~Delay() {
+    sigprocmask(SIG_SETMASK, &before_, nullptr);
+}
+
 void SignalPipe::expect_hangup() {
     note(SIGHUP);
 }

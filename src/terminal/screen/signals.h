@@ -1,5 +1,7 @@
 #pragma once
 
+#include <signal.h>
+
 #include <vector>
 
 /// Delivers signals as bytes in a pipe, so that one poll() waits for them and for the terminal.
@@ -18,6 +20,18 @@ std::vector<int> signals_that_end_the_game();
 /// of them. At most one exists at a time.
 class SignalPipe {
   public:
+    /// While it exists, the signals that a pipe catches wait. Pre: there is a pipe.
+    class Delay {
+      public:
+        Delay();
+        ~Delay();
+        Delay(const Delay&) = delete;
+        Delay& operator=(const Delay&) = delete;
+
+      private:
+        sigset_t before_{};
+    };
+
     SignalPipe();
     SignalPipe(const SignalPipe&) = delete;
     SignalPipe& operator=(const SignalPipe&) = delete;

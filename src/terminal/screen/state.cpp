@@ -92,6 +92,9 @@ void Screen::State::enter() {
 
 void Screen::State::leave() {
     if (!std::exchange(is_open, false)) return;
+    // A signal would interrupt a write, of ncurses too, and leave modes on: the supervisor passes
+    // on what a process group has received already.
+    const SignalPipe::Delay delay;
     pollfd output{.fd = STDOUT_FILENO, .events = POLLOUT, .revents = 0};
     if (poll(&output, 1, 200) == 0) tcflush(STDOUT_FILENO, TCOFLUSH);  // stuck: drop old output
     std::string bytes = modes.off();
