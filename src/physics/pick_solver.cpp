@@ -130,6 +130,8 @@ SolverPick pick_solver(const World& world) {
     if (world.model().cloth)
         return {all.front().settings,
                 "exact from impact to impact, sliding, rolling and coming to rest on cloth"};
+    if (world.model().modulus)
+        return {all.front().settings, "the only one whose contacts last, as the level says"};
     const Candidate& picked = best_value(all);
     return {picked.settings, std::string(quality_of(picked, load)) + weighed(all, picked)};
 }

@@ -115,6 +115,7 @@ class LevelWriter {
             line("use cloth slide={} roll={} spin={} g={}", model.cloth->slide, model.cloth->roll,
                  with_unit(has_units_ ? spin_of(model.cloth->spin) : model.cloth->spin, "rad/s2"),
                  with_unit(model.cloth->gravity, "m/s2"));
+        if (model.modulus) line("use modulus {} poisson=0", with_unit(*model.modulus, "Pa"));
         if (model.wrap) line("use wrap");
         if (deepest_overlap(world_) > 0.0) line("use overlap");
     }

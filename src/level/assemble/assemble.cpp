@@ -226,6 +226,7 @@ class Assembly {
         model.scatter = s.scatter;
         model.spin = s.spin;
         model.cloth = s.cloth;
+        model.modulus = s.modulus;
         constexpr double solid_ball = 0.4;
         if (s.cloth) model.spin = s.inertia.value_or(solid_ball);
         if (s.wrap) model.wrap = s.world;

@@ -236,6 +236,10 @@ void check_terms(Context& context) {
         context.reporter.error("roll-without-cloth", *context.ir.needs_cloth,
                                "roll= needs 'use cloth'",
                                "add a line 'use cloth', or leave roll= out");
+    if (context.ir.settings.modulus && context.ir.settings.gravity)
+        context.reporter.error("modulus-with-gravity", *context.ir.settings.modulus_at,
+                               "use modulus does not go with 'use gravity'",
+                               "contacts that last are for balls on a table or in free flight");
     if (context.ir.settings.spin || context.ir.settings.cloth) return;
     for (const SpinNeed& need : context.ir.spin_needs) {
         context.reporter.error("value-needs-spin", need.value.span(),

@@ -181,6 +181,8 @@ struct LevelSettings {
     std::optional<double> inertia;  ///< of `use spin inertia=`
     std::optional<Cloth> cloth;
     std::optional<Span> cloth_at;
+    std::optional<double> modulus;  ///< E / (1 - nu^2)
+    std::optional<Span> modulus_at;
     std::optional<Span> wrap;
     bool may_overlap = false;
     std::optional<Box> world;

@@ -32,6 +32,7 @@ inline constexpr Dimension angular_momentum_dimension{2, 1, -1, 0};
 inline constexpr Dimension energy_dimension{2, 1, -2, 0};
 inline constexpr Dimension pressure_dimension{0, 1, -2, 0};  ///< in two dimensions, by length
 inline constexpr Dimension area_dimension{2, 0, 0, 0};
+inline constexpr Dimension modulus_dimension{-1, 1, -2, 0};  ///< Young's, of a solid
 inline constexpr Dimension angular_speed_dimension{0, 0, -1, 1};
 
 }  // namespace carom

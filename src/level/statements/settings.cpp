@@ -94,6 +94,21 @@ void set_cloth(const Arguments& arguments, const Frame&, Context& context) {
     context.ir.settings.cloth_at = arguments.node->keyword().span();
 }
 
+void set_modulus(const Arguments& arguments, const Frame& frame, Context& context) {
+    const auto young = read_number(arguments.plain.front(), {}, Measure::modulus, Bound::positive,
+                                   *frame.scope, context);
+    if (!young) return;
+    const double poisson = arguments.number_or("poisson", 0.3);
+    if (poisson > 0.5) {
+        context.reporter.error("poisson-too-large", arguments.span_of("poisson"),
+                               fmt::format("poisson must be 0.5 at most, but is {:.6g}", poisson),
+                               "write such as poisson=0.3; 0.5 is rubber");
+        return;
+    }
+    context.ir.settings.modulus = *young / (1.0 - poisson * poisson);
+    context.ir.settings.modulus_at = arguments.node->keyword().span();
+}
+
 void add_collide(const Arguments& arguments, const Frame&, Context& context) {
     context.ir.collides.push_back({arguments.plain[0], arguments.plain[1]});
 }
@@ -229,6 +244,12 @@ std::vector<Statement> setting_statements() {
                           {"roll", scalar, Measure::number, not_negative, true},
                           {"spin", scalar, Measure::angular_acceleration, not_negative, true},
                           {"g", scalar, Measure::acceleration, positive}}}),
+        setting({.name = "use modulus",
+                 .usage = "use modulus MODULUS [poisson=]",
+                 .action = set_modulus,
+                 .plain_least = 1,
+                 .plain_most = 1,
+                 .keys = {{"poisson", scalar, Measure::number, not_negative}}}),
         {.name = "collide",
          .usage = "collide A B     (kinds, materials, ball, edge)",
          .action = add_collide,

@@ -21,7 +21,9 @@ constexpr std::array units{
     Unit{"min", 60.0, time_dimension},        Unit{"Hz", 1.0, rate_dimension},
     Unit{"kHz", 1e3, rate_dimension},         Unit{"deg", 1.0, angle_dimension},
     Unit{"rad", 180.0 / pi, angle_dimension}, Unit{"J", 1.0, energy_dimension},
-    Unit{"Ns", 1.0, momentum_dimension},      Unit{"Js", 1.0, angular_momentum_dimension}};
+    Unit{"Ns", 1.0, momentum_dimension},      Unit{"Js", 1.0, angular_momentum_dimension},
+    Unit{"Pa", 1.0, modulus_dimension},      Unit{"kPa", 1e3, modulus_dimension},
+    Unit{"MPa", 1e6, modulus_dimension},     Unit{"GPa", 1e9, modulus_dimension}};
 
 struct NamedDimension {
     Dimension dimension;
@@ -39,6 +41,7 @@ constexpr std::array named_dimensions{
     NamedDimension{speed_dimension, "a speed"},
     NamedDimension{{1, 0, -2, 0}, "an acceleration"},
     NamedDimension{{-2, 1, 0, 0}, "a density"},
+    NamedDimension{modulus_dimension, "an elastic modulus"},
     NamedDimension{angular_speed_dimension, "an angular speed"},
     NamedDimension{{0, 0, -2, 1}, "an angular acceleration"},
     NamedDimension{energy_dimension, "an energy"},
@@ -65,6 +68,7 @@ constexpr std::array measures{
     MeasureFacts{Measure::rate, rate_dimension, "a rate", "0.1", "0.1/s"},
     MeasureFacts{Measure::frequency, rate_dimension, "a rate", "120", "120"},
     MeasureFacts{Measure::density, {-2, 1, 0, 0}, "a density", "1", "1kg/m2"},
+    MeasureFacts{Measure::modulus, modulus_dimension, "an elastic modulus", "1e6", "5.84GPa"},
     MeasureFacts{Measure::soften, {-1, 0, 1, 0}, "a number", "0.4", "0.4"},
     MeasureFacts{Measure::angular_speed, {0, 0, -1, 1}, "an angular speed", "10", "10rad/s"},
     MeasureFacts{
@@ -171,6 +175,7 @@ std::string written(double number, Measure measure, LengthUnit unit, int digits)
     if (measure == Measure::angular_acceleration)
         return fmt::format("{:.{}g}rad/s2", number, digits);
     if (measure == Measure::length) return fmt::format("{:.{}g}", number / scale(unit), digits);
+    if (measure == Measure::modulus) return fmt::format("{:.{}g}GPa", number * 1e-9, digits);
     return fmt::format("{:.{}g}{}", number, digits, si_symbol(dimension_of(measure)));
 }
 

@@ -59,6 +59,7 @@ enum class Measure {
     rate,                 ///< 1/s; needs its unit in a level with units
     frequency,            ///< 1/s; may be bare in a level with units
     density,              ///< mass/length^2
+    modulus,              ///< of elasticity, mass/(length s^2)
     soften,               ///< s/length; a bare number is in s/m
     angular_speed,        ///< rad/s; a bare number in a level without units is in rad/s
     angular_acceleration  ///< rad/s2; bare numbers like angular_speed

@@ -13,7 +13,7 @@ template <typename Real>
 bool UniformMotion<Real>::applies(const KinematicBodies<Real>& kinematic) const {
     const Model& model = scene_.world->model();
     return model.ball_ball && !model.gravity && !scene_.field.has_drag && !model.spin &&
-           !model.cloth && !model.wrap && !model.filtered && !model.one_way &&
+           !model.cloth && !model.modulus && !model.wrap && !model.filtered && !model.one_way &&
            kinematic.edges().empty() && space_.cells().oversized().empty() &&
            std::all_of(balls_.begin(), balls_.end(), [](const BallRecord<Real>& ball) {
                return ball.line.motion == Motion::free;

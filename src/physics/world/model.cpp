@@ -20,6 +20,7 @@ std::vector<std::string> terms_in_force(const Model& model) {
     if (model.cloth)
         terms.push_back(fmt::format("cloth {} {} {}", model.cloth->slide, model.cloth->roll,
                                     model.cloth->spin));
+    if (model.modulus) terms.push_back(fmt::format("modulus {:.6g}", *model.modulus));
     if (model.wrap) terms.push_back("wrap");
     if (model.one_way) terms.push_back("one-way");
     if (model.kicks) terms.push_back("kicks");

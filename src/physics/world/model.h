@@ -43,6 +43,10 @@ struct Model {
     std::optional<double> spin;
     /// The balls lie on cloth, seen from above. Only with `spin`, and without gravity and drag.
     std::optional<Cloth> cloth;
+    /// Contacts of balls last: the material's E / (1 - nu^2), with Young's modulus E and Poisson's
+    /// ratio nu, mass / (length s^2), > 0. Without gravity. Only `event` knows it; the others let
+    /// every impact take no time. See laws/hertz_impact.h.
+    std::optional<double> modulus;
     /// The torus: what leaves on one side comes back on the other. Low included, high excluded.
     std::optional<Box> wrap;
     /// Some restitution is below 1, or some edge is soft: balls carry a restitution.

@@ -224,6 +224,49 @@ void ImpactCluster<Real>::scan(std::uint32_t body) {
 }
 
 template <typename Real>
+void ImpactCluster<Real>::gather(const Real& reach) {
+    for (std::uint32_t body = 0; body < bodies_.size(); ++body) {
+        scan(body);
+        if (bodies_[body].is_gathered) continue;
+        bodies_[body].is_gathered = true;
+        if (has_neighbours(bodies_[body])) gather_around(body, reach);
+    }
+}
+
+template <typename Real>
+void ImpactCluster<Real>::gather_around(std::uint32_t body, const Real& reach) {
+    touching_.clear();
+    const std::uint32_t ball = bodies_[body].ball;
+    for (const Neighbour<Real>& near : neighbours_of(bodies_[body])) {
+        const Real small = std::min(radius_of(body), balls_.radius(near.other));
+        const Real limit = near.reach + std::min(reach, Real(most_lasting_gap) * small);
+        if (length_squared(near.offset) > limit * limit || has_contact(body, near) ||
+            !scene_.balls_collide(ball, near.other))
+            continue;
+        touching_.push_back({static_cast<int>(near.other), near.across, near.along});
+    }
+    std::sort(touching_.begin(), touching_.end());
+    for (const auto& [other, across, along] : touching_) {
+        add_ball(body, static_cast<std::uint32_t>(other), across, along, true);
+        contacts_.back().is_apart = true;
+    }
+}
+
+// Whether the contact point of these two exists, seen from either.
+template <typename Real>
+bool ImpactCluster<Real>::has_contact(std::uint32_t body, const Neighbour<Real>& neighbour) const {
+    const std::uint32_t other = body_of_[neighbour.other];
+    if (other == BallRecord<Real>::none) return false;
+    return std::any_of(contacts_.begin(), contacts_.end(), [&](const ContactPoint<Real>& point) {
+        const bool is_ours = point.contact.a == body && point.contact.b == other;
+        const bool is_theirs = point.contact.a == other && point.contact.b == body;
+        const int side = is_ours ? 1 : -1;
+        return (is_ours || is_theirs) && point.support.across == side * neighbour.across &&
+               point.support.along == side * neighbour.along;
+    });
+}
+
+template <typename Real>
 Real ImpactCluster<Real>::smaller_radius(const ContactPoint<Real>& point) const {
     const Real ours = radius_of(point.contact.a);
     return point.kind == EventKind::ball_ball ? std::min(ours, balls_.radius(point.other)) : ours;
@@ -240,7 +283,7 @@ Real ImpactCluster<Real>::compliance(const ContactPoint<Real>& point) const {
 template <typename Real>
 bool ImpactCluster<Real>::touches_ball(std::uint32_t body) const {
     return std::any_of(contacts_.begin(), contacts_.end(), [&](const ContactPoint<Real>& point) {
-        return point.kind == EventKind::ball_ball &&
+        return point.kind == EventKind::ball_ball && !point.is_apart &&
                (point.contact.a == body || point.contact.b == body);
     });
 }

@@ -25,6 +25,7 @@ struct ClusterBody {
     bool is_scanned = false;
     bool is_changed = false;
     bool is_moved = false;  ///< by position correction
+    bool is_gathered = false;
     bool rolls_on = false;  ///< along a curve, which alone is no collision
     bool has_collided = false;
     bool was_resting = false;
@@ -42,13 +43,15 @@ struct Neighbour {
     std::int8_t along = 0;
 };
 
-/// Two things that touch in the impact: a body, and a body, an edge or a kinematic edge.
+/// Two things that touch in the impact: a body, and a body, an edge or a kinematic edge. Or two
+/// bodies that are apart, but whose gap may close while the impact lasts (`gather`).
 template <typename Real>
 struct ContactPoint {
     ImpactContact<Real> contact;
     EventKind kind = EventKind::ball_ball;
     std::uint32_t other = 0;  ///< ball or capsule
     bool is_motorised = false;
+    bool is_apart = false;          ///< no contact yet: it counts only for an impact that lasts
     SupportId support;              ///< as which it would carry the body
     Real gap{};                     ///< length
     Vector<Real> surface_velocity;  ///< of a kinematic edge, length/s
@@ -79,6 +82,10 @@ class ImpactCluster {
     void begin(std::uint32_t ball, const BallEvent<Real>& event);
     /// Adds all that the body touches, once.
     void scan(std::uint32_t body);
+    /// Scans all bodies, and adds the balls within `reach` of one, as bodies with contact points
+    /// that are apart; then the balls within reach of these, and so on. `reach`, a gap in length,
+    /// counts up to `most_lasting_gap` of the smaller radius.
+    void gather(const Real& reach);
     /// The impact is over: no ball takes part any more. The neighbours stay until the next one.
     void end();
 
@@ -120,6 +127,8 @@ class ImpactCluster {
     void add_edge(std::uint32_t body, std::uint32_t capsule, int across, int along,
                   bool is_certain);
     void add_kinematic_edge(std::uint32_t body, const KinematicEdge<Real>& edge, bool is_certain);
+    void gather_around(std::uint32_t body, const Real& reach);
+    bool has_contact(std::uint32_t body, const Neighbour<Real>& neighbour) const;
     bool may_touch(std::uint32_t body, const Neighbour<Real>& neighbour) const;
     void find_neighbours(std::uint32_t body);
     Real slop_at(std::uint32_t body, const Real& size, const Real& reach) const;

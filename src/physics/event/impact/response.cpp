@@ -23,6 +23,7 @@ Response<Real>::Response(const Parts& parts)
       work_(parts.work),
       scatter_counts_(parts.scatter_counts),
       restitution_(parts.scene, parts.balls, parts.cluster),
+      lasting_(parts.scene, parts.cluster, restitution_),
       friction_(parts.scene, parts.cluster, parts.friction),
       correction_(parts.scene, parts.balls, parts.space, parts.cluster) {}
 
@@ -82,7 +83,7 @@ void Response<Real>::find_approaching(bool is_first_round) {
     const std::vector<ContactPoint<Real>>& points = cluster_.contacts();
     for (std::uint32_t i = 0; i < points.size(); ++i) {
         const ContactPoint<Real>& point = points[i];
-        if (!(cluster_.compliance(point) > Real{})) continue;
+        if (point.is_apart || !(cluster_.compliance(point) > Real{})) continue;
         const Real least = least_approach_of(point, is_first_round && i == 0);
         if (approach_of<Real>(point.contact, cluster_.motion()) > least) approaching_.push_back(i);
     }
@@ -164,13 +165,35 @@ bool Response<Real>::follow_curve(const ContactPoint<Real>& point) {
     return true;
 }
 
+// Replaces the approaching contact points by those of an impact that lasts, with its impulses.
+// False: the impact is none.
+template <typename Real>
+bool Response<Real>::press_group() {
+    if (!lasting_.press(approaching_)) return false;
+    work_.count_rounds(lasting_.work());
+    rolls_on_ = false;
+    approaching_.clear();
+    group_.clear();
+    approach_.clear();
+    passed_.clear();
+    for (const HertzTouch<Real>& touch : lasting_.touches()) {
+        approaching_.push_back(lasting_.point_of(touch));
+        group_.push_back(cluster_.contacts()[approaching_.back()].contact);
+        approach_.push_back(touch.approach);
+        passed_.push_back(touch.impulse);
+    }
+    return true;
+}
+
+// One round's impulses. A resting ball does not wake if another comes to rest on it: it counts as
+// immovable.
 template <typename Real>
 void Response<Real>::pass_impulses(bool is_alone, std::vector<Contact>& contacts) {
-    prepare_group(is_alone);
+    const bool lasts = scene_.world->model().modulus && press_group();
+    if (!lasts) prepare_group(is_alone);
     std::vector<ClusterBody<Real>>& bodies = cluster_.bodies();
     std::vector<ImpactBody<Real>>& motion = cluster_.motion();
-    // A resting ball does not wake if another comes to rest on it: it counts as immovable.
-    const bool is_soft = is_alone &&
+    const bool is_soft = is_alone && !lasts &&
                          cluster_.contacts()[approaching_[0]].kind == EventKind::ball_ball &&
                          group_[0].restitution == Real{} && scene_.world->model().gravity;
     std::array<Real, 2> masses{};
@@ -180,7 +203,10 @@ void Response<Real>::pass_impulses(bool is_alone, std::vector<Contact>& contacts
         for (const std::uint32_t body : {group_[0].a, group_[0].b})
             if (bodies[body].was_resting && !both) motion[body].inverse_mass = Real{};
     }
-    if (group_.size() == 1)
+    if (lasts)
+        for (std::size_t at = 0; at < group_.size(); ++at)
+            push<Real>(motion, group_[at], passed_[at]);
+    else if (group_.size() == 1)
         passed_.assign(1, reflect_alone<Real>(motion, group_[0]));
     else
         passed_ = reflect<Real>(motion, group_, &memory_);
@@ -232,7 +258,7 @@ template <typename Real>
 void Response<Real>::stop_all() {
     group_.clear();
     for (const ContactPoint<Real>& point : cluster_.contacts()) {
-        if (!(cluster_.compliance(point) > Real{})) continue;
+        if (point.is_apart || !(cluster_.compliance(point) > Real{})) continue;
         group_.push_back(point.contact);
         group_.back().restitution = Real{};
     }

@@ -6,6 +6,7 @@
 
 #include "physics/event/impact/impact_cluster.h"
 #include "physics/event/impact/impact_friction.h"
+#include "physics/event/impact/lasting_impact.h"
 #include "physics/event/impact/position_correction.h"
 #include "physics/event/impact/restitution.h"
 #include "physics/event/motion/kinematic_bodies.h"
@@ -28,7 +29,8 @@ struct ImpactRecord {
 ///   repeat
 ///       approaching := contact points that approach faster than rounding and resting allow
 ///       none: done
-///       pass simultaneous impulses (laws/simultaneous_impact.h), friction, kicks
+///       pass simultaneous impulses (laws/simultaneous_impact.h), friction, kicks; where contacts
+///           last and others close in time, those of all of them (lasting_impact.h)
 ///       add what the changed bodies touch
 ///   kinematic bodies that squeeze a ball stop (squeeze.h), and all is done again
 ///   separate balls that overlap (position_correction.h)
@@ -71,6 +73,7 @@ class Response {
     Real least_approach_of(const ContactPoint<Real>& point, bool is_of_event) const;
     Real pressing_speed(const ContactPoint<Real>& point) const;
     void pass_impulses(bool is_alone, std::vector<Contact>& contacts);
+    bool press_group();
     void prepare_group(bool is_alone);
     bool follow_curve(const ContactPoint<Real>& point);
     void record_contact(std::size_t at, std::vector<Contact>& contacts);
@@ -89,6 +92,7 @@ class Response {
     WorkMeter<Real>& work_;
     std::vector<std::uint32_t>& scatter_counts_;
     Restitution<Real> restitution_;
+    LastingImpact<Real> lasting_;
     ImpactFriction<Real> friction_;
     PositionCorrection<Real> correction_;
     std::vector<std::uint32_t> approaching_;  ///< contact points by index

@@ -57,6 +57,7 @@ bool pushes_without_end(const ImpactCluster<Real>& cluster, const BallTable<Real
         return balls[ball].line.motion == Motion::held;
     };
     return std::ranges::any_of(cluster.contacts(), [&](const ContactPoint<Real>& point) {
+        if (point.is_apart) return false;
         const std::uint32_t ball = cluster.bodies()[point.contact.a].ball;
         const bool is_kinematic =
             point.kind == EventKind::kinematic_edge ||

@@ -9,7 +9,8 @@ namespace carom {
 
 template <typename Real>
 CellFrame BallCells<Real>::frame_for(const World& world) const {
-    double least = 2.02 * largest_;
+    const double gap = world.model().modulus ? most_lasting_gap : 0.0;
+    double least = (2.02 + gap) * largest_;
     // In a thin gas a ball would cross many cells between two impacts: one ball a cell is enough.
     const double room = area_per_ball(world);
     while (least > 0.0 && 4.0 * least * least < room)

@@ -44,6 +44,12 @@ inline constexpr double contact_slop = 1e-10;
 /// missed, and simultaneous impacts come one by one.
 inline constexpr double gap_roundings = 16.0;
 
+/// Where contacts last (Model::modulus), a ball further away than this share of the smaller radius
+/// takes no part in an impact, although its gap may close in time. Cells must show it
+/// (ball_cells.cpp). x10: cells of ten balls; /10: fast breaks pass through a loose rack ball by
+/// ball.
+inline constexpr double most_lasting_gap = 0.2;
+
 // --- Heights of a rebound, as shares of the smaller radius ------------------------------------
 
 /// Balls on cloth that touch and that nothing presses together: approaches below the speed of a

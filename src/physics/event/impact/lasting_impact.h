@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "physics/event/impact/impact_cluster.h"
+#include "physics/event/impact/restitution.h"
+#include "physics/laws/hertz_impact.h"
+
+namespace carom {
+
+/// The impulses of an impact whose contacts last (Model::modulus): those of all balls that press on
+/// one another, through gaps that close in the meantime, as when a rack is broken.
+///
+/// A ball takes part if a chain of gaps leads to it, each as short as the fastest of the
+/// approaching pairs comes in the time that it touches (up to `most_lasting_gap` of a radius), and
+/// if one of them closes before all has parted. In the solver's time it is an instant, and no ball
+/// is moved: a ball that would have gone a millimetre meets its next event a fraction of a
+/// millisecond late.
+///
+/// Contacts with edges do not last. A ball that the impact drives into an edge that it touches
+/// bounces off in the next round, as it would from a cushion, which is far softer than a ball.
+///
+/// Two balls alone keep the law of all impacts, which gives what the springs give. So does a pair
+/// that cloth presses together, below a rebound of `moving_rest_height`: gaps so short are
+/// rounding's.
+template <typename Real>
+class LastingImpact {
+  public:
+    LastingImpact(const EventScene<Real>& scene, ImpactCluster<Real>& cluster,
+                  const Restitution<Real>& restitution)
+        : scene_(scene), cluster_(cluster), restitution_(restitution) {}
+
+    /// Computes the impulses of the impact that begins with the `approaching` contact points.
+    /// False: fewer than two contacts of balls press, so it is none of these. Pre: Model::modulus.
+    bool press(std::span<const std::uint32_t> approaching);
+
+    /// After `press`: the contacts that have pressed, in the order in which they first touched.
+    std::span<const HertzTouch<Real>> touches() const { return *touches_; }
+    /// The contact point of a touch, by index in the cluster.
+    std::uint32_t point_of(const HertzTouch<Real>& touch) const { return points_[touch.contact]; }
+    /// How much work it was, in events that take as long.
+    std::uint64_t work() const { return impact_.work() / contacts_per_event; }
+
+  private:
+    static constexpr std::uint64_t contacts_per_event = 128;
+
+    void collect();
+    Real least_speed(const ContactPoint<Real>& point) const;
+    HertzContact<Real> contact_of(const ContactPoint<Real>& point) const;
+
+    const EventScene<Real>& scene_;
+    ImpactCluster<Real>& cluster_;
+    const Restitution<Real>& restitution_;
+    HertzImpact<Real> impact_;
+    std::vector<HertzContact<Real>> contacts_;
+    std::vector<std::uint32_t> points_;  ///< of those
+    const std::vector<HertzTouch<Real>>* touches_ = nullptr;
+};
+
+}  // namespace carom
