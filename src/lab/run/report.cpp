@@ -175,6 +175,12 @@ void write_notes(JsonWriter& json, const RunRecord& record) {
     const StoodStill& noted = record.stood_still;
     json.key("notes");
     json.begin_list(Layout::lines);
+    if (record.ignores_modulus) {
+        json.begin_object(Layout::one_line);
+        json.field("kind", "ignores_modulus");
+        json.field("solver", name(record.solver.kind));
+        json.end_object();
+    }
     if (noted.ticks > 0) {
         json.begin_object(Layout::one_line);
         json.field("kind", "stood_still");

@@ -23,6 +23,8 @@ RunRecord begin_record(const Scene& scene, const SolverSettings& solver) {
                      .totals_start = totals(scene.world),
                      .watch = RunWatch(scene, RunWatch::Conservation::ignored),
                      .stood_still = {},
+                     .ignores_modulus = scene.world.model().modulus.has_value() &&
+                                        solver.kind != SolverKind::event,
                      .ball_ticks = 0,
                      .judgements = {}};
     record.watch.observe(scene, solver);
@@ -51,14 +53,22 @@ void note_standing(RunRecord& record, const World& world, std::size_t balls) {
 }
 
 std::string notes_text(const RunRecord& record, double rate) {
+    std::string text;
+    if (record.ignores_modulus)
+        text = fmt::format(
+            "note: under {} impacts take no time, although the level says use modulus: only event "
+            "knows it.\n",
+            name(record.solver.kind));
     const StoodStill& noted = record.stood_still;
-    if (noted.ticks == 0) return {};
-    return fmt::format(
-        "note: time stood still in {} tick{}, first in tick {} ({:.6g} s) for {} ball{}, for at "
-        "most {} in one tick: more work than a tick may take. Their energy is unchanged.\n",
-        noted.ticks, noted.ticks == 1 ? "" : "s", noted.first_tick,
-        static_cast<double>(noted.first_tick) / rate, noted.balls, noted.balls == 1 ? "" : "s",
-        noted.most_balls);
+    if (noted.ticks == 0) return text;
+    return text + fmt::format(
+                      "note: time stood still in {} tick{}, first in tick {} ({:.6g} s) for {} "
+                      "ball{}, for "
+                      "at most {} in one tick: more work than a tick may take. Their energy is "
+                      "unchanged.\n",
+                      noted.ticks, noted.ticks == 1 ? "" : "s", noted.first_tick,
+                      static_cast<double>(noted.first_tick) / rate, noted.balls,
+                      noted.balls == 1 ? "" : "s", noted.most_balls);
 }
 
 void note_end(RunRecord& record, const Scene& scene, const World& world) {

@@ -28,6 +28,8 @@ struct RunRecord {
     Totals totals_start;
     RunWatch watch;
     StoodStill stood_still;
+    /// The level says `use modulus`, and the solver lets impacts take no time.
+    bool ignores_modulus = false;
     std::uint64_t ball_ticks = 0;  ///< the number of balls, summed over the ticks
     /// By Scene::expects. A time means the tick nearest to it; no time means the end.
     std::vector<Judgement> judgements;

@@ -131,6 +131,13 @@ ball kind=pool at=100,-300 w=-777deg/s
 ball at=300,300 r=50 m=1kg/3
 )";
 
+const std::string lasting = R"(carom 1 "Contacts that last"
+units in
+use modulus 5.84GPa poisson=0.34
+ball a at=1,2 r=1 m=100g v=1m/s,0
+ball b at=3.1,2 r=1 m=100g
+)";
+
 /// Simulates a while, so that no number is round.
 World after(const Scene& scene, int ticks) {
     Session session(scene, scene.solver.value_or(pick_solver(scene.world).settings));
@@ -142,7 +149,7 @@ World after(const Scene& scene, int ticks) {
 }  // namespace
 
 TEST_CASE("a world at its start reads back bit by bit") {
-    for (const std::string& text : {natural, metric}) {
+    for (const std::string& text : {natural, metric, lasting}) {
         const Scene scene = loaded(text);
         const std::string saved = level_text(scene, scene.world);
         CAPTURE(saved);
