@@ -136,17 +136,13 @@ TEST_CASE("Hertz impact: a row of touching balls rocks, as a real cradle does") 
     // Hutzler, Delaney, Weaire and MacLeod, Rocking Newton's cradle, Am. J. Phys. 72 (2004) 1508:
     // the pulse is about five balls wide, so the first ball recoils, the last but one follows the
     // last, and all move on.
-    const std::vector<double> three = row(3, 1.0);
-    CHECK(three[0] == doctest::Approx(-0.071).epsilon(0.02));
-    CHECK(three[1] == doctest::Approx(0.078).epsilon(0.02));
-    CHECK(three[2] == doctest::Approx(0.993).epsilon(0.002));
-    const std::vector<double> five = row(5, 1.0);
-    CHECK(std::ranges::is_sorted(five));
-    CHECK(five[0] < -0.05);
-    CHECK(five[3] > 0.05);
-    CHECK(five[3] < 0.2);
-    CHECK(five[4] > 0.95);
-    CHECK(five[4] < 1.0);
+    // The figures are those of a Python script with steps of 1/2000 of a contact.
+    const auto check = [](const std::vector<double>& row, const std::vector<double>& expected) {
+        for (std::size_t i = 0; i < row.size(); ++i)
+            CHECK(std::abs(row[i] - expected[i]) < 2e-4);
+    };
+    check(row(3, 1.0), {-0.07095, 0.07640, 0.99455});
+    check(row(5, 1.0), {-0.07108, -0.03027, -0.01446, 0.12704, 0.98878});
 }
 
 TEST_CASE("Hertz impact: over wide gaps the impulse goes from ball to ball, as in textbooks") {
