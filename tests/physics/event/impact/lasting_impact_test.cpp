@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include "geometry/elementary.h"
 #include "physics/solver.h"
 #include "physics/support/cloth_table.h"
 #include "physics/support/scenes.h"
@@ -168,6 +169,21 @@ TEST_CASE("lasting impact: a break is that of a slow model of the springs, where
     }
 }
 
+TEST_CASE("lasting impact: the break of a perfect rack has the published speeds") {
+    // J. Belk, "Perfectly centered break of a perfectly aligned pool ball rack", Mathematics Stack
+    // Exchange (2014): Hertz's springs in Mathematica, in the limit of stiff balls.
+    World world = rack(10.0, 0.0, 1.0, 1);
+    world.edit_balls().position[0].y = 0.0;
+    run(world, 0.015);
+    const std::vector<double> speeds{1.79, 1.20, 1.57, 1.57, 1.42, 0.12, 1.42, 1.31,
+                                     0.25, 0.25, 1.31, 5.60, 2.57, 2.63, 2.57, 5.60};
+    REQUIRE(world.balls().size() == speeds.size());
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+        CAPTURE(i);
+        CHECK(std::abs(length(world.balls().velocity[i]) - speeds[i]) < 0.01);
+    }
+}
+
 TEST_CASE("lasting impact: every ball of a rack leaves, where impulses in turn leave some behind") {
     for (const double speed : {6.0, 8.0, 10.0, 13.0}) {
         CAPTURE(speed);
@@ -319,4 +335,31 @@ TEST_CASE("lasting impact: a row that is frozen to a cushion sends the ball back
     CHECK(world.balls().velocity[0].x < 0.0);
     CHECK(world.balls().position[2].x <= 2.0 * pool_ball + 1e-12);
     CHECK(deepest_overlap(world) < 1e-9);
+}
+
+TEST_CASE("lasting impact: through a frozen pair the second ball is thrown, by friction alone") {
+    // The first ball is hit at 30 degrees to the line of the two. Without friction the second one
+    // leaves along that line; friction throws it the way the first one slips, by less than its
+    // angle.
+    const auto angle = [](double friction, double modulus) {
+        World world = scenes::cloth_table(0.95, friction);
+        if (modulus > 0.0) world.edit_definition().model.modulus = modulus;
+        const Vec2 way{std::sqrt(0.75), 0.5};
+        scenes::put(world, {0.0, 0.0});
+        scenes::put(world, {2.0 * pool_ball, 0.0});
+        scenes::put(world, way * (-0.2), way * 3.0);
+        while (world.ball_ball_collisions() == 0)
+            run(world, 1.0 / 240.0);
+        const Vec2 off = world.balls().velocity[1];
+        CHECK(length(off) > 1.0);
+        return std::atan2(off.y, off.x) * 180.0 / pi;
+    };
+    for (const double modulus : {0.0, phenolic}) {
+        CAPTURE(modulus);
+        CHECK(std::abs(angle(0.0, modulus)) < 1e-9);
+        const double thrown = angle(0.05, modulus);
+        MESSAGE("thrown by " << thrown << " degrees");
+        CHECK(thrown > 1.0);
+        CHECK(thrown < std::atan(0.05) * 180.0 / pi + 1e-9);
+    }
 }
