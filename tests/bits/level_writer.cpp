@@ -75,6 +75,9 @@ class LevelWriter : Draft {
                  " spin=" + text_of(random.decades(-1.0, 2.0) * speed / length / level.time) +
                  " g=" + text_of(most * random.decades(-1.0, 0.5)));
         }
+        if (!has_gravity_ && random.chance(0.25))
+            line("use modulus " +
+                 text_of(random.decades(2.0, 10.0) * speed * speed / (length * length * length)));
         const bool wraps = random.chance(0.12);
         line("world " + text_of(at(0, 0)) + ' ' + text_of(at(level.width, level.height)));
         if (wraps) line("use wrap"), is_open_ = random.chance(0.7);
