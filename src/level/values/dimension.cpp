@@ -22,8 +22,8 @@ constexpr std::array units{
     Unit{"kHz", 1e3, rate_dimension},         Unit{"deg", 1.0, angle_dimension},
     Unit{"rad", 180.0 / pi, angle_dimension}, Unit{"J", 1.0, energy_dimension},
     Unit{"Ns", 1.0, momentum_dimension},      Unit{"Js", 1.0, angular_momentum_dimension},
-    Unit{"Pa", 1.0, modulus_dimension},      Unit{"kPa", 1e3, modulus_dimension},
-    Unit{"MPa", 1e6, modulus_dimension},     Unit{"GPa", 1e9, modulus_dimension}};
+    Unit{"Pa", 1.0, modulus_dimension},       Unit{"kPa", 1e3, modulus_dimension},
+    Unit{"MPa", 1e6, modulus_dimension},      Unit{"GPa", 1e9, modulus_dimension}};
 
 struct NamedDimension {
     Dimension dimension;
