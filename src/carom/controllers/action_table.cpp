@@ -127,6 +127,8 @@ constexpr Action rows[] = {
      [](Pool& table, Play& play) { table.next_opponent(play); }},
     {"hand", "M", "your hand in a match: 1 to 4", "Pool", pool,
      [](Pool& table, Play& play) { table.next_hand(play); }},
+    {"record", "T", "your record against carom", "Pool", pool,
+     [](Pool& table, Play& play) { table.tell_record(play); }},
     {"coach", "C", "what carom would shoot: its three best", "Pool", pool,
      [](Pool& table, Play& play) { table.ask_coach(play); }},
 

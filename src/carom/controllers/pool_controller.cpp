@@ -211,6 +211,8 @@ void PoolController::undo_shot(PlayContext& play) {
 void PoolController::continue_from(PlayContext& play, const Controller& before) {
     const auto* const pool = dynamic_cast<const PoolController*>(&before);
     if (pool) set_hand(pool->hand());
+    if (pool) tally_ = pool->tally_;
+    if (pool) record_ = pool->record_;
     if (pool && pool->opponent() > 0) set_opponent(play.session, pool->opponent());
 }
 

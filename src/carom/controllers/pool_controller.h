@@ -10,6 +10,7 @@
 #include "carom/pool/pool_opponent.h"
 #include "carom/pool/pool_status.h"
 #include "carom/pool/shot_clock.h"
+#include "carom/pool/shot_tally.h"
 
 /// Pool: aiming by keys and mouse, ball in hand, choices, the AI player, and the referee's rulings.
 /// It works at any table with a cue; without a game, balls can be dragged freely.
@@ -51,6 +52,7 @@ class PoolController : public FreeController {
     void skip_to_rest(PlayContext& play);
     bool give_up_stroke(PlayContext& play);
     void next_hand(PlayContext& play);
+    void tell_record(PlayContext& play) const;
     bool explain_cue(PlayContext& play) const;
     void next_pot(PlayContext& play, bool backwards);
     void next_call(PlayContext& play);
@@ -71,6 +73,9 @@ class PoolController : public FreeController {
     /// The level of the person's hand in a match, least_hand..most_hand.
     int hand() const { return stroke_.level(); }
     void set_hand(int level) { stroke_.set_level(level); }
+    /// What the person had done in matches before this game, for tell_record().
+    void set_record(const PoolRecord& record) { record_ = record; }
+    ShotTally& tally() { return tally_; }
     const ShotSetup& setup() const { return aim_.setup(); }
     void set_up(const Session& session, const ShotSetup& setup) { aim_.set_up(session, setup); }
 
@@ -84,6 +89,7 @@ class PoolController : public FreeController {
     bool are_rolling(const PlayContext& play) const;
     bool keeps_cue(const PlayContext& play) const;
     void count_time(PlayContext& play, double seconds);
+    void tally(const PlayContext& play, double seconds);
     bool is_match(const Session& session) const;
     bool is_striking(const PlayContext& play) const;
     bool takes_key(PlayContext& play, const InputEvent& event);
@@ -99,6 +105,8 @@ class PoolController : public FreeController {
     PersonStroke stroke_;
     double after_ = 0.0;  ///< InputEvent::after of the event that is being handled, s
     ShotClock clock_;
+    ShotTally tally_;
+    PoolRecord record_;
     PoolOpponent opponent_;
     PoolCoach coach_;
 };

@@ -42,6 +42,21 @@ void PoolController::pass(PlayContext& play, double seconds) {
     opponent_.play(play, seconds);
     hear_coach(play);
     count_time(play, seconds);
+    tally(play, seconds);
+}
+
+void PoolController::tally(const PlayContext& play, double seconds) {
+    const PoolPlay* const pool = pool_of(play.session);
+    if (!pool || play.session.world().tick() < play.session.latest()) return;
+    tally_.look(*pool, opponent());
+    if (is_awaited(*pool) && !opponent_.is_turn(play.session) && !play.clock.is_paused())
+        tally_.pass(seconds);
+}
+
+void PoolController::tell_record(PlayContext& play) const {
+    PoolRecord all = record_;
+    add(all, tally_.since());
+    say(play, text_for_player(all));
 }
 
 // The opponent needs no clock, and whoever looks back at the past is not hurried.

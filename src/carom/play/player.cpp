@@ -193,6 +193,18 @@ void Player::set_up(const ShotSetup& setup) {
     if (pool) pool->set_up(play_.session, setup);
 }
 
+void Player::set_pool_record(const PoolRecord& record) {
+    auto* const pool = dynamic_cast<PoolController*>(play_.controller.get());
+    if (pool) pool->set_record(record);
+}
+
+std::optional<PoolRecord> Player::take_pool_record(bool all) {
+    auto* const pool = dynamic_cast<PoolController*>(play_.controller.get());
+    if (!pool || (!pool->tally().has_ended() && !all)) return std::nullopt;
+    const PoolRecord since = pool->tally().take();
+    return since == PoolRecord{} ? std::nullopt : std::optional(since);
+}
+
 std::optional<int> Player::hand() const {
     const auto* const pool = dynamic_cast<const PoolController*>(play_.controller.get());
     return pool ? std::optional(pool->hand()) : std::nullopt;

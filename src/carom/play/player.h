@@ -4,6 +4,7 @@
 #include <string>
 
 #include "carom/context/play_context.h"
+#include "carom/files/pool_record.h"
 #include "game/pool/shot_setup.h"
 
 /// A game being played: handles input, lets time pass, and draws. It knows no terminal, no files
@@ -69,6 +70,10 @@ class Player {
     std::optional<ShotSetup> shot_setup() const;
     void set_up(const ShotSetup& setup);
     /// On the shot clock of a game of pool, s; none: no clock runs.
+    /// What the person had done in matches of pool before this game.
+    void set_pool_record(const PoolRecord& record);
+    /// What has been counted since the last call. Unless `all`, only once a frame has ended.
+    std::optional<PoolRecord> take_pool_record(bool all);
     /// The level of the person's hand in a match; none: no pool table.
     std::optional<int> hand() const;
     void set_hand(int level);

@@ -10,6 +10,7 @@
 #include "carom/controllers/pool_controller.h"
 #include "carom/files/files.h"
 #include "carom/files/high_scores.h"
+#include "carom/files/pool_record.h"
 #include "carom/files/user_folders.h"
 
 namespace carom {
@@ -37,6 +38,14 @@ void show_high_scores(Player& player, const std::string& path) {
     HighScoresText kept = load_high_scores(high_scores_name(path), table.highscores);
     if (kept.problem) player.complain(*kept.problem);
     player.set_high_scores(std::move(kept.scores));
+}
+
+// Gives a player at a game of pool the record of earlier matches.
+void show_pool_record(Player& player) {
+    if (!std::holds_alternative<PoolPlay>(player.session().game())) return;
+    PoolRecordText kept = load_pool_record();
+    if (kept.problem) player.complain(*kept.problem);
+    player.set_pool_record(kept.record);
 }
 
 }  // namespace
@@ -171,6 +180,7 @@ void Program::enter(LevelSource source, Player player, std::optional<Interrupted
     player.set_keep_going(keep_going_);
     if (options_.paused) player.pause(true);
     show_high_scores(player, source.path);
+    if (!player.is_watching()) show_pool_record(player);
     if (options_.demo) player.demonstrate();
     if (options_.opponent > 0 && !player.is_watching() && !player.set_opponent(options_.opponent))
         player.complain("no game of pool is played here, so there is no opponent");
@@ -250,6 +260,7 @@ void Program::leave_game() {
     auto* game = std::get_if<RunningGame>(&page_);
     if (!game) return;
     keep_key_repeat(*game);
+    keep_pool_record(*game, true);
     is_kept_ = game->leave();
 }
 
@@ -257,6 +268,7 @@ void Program::interrupt() {
     auto* game = std::get_if<RunningGame>(&page_);
     if (!game) return;
     keep_key_repeat(*game);
+    keep_pool_record(*game, true);
     game->autosave();
     if (recording_)
         lost_recording_ =
@@ -295,6 +307,14 @@ void Program::keep_key_repeat(const RunningGame& game) {
         return;
     preferences_.key_repeat = now;
     keep_setting("key-repeat", text_of(*now));
+}
+
+void Program::keep_pool_record(RunningGame& game, bool all) {
+    const auto since = game.player.take_pool_record(all);
+    if (!since) return;
+    const PoolRecordText kept = carom::keep_pool_record(*since);
+    if (kept.problem) game.player.complain(*kept.problem);
+    game.player.set_pool_record(kept.record);
 }
 
 void Program::keep_preferences(const ViewOptions& before, const ViewOptions& after) {

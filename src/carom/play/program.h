@@ -112,6 +112,7 @@ class Program {
     ViewOptions view() const;
     /// Writes the settings that the player has changed by keys into the preferences file.
     void keep_preferences(const ViewOptions& before, const ViewOptions& after);
+    void keep_pool_record(RunningGame& game, bool all);
     void keep_key_repeat(const RunningGame& game);
     void keep_setting(std::string_view name, std::string_view value);
 

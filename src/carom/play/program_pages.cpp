@@ -62,6 +62,7 @@ void Program::handle_game(RunningGame& game, const InputEvent& event, double now
         preferences_.hand = *hand;
         keep_setting("hand", std::to_string(*hand));
     }
+    keep_pool_record(game, false);
     if (next_autosave_ < now) next_autosave_ = now + autosave_interval;
     switch (request) {
         case PlayRequest::quit:

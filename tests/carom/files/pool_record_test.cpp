@@ -1,0 +1,110 @@
+#include "carom/files/pool_record.h"
+
+#include <doctest/doctest.h>
+#include <sys/stat.h>
+
+#include <fstream>
+
+#include "carom/pool/shot_tally.h"
+#include "carom/support/home.h"
+
+using namespace carom;
+using carom::test::Home;
+
+namespace {
+
+PoolRecord some() {
+    PoolRecord record{.shots = 12, .pots = 7, .safeties = 2, .fouls = 1, .best_run = 4};
+    record.seconds = 120.0;
+    record.opponents[1] = {3, 1};
+    return record;
+}
+
+PoolPlay at_the_table() {
+    PoolPlay pool;
+    pool.rules.phase = PoolPhase::playing;
+    return pool;
+}
+
+/// A shot of the player: balls that fall, and whether the turn passes.
+void shoot(ShotTally& tally, PoolPlay& pool, int player, std::vector<int> balls, bool passes,
+           PoolFoul foul = PoolFoul::none) {
+    pool.shooter = player;
+    ++pool.shots;
+    pool.is_shooting = true;
+    tally.look(pool, 2);
+    pool.is_shooting = false;
+    pool.call = {};
+    pool.shot = {};
+    for (const int ball : balls)
+        pool.shot.pocketed.push_back({ball, 0});
+    pool.last_foul = foul;
+    if (passes) pool.rules.player = 1 - player;
+    tally.look(pool, 2);
+}
+
+}  // namespace
+
+TEST_CASE("the record of pool is kept, and reads back") {
+    const Home home;
+    CHECK(load_pool_record().record == PoolRecord{});
+    CHECK_FALSE(keep_pool_record(some()).problem);
+    PoolRecord more{.shots = 1, .best_run = 2};
+    const PoolRecordText kept = keep_pool_record(more);
+    CHECK_FALSE(kept.problem);
+    CHECK(kept.record.shots == 13);
+    CHECK(kept.record.best_run == 4);
+    CHECK(load_pool_record().record == kept.record);
+    CHECK(read_pool_record(text_of(some()), "f").record == some());
+}
+
+TEST_CASE("a record of pool that is not understood is left alone") {
+    for (const char* const text :
+         {"something else\n", "carom pool record 1\nshots many\n",
+          "carom pool record 1\nopponent 5 1 1\n", "carom pool record 1\nshots -3\n"})
+        CHECK(read_pool_record(text, "f").problem);
+    CHECK(read_pool_record("carom pool record 1\nshots x\n", "f").problem->find("f:2") == 0);
+}
+
+TEST_CASE("shots of the person count, and those of carom do not") {
+    ShotTally tally;
+    PoolPlay pool = at_the_table();
+    tally.look(pool, 2);
+    tally.pass(6.0);
+    shoot(tally, pool, 0, {3}, false);
+    shoot(tally, pool, 0, {4, 5}, false);
+    shoot(tally, pool, 0, {}, true);
+    shoot(tally, pool, 1, {9, 10}, true);
+    pool.call.kind = PoolCall::Kind::safety;
+    shoot(tally, pool, 0, {}, true);
+    shoot(tally, pool, 1, {}, true);
+    shoot(tally, pool, 0, {0, 6}, true, PoolFoul::scratch);
+    CHECK_FALSE(tally.has_ended());
+    pool.rules.phase = PoolPhase::over;
+    pool.rules.winner = 1;
+    tally.look(pool, 2);
+    tally.look(pool, 2);
+    CHECK(tally.has_ended());
+    const PoolRecord record = tally.take();
+    CHECK(record.shots == 5);
+    CHECK(record.pots == 3);
+    CHECK(record.best_run == 3);
+    CHECK(record.safeties == 1);
+    CHECK(record.fouls == 1);
+    CHECK(record.seconds == 6.0);
+    CHECK(record.opponents[1] == PoolRecord::Frames{0, 1});
+    CHECK(tally.take() == PoolRecord{});
+    CHECK(text_for_player(record).find("5 shots, 3 balls, best run 3") == 0);
+}
+
+TEST_CASE("without an opponent nothing counts, nor does a shot that was under way before") {
+    ShotTally tally;
+    PoolPlay pool = at_the_table();
+    pool.is_shooting = true;
+    pool.shooter = 0;
+    tally.look(pool, 2);
+    tally.look(pool, 2);
+    pool.is_shooting = false;
+    tally.look(pool, 2);
+    CHECK(tally.take() == PoolRecord{});
+}
