@@ -58,13 +58,17 @@ struct ToiTolerance {
 /// bound), with d the distance of the centres and v the relative speed. For that long the
 /// acceleration of the separation is at least normal_acceleration - m bound. The function tries a
 /// few values of m and takes the best.
+///
+/// Bodies that part reach their distance again after 2 v / bound. Bodies that overlap by more than
+/// `slop` meet earlier if they get out of one another: where they touch on the way back.
 template <typename Real>
 Real touching_step(const Separation<Real>& now, const Real& acceleration_bound,
-                   const Real& rest_speed) {
+                   const Real& rest_speed, const Real& slop) {
     const auto until_approach = [&](const Real& against) {
-        return (now.velocity > rest_speed ? now.velocity + now.velocity
-                                          : now.velocity + rest_speed) /
-               against;
+        if (!(now.velocity > rest_speed)) return (now.velocity + rest_speed) / against;
+        const Real outside = now.velocity * now.velocity + Real(2.0) * against * now.distance;
+        const bool gets_out = now.distance < -Real(4.0) * slop && outside > Real{};
+        return (now.velocity + (gets_out ? square_root(outside) : now.velocity)) / against;
     };
     Real best = until_approach(acceleration_bound);
     if (!(now.center_distance > Real{})) return best;
@@ -183,7 +187,7 @@ std::optional<Real> first_time_of_impact(SeparationAt&& separation_at, Real begi
             if (grazes && now.velocity < zero)
                 step = Real(-2.0) * now.velocity / now.acceleration;
             else
-                step = touching_step(now, bound, rest_speed);
+                step = touching_step(now, bound, rest_speed, tolerance.slop);
         } else if (now.velocity < zero) {
             step = Real(2.0) * now.distance /
                    (square_root(now.velocity * now.velocity + Real(2.0) * bound * now.distance) -

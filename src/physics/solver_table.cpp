@@ -113,6 +113,9 @@ class EventMethod final : public SolverMethod {
         const bool has_clusters = hands_heaps_over(world.model(), {.kind = SolverKind::event}) &&
                                   HybridCluster::is_needed(world);
         was_hybrid_ = has_clusters;
+        // Hands may have ended the hybrid steps: what contact left sunk still gets out.
+        sunk_.clear();
+        if (!has_clusters) sunk_ = event_memory(world).clustered;
         const EventOutcome outcome =
             has_clusters ? hybrid_.tick(world, event_, contact_, work.contacts, work.touched,
                                         work.keep_going)
@@ -121,6 +124,7 @@ class EventMethod final : public SolverMethod {
         EventMemory& memory = SolverAccess(world).memory().use<EventMemory>();
         if (!has_clusters) memory.contacts.clear();
         memory.reference.clear();
+        if (!sunk_.empty()) keep_sunk(world, memory.clustered);
         return TickOutcome::done;
     }
     std::span<const std::uint32_t> standing() const override {
@@ -129,6 +133,17 @@ class EventMethod final : public SolverMethod {
     const CellFrame& cells() const override { return event_.cells(); }
 
   private:
+    void keep_sunk(const World& world, std::vector<BallId>& clustered) {
+        cluster_.find_staying(world, staying_);
+        for (const BallId ball : sunk_)
+            if (std::ranges::binary_search(staying_, ball)) clustered.push_back(ball);
+        std::ranges::sort(clustered);
+        clustered.erase(std::ranges::unique(clustered).begin(), clustered.end());
+    }
+
+    std::vector<BallId> sunk_;
+    std::vector<BallId> staying_;
+    HybridCluster cluster_;
     bool was_hybrid_ = false;
     EventEngine<double> event_;
     ContactSolver contact_;

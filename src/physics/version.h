@@ -17,7 +17,10 @@ namespace carom {
 /// along which balls roll on without a loss under `event`, `swept` and `contact` (laws/curve.h);
 /// `swept` and `event` limit the work of a tick by one budget (tick/work_budget.h), and `swept` no
 /// longer takes the velocity of a ball that meets too much in an elastic scene; the shot clock of
-/// pool is no part of the game: its end is a command.
+/// pool is no part of the game: its end is a command;
+/// under `event`, balls that start inside an edge or a ball and get out meet it where they touch
+/// again, balls that fly together under drag meet however slowly, position correction pushes no
+/// ball into a third one, and balls that `contact` has left overlapping stay in the cluster.
 inline constexpr int physics_version = 3;
 
 }  // namespace carom

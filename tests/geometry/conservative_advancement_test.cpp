@@ -270,3 +270,21 @@ TEST_CASE(
     REQUIRE(found);
     CHECK(*found == doctest::Approx(0.5 + 1e-4).epsilon(1e-6));
 }
+
+// Regression: they were taken to meet where they had started, as deep inside one another.
+TEST_CASE("time of impact: bodies that get out of one another meet where they touch again") {
+    const double depth = 0.05;
+    const double speed = 10.0;
+    const double bound = 500.0;
+    const auto separation_at = [&](double t) {
+        Separation<double> now{-depth + speed * t - 0.5 * bound * t * t, speed - bound * t, 0.0};
+        now.acceleration_bound = bound;
+        return now;
+    };
+    ToiSearch<double> search;
+    const auto found =
+        first_time_of_impact<double>(separation_at, 0.0, 1.0, bound, tolerance, search);
+    REQUIRE(found);
+    const double expected = (speed + std::sqrt(speed * speed - 2.0 * bound * depth)) / bound;
+    CHECK(*found == doctest::Approx(expected).epsilon(1e-9));
+}

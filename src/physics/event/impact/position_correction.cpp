@@ -50,8 +50,30 @@ void PositionCorrection<Real>::move_out_of(const ContactPoint<Real>& point) {
     cluster_.note_correction();
 }
 
-// The body's inverse mass if it may be displaced so far, which may not take it into an edge; else
-// 0.
+// Whether a ball would be displaced into another one, deeper than it is in there.
+template <typename Real>
+bool PositionCorrection<Real>::enters_ball(const ClusterBody<Real>& body,
+                                           const Vector<Real>& displacement) const {
+    const Real size = balls_.radius(body.ball);
+    bool enters = false;
+    space_.for_each_ball_near(body.ball, [&](std::uint32_t other, int across, int along) {
+        if (!scene_.balls_collide(body.ball, other)) return;
+        const std::uint32_t index = cluster_.body_of(other);
+        const Vector<Real> place =
+            index != BallRecord<Real>::none
+                ? cluster_.bodies()[index].position
+                : state_at(balls_.trajectory(other), scene_.field, scene_.now).position;
+        const Vector<Real> offset = body.position - place - scene_.image_shift(across, along);
+        const Real reach = size + balls_.radius(other);
+        const Real allowed = Real(most_correction_into_ball) * std::min(size, balls_.radius(other));
+        const Real gap = length(offset + displacement) - reach;
+        enters = enters || (gap < -allowed && gap < length(offset) - reach);
+    });
+    return enters;
+}
+
+// The body's inverse mass if it may be displaced so far, which may not take it into an edge or
+// another ball; else 0.
 template <typename Real>
 Real PositionCorrection<Real>::share_of(std::uint32_t index,
                                         const Vector<Real>& displacement) const {
@@ -69,6 +91,9 @@ Real PositionCorrection<Real>::share_of(std::uint32_t index,
             is_barred || (gap < Real{} && gap < contact_with(edge, body.position, size).gap);
     };
     space_.for_each_edge_around(body.ball, space_.cells().spot_of(Vec2(there)), bar);
+    const Real harmless = Real(most_correction_into_ball) * size;
+    if (!is_barred && length_squared(displacement) > harmless * harmless)
+        is_barred = enters_ball(body, displacement);
     return is_barred ? Real{} : cluster_.motion()[index].inverse_mass;
 }
 

@@ -8,10 +8,10 @@ namespace carom {
 ///
 /// Moving balls sink in by up to `moving_rest_height` (on cloth `cloth_rest_height`) before they
 /// meet again. Deeper pairs are separated to touch, in proportion to their inverse masses, by at
-/// most half the smaller radius. A ball that an edge bars stays, so such pairs sink in further; so
-/// do held, resting, sliding and turning balls. Separation lifts balls, which gains at most the
-/// energy of that height. Nothing happens where neither gravity with losses nor cloth presses
-/// balls.
+/// most half the smaller radius. A ball that an edge or a third ball bars stays, so such pairs sink
+/// in further; so do held, resting, sliding and turning balls. Separation lifts balls, which gains
+/// at most the energy of that height. Nothing happens where neither gravity with losses nor cloth
+/// presses balls.
 template <typename Real>
 class PositionCorrection {
   public:
@@ -24,6 +24,7 @@ class PositionCorrection {
 
   private:
     void move_out_of(const ContactPoint<Real>& point);
+    bool enters_ball(const ClusterBody<Real>& body, const Vector<Real>& displacement) const;
     Real share_of(std::uint32_t body, const Vector<Real>& displacement) const;
 
     const EventScene<Real>& scene_;

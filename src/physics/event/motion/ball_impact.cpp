@@ -28,6 +28,10 @@ std::optional<Real> ball_time_of_impact(const Trajectory<Real>& a, const Traject
                              a.motion == Motion::turning || b.motion == Motion::turning,
                              field.has_drag);
     };
+    // With the sum of both, balls that fly together under drag would count as pressed together, and
+    // a slow approach as none.
+    if (field.has_drag && a.motion != Motion::turning && b.motion != Motion::turning)
+        bound = separation_at(begin).acceleration_bound;
     const bool one_rests = a.motion == Motion::resting || b.motion == Motion::resting;
     const bool on_cloth = is_on_cloth(a) || is_on_cloth(b);
     const double height =

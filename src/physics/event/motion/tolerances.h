@@ -157,6 +157,11 @@ inline constexpr double overlap_heights = 0.5;
 inline constexpr double overlap_heights_on_cloth = 2.0;
 inline constexpr double most_correction = 0.5;
 
+/// Position correction pushes a ball no deeper into a third one, in the smaller radius. x10: balls
+/// that start inside one another, or that a hand squeezes, are pushed into their neighbours; /10:
+/// balls in the middle of a heap are no longer separated.
+inline constexpr double most_correction_into_ball = 1e-4;
+
 // --- Costs: limits of work ----------------------------------------------------------------------
 
 /// The work of a tick (tick/work_budget.h): events, each about 1 us, by ball. Changes the result.
