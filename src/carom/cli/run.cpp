@@ -114,16 +114,17 @@ void Run::simulate() {
     outputs_.write_start(world_);
     Progress progress(input_.ticks);
     while (world_.tick() < input_.ticks && !refused_ && InterruptGuard::signal() == 0) {
+        if (check_) check_->note_start(world_);
         const Clock::time_point before = Clock::now();
         const TickOutcome outcome =
             solver_.tick(world_, [] { return InterruptGuard::signal() == 0; });
         cost += Clock::now() - before;
         if (outcome == TickOutcome::cancelled) break;
+        if (check_) breach_ = check_->note_tick(world_, outcome == TickOutcome::stood_still);
         update_game(input_.scene, world_, game_, solver_.contacts());
         note_tick(record_, input_.scene, world_, solver_.contacts());
         note_standing(record_, world_, solver_.standing().size());
         outputs_.write_tick(world_, solver_);
-        if (check_) breach_ = check_->note_tick(world_, outcome == TickOutcome::stood_still);
         if (breach_) break;
         execute_due();
         if (world_.tick() % mark_interval(world_.rate()) == 0) mark();

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "physics/event/motion/event_memory.h"
+
 namespace carom {
 namespace {
 
@@ -23,7 +25,7 @@ double energy_of(const World& world) {
             if (model.cloth) square += *model.spin * length_squared(balls.roll[i]);
         }
         sum += 0.5 * mass * square;
-        if (model.gravity) sum -= mass * dot(*model.gravity, balls.position[i]);
+        if (model.gravity && !model.cloth) sum -= mass * dot(*model.gravity, balls.position[i]);
     }
     return sum;
 }
@@ -60,6 +62,17 @@ bool is_wall(const World& world, std::size_t edge, ClassIndex kind) {
            !is_moved(world, edges.id[edge]);
 }
 
+// Whether all of these edges are where they were, and stop all balls from both sides.
+bool are_closed(const World& world, const std::vector<std::pair<CapsuleId, Capsule>>& outlines) {
+    for (const auto& [id, shape] : outlines) {
+        const auto index = index_of(world, id);
+        if (!index || !(world.capsules().shape[*index] == shape)) return false;
+        for (ClassIndex kind = 0; kind < world.kinds().size(); ++kind)
+            if (!is_wall(world, *index, kind)) return false;
+    }
+    return world.model().ball_edge;
+}
+
 double distance_to_segment(Vec2 point, const Capsule& edge) {
     const Vec2 span = edge.end - edge.start;
     const double whole = length_squared(span);
@@ -74,6 +87,9 @@ bool are_on_two_sides(Vec2 a, Vec2 b, Vec2 start, Vec2 end) {
     return (first > 0.0 && second < 0.0) || (first < 0.0 && second > 0.0);
 }
 
+// A pair has parted once it overlaps by no more than this share of the smaller radius.
+constexpr double parted = 1e-3;
+
 constexpr std::uint64_t edge_mark = std::uint64_t{1} << 32;
 
 }  // namespace
@@ -81,11 +97,20 @@ constexpr std::uint64_t edge_mark = std::uint64_t{1} << 32;
 Promise promise_of(SolverKind solver) {
     switch (solver) {
         case SolverKind::event:
-            return {.energy = 1e-9, .overlap = 1e-3, .keeps_sides = true};
+            return {.energy = 1e-9,
+                    .overlap = 1e-3,
+                    .overlap_of_clustered = 0.51,
+                    .lifts_overlaps = true,
+                    .keeps_sides = true,
+                    .moves = true};
         case SolverKind::swept:
-            return {.energy = 1e-3, .overlap = 1e-3, .keeps_sides = true};
+            return {.energy = 1e-3, .overlap = 1e-3, .keeps_sides = true, .moves = true};
         case SolverKind::contact:
-            return {.energy = 1e-2, .overlap = 0.51, .keeps_sides = true};
+            return {.energy = 1e-2,
+                    .overlap = 0.51,
+                    .lifts_overlaps = true,
+                    .keeps_sides = true,
+                    .moves = true};
         default:
             return {};
     }
@@ -108,15 +133,34 @@ std::string text(const Breach& breach, double rate) {
 InvariantCheck::InvariantCheck(const Scene& scene, SolverKind solver)
     : promise_(promise_of(solver)), escape_(scene) {
     const World& world = scene.world;
+    for (const std::vector<CapsuleId>& outline : scene.outlines)
+        for (const CapsuleId id : outline)
+            if (const auto index = index_of(world, id))
+                outlines_.push_back({id, world.capsules().shape[*index]});
     escaped_ = escape_.escaped(world);
     baseline_ = energy_of(world);
     scale_ = kinetic_energy_of(world);
+    exempt_deep_pairs(world);
+    remember(world);
+}
+
+void InvariantCheck::exempt_deep_pairs(const World& world) {
     sort(world);
+    exempt_.clear();
     if (promise_.overlap)
         for_each_overlap(world, [&](const Pair& pair, double depth, double radius, const Breach&) {
-            if (depth > *promise_.overlap * radius) exempt_.push_back(pair);
+            if (depth > parted * radius) exempt_.push_back(pair);
         });
     std::ranges::sort(exempt_);
+}
+
+void InvariantCheck::note_start(const World& world) {
+    if (world.stamps() == stamps_) return;
+    escape_.note_births(world);
+    const double given = energy_of(world) - energy_;
+    baseline_ += given;
+    escaped_ = escape_.escaped(world);
+    exempt_deep_pairs(world);
     remember(world);
 }
 
@@ -129,7 +173,7 @@ std::optional<Breach> InvariantCheck::note_tick(const World& world, bool stood_s
     if (!breach && promise_.keeps_sides) breach = check_sides(world);
     if (!breach && promise_.keeps_sides) {
         const std::size_t escaped = escape_.escaped(world);
-        if (escaped > escaped_)
+        if (escaped > escaped_ && are_closed(world, outlines_))
             breach = Breach{.kind = Breach::Kind::escape,
                             .tick = world.tick(),
                             .amount = static_cast<double>(escaped - escaped_)};
@@ -141,6 +185,8 @@ std::optional<Breach> InvariantCheck::note_tick(const World& world, bool stood_s
 }
 
 void InvariantCheck::remember(const World& world) {
+    stamps_ = world.stamps();
+    energy_ = energy_of(world);
     tick_ = world.tick();
     ids_ = world.balls().id;
     position_ = world.balls().position;
@@ -180,7 +226,8 @@ std::optional<Breach> InvariantCheck::check_energy(const World& world) {
         baseline_ = energy;
         return std::nullopt;
     }
-    if (may_be_given_energy(world)) baseline_ = std::max(baseline_, energy);
+    const bool is_lifted = promise_.lifts_overlaps && !exempt_.empty();
+    if (is_lifted || may_be_given_energy(world)) baseline_ = std::max(baseline_, energy);
     const double gain = energy - baseline_;
     // Potential energy is measured from the origin: its rounding is that of the coordinates.
     const double rounding = 1e-12 * std::fabs(baseline_);
@@ -193,6 +240,10 @@ std::optional<Breach> InvariantCheck::check_sides(const World& world) const {
     const Capsules& edges = world.capsules();
     if (world.model().wrap || !world.model().ball_edge) return std::nullopt;
     const Vec2 gravity = world.model().gravity.value_or(Vec2{});
+    // A ball that a hand has hit may have come to the end of its way within the tick.
+    double thrown = 0.0;
+    for (const Hand& hand : world.hands().each)
+        thrown = std::max(thrown, 2.0 * hand.pace);
     std::size_t before = 0;
     for (std::size_t i = 0; i < balls.size(); ++i) {
         while (before < ids_.size() && ids_[before] < balls.id[i])
@@ -201,8 +252,9 @@ std::optional<Breach> InvariantCheck::check_sides(const World& world) const {
         if (ids_[before] != balls.id[i] || is_held(world, balls.id[i])) continue;
         const Vec2 from = position_[before];
         const Vec2 to = balls.position[i];
-        const double fastest = std::max(length(velocity_[before]), length(balls.velocity[i])) +
-                               length(gravity) * world.tick_length();
+        const double fastest =
+            std::max({thrown, length(velocity_[before]), length(balls.velocity[i])}) +
+            length(gravity) * world.tick_length();
         const double way = 2.0 * fastest * world.tick_length();
         for (std::size_t e = 0; e < edges.size(); ++e) {
             const Capsule& edge = edges.shape[e];
@@ -277,12 +329,23 @@ void InvariantCheck::for_each_overlap(const World& world, Visit&& visit) const {
 std::optional<Breach> InvariantCheck::check_overlap(const World& world) {
     std::optional<Breach> deepest;
     std::vector<Pair> still_deep;
+    // The solver names these balls itself, as it names those for which time stood still. All others
+    // are held to what exact trajectories promise.
+    const std::vector<BallId>& clustered = event_memory(world).clustered;
+    const auto is_clustered = [&](const Breach& pair) {
+        const auto is_in = [&](BallId ball) { return std::ranges::binary_search(clustered, ball); };
+        return pair.ball && is_in(*pair.ball) && (!pair.other || is_in(*pair.other));
+    };
+    const auto is_new = [&](BallId ball) { return !std::ranges::binary_search(ids_, ball); };
     for_each_overlap(world, [&](const Pair& pair, double depth, double radius, Breach breach) {
-        if (!(depth > *promise_.overlap * radius)) return;
-        if (is_exempt(pair)) {
+        if (!(depth > parted * radius)) return;
+        if (is_exempt(pair) || is_new(*breach.ball) || (breach.other && is_new(*breach.other))) {
             still_deep.push_back(pair);
             return;
         }
+        const double most =
+            is_clustered(breach) ? promise_.overlap_of_clustered : *promise_.overlap;
+        if (!(depth > most * radius)) return;
         if (deepest && depth <= deepest->amount) return;
         breach.kind = Breach::Kind::overlap;
         breach.tick = world.tick();
@@ -298,7 +361,8 @@ std::optional<Breach> InvariantCheck::check_time(const World& world, bool stood_
     const Balls& balls = world.balls();
     if (world.tick() != tick_ + 1)
         return Breach{.kind = Breach::Kind::time, .tick = world.tick(), .amount = 0.0};
-    if (stood_still || ids_ != balls.id || world.model().wrap) return std::nullopt;
+    if (!promise_.moves || stood_still || ids_ != balls.id || world.model().wrap)
+        return std::nullopt;
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const double speed = std::min(length(velocity_[i]), length(balls.velocity[i]));
         if (!(balls.position[i] == position_[i]) || is_held(world, balls.id[i]) ||

@@ -21,7 +21,12 @@ namespace carom {
 struct Promise {
     std::optional<double> energy;   ///< largest gain, as a share of the largest energy in play
     std::optional<double> overlap;  ///< deepest, as a share of the smaller radius
-    bool keeps_sides = false;       ///< no ball passes through an edge or out of an outline
+    /// The same for balls that a hybrid step has handed to `contact` (physics/event/hybrid_step.h).
+    double overlap_of_clustered = 0.0;
+    /// It lifts bodies out of one another, which may cost gravity's work.
+    bool lifts_overlaps = false;
+    bool keeps_sides = false;  ///< no ball passes through an edge or out of an outline
+    bool moves = false;        ///< what has a speed does not stay where it was
 };
 Promise promise_of(SolverKind solver);
 
@@ -49,7 +54,8 @@ std::string text(const Breach& breach, double rate);
 ///   side      the centre of no ball has crossed the spine of a fixed edge that is solid on both
 ///             sides, unless it can have gone round an end: the chord of the tick is tested, and
 ///             the way round an end compared with twice the ball's speed
-///   escape    no ball is outside of an outline in which it started (EscapeWatch)
+///   escape    no ball is outside of an outline in which it started (EscapeWatch), as long as all
+///             of the outlines' edges are where they were, and stop all balls from both sides
 ///   overlap   no two bodies that meet overlap deeper than the solver promises. A pair that starts
 ///             deeper, as under `use overlap`, counts once it is no longer. Held, moving and
 ///             one-way edges, held balls, and edges on a torus do not count
@@ -62,6 +68,10 @@ class InvariantCheck {
   public:
     InvariantCheck(const Scene& scene, SolverKind solver);
 
+    /// Pre: called before every tick. Whatever has changed since the last one, by commands or by
+    /// the rules of a game, is not the solver's doing: energy that it gave or took is part of what
+    /// there is, and pairs that it put into one another count once they have parted.
+    void note_start(const World& world);
     /// Pre: called after every tick. The first breach in the order of the list; none: all hold.
     std::optional<Breach> note_tick(const World& world, bool stood_still);
 
@@ -73,6 +83,7 @@ class InvariantCheck {
     std::optional<Breach> check_sides(const World& world) const;
     std::optional<Breach> check_overlap(const World& world);
     std::optional<Breach> check_time(const World& world, bool stood_still) const;
+    void exempt_deep_pairs(const World& world);
     void sort(const World& world);
     void remember(const World& world);
     bool is_exempt(const Pair& pair) const;
@@ -83,6 +94,9 @@ class InvariantCheck {
     Promise promise_;
     EscapeWatch escape_;
     std::size_t escaped_ = 0;
+    std::vector<std::pair<CapsuleId, Capsule>> outlines_;  // as they were at the start
+    Stamps stamps_;                                        // after the last tick
+    double energy_ = 0.0;                                  // after the last tick
     std::uint64_t tick_ = 0;
     std::vector<BallId> ids_;  // before the tick, like the two below
     std::vector<Vec2> position_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/event/motion/event_memory.h"
 #include "physics/solver.h"
 
 using namespace carom;
@@ -42,6 +43,7 @@ struct Run {
         return scene;
     }
     std::optional<Breach> tick() {
+        check.note_start(world);
         const TickOutcome outcome = solver.tick(world);
         return check.note_tick(world, outcome == TickOutcome::stood_still);
     }
@@ -50,6 +52,7 @@ struct Run {
     Breach broken_by(Tamper&& tamper) {
         for (int i = 0; i < 10; ++i)
             REQUIRE(!tick());
+        check.note_start(world);
         const TickOutcome outcome = solver.tick(world);
         tamper(world);
         const auto breach = check.note_tick(world, outcome == TickOutcome::stood_still);
@@ -165,4 +168,40 @@ TEST_CASE("invariants: pairs that start inside one another do not count until th
     const auto breach = check.note_tick(world, true);
     REQUIRE(breach);
     CHECK(breach->kind == Breach::Kind::overlap);
+}
+
+TEST_CASE("invariants: what a player changes between two ticks is not the solver's doing") {
+    Run run;
+    const auto tick_after = [&](auto&& change) {
+        change(run.world);
+        run.check.note_start(run.world);
+        const auto breach = run.tick();
+        if (breach) FAIL(text(*breach, run.world.rate()));
+    };
+    tick_after([](World& world) { world.edit_balls().velocity[3] = {30.0, 5.0}; });
+    tick_after([](World& world) { world.edit_definition().model.gravity = Vec2{0.0, 200.0}; });
+    tick_after([](World& world) {
+        Balls& balls = world.edit_balls();
+        balls.position[7] = balls.position[6] + Vec2{0.5, 0.0};
+    });
+    tick_after([](World& world) { world.edit_balls().position[5] = {60.0, 60.0}; });
+    tick_after([](World& world) { add_ball(world, {.position = {-20.0, 5.0}}); });
+    tick_after([](World& world) { remove_capsule(world, CapsuleId{1}); });
+    for (int i = 0; i < 60; ++i)
+        tick_after([](World&) {});
+}
+
+// What a hybrid step hands to `contact` overlaps as there, and no other ball does.
+TEST_CASE("invariants: under event, only the balls of a cluster may overlap as under contact") {
+    for (const bool is_clustered : {false, true}) {
+        Run run;
+        REQUIRE(!run.tick());
+        run.solver.tick(run.world);
+        Balls& balls = run.world.edit_balls();
+        balls.position[7] = balls.position[6] + Vec2{1.9, 0.0};
+        balls.velocity[7] = {};
+        if (is_clustered) edit_event_memory(run.world).clustered = {BallId{6}, BallId{7}};
+        const auto breach = run.check.note_tick(run.world, false);
+        CHECK(breach.has_value() == !is_clustered);
+    }
 }

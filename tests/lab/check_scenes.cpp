@@ -1,0 +1,62 @@
+// Runs fuzzed scenes under every solver, and checks after every tick what it must keep. See
+// scripts/check-scenes.
+
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <string>
+
+#include "lab/support/fuzzed_scene.h"
+#include "physics/solver.h"
+
+namespace {
+
+void write(const std::string& path, const std::string& text) {
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace carom;
+    if (argc != 5) {
+        std::cerr << "usage: check_scenes FIRST COUNT STRIDE KEPT\n";
+        return 2;
+    }
+    const std::uint64_t first = std::strtoull(argv[1], nullptr, 10);
+    const std::uint64_t count = std::strtoull(argv[2], nullptr, 10);
+    const std::uint64_t stride = std::strtoull(argv[3], nullptr, 10);
+    std::uint64_t runs = 0;
+    std::uint64_t stood_still = 0;
+    std::uint64_t unloadable = 0;
+    std::uint64_t broken = 0;
+    for (std::uint64_t number = first; number < first + count; number += stride) {
+        const test::FuzzedScene fuzzed = test::fuzzed_scene(number);
+        if (!fuzzed.scene) {
+            ++unloadable;
+            continue;
+        }
+        for (const SolverKind kind : solvers_available()) {
+            if (!supports(kind, fuzzed.scene->world.model())) continue;
+            const test::CheckedRun run = test::check_run(fuzzed, kind);
+            ++runs;
+            if (run.stood_still) ++stood_still;
+            if (!run.breach) continue;
+            ++broken;
+            const std::string solver(name(kind));
+            const std::string path =
+                std::string(argv[4]) + "/" + std::to_string(number) + "-" + solver;
+            write(path + ".level", fuzzed.text);
+            write(path + ".commands", run.commands);
+            std::cout << "carom run " << path << ".level --commands " << path
+                      << ".commands --solver " << solver << " --check --ticks " << run.ticks
+                      << "\n    " << text(*run.breach, fuzzed.scene->world.rate()) << '\n'
+                      << std::flush;
+        }
+    }
+    std::cout << runs << " runs, " << unloadable << " scenes that do not load; time stood still in "
+              << stood_still << "; " << broken << " broken\n";
+    return broken == 0 ? 0 : 1;
+}

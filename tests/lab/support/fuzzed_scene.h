@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game/replay/replay_text.h"
+#include "lab/run/invariants.h"
+#include "level/scene/scene.h"
+
+/// Random scenes that use every term, every material constant, hands and flippers (tests/bits),
+/// run as under `carom run --check`.
+namespace carom::test {
+
+struct FuzzedScene {
+    std::string text;  ///< the level
+    std::uint64_t ticks = 0;
+    std::optional<Scene> scene;        ///< none: the level does not load
+    std::vector<TimedCommand> script;  ///< what a player does; the game may refuse some of it
+};
+
+/// The scene of this number. Equal numbers make equal scenes.
+FuzzedScene fuzzed_scene(std::uint64_t number);
+
+/// What one run under one solver came to.
+struct CheckedRun {
+    std::optional<Breach> breach;  ///< that ended it
+    bool stood_still = false;      ///< a budget was reached in some tick
+    std::uint64_t ticks = 0;
+    std::string commands;  ///< those that the game did not refuse, as a script
+};
+/// Pre: the scene has loaded, and the solver supports its model.
+CheckedRun check_run(const FuzzedScene& fuzzed, SolverKind solver);
+
+}  // namespace carom::test
