@@ -1,9 +1,12 @@
+#include "physics/contact/reference_positions.h"
+
 #include <functional>
 #include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
 
+#include "physics/contact/bodies.h"
 #include "physics/contact/contact_memory.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
@@ -178,4 +181,14 @@ TEST_CASE(
         else
             CHECK(contact_memory(world).reference.skin[0] > 1.5);
     }
+}
+
+TEST_CASE("contact: the skin of a held ball covers its way to the target") {
+    World world = scenes::empty();
+    const BallId held = add_ball(world, {.position = {0.0, 0.0}, .radius = 0.5});
+    add_ball(world, {.position = {0.0, 9.0}, .radius = 0.5});
+    world.edit_held_balls().push_back({held, {5.0, 0.0}});
+    set_reference_positions(world, contact_substep(world, 4));
+    CHECK(contact_memory(world).reference.skin[0] > 5.0);
+    CHECK(contact_memory(world).reference.skin[1] < 0.5);
 }

@@ -46,6 +46,23 @@ World floor_world() {
 
 }  // namespace
 
+TEST_CASE("contact: a ball that is hit on its way does not hit what it would have hit") {
+    // All in one substep: the shot goes for the target, and a ball that another one has sent up
+    // from below knocks it off its path.
+    World world = scenes::empty();
+    world.edit_definition().rate = 10.0;
+    world.edit_definition().model.gravity = Vec2{0.0, -1e-3};
+    add_ball(world, {.position = {0.0, 0.0}, .velocity = {100.0, 0.0}, .radius = 0.5});
+    add_ball(world, {.position = {8.0, 0.0}, .radius = 0.5});
+    add_ball(world, {.position = {5.0, -1.1}, .radius = 0.5});
+    add_ball(world, {.position = {5.0, -5.0}, .velocity = {0.0, 60.0}, .radius = 0.5});
+    Solver solver({.kind = SolverKind::contact, .contact_substeps = 1});
+    solver.tick(world);
+    CHECK(solver.contacts().size() == 2);
+    CHECK(world.balls().velocity[0].y > 20.0);
+    CHECK(world.balls().velocity[1].x == 0.0);
+}
+
 TEST_CASE("contact: a stack of 50 stays upright, with little overlap") {
     World world = floor_world();
     for (int i = 0; i < 50; ++i)

@@ -475,3 +475,11 @@ TEST_CASE(
     CHECK(deepest_overlap(world) < 0.26);
     CHECK(world.balls().position[6].x < world.balls().position[0].x);
 }
+
+TEST_CASE("event: a tick without a cluster keeps no contacts of an earlier one") {
+    World world = open_air(0.5);
+    add_ball(world, {.position = {0.0, 5.0}, .velocity = {}});
+    edit_event_memory(world).contacts = {{.ball = BallId{0}, .other = 1, .impulse = 1.0}};
+    Solver({.kind = SolverKind::event}).tick(world);
+    CHECK(event_memory(world).contacts.empty());
+}

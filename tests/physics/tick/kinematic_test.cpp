@@ -75,3 +75,12 @@ TEST_CASE("a held ball is immovable, and takes the shorter way on a torus") {
     make_held_balls_immovable(world, inverse_mass);
     CHECK(inverse_mass[0] == 0.0);
 }
+
+TEST_CASE("kinematic edge: when it stops, predictions made before become void") {
+    HeldEdge edge;
+    const std::uint32_t before = edge.version;
+    CHECK_FALSE(edge.is_stopped());
+    edge.stop(0.0);
+    CHECK(edge.is_stopped());
+    CHECK(edge.version != before);
+}

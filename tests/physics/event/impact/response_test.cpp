@@ -50,3 +50,54 @@ TEST_CASE("response: balls that overlap under pressure are separated, but never 
         CHECK((right > 1.0 - 0.9 * depth) == !is_barred);
     }
 }
+
+TEST_CASE("response: a resting ball that is hit releases the balls that rest on it") {
+    World world = scenes::empty();
+    world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+    add_capsule(world, {{-5.0, 0.0}, {5.0, 0.0}, 0.0}, 0);
+    add_capsule(world, {{-0.5, 0.0}, {-0.5, 10.0}, 0.0}, 0);
+    add_ball(world, {.position = {0.0, 0.5}, .radius = 0.5});
+    add_ball(world, {.position = {0.0, 1.5}, .radius = 0.5});
+    add_ball(world, {.position = {1.0, 0.5}, .velocity = {-2.0, 0.0}, .radius = 0.5});
+    EventParts parts(world);
+    for (std::uint32_t i = 0; i < 2; ++i) {
+        parts.rest.settle(i);
+        REQUIRE(parts.balls[i].line.motion == Motion::resting);
+    }
+    std::vector<Contact> contacts;
+    std::vector<std::uint8_t> touched(3);
+    const std::vector<std::uint32_t> changed = parts.response.resolve(
+        2, {parts.scene.now, EventKind::ball_ball, 0, 0, 0, 0}, {contacts, touched});
+    parts.cluster.end();
+    CHECK(changed == std::vector<std::uint32_t>{0, 1, 2});
+}
+
+TEST_CASE("response: balls that are separated across a border of cells change their cells") {
+    // The border between two cells, where the grid of these three balls has it.
+    const double depth = 2.0 * moving_rest_height;
+    const auto pressed_at = [&](double border) {
+        World world = scenes::empty();
+        world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+        world.edit_definition().model.lossy = true;
+        const double left = border + 0.25 * depth;
+        add_ball(world, {.position = {left, 0.0}, .velocity = {0.5, 0.0}, .radius = 0.5});
+        add_ball(world,
+                 {.position = {left + 1.0 - depth, 0.0}, .velocity = {-0.5, 0.0}, .radius = 0.5});
+        add_ball(world, {.position = {-50.0, -50.0}, .radius = 0.5});
+        add_ball(world, {.position = {50.0, 50.0}, .radius = 0.5});
+        return world;
+    };
+    const EventParts grid(pressed_at(0.0));
+    const CellFrame frame = grid.space.cells().frame();
+    const double border = frame.origin.x + frame.cell.x * frame.column(0.0);
+    EventParts parts(pressed_at(border));
+    REQUIRE(parts.space.cells().frame() == frame);
+    const std::uint32_t before = parts.balls.plan(0).place.cell;
+    std::vector<Contact> contacts;
+    std::vector<std::uint8_t> touched(4);
+    parts.response.resolve(0, {parts.scene.now, EventKind::ball_ball, 0, 0, 1, 0},
+                           {contacts, touched});
+    parts.cluster.end();
+    REQUIRE(parts.balls[0].line.position.x < border);
+    CHECK(parts.balls.plan(0).place.cell + 1 == before);
+}
