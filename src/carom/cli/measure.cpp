@@ -52,9 +52,11 @@ std::optional<Measurement> measure_with_bar(const Scene& scene, const MeasureSet
 std::string text_of(const MeasureOptions& options, const Scene& scene,
                     const Measurement& measurement) {
     std::string text = measure_text(scene.title.empty() ? options.level : scene.title, measurement);
-    if (options.budget || options.tolerance) text += '\n';
+    text += '\n' + own_answer(measurement);
     if (options.budget) text += budget_answer(measurement, *options.budget);
-    if (options.tolerance) text += tolerance_answer(measurement, *options.tolerance);
+    // Without any question, the one that most people have.
+    if (options.tolerance || !options.budget)
+        text += tolerance_answer(measurement, measurement.tolerance);
     return text;
 }
 

@@ -66,19 +66,23 @@ std::string independent(const Measurement& measurement) {
     const IndependentCheck& check = measurement.independent;
     if (check.differences.empty())
         return fmt::format("Independent check: none, since {}.\n", check.ended);
-    return fmt::format("Independent check with 32 digits: within {} radii up to {}{}{}.\n",
-                       small(*std::ranges::max_element(check.differences)),
-                       seconds_text(measurement.horizons[check.differences.size() - 1]),
-                       check.ended.empty() ? "" : ";\n  ", check.ended);
+    const double most = *std::ranges::max_element(check.differences);
+    return fmt::format(
+        "Independent check with 32 digits: {} up to {}{}{}.\n",
+        most == 0.0 ? "the same doubles" : fmt::format("within {} radii", small(most)),
+        seconds_text(measurement.horizons[check.differences.size() - 1]),
+        check.ended.empty() ? "" : ";\n  ", check.ended);
 }
 
 std::string heading(std::string_view title, const Measurement& measurement) {
     return fmt::format(
-        "{}: {} balls, {} s at {} ticks a second; best of {} runs\n"
+        "{}: {} ball{}, {} s at {} ticks a second; {}\n"
         "Reference: {}.\n{}{}",
-        title, measurement.balls, measurement.time, rate_text(measurement.rate),
-        measurement.repeats, reference_text(measurement.reference), believed(measurement),
-        independent(measurement));
+        title, measurement.balls, measurement.balls == 1 ? "" : "s", measurement.time,
+        rate_text(measurement.rate),
+        measurement.repeats == 1 ? "one run of each"
+                                 : fmt::format("best of {} runs", measurement.repeats),
+        reference_text(measurement.reference), believed(measurement), independent(measurement));
 }
 
 // The first columns, which all tables share.
@@ -253,6 +257,13 @@ std::string measure_text(std::string_view title, const Measurement& measurement)
     if (measurement.headline)
         text += "\nThe error as it grows:\n\n" + error_table(measurement, front);
     return text + plot_of(measurement, front);
+}
+
+std::string own_answer(const Measurement& measurement) {
+    for (std::size_t i = 0; i < measurement.rows.size(); ++i)
+        if (measurement.rows[i].choice == measurement.own)
+            return fmt::format("As it is: {}.\n", priced(measurement, i));
+    return {};
 }
 
 std::string budget_answer(const Measurement& measurement, double budget) {

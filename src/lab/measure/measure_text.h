@@ -12,6 +12,10 @@ namespace carom {
 /// faults; the error by horizon; and the plot. At most 80 columns wide, ASCII.
 std::string measure_text(std::string_view title, const Measurement& measurement);
 
+/// One line: what the level itself runs under, and its cost and faults. Empty if it was not
+/// measured.
+std::string own_answer(const Measurement& measurement);
+
 /// The answer to --budget, one line: the choice with the lowest worst fault whose tick of the level
 /// takes at most so many seconds; or that there is none, and the cost of the cheapest.
 std::string budget_answer(const Measurement& measurement, double budget);

@@ -143,6 +143,8 @@ TEST_CASE("measure prints tables, or writes files, and all but the cost is repro
     CHECK(text.exit_code == 0);
     CHECK(text.err.empty());
     CHECK(text.out.starts_with("Crowd: 20 balls, 0.3 s at 60 ticks a second"));
+    CHECK(has(text.out, "one run of each\n"));
+    CHECK(has(text.out, "\nAs it is: "));
     CHECK(has(text.out, "\nWithin 1e+03 ms a tick: "));
     CHECK(has(text.out, "\nWithin 1e-06 radii: "));
 

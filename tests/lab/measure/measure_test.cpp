@@ -321,7 +321,7 @@ TEST_CASE("the reference agrees with an independent computation in 32 digits") {
         CHECK(check.ended == "");
         REQUIRE(check.differences.size() == measurement.horizons.size());
         CHECK(std::ranges::max(check.differences) < 1e-13);
-        CHECK(has(measure_text("x", measurement), "Independent check with 32 digits: within "));
+        CHECK(has(measure_text("x", measurement), "Independent check with 32 digits: "));
     }
 }
 
