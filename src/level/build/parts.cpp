@@ -70,16 +70,14 @@ bool Parts::take_given(const Arguments& arguments, const Part& part, const Scope
     for (const auto& [key, expression] : arguments.own_keys) {
         context_.work.spend(cost_of_a_key);
         if (!part.key_names.contains(key.text)) {
-            std::vector<std::string_view> known;
+            std::vector<std::string_view> known{"at", "turn", "flip"};
             for (const auto& [other, otherwise] : part.keys)
                 known.push_back(other.text);
             context_.reporter.error(
                 "unknown-part-key", key.span(),
                 fmt::format("part {} has no key '{}'", arguments.plain[0].text, key.text),
                 did_you_mean(key.text, known,
-                             known.empty()
-                                 ? "it has none"
-                                 : fmt::format("its keys are: {}", fmt::join(known, " "))));
+                             fmt::format("its keys are: {}", fmt::join(known, " "))));
             return false;
         }
         names.emplace(std::string(key.text), evaluated(key, expression, scope));

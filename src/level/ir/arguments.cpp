@@ -46,9 +46,11 @@ class Reading {
         for (const Word& word : words) {
             if (word.text.find_first_not_of("=+-*/^,") != std::string_view::npos) continue;
             const bool is_key = word.text == "=";
+            const bool is_expect = is_key && statement().name == "expect";
             mistake("lone-sign", word.span(), fmt::format("'{}' stands alone", word.text),
-                    is_key ? "write key=value without spaces"
-                           : "arithmetic and points are written without spaces: W/2,0");
+                    is_expect ? "write: expect QUANTITY VALUE within TOLERANCE"
+                    : is_key  ? "write key=value without spaces"
+                              : "arithmetic and points are written without spaces: W/2,0");
             return false;
         }
         return true;
@@ -210,9 +212,15 @@ class Reading {
         const Statement& s = statement();
         for (const KeyRule& key : s.keys) {
             if (key.is_required && !result_.values.contains(key.name)) {
-                mistake("key-missing", result_.node->keyword().span(),
+                // "ball a 3,4": the point that should be at=3,4.
+                const auto point = std::ranges::find_if(result_.plain, [](const Word& word) {
+                    return word.text.find(',') != std::string_view::npos;
+                });
+                const bool has_point = key.name == "at" && point != result_.plain.end();
+                mistake("key-missing", has_point ? point->span() : result_.node->keyword().span(),
                         fmt::format("{} needs {}=", s.name, key.name),
-                        fmt::format("write it as: {}", s.usage));
+                        has_point ? fmt::format("write at={}", point->text)
+                                  : fmt::format("write it as: {}", s.usage));
                 return;
             }
         }

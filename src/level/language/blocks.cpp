@@ -20,7 +20,16 @@ const Statement* guess(const StatementTable& table, std::string_view keyword) {
 }
 
 void report_unknown(const StatementTable& table, const Word& keyword, Reporter& reporter) {
-    const std::string otherwise = "a line begins with a keyword, such as ball or edge";
+    std::string otherwise = "a line begins with a keyword, such as ball or edge";
+    for (const std::string_view first : table.keywords()) {
+        const std::vector<std::string_view> seconds = table.second_words(first);
+        if (std::ranges::count(seconds, keyword.text) > 0) {
+            reporter.error("unknown-statement", keyword.span(),
+                           fmt::format("'{}' is not a statement", keyword.text),
+                           fmt::format("did you mean '{} {}'?", first, keyword.text));
+            return;
+        }
+    }
     reporter.error("unknown-statement", keyword.span(),
                    fmt::format("'{}' is not a statement", keyword.text),
                    did_you_mean(keyword.text, table.keywords(), otherwise));
@@ -108,9 +117,12 @@ class BlockReader {
         if (equals == std::string_view::npos || !is_identifier(first.text.substr(0, equals))) {
             return false;
         }
-        reporter_.error("unknown-statement", first.span(),
-                        fmt::format("'{}' is not a statement", first.text),
-                        "a '\\' at the end of the line above would continue it");
+        reporter_.error(
+            "unknown-statement", first.span(), fmt::format("'{}' is not a statement", first.text),
+            words.size() == 1 ? fmt::format("write let {}, or continue the line above: end it with "
+                                            "'\\'",
+                                            first.text)
+                              : "a '\\' at the end of the line above would continue it");
         if (!nodes.empty() && nodes.back().body.empty()) {
             nodes.back().words.insert(nodes.back().words.end(), words.begin(), words.end());
         }

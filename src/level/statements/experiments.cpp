@@ -50,6 +50,11 @@ void set_observation(const Arguments& arguments, const Frame&, Context& context)
             observation.what.add(row->what);
             continue;
         }
+        if (word.text == "from") {
+            context.reporter.error("unknown-observable", word.span(), "'from' is not expected here",
+                                   "write from=2s without spaces");
+            return;
+        }
         context.reporter.error(
             "unknown-observable", word.span(), fmt::format("'{}' cannot be observed", word.text),
             did_you_mean(word.text, known, fmt::format("there are: {}", fmt::join(known, " "))));

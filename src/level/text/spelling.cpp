@@ -3,8 +3,78 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace carom {
+namespace {
+
+// What authors write who come from other programs, and what it is called here.
+struct Synonym {
+    std::string_view written;
+    std::string_view meant;
+};
+constexpr std::array<Synonym, 47> synonyms{{
+    // statements
+    {"wall", "edge"},
+    {"line", "edge"},
+    {"segment", "edge"},
+    {"polyline", "edge"},
+    {"polygon", "edge"},
+    {"circle", "peg"},
+    {"post", "peg"},
+    {"disc", "ball"},
+    {"disk", "ball"},
+    {"sphere", "ball"},
+    {"rect", "box"},
+    {"rectangle", "box"},
+    {"for", "repeat"},
+    {"loop", "repeat"},
+    {"var", "let"},
+    {"set", "let"},
+    {"const", "let"},
+    {"import", "include"},
+    {"emitter", "spawn"},
+    {"assert", "expect"},
+    {"plot", "show"},
+    // terms, and units
+    {"friction", "spin"},
+    {"torus", "wrap"},
+    {"periodic", "wrap"},
+    {"inch", "in"},
+    {"inches", "in"},
+    {"meter", "m"},
+    {"metre", "m"},
+    // keys
+    {"velocity", "v"},
+    {"vel", "v"},
+    {"speed", "v"},
+    {"radius", "r"},
+    {"thickness", "r"},
+    {"width", "r"},
+    {"mass", "m"},
+    {"bounce", "e"},
+    {"restitution", "e"},
+    {"elasticity", "e"},
+    {"friction", "mu"},
+    {"position", "at"},
+    {"pos", "at"},
+    {"center", "at"},
+    {"spin", "w"},
+    {"type", "kind"},
+    {"angle", "turn"},
+    {"rotate", "turn"},
+    {"interval", "every"},
+}};
+
+std::optional<std::string_view> meant_by(std::string_view word,
+                                         const std::vector<std::string_view>& candidates) {
+    for (const Synonym& synonym : synonyms)
+        if (synonym.written == word && std::ranges::count(candidates, synonym.meant) > 0)
+            return synonym.meant;
+    return std::nullopt;
+}
+
+}  // namespace
 
 int edit_distance(std::string_view a, std::string_view b) {
     // The dynamic program needs only the last three rows of its table.
@@ -33,6 +103,7 @@ std::optional<std::string_view> nearest_word(std::string_view word,
     constexpr std::size_t longest = 64;  // bounds the work
     std::size_t tried = 0;
     if (word.empty() || word.size() > longest) return std::nullopt;
+    if (const auto meant = meant_by(word, candidates)) return meant;
     std::optional<std::string_view> best;
     std::size_t best_distance = std::max(std::size_t{1}, word.size() / 3);
     for (const std::string_view candidate : candidates) {

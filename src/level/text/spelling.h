@@ -17,8 +17,9 @@ int edit_distance(std::string_view a, std::string_view b);
 /// Only the first of this many candidates are compared.
 inline constexpr std::size_t max_candidates = 1000;
 
-/// The candidate with the lowest edit distance to `word`, the first in a tie. None: all distances
-/// exceed a third of its letters (and 1).
+/// The candidate that `word` is another usual name of, as "radius" of "r"; else the one with the
+/// lowest edit distance to it, the first in a tie. None: all distances exceed a third of its
+/// letters (and 1).
 std::optional<std::string_view> nearest_word(std::string_view word,
                                              const std::vector<std::string_view>& candidates);
 
