@@ -46,7 +46,7 @@ TEST_CASE("the 8-ball table has 16 balls, six pockets and a cue") {
     REQUIRE(scene.pool.cue);
     CHECK(scene.ball_names[number(scene.pool.cue->ball)] == "cue");
     CHECK(scene.pool.cue->least_power == 0.0);
-    CHECK(scene.pool.cue->most_power == 10.0);
+    CHECK(scene.pool.cue->most_power == 13.0);
     CHECK(scene.ball_names[number(scene.pool.racks.front().balls[7])] == "rack.8");
 }
 
