@@ -20,7 +20,8 @@ namespace carom {
 /// pool is no part of the game: its end is a command;
 /// under `event`, balls that start inside an edge or a ball and get out meet it where they touch
 /// again, balls that fly together under drag meet however slowly, position correction pushes no
-/// ball into a third one, and balls that `contact` has left overlapping stay in the cluster;
+/// ball into a third one, balls that `contact` has left overlapping stay in the cluster, and a ball
+/// leaves a held ball as under the other solvers;
 /// the levels of pool say `use modulus`, by which contacts last under `event`.
 inline constexpr int physics_version = 3;
 

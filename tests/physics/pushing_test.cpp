@@ -126,6 +126,33 @@ TEST_CASE("event: a hand pushes a ball that lies at rest") {
     CHECK(deepest_overlap(world) < 1e-4);
 }
 
+// Regression: `event` gave every ball that met a held one 5 % of its approach, even an elastic ball
+// that met one at rest.
+TEST_CASE("a ball leaves a held ball as it would leave a fixed one, or a little faster than it") {
+    for (const SolverKind kind : {SolverKind::swept, SolverKind::event}) {
+        CAPTURE(static_cast<int>(kind));
+        for (const double restitution : {1.0, 0.5, 0.0}) {
+            CAPTURE(restitution);
+            for (const double pace : {0.0, 2.0}) {
+                CAPTURE(pace);
+                World world = scenes::empty();
+                world.edit_definition().kinds[0].restitution = restitution;
+                world.edit_definition().model.lossy = restitution < 1.0;
+                const BallId hand = add_ball(world, {.position = {0.0, 0.0}});
+                add_ball(world, {.position = {8.0, 0.0}, .velocity = {-3.0, 0.0}});
+                Solver solver({.kind = kind});
+                for (int tick = 1; tick <= 360; ++tick) {
+                    world.edit_held_balls() = {{hand, {pace * tick / world.rate(), 0.0}}};
+                    solver.tick(world);
+                }
+                const double expected = std::max(pace * 1.05 + 0.05 * 3.0, restitution * 3.0);
+                CHECK(world.balls().velocity[1].x ==
+                      doctest::Approx(pace > 0.0 ? expected : restitution * 3.0).epsilon(1e-6));
+            }
+        }
+    }
+}
+
 TEST_CASE("a hand lifts a pile") {
     for (const SolverKind kind : {SolverKind::contact, SolverKind::event}) {
         CAPTURE(static_cast<int>(kind));

@@ -6,6 +6,16 @@
 #include "physics/laws/contact_material.h"
 
 namespace carom {
+namespace {
+
+// What bounce_off gives, as a share of the approach.
+double share_left(Vec2 velocity, Vec2 normal, double surface, double restitution) {
+    const Exchange done = bounce_off(velocity, 1.0, normal, surface, restitution);
+    return done.approach > 0.0 ? std::max(0.0, (dot(velocity, normal) - surface) / done.approach)
+                               : 0.0;
+}
+
+}  // namespace
 
 template <typename Real>
 double Restitution<Real>::of(const ContactPoint<Real>& point, bool is_alone) const {
@@ -28,8 +38,10 @@ double Restitution<Real>::of_balls(const ContactPoint<Real>& point, bool is_alon
     const auto is_in_hand = [&](std::uint32_t ball, const Trajectory<Real>& trajectory) {
         return trajectory.motion == Motion::held && scene_.is_in_hand(ball);
     };
-    if (is_pushed && (is_in_hand(body.ball, ours) || is_in_hand(point.other, theirs)))
-        return hand_restitution;
+    if (is_pushed && is_in_hand(body.ball, ours))
+        return off_hand(point.contact.b, point.contact.a, -point.contact.normal, restitution);
+    if (is_pushed && is_in_hand(point.other, theirs))
+        return off_hand(point.contact.a, point.contact.b, point.contact.normal, restitution);
     if (restitution < 1.0 && ours.recent_collisions > most_recent_collisions &&
         theirs.recent_collisions > most_recent_collisions)
         return 0.0;
@@ -42,6 +54,16 @@ double Restitution<Real>::of_balls(const ContactPoint<Real>& point, bool is_alon
     const bool one_rests = body.was_resting || cluster_.bodies()[point.contact.b].was_resting;
     if (one_rests) return height < Real(rest_height) * small ? 0.0 : restitution;
     return height < Real(moving_rest_height) * small ? 1.0 : restitution;
+}
+
+// The share of the approach at which a ball leaves a held one, which lies against `normal`.
+template <typename Real>
+double Restitution<Real>::off_hand(std::uint32_t free, std::uint32_t held,
+                                   const Vector<Real>& normal, double restitution) const {
+    Vec2 velocity(cluster_.motion()[free].velocity);
+    const Vec2 away(normal);
+    return share_left(velocity, away, dot(Vec2(cluster_.motion()[held].velocity), away),
+                      restitution);
 }
 
 template <typename Real>
@@ -61,13 +83,8 @@ double Restitution<Real>::of_edge(const ContactPoint<Real>& point, bool is_alone
         const double height = world.model().cloth ? moving_rest_height : rest_height;
         const Real pull = length(trajectory.acceleration) * balls_.radius(ball);
         if (approach * approach < Real(4.0 * height) * pull) return 1.0;
-        // What bounce_off gives, as a share of the approach.
-        Vec2 velocity(cluster_.motion()[point.contact.a].velocity);
-        const Vec2 normal(point.contact.normal);
-        const Exchange done = bounce_off(velocity, 1.0, normal, surface, restitution);
-        return done.approach > 0.0
-                   ? std::max(0.0, (dot(velocity, normal) - surface) / done.approach)
-                   : 0.0;
+        return share_left(Vec2(cluster_.motion()[point.contact.a].velocity),
+                          Vec2(point.contact.normal), surface, restitution);
     }
     if (restitution < 1.0 && trajectory.recent_collisions > most_recent_collisions &&
         !world.model().gravity)

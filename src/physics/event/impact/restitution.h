@@ -17,7 +17,7 @@ namespace carom {
 ///   ball and kinematic body, by cloth       2 moving_rest_height          1
 ///   two balls with more than most_recent_collisions each                0
 ///   such a ball and an edge, without gravity                              0
-///   ball pushed by a held ball              always                        hand_restitution
+///   ball against a held ball                always                        laws/bounce.h
 ///   kinematic edge that approaches          always                        laws/bounce.h
 ///
 /// Counts of collisions (collapse_guard.h) matter only for a restitution below 1. "Pressed": by
@@ -35,6 +35,8 @@ class Restitution {
 
   private:
     double of_balls(const ContactPoint<Real>& point, bool is_alone, const Real& approach) const;
+    double off_hand(std::uint32_t free, std::uint32_t held, const Vector<Real>& normal,
+                    double restitution) const;
     double of_edge(const ContactPoint<Real>& point, bool is_alone, const Real& approach) const;
     double on_cloth(const ContactPoint<Real>& point, bool is_alone, double usual) const;
 
