@@ -200,9 +200,10 @@ void ImpactCluster<Real>::scan(std::uint32_t body) {
     find_neighbours(body);
     touching_.clear();
     for (std::size_t i = 0; i < close_count_; ++i) {
-        const Neighbour<Real>& near = neighbours_[close_[i]];
-        if (may_touch(body, near) && scene_.balls_collide(ball, near.other))
-            touching_.push_back({static_cast<int>(near.other), near.across, near.along});
+        Neighbour<Real>& near = neighbours_[close_[i]];
+        if (!may_touch(body, near) || !scene_.balls_collide(ball, near.other)) continue;
+        near.touches = true;
+        touching_.push_back({static_cast<int>(near.other), near.across, near.along});
     }
     // By number: the cells must not show, not even in rounding.
     std::sort(touching_.begin(), touching_.end());
@@ -228,8 +229,8 @@ void ImpactCluster<Real>::gather(const Real& reach) {
     for (std::uint32_t body = 0; body < bodies_.size(); ++body) {
         scan(body);
         if (bodies_[body].is_gathered) continue;
-        bodies_[body].is_gathered = true;
         if (has_neighbours(bodies_[body])) gather_around(body, reach);
+        bodies_[body].is_gathered = true;
     }
 }
 
@@ -240,7 +241,8 @@ void ImpactCluster<Real>::gather_around(std::uint32_t body, const Real& reach) {
     for (const Neighbour<Real>& near : neighbours_of(bodies_[body])) {
         const Real small = std::min(radius_of(body), balls_.radius(near.other));
         const Real limit = near.reach + std::min(reach, Real(most_lasting_gap) * small);
-        if (length_squared(near.offset) > limit * limit || has_contact(body, near) ||
+        if (length_squared(near.offset) > limit * limit || near.touches ||
+            is_gathered(near.other) || is_of_event(body, near) ||
             !scene_.balls_collide(ball, near.other))
             continue;
         touching_.push_back({static_cast<int>(near.other), near.across, near.along});
@@ -252,18 +254,24 @@ void ImpactCluster<Real>::gather_around(std::uint32_t body, const Real& reach) {
     }
 }
 
-// Whether the contact point of these two exists, seen from either.
+// Whether the impact began with these two.
 template <typename Real>
-bool ImpactCluster<Real>::has_contact(std::uint32_t body, const Neighbour<Real>& neighbour) const {
-    const std::uint32_t other = body_of_[neighbour.other];
-    if (other == BallRecord<Real>::none) return false;
-    return std::any_of(contacts_.begin(), contacts_.end(), [&](const ContactPoint<Real>& point) {
-        const bool is_ours = point.contact.a == body && point.contact.b == other;
-        const bool is_theirs = point.contact.a == other && point.contact.b == body;
-        const int side = is_ours ? 1 : -1;
-        return (is_ours || is_theirs) && point.support.across == side * neighbour.across &&
-               point.support.along == side * neighbour.along;
-    });
+bool ImpactCluster<Real>::is_of_event(std::uint32_t body, const Neighbour<Real>& neighbour) const {
+    const ContactPoint<Real>& first = contacts_.front();
+    if (first.kind != EventKind::ball_ball) return false;
+    const bool is_first = first.contact.a == body && first.other == neighbour.other;
+    const bool is_second =
+        first.contact.b == body && bodies_[first.contact.a].ball == neighbour.other;
+    const int side = is_first ? 1 : -1;
+    return (is_first || is_second) && first.support.across == side * neighbour.across &&
+           first.support.along == side * neighbour.along;
+}
+
+// Whether the contact points around that ball are known.
+template <typename Real>
+bool ImpactCluster<Real>::is_gathered(std::uint32_t ball) const {
+    const std::uint32_t body = body_of_[ball];
+    return body != BallRecord<Real>::none && bodies_[body].is_gathered;
 }
 
 template <typename Real>

@@ -41,6 +41,7 @@ struct Neighbour {
     std::uint32_t other = 0;
     std::int8_t across = 0;  ///< periodic image that is near
     std::int8_t along = 0;
+    bool touches = false;  ///< within the slop, if the body is scanned
 };
 
 /// Two things that touch in the impact: a body, and a body, an edge or a kinematic edge. Or two
@@ -128,7 +129,8 @@ class ImpactCluster {
                   bool is_certain);
     void add_kinematic_edge(std::uint32_t body, const KinematicEdge<Real>& edge, bool is_certain);
     void gather_around(std::uint32_t body, const Real& reach);
-    bool has_contact(std::uint32_t body, const Neighbour<Real>& neighbour) const;
+    bool is_of_event(std::uint32_t body, const Neighbour<Real>& neighbour) const;
+    bool is_gathered(std::uint32_t ball) const;
     bool may_touch(std::uint32_t body, const Neighbour<Real>& neighbour) const;
     void find_neighbours(std::uint32_t body);
     Real slop_at(std::uint32_t body, const Real& size, const Real& reach) const;

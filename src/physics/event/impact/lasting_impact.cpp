@@ -8,6 +8,7 @@ namespace carom {
 
 template <typename Real>
 bool LastingImpact<Real>::press(std::span<const std::uint32_t> approaching) {
+    work_ = 0;
     Real speed{};
     const ContactPoint<Real>* fastest = nullptr;
     for (const std::uint32_t index : approaching) {
@@ -25,6 +26,7 @@ bool LastingImpact<Real>::press(std::span<const std::uint32_t> approaching) {
     collect();
     if (contacts_.size() < 2) return false;
     touches_ = &impact_.press(cluster_.motion(), contacts_, speed);
+    work_ = impact_.work() / contacts_per_event;
     return touches_->size() > 1;
 }
 

@@ -40,8 +40,8 @@ class LastingImpact {
     std::span<const HertzTouch<Real>> touches() const { return *touches_; }
     /// The contact point of a touch, by index in the cluster.
     std::uint32_t point_of(const HertzTouch<Real>& touch) const { return points_[touch.contact]; }
-    /// How much work it was, in events that take as long.
-    std::uint64_t work() const { return impact_.work() / contacts_per_event; }
+    /// How much work the last `press` was, in events that take as long.
+    std::uint64_t work() const { return work_; }
 
   private:
     static constexpr std::uint64_t contacts_per_event = 128;
@@ -57,6 +57,7 @@ class LastingImpact {
     std::vector<HertzContact<Real>> contacts_;
     std::vector<std::uint32_t> points_;  ///< of those
     const std::vector<HertzTouch<Real>>* touches_ = nullptr;
+    std::uint64_t work_ = 0;
 };
 
 }  // namespace carom

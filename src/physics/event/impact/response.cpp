@@ -169,8 +169,9 @@ bool Response<Real>::follow_curve(const ContactPoint<Real>& point) {
 // False: the impact is none.
 template <typename Real>
 bool Response<Real>::press_group() {
-    if (!lasting_.press(approaching_)) return false;
+    const bool lasts = lasting_.press(approaching_);
     work_.count_rounds(lasting_.work());
+    if (!lasts) return false;
     rolls_on_ = false;
     approaching_.clear();
     group_.clear();

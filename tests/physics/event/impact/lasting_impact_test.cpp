@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -217,6 +218,13 @@ TEST_CASE("lasting impact: momentum and angular momentum are kept, energy is not
         CHECK(gain < 2e-14);
         if (restitution == 1.0) CHECK(gain > -2e-14);
     }
+}
+
+TEST_CASE("lasting impact: auto picks the solver that knows it") {
+    const World world = rack(1.0, 0.0, 1.0, 1);
+    const SolverPick pick = pick_solver(world);
+    CHECK(pick.settings.kind == SolverKind::event);
+    CHECK(pick.reason.find("contacts last") != std::string::npos);
 }
 
 TEST_CASE("lasting impact: two balls alone have the bits of an impact that takes no time") {
