@@ -31,13 +31,15 @@ class SymbolTable {
         std::vector<std::uint32_t> zones;  ///< indices into LevelIr::zones, left to right
         std::uint32_t first_counter = 0;
     };
+    // symbol_table.cpp: names
     void collect_bins();
     const Bins* bins_named(const Word& name);
     bool is_error_name(std::string_view name) const;
+    std::optional<std::uint32_t> ball_named(std::string_view name);
+    // symbol_references.cpp: what `show` and `expect` refer to
     std::optional<Show> make_show(const ShowIr& spec);
     std::optional<std::vector<double>> expected_shares(const Word& against, std::size_t bins);
     std::optional<Expect> make_expect(const ExpectIr& spec);
-    std::optional<std::uint32_t> ball_named(std::string_view name);
     std::optional<Quantity> quantity_of(const Word& word);
     std::optional<Quantity> ball_quantity(const Word& word, std::size_t dot);
     std::optional<Quantity> edges_quantity(const Word& word, QuantityKind kind);
