@@ -10,7 +10,8 @@ inline ProgramOptions at_home(const TemporaryFolder& folder) {
     ProgramOptions options;
     options.columns = 120;
     options.environment = {{"XDG_CONFIG_HOME", folder.path("config")},
-                           {"XDG_STATE_HOME", folder.path("state")}};
+                           {"XDG_STATE_HOME", folder.path("state")},
+                           {"XDG_DATA_HOME", folder.path("data")}};
     return options;
 }
 

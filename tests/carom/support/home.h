@@ -29,6 +29,7 @@ struct Home {
         std::filesystem::current_path(path / "work");
         ::setenv("XDG_CONFIG_HOME", (path / "config").c_str(), 1);
         ::setenv("XDG_STATE_HOME", (path / "state").c_str(), 1);
+        ::setenv("XDG_DATA_HOME", (path / "data").c_str(), 1);
     }
     Home(const Home&) = delete;
     Home& operator=(const Home&) = delete;
@@ -37,6 +38,7 @@ struct Home {
         std::filesystem::remove_all(path);
         ::unsetenv("XDG_CONFIG_HOME");
         ::unsetenv("XDG_STATE_HOME");
+        ::unsetenv("XDG_DATA_HOME");
     }
     void write(const char* name, const std::string& text) const { std::ofstream(name) << text; }
     std::filesystem::path preferences() const { return path / "config/carom/preferences"; }
