@@ -10,7 +10,7 @@ namespace {
 
 // s. Nobody presses a key twice within `too_fast_for_a_finger`; no terminal repeats sooner than
 // `least_delay` after the press.
-constexpr double too_fast_for_a_finger = 0.09;
+constexpr double too_fast_for_a_finger = 0.1;
 constexpr double least_delay = 0.18;
 // Until the terminal is known.
 constexpr double most_delay = 0.75;
@@ -36,11 +36,11 @@ void KeyRepeat::remember(const KeyRepeatTimes& times) {
 
 KeyRepeat::Meaning KeyRepeat::take(char32_t key, double time) {
     const double gap = time - last_time_;
-    const Meaning meaning = meaning_of(key, gap);
+    Meaning meaning = meaning_of(key, gap);
     if (last_key_ != key)
         gaps_.clear();
-    else
-        learn(gap);
+    else if (learn(gap))
+        meaning = Meaning::repeat;
     if (meaning == Meaning::press) {
         repeats_ = 0;
         unconfirmed_ = 0.0;
@@ -65,23 +65,24 @@ KeyRepeat::Meaning KeyRepeat::meaning_of(char32_t key, double gap) const {
     return repeat_if(std::abs(gap - times_->delay) < margin());
 }
 
-// Looks for the gaps of a held key: a long one, then short ones.
-void KeyRepeat::learn(double gap) {
+// Looks for the gaps of a held key: a long one, then short ones. Returns whether it is one.
+bool KeyRepeat::learn(double gap) {
     gaps_.push_back(gap);
     if (gaps_.size() > gaps_of_hold + 1) gaps_.erase(gaps_.begin());
-    if (gaps_.size() <= gaps_of_hold) return;
+    if (gaps_.size() <= gaps_of_hold) return false;
     const double delay = gaps_.front();
     const double total = std::accumulate(gaps_.begin() + 1, gaps_.end(), 0.0);
     const double period = total / static_cast<double>(gaps_of_hold);
     const double longest = *std::max_element(gaps_.begin() + 1, gaps_.end());
     if (delay < least_delay || delay > longest_delay || delay < 1.5 * longest ||
         period > longest_period)
-        return;
+        return false;
     const bool is_same = is_observed_ && std::abs(delay - times_->delay) < most_lateness;
     lateness_ = std::clamp(longest - period, is_same ? lateness_ : 0.0, most_lateness);
     // The first repeat may be early or late, too: the longer of two like delays is safe.
     times_ = {is_same ? std::max(delay, 0.5 * (delay + times_->delay)) : delay, period};
     is_observed_ = true;
+    return true;
 }
 
 double KeyRepeat::margin() const {

@@ -44,7 +44,7 @@ class KeyRepeat {
 
   private:
     Meaning meaning_of(char32_t key, double gap) const;
-    void learn(double gap);
+    bool learn(double gap);
     double margin() const;
 
     std::optional<KeyRepeatTimes> times_;
