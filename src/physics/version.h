@@ -22,7 +22,8 @@ namespace carom {
 /// again, balls that fly together under drag meet however slowly, position correction pushes no
 /// ball into a third one, balls that `contact` has left overlapping stay in the cluster, and a ball
 /// leaves a held ball as under the other solvers;
-/// the levels of pool say `use modulus`, by which contacts last under `event`.
+/// the levels of pool say `use modulus`, by which contacts last under `event`;
+/// under `contact` constraints give back no more energy than they took (contact/energy.h).
 inline constexpr int physics_version = 3;
 
 }  // namespace carom

@@ -19,7 +19,8 @@ ContactSoftness softness_of(const World& world, double duration) {
     constexpr double second = turn * first;
     return {.push = turn / first / duration,
             .mass_share = second / (1.0 + second),
-            .impulse_share = 1.0 / (1.0 + second)};
+            .impulse_share = 1.0 / (1.0 + second),
+            .spring = turn * turn / (duration * duration)};
 }
 
 }  // namespace

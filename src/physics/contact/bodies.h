@@ -18,6 +18,7 @@ struct ContactSoftness {
     double push = 0.0;           ///< separating speed for each unit of overlap, 1/s
     double mass_share = 1.0;     ///< of a rigid contact's impulse
     double impulse_share = 0.0;  ///< of the accumulated impulse that is given back
+    double spring = 0.0;         ///< stiffness of a mass of 1, 1/s^2
 };
 
 /// Constants of a substep. All follow from the world and the number of substeps.

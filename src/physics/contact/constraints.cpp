@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "physics/contact/change_impulse.h"
+#include "physics/contact/energy.h"
 #include "physics/contact/tolerances.h"
 
 namespace carom {
@@ -30,6 +31,7 @@ void ContactConstraints::begin_all() {
     constraints_.resize(indices.size());
     new_.clear();
     const double per_substep = 1.0 / step_.duration;
+    double springs = 0.0;
     for (std::uint32_t k = 0; k < indices.size(); ++k) {
         const ContactPair& pair = pairs_[indices[k]];
         const double gap = pair.separation;
@@ -50,7 +52,9 @@ void ContactConstraints::begin_all() {
             .tangential_impulse = pair.tangential_impulse,
             .friction = pair.friction};
         apply<spin>(constraints_[k]);
+        if (gap < 0.0) springs += pair.mass * gap * gap * (1.0 + stiffer);
     }
+    energy_.begin_substep(0.5 * step_.softness.spring * springs);
     for (std::size_t k = 0; k + 1 < constraints_.size(); k += constraints_[k].has_neighbour ? 2 : 1)
         constraints_[k].has_neighbour = !share_body(constraints_[k], constraints_[k + 1]);
 }

@@ -11,6 +11,8 @@
 
 namespace carom {
 
+class ContactEnergy;
+
 /// A constraint in a substep: what the iterations need, one after another in their order.
 struct ContactConstraint {
     std::uint32_t a = 0;
@@ -44,8 +46,12 @@ struct ContactConstraint {
 class ContactConstraints {
   public:
     ContactConstraints(const ContactSubstep& step, ContactBodies& bodies, ContactPairs& pairs,
-                       const ContactClassification& classification)
-        : step_(step), bodies_(bodies), pairs_(pairs), classification_(classification) {}
+                       const ContactClassification& classification, ContactEnergy& energy)
+        : step_(step),
+          bodies_(bodies),
+          pairs_(pairs),
+          classification_(classification),
+          energy_(energy) {}
 
     /// Warm start from the pairs' impulses, and the first iteration.
     void begin();
@@ -98,6 +104,7 @@ class ContactConstraints {
     ContactBodies& bodies_;
     ContactPairs& pairs_;
     const ContactClassification& classification_;
+    ContactEnergy& energy_;
     std::vector<ContactConstraint> constraints_;
     std::vector<std::uint32_t> new_;     // indices of constraints that did not press yet
     std::vector<std::uint32_t> loaded_;  // indices of constraints below a high mass ratio

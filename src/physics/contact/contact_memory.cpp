@@ -42,6 +42,7 @@ void ContactMemory::add_contacts_to(Hash& hash, int version) const {
         hash.add(reference.ball);
         hash.add(reference.position);
         hash.add(reference.skin);
+        if (stored_energy != 0.0) hash.add(stored_energy);
         return;
     }
     for (std::size_t i = 0; i < reference.ball.size(); ++i) {

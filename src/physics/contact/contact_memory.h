@@ -50,6 +50,8 @@ class ContactMemory : public RetainedMemory {
     std::vector<PersistentContact> contacts;
     /// Empty if nothing could press in the last tick.
     ReferencePositions reference;
+    /// What the springs of the constraints hold (energy.h).
+    double stored_energy = 0.0;
 
     static const char type_name;
     std::unique_ptr<RetainedMemory> clone() const override;

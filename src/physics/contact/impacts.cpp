@@ -62,6 +62,7 @@ void ContactImpacts::find_candidates() {
 }
 
 bool ContactImpacts::find() {
+    given_ = 0.0;
     find_displacements();
     find_candidates();
     return !candidates_.empty() || !escaped_.empty();

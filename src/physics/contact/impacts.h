@@ -61,6 +61,8 @@ class ContactImpacts {
 
     /// Longest displacement that impulses gave in the substep.
     double most_push() const { return most_push_; }
+    /// Energy that the impacts of the substep have given to balls; below 0: taken from them.
+    double given() const { return given_; }
 
   private:
     void find_displacements();
@@ -72,9 +74,7 @@ class ContactImpacts {
     Capsule edge_at(const World& world, const ContactPair& pair, double now) const;
     bool is_void(const ContactEvent& event) const;
     void push_freeze(std::uint32_t body, std::optional<double> time);
-    void redirect(std::uint32_t body, double now, Vec2 velocity, double surface_speed) {
-        push_freeze(body, paths_.redirect(body, now, velocity, surface_speed));
-    }
+    void redirect(std::uint32_t body, double now, Vec2 velocity, double surface_speed);
 
     // What impacts do: response.cpp.
     void collide(World& world, const ContactEvent& event, std::vector<Contact>& contacts);
@@ -95,6 +95,7 @@ class ContactImpacts {
     std::vector<std::uint32_t> candidates_;  // pairs that may collide in the substep
     std::vector<std::uint32_t> escaped_;     // bodies whose displacement leads out of their skins
     double most_push_ = 0.0;
+    double given_ = 0.0;
 };
 
 }  // namespace carom

@@ -144,4 +144,19 @@ void ContactKinematics::settle_jams(ContactPairs& pairs, ContactBodies& bodies,
             limited(bodies.body[body].velocity, length(bodies.displacement[body]) / step.duration);
 }
 
+double ContactKinematics::work(const ContactPairs& pairs, const ContactBodies& bodies) const {
+    double work = 0.0;
+    for (const std::uint32_t p : pairs.kinematic()) {
+        const ContactPair& pair = pairs[p];
+        if (pair.mass == 0.0 || pair.state != ContactState::constraint) continue;
+        const Vec2 push =
+            pair.normal * pair.impulse + perpendicular(pair.normal) * pair.tangential_impulse;
+        if (bodies.is_ball(pair.b) && bodies.is_kinematic(pair.a))
+            work -= dot(push, bodies.body[pair.a].velocity);
+        else
+            work += dot(push, bodies.body[pair.b].velocity);
+    }
+    return work;
+}
+
 }  // namespace carom

@@ -63,6 +63,9 @@ class ContactKinematics {
     /// the substep was at most `kinematic_overlap` of the smaller radius.
     void settle_jams(ContactPairs& pairs, ContactBodies& bodies, const ContactSubstep& step);
 
+    /// The work that kinematic bodies have done on balls through constraints in the substep.
+    double work(const ContactPairs& pairs, const ContactBodies& bodies) const;
+
   private:
     std::size_t index_of_pair(const ContactPair& pair, const ContactBodies& bodies) const;
     double& share_of(std::size_t index) {

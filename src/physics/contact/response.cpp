@@ -9,6 +9,21 @@
 // What an impact within a substep of the solver `contact` does to the two bodies that meet.
 namespace carom {
 
+// After an impact.
+void ContactImpacts::redirect(std::uint32_t body, double now, Vec2 velocity, double surface_speed) {
+    if (!bodies_.is_kinematic(body)) {
+        const Vec2 before = paths_.velocity_at(body, now);
+        double squares = length_squared(velocity) - length_squared(before);
+        if (step_.spins) {
+            const double surface_before = paths_.surface_speed_at(body, now);
+            squares +=
+                (surface_speed * surface_speed - surface_before * surface_before) / step_.spin_ease;
+        }
+        given_ += 0.5 * squares / bodies_.body[body].inverse_mass;
+    }
+    push_freeze(body, paths_.redirect(body, now, velocity, surface_speed));
+}
+
 void ContactImpacts::collide(World& world, const ContactEvent& event,
                              std::vector<Contact>& contacts) {
     ContactPair& pair = pairs_[event.pair];

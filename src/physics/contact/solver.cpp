@@ -1,5 +1,6 @@
 #include "physics/contact/solver.h"
 
+#include "physics/contact/contact_memory.h"
 #include "physics/contact/reference_positions.h"
 #include "physics/contact/tolerances.h"
 #include "physics/tick/emitters_and_sinks.h"
@@ -17,6 +18,7 @@ void ContactSolver::tick(World& world, int substeps, std::vector<Contact>& conta
         is_reloaded_ = true;
         if (i == 0) {
             begin(world);
+            energy_.begin_tick(contact_memory(world).stored_energy);
         } else if (!are_within_skins(bodies_, step_)) {
             store(world, touched);
             set_reference_positions(world, step_);
@@ -63,6 +65,7 @@ void ContactSolver::store(World& world, std::vector<std::uint8_t>& touched) {
     kinematics_.stop_held_balls(world, bodies_);
     pairs_.store_impulses(world, bodies_, touched);
     const SolverAccess access(world);
+    access.memory().use<ContactMemory>().stored_energy = energy_.stored();
     access.stamp_motion();
     access.stamp_memory();
     stamps_.memory = world.stamps().memory;
@@ -87,6 +90,7 @@ void ContactSolver::substep(World& world, double share_of_way, std::vector<Conta
         advance_positions(world);
     constraints_.relax(impacts_.most_push(), has_impacts);
     if (!kinematics_.is_empty()) kinematics_.settle_jams(pairs_, bodies_, step_);
+    energy_.end_substep(constraints_.all(), impacts_.given() + kinematics_.work(pairs_, bodies_));
     kinematics_.end_substep(world, step_);
 }
 

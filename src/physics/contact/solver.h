@@ -6,6 +6,7 @@
 
 #include "physics/contact/classification.h"
 #include "physics/contact/constraints.h"
+#include "physics/contact/energy.h"
 #include "physics/contact/impacts.h"
 #include "physics/contact/kinematics.h"
 
@@ -56,7 +57,8 @@ class ContactSolver {
     ContactKinematics kinematics_;
     Stamps stamps_;  // of the world for which the pairs were found
     ContactClassification classification_{step_, bodies_, pairs_, kinematics_};
-    ContactConstraints constraints_{step_, bodies_, pairs_, classification_};
+    ContactEnergy energy_{step_, bodies_, pairs_};
+    ContactConstraints constraints_{step_, bodies_, pairs_, classification_, energy_};
     ContactImpacts impacts_{step_, bodies_, pairs_, kinematics_, classification_};
     bool is_reloaded_ = false;  // the pairs are not those of the last substep
 };

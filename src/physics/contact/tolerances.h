@@ -28,6 +28,8 @@
 /// | most_impacts      | 64    | impacts of a ball a substep  | jams cost more / fast balls freeze early |
 /// | most_pushes       | 8     | pushes by kinematic bodies   | jams rattle longer / freeze early |
 /// | most_holds        | 8     | rounds of holding back       | slower / balls between two hands keep their speed |
+/// | most_stored       | 0.005 | of the balls' energy         | squashed columns throw up loads / deep heaps stay deep |
+/// | most_owed         | 0.001 | of the balls' energy         | as above / heaps at rest are checked in each substep |
 /// | rounding          | 1e-14 | share of the speeds          | slow contacts are lost / noise counts as contact |
 // clang-format on
 namespace carom::contact_tolerance {
@@ -87,6 +89,11 @@ inline constexpr int most_impacts = 64;
 inline constexpr int most_pushes = 8;
 /// Rounds in which kinematic bodies give way to what they press against each other.
 inline constexpr int most_holds = 8;
+/// Constraints store at most this share of the energy of all balls: of what they take, they give
+/// back no more.
+inline constexpr double most_stored = 0.005;
+/// Constraints may give this share of the energy of all balls before they have taken it.
+inline constexpr double most_owed = 0.001;
 /// An approach slower than this share of the speeds of both bodies is rounding.
 inline constexpr double rounding = 1e-14;
 

@@ -65,6 +65,7 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
         if (!world.held_capsules().empty()) memory.trajectories.obstacles = 0;
         cluster_.find_staying(dense_.world, memory.clustered);
         memory.contacts.swap(SolverAccess(dense_.world).memory().use<ContactMemory>().contacts);
+        memory.stored_energy = contact_memory(dense_.world).stored_energy;
         memory.clustered.insert(memory.clustered.end(), of_free.clustered.begin(),
                                 of_free.clustered.end());
         std::ranges::sort(memory.clustered);
@@ -117,6 +118,7 @@ void HybridStep::take_part(const World& world, bool of_cluster, Part& part) cons
     if (of_cluster) {
         ContactMemory& memory = some.edit_memory().use<ContactMemory>();
         memory.contacts = event_memory(world).contacts;
+        memory.stored_energy = event_memory(world).stored_energy;
         memory.reference.clear();
         return;
     }

@@ -1,0 +1,129 @@
+#include "physics/contact/energy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "physics/contact/tolerances.h"
+
+namespace carom {
+
+// Twice the kinetic energy for each unit of mass.
+double ContactEnergy::squares_of(Vec2 velocity, double surface_speed) const {
+    return length_squared(velocity) + surface_speed * surface_speed / step_.spin_ease;
+}
+
+double ContactEnergy::kinetic_energy_of(std::uint32_t i) const {
+    const ContactBody& body = bodies_.body[i];
+    return 0.5 * squares_of(body.velocity, body.surface_speed) / body.inverse_mass;
+}
+
+// What the ball has gained in the substep.
+double ContactEnergy::gain_of(std::uint32_t i) const {
+    const double surface_speed = step_.spins ? bodies_.start_surface_speed[i] : 0.0;
+    const double before = 0.5 * squares_of(bodies_.start_velocity[i], surface_speed);
+    return kinetic_energy_of(i) -
+           (before + dot(step_.gravity, bodies_.displacement[i])) / bodies_.body[i].inverse_mass;
+}
+
+void ContactEnergy::end_substep(std::span<const ContactConstraint> constraints, double given) {
+    if (constraints.empty()) return;
+    const double weight = length(step_.gravity);
+    double gain = -given;
+    // Potential energy is 0 at the lowest point of the lowest ball.
+    double energy = 0.0;
+    double mass = 0.0;
+    double lowest = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < bodies_.fixed; ++i) {
+        if (bodies_.is_kinematic(i)) continue;
+        gain += gain_of(i);
+        const double height = -dot(step_.gravity, bodies_.position[i]);
+        energy += kinetic_energy_of(i) + height / bodies_.body[i].inverse_mass;
+        mass += 1.0 / bodies_.body[i].inverse_mass;
+        lowest = std::min(lowest, height - weight * bodies_.radius[i]);
+    }
+    if (!(mass > 0.0)) return;
+    energy = std::max(0.0, energy - mass * lowest);
+    stored_ = std::min(stored_ - gain, contact_tolerance::most_stored * energy);
+    const double excess = -contact_tolerance::most_owed * energy - stored_;
+    if (!(gain > 0.0) || !(excess > 0.0)) return;
+    find_groups(constraints);
+    stored_ += take_back(excess);
+}
+
+std::uint32_t ContactEnergy::group_of(std::uint32_t body) {
+    while (parent_[body] != body)
+        body = parent_[body] = parent_[parent_[body]];
+    return body;
+}
+
+void ContactEnergy::find_groups(std::span<const ContactConstraint> constraints) {
+    parent_.resize(bodies_.fixed);
+    groups_.assign(bodies_.fixed, {});
+    for (std::uint32_t i = 0; i < bodies_.fixed; ++i)
+        parent_[i] = i;
+    for (const ContactConstraint& constraint : constraints)
+        if (constraint.impulse > 0.0 && !bodies_.is_kinematic(constraint.a) &&
+            !bodies_.is_kinematic(constraint.b))
+            parent_[group_of(constraint.a)] = group_of(constraint.b);
+    for (const ContactConstraint& constraint : constraints) {
+        const bool by_a = bodies_.is_kinematic(constraint.a);
+        const bool by_b = bodies_.is_kinematic(constraint.b);
+        if (!(constraint.impulse > 0.0) || by_a == by_b) continue;
+        Group& group = groups_[group_of(by_a ? constraint.b : constraint.a)];
+        group.is_supported = true;
+        group.is_carried = group.is_carried || pairs_[constraint.pair].is_kinematic;
+    }
+    for (std::uint32_t i = 0; i < bodies_.fixed; ++i) {
+        if (bodies_.is_kinematic(i)) continue;
+        Group& group = groups_[group_of(i)];
+        const double mass = 1.0 / bodies_.body[i].inverse_mass;
+        group.gain += gain_of(i);
+        group.lift -= mass * dot(step_.gravity, bodies_.displacement[i]);
+        group.kinetic += kinetic_energy_of(i);
+        group.mass += mass;
+        group.momentum += bodies_.body[i].velocity * mass;
+    }
+}
+
+// From all groups that have gained, in proportion. How much that was.
+double ContactEnergy::take_back(double excess) {
+    double gains = 0.0;
+    for (std::uint32_t i = 0; i < bodies_.fixed; ++i)
+        if (parent_[i] == i) gains += std::max(0.0, groups_[i].gain);
+    if (!(gains > 0.0)) return 0.0;
+    double taken = 0.0;
+    for (std::uint32_t i = 0; i < bodies_.fixed; ++i) {
+        if (bodies_.is_kinematic(i)) continue;
+        const Group& group = groups_[group_of(i)];
+        if (group.gain > 0.0) taken += take_back(i, group, std::min(1.0, excess / gains));
+    }
+    return taken;
+}
+
+// This share of the group's gain, from its way and from its speed, whichever have gained. What
+// goes less far is slower, too. A group that nothing supports keeps its momentum.
+double ContactEnergy::take_back(std::uint32_t i, const Group& group, double share) {
+    ContactBody& body = bodies_.body[i];
+    const double lifted = group.is_carried ? 0.0 : std::max(0.0, group.lift);
+    const double sped = std::max(0.0, group.gain - group.lift);
+    const double part = std::min(1.0, share * group.gain / (lifted + sped));
+    if (!(part > 0.0)) return 0.0;
+    const Vec2 centre = group.is_supported ? Vec2{} : group.momentum / group.mass;
+    const double inner = group.kinetic - 0.5 * group.mass * length_squared(centre);
+    double kept = lifted > 0.0 ? 1.0 - part : 1.0;
+    if (inner > 0.0) kept *= std::sqrt(std::max(0.0, 1.0 - part * sped / inner));
+    const double before = kinetic_energy_of(i);
+    body.velocity = centre + (body.velocity - centre) * kept;
+    body.surface_speed *= kept;
+    double taken = before - kinetic_energy_of(i);
+    if (lifted > 0.0) {
+        const Vec2 back = bodies_.displacement[i] * part;
+        bodies_.position[i] -= back;
+        bodies_.displacement[i] -= back;
+        taken -= dot(step_.gravity, back) / body.inverse_mass;
+    }
+    return taken;
+}
+
+}  // namespace carom
