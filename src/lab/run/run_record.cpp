@@ -61,14 +61,15 @@ std::string notes_text(const RunRecord& record, double rate) {
             name(record.solver.kind));
     const StoodStill& noted = record.stood_still;
     if (noted.ticks == 0) return text;
-    return text + fmt::format(
-                      "note: time stood still in {} tick{}, first in tick {} ({:.6g} s) for {} "
-                      "ball{}, for "
-                      "at most {} in one tick: more work than a tick may take. Their energy is "
-                      "unchanged.\n",
-                      noted.ticks, noted.ticks == 1 ? "" : "s", noted.first_tick,
-                      static_cast<double>(noted.first_tick) / rate, noted.balls,
-                      noted.balls == 1 ? "" : "s", noted.most_balls);
+    return text +
+           fmt::format(
+               "note: time stood still in {} tick{}, first in tick {} ({:.6g} s) for {} "
+               "ball{}, for "
+               "at most {} in one tick: beyond what the solver does in a tick. Their energy is "
+               "unchanged.\n",
+               noted.ticks, noted.ticks == 1 ? "" : "s", noted.first_tick,
+               static_cast<double>(noted.first_tick) / rate, noted.balls,
+               noted.balls == 1 ? "" : "s", noted.most_balls);
 }
 
 void note_end(RunRecord& record, const Scene& scene, const World& world) {

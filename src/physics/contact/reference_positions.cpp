@@ -57,12 +57,19 @@ void set_reference_positions(World& world, const ContactSubstep& step) {
                           .fall = length(step.gravity),
                           .radii = most_radii(world)};
     double fastest = 0.0;
+    double squares = 0.0;
     double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < balls.size(); ++i) {
         fastest = std::max(fastest, length_squared(balls.velocity[i]));
+        squares += length_squared(balls.velocity[i]);
         smallest = std::min(smallest, balls.radius[i]);
     }
     fastest = std::sqrt(fastest);
+    // In a substep. A few very fast balls do not make all skins large, and in a gas hardly any ball
+    // becomes faster than this.
+    const double usual =
+        step.duration *
+        std::min(1.4 * fastest, 4.0 * std::sqrt(squares / static_cast<double>(balls.size())));
     // Where it does not show when pairs are found, hits get more room, so that pairs mostly last
     // for the tick.
     const double roomy = is_pair_order_irrelevant(world)
@@ -74,7 +81,8 @@ void set_reference_positions(World& world, const ContactSubstep& step) {
     reference.skin.resize(balls.size());
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const double radius = balls.radius[i];
-        const double hit = std::max(std::min(1.1 * fastest * step.duration, 0.25 * radius), roomy);
+        const double slight = std::min(1.1 * fastest * step.duration, 0.25 * radius);
+        const double hit = std::max(usual > 0.25 * radius ? usual : slight, roomy);
         reference.skin[i] = skin_for(length(balls.velocity[i]), radius, terms, hit);
     }
     for (const HeldBall& held : world.held_balls())

@@ -285,6 +285,22 @@ TEST_CASE("contact: a high heap soon stops oscillating as a whole") {
     CHECK(most < 1e-3);
 }
 
+// Regression: what a fast ball hit left its skin and stood still for the rest of the substep, in each
+// of 240 ticks of the level `piston`.
+TEST_CASE("contact: time does not stand still for a fast gas under gravity") {
+    World world = scenes::gas(400, 1);
+    world.edit_definition().model.gravity = Vec2{0.0, -40.0};
+    for (Vec2& velocity : world.edit_balls().velocity)
+        velocity *= 24.0;  // a radius in a substep
+    Solver solver({.kind = SolverKind::contact});
+    std::size_t standing = 0;
+    for (int tick = 0; tick < 60; ++tick) {
+        solver.tick(world);
+        standing += solver.standing().size();
+    }
+    CHECK(standing == 0);
+}
+
 TEST_CASE("contact: a heap continues from a snapshot with the same bits, impulses included") {
     World world = scenes::bucket(200, 0.0);
     world.edit_definition().model.spin = 0.5;
