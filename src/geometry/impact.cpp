@@ -8,6 +8,9 @@
 namespace carom {
 namespace {
 
+// An approach to a moving capsule that is slower than this share of the relative speed is rounding.
+constexpr double rounding = 1e-14;
+
 // The time at which a point at `offset` from a fixed centre, moving at constant `velocity`, first
 // comes within `reach` of it.
 std::optional<double> time_to_reach(Vec2 offset, Vec2 velocity, double reach, double horizon) {
@@ -56,6 +59,12 @@ bool is_leaving(const Disc& disc, Vec2 velocity, const Capsule& capsule) {
     return cross(span, disc.center - capsule.start) * cross(span, velocity) >= 0.0;
 }
 
+// A disc that goes along an edge at the edge's own speed approaches it by rounding alone.
+std::optional<Impact> without_rounding(const std::optional<Impact>& impact, Vec2 relative) {
+    if (!impact || dot(relative, impact->normal) < -rounding * length(relative)) return impact;
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Disc& other,
@@ -94,12 +103,19 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsul
 
 std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
                                    Vec2 start_velocity, Vec2 end_velocity, double horizon) {
+    if (start_velocity == end_velocity)
+        return without_rounding(first_impact(disc, velocity - start_velocity, capsule, horizon),
+                                velocity - start_velocity);
     const double start_speed = length(velocity - start_velocity);
     const double end_speed = length(velocity - end_velocity);
     const double fastest = std::max(start_speed, end_speed);
     if (!(fastest > 0.0)) return std::nullopt;
     const double reach = disc.radius + capsule.radius;
     const double near = 1e-12 * (reach + fastest * horizon);
+    // The least steps, of the horizon; in them the disc goes no further than a share of its reach.
+    const double most = reach > 0.0 ? 1e-2 * reach / fastest : horizon;
+    const double least_near = std::min(1e-4 * horizon, most);
+    const double least_touching = std::min(1e-3 * horizon, most);
     struct Separation {
         double gap;
         double approach;
@@ -133,11 +149,11 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsul
                 }
             }
         }
-        if (now.gap <= near && now.approach > 1e-14 * fastest) return Impact{time, now.normal};
+        if (now.gap <= near && now.approach > rounding * fastest) return Impact{time, now.normal};
         // Conservative advancement: no point of the capsule approaches faster than `fastest`, so
         // the gap stays open for at least gap / fastest.
         before = time;
-        time += now.gap > near ? std::max(now.gap / fastest, 1e-4 * horizon) : 1e-3 * horizon;
+        time += now.gap > near ? std::max(now.gap / fastest, least_near) : least_touching;
         if (!(time <= horizon)) return std::nullopt;
     }
 }

@@ -52,10 +52,12 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Disc& 
 std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
                                    double horizon);
 
-/// First impact of a moving disc with a capsule whose ends have constant velocities. Method:
-/// conservative advancement with a minimum step of 1e-4 of the horizon, then bisection to 1e-12 of
-/// the sizes. A contact shorter than the minimum step may be missed. `normal` is the normal at the
-/// impact.
+/// First impact of a moving disc with a capsule whose ends have constant velocities. `normal` is
+/// the normal at the impact. Where both ends have the same velocity this is the closed form of the
+/// relative motion. Else: conservative advancement with a minimum step, then bisection to 1e-12 of
+/// the sizes. The minimum step is 1e-4 of the horizon, and no longer than the disc needs for a
+/// hundredth of the sum of the radii. So only a contact that is at most 2e-5 of that deep may be
+/// missed, and it costs at most fastest relative speed * horizon / (a hundredth of that) steps.
 std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
                                    Vec2 start_velocity, Vec2 end_velocity, double horizon);
 
