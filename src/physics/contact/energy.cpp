@@ -10,7 +10,7 @@ namespace carom {
 
 // Twice the kinetic energy for each unit of mass.
 double ContactEnergy::squares_of(Vec2 velocity, double surface_speed) const {
-    return length_squared(velocity) + surface_speed * surface_speed / step_.spin_ease;
+    return length_squared(velocity) + surface_speed * surface_speed * (1.0 / step_.spin_ease);
 }
 
 double ContactEnergy::kinetic_energy_of(std::uint32_t i) const {
@@ -35,11 +35,16 @@ void ContactEnergy::end_substep(std::span<const ContactConstraint> constraints, 
     double mass = 0.0;
     double lowest = std::numeric_limits<double>::infinity();
     for (std::uint32_t i = 0; i < bodies_.fixed; ++i) {
-        if (bodies_.is_kinematic(i)) continue;
-        gain += gain_of(i);
+        const ContactBody& body = bodies_.body[i];
+        if (body.inverse_mass == 0.0) continue;
+        const double m = 1.0 / body.inverse_mass;
+        const double surface_before = step_.spins ? bodies_.start_surface_speed[i] : 0.0;
+        const double now = squares_of(body.velocity, body.surface_speed);
+        const double before = squares_of(bodies_.start_velocity[i], surface_before);
         const double height = -dot(step_.gravity, bodies_.position[i]);
-        energy += kinetic_energy_of(i) + height / bodies_.body[i].inverse_mass;
-        mass += 1.0 / bodies_.body[i].inverse_mass;
+        gain += m * (0.5 * (now - before) - dot(step_.gravity, bodies_.displacement[i]));
+        energy += m * (0.5 * now + height);
+        mass += m;
         lowest = std::min(lowest, height - weight * bodies_.radius[i]);
     }
     if (!(mass > 0.0)) return;
