@@ -24,8 +24,9 @@ namespace carom {
 /// leaves a held ball as under the other solvers;
 /// the levels of pool say `use modulus`, by which contacts last under `event`;
 /// under `contact` constraints give back no more energy than they took (contact/energy.h), and
-/// what a fast ball hits no longer leaves its skin; under `swept` and `contact` balls meet edges that
-/// are dragged without turning in closed form, and fast balls no longer pass through kinematic ones.
+/// what a fast ball hits no longer leaves its skin; under `swept` and `contact` balls meet edges
+/// that are dragged without turning in closed form, and fast balls no longer pass through kinematic
+/// ones.
 inline constexpr int physics_version = 3;
 
 }  // namespace carom

@@ -285,8 +285,8 @@ TEST_CASE("contact: a high heap soon stops oscillating as a whole") {
     CHECK(most < 1e-3);
 }
 
-// Regression: what a fast ball hit left its skin and stood still for the rest of the substep, in each
-// of 240 ticks of the level `piston`.
+// Regression: what a fast ball hit left its skin and stood still for the rest of the substep, in
+// each of 240 ticks of the level `piston`.
 TEST_CASE("contact: time does not stand still for a fast gas under gravity") {
     World world = scenes::gas(400, 1);
     world.edit_definition().model.gravity = Vec2{0.0, -40.0};
