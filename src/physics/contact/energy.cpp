@@ -7,6 +7,14 @@
 #include "physics/contact/tolerances.h"
 
 namespace carom {
+namespace {
+
+// Also what overlaps and no longer presses: it may have pressed before the last iteration.
+bool touches(const ContactConstraint& constraint) {
+    return constraint.impulse > 0.0 || constraint.target <= 0.0;
+}
+
+}  // namespace
 
 // Twice the kinetic energy for each unit of mass.
 double ContactEnergy::squares_of(Vec2 velocity, double surface_speed) const {
@@ -68,13 +76,13 @@ void ContactEnergy::find_groups(std::span<const ContactConstraint> constraints) 
     for (std::uint32_t i = 0; i < bodies_.fixed; ++i)
         parent_[i] = i;
     for (const ContactConstraint& constraint : constraints)
-        if (constraint.impulse > 0.0 && !bodies_.is_kinematic(constraint.a) &&
+        if (touches(constraint) && !bodies_.is_kinematic(constraint.a) &&
             !bodies_.is_kinematic(constraint.b))
             parent_[group_of(constraint.a)] = group_of(constraint.b);
     for (const ContactConstraint& constraint : constraints) {
         const bool by_a = bodies_.is_kinematic(constraint.a);
         const bool by_b = bodies_.is_kinematic(constraint.b);
-        if (!(constraint.impulse > 0.0) || by_a == by_b) continue;
+        if (!touches(constraint) || by_a == by_b) continue;
         Group& group = groups_[group_of(by_a ? constraint.b : constraint.a)];
         group.is_supported = true;
         group.is_carried = group.is_carried || pairs_[constraint.pair].is_kinematic;
@@ -107,15 +115,20 @@ double ContactEnergy::take_back(double excess) {
 }
 
 // This share of the group's gain, from its way and from its speed, whichever have gained. What
-// goes less far is slower, too. A group that nothing supports keeps its momentum.
+// goes less far is slower, too. A group that nothing supports keeps its momentum,
+// unless its balls move no faster than that against each other.
 double ContactEnergy::take_back(std::uint32_t i, const Group& group, double share) {
     ContactBody& body = bodies_.body[i];
     const double lifted = group.is_carried ? 0.0 : std::max(0.0, group.lift);
     const double sped = std::max(0.0, group.gain - group.lift);
     const double part = std::min(1.0, share * group.gain / (lifted + sped));
     if (!(part > 0.0)) return 0.0;
-    const Vec2 centre = group.is_supported ? Vec2{} : group.momentum / group.mass;
-    const double inner = group.kinetic - 0.5 * group.mass * length_squared(centre);
+    Vec2 centre = group.is_supported ? Vec2{} : group.momentum / group.mass;
+    double inner = group.kinetic - 0.5 * group.mass * length_squared(centre);
+    if (!(part * sped < inner)) {
+        centre = {};
+        inner = group.kinetic;
+    }
     double kept = lifted > 0.0 ? 1.0 - part : 1.0;
     if (inner > 0.0) kept *= std::sqrt(std::max(0.0, 1.0 - part * sped / inner));
     const double before = kinetic_energy_of(i);

@@ -139,6 +139,29 @@ TEST_CASE("contact: shafts and columns of lively balls do not gain their energy 
     check_shafts(0, 60, 6.0, 0.01);
 }
 
+// Regression: balls that start in one place gained hundreds of times their energy.
+TEST_CASE("contact: coincident balls gain no energy") {
+    for (const double height : {0.5, 5.0}) {
+        CAPTURE(height);
+        World world = scenes::empty();
+        world.edit_definition().rate = 60.0;
+        world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+        world.edit_definition().model.lossy = true;
+        world.edit_definition().kinds = {{.radius = 0.5, .mass = 1.0, .restitution = 0.3}};
+        world.edit_definition().materials = {{.restitution = 0.3}};
+        add_capsule(world, {{-20.0, 0.0}, {20.0, 0.0}, 0.0}, 0);
+        for (int i = 0; i < 60; ++i)
+            add_ball(world, {.position = {0.0, height}});
+        Solver solver({.kind = SolverKind::contact});
+        const double start = totals(world).potential_energy;
+        for (int tick = 0; tick < 90; ++tick) {
+            solver.tick(world);
+            const Totals now = totals(world);
+            CHECK(now.kinetic_energy + now.potential_energy < 1.01 * start);
+        }
+    }
+}
+
 TEST_SUITE("long") {
     TEST_CASE("contact: 2,000 shafts and columns do not gain their energy back") {
         // Number 527 reaches 1.15 % (docs/accuracy.md).
