@@ -142,6 +142,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     }
     name_standing(world, state.method->standing(), state.standing);
     rest_flippers(world);
+    if (!state.standing.empty()) stall_flippers(world);
     stop_slow_balls(world, state.touched);
     ++world.edit_tick();
     name_bodies(world, state.contacts);

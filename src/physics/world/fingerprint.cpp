@@ -43,6 +43,7 @@ void add_kinematic_bodies(Hash& hash, const World& world) {
         hash.add(flipper.progress);
         hash.add(flipper.rate);
         hash.add(flipper.is_pressed);
+        if (flipper.is_stalled()) hash.add(flipper.stall);
     }
     hash.add(std::uint64_t{world.held_balls().size()});
     for (const HeldBall& held : world.held_balls()) {
@@ -102,6 +103,7 @@ std::uint64_t fingerprint_1(const World& world) {
         hash.add(flipper.progress);
         hash.add(flipper.rate);
         hash.add(std::uint64_t{flipper.is_pressed});
+        if (flipper.is_stalled()) hash.add(static_cast<std::uint64_t>(flipper.stall));
     }
     for (const Emitter& emitter : world.emitters())
         hash.add(std::uint64_t{emitter.emitted});

@@ -28,6 +28,7 @@ constexpr double hold_force = 0.3;
 
 // At the end of a tick that nothing stops.
 Swing swing_after(const Flipper& flipper, double duration) {
+    if (flipper.is_stalled()) return {flipper.progress, 0.0};
     const double full_speed = 2.0 / flipper.rise;
     const bool is_held = flipper.is_pressed && flipper.progress >= end_of_stroke &&
                          flipper.rate < least_to_recoil * full_speed;
@@ -72,6 +73,7 @@ void rest_flippers(World& world) {
     for (Flipper& flipper : world.edit_flippers()) {
         const auto index = index_of(world, flipper.capsule);
         if (!index) continue;
+        if (!flipper.is_stalled()) flipper.stall = Flipper::Stall::none;
         const Swing next = swing_after(flipper, world.tick_length());
         if (next.progress == flipper.progress) {
             flipper.rate = next.rate;
@@ -94,6 +96,14 @@ void rest_flippers(World& world) {
     if (std::ranges::any_of(world.held_capsules(), &HeldCapsule::is_driven))
         std::erase_if(world.edit_held_capsules(),
                       [](const HeldCapsule& held) { return held.is_driven; });
+}
+
+void stall_flippers(World& world) {
+    for (Flipper& flipper : world.edit_flippers()) {
+        if (flipper.progress == 0.0 || flipper.progress == 1.0) continue;
+        flipper.stall = flipper.is_pressed ? Flipper::Stall::up : Flipper::Stall::back;
+        flipper.rate = 0.0;
+    }
 }
 
 }  // namespace carom

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "geometry/vec2.h"
 #include "physics/world/ids.h"
 
@@ -29,6 +31,12 @@ struct Flipper {
 
     double progress = 0.0;  ///< 0 at rest, 1 up
     double rate = 0.0;      ///< of progress, 1/s
+    /// Jammed on its way up or back, for example by a ball between the tips of two flippers: it
+    /// does not move on before its button is released, or pressed.
+    enum class Stall : std::uint8_t { none, up, back };
+    Stall stall = Stall::none;
+
+    bool is_stalled() const { return stall == (is_pressed ? Stall::up : Stall::back); }
 
     friend bool operator==(const Flipper&, const Flipper&) = default;
 };
@@ -43,5 +51,8 @@ void drive_flippers(World& world);
 /// Ends a tick: where the flippers have got to. One that something stopped goes on from there, from
 /// a standstill.
 void rest_flippers(World& world);
+
+/// Stalls the flippers that are on their way: balls could not get out of it.
+void stall_flippers(World& world);
 
 }  // namespace carom

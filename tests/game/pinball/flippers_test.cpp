@@ -300,3 +300,33 @@ TEST_CASE("tap pass: a short tap under a ball near the tip lifts it across to th
         CHECK(made >= 3);
     });
 }
+
+// With both buttons down, the tips close in on a ball that falls between them.
+TEST_CASE("flippers that jam on a ball between them stall, and time goes on") {
+    for (const Table& table : tables()) {
+        CAPTURE(table.name);
+        const Scene& scene = table.scene;
+        for (double height = -0.03; height < 0.03; height += 0.002) {
+            CAPTURE(height);
+            World world = scene.world;
+            Solver solver(pick_solver(world).settings);
+            FlipperBench bench(scene, table.lanes.front(), {});
+            const Vec2 tip = bench.flipper_at(1.0);
+            const Vec2 pivot = bench.flipper_at(0.0);
+            // The pivot of the other flipper is as far from its own lane.
+            const double middle = 0.5 * (pivot.x + table.lanes.back().starts.front().x +
+                                         (pivot.x - table.lanes.front().starts.front().x));
+            while (world.balls().size() > 1)
+                remove_ball(world, world.balls().id[1]);
+            world.edit_balls().position[0] = {middle, tip.y + height};
+            world.edit_balls().velocity[0] = {0.0, -0.5};
+            int stood = 0;
+            for (int tick = 0; tick < 400; ++tick) {
+                for (Flipper& flipper : world.edit_flippers())
+                    flipper.is_pressed = tick < 200;
+                if (solver.tick(world) == TickOutcome::stood_still) ++stood;
+            }
+            CHECK(stood <= 4);
+        }
+    }
+}
