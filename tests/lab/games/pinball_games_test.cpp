@@ -1,4 +1,4 @@
-#include "lab/games/demo_games.h"
+#include "lab/games/pinball_games.h"
 
 #include <doctest/doctest.h>
 
@@ -7,6 +7,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "game/ai/demo_player.h"
+#include "lab/support/first_timer.h"
 #include "level/load.h"
 
 using namespace carom;
@@ -24,11 +26,22 @@ Scene shipped(std::string_view table, std::string_view folder = "/levels/") {
     return std::move(*loaded.scene);
 }
 
-DemoGames check_table(std::string_view table, std::uint64_t balls) {
+PinballPlayer demo_player() {
+    return [player = DemoPlayer{}](const Scene& scene, const World& world,
+                                   const PinballState& state) mutable {
+        return player.play(scene, world, state);
+    };
+}
+
+PinballGames play(const Scene& scene, std::uint64_t balls, const PinballPlayer& player) {
+    return play_pinball(scene, pick_solver(scene.world).settings, balls, player);
+}
+
+PinballGames check_table(std::string_view table, std::uint64_t balls, const PinballPlayer& player) {
     CAPTURE(table);
     const Scene scene = shipped(table);
     CHECK(scene.world.rate() >= 1000.0);
-    const DemoGames games = play_demo_games(scene, pick_solver(scene.world).settings, balls);
+    const PinballGames games = play(scene, balls, player);
     CHECK(games.ball_times.size() == balls);
     CHECK(games.lost == 0);
     CHECK(games.outside == 0);
@@ -46,12 +59,12 @@ TEST_CASE("the shipped tables lose no ball: none stuck, none outside, all of the
     constexpr std::uint64_t balls = 10;  // with sanitizers, which are ten times slower
 #endif
     for (const std::string_view table : tables)
-        check_table(table, balls);
+        check_table(table, balls, demo_player());
 }
 
 TEST_CASE("the manual's example table loads without diagnostics, and can be played") {
     const Scene scene = shipped("first-table", "/docs/");
-    const DemoGames games = play_demo_games(scene, pick_solver(scene.world).settings, 5);
+    const PinballGames games = play(scene, 5, demo_player());
     CHECK(games.ball_times.size() == 5);
     CHECK(games.lost == 0);
     CHECK(games.outside == 0);
@@ -59,39 +72,47 @@ TEST_CASE("the manual's example table loads without diagnostics, and can be play
 
 TEST_CASE("demo games are reproducible") {
     const Scene scene = shipped("three-bumpers");
-    const SolverSettings solver = pick_solver(scene.world).settings;
-    const DemoGames first = play_demo_games(scene, solver, 2);
-    const DemoGames second = play_demo_games(scene, solver, 2);
+    const PinballGames first = play(scene, 2, demo_player());
+    const PinballGames second = play(scene, 2, demo_player());
     CHECK(first.ball_times == second.ball_times);
     Scene other = scene;
     other.world.edit_definition().seed = 5;
-    CHECK(play_demo_games(other, solver, 2).ball_times != first.ball_times);
+    CHECK(play(other, 2, demo_player()).ball_times != first.ball_times);
 }
 
 TEST_CASE("games are summarised in totals and histograms") {
-    DemoGames games;
+    PinballGames games;
     games.scores = {100, 200, 200, 1300};
     games.ball_times = {1.0, 2.0, 30.0};
+    games.drains = {1, 3, 0};
     games.seconds = 3600.0;
-    const std::string text = demo_games_text(games);
+    const std::string text = pinball_games_text(games);
     CHECK(text.starts_with("balls 3, games 4, 1.0 hours of play\n"));
-    CHECK(text.find("a ball lasts 11.0 s (median 2.0)") != std::string::npos);
+    CHECK(text.find("a ball lasts 11.0 s (median 2.0); 66.7 % last less than 8 s") !=
+          std::string::npos);
+    CHECK(text.find("(outlanes 25 %)") != std::string::npos);
     CHECK(text.find("      200       2 ####") != std::string::npos);
-    CHECK(demo_games_text({}).starts_with("balls 0"));
+    CHECK(pinball_games_text({}).starts_with("balls 0"));
 }
 
 // With CAROM_PINBALL_FIGURES=FILE it writes its results there, and CAROM_BALLS sets the number of
-// balls on each table: scripts/update pinball.
+// balls on each table: scripts/update pinball. CAROM_TABLE plays only that table.
 TEST_SUITE("long") {
     TEST_CASE("10,000 balls on each table, none stuck, none lost") {
         const char* const wanted = std::getenv("CAROM_BALLS");
+        const char* const only = std::getenv("CAROM_TABLE");
         const char* const file = std::getenv("CAROM_PINBALL_FIGURES");
         const std::uint64_t balls = wanted ? std::strtoull(wanted, nullptr, 10) : 10'000;
         for (const std::string_view table : tables) {
-            const DemoGames games = check_table(table, balls);
-            if (file)
-                std::ofstream(file, std::ios::app) << "\n## " << table << "\n\n```\n"
-                                                   << demo_games_text(games) << "```\n";
+            if (only && table != only) continue;
+            const auto write = [&](std::string_view player, const PinballGames& games) {
+                if (file)
+                    std::ofstream(file, std::ios::app)
+                        << "\n## " << table << ", " << player << "\n\n```\n"
+                        << pinball_games_text(games) << "```\n";
+            };
+            write("first-timer", check_table(table, balls, test::FirstTimer{}));
+            write("demonstration player", check_table(table, balls, demo_player()));
         }
     }
 }
