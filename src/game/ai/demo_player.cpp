@@ -24,6 +24,16 @@ constexpr double farthest_place = 0.80;
 // Beyond it the ball is lost, so this is the latest point to flip.
 constexpr double last_place = 0.97;
 
+// Traps.
+constexpr double slow = 0.9;          // m/s: a ball that it dares to trap
+constexpr double trap_reach = 3.0;    // radii between ball and flipper at which it raises it
+constexpr double longest_trap = 3.0;  // s after which it gives up
+constexpr double longest_aim = 1.0;   // s that a ball may take to roll to the place of the shot
+constexpr double still_speed = 0.02;  // m/s
+constexpr double still_time = 0.25;   // s that the ball lies still before it lets it go
+constexpr double nearest_aim = 0.35;
+constexpr double farthest_aim = 0.85;
+
 std::uint64_t ticks(const World& world, double seconds) {
     return static_cast<std::uint64_t>(seconds * world.rate() + 0.5);
 }
@@ -61,32 +71,92 @@ void DemoPlayer::watch_flipper(const Scene& scene, const World& world, std::size
         const double sinking = std::fabs(cross(along, world.balls().velocity[i])) / length(along);
         const bool is_rolling = rolls > 0.0 && sinking < 10.0 * world.balls().radius[i];
         if (place < (is_rolling ? wanted : nearest_place) || place > last_place + 0.02) continue;
-        plan = {world.tick(), world.tick() + ticks(world, up_time),
-                world.tick() + ticks(world, up_time + rest_time)};
-        ++flips_;
+        flip(world, plan);
         return;
     }
 }
 
-// Whether a ball falls between the flippers, where a push to the side may bring it to one of them.
-bool DemoPlayer::wants_nudge(const World& world, const PinballState& state) const {
-    if (world.flippers().size() < 2 || state.tilt_meter > 0.05) return false;
-    if (world.tick() < nudged_at_ + ticks(world, nudge_pause)) return false;
+void DemoPlayer::flip(const World& world, FlipperPlan& plan) {
+    plan = {world.tick(), world.tick() + ticks(world, up_time),
+            world.tick() + ticks(world, up_time + rest_time)};
+    ++flips_;
+}
+
+bool DemoPlayer::cradle(const Scene& scene, const World& world, std::size_t which) {
+    Cradle& cradle = cradles_[which];
+    const Flipper& flipper = world.flippers()[which];
+    const auto capsule = index_of(world, flipper.capsule);
+    if (!capsule || world.balls().size() != 1) {
+        cradle = {};
+        return false;
+    }
+    const Capsule& shape = world.capsules().shape[*capsule];
+    const double radius = world.balls().radius[0];
+    const Vec2 at = world.balls().position[0];
+    const Vec2 velocity = world.balls().velocity[0];
+    const double gap = separation(Disc{at, radius}, shape);
+    const Vec2 along = shape.end - shape.start;
+    const double place = dot(at - shape.start, along) / dot(along, along);
+    const std::uint64_t now = world.tick();
+    FlipperPlan& plan = plans_[index(scene.table.flipper_buttons[which])];
+    if (cradle.aims) {
+        if (place >= cradle.place && gap < radius) {
+            flip(world, plan);
+            cradle = {};
+        } else if (gap > 2.0 * radius || now > cradle.since + ticks(world, longest_aim)) {
+            cradle = {};
+        }
+        return cradle.aims;
+    }
+    if (cradle.holds) {
+        const bool is_still = gap < 0.1 * radius && length(velocity) < still_speed;
+        cradle.still = is_still ? cradle.still + 1 : 0;
+        if (cradle.still > ticks(world, still_time)) {
+            cradle = {.aims = true,
+                      .since = now,
+                      .place = random_between(nearest_aim, farthest_aim, world.seed(),
+                                              RandomStream::player, flips_, 100 + which)};
+        } else if (gap > 3.0 * trap_reach * radius ||
+                   now > cradle.since + ticks(world, longest_trap)) {
+            cradle = {};
+        }
+        return cradle.holds;
+    }
+    // A flipper that stands on its head has no cradle.
+    const bool has_cradle = std::fabs(flipper.rest.x) > std::fabs(flipper.rest.y) &&
+                            cross(flipper.rest, Vec2{0.0, 1.0}) * flipper.sweep > 0.0;
+    const bool comes = gap < trap_reach * radius && is_above(flipper, shape, at) && place < 0.7;
+    if (has_cradle && comes && length(velocity) < slow) cradle = {.holds = true, .since = now};
+    return cradle.holds;
+}
+
+// Where a push helps: a ball that falls between the flippers may come to one of them, and one that
+// comes down beside an inlane may still get into it.
+std::optional<Button> DemoPlayer::wanted_nudge(const World& world,
+                                               const PinballState& state) const {
+    if (world.flippers().size() < 2 || state.tilt_meter > 0.05) return {};
+    if (world.tick() < nudged_at_ + ticks(world, nudge_pause)) return {};
     const auto left = index_of(world, world.flippers()[0].capsule);
     const auto right = index_of(world, world.flippers()[1].capsule);
-    if (!left || !right) return false;
-    const Vec2 a = world.capsules().shape[*left].end;
-    const Vec2 b = world.capsules().shape[*right].end;
-    const double middle = 0.5 * (a.x + b.x);
+    if (!left || !right) return {};
+    const Capsule& a = world.capsules().shape[*left];
+    const Capsule& b = world.capsules().shape[*right];
+    const double middle = 0.5 * (a.end.x + b.end.x);
     for (std::size_t i = 0; i < world.balls().size(); ++i) {
         const Vec2 at = world.balls().position[i];
         const double radius = world.balls().radius[i];
-        const double height = at.y - std::max(a.y, b.y);
-        if (world.balls().velocity[i].y < 0.0 && std::fabs(at.x - middle) < radius &&
-            height > 2.0 * radius && height < 8.0 * radius)
-            return true;
+        if (!(world.balls().velocity[i].y < 0.0)) continue;
+        const double height = at.y - std::max(a.end.y, b.end.y);
+        if (std::fabs(at.x - middle) < radius && height > 2.0 * radius && height < 8.0 * radius)
+            return flips_ % 2 == 0 ? Button::nudge_left : Button::nudge_right;
+        // Inlanes begin some 12 radii above the pivots, and 9 beside them.
+        const double rise = at.y - a.start.y;
+        const double aside = std::fabs(at.x - middle) - std::fabs(a.start.x - middle);
+        if (rise > 12.0 * radius && rise < 20.0 * radius && aside > 7.5 * radius &&
+            aside < 12.0 * radius)
+            return at.x < middle ? Button::nudge_right : Button::nudge_left;
     }
-    return false;
+    return {};
 }
 
 std::vector<command::Press> DemoPlayer::play(const Scene& scene, const World& world,
@@ -99,10 +169,14 @@ std::vector<command::Press> DemoPlayer::play(const Scene& scene, const World& wo
         if (state.is_down[index(button)] != is_down && has_button(scene, button))
             presses.push_back({button, is_down});
     };
-    for (std::size_t i = 0; i < world.flippers().size(); ++i)
-        watch_flipper(scene, world, i);
-    set(Button::left_flipper, world.tick() < plans_[0].up_until);
-    set(Button::right_flipper, world.tick() < plans_[1].up_until);
+    cradles_.resize(world.flippers().size());
+    std::array<bool, 2> traps{};
+    for (std::size_t i = 0; i < world.flippers().size(); ++i) {
+        if (!cradle(scene, world, i)) watch_flipper(scene, world, i);
+        if (cradles_[i].holds) traps[index(scene.table.flipper_buttons[i])] = true;
+    }
+    set(Button::left_flipper, traps[0] || world.tick() < plans_[0].up_until);
+    set(Button::right_flipper, traps[1] || world.tick() < plans_[1].up_until);
 
     if (state.phase == PinballState::Phase::over) {
         if (begins_at_ == 0) begins_at_ = world.tick() + ticks(world, pause_between);
@@ -117,9 +191,10 @@ std::vector<command::Press> DemoPlayer::play(const Scene& scene, const World& wo
     set(Button::plunger, may_launch && state.pull < pull);
 
     const bool is_nudging = world.tick() < nudged_at_ + ticks(world, 0.05);
-    if (!is_nudging && wants_nudge(world, state)) {
+    const auto wanted = is_nudging ? std::nullopt : wanted_nudge(world, state);
+    if (wanted) {
         nudged_at_ = world.tick();
-        nudge_ = flips_ % 2 == 0 ? Button::nudge_left : Button::nudge_right;
+        nudge_ = *wanted;
     }
     set(nudge_, nudged_at_ > 0 && world.tick() < nudged_at_ + ticks(world, 0.05));
     return presses;

@@ -4,6 +4,7 @@
 #include "game/pinball/pinball.h"
 #include "game/pinball/pinball_table.h"
 #include "geometry/closest.h"
+#include "physics/world/random.h"
 
 // What the mechanisms of a table do between two ticks.
 namespace carom {
@@ -148,8 +149,12 @@ bool launch(Pinball game, double pull) {
     bool is_launched = false;
     for (const Device& device : game.table().devices) {
         if (device.kind != DeviceKind::plunger) continue;
-        const double speed = device.least_speed + (device.most_speed - device.least_speed) * pull;
+        const double wanted = device.least_speed + (device.most_speed - device.least_speed) * pull;
         for (const std::size_t ball : lying_on(game.world, device)) {
+            const double scatter = random_between(-device.scatter, device.scatter,
+                                                  game.world.seed(), RandomStream::player,
+                                                  number(game.world.balls().id[ball]), game.now());
+            const double speed = wanted * (1.0 + scatter);
             Vec2& velocity = game.world.edit_balls().velocity[ball];
             velocity += device.direction * (speed - dot(velocity, device.direction));
             is_launched = true;

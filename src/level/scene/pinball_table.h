@@ -79,6 +79,7 @@ struct Device {
     Vec2 direction;            ///< unit: the launch of a plunger, kickback or hole; across a ramp
     double least_speed = 0.0;  ///< plunger: launch speed of a light pull, length/s
     double most_speed = 0.0;   ///< plunger: of a full pull; kickback, hole: launch speed
+    double scatter = 0.0;      ///< plunger: share by which launch speeds vary, to either side
     double hold = 0.0;         ///< hole: how long it holds a ball, s
     std::uint8_t from = 0;     ///< ramp: the layer that a ball leaves
     std::uint8_t to = 0;       ///< ramp: the layer that it enters

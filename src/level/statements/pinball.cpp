@@ -160,6 +160,7 @@ void build_plunger(const Arguments& arguments, const Frame& frame, Context& cont
                   .origin = origin_of(arguments, frame)};
     spec.device.direction = frame.transform.direction(*direction);
     spec.device.least_speed = least.value_or(0.0);
+    spec.device.scatter = arguments.number_or("scatter", 0.0);
     spec.device.most_speed = arguments.values.find("speed")->second.numbers[1];
     emit_device_capsule({at - across, at + across, 0.0}, Side::both, std::move(spec),
                         arguments.span_of("at"), frame, context);
@@ -230,13 +231,14 @@ std::vector<Statement> pinball_statements() {
               build_gate, {{"pass", word, Measure::number, any, true}, keys::edge_radius}),
         {.name = "plunger",
          .usage = "plunger [MATERIAL] [NAME] at=X,Y dir=up|down|left|right speed=A..B [width=] "
-                  "[material=] [name=]",
+                  "[scatter=] [material=] [name=]",
          .action = build_plunger,
          .plain_most = 2,
          .keys = {keys::at,
                   {"dir", word, Measure::number, any, true},
                   {"speed", range, speed, not_negative, true},
                   {"width", scalar, length, positive},
+                  {"scatter", scalar, Measure::number, not_negative},
                   keys::material,
                   keys::name},
          .binds_names = true},
