@@ -19,7 +19,7 @@ namespace carom {
 
 class DemoPlayer {
   public:
-    /// The buttons that it presses and releases before the next tick. Called once a tick.
+    /// The buttons that the player presses and releases before the next tick. Called once a tick.
     std::vector<command::Press> play(const Scene& scene, const World& world,
                                      const PinballState& state);
 

@@ -32,9 +32,8 @@ GameState begin_game(const Scene& scene);
 void update_game(const Scene& scene, World& world, GameState& game,
                  std::span<const Contact> contacts);
 
-/// Whether all places that the command names are at most 1,000 times the view's size away from the
-/// view. Further away nobody can point, and a hand that went there would meet all the scene at
-/// once.
+/// Whether all positions in the command are within 1,000 times the view's size of the view. No
+/// pointer gets further, and a hand that moved there in a tick would sweep the whole scene.
 bool is_within_reach(const Scene& scene, const Command& command);
 
 /// refusal(world, command), extended by is_within_reach and by the commands and the rules of the

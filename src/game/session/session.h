@@ -51,10 +51,10 @@ class Session {
     /// Before the first one, a single cell of side 1: CellFrame{}.
     const CellFrame& cells() const { return solver_.cells(); }
 
-    /// Carries out a command at once, before the next tick, and logs it with the present tick.
-    /// Returns why it is refused, as a sentence; none when it was carried out. When the present is
-    /// behind latest(), the future is forgotten first, and what is held by hand is released, since
-    /// the hand that would release it was in that future.
+    /// Executes a command at once, before the next tick, and logs it with the present tick. If the
+    /// present is behind latest(), the logged future is discarded first, and all bodies and buttons
+    /// that are held are released, since the commands that would release them are in that future.
+    /// Returns why the command is refused, as a sentence; none if it was executed.
     std::optional<std::string> apply(const Command& command);
 
     /// One tick forward. Behind latest(), this replays the logged commands. Returns false, and

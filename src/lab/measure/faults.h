@@ -6,30 +6,31 @@
 
 #include "lab/measure/measure.h"
 
-/// What is wrong with a choice, in units of what a good one promises, so that unlike quantities can
-/// be compared: 1 is the most that is acceptable, and whatever is worst decides.
+/// The faults of a choice, each divided by what is acceptable, so that unlike quantities can be
+/// compared: 1 is acceptable, more is not. The worst fault decides.
 namespace carom {
 
-/// The promises. They are what `contact`, the least exact solver that promises anything, keeps.
+/// The acceptable values: those that `contact`, the least exact solver with any promises, keeps.
 inline constexpr double promised_overlap = 0.02;  ///< radii
 /// Drift of energy relative to the largest kinetic energy; where a scene loses energy, its rise.
 inline constexpr double promised_drift = 0.01;
-/// What must never happen counts so much each time: a ball that gets out, a tick in which time
-/// stands still, a command of a recording that is refused.
+/// The fault of each event that must never happen: a ball that gets out, a tick in which time
+/// stands still for a ball, a refused command of a recording.
 inline constexpr double never = 1000.0;
 
 struct Fault {
     std::string_view name;
-    double share = 0.0;  ///< of the promise; may be infinite
+    double share = 0.0;  ///< the fault by the acceptable value; may be infinite
 };
 
-/// error: the error at the headline horizon, or the reference's own uncertainty there if that is
-/// more, by MeasureSettings::tolerance; 0 without a headline, where nobody knows the error.
-/// overlap, energy, escapes, standstill, refused: of the whole run, however far the reference is
-/// known.
+/// The faults of a row:
+/// - error: the error at the headline horizon, or the uncertainty of the reference there if that is
+///   more, by MeasureSettings::tolerance; 0 without a headline, since then the error is unknown;
+/// - overlap, energy, escapes, standstill, refused: of the whole run, however far the reference is
+///   known.
 std::array<Fault, 6> faults(const Measurement& measurement, const Measured& row);
 
-/// The largest of them; of equal ones the first.
+/// The largest fault; in a tie, the first.
 Fault worst_fault(const Measurement& measurement, const Measured& row);
 
 }  // namespace carom

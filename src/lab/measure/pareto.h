@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-/// Choices on the trade-off between cost and how bad they are.
+/// The trade-off between the cost of choices and their faults.
 namespace carom {
 
 struct Tradeoff {

@@ -9,16 +9,16 @@
 
 namespace carom {
 
-/// How far balls get from where they were when the observation began, and how long they remember
-/// their velocity of then. Both are means over the balls that were there and still are; no value
-/// without such balls.
+/// How far balls get from where they were when the observation began, and how their velocities
+/// decorrelate from those of that time. Both are means over the balls that exist at both times;
+/// there is no value if none does.
 ///
 /// - Mean square displacement: <|r(t) - r(0)|^2>, length^2. Free balls have <v^2> t^2; where motion
 ///   is diffusive it grows as 4 D t.
 /// - Velocity autocorrelation: <v(t) v(0)> / <v(0)^2>, a number, 1 at the start. Sums over balls,
 ///   so slow balls weigh little. No value if all were at rest.
 ///
-/// On a torus a displacement is the sum of those of the ticks, each by the nearest image: exact
+/// On a torus the displacements of the ticks are summed, each to the nearest image. That is exact
 /// while no ball covers half of the torus in a tick.
 class DisplacementMeter {
   public:

@@ -23,10 +23,10 @@ namespace carom {
 /// first growth, until the difference points to where it grows fastest, distorts a short run: begin
 /// later (`from=`).
 ///
-/// If the world is changed from outside (a command, an emitter or a sink), the twin starts anew,
-/// and the growth of that tick does not count. Edges that a hand or a flipper moves prevent any
-/// value. A limit: the solver is 1e-16 of the coordinates exact, so a difference of 1e-8 radii has
-/// 8 digits, less far from the origin. Cost: that of the run once more.
+/// If the world is changed from outside (a command, an emitter or a sink), the twin is made again,
+/// and the growth of that tick does not count. While a hand or a flipper moves an edge there is no
+/// value. Limit: a solver rounds to 1e-16 of the coordinates, so a difference of 1e-8 radii has 8
+/// digits, fewer far from the origin. Cost: that of the run once more.
 class LyapunovMeter {
   public:
     LyapunovMeter(const SolverSettings& solver, const World& start);

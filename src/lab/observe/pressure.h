@@ -12,10 +12,10 @@
 
 namespace carom {
 
-/// The pressure of the balls in two dimensions: a force by a length, so mass / s^2 (N/m in a level
-/// with units). Two independent measures:
+/// The pressure of the balls in two dimensions: force per length, mass / s^2 (N/m in a level with
+/// units). Two independent measures:
 ///
-/// - Of the virial, as a mean over the time t of observation (Allen and Tildesley, Computer
+/// - From the virial, as a mean over the time t of observation (Allen and Tildesley, Computer
 ///   Simulation of Liquids, 2.4, for hard discs):
 ///
 ///       P = 1/A ( <K> + 1/(2t) sum over impacts of two balls of J (r1 + r2) )
@@ -24,8 +24,8 @@ namespace carom {
 ///   r1 + r2 the distance of the centres. A: see region.h. No value without a region. An ideal gas
 ///   has P A = K = N kT. Under gravity it is the mean pressure over the region. The common drift of
 ///   the balls, if there is one, counts as motion.
-/// - On edges: the impulses on them, along the normal, by the time and by the length of their
-///   spines (of a peg: its circumference). An edge that is hit from both sides adds both up.
+/// - On edges: the normal impulses on them per time and per length of their spines (of a peg: its
+///   circumference). The impulses of both sides of an edge are added.
 ///
 /// Counts the impacts that the solver reports (Contact). Balls that rest on others press without
 /// impacts, so where gravity and losses, or cloth, let balls rest, there is no value.

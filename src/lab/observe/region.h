@@ -11,7 +11,7 @@
 namespace carom {
 
 /// The region in which the centres of balls of the mean radius may be: the torus, or the inside of
-/// the level's closed edge or box. What stands inside of it (pegs, other edges) is not subtracted.
+/// the level's closed edge or box. Obstacles inside it (pegs, other edges) are not subtracted.
 struct Region {
     double area = 0.0;  ///< length^2, > 0
     /// Its sides, where it is the torus or an upright rectangle.

@@ -41,9 +41,9 @@ class RunWatch {
     /// Null: nothing is observed.
     const Observer* observer() const { return observer_ ? &*observer_ : nullptr; }
 
-    /// Pre: called after every tick.
+    /// Records the world after a tick. Pre: called after every tick.
     void note_tick(const World& world);
-    /// The same for the observer, which needs the contacts of the tick, too.
+    /// Passes the world and the contacts of the tick to the observer. Pre: called after every tick.
     void observe_tick(const Scene& scene, const World& world, std::span<const Contact> contacts);
 
     /// The present value of the figure, in its unit; none if it has no value.

@@ -1,3 +1,6 @@
+// This file is over 320 lines because it holds one idea, the checks of one tick: they share the
+// order of balls, the state before the tick and the exemptions.
+
 #include "lab/run/invariants.h"
 
 #include <fmt/format.h>
@@ -54,7 +57,7 @@ bool is_moved(const World& world, CapsuleId id) {
            std::ranges::find(world.flippers(), id, &Flipper::capsule) != world.flippers().end();
 }
 
-// Whether the edge stands in the way of all balls of that kind, from both sides.
+// Whether the edge blocks all balls of that kind, from both sides.
 bool is_wall(const World& world, std::size_t edge, ClassIndex kind) {
     const Capsules& edges = world.capsules();
     return (!world.model().one_way || edges.side[edge] == Side::both) &&
@@ -87,7 +90,7 @@ bool are_on_two_sides(Vec2 a, Vec2 b, Vec2 start, Vec2 end) {
     return (first > 0.0 && second < 0.0) || (first < 0.0 && second > 0.0);
 }
 
-// A pair has parted once it overlaps by no more than this share of the smaller radius.
+// A pair has separated once it overlaps by no more than this share of the smaller radius.
 constexpr double parted = 1e-3;
 
 constexpr std::uint64_t edge_mark = std::uint64_t{1} << 32;
@@ -329,7 +332,7 @@ void InvariantCheck::for_each_overlap(const World& world, Visit&& visit) const {
 std::optional<Breach> InvariantCheck::check_overlap(const World& world) {
     std::optional<Breach> deepest;
     std::vector<Pair> still_deep;
-    // The solver names these balls itself, as it names those for which time stood still. All others
+    // The solver itself names these balls, and those for which time stood still. All others
     // are held to what exact trajectories promise.
     const std::vector<BallId>& clustered = event_memory(world).clustered;
     const auto is_clustered = [&](const Breach& pair) {

@@ -12,21 +12,22 @@
 #include "physics/tick/solver_settings.h"
 #include "physics/world/world.h"
 
-/// What every tick must keep, whatever the scene: measured from positions, velocities and shapes
-/// alone, with code of its own, so that a fault of a solver cannot hide itself.
+/// Invariants that must hold after every tick, whatever the scene. They are measured from
+/// positions, velocities and shapes alone, with code that no solver shares, so that a fault of a
+/// solver cannot hide itself.
 namespace carom {
 
-/// What a solver promises. No value: it promises nothing, as `discrete` and `substep`, whose faults
-/// are measured elsewhere (docs/accuracy.md).
+/// What a solver promises; an absent value is no promise. `discrete` and `substep` promise nothing:
+/// docs/accuracy.md measures their errors.
 struct Promise {
     std::optional<double> energy;   ///< largest gain, as a share of the largest energy in play
     std::optional<double> overlap;  ///< deepest, as a share of the smaller radius
-    /// The same for balls that a hybrid step has handed to `contact` (physics/event/hybrid_step.h).
+    /// Deepest overlap of a ball in the cluster of a hybrid step (physics/event/hybrid_step.h).
     double overlap_of_clustered = 0.0;
-    /// It lifts bodies out of one another, which may cost gravity's work.
+    /// It lifts overlapping bodies apart, which may add the work done against gravity.
     bool lifts_overlaps = false;
     bool keeps_sides = false;  ///< no ball passes through an edge or out of an outline
-    bool moves = false;        ///< what has a speed does not stay where it was
+    bool moves = false;        ///< a ball with a velocity does not stay where it was
 };
 Promise promise_of(SolverKind solver);
 
@@ -38,7 +39,7 @@ struct Breach {
     std::optional<BallId> ball;     ///< none: the scene as a whole
     std::optional<BallId> other;    ///< that it overlaps
     std::optional<CapsuleId> edge;  ///< that it overlaps, or has passed
-    double amount = 0.0;            ///< energy gained, depth, or speed at which it stands
+    double amount = 0.0;            ///< energy gained, depth, or speed of a ball that did not move
 };
 /// "energy", "side" ...
 std::string_view name(Breach::Kind kind);
@@ -48,19 +49,19 @@ std::string text(const Breach& breach, double rate);
 /// Checks a run, tick by tick.
 ///
 ///   finite    all positions and velocities are finite numbers
-///   energy    kinetic and potential energy have not grown beyond their value at the start. Where
-///             something may give energy (hands, flippers, kicking edges, gravity on a torus, the
-///             ramps of pinball), a gain counts as given; so does a change of the set of balls
+///   energy    kinetic plus potential energy has not grown beyond its value at the start. Where
+///             something may add energy (hands, flippers, kicking edges, gravity on a torus, the
+///             ramps of pinball), a gain is allowed; so is any change when balls come or go
 ///   side      the centre of no ball has crossed the spine of a fixed edge that is solid on both
 ///             sides, unless it can have gone round an end: the chord of the tick is tested, and
 ///             the way round an end compared with twice the ball's speed
 ///   escape    no ball is outside of an outline in which it started (EscapeWatch), as long as all
 ///             of the outlines' edges are where they were, and stop all balls from both sides
-///   overlap   no two bodies that meet overlap deeper than the solver promises. A pair that starts
-///             deeper, as under `use overlap`, counts once it is no longer. Held, moving and
-///             one-way edges, held balls, and edges on a torus do not count
-///   time      the tick has advanced, and no ball that has a speed has stayed exactly where it was,
-///             unless the solver has told that time stood still for some
+///   overlap   no two bodies that collide overlap deeper than the solver promises. A pair that
+///             starts deeper, as under `use overlap`, is exempt until it has separated. Held,
+///             moving and one-way edges, held balls, and edges on a torus are not checked
+///   time      the tick has advanced, and no ball that has a velocity has stayed exactly where it
+///             was, unless the solver has reported that time stood still for a ball
 ///
 /// Cost: a sort of the balls by x, then pairs of balls that are near along x, and every edge with
 /// the balls near it along x.
@@ -68,9 +69,10 @@ class InvariantCheck {
   public:
     InvariantCheck(const Scene& scene, SolverKind solver);
 
-    /// Pre: called before every tick. Whatever has changed since the last one, by commands or by
-    /// the rules of a game, is not the solver's doing: energy that it gave or took is part of what
-    /// there is, and pairs that it put into one another count once they have parted.
+    /// Takes over what commands and the rules of a game have changed since the last tick, which is
+    /// not the solver's doing: energy that they added or removed becomes part of the baseline, and
+    /// pairs that they made overlap are exempt until they have separated. Pre: called before every
+    /// tick.
     void note_start(const World& world);
     /// Pre: called after every tick. The first breach in the order of the list; none: all hold.
     std::optional<Breach> note_tick(const World& world, bool stood_still);
@@ -103,7 +105,7 @@ class InvariantCheck {
     std::vector<Vec2> velocity_;
     std::vector<std::uint32_t> order_;  // of balls, by x
     double widest_ = 0.0;               // radius
-    double baseline_ = 0.0;             // energy that was there and given
+    double baseline_ = 0.0;             // energy at the start, and what was added since
     double scale_ = 0.0;                // the largest energy in play
     std::vector<Pair> exempt_;          // pairs that started too deep, ascending
 };

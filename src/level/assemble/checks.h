@@ -27,8 +27,8 @@ void check_precision(const std::vector<StartingBall>& balls, double rate, Contex
 void check_gaps(const std::vector<StartingBall>& balls, const ResolvedNames& names,
                 Context& context);
 
-/// Warns of a flipper whose upper face at rest stands proud of the edge that leads to its pivot by
-/// more than a tenth of a ball's radius: a ball that rolls down jumps over the flipper.
+/// Warns of a flipper whose upper face at rest is higher than the edge that leads to its pivot by
+/// more than a tenth of a ball's radius: a ball that rolls down would jump over the flipper.
 void check_flippers(const std::vector<StartingBall>& balls, const ResolvedNames& names,
                     Context& context);
 
