@@ -19,11 +19,11 @@ namespace carom {
 /// The solvers that this carom has, cheapest first.
 std::span<const SolverKind> solvers_available();
 
-/// Whether the solver can move balls as this model says. Only `contact` falls short: it has no
-/// cloth.
+/// Whether the solver can simulate this model. Only `contact` has a limit: it knows no cloth.
+/// Model::modulus counts as supported everywhere, though only `event` has impacts that last.
 bool supports(SolverKind kind, const Model& model);
 
-/// Whether the solver hands heaps that are too dense for it over to `contact` (hybrid_step.h):
+/// Whether the solver may step dense clusters with `contact` (event/hybrid_step.h): `event` does,
 /// where gravity acts, balls meet, and impacts lose energy.
 bool hands_heaps_over(const Model& model, const SolverSettings& settings);
 
@@ -59,10 +59,12 @@ class Solver {
 
     const SolverSettings& settings() const;
 
-    /// One tick: emitters, what is held, motion and collisions, sinks. `keep_going`, where there is
-    /// one, is asked now and then in a long tick of `substep`, `swept` and `event`, and of
-    /// `contact` where nothing can press. `discrete`, and `contact` elsewhere, whose work in a tick
-    /// is bounded, do not ask.
+    /// Advances by one tick: emitters, kinematic bodies, motion and collisions, sinks.
+    ///
+    /// A long tick of `substep`, `swept` and `event`, and of `contact` where nothing can press,
+    /// calls `keep_going` now and then, unless it is empty. If it returns false, the tick is
+    /// cancelled, and the world is as it was before. `discrete`, and `contact` elsewhere, never
+    /// call it: the work of their ticks is bounded.
     TickOutcome tick(World& world, const std::function<bool()>& keep_going = {});
 
     /// The exchanges of momentum of the last tick, in the order in which they were made. Valid

@@ -15,26 +15,27 @@ namespace carom {
 /// The cluster of a hybrid step (hybrid_step.h): the balls and held bodies that `contact` steps in
 /// this tick. It depends on the world alone, and not on the order of balls.
 ///
-/// *Dense* is a ball with more than `dense_collisions` collisions in quick succession, the last of
-/// them with another ball, where gravity acts and impacts lose energy. EventMemory::clustered names
-/// the dense balls at the end of a tick.
+/// A ball is *dense* if it has had more than `dense_collisions` collisions in quick succession, the
+/// last of them with another ball, where gravity acts and impacts lose energy.
+/// EventMemory::clustered names the balls that are dense at the end of a tick, and those that have
+/// not yet returned (below).
 ///
-/// *The cluster* of a tick: the balls of EventMemory::clustered, all that could meet one of them
-/// within the tick, all that could meet those, and so on. A ball is assumed to get as far as its
-/// speed and twice a fall from rest take it: its *reach*. A held body belongs to the cluster if it
-/// could meet a ball of it; then so do all balls that it could meet.
+/// *The cluster* of a tick: the balls of EventMemory::clustered, all balls that could meet one of
+/// them within the tick, all that could meet those, and so on. A ball's *reach* is the furthest
+/// that it is assumed to get: what its speed and twice a fall from rest give. A held body belongs
+/// to the cluster if it could meet a ball of the cluster; then so do all balls that it could meet.
 ///
-/// An impact can make a ball faster than its reach allows: then its reach becomes twice the
-/// distance that it got (`widen`), and the cluster is found again.
+/// An impact can take a ball further than its reach. The reach then becomes twice the distance that
+/// the ball went (`widen`), and the cluster is found again.
 ///
-/// *Coming back.* After the tick a ball stays in EventMemory::clustered while something presses it
-/// on another ball, and while it overlaps a ball or an edge by more than `sunk` of its radius. All
-/// others start exact trajectories; those that touch the cluster belong to it again in the next
-/// tick.
+/// *Return.* After the tick a ball stays in EventMemory::clustered while something presses it on
+/// another ball, and while it overlaps a ball or an edge by more than `sunk` of its radius. All
+/// other balls start exact trajectories. A ball that touches the cluster belongs to it again in the
+/// next tick.
 ///
-/// *Hands.* What a hand lifts belongs to the cluster, dense or not: in events a pile on a moving
-/// plate hops without end. While hands push in other directions, and the world has at most
-/// `most_pushed` balls, there are no clusters: events let nothing overlap.
+/// *Hands.* What a hand lifts belongs to the cluster, dense or not: under `event` a pile on a
+/// moving plate would hop without end. While hands push in other directions, and the world has at
+/// most `most_pushed` balls, there are no clusters, since `event` lets nothing overlap.
 class HybridCluster {
   public:
     /// Whether the next tick needs a hybrid step. Pre: the model has gravity, losses and collisions
@@ -46,10 +47,10 @@ class HybridCluster {
 
     /// Finds the cluster of the next tick, as far as it is known before its impacts.
     void find(const World& world);
-    /// Widens the reach of a ball that was at `place` during the tick, if that is further away than
-    /// its reach. Whether it was. Pre: `find` for this world.
+    /// Widens the reach of a ball that was at `place` during the tick, if that is beyond its reach.
+    /// Returns whether it was. Pre: `find` was called for this world.
     bool widen(const World& world, std::uint32_t ball, Vec2 place);
-    /// Finds the cluster with the reaches as widened. Whether it has changed.
+    /// Finds the cluster again, with the widened reaches. Returns whether it has changed.
     bool find_again(const World& world);
 
     bool has_ball(std::size_t ball) const { return is_clustered_[ball] != 0; }

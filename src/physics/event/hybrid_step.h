@@ -14,18 +14,19 @@
 
 namespace carom {
 
-/// Hybrid stepping: dense clusters, in which events would never end, are stepped by `contact`, and
-/// everything else by `event`. hybrid_cluster.h says which balls belong to the cluster of a tick,
-/// and when they return.
+/// Hybrid stepping: `contact` steps the dense clusters, in which events would never end, and
+/// `event` advances everything else. hybrid_cluster.h says which balls belong to the cluster of a
+/// tick, and when they return. README.md has the pre- and postconditions.
 ///
-/// `contact` steps the cluster in a world that holds only it and the edges; `event` advances the
-/// others on their exact trajectories in a world without it. If an impact of the tick makes a ball
-/// get further than its reach, and that adds balls to the cluster, the tick is repeated; after
-/// `most_attempts`, `contact` steps all, and all exact trajectories are forgotten.
+/// `contact` steps the cluster in a world that holds only the cluster and the edges; `event`
+/// advances all other balls on their exact trajectories in a world without it. If an impact takes a
+/// ball further than its reach, and that adds balls to the cluster, the tick is repeated. After
+/// `most_attempts`, `contact` steps all balls, and all exact trajectories are dropped.
 ///
-/// In the cluster the guarantees of `contact` hold: no tunnelling, energy of elastic impacts, a
-/// small overlap under pressure that shrinks with more substeps, and a result that depends on the
-/// tick rate. Emitters, sinks and flippers act once, on the whole world, outside of this.
+/// In the cluster the guarantees of `contact` hold: no tunnelling, elastic impacts that conserve
+/// energy, a small overlap under pressure that shrinks with more substeps, and a result that
+/// depends on the tick rate. Emitters, sinks and flippers act on the whole world, before and after
+/// this.
 class HybridStep {
   public:
     /// Substeps of `contact` in a tick: the fewest of 4, 8 and 16 in which a ball of the smallest
@@ -35,8 +36,8 @@ class HybridStep {
     static constexpr double most_fall = 1.0 / 2048.0;
     static constexpr int most_attempts = 4;
 
-    /// A tick of a world whose EventMemory::clustered is not empty. As EventEngine::tick; a tick
-    /// that is cancelled leaves the world as it was.
+    /// Advances by one tick a world that needs a hybrid step (HybridCluster::is_needed).
+    /// Parameters: see EventEngine::tick. A cancelled tick leaves the world as it was.
     EventOutcome tick(World& world, EventEngine<double>& event, ContactSolver& contact,
                       std::vector<Contact>& contacts, std::vector<std::uint8_t>& touched,
                       const std::function<bool()>& keep_going);

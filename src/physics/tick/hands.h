@@ -6,38 +6,46 @@
 #include "physics/broad_phase/near_pairs.h"
 #include "physics/world/world.h"
 
-/// Hands: what moves the balls and edges that a player holds. Flippers are none.
+/// Hands: how far the balls and edges that a player holds move in a tick. Flippers are not hands.
 ///
-/// A hand goes straight to its target, at the pace at which the target goes. It *yields*: in a tick
-/// it goes only so far that the balls which it pushes can get out of its way. So it stops at what
-/// it cannot move, stays there, and goes on when it can; it never catches up faster than its pace.
+/// A hand moves straight towards its target, no faster than the target itself moves (its pace). It
+/// *yields*: a tick moves it only so far that the balls which it pushes can get out of its way. So
+/// it stops at what it cannot move, and continues when it can, without making up for lost time.
 ///
-/// How far that is, the tick itself tells. It is computed with the whole way, and again with a
-/// half, a quarter and so on of it, until the balls keep what a hand may not break (`is_sound`); at
-/// last with hands that stand still. The next tick begins with twice the share of the last. So no
-/// solver needs to know about hands that cannot advance: for each of them a hand is an edge or a
-/// ball that moves uniformly through the tick, and its velocity at an impact is that of its path.
+/// How far is found by trial: Solver::tick computes the tick with a share of the displacements of
+/// all hands. If the result is not sound (`is_sound`), it restores the world from a copy and tries
+/// half that share, down to 1/64, and then 0: the hands do not move. The next tick starts from
+/// twice the last share, at most 1.
+///
+/// A solver therefore sees a hand as a ball or an edge in uniform motion through the tick, at the
+/// velocity of its displacement, and need not handle hands that cannot move on. What a solver does
+/// with a ball that is squeezed within one trial is its own (docs/physics.md, Kinematic bodies).
 ///
 /// Units: length and s of the level.
 namespace carom {
 
-/// Takes the hands through a tick.
+/// Moves the hands through a tick.
 class HandStep {
   public:
-    /// Begins a tick: measures the pace of each hand. Whether anything is held.
+    /// Begins a tick: measures the pace of each hand. Returns whether a hand holds anything.
     bool begin(World& world);
 
-    /// The share of their ways to try first.
+    /// The share of the hands' displacements to try first.
     double first_share() const { return share_; }
-    /// The share to try after `share` was too much; 0 in the end.
+    /// The share to try when `share` was not sound; 0 in the end.
     static double next_share(double share);
 
     /// Sets the targets in the world to where the hands would be at the end of this tick.
     void aim(World& world, double share);
-    /// Ends the tick: the targets are the player's again.
+    /// Ends the tick: sets the targets in the world to the player's again, and stores the share.
     void end(World& world, double share) const;
 
-    /// Whether the balls keep what a hand may not break. `before` is the world before the tick.
+    /// Whether the tick from `before` to `after` is free of what a hand must not cause:
+    /// - a ball faster than twice the fastest pace, or than the fastest ball before, and what
+    ///   gravity adds in two ticks;
+    /// - a ball that has crossed a held edge;
+    /// - a pair that overlaps deeper than before, and by 0.02 radii more than the deepest overlap
+    ///   when the first hand took hold.
     bool is_sound(const World& before, const World& after);
 
   private:

@@ -6,17 +6,21 @@
 
 namespace carom {
 
-/// Takes back a tick that was cancelled half way: restores what emitters, flippers, the motion of
-/// balls and kinematic edges have changed in the world. It does not cover what the end of a tick
-/// changes (stops, sinks, collision counts, the memory of solvers), which a cancelled tick never
+/// Undoes a tick that was cancelled half way: restores what emitters, flippers, and the motion of
+/// balls, hands and kinematic edges have changed in the world. It does not cover what the end of a
+/// tick changes (stops, sinks, collision counts, solver memory), which a cancelled tick never
 /// reaches.
+///
+/// There are two other ways to go back. A tick that is repeated because a hand yields is restored
+/// from a copy of the world (hands.h); a player's rewind restores a snapshot
+/// (game/session/history.h).
 class TickUndo {
   public:
-    /// Remembers the world as it is: a copy of its balls and of what moves, in memory that is
+    /// Notes the world as it is: a copy of its balls and of all that moves, in memory that is
     /// reused from tick to tick.
     void note(const World& world);
-    /// Restores the world that was noted. Pre: at most part of one tick has been computed since
-    /// `note`.
+    /// Restores the noted world; the restored parts get new stamps. Pre: at most part of one tick
+    /// has been computed since `note`.
     void take_back(World& world) const;
 
   private:

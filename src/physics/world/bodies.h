@@ -123,7 +123,7 @@ struct Capsules {
         std::vector<Value> Capsules::*values;
     };
 
-    /// As Balls::for_each_column: the one list of columns.
+    /// Calls visit(column) for every column; see Balls::for_each_column.
     template <typename Visit>
     static constexpr void for_each_column(Visit&& visit);
 };

@@ -18,8 +18,8 @@ struct Contact {
     std::uint32_t b = 0;
     Vec2 point;   ///< where they touch; on a torus within it, once the tick is done
     Vec2 normal;  ///< unit, from b to a; what the impulse acted along (turned, under scatter)
-    /// Closing speed along the normal before, length/s, > 0. A constraint of `contact` reports the
-    /// impulse over the effective mass instead, also for a ball at rest.
+    /// Approach speed along the normal before the impact, length/s, > 0. A constraint of `contact`
+    /// reports the impulse divided by the effective mass instead, also for a ball at rest.
     double approach = 0.0;
     double impulse = 0.0;  ///< magnitude along the normal, mass * length/s
 };

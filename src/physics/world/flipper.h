@@ -11,9 +11,9 @@ namespace carom {
 
 class World;
 
-/// A coil drives it: from `rest` to `up` and back at constant angular acceleration, so it is
-/// fastest where it stops. A ball that lies on it is pushed along and thrown off there, and is
-/// never launched by a jump.
+/// A solenoid drives it from `rest` to `up` and back at constant angular acceleration. It starts
+/// without a jump and is fastest where it stops, so a ball that lies on it is pushed along, and
+/// thrown off only there.
 ///
 /// At the top it recoils from its stop, with a tenth of its speed, and the hold winding, which has
 /// three tenths of the force, brings it back: for some 16 ms it gives way to a ball that lands on
@@ -48,8 +48,8 @@ Vec2 flipper_end(const Flipper& flipper, Vec2 pivot, double progress);
 /// moves in a straight line from where it is to where it will be when the tick ends.
 void drive_flippers(World& world);
 
-/// Ends a tick: where the flippers have got to. One that something stopped goes on from there, from
-/// a standstill.
+/// Ends a tick: reads from the edges how far the flippers have turned. A flipper that was stopped
+/// continues from there, from rest.
 void rest_flippers(World& world);
 
 /// Stalls the flippers that are on their way: balls could not get out of it.

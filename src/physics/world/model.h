@@ -28,9 +28,8 @@ struct Model {
     std::optional<Vec2> gravity;
     /// Linear drag k in a = -k v, 1/s, > 0.
     std::optional<double> drag;
-    /// A ball slower than this stops, length/s, > 0. Under gravity only a ball that touched
-    /// something in the same tick does, so that a ball at the top of its flight does not hang
-    /// there.
+    /// A ball slower than this stops, length/s, > 0. Under gravity this applies only to a ball that
+    /// touched something in the same tick, so that no ball stops at the top of its flight.
     std::optional<double> stop_speed;
     /// No ball is faster than this after free motion, length/s, > 0. `event` limits speeds only at
     /// the end of a tick, within which a ball may be faster.
@@ -43,9 +42,10 @@ struct Model {
     std::optional<double> spin;
     /// The balls lie on cloth, seen from above. Only with `spin`, and without gravity and drag.
     std::optional<Cloth> cloth;
-    /// Contacts of balls last: the material's E / (1 - nu^2), with Young's modulus E and Poisson's
-    /// ratio nu, mass / (length s^2), > 0. Without gravity. Only `event` knows it; the others let
-    /// every impact take no time. See laws/hertz_impact.h.
+    /// Impacts of balls last for a time, so several balls may take part in one (`use modulus`). The
+    /// value is the material's E / (1 - nu^2), with Young's modulus E and Poisson's ratio nu,
+    /// mass / (length s^2), > 0. Without gravity. Only `event` uses it; under other solvers impacts
+    /// are instantaneous. See laws/hertz_impact.h.
     std::optional<double> modulus;
     /// The torus: what leaves on one side comes back on the other. Low included, high excluded.
     std::optional<Box> wrap;

@@ -6,7 +6,7 @@
 
 #include "physics/world/world.h"
 
-/// The terms of the model that stand in the hot loops, as compile-time flags. The inner loops of
+/// The terms of the model that inner loops depend on, as compile-time flags. The inner loops of
 /// `discrete`, `substep`, `swept` and of the classification in `contact` are compiled once for each
 /// of the 16 sets, and the set is chosen above the loops. `event` does not use them: its predictor
 /// and its impact of two balls are compiled for gases and for everything else

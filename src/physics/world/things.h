@@ -26,13 +26,11 @@ struct Zone {
     std::uint32_t counter = 0;  ///< index into Ledger::counters
 };
 
-/// What a scene is made of. Ticks do not change it, except that the model becomes lossy when an
-/// emitter makes the first ball that loses energy.
 /// What the level asks of the solver that `auto` picks; no solver reads it.
 ///
-/// With a budget: the most accurate that keeps it, and the tolerance. With a tolerance alone: the
-/// cheapest that keeps it. If nothing does, the most accurate, or without a tolerance whatever
-/// keeps the budget.
+/// With a budget, `auto` picks the most accurate solver that keeps the budget and the tolerance, if
+/// there is one. With a tolerance alone, it picks the cheapest solver that keeps it. If no solver
+/// does, it picks the most accurate one, or without a tolerance one that keeps the budget.
 struct Need {
     std::optional<double> tolerance;  ///< error of a position, radii, > 0 ...
     double within = 10.0;             ///< ... after so many seconds, > 0
@@ -41,6 +39,8 @@ struct Need {
     friend bool operator==(const Need&, const Need&) = default;
 };
 
+/// What a scene is made of. Ticks do not change it, with one exception: an emitter that makes the
+/// first ball with a restitution below 1 sets Model::lossy.
 struct Definition {
     Model model;
     Need need;
@@ -85,23 +85,22 @@ struct HeldCapsule {
     bool is_driven = false;
 };
 
-/// A hand that holds a ball or an edge, as far as the next tick has to know of it: see
-/// tick/hands.h.
+/// A hand that holds a ball or an edge: what the next tick must know about it (tick/hands.h).
 struct Hand {
     bool is_on_ball = false;
     std::uint32_t number = 0;  ///< id of the ball or the edge
     Vec2 start_target;         ///< that of the last tick; of a ball, its target
     Vec2 end_target;
-    double pace = 0.0;  ///< the fastest that it goes, length/s
+    double pace = 0.0;  ///< its speed limit, length/s
 
     friend bool operator==(const Hand&, const Hand&) = default;
 };
 
-/// All hands. They yield together, so that edges that are carried by a common joint stay joined.
+/// All hands. They yield together, so that edges that a player drags by their joint stay joined.
 struct Hands {
     std::vector<Hand> each;  ///< balls before edges, ascending by number
-    double share = 1.0;      ///< of their ways that they went in the last tick
-    double overlap = 0.0;    ///< deepest one of all bodies when the first hand came, in radii
+    double share = 1.0;      ///< how much of their displacements the last tick allowed
+    double overlap = 0.0;    ///< the deepest in the scene when the first hand took hold, in radii
 
     friend bool operator==(const Hands&, const Hands&) = default;
 };

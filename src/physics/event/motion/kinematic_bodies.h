@@ -20,14 +20,14 @@ struct KinematicEdge {
     MovingEdge<Real> edge;
 };
 
-/// The balls and edges that something outside of the physics moves: each goes to its target in
-/// uniform motion during the tick, and nothing pushes it. When one squeezes a ball, all of them
-/// stop for the rest of the tick (Response::is_squeezed decides).
+/// The kinematic bodies of the solver `event`: balls and edges that something outside of the
+/// physics moves. Each moves uniformly to its target during the tick, and nothing pushes it. When
+/// one of them squeezes a ball, all of them stop for the rest of the tick (impact/squeeze.h).
 ///
-/// Which bodies these are, and how far they have to go, is asked of tick/kinematic.h. Solvers with
-/// substeps multiply the way by a rate, from wherever they are (`aim`). Here it is divided by the
-/// tick's duration once, in the engine's number type, and the trajectory is absolute in time: the
-/// two round differently.
+/// tick/kinematic.h lists these bodies and their displacements for all solvers. Solvers with
+/// substeps multiply the remaining displacement by a rate (`aim`). Here it is divided by the tick's
+/// duration once, in the engine's number type, and the trajectory is absolute in time: the two
+/// round differently.
 template <typename Real>
 class KinematicBodies {
   public:
@@ -42,7 +42,7 @@ class KinematicBodies {
     const std::vector<KinematicEdge<Real>>& edges() const { return edges_; }
 
     /// Stops all of them now. Trajectories of other balls stay, but every prediction is outdated:
-    /// see `take_stopped`. Whether anything moved.
+    /// see `take_stopped`. Returns whether any of them was moving.
     bool stop();
     /// Whether something has stopped since the last call.
     bool take_stopped() {
