@@ -19,7 +19,7 @@ struct TickWork {
     /// By ball, all 0; becomes 1 for each ball that meets something. `contact` marks only the balls
     /// that press on something when the tick ends. For stop_slow_balls.
     std::vector<std::uint8_t>& touched;
-    /// Asked now and then whether to go on. Empty where nobody asks or the solver cannot cancel.
+    /// Called now and then to ask whether to continue. Empty: the tick cannot be cancelled.
     const std::function<bool()>& keep_going;
 };
 

@@ -27,10 +27,10 @@ std::optional<Impact> impact_of_balls(Vec2 offset, Vec2 relative, double radius,
     return first_impact(Disc{offset, reach}, relative, Disc{{}, 0.0}, horizon);
 }
 
-/// First impact of a ball with a kinematic edge, which is at `shape` now. A stopped one is searched
-/// as an edge that moves at speed 0, by iteration: `swept` asks for fixed edges instead, in closed
-/// form. The two differ by rounding, 1e-12 of the sizes, which is why `contact`, whose edges stop
-/// often, has not changed over: its bits would.
+/// First impact of a ball with a kinematic edge, which is at `shape` now. An edge that has stopped
+/// is searched by iteration, as one that moves at speed 0. `swept` does not use this for stopped
+/// edges: it treats them as fixed, in closed form. The results differ by rounding, 1e-12 of the
+/// sizes, so `contact`, whose edges stop often, keeps the iteration, and with it its bits.
 inline std::optional<Impact> impact_with_moving_edge(const Disc& ball, Vec2 velocity,
                                                      const Capsule& shape, const HeldEdge& edge,
                                                      double horizon) {

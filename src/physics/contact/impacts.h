@@ -31,13 +31,12 @@ struct ContactEvent {
 };
 
 /// Continuous collision within a substep of the solver `contact`: finds the impacts along the
-/// paths of the balls, and deals with them in the order of time (see ccd/impact_queue.h).
+/// paths of the balls, and resolves them in the order of time (see ccd/impact_queue.h).
 ///
-/// An impact above the rest speed bounces, unless the pair is enclosed. Any other one takes the
-/// approach away and lets the pair *settle*: from then on none of its impacts in this substep
-/// bounces. A pair that has bounced may bounce again. Settled pairs and constraints meet again only
-/// where they reach `overlap_bound`. So no body passes through another, and a pile that falls
-/// together is left to the constraints.
+/// A pair bounces if it approaches faster than the rest speed and is not enclosed; it may bounce
+/// again later. Otherwise the impact removes the approach, and the pair has *settled*: it does not
+/// bounce again in this substep. Settled pairs and constraints collide again only when they reach
+/// `overlap_bound`. So no body passes through another, and piles are left to the constraints.
 class ContactImpacts {
   public:
     ContactImpacts(const ContactSubstep& step, ContactBodies& bodies, ContactPairs& pairs,

@@ -14,24 +14,27 @@ struct ContactHeldBall {
     std::uint32_t body = 0;
     std::uint32_t held = 0;  ///< index into World::held_balls
     Vec2 velocity;           ///< towards its target
-    double share = 1.0;      ///< of this that it goes at
+    double share = 1.0;      ///< of `velocity`, at which it moves
 };
 
-/// The kinematic bodies of the solver `contact`: how far held balls and edges go in a substep, and
-/// what holds them back.
+/// The kinematic bodies of the solver `contact`: how far held balls and edges move in a substep,
+/// and what holds them back.
 ///
-/// Rule: a kinematic body goes no further into a ball than `kinematic_overlap` of its radius.
-/// Beyond that it waits for the ball. One that was held back does not catch up: in each substep for
-/// the rest of the tick it is aimed to cover its remaining way in a whole tick.
+/// Rule: a kinematic body enters a ball by at most `kinematic_overlap` of the ball's radius, and
+/// goes no further until the ball gives way. A body that was held back does not catch up: for the
+/// rest of the tick, each substep gives it the velocity that would cover the rest of its
+/// displacement in a whole tick.
 class ContactKinematics {
   public:
-    /// Lists them; held balls become immovable bodies. Pre: `bodies` are loaded.
+    /// Lists the kinematic bodies of the world, and makes held balls immovable. Pre: `bodies` are
+    /// loaded.
     void load(const World& world, ContactBodies& bodies);
     void begin_tick() { was_held_back_.clear(); }
-    /// Aims each at its target: it is to cover `share_of_way` of its remaining way in this substep.
+    /// Gives each the velocity that covers `share_of_way` of the rest of its displacement in this
+    /// substep, unless it was held back.
     void begin_substep(const World& world, const ContactSubstep& step, const ContactBodies& bodies,
                        double share_of_way);
-    /// Gives held balls the velocity that they are aimed at, at the start of the substep.
+    /// Writes these velocities of held balls to the bodies, at the start of the substep.
     void set_velocities(ContactBodies& bodies) const;
     void set_displacements(ContactBodies& bodies, const ContactSubstep& step) const;
     /// Moves the edges in the world.
@@ -53,14 +56,14 @@ class ContactKinematics {
         return *find_edge(std::span<HeldEdge>(edges_), pair.edge);
     }
 
-    /// Shortens the way of every kinematic body that would go too far into a ball. Whether one had
-    /// to be.
+    /// Shortens the displacement of every kinematic body that would enter a ball too far. Returns
+    /// whether there was one.
     bool hold_back(const ContactPairs& pairs, ContactBodies& bodies, const ContactSubstep& step);
 
-    /// Balls that a kinematic body presses on without being able to move them, and all that touch
-    /// such balls, keep at most the speed at which they moved in the substep. Otherwise they would
-    /// keep that of a body whose target is far away. Here bodies touch if their gap at the start of
-    /// the substep was at most `kinematic_overlap` of the smaller radius.
+    /// Limits the speed of jammed balls (those that a kinematic body presses on but cannot move,
+    /// and all balls in touch with one) to the speed at which they moved in the substep. Otherwise
+    /// they would keep the speed of a body whose target is far away. Here bodies touch if their gap
+    /// at the start of the substep was at most `kinematic_overlap` of the smaller radius.
     void settle_jams(ContactPairs& pairs, ContactBodies& bodies, const ContactSubstep& step);
 
     /// The work that kinematic bodies have done on balls through constraints in the substep.

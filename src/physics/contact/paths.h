@@ -12,10 +12,10 @@
 
 namespace carom {
 
-/// The path of a ball in a substep that has impacts. After an impact, or where no constraint
-/// presses on it, the ball is `free`: on its parabola, while impacts are searched along the chord.
-/// Else it goes along the chord itself, while its velocity changes evenly by `pull` and its
-/// surface speed by `turn`. From `end` on it stands still.
+/// The path of a ball in a substep that has impacts. After an impact, and where no constraint
+/// presses on it, the ball is free: it is on its parabola, while impacts are searched along the
+/// chord. Otherwise it moves along the chord itself, while its velocity changes at the constant
+/// rate `pull` and its surface speed at the rate `turn`. From `end` on it does not move.
 struct ContactPath {
     Chord chord;                 ///< to where it will be at the end; the parabola begins there too
     Vec2 velocity;               ///< at chord.time, length/s
@@ -38,8 +38,9 @@ struct ContactPath {
 /// The paths of the balls that could meet something in a substep, made when they are asked for.
 ///
 /// A ball freezes after `most_impacts` impacts, and where its path leads out of its skin, since its
-/// pairs are known only within it. A frozen ball loses time and keeps its velocity; only one that
-/// kinematic bodies have pushed `most_pushes` times loses that too. It never gains energy.
+/// pairs are known only within the skin. A frozen ball does not move for the rest of the substep
+/// but keeps its velocity, unless kinematic bodies have pushed it `most_pushes` times: then it
+/// stops. Freezing never adds energy.
 class ContactPaths {
   public:
     ContactPaths(const ContactSubstep& step, ContactBodies& bodies, ContactPairs& pairs)
@@ -75,16 +76,16 @@ class ContactPaths {
         return now < path.end ? path.chord.velocity : Vec2{};
     }
 
-    /// From `now` on the ball flies freely from where it is. When it leaves its skin before the
-    /// substep ends, and so freezes: the time.
+    /// Starts free flight from where the ball is at `now`. Returns the time at which it leaves its
+    /// skin, and so freezes; none if it does not leave it in this substep.
     std::optional<double> redirect(std::uint32_t body, double now, Vec2 velocity,
                                    double surface_speed);
-    /// From `now` on the ball goes along a piece of a curve, whose normal is this, or flies off it.
-    /// The time as in `redirect`.
+    /// From `now` on the ball rolls along a piece of a curve, whose normal is `normal`, or flies
+    /// off. Returns the time as `redirect` does.
     std::optional<double> roll_on(std::uint32_t body, double now, Vec2 velocity,
                                   double surface_speed, Vec2 normal);
-    /// Velocity and surface speed with which it rolls on along a curve: a ball that constraints
-    /// press has those of the end of the substep already, since no more impulses follow.
+    /// The time, s in the substep, whose velocity and surface speed a ball has that rolls on along
+    /// a curve: now if it is free, else the end of the substep, since no more impulses follow.
     double rolling_time(std::uint32_t body, double now) const {
         return (*this)[body].is_free ? now : step_.duration;
     }
@@ -93,10 +94,10 @@ class ContactPaths {
     /// The ball has been pushed by a kinematic body; after `most_pushes` it freezes and stops.
     void count_push(std::uint32_t body, double now);
     void freeze(std::uint32_t body, double now);
-    /// The body, which is no faster along `normal` than what it ran into, would meet it again at
-    /// once and for ever: it freezes. `normal` points to the body.
+    /// Freezes the body if its path leads against `normal`, which points to it from what it ran
+    /// into. Called where the two no longer approach, but would meet again at once, without end.
     void freeze_at(std::uint32_t body, Vec2 normal, double now);
-    /// The same, if the body that it ran into is frozen.
+    /// Calls freeze_at for `body` if `other`, which it ran into, is frozen.
     void freeze_behind(std::uint32_t other, std::uint32_t body, Vec2 normal, double now);
 
   private:

@@ -14,10 +14,10 @@ namespace carom {
 
 /// The solver `contact`: for piles, bins, resting contact and thousands of balls that touch.
 ///
-/// A tick is cut into substeps. In each, pairs that touch without bouncing are constraints, held
-/// apart by soft constraints with warm starting; pairs that bounce collide at their time of impact,
-/// as in `swept`. README.md in this folder has the substep in pseudo-code, the invariants and the
-/// sources; tolerances.h has the thresholds.
+/// A tick is cut into substeps. In each, soft constraints with warm starting hold apart the pairs
+/// that touch without bouncing; pairs that bounce collide at their time of impact, as in `swept`.
+/// README.md in this folder has the substep in pseudo-code, the invariants and the sources;
+/// tolerances.h has the thresholds.
 ///
 /// Free flight is exact, an elastic bounce keeps the energy to rounding, no body passes through
 /// another (but for moving edges as under `swept`), and a bounce that would rise no higher than

@@ -7,13 +7,14 @@
 
 namespace carom {
 
-/// The kinematic bodies of the solvers `discrete` and `substep`. They go their way whatever is in
-/// it; balls are pushed out of it afterwards.
+/// The kinematic bodies of the solvers `discrete` and `substep`. They move to their targets
+/// whatever is in between; balls that they overlap are pushed out afterwards.
 class OverlapKinematics {
   public:
-    /// Takes up the masses for a tick. The world must outlive it.
+    /// Reads the masses and the held bodies for a tick. The world must outlive the tick.
     void begin_tick(const World& world);
-    /// Moves each by `share` of its remaining way, in an update of `duration` s.
+    /// Moves each by `share` of the remaining displacement to its target, in an update of
+    /// `duration` s.
     void move(World& world, double share, double duration);
 
     /// By ball, 1/mass; 0 where it is held.

@@ -12,8 +12,8 @@
 namespace carom {
 
 /// How the balls of the solvers `discrete` and `substep` move, and how much of its time each has
-/// left. In the first step of an update every ball is active, with the whole update as its time;
-/// in later steps those whose way was cut short are.
+/// left. In the first step of an update every ball is active, with the whole update as its time.
+/// Later steps move only the balls that were pushed back in the step before.
 class OverlapMotion {
   public:
     OverlapMotion(const OverlapStep& step, const OverlapKinematics& kinematics)
@@ -28,9 +28,10 @@ class OverlapMotion {
 
     /// The displacement of a ball that has moved in this step and has not been pushed yet.
     Vec2 displacement_of(const World& world, std::uint32_t ball) const;
-    /// Lets those of the `pushed` balls go on whose way was cut short: time spent is time times
-    /// distance covered / distance intended, and a ball gives gravity back what it took for the
-    /// rest. All other balls are done. A ball that got nowhere gives up the rest of its time.
+    /// Keeps those of the `pushed` balls active that covered less than the intended distance. The
+    /// fraction (distance covered) / (distance intended) of their time is spent; for the rest they
+    /// lose the velocity that gravity added. A ball that got nowhere loses the rest of its time.
+    /// All other balls are done.
     void keep_time(World& world, std::span<const PushedBall> pushed);
     /// Ends an update: no ball is active.
     void clear_active();

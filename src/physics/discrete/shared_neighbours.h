@@ -16,11 +16,11 @@ class SharedNeighbours {
     void begin_tick() { has_checked_all_ = false; }
     /// Whether steps share a list at all: else displacements need not be measured.
     bool are_shared() const { return step_.updates > 1 || step_.has_several; }
-    /// All balls have moved, none further than `displacement`: builds the list anew where it does
-    /// not hold any more.
+    /// All balls have moved, none further than `displacement`: rebuilds the list if it is no longer
+    /// valid.
     void update(const World& world, double displacement, double kinematic_displacement);
-    /// Some balls have moved or were pushed, each of which `note_place` was told: builds the list
-    /// anew where one has gone beyond the margin.
+    /// Some balls have moved or were pushed, each reported to `note_place`: rebuilds the list if
+    /// one of them has gone beyond the margin.
     void update_after_notes(const World& world);
     void note_place(std::uint32_t ball, Vec2 position) {
         if (!list_.note_place(ball, position)) has_escaped_ = true;

@@ -55,7 +55,7 @@ class EventEngine {
     const CellFrame& cells() const { return space_.cells().frame(); }
     /// The balls for which time stood still in a part of the last tick, by index.
     std::span<const std::uint32_t> standing() const { return standstill_.balls(); }
-    /// Of the searches for times of impact, in the last tick.
+    /// How many iterations the searches for times of impact took in the last tick.
     std::uint64_t iterations() const { return work_.search().iterations; }
 
   private:

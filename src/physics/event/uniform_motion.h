@@ -15,8 +15,8 @@
 
 namespace carom {
 
-/// The events of a scene in which every ball moves uniformly and collides with every other: a gas.
-/// The same events and the same bits as the general parts give.
+/// Handles the events of a gas: a scene in which every ball moves uniformly and collides with every
+/// other. Events and bits are those that the general parts would give; only the cost is lower.
 ///
 ///   cell transfer, void prediction      Predictor, compiled for MotionTerms::uniform: without
 ///                                       tests for gravity, filters, tori and rest
@@ -24,9 +24,9 @@ namespace carom {
 ///   nothing else, as nearly all do      what else approaches
 ///   anything else                       left to the general parts
 ///
-/// An impact has a way of its own, since it saves the general one's steps and not only its tests:
-/// one walk over the neighbours finds whether anything else touches, and which of them are
-/// approached with the new velocity.
+/// Impacts have code of their own because it saves whole steps of the general code, not only tests:
+/// one walk over the neighbours finds both whether anything else touches, and which neighbours the
+/// ball approaches at its new velocity.
 template <typename Real>
 class UniformMotion {
   public:
@@ -40,7 +40,7 @@ class UniformMotion {
           predictor_(predictor),
           schedule_(schedule) {}
 
-    /// Whether the scene is one of this kind.
+    /// Whether the scene is such a gas.
     bool applies(const KinematicBodies<Real>& kinematic) const;
 
     /// Handles the event and schedules the balls that it changed. False: nothing has changed, and

@@ -21,9 +21,9 @@ struct Exchange {
 };
 
 /// Bounces two balls. `normal` points from b to a. Inverse mass 0: an immovable body.
-/// Pre: not both are immovable; `restitution` in 0..1; they approach, or it is 0. Balls that do not
-/// approach are then pulled together along the normal, which loses energy: `swept` lets balls rest
-/// on each other so, whose velocities part but whose chords approach.
+/// Pre: not both are immovable; `restitution` in 0..1; they approach, or `restitution` is 0. Then
+/// balls that do not approach are pulled together along the normal, which loses energy. That is how
+/// `swept` lets a ball rest on another when their velocities separate but their chords approach.
 inline Exchange bounce(Vec2& velocity_a, double inverse_mass_a, Vec2& velocity_b,
                        double inverse_mass_b, Vec2 normal, double restitution) {
     const double approach = -dot(velocity_a - velocity_b, normal);

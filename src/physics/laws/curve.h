@@ -57,8 +57,8 @@ struct CurveBounce {
 /// Cost: a dozen divisions and roots. Pre: Model::curved.
 CurveBounce curve_bounce(const World& world, std::size_t capsule, const CurveImpact& impact);
 
-/// The unit normal of the elastic bounce that turns `velocity` along a piece with this normal, the
-/// way in which it goes already. Pre: dot(velocity, normal) < 0.
+/// The unit normal of the elastic bounce that turns `velocity` along a piece with this normal, and
+/// keeps its direction along the piece. Pre: dot(velocity, normal) < 0.
 template <typename V>
 V rolling_normal(const V& velocity, const V& normal) {
     using Real = decltype(V::x);

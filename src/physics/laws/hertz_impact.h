@@ -10,13 +10,13 @@
 /// Impacts that last: balls that press on one another for a time, while others join in.
 ///
 /// A contact is Hertz's spring: at the depth d it pushes with k d^1.5 while the balls approach, and
-/// with e^2 of that while they part. So a pair alone parts at e times its approach, however fast
-/// that was, and no contact ever pulls. Other balls join where their gaps close in the meantime.
+/// with e^2 times that while they separate. So two balls alone separate at e times their approach
+/// speed, whatever that speed, and no contact ever pulls. Other balls join when their gaps close.
 /// The impact ends when nothing presses any more.
 ///
-/// The time of an impact is short: within it bodies move uniformly but for these forces, normals
-/// keep their directions, and the caller leaves the balls where they were. Momentum and angular
-/// momentum are therefore those of pairs of opposite impulses along lines that both bodies share.
+/// An impact is short. During it only these forces accelerate the bodies, normals keep their
+/// directions, and the caller leaves the balls where they were. Impulses come in opposite pairs
+/// along a line that both bodies share, so momentum and angular momentum are conserved.
 ///
 /// Sources: Hertz, J. reine angew. Math. 92 (1881) 156; Landau and Lifshitz, Theory of Elasticity,
 /// section 9; the law of unloading: Walton and Braun, J. Rheology 30 (1986) 949, with Hertz's force
@@ -44,19 +44,18 @@ struct HertzTouch {
 template <typename Real>
 Real hertz_stiffness(const Real& modulus, const Real& radius_a, const Real& radius_b);
 
-/// How long two bodies touch that meet elastically and alone. `mass`: the reduced mass,
-/// 1 / (1/m_a + 1/m_b). Pre: all > 0. It falls with the speed's fifth root.
+/// The duration of an elastic contact of two bodies alone, s. `mass`: the reduced mass,
+/// 1 / (1/m_a + 1/m_b). It falls with the fifth root of the speed. Pre: all > 0.
 template <typename Real>
 Real hertz_duration(const Real& stiffness, const Real& mass, const Real& speed);
 
-/// Computes such impacts; keeps only its memory from one to the next.
+/// Computes impacts that last. From one impact to the next it keeps nothing but allocated memory.
 ///
-/// Method: leapfrog, in steps of 1/128 of the shortest contact at the given speed, but not more
-/// than 16,384 of the longest. What its error does to the energy is put right in the end: all
-/// impulses are scaled by the one factor with which the bodies lose exactly what unloading has
-/// lost. So energy never grows, and is kept to rounding where every restitution is 1. A bound on
-/// the steps, which long chains do not reach, may end it early; energy is kept then too, and some
-/// approach may be left.
+/// Method: leapfrog, in steps of 1/128 of the shortest contact at the given speed, but at most
+/// 16,384 steps for the longest. A last step corrects the energy: one factor scales all impulses so
+/// that the bodies lose exactly what unloading has lost. So energy never grows, and is conserved to
+/// rounding where every restitution is 1. A bound on the number of steps, which long chains do not
+/// reach, may end an impact early; that conserves energy too, but may leave some approach.
 template <typename Real>
 class HertzImpact {
   public:

@@ -7,12 +7,13 @@
 
 namespace carom {
 
-/// The held and driven edges of the solver `swept` within a substep. They go straight to where they
-/// are aimed; one that comes against a frozen ball stops for the rest of the substep. Held balls
-/// are bodies with inverse mass 0 among the paths.
+/// The held and driven edges of the solver `swept` within a substep. Each moves straight towards
+/// its target; one that meets a frozen ball stops for the rest of the substep. Held balls are not
+/// here: SweptPaths has them, with inverse mass 0.
 class SweptKinematics {
   public:
-    /// Begins a substep: each edge is aimed to go `per_second` (1/s) of its remaining way.
+    /// Begins a substep: each edge gets the velocity that covers the rest of its displacement in
+    /// 1 / `per_second` seconds.
     void begin(const World& world, double per_second) {
         list_kinematic_edges(world, edges_);
         for (HeldEdge& edge : edges_)

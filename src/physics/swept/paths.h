@@ -13,9 +13,9 @@
 
 namespace carom {
 
-/// A ball in a substep: its chord, whose velocity is the mean one, and the real velocity with which
-/// the flight or slide along it began. It fills one cache
-/// line, since memory is what a gas of many balls costs.
+/// A ball in a substep: its chord, at the mean velocity, and the real velocity with which the
+/// flight or slide along it began. It fills one cache line, since memory access is what a gas of
+/// many balls costs.
 struct alignas(64) SweptPath {
     Chord chord;
     Vec2 start_velocity;  ///< of the parabola, at chord.time; of a frozen ball, at the end
@@ -29,7 +29,7 @@ struct alignas(64) SweptPath {
 
 /// The resting contacts of a ball.
 struct SweptRest {
-    Vec2 gravity;  ///< what the supports leave of it, with friction, length/s^2
+    Vec2 gravity;  ///< the rest of gravity that the supports do not bear, and friction, length/s^2
     Vec2 support;  ///< normals of the last two supports, 0 where there is none
     Vec2 other_support;
 };
@@ -37,16 +37,17 @@ struct SweptRest {
 /// Where every ball is within a substep of the solver `swept`, and how fast.
 ///
 /// A path is the chord of the parabola from where a ball is to where free motion takes it by the
-/// end of the substep: so free flight is exact, and an impact is early or late by at most g h^2 / 8
-/// of height. Its velocity is that of the parabola where the parabola has the height of the chord,
-/// so an elastic bounce keeps the energy to rounding. On cloth the path is the chord of the exact
-/// motion through sliding, rolling and rest.
+/// end of the substep. So free flight is exact, and an impact is early or late by at most g h^2 / 8
+/// of height. The velocity at an impact is that of the parabola at the height of the chord, so an
+/// elastic bounce conserves energy to rounding. On cloth the path is the chord of the exact motion
+/// through sliding, rolling and rest.
 ///
-/// A ball that rests on something immovable feels only the gravity along it. A frozen ball stays
-/// where it is until the substep ends. One that resting impacts press again and again has come to
-/// rest, as bounces that lose energy end: it loses its velocity. In an elastic scene, and beyond
-/// the budget of work (tick/work_budget.h), time stands still for it: it keeps velocity, spin and
-/// roll. A held ball goes straight to its target.
+/// A ball that rests on something immovable feels only the gravity along it. A held ball goes
+/// straight to its target. A frozen ball stays where it is until the substep ends:
+/// - after too many resting impacts it has come to rest, and loses its velocity, since bounces that
+///   lose energy end in rest;
+/// - in an elastic scene, and beyond the budget of work (tick/work_budget.h), time stands still for
+///   it: it keeps velocity, spin and roll.
 ///
 /// Positions and velocities in the world are those of the start of the substep until `finish`; spin
 /// and roll in the world are those at the time of a ball's last change of path.
@@ -54,11 +55,12 @@ class SweptPaths {
   public:
     explicit SweptPaths(const SweptSubstep& step) : step_(step) {}
 
-    /// Takes up the masses for a tick.
+    /// Reads the masses for a tick.
     void begin_tick(const World& world);
-    /// Begins a substep; held balls go `share_of_way` of their remaining way in it.
+    /// Begins a substep, in which held balls cover `share_of_way` of the rest of their
+    /// displacements.
     void begin(const World& world, double share_of_way);
-    /// Ends it: positions, velocities, spin and roll go to the world.
+    /// Ends the substep: writes positions, velocities, spin and roll to the world.
     void finish(World& world) const;
 
     std::size_t size() const { return paths_.size(); }
@@ -74,8 +76,8 @@ class SweptPaths {
     }
     /// Velocity on the parabola where it is as high as the chord is now.
     Vec2 velocity_at(const World& world, std::uint32_t ball, double now) const;
-    /// Velocity along the chord of the motion that would start now at `velocity`. A held or frozen
-    /// ball is not asked for.
+    /// Velocity along the chord of the motion that would start now at `velocity`. Pre: the ball is
+    /// neither held nor frozen.
     Vec2 chord_velocity(const World& world, std::uint32_t ball, Vec2 velocity, Vec2 gravity,
                         double now) const;
     Vec2 gravity_on(std::uint32_t ball) const {
@@ -97,8 +99,8 @@ class SweptPaths {
         return grow(join({from, from}, {to, to}), world.balls().radius[ball]);
     }
 
-    /// From now on the ball moves from where it is, at first at `velocity`, which a frozen ball
-    /// does not take. Predictions along its old path become void. Whether this is its first change
+    /// Starts a new path from where the ball is now, at first at `velocity`; a frozen ball ignores
+    /// that. Predictions along its old path become void. Returns whether this is its first change
     /// of path in the substep.
     bool redirect(const World& world, std::uint32_t ball, double now, Vec2 velocity);
     /// Counts a resting impact, which the ball leaves at `velocity`, and freezes it after too many.
@@ -121,11 +123,12 @@ class SweptPaths {
 
     /// Advances spin, and roll on cloth, to `now` in the world.
     void advance_spin(World& world, std::uint32_t ball, double now) const;
-    /// Friction of the weight of a ball that has just come to rest on an edge, whose surface moves
-    /// at `surface`: a constant acceleration for the rest of the substep, enough to stop the slip
-    /// by then, gravity along the edge included, but no more than `coefficient` allows. So a
-    /// rolling ball accelerates by g sin / (1 + inertia), and the end of a slip is rounded to a
-    /// substep. Where two edges share the weight, it brakes the spin alone.
+    /// Applies the friction that the weight of a ball causes on an edge on which it has just come
+    /// to rest; `surface` is the velocity of the edge's surface. Friction is a constant
+    /// acceleration for the rest of the substep: enough to stop the slip by then, with gravity
+    /// along the edge, but no more than `coefficient` allows. So a rolling ball accelerates by
+    /// g sin / (1 + inertia), and the end of a slip is rounded to a substep. Where two edges share
+    /// the weight, friction brakes the spin alone.
     void apply_rest_friction(World& world, std::uint32_t ball, Vec2 surface, double coefficient,
                              double now, Vec2& velocity);
     /// A ball on cloth that is pressed `most_resting_impacts` times in a substep rolls at once as

@@ -12,11 +12,11 @@
 
 namespace carom {
 
-/// Predicts the impacts of the solver `swept`: the first of each ball along its path, which goes
-/// into the schedule. A prediction is void once either body has changed its path; then the ball
-/// predicts anew.
+/// Predicts the impacts of the solver `swept`: finds the first impact of each ball along its path,
+/// and puts it into the schedule. A prediction is void once either body has changed its path; the
+/// caller then predicts the ball again.
 ///
-/// An approach of two bodies that touch which is no more than rounding is no impact.
+/// If two bodies touch and approach no faster than rounding, that is no impact.
 class SweptPrediction {
   public:
     SweptPrediction(const SweptSubstep& step, const SweptPaths& paths,
@@ -28,11 +28,12 @@ class SweptPrediction {
           candidates_(candidates),
           schedule_(schedule) {}
 
-    /// All balls, when the substep begins. Of each pair, the ball with the lower number predicts.
+    /// Predicts all balls at the start of the substep. Of each pair, the ball with the lower number
+    /// predicts.
     void predict_at_start(const World& world);
-    /// All balls anew from `now` on. Pre: the schedule is empty.
+    /// Predicts all balls from `now` on. Pre: the schedule is empty.
     void predict_all(const World& world, double now);
-    /// One ball from `now` on.
+    /// Predicts one ball from `now` on.
     void predict(const World& world, std::uint32_t ball, double now);
 
     /// Whether the other body has changed its path since the prediction.

@@ -12,7 +12,7 @@
 
 namespace carom {
 
-/// What came of an impact.
+/// The outcome of an impact.
 struct SweptOutcome {
     std::optional<Contact> contact;  ///< to report: the bodies approached, and momentum passed
     /// A kinematic edge stopped at a frozen ball: every prediction must be made again.
@@ -21,10 +21,10 @@ struct SweptOutcome {
 
 /// What an impact does in the solver `swept`: bounce, rest, freezing, and friction.
 ///
-/// A ball comes to rest on what it touches when its flight after the bounce would end in it before
-/// the substep does, or, where restitution is below 1, when it approaches slower than the rest
-/// speed. Then it feels only the gravity along its supports, and supports what comes to rest on it
-/// in the same substep. A body that a kinematic one pushes rests on it.
+/// A ball comes to rest on a body if its flight after the bounce would lead back into the body
+/// before the substep ends; with restitution below 1, also if it approaches slower than the rest
+/// speed. It then feels only the gravity along its supports, and can itself support a ball in this
+/// substep. A ball that a kinematic body pushes rests on that body.
 ///
 /// The impulse of friction acts at once (laws/bounce.h). The weight of a resting ball causes
 /// friction for the rest of the substep (SweptPaths::apply_rest_friction).
@@ -34,7 +34,7 @@ class SweptResponse {
                   SweptCandidates& candidates)
         : step_(step), paths_(paths), kinematics_(kinematics), candidates_(candidates) {}
 
-    /// Resolves the impact and redirects the balls. Pre: it is the earliest one, and not void.
+    /// Resolves the impact and redirects the balls. Pre: it is the earliest event, and not void.
     SweptOutcome collide(World& world, const SweptEvent& event);
 
   private:

@@ -10,21 +10,21 @@
 
 namespace carom {
 
-/// The impulses of an impact whose contacts last (Model::modulus): those of all balls that press on
-/// one another, through gaps that close in the meantime, as when a rack is broken.
+/// Computes the impulses of an impact whose contacts last (Model::modulus): of all balls that press
+/// on one another, also through gaps that close meanwhile, as in the break of a rack.
 ///
-/// A ball takes part if a chain of gaps leads to it, each as short as the fastest of the
-/// approaching pairs comes in the time that it touches (up to `most_lasting_gap` of a radius), and
-/// if one of them closes before all has parted. In the solver's time it is an instant, and no ball
-/// is moved: a ball that would have gone a millimetre meets its next event a fraction of a
-/// millisecond late.
+/// A ball takes part if a chain of gaps leads to it and one of them closes before the impact ends.
+/// A gap may be as long as the distance that the fastest approaching pair covers during its
+/// contact, up to `most_lasting_gap` of a radius. In simulated time the impact is an instant, and
+/// no ball is moved: a ball that would have moved by a millimetre meets its next event a fraction
+/// of a millisecond late.
 ///
 /// Contacts with edges do not last. A ball that the impact drives into an edge that it touches
-/// bounces off in the next round, as it would from a cushion, which is far softer than a ball.
+/// bounces off in the next round, as from a cushion, which is far softer than a ball.
 ///
-/// Two balls alone keep the law of all impacts, which gives what the springs give. So does a pair
-/// that cloth presses together, below a rebound of `moving_rest_height`: gaps so short are
-/// rounding's.
+/// An impact of two balls alone follows the ordinary law, which has the same result. So does a pair
+/// that cloth presses together, if the rebound would rise less than `moving_rest_height`: gaps that
+/// short are rounding.
 template <typename Real>
 class LastingImpact {
   public:
@@ -33,7 +33,8 @@ class LastingImpact {
         : scene_(scene), cluster_(cluster), restitution_(restitution) {}
 
     /// Computes the impulses of the impact that begins with the `approaching` contact points.
-    /// False: fewer than two contacts of balls press, so it is none of these. Pre: Model::modulus.
+    /// Returns false if fewer than two contacts of balls press: then the ordinary law applies.
+    /// Pre: Model::modulus.
     bool press(std::span<const std::uint32_t> approaching);
 
     /// After `press`: the contacts that have pressed, in the order in which they first touched.

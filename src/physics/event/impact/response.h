@@ -17,32 +17,33 @@
 
 namespace carom {
 
-/// What a tick tells of its impacts.
+/// What a tick reports about its impacts.
 struct ImpactRecord {
     std::vector<Contact>& contacts;      ///< impulses, bodies by index
     std::vector<std::uint8_t>& touched;  ///< by ball: whether an impact changed it
 };
 
-/// Resolves an impact: new trajectories for all balls that it changes.
+/// Resolves an impact: computes its impulses, and starts new trajectories for all balls that it
+/// changes.
 ///
 ///   cluster: the two bodies of the event, and all that they touch
 ///   repeat
 ///       approaching := contact points that approach faster than rounding and resting allow
-///       none: done
-///       pass simultaneous impulses (laws/simultaneous_impact.h), friction, kicks; where contacts
-///           last and others close in time, those of all of them (lasting_impact.h)
-///       add what the changed bodies touch
-///   kinematic bodies that squeeze a ball stop (squeeze.h), and all is done again
+///       if there are none: leave the loop
+///       apply simultaneous impulses (laws/simultaneous_impact.h), friction and kicks; where
+///           contacts last and further gaps close in time, impulses of lasting_impact.h instead
+///       add to the cluster what the changed bodies touch
+///   if kinematic bodies squeeze a ball (squeeze.h): stop them, and start again from the event
 ///   separate balls that overlap (position_correction.h)
 ///   start the trajectories, count the collisions, settle, freeze what the collapse guard says
 ///
-/// Balls are *jammed* if half of `most_impact_rounds` (and of its share of contact points) does not
-/// suffice. From then on all contacts pass impulses without restitution, and frozen balls do not
-/// give way; after all of the rounds the rest is left as it is.
+/// Balls are *jammed* if half of the rounds do not suffice (`most_impact_rounds`, and some for each
+/// contact point). From then on contacts have no restitution, and frozen balls do not give way.
+/// When all rounds are used up, the remaining approaches are left as they are.
 ///
-/// Momentum is conserved but for kinematic bodies, fixed edges, and two kinds of balls that count
-/// as immovable: a resting ball on which another comes to rest (it does not wake), and frozen ones
-/// that jammed balls hit. README.md has the account of energy.
+/// Momentum is conserved except by kinematic bodies, fixed edges, and two kinds of balls that count
+/// as immovable: a resting ball on which another comes to rest (it does not wake), and a frozen
+/// ball that a jammed ball hits. README.md lists where energy is lost.
 template <typename Real>
 class Response {
   public:

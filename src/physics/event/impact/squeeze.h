@@ -3,13 +3,14 @@
 #include "physics/event/impact/impact_cluster.h"
 #include "physics/event/motion/ball_table.h"
 
-/// Kinematic bodies that squeeze a ball which cannot get away: both functions are asked after the
-/// impulses of an impact have been passed, and either answer means that kinematic bodies must stop.
+/// Detects kinematic bodies that squeeze a ball which cannot get away. Response asks both functions
+/// after the impulses of an impact; all kinematic bodies must stop if `hold_back` returns false or
+/// `pushes_without_end` returns true.
 namespace carom {
 
-/// Holds back every held ball of the cluster: it does not move into an edge that it touches, but
-/// along it; if that leads into another edge, along that one; else it stands. False if an edge
-/// moves into one even then.
+/// Keeps every held ball of the cluster out of the edges that it touches: the ball moves along such
+/// an edge; if that leads into another edge, along that one; else it stops. Returns false if an
+/// edge still moves into a held ball.
 template <typename Real>
 bool hold_back(ImpactCluster<Real>& cluster, const BallTable<Real>& balls);
 

@@ -32,7 +32,7 @@ class WorkMeter {
     void count_event() { ++events_; }
     void count_rounds(std::uint64_t rounds) { rounds_ += rounds; }
 
-    /// Of the TOI searches of this tick.
+    /// The TOI search, which counts the iterations of this tick.
     ToiSearch<Real>& search() { return search_; }
     const ToiSearch<Real>& search() const { return search_; }
 
@@ -44,7 +44,7 @@ class WorkMeter {
     }
     bool is_cancelled() const { return is_cancelled_; }
 
-    /// Noticed at polls.
+    /// Whether the tick has used up its budget; changes only at polls.
     bool is_over_budget() const { return is_over_budget_; }
     /// The work since the last call or poll. Pre, as for `charge`: the tick is over its budget.
     std::uint64_t take_uncharged() { return work() - std::exchange(charged_, work()); }
