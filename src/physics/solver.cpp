@@ -88,7 +88,7 @@ TickOutcome Solver::State::advance(World& world, const std::function<bool()>& ke
     return method->advance(world, {contacts, touched, keep_going});
 }
 
-// The tick is tried with shorter and shorter ways of the hands, until it is sound.
+// Repeats the tick with shorter and shorter displacements of the hands, until it is sound.
 TickOutcome Solver::State::advance_hands(World& world, const std::function<bool()>& keep_going) {
     before_hands = world;
     for (double share = hands.first_share();; share = HandStep::next_share(share)) {

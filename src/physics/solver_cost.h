@@ -30,7 +30,7 @@ double predicted_work(const SolverSettings& solver, const World& world, const Lo
 /// RMS error of a position after `time` s, in radii. A difference grows at every impact by about
 /// the mean free path over the radius. `event` starts from rounding; so do `swept` and `contact` on
 /// straight paths, and elsewhere from the g h^2 / 8 by which a substep of h seconds misjudges an
-/// impact. `discrete` and `substep` start from the way of a ball in a step.
+/// impact. `discrete` and `substep` start from the displacement of a ball in a step.
 double predicted_error(const SolverSettings& solver, const World& world, const Load& load,
                        double time);
 

@@ -15,14 +15,14 @@
 namespace carom {
 namespace {
 
-// Of what solvers remember in the world, `discrete`, `substep` and `swept` use nothing.
+// `discrete`, `substep` and `swept` use no solver memory, and void that of other solvers.
 void forget_all(World& world) {
     SolverAccess(world).stamp_motion();
     SolverAccess(world).memory().clear();
     SolverAccess(world).stamp_memory();
 }
 
-// Of what `event` has left, `contact` uses the contacts of its cluster.
+// `contact` continues from the contacts in the memory of `event`, and drops the rest of it.
 void keep_contacts(World& world) {
     if (!world.memory().find<EventMemory>()) return;
     SolverMemory& memory = SolverAccess(world).memory();
@@ -109,11 +109,11 @@ class ContactMethod final : public SolverMethod {
 class EventMethod final : public SolverMethod {
   public:
     TickOutcome advance(World& world, TickWork work) override {
-        // The list stays as it is until the tick is done: a cancelled tick leaves the memory alone.
+        // `clustered` does not change until the tick is done, so a cancelled tick leaves no trace.
         const bool has_clusters = hands_heaps_over(world.model(), {.kind = SolverKind::event}) &&
                                   HybridCluster::is_needed(world);
         was_hybrid_ = has_clusters;
-        // Hands may have ended the hybrid steps: what contact left sunk still gets out.
+        // While hands prevent hybrid steps, balls that `contact` left overlapping stay clustered.
         sunk_.clear();
         if (!has_clusters) sunk_ = event_memory(world).clustered;
         const EventOutcome outcome =
@@ -174,7 +174,7 @@ using Made = std::unique_ptr<SolverMethod>;
 bool always(const World&) {
     return true;
 }
-// `discrete` only looks at each ball once.
+// `discrete` moves each ball only once a tick.
 bool never(const World&) {
     return false;
 }

@@ -124,7 +124,8 @@ bool CapsuleCells::mend(const World& world) {
     return true;
 }
 
-// What is held now and was not, what is no longer, and what has another shape although it is not.
+// Notes the capsules that are held now and were not, or the reverse, and those that are not held
+// but have changed their shape.
 void CapsuleCells::note_changes(const World& world) {
     changed_.clear();
     if (out_ != held_)
@@ -150,7 +151,7 @@ void CapsuleCells::note_changes(const World& world) {
     changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
 }
 
-// All of the others stay in their order, and those that have changed go where they belong.
+// Inserts the changed capsules in order; the entries of all others keep their order.
 void CapsuleCells::put_in_again(const World& world) {
     newcomers_.clear();
     for (const std::uint32_t i : changed_) {

@@ -197,7 +197,7 @@ void DiscGrid::sort_by_cell(std::span<const Vec2> centers, std::span<const doubl
     std::uint32_t end = 0;
     for (std::uint32_t& start : start_)
         start = end += start;
-    // Where the discs go is anywhere: of many, asked for in time, it is there.
+    // The discs go to scattered places in memory: with many discs, these are prefetched.
     const std::size_t ahead = count >= too_many_to_cache ? 16 : count;
     for (std::size_t i = count; i-- > 0;) {
         if (i >= ahead) {

@@ -13,18 +13,22 @@ namespace carom {
 /// Decides what each pair of the solver `contact` is in a substep: a constraint, a candidate for
 /// continuous collision, or idle.
 ///
-/// A pair is a constraint if it could touch in the substep; moves less than `most_travel` radii,
-/// does not approach, or touches and is pushed together by a kinematic body; and one of these
-/// holds:
-///   - it approaches slower than the rest speed, or its restitution is 0
-///   - it overlaps, and was a constraint or would not bounce without gravity's share of this
-///     substep: else a ball that gravity lets fall anew in every substep would sink in
-///   - it is enclosed: each of its balls has `enclosed_contacts` pressing contacts, its restitution
-///     is above 0 and below 1, and gravity acts
-///   - a kinematic body pushes the ball faster than it would bounce off
-/// A ball that the turn of a curve leads against its next piece is a candidate for continuous
-/// collision, too, however slow: it rolls on there (laws/curve.h).
-/// Any other pair that approaches is a candidate for continuous collision.
+/// The first rule that applies decides:
+///   1. It cannot touch in the substep: idle.
+///   2. Both bodies are kinematic: ccd if they approach, else idle.
+///   3. The turn of a curve leads the ball against the next piece: ccd, however slow, since the
+///      ball rolls on there (laws/curve.h).
+///   4. It approaches and moves `most_travel` radii or more: ccd, unless it touches and a kinematic
+///      body pushes it.
+///   5. Its restitution is above 0 and it approaches at the rest speed or faster: ccd, unless
+///        - it overlaps, and was a constraint or would not bounce without gravity's share of this
+///          substep: else a ball that gravity accelerates in every substep would sink in
+///        - it is enclosed: each of its balls has `enclosed_contacts` pressing contacts, its
+///          restitution is above 0 and below 1, and gravity acts
+///        - a kinematic body pushes the ball faster than it would bounce off.
+///      Where the rest speed is 0: ccd if it approaches, else idle, unless a kinematic body pushes.
+///   6. The ball is not on the solid side of a one-way edge, or too far through it: idle.
+///   7. Otherwise: a constraint.
 class ContactClassification {
   public:
     ContactClassification(const ContactSubstep& step, ContactBodies& bodies, ContactPairs& pairs,

@@ -75,8 +75,8 @@ inline void ContactConstraints::solve(ContactConstraint& constraint) {
     change_impulse<spin>(constraint, std::max(constraint.impulse - change, 0.0));
 }
 
-// A gap that nothing has pressed on may close in the next substep, and no more. What pressed before
-// is over-relaxed, since its neighbours take a part back.
+// A pair without an impulse may close its gap within a substep, but no faster. A pair that pressed
+// in the last substep is over-relaxed, since its neighbours undo a part of the change.
 template <bool spin>
 inline void ContactConstraints::relax(ContactConstraint& constraint) {
     const double room = constraint.impulse == 0.0 ? std::max(constraint.target, 0.0) : 0.0;
@@ -88,7 +88,7 @@ inline void ContactConstraints::relax(ContactConstraint& constraint) {
     change_impulse<spin>(constraint, std::max(constraint.impulse - change, 0.0));
 }
 
-// A ball that has just bounced presses on no pair that is about to bounce itself.
+// A pair that is about to bounce takes no impulse from a ball that has just bounced.
 bool ContactConstraints::is_about_to_bounce(const ContactConstraint& constraint) const {
     return pairs_[constraint.pair].bounces && -separating_speed(constraint) > step_.rest_speed;
 }
@@ -146,7 +146,7 @@ void ContactConstraints::store_impulses() {
     }
 }
 
-// From the top down: what supports a ball that is loaded is loaded too.
+// Works from the top down: a ball that supports a loaded ball is loaded too.
 void ContactConstraints::find_loaded() {
     loaded_.clear();
     if (!classification_.any_high_mass_ratio()) return;

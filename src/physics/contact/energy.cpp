@@ -99,7 +99,7 @@ void ContactEnergy::find_groups(std::span<const ContactConstraint> constraints) 
     }
 }
 
-// From all groups that have gained, in proportion. How much that was.
+// Takes energy from all groups that have gained, in proportion. Returns how much.
 double ContactEnergy::take_back(double excess) {
     double gains = 0.0;
     for (std::uint32_t i = 0; i < bodies_.fixed; ++i)
@@ -114,9 +114,9 @@ double ContactEnergy::take_back(double excess) {
     return taken;
 }
 
-// This share of the group's gain, from its way and from its speed, whichever have gained. What
-// goes less far is slower, too. A group that nothing supports keeps its momentum,
-// unless its balls move no faster than that against each other.
+// Takes this share of the group's gain from the ball: from its height and its speed, whichever have
+// gained. A ball that is moved back is slowed too. A group that nothing supports keeps its
+// momentum, unless its balls hardly move relative to each other.
 double ContactEnergy::take_back(std::uint32_t i, const Group& group, double share) {
     ContactBody& body = bodies_.body[i];
     const double lifted = group.is_carried ? 0.0 : std::max(0.0, group.lift);

@@ -9,18 +9,19 @@
 
 namespace carom {
 
-/// The energy of the constraints of the solver `contact`: they give back no more than they took.
+/// Limits the energy of the constraints of the solver `contact`: they give back no more than they
+/// took, plus at most `most_owed` of the energy of all balls.
 ///
-/// Constraints are damped springs. What they take out of the balls' energy in a substep is
-/// *stored*, up to what springs that are compressed like this hold, and up to `most_stored` of the
-/// energy of all balls; the rest is lost. What they give, by lifting what overlaps or by iterations
-/// that have not converged, comes out of the store. What they have given beyond it is taken back at
-/// the end of the substep: each group of balls that press on one another and have gained goes less
-/// far, and is slower. So a heap that nothing pays for stays as deep as it is.
+/// Constraints are damped springs. The energy that they take out of the balls in a substep goes
+/// into a *store*. The store holds at most what springs compressed like this would hold, and at
+/// most `most_stored` of the energy of all balls; the rest is lost. The energy that constraints
+/// give, by lifting overlapping bodies or by iterations that have not converged, comes out of the
+/// store. If they give more than the limit allows, the excess is taken back at the end of the
+/// substep: each group of balls that press on one another and have gained energy moves less far,
+/// and more slowly. So a heap keeps its overlaps while the store has no energy to open them.
 ///
-/// Kinetic and potential energy and the store together never rise, but for what impacts, kicks and
-/// kinematic bodies give. A ball that is carried by a kinematic body is not put back, so there the
-/// store may owe, until later losses have paid.
+/// Impacts, kicks and kinematic bodies are not limited. A ball that a kinematic body carries is not
+/// moved back, so there the store may fall below the limit until later losses refill it.
 class ContactEnergy {
   public:
     ContactEnergy(const ContactSubstep& step, ContactBodies& bodies, const ContactPairs& pairs)
@@ -32,8 +33,9 @@ class ContactEnergy {
 
     /// `springs`: the energy that the springs hold at most, as they are compressed now.
     void begin_substep(double springs) { stored_ = std::min(stored_, springs); }
-    /// Takes back what the constraints have given beyond the store. `given`: by impacts and
-    /// kinematic bodies. Pre: velocities, positions and displacements are those of the end.
+    /// Takes back what the constraints have given beyond the store. `given`: the energy that
+    /// impacts and kinematic bodies gave. Pre: velocities, positions and displacements are those of
+    /// the end of the substep.
     void end_substep(std::span<const ContactConstraint> constraints, double given);
 
   private:

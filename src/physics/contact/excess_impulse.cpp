@@ -7,7 +7,7 @@
 // Excess impulses: see ContactConstraints.
 namespace carom {
 
-// Whether the impulses of the last substep change a speed by more than any load does.
+// Whether the impulses of the last substep change a speed by more than a load can.
 bool ContactConstraints::has_excess() const {
     const double bound = contact_tolerance::most_excess * step_.rest_speed;
     double most = 0.0;
@@ -17,7 +17,7 @@ bool ContactConstraints::has_excess() const {
 }
 
 // The speed at which the upper body leaves the lower one, now or at the start of the substep,
-// whichever is less. The straighter the lower body is below, the more it counts as held by others.
+// whichever is less. The more vertical the contact, the more the lower body counts as held.
 ContactConstraints::Excess ContactConstraints::excess_of(const ContactConstraint& constraint,
                                                          Vec2 up) const {
     const double rise = dot(constraint.normal, up);
@@ -43,8 +43,8 @@ std::optional<double> ContactConstraints::without_excess(const ContactConstraint
     return std::max(0.0, constraint.impulse - excess.speed / excess.inverse_mass);
 }
 
-// From the top down: what a pair gives back, the lower body no longer gets from above, and may give
-// back in its turn.
+// Works from the top down: an impulse that a pair gives back no longer loads the lower body, which
+// may then give back more in its turn.
 template <bool spin>
 void ContactConstraints::take_back_excess() {
     if (step_.gravity == Vec2{}) return;

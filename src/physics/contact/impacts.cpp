@@ -128,10 +128,10 @@ Capsule ContactImpacts::edge_at(const World& world, const ContactPair& pair, dou
     return shape;
 }
 
-// Whether the pair may overlap up to its bound before it meets. A constraint that rests may; one
-// that would not bounce may too, unless it overlaps deeply already: what the iterations have left
-// of its approach is for those of the next substep. Impact by impact, a pile that falls together
-// would never finish.
+// Whether the pair may overlap up to its bound before it collides. A resting constraint may. So may
+// a constraint that would not bounce, unless it overlaps deeply already: the rest of its approach
+// is left to the iterations of the next substep, since a pile that falls together would take
+// impacts without end.
 bool ContactImpacts::is_soft(const ContactPair& pair, Vec2 other_velocity, double now) const {
     if (pair.has_settled) return true;
     if (pair.state != ContactState::constraint) return false;

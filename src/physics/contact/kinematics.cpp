@@ -85,7 +85,7 @@ bool ContactKinematics::hold_back(const ContactPairs& pairs, ContactBodies& bodi
     for (const std::uint32_t p : pairs.kinematic()) {
         const ContactPair& pair = pairs[p];
         if (pair.mass == 0.0) continue;
-        // An impact comes in time: nothing goes too far, and what an edge drives it throws.
+        // The CCD contact finds the impact in time, and the driven edge throws the ball.
         if (pair.state == ContactState::ccd && pair.b > bodies.fixed && edge_of(pair).is_driven)
             continue;
         const bool by_a = bodies.is_ball(pair.b) && bodies.is_kinematic(pair.a);

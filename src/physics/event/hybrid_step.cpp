@@ -76,9 +76,9 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
     }
 }
 
-// Whether the free part, as the last tick left it, is that of this tick: nobody has changed the
-// world since, and nothing was held, whether in this part or in the cluster. A held edge of the
-// cluster stands still in the free part, which must then be taken anew. Prepares the part if so.
+// Whether the free part that the last tick left is that of this tick: the world has not changed
+// since, the cluster is the same, and nothing is held. (An edge held in the cluster does not move
+// in the free part, which must then be copied again.) If so, prepares the part for the tick.
 bool HybridStep::has_free_part_of(const World& world) {
     if (free_stamps_ != world.stamps() || !world.held_balls().empty() ||
         !world.held_capsules().empty())
@@ -95,7 +95,7 @@ bool HybridStep::has_free_part_of(const World& world) {
     return true;
 }
 
-// The cluster, or all but it, with everything of the world that a solver reads in a tick.
+// Copies the cluster, or all other balls, with everything else that a solver reads in a tick.
 void HybridStep::take_part(const World& world, bool of_cluster, Part& part) const {
     const std::size_t count = world.balls().size();
     part.ball.clear();
@@ -128,7 +128,7 @@ void HybridStep::take_part(const World& world, bool of_cluster, Part& part) cons
     memory.clustered.clear();
 }
 
-// Widens the reach of every ball that got further. Whether there is one.
+// Widens the reach of every ball that got further. Returns whether there is one.
 bool HybridStep::widen_reaches(const World& world, const Part& part) {
     bool went_further = false;
     for (std::size_t i = 0; i < part.ball.size(); ++i)

@@ -59,8 +59,8 @@ auto WorldSync<Real>::begin_from(const World& world) -> Begun {
     return Begun::rebuilt;
 }
 
-// Balls that were written through SolverAccess since the last tick, as by the stop speed, start new
-// trajectories, and what they supported does.
+// Balls that were written through SolverAccess since the last tick, for instance by the stop speed,
+// start new trajectories. So do the balls that they supported.
 template <typename Real>
 void WorldSync<Real>::apply_changes(const World& world) {
     changed_.clear();
@@ -70,7 +70,7 @@ void WorldSync<Real>::apply_changes(const World& world) {
         changed_.push_back(i);
         if (world.model().spin)
             trajectories_.spin(i) = {scene_.now, Real(world.balls().spin[i]), Real{}, false};
-        // Before it leaves the place where they lie on it.
+        // The balls on it are released before it leaves its place.
         if (balls_[i].line.motion == Motion::resting) rest_.release_supported(i, changed_);
         const Vector<Real> velocity(world.balls().velocity[i]);
         if (!is_position_unchanged(i)) {
@@ -178,7 +178,7 @@ void WorldSync<Real>::take_spins(const World& world) {
     }
 }
 
-// A ball whose support starts anew starts anew, and so on up the pile.
+// If a support starts a new trajectory, so does every ball that rests on it, and so on up the pile.
 template <typename Real>
 void WorldSync<Real>::drop_unsupported() {
     for (bool changed = true; changed;) {

@@ -149,8 +149,8 @@ void HertzImpact<Real>::lose(State& state, const Real& restitution, const Real& 
 }
 
 // The factor s with which the impulses P lose `lost_`: s P.v + s^2 P.(P/m) / 2 = -lost, with v the
-// velocities at first. Of its roots the one after which the contacts part; where even that would
-// lose less, the one that loses most.
+// initial velocities. Takes the root after which the contacts separate; if no factor loses that
+// much, the factor that loses most.
 template <typename Real>
 Real HertzImpact<Real>::scale_of(std::span<const ImpactBody<Real>> bodies,
                                  std::span<const HertzContact<Real>> contacts) {

@@ -87,7 +87,7 @@ SweptResponse::Passed SweptResponse::pass_between(const World& world, BallImpact
     return {exchange, false, impact.approach > 0.0};
 }
 
-// Whether the chords of two balls that leave the impact so would lead into one another.
+// Whether the chords of two balls that leave the impact at these velocities approach again.
 bool SweptResponse::meet_again(const World& world, const BallImpact& impact, Vec2 velocity_a,
                                Vec2 velocity_b) const {
     const auto chord = [&](std::uint32_t ball, Vec2 velocity) {
@@ -262,7 +262,7 @@ SweptResponse::Passed SweptResponse::roll_on(EdgeImpact& impact) const {
     return {.exchange = exchange, .is_resting = true, .rolls_on = true};
 }
 
-// Takes the approach away.
+// Removes the approach.
 Exchange SweptResponse::rest_on_edge(EdgeImpact& impact, double restitution) const {
     const double inverse_mass = paths_.inverse_mass(impact.ball);
     if (impact.pushing > 0.0)

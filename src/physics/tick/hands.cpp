@@ -13,14 +13,14 @@ namespace {
 
 // A hand has reached its target within this share of the target's next step.
 constexpr double arrival = 1e-6;
-// Hands that yield begin at this share again, and stand still below it.
+// The smallest share that is tried before 0, and the one from which stopped hands start again.
 constexpr double least_share = 1.0 / 64.0;
 // A ball that a hand pushes becomes no faster than this many times the hand's pace.
 constexpr double most_throw = 2.0;
 // Pushes make overlaps deeper by no more than this, in radii.
 constexpr double most_overlap = 0.02;
 
-// The longer way of the two ends of an edge.
+// The length of the longer of the displacements of the two ends of an edge.
 double longer(Vec2 start, Vec2 end) {
     return std::max(length(start), length(end));
 }
@@ -31,7 +31,8 @@ const Hand* find_hand(const Hands& hands, bool is_on_ball, std::uint32_t number)
     return nullptr;
 }
 
-// The hand after the target has gone on; `rest` is its remaining way to the old target.
+// The hand after the target has moved: `way` is the distance to the new target, `rest` what was
+// left to the old one.
 Hand moved_on(const Hands& hands, Hand hand, double way, double rest, double rate) {
     const Hand* const last = find_hand(hands, hand.is_on_ball, hand.number);
     if (!last) {
@@ -151,7 +152,7 @@ double fastest_ball(const World& world) {
     return std::sqrt(fastest);
 }
 
-// Whether a ball has come to the other side of a held edge.
+// Whether a ball has crossed a held edge.
 bool has_passed(const World& before, const World& after) {
     for (const HeldCapsule& held : after.held_capsules()) {
         const auto index = index_of(after, held.id);

@@ -36,8 +36,7 @@ const std::vector<std::uint32_t>& Response<Real>::resolve(std::uint32_t ball,
     bool is_jammed = run_rounds(record.contacts);
     const bool can_hold_back = hold_back(cluster_, balls_);
     if ((!can_hold_back || pushes_without_end(cluster_, balls_, is_jammed)) && kinematic_.stop()) {
-        // The kinematic bodies stop before this impact: what they pushed into the jam is taken
-        // back.
+        // The kinematic bodies stop before this impact, so it is computed again without their push.
         record.contacts.resize(contacts);
         cluster_.end();
         cluster_.begin(ball, event);
@@ -52,7 +51,7 @@ const std::vector<std::uint32_t>& Response<Real>::resolve(std::uint32_t ball,
     return changed_;
 }
 
-// Passes impulses until nothing approaches. Whether the balls are jammed.
+// Applies impulses until nothing approaches. Returns whether the balls are jammed.
 template <typename Real>
 bool Response<Real>::run_rounds(std::vector<Contact>& contacts) {
     bool is_jammed = false;
@@ -102,8 +101,8 @@ Real Response<Real>::least_approach_of(const ContactPoint<Real>& point, bool is_
     return std::max(rounding, is_of_event ? Real{} : pressing_speed(point));
 }
 
-// Bodies that gravity may press together are not separated again and again by approaches that are
-// too slow for an impact of their own.
+// The approach speed below which a contact point does not take part: bodies that gravity may press
+// together would otherwise be separated again and again by slow approaches.
 template <typename Real>
 Real Response<Real>::pressing_speed(const ContactPoint<Real>& point) const {
     if (!scene_.world->model().gravity || !scene_.world->model().lossy) return Real{};
@@ -140,8 +139,8 @@ void Response<Real>::prepare_group(bool is_alone) {
     }
 }
 
-// A single ball meets an edge: the last of the group follows the curve of which that is a piece.
-// Whether it rolls on.
+// A single ball meets an edge: gives the last contact of the group the normal of the curve of which
+// the edge is a piece. Returns whether the ball rolls on.
 template <typename Real>
 bool Response<Real>::follow_curve(const ContactPoint<Real>& point) {
     if (point.kind != EventKind::ball_edge) return false;
@@ -166,7 +165,7 @@ bool Response<Real>::follow_curve(const ContactPoint<Real>& point) {
 }
 
 // Replaces the approaching contact points by those of an impact that lasts, with its impulses.
-// False: the impact is none.
+// Returns false if the impact does not last.
 template <typename Real>
 bool Response<Real>::press_group() {
     const bool lasts = lasting_.press(approaching_);
@@ -228,7 +227,7 @@ void Response<Real>::pass_impulses(bool is_alone, std::vector<Contact>& contacts
     }
 }
 
-// One of the group has passed its impulse: the kick of an edge that kicks, and the record of it.
+// Applies the kick of an edge after a contact of the group has passed its impulse, and records it.
 template <typename Real>
 void Response<Real>::record_contact(std::size_t at, std::vector<Contact>& contacts) {
     const World& world = *scene_.world;

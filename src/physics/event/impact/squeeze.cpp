@@ -7,7 +7,7 @@
 namespace carom {
 namespace {
 
-// False: an edge comes at the held ball even if it stands.
+// Returns false if an edge moves into the held ball even when the ball stops.
 template <typename Real>
 bool hold_back(ImpactCluster<Real>& cluster, std::uint32_t body) {
     const auto for_each_bar = [&](auto&& visit) {

@@ -102,8 +102,8 @@ struct StoredTrajectories {
 class EventMemory final : public ContactMemory {
   public:
     StoredTrajectories trajectories;
-    /// The balls that the next hybrid step hands over to `contact`, with all that could meet them
-    /// (hybrid_cluster.h). Ascending; ids of removed balls are ignored.
+    /// The balls from which the cluster of the next hybrid step grows: `contact` steps them and all
+    /// that could meet them (hybrid_cluster.h). Ascending; ids of removed balls are ignored.
     std::vector<BallId> clustered;
 
     static const char type_name;

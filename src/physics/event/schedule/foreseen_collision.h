@@ -147,7 +147,7 @@ inline FirstCollision<Real> ForeseenCollisions<Real>::earlier(
     const Real small = us.radius < them.radius ? us.radius : them.radius;
     const Vector<Real> gravity =
         terms == MotionTerms::uniform ? Vector<Real>{} : scene_.field.gravity;
-    // As seen from the lower ball, so that both find the same bits.
+    // Computed as seen from the lower ball, so that both balls find the same bits.
     const auto met = straight_time_of_impact(approach, balls_[std::min(ball, other)].line,
                                              balls_[std::max(ball, other)].line, begin, offset,
                                              gravity, us.radius + them.radius, small, scene_.field);

@@ -249,7 +249,7 @@ void Predictor<Real>::predict_pair(std::uint32_t ball, std::uint32_t other, int 
     const Trajectory<Real> theirs = balls_.trajectory(other);
     const Real our_radius = balls_.radius(ball);
     const Real their_radius = balls_.radius(other);
-    // As seen from the lower ball, so that both find the same bits.
+    // Computed as seen from the lower ball, so that both balls find the same bits.
     const Real reach = our_radius + their_radius;
     const Real small = our_radius < their_radius ? our_radius : their_radius;
     auto time = ball < other

@@ -26,13 +26,15 @@ namespace carom {
 ///   searched   Other pairs are searched no further than the ball's next event, and again after
 ///              it. BallPlan::collision is unknown.
 ///
-/// A prediction with a ball whose trajectory has changed since is void: its version differs. The
-/// loop notices when its turn comes, and predicts again. A ball that changes tests all its
-/// neighbours itself, so no impact is missed. Predictions depend on the trajectories alone, not on
-/// which of the two balls is predicted: pairs are computed as seen from the lower one. An impact
-/// with a one-way edge depends also on when it is predicted: a touch in the trajectory's past
-/// counts as one now, and the side on which the ball is now decides. One with a kinematic edge
-/// depends also on how far is searched (edge_impact.h).
+/// A prediction with a partner whose trajectory has changed since is void: the version differs. The
+/// loop notices when the event's turn comes, and predicts again. A ball that changes tests all its
+/// neighbours itself, so no impact is missed.
+///
+/// Predictions depend on the trajectories alone, not on which of the two balls is predicted: pairs
+/// are computed as seen from the lower ball. There are two exceptions. An impact with a one-way
+/// edge depends also on when it is predicted: a contact in the trajectory's past counts as one now,
+/// if the ball is now on the solid side. An impact with a kinematic edge depends also on how far
+/// ahead the search looks (edge_impact.h).
 ///
 /// Functions with `terms` are compiled for scenes of uniform motion too, without the tests that
 /// such a scene does not need (foreseen_collision.h).

@@ -148,8 +148,8 @@ const std::vector<std::uint32_t>& Transitions<Real>::handle(std::uint32_t ball) 
     }
     balls_[ball].line.recent_collisions = before.recent_collisions;
     if (before.motion == Motion::turning) {
-        // A turning ball keeps to its circle, whatever it touches there, until nothing presses it
-        // on. Then it flies: rounding must not put it back.
+        // A turning ball stays on its circle, whatever it touches there, until nothing presses it
+        // on. Then it is in free flight; to settle it could put it back, by rounding.
         const bool leaves = !(turn_at(before, scene_.field, scene_.now).press > Real{});
         if (leaves) return changed_;
     }
