@@ -26,7 +26,7 @@ std::string ball_text(const Scene& scene, std::uint32_t ball) {
     return name.empty() ? fmt::format("ball {}", ball) : fmt::format("ball {} ({})", ball, name);
 }
 
-// The other body of the contact.
+// The name of the body that the ball hits in the contact.
 std::string partner_text(const Scene& scene, const Meeting& meeting, std::uint32_t ball) {
     if (meeting.kind == ContactKind::ball_edge) return fmt::format("edge {}", meeting.b);
     return ball_text(scene, meeting.a == ball ? meeting.b : meeting.a);

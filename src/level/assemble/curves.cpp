@@ -39,7 +39,7 @@ class Joiner {
         for_each_meeting([&](const End& a, const End& b) {
             if (ir_.capsules[a.edge].chain == ir_.capsules[b.edge].chain) return;
             const double most = std::max(turn_beyond(a, within), turn_beyond(b, within));
-            // As an arc of equal pieces turns, but for rounding.
+            // Equal to the turn within an arc of equal pieces, up to rounding.
             constexpr double hair = 1e-6;
             if (turn_at(shape(a), shape(b)) <= most * (1.0 + hair)) join(a, b);
         });
