@@ -18,8 +18,8 @@ namespace carom {
 ///   2. Both bodies are kinematic: ccd if they approach, else idle.
 ///   3. The turn of a curve leads the ball against the next piece: ccd, however slow, since the
 ///      ball rolls on there (laws/curve.h).
-///   4. It approaches and moves `most_travel` radii or more: ccd, unless it touches and a kinematic
-///      body pushes it.
+///   4. It approaches and moves more than `most_travel` radii: ccd, unless it touches and a
+///      kinematic body pushes it.
 ///   5. Its restitution is above 0 and it approaches at the rest speed or faster: ccd, unless
 ///        - it overlaps, and was a constraint or would not bounce without gravity's share of this
 ///          substep: else a ball that gravity accelerates in every substep would sink in

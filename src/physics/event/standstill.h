@@ -11,9 +11,9 @@
 
 namespace carom {
 
-/// The balls for which time stands still until the tick ends, since they have used their share of
-/// the work (tick/work_budget.h). Until then such a ball is held where it is, an immovable
-/// obstacle; then it continues with the velocity, roll and spin that it had.
+/// The balls for which time stands still until the tick ends, because they have used their share of
+/// the work (tick/work_budget.h). Such a ball is an immovable obstacle at its place until the tick
+/// ends, and then continues with the velocity, roll and spin that it had.
 template <typename Real>
 class Standstill {
   public:
@@ -27,7 +27,7 @@ class Standstill {
     }
     /// Time stands still for the ball from now on; the caller predicts it. Pre: it is not held.
     void stop(std::uint32_t ball);
-    /// The tick ends now: all of them start the trajectories on which the next tick goes on, which
+    /// Ends the tick: starts the trajectories on which these balls continue in the next tick, which
     /// must rebuild.
     void end_tick();
 

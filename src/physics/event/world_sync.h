@@ -20,17 +20,18 @@ namespace carom {
 
 /// What the solver takes from the world when a tick begins, and what it leaves there when it ends.
 ///
-/// A tick that finds the world as the last one left it continues: trajectories, cells and queue
-/// stay. If only Stamps::motion differs, since the stop speed or the speed limit has changed
-/// velocities when the last tick ended, the balls that changed start new trajectories
-/// (`apply_changes`), unless they are more than n/8 + 1 balls of n. Anything else rebuilds: any
-/// edit that gives a stamp other than `motion` alone (world/README.md), whatever is held in this
-/// tick or was in the last, another tick number, one-way edges (in every tick), and a grid that no
-/// longer fits the balls (checked every 64 ticks).
+/// A tick begins in one of three ways:
+/// - *continued*, if the world is as the last tick left it: trajectories, cells and queue stay.
+/// - *changed*, if only Stamps::motion differs, because the stop speed or the speed limit changed
+///   velocities at the end of the last tick. Those balls start new trajectories (`apply_changes`).
+/// - *rebuilt* otherwise: after any edit that gives a stamp other than `motion` alone
+///   (world/README.md); if anything is held in this tick or was in the last; at another tick
+///   number; with one-way edges (in every tick); if more than n/8 + 1 balls of n have changed; and
+///   if the grid no longer fits the balls (checked every 64 ticks).
 ///
-/// The world stores the trajectories, so that a copy of it goes on with the same bits: a rebuild
+/// The world stores the trajectories, so that a copy of it continues with the same bits. A rebuild
 /// keeps every stored trajectory that leads, bit by bit, through the position and velocity that the
-/// world shows, whose supports are in place, and in whose way no edge has been put since.
+/// world shows, whose supports are in place, and which no edge has been put across since.
 template <typename Real>
 class WorldSync {
   public:
@@ -55,7 +56,7 @@ class WorldSync {
     };
     explicit WorldSync(const Parts& parts);
 
-    /// Takes the scene's world. What the last tick left no longer counts until `write`.
+    /// Takes the scene's world. The state of the last tick is void from now until `write`.
     Begun begin();
     const std::vector<std::uint32_t>& changed() const { return changed_; }
 

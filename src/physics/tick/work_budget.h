@@ -11,13 +11,17 @@ namespace carom {
 /// consequence (contact/paths.h); `discrete` and `substep` do a fixed amount of work.
 ///
 /// Work is counted in units of the solver, such as events or tests of a pair, never in seconds, so
-/// the result is the same on every machine. A tick of n balls may take `per_ball` times n units, or
-/// those of `least_balls` if it has fewer; the constants of the solvers are worth at most about a
-/// second of one core for 1,000 balls. Once that is spent, each ball has a share of as much again:
-/// the work of each event is charged to the balls that it is about. For a ball that has used its
-/// share, time stands still: it stays where it is, with its velocity, until the tick ends, and is
-/// an obstacle to all others. In the next tick it goes on. So a tick takes at most twice its
-/// budget, the balls that cost the most stop first, and position, velocity and energy never change.
+/// the result is the same on every machine.
+///
+/// - The budget of a tick of n balls is `per_ball` times n units, or times `least_balls` if there
+///   are fewer: at most about a second of one core for 1,000 balls.
+/// - Once it is spent, as much work again is shared out among the balls, and each event is charged
+///   to the balls that take part in it.
+/// - When a ball has used its share, *time stands still* for it: until the tick ends it stays where
+///   it is, an obstacle to all others, and keeps its velocity. In the next tick it continues.
+///
+/// So a tick takes at most twice its budget, the balls that cost the most stop first, and the limit
+/// changes no velocity and no energy.
 class WorkBudget {
   public:
     /// What a solver may do in a tick.
@@ -35,13 +39,13 @@ class WorkBudget {
         spent_ = 0;
         charged_.clear();
     }
-    /// Adds work that has been done. Whether the budget is used up.
+    /// Adds work that has been done. Returns whether the budget is used up.
     bool spend(std::uint64_t work) {
         spent_ += work;
         return spent_ > limit_;
     }
-    /// Charges the work of an event to a ball. Whether the ball has used its share, so that time
-    /// must stand still for it. Pre: the budget is used up.
+    /// Charges the work of an event to a ball. Returns whether the ball has used its share, so that
+    /// time must stand still for it. Pre: the budget is used up.
     bool charge(std::uint32_t ball, std::uint64_t work);
 
   private:

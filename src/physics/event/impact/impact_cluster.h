@@ -58,11 +58,11 @@ struct ContactPoint {
     Vector<Real> surface_velocity;  ///< of a kinematic edge, length/s
 };
 
-/// What touches what at the instant of an impact: the bodies and contact points that take part. It
-/// starts with the two that the event names, and grows with each body that changes (`scan`).
+/// The bodies and contact points that take part in an impact. The cluster starts with the two
+/// bodies that the event names, and grows with each body whose velocity changes (`scan`).
 ///
-/// Bodies touch within `contact_slop` of the smaller radius. Contact points are found in an order
-/// that depends on no cell.
+/// Bodies touch if they are within `contact_slop` of the smaller radius. The order of contact
+/// points does not depend on the cells.
 template <typename Real>
 class ImpactCluster {
   public:
@@ -81,7 +81,7 @@ class ImpactCluster {
     /// Starts with the bodies and the contact point of an impact event, seen from the lower ball,
     /// and scans them.
     void begin(std::uint32_t ball, const BallEvent<Real>& event);
-    /// Adds all that the body touches, once.
+    /// Adds everything that the body touches, unless it was scanned before.
     void scan(std::uint32_t body);
     /// Scans all bodies, and adds the balls within `reach` of one, as bodies with contact points
     /// that are apart; then the balls within reach of these, and so on. `reach`, a gap in length,
@@ -111,8 +111,8 @@ class ImpactCluster {
 
     /// The body of a ball that takes part; BallRecord::none if it does not.
     std::uint32_t body_of(std::uint32_t ball) const { return body_of_[ball]; }
-    /// The neighbours that `scan` has seen around a body; empty where they no longer hold, since
-    /// something has been moved, or where the body was not scanned. See `has_neighbours`.
+    /// The neighbours that `scan` found around a body. Pre: `has_neighbours`, which is false if the
+    /// body was not scanned, or if something has been moved since.
     std::span<const Neighbour<Real>> neighbours_of(const ClusterBody<Real>& body) const {
         return {neighbours_.data() + body.first_neighbour, body.neighbours};
     }

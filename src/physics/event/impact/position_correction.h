@@ -6,12 +6,14 @@ namespace carom {
 
 /// Separates balls that are pressed together and overlap, at the end of an impact.
 ///
-/// Moving balls sink in by up to `moving_rest_height` (on cloth `cloth_rest_height`) before they
-/// meet again. Deeper pairs are separated to touch, in proportion to their inverse masses, by at
-/// most half the smaller radius. A ball that an edge or a third ball bars stays, so such pairs sink
-/// in further; so do held, resting, sliding and turning balls. Separation lifts balls, which gains
-/// at most the energy of that height. Nothing happens where neither gravity with losses nor cloth
-/// presses balls.
+/// Moving balls may sink into one another by about `moving_rest_height` (on cloth
+/// `cloth_rest_height`) before they meet again. Pairs that are deeper are separated until they
+/// touch, in proportion to their inverse masses, by at most half the smaller radius. Lifting balls
+/// against gravity gains at most the energy of that displacement.
+///
+/// Not moved: a ball that would enter an edge or a third ball; held, resting, sliding and turning
+/// balls. Pairs of these sink in further. Nothing happens in scenes where neither gravity with
+/// losses nor cloth presses balls together.
 template <typename Real>
 class PositionCorrection {
   public:

@@ -20,9 +20,10 @@ namespace carom {
 ///   ball against a held ball                always                        laws/bounce.h
 ///   kinematic edge that approaches          always                        laws/bounce.h
 ///
-/// Counts of collisions (collapse_guard.h) matter only for a restitution below 1. "Pressed": by
-/// the relative acceleration along the normal. Rules of rest apply to an impact that
-/// is alone, not to simultaneous ones. Heights are shares of the smaller radius (tolerances.h).
+/// "Pressed" refers to the relative acceleration along the normal. Heights are shares of the
+/// smaller radius (tolerances.h). Rules with a height apply only if no other contact point of the
+/// impact approaches. Counts of collisions (collapse_guard.h) matter only for a restitution
+/// below 1.
 template <typename Real>
 class Restitution {
   public:

@@ -52,9 +52,9 @@ EdgeContact<Real> contact_with(const Edge<Real>& edge, const Vector<Real>& posit
 
 /// Time of impact of a ball and an edge that does not move.
 ///
-/// A ball that starts deeper in the edge than bodies that touch, as dense clusters leave some, is
-/// searched with the nearest point of the whole edge. So is a ball that slides along the edge.
-/// Otherwise the two ends and the two sides are solved one by one.
+/// Usually the two ends and the two sides are solved one by one. There are two exceptions, in which
+/// the search is for the nearest point of the whole edge: a ball that slides along the edge, and a
+/// ball that starts deeper in the edge than bodies that touch, as dense clusters leave some.
 template <typename Real>
 std::optional<Real> edge_time_of_impact(const Trajectory<Real>& trajectory, const Edge<Real>& edge,
                                         const Real& radius, const Field<Real>& field,

@@ -38,13 +38,12 @@ struct SupportId {
     friend bool operator==(const SupportId&, const SupportId&) = default;
 };
 
-/// The linear part of a trajectory: the ball is at `position` with `velocity` at `time`, that of
-/// its last event. The solver goes from one event to the next, however many ticks lie between. The
-/// trajectory belongs to the state, so that the next tick starts from it and not from its rounded
-/// end.
+/// The linear part of a trajectory: at `time`, that of its last event, the ball is at `position`
+/// with `velocity`. A trajectory may last for many ticks. It is part of the state, so that a tick
+/// continues it instead of starting from the rounded position at the end of the tick before.
 struct StoredLine {
     BallId id{};
-    std::uint16_t recent_collisions = 0;  ///< see collapse_guard.h; as far as it counts
+    std::uint16_t recent_collisions = 0;  ///< see collapse_guard.h; saturates
     Motion motion = Motion::free;
     double time = 0.0;  ///< s since the start
     Vec2 position;
@@ -88,7 +87,7 @@ struct StoredTrajectories {
     LargeVector<StoredLine> lines;    ///< ascending by id
     std::vector<StoredCurve> curves;  ///< beside `lines`; empty unless may_curve
     std::vector<StoredSpin> spins;    ///< beside `lines`; empty unless Model::spin
-    Vec2 gravity;                     ///< that they are under: in another field they are void
+    Vec2 gravity;                     ///< under which they are valid: any other voids them
     double drag = 0.0;                ///< 1/s
     /// What the balls could meet when they were stored: digest_of_obstacles (stored_trajectory.h),
     /// or 0 if a kinematic edge moved. With another digest, a trajectory that would have met an

@@ -62,8 +62,8 @@ inline constexpr double unpressed_rest_height = 1e-11;
 /// rebound drowns in the rounding of positions and rest comes at a wrong instant.
 inline constexpr double rest_height = 1e-9;
 
-/// Balls of which cloth drives one towards the other: lower rebounds lose no energy, so that one
-/// pushes the other in finitely many impacts. x10: pushed balls rattle higher; /10: more impacts
+/// Two balls, one of which cloth drives towards the other: lower rebounds lose no energy, so that
+/// it pushes the other in finitely many impacts. x10: pushed balls rattle higher; /10: more impacts
 /// for the same push.
 inline constexpr double cloth_rest_height = 1e-7;
 
@@ -98,7 +98,7 @@ inline constexpr double pressed_rounding = 8e-10;
 /// The approach that an impact may leave, as a share of `pressed_rounding`.
 inline constexpr double pressed_residual = 0.125;
 
-/// Slower approaches are none, length/s: shares of them would be lost among subnormal numbers.
+/// Slower approaches do not count, length/s: shares of them would be subnormal numbers.
 inline constexpr double least_approach = 1e-280;
 
 /// The part of gravity, or of a velocity, along a direction below which it is rounding: a share of
@@ -135,7 +135,8 @@ inline constexpr std::uint32_t most_recent_collisions = 64;
 /// `dense_collisions`, so that `contact` takes a heap first.
 inline constexpr std::uint32_t most_collisions_before_freezing = 256;
 
-/// Collisions that a ball is taken to have had when it is frozen: soon frozen again.
+/// The count of collisions with which a frozen ball continues: high, so that it is soon frozen
+/// again.
 inline constexpr std::uint32_t collisions_after_freezing = most_collisions_before_freezing / 4 * 3;
 
 /// Above this count in quick succession, the last with a ball, a ball is in a dense cluster, which
@@ -164,19 +165,19 @@ inline constexpr double most_correction_into_ball = 1e-4;
 
 // --- Costs: limits of work ----------------------------------------------------------------------
 
-/// The work of a tick (tick/work_budget.h): events, each about 1 us, by ball. Changes the result.
-/// So many iterations of a search count as one.
+/// The work of a tick (tick/work_budget.h), in events for each ball; an event takes about 1 us.
+/// `iterations_per_unit` iterations of a search count as one event. Changes the result.
 inline constexpr WorkBudget::Allowance event_budget{.per_ball = 1'000};
 inline constexpr std::uint64_t iterations_per_unit = 32;
 
-/// Events between two polls of the cancellation token, and iterations of a search that take as long
-/// as an event.
+/// The number of events between two polls of the cancellation token; for this count,
+/// `iterations_per_event` iterations of a search are an event.
 inline constexpr std::uint64_t events_between_polls = 4096;
 inline constexpr std::uint64_t iterations_per_event = 8;
 
-/// Rounds of a simultaneous impact before it is broken off: so many, plus so many for each contact
-/// point. After half of them restitution is dropped. Changes the result of impacts that take so
-/// many.
+/// The most rounds of a simultaneous impact: `most_impact_rounds`, plus `impact_rounds_per_contact`
+/// for each contact point. After half of them restitution is dropped. Changes the result of impacts
+/// that take as many.
 inline constexpr std::size_t most_impact_rounds = 200;
 inline constexpr std::size_t impact_rounds_per_contact = 8;
 
@@ -212,10 +213,10 @@ inline constexpr double most_piece_angle = 0.05;
 /// result slightly. x10: a rolling ball slips more between two pieces; /10: more events.
 inline constexpr double rolling_piece = 1.0 / 1024.0;
 
-/// Balls, from which on memory is prefetched.
+/// The number of balls from which on memory is prefetched.
 inline constexpr std::size_t balls_worth_prefetching = 4096;
 
-/// Balls much larger than the rest, which stand in no cell.
+/// The most balls that may be oversized (much larger than the rest, and in no cell).
 inline constexpr std::size_t most_oversized = 8;
 
 }  // namespace carom

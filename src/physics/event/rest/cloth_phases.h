@@ -10,12 +10,12 @@
 namespace carom {
 
 /// Balls on cloth: each slips, rolls or lies still, with constant acceleration (laws/cloth.h). The
-/// end of such a phase is a transition, and an impact starts another phase. Pre of everything here:
-/// Model::cloth, unless it says otherwise.
+/// end of such a phase is a transition, and an impact starts another phase. Pre of all functions,
+/// unless they say otherwise: Model::cloth.
 ///
-/// Cloth presses balls on what they turn towards, where they would bounce ever lower. On an edge,
-/// once a rebound would rise less than `rest_height`, there is none, and the ball loses the part of
-/// its roll that turns it into the edge. What holds between balls is in restitution.h.
+/// Cloth presses a ball against a body towards which it turns, so it would bounce there without
+/// end. At an edge, a rebound that would rise less than `rest_height` is dropped, and the ball
+/// loses the part of its roll that turns it into the edge. Between balls see restitution.h.
 template <typename Real>
 class ClothPhases {
   public:
@@ -31,7 +31,8 @@ class ClothPhases {
     std::optional<Real> end_of_phase(std::uint32_t ball) const;
     /// The phase ends now: a ball that slipped rolls, one that rolled lies still.
     void end_phase(std::uint32_t ball);
-    /// Whether a stored trajectory is one of the scene's cloth; without cloth, one of none.
+    /// Whether a stored trajectory belongs to the scene's cloth or, in a scene without cloth, is
+    /// one without cloth.
     bool is_of_this_cloth(const Trajectory<Real>& trajectory) const;
 
   private:

@@ -16,16 +16,16 @@ Real clamped(const Real& value, const Real& most) {
 }
 
 /// Friction between a ball and the side of an edge along which it slides or rolls, or between a
-/// resting ball and its supports. Pre of everything here: Model::spin, no cloth.
+/// resting ball and its supports. Pre of all functions: Model::spin, no cloth.
 ///
-/// While a ball slips, its coefficient times its weight on the side acts against the slip: constant
-/// acceleration of the ball and of its spin. The end of the slip is a transition, found in closed
-/// form. Then the ball rolls, with gravity's component along the side over (1 + inertia), if
-/// friction suffices for that. Under drag the share of friction that rolling needs changes: it is
-/// found again after every `rolling_piece` of drag's time constant.
+/// While a ball slips, a force of its coefficient times its weight on the side acts against the
+/// slip, which gives the ball and its spin constant accelerations. The end of the slip is a
+/// transition, found in closed form. Then the ball rolls if friction suffices, with an acceleration
+/// of gravity's component along the side divided by (1 + inertia). Under drag the friction that
+/// rolling needs changes, so it is updated after every `rolling_piece` of drag's time constant.
 ///
-/// A ball held by two supports is braked by friction at both until its spin is 0. Round ends, pegs
-/// and resting balls exert no friction on a ball that turns round them.
+/// Friction at both supports brakes the spin of a ball that two supports hold, until it is 0. Round
+/// ends, pegs and resting balls exert no friction on a ball that turns round them.
 template <typename Real>
 class SideFriction {
   public:
@@ -51,8 +51,8 @@ class SideFriction {
                    const Vector<Real>& pull) const;
     /// Two supports hold the ball: `friction`, an acceleration, brakes its spin.
     void brake(std::uint32_t ball, const Real& friction);
-    /// If friction on the carrying side drives the ball against another edge that it touches, puts
-    /// it to rest there, where its spin is braked.
+    /// If friction on the supporting side drives the ball against another edge that it touches,
+    /// puts the ball to rest there, where its spin is braked. Returns whether it did.
     bool rest_braced(std::uint32_t ball, const Support<Real>& carrier, const Vector<Real>& velocity,
                      const Effect& effect, const Vector<Real>& acceleration);
     /// Whether a ball at rest on two supports spins fast enough to roll off along `side`.

@@ -31,14 +31,14 @@ class Supports {
         : scene_(scene), balls_(balls), space_(space), trajectories_(trajectories) {}
 
     /// All supports of a ball whose trajectory starts now: sides that bear weight, then round ends
-    /// and balls that do, then those that only bar the way. A support counts if the ball is within
-    /// `contact_slop` of it and would not rise above `rest_height` from it. Balls count while they
-    /// rest; with `also_moving` also others, within four times `moving_rest_height`.
+    /// and balls that bear weight, then barriers. A support counts if the ball is within
+    /// `contact_slop` of it and would not rise above `rest_height` from it. Only resting balls
+    /// count; with `also_moving` also others, within four times `moving_rest_height`.
     /// Valid until the next call.
     const std::vector<Support<Real>>& of(std::uint32_t ball, bool also_moving);
 
-    /// An edge that the ball touches and that bars its way, if it moves with `velocity` and
-    /// something accelerates it: the first found.
+    /// The first edge found that the ball touches and that would stop it, if it moved at `velocity`
+    /// with this `acceleration`; none if there is none.
     std::optional<Support<Real>> barrier_to(std::uint32_t ball, const Vector<Real>& velocity,
                                             const Vector<Real>& acceleration) const;
 
