@@ -168,7 +168,7 @@ class LevelWriter {
         return {};
     }
 
-    /// Whether capsule i goes on smoothly in `next`.
+    /// Whether capsule i continues smoothly in `next`.
     bool is_joined(std::size_t i, std::size_t next) const {
         const Capsules& capsules = world_.capsules();
         return !capsules.joints.empty() && capsules.joints[i][1] == capsules.id[next];

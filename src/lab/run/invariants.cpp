@@ -243,7 +243,7 @@ std::optional<Breach> InvariantCheck::check_sides(const World& world) const {
     const Capsules& edges = world.capsules();
     if (world.model().wrap || !world.model().ball_edge) return std::nullopt;
     const Vec2 gravity = world.model().gravity.value_or(Vec2{});
-    // A ball that a hand has hit may have come to the end of its way within the tick.
+    // A ball that a hand has hit may have been stopped again within the tick.
     double thrown = 0.0;
     for (const Hand& hand : world.hands().each)
         thrown = std::max(thrown, 2.0 * hand.pace);

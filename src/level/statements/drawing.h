@@ -54,7 +54,7 @@ class DrawingLetters {
     /// A joint draws nothing, but lines that run into it meet at its centre.
     bool is_joint(std::string_view c) const { return c == "+" && !legend_of(c); }
 
-    /// Reports each unknown character once, and a comment as such. Whether there is none.
+    /// Reports each unknown character once, and a comment as such. Returns whether there is none.
     bool check(const Drawing& drawing, Reporter& reporter) const;
 
   private:

@@ -17,9 +17,9 @@ struct CapsuleEntry {
     std::int8_t along = 0;
 };
 
-/// The edges in the cells of a frame. They are built once and kept while frame and capsules stay as
-/// they are, which is compared. A few that have changed, such as flippers that come to rest, are
-/// taken out and put in again.
+/// The edges in the cells of a frame. They are kept as long as a comparison finds frame and
+/// capsules unchanged. If a few capsules have changed, such as flippers that come to rest, only
+/// these are removed and inserted again; otherwise everything is rebuilt.
 class CapsuleCells {
   public:
     /// Each capsule enters the cells that it reaches when grown by `margin`. Held capsules are left

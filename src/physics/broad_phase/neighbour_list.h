@@ -19,16 +19,15 @@ class NeighbourList {
     /// Lists all pairs of balls that are nearer to one another than twice `margin`, and all balls
     /// that are nearer to an edge than `edge_margin`. Pre: margin >= 0.
     void build(const World& world, double margin);
-    /// Lists pairs of discs that stand for the balls, as those around their paths do: by ball, they
-    /// have these centres and radii. Margin 0.
+    /// Lists pairs of discs in place of the balls, such as discs around their paths: by ball, with
+    /// these centres and radii. The margin is 0.
     void build(const World& world, std::span<const Vec2> centers, std::span<const double> radii);
 
     /// Whether every two bodies that overlap now are in the list: the balls and edges are the same,
     /// and no ball has gone further than the margin. With margin 0: false.
     bool is_valid(const World& world);
-    /// Whether the list is valid, without a look at the world: if it was so since it was built, and
-    /// no ball has gone further than `displacement` since its place was last noted, by `is_valid`
-    /// or by `note_place`.
+    /// Whether the list is still valid if no ball has moved further than `displacement` since its
+    /// place was last noted, by `is_valid` or `note_place`. A bound, which does not read the world.
     bool is_valid_after(double displacement);
     /// Whether the list has all neighbours of one ball, which is now at `position`.
     bool is_valid_for(std::uint32_t ball, Vec2 position) const;

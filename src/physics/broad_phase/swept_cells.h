@@ -8,8 +8,8 @@
 
 namespace carom {
 
-/// A dynamic grid of boxes around paths: a ball enters every cell that its path can touch, and
-/// enters again when its path changes. Entries of an old path stay, and cost a look.
+/// A dynamic grid of boxes around paths: a ball is inserted into every cell that its path can
+/// touch, and again when its path changes. Entries of an old path stay, which costs queries a test.
 class SweptCells {
   public:
     /// A rectangle of cells. On a torus, columns and rows are counted without bound.

@@ -6,9 +6,9 @@
 /// Impacts predicted within a substep, earliest first: for the solvers `swept` and `contact`.
 namespace carom {
 
-/// The order in which impacts are dealt with: by time, then by `Event::tie_break()`, a tuple that
-/// is total over the events of a substep (kind, lower number, higher number, predicting body). So
-/// neither cells nor the order of predictions shows in the result.
+/// The order in which impacts are resolved: by time, then by `Event::tie_break()`, a tuple that is
+/// total over the events of a substep (kind, lower number, higher number, predicting body). So the
+/// result depends neither on cells nor on the order of predictions.
 template <typename Event>
 bool is_earlier(const Event& a, const Event& b) {
     if (a.time != b.time) return a.time < b.time;

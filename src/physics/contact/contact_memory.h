@@ -28,8 +28,8 @@ struct PersistentContact {
 };
 
 /// Verlet reference positions: where the balls were when their pairs were found. While each ball
-/// stays within its skin of there, the solver goes on with the same pairs in the same order. They
-/// belong to the state, since pairs are solved one after another. They count only for a world of
+/// stays within its skin of there, the solver keeps the same pairs in the same order. They belong
+/// to the state, since the result depends on the order of pairs. They are valid only for a world of
 /// just these balls.
 struct ReferencePositions {
     std::vector<BallId> ball;

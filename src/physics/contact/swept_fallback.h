@@ -4,11 +4,11 @@
 
 /// Scenes in which nothing can press: there `swept` stands in for the solver `contact`.
 ///
-/// Without gravity and drag, where every restitution is 1 and nothing is held, no pair can ever
-/// press: every impact bounces at once. Between impacts all balls fly straight, on paths that are
-/// exact however long they are, so cutting a tick into substeps changes only the last digits. That
-/// is what `swept` does, in less memory and in one piece. It resolves impacts one by one up to its
-/// budget of work (tick/work_budget.h), so a jam of elastic balls costs more.
+/// Without gravity and drag, where every restitution is 1 and nothing is held, no pair can press:
+/// every impact bounces at once. Between impacts all balls fly straight, on paths that are exact
+/// however long they are, so substeps would change only the last digits. `swept` gives that result
+/// in as few substeps as it needs, and with less memory. But it resolves impacts one by one, up to
+/// its budget of work (tick/work_budget.h), so a jam of elastic balls costs more.
 namespace carom {
 
 /// Whether the next tick is such a one. Depends on the model and on what is held.

@@ -8,8 +8,8 @@
 
 namespace carom {
 
-/// What the solvers `discrete` and `substep` do to the velocities of bodies that overlapped: each
-/// of the `pairs`, in their order, that approaches bounces, with friction. Appends the exchanges to
+/// Changes the velocities of bodies that overlapped, in the solvers `discrete` and `substep`: each
+/// of the `pairs` that approaches bounces, with friction, in their order. Appends the exchanges to
 /// `contacts`, at `time` (s since the start of the simulation).
 ///
 /// A held edge acts only along its surface (friction), since balls in its way are pushed out; a

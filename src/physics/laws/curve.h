@@ -7,7 +7,7 @@
 #include "geometry/vector.h"
 #include "physics/world/world.h"
 
-/// How a ball bounces off a piece of a curve: an edge that goes on in another without a corner.
+/// How a ball bounces off a piece of a curve: an edge that continues in another without a corner.
 ///
 /// A curve is drawn in straight pieces, and a ball that rolls along one would hit the next, though
 /// the curve itself has nothing to hit. At a smooth joint the impacts are those of the curve:

@@ -5,7 +5,7 @@
 
 namespace carom {
 
-/// The cancellation token of a tick: asks the caller now and then whether a long tick may go on.
+/// The cancellation token of a tick: asks the caller now and then whether a long tick may continue.
 class CancellationToken {
   public:
     /// Work between two questions. A unit is about as much as testing one ball: some tens of

@@ -103,8 +103,8 @@ struct Balls {
 /// drop target that is down.
 enum class Side : std::uint8_t { both, left, right, none };
 
-/// The edges in which a piece of a curve goes on at its start and at its end; `no_joint` where it
-/// ends, or has a corner. laws/curve.h says what such a joint is.
+/// The edges in which a piece of a curve continues at its start and at its end; `no_joint` where
+/// the curve ends, or has a corner. laws/curve.h says what such a joint is.
 using Joints = std::array<CapsuleId, 2>;
 inline constexpr CapsuleId no_joint{0xffffffffu};
 

@@ -8,7 +8,7 @@
 #include "physics/world/model.h"
 
 /// What a solver leaves in the world for its next tick, beyond the bodies. The world carries it, so
-/// that a copy of the world goes on with the same bits, but does not know what is in it: each
+/// that a copy of the world continues with the same bits, but does not know what is in it: each
 /// solver that remembers anything has a type of its own, in its room (contact/contact_memory.h,
 /// event/motion/event_memory.h).
 namespace carom {
@@ -27,11 +27,11 @@ class RetainedMemory {
     /// Becomes a copy of `other` without new memory where its lists have room. Returns false, and
     /// changes nothing, if `other` is of another type.
     virtual bool assign(const RetainedMemory& other) = 0;
-    /// Becomes as it was made, but keeps the room of its lists.
+    /// Returns to the state of a new object, but keeps the allocated memory of its lists.
     virtual void clear() = 0;
     /// The part of it that is of this type; null if none is.
     virtual const void* part(MemoryType type) const = 0;
-    /// Adds all of it, as fingerprints of this version have it (fingerprint.h).
+    /// Adds the memory to a hash, as fingerprints of this version do (fingerprint.h).
     virtual void add_to(Hash& hash, const Model& model, int version) const = 0;
     /// Bytes of memory that a copy occupies.
     virtual std::size_t bytes() const = 0;

@@ -14,8 +14,8 @@
 #include "physics/world/stamp.h"
 #include "physics/world/things.h"
 
-/// The world: all state of a simulation, and nothing else. A copy that goes on gives the same bits
-/// as the original. README.md says what else a snapshot of a game holds, who may write to a world,
+/// The world: all state of a simulation, and nothing else. A copy continues with the same bits as
+/// the original. README.md says what else a snapshot of a game holds, who may write to a world,
 /// and how each solver learns of it.
 namespace carom {
 
@@ -122,18 +122,18 @@ CapsuleId add_capsule(World& world, const Capsule& shape, ClassIndex material,
 std::optional<std::size_t> index_of(const World& world, BallId id);
 std::optional<std::size_t> index_of(const World& world, CapsuleId id);
 
-/// From now on the edge pushes on this side; the model becomes one_way where it has to. Nothing
+/// Sets the side on which the edge pushes, and Model::one_way if the side requires it. Nothing
 /// happens when there is no such edge.
 void set_side(World& world, CapsuleId id, Side side);
 
-/// The edge is a piece of a curve from now on, and goes on in these; the model becomes curved.
+/// Makes the edge a piece of a curve, which continues in these edges, and sets Model::curved.
 /// Nothing happens when there is no such edge.
 void set_joints(World& world, CapsuleId id, const Joints& joints);
 
 /// How many kinds there are, each counted once whatever the layers.
 std::size_t kinds_of_a_layer(const World& world);
-/// The ball is on this layer from now on: it meets what stands there. Nothing happens when there is
-/// no such ball, or no such layer.
+/// Moves the ball to this layer: it then collides with the edges and balls of the layer. Nothing
+/// happens when there is no such ball, or no such layer.
 void set_layer(World& world, BallId id, std::uint8_t layer);
 
 /// The solver `event` starts new trajectories from where the balls are.

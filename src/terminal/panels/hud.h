@@ -45,7 +45,7 @@ struct HudInfo {
     double rate = 0.0;               ///< ticks a second in the level's own time
     std::vector<std::string> terms;  ///< the model in force
     std::size_t balls = 0;
-    std::size_t clustered = 0;     ///< balls that `event` has handed over to `contact`
+    std::size_t clustered = 0;     ///< balls of dense clusters, which `contact` steps
     std::uint64_t collisions = 0;  ///< since the start
     std::vector<HudCheck> checks;  ///< the most important first
     std::string game;              ///< shown in place of energy and momentum; may be empty
