@@ -31,8 +31,8 @@ struct Flipper {
 
     double progress = 0.0;  ///< 0 at rest, 1 up
     double rate = 0.0;      ///< of progress, 1/s
-    /// Jammed on its way up or back, for example by a ball between the tips of two flippers: it
-    /// does not move on before its button is released, or pressed.
+    /// Whether the flipper has jammed while it moved up or back, for example on a ball between the
+    /// tips of two flippers. It then does not move until its button is released, or pressed.
     enum class Stall : std::uint8_t { none, up, back };
     Stall stall = Stall::none;
 
@@ -52,7 +52,8 @@ void drive_flippers(World& world);
 /// continues from there, from rest.
 void rest_flippers(World& world);
 
-/// Stalls the flippers that are on their way: balls could not get out of it.
+/// Stalls all flippers between rest and up. Called at the end of a tick in which time stood still
+/// for a ball, since a ball on which flippers jam causes impacts without end.
 void stall_flippers(World& world);
 
 }  // namespace carom
