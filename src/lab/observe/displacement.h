@@ -9,9 +9,9 @@
 
 namespace carom {
 
-/// How far balls get from where they were when the observation began, and how their velocities
-/// decorrelate from those of that time. Both are means over the balls that exist at both times;
-/// there is no value if none does.
+/// How far balls get from where they were when the observation began, and how far their velocities
+/// still correlate with those at the beginning. Both are means over the balls that exist at both
+/// times; there is no value if none does.
 ///
 /// - Mean square displacement: <|r(t) - r(0)|^2>, length^2. Free balls have <v^2> t^2; where motion
 ///   is diffusive it grows as 4 D t.

@@ -98,9 +98,9 @@ class Response {
     PositionCorrection<Real> correction_;
     std::vector<std::uint32_t> approaching_;  ///< contact points by index
     std::vector<ImpactContact<Real>> group_;  ///< those
-    std::vector<Real> approach_;              ///< of those, length/s
+    std::vector<Real> approach_;              ///< speed at each of group_, length/s
     std::pmr::unsynchronized_pool_resource memory_{{.largest_required_pool_block = 1 << 20}};
-    std::pmr::vector<Real> passed_{&memory_};  ///< normal impulses of those
+    std::pmr::vector<Real> passed_{&memory_};  ///< normal impulse of each
     bool rolls_on_ = false;  ///< the group is one ball that rolls on along a curve
     std::vector<std::uint32_t> changed_;
 };
