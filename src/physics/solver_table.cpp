@@ -138,7 +138,7 @@ class EventMethod final : public SolverMethod {
         for (const BallId ball : sunk_)
             if (std::ranges::binary_search(staying_, ball)) clustered.push_back(ball);
         std::ranges::sort(clustered);
-        clustered.erase(std::ranges::unique(clustered).begin(), clustered.end());
+        clustered.erase(std::unique(clustered.begin(), clustered.end()), clustered.end());
     }
 
     std::vector<BallId> sunk_;

@@ -102,7 +102,7 @@ Promise promise_of(SolverKind solver) {
         case SolverKind::event:
             return {.energy = 1e-9,
                     .overlap = 1e-3,
-                    .overlap_of_clustered = 0.51,
+                    .overlap_of_clustered = 0.75,
                     .lifts_overlaps = true,
                     .keeps_sides = true,
                     .moves = true};
@@ -110,7 +110,7 @@ Promise promise_of(SolverKind solver) {
             return {.energy = 1e-3, .overlap = 1e-3, .keeps_sides = true, .moves = true};
         case SolverKind::contact:
             return {.energy = 1e-2,
-                    .overlap = 0.51,
+                    .overlap = 0.75,
                     .lifts_overlaps = true,
                     .keeps_sides = true,
                     .moves = true};

@@ -36,32 +36,48 @@ double ContactEnergy::gain_of(std::uint32_t i) const {
 
 void ContactEnergy::end_substep(std::span<const ContactConstraint> constraints, double given) {
     if (constraints.empty()) return;
+    if (!energy_) energy_ = energy_of_balls();
+    const double gain = (step_.spins ? gain_of_balls<true>() : gain_of_balls<false>()) - given;
+    stored_ = std::min(stored_ - gain, contact_tolerance::most_stored * *energy_);
+    const double excess = -contact_tolerance::most_owed * *energy_ - stored_;
+    if (!(gain > 0.0) || !(excess > 0.0)) return;
+    find_groups(constraints);
+    stored_ += take_back(excess);
+}
+
+// Potential energy is 0 at the lowest point of the lowest ball.
+double ContactEnergy::energy_of_balls() const {
     const double weight = length(step_.gravity);
-    double gain = -given;
-    // Potential energy is 0 at the lowest point of the lowest ball.
     double energy = 0.0;
     double mass = 0.0;
     double lowest = std::numeric_limits<double>::infinity();
     for (std::uint32_t i = 0; i < bodies_.fixed; ++i) {
-        const ContactBody& body = bodies_.body[i];
-        if (body.inverse_mass == 0.0) continue;
-        const double m = 1.0 / body.inverse_mass;
-        const double surface_before = step_.spins ? bodies_.start_surface_speed[i] : 0.0;
-        const double now = squares_of(body.velocity, body.surface_speed);
-        const double before = squares_of(bodies_.start_velocity[i], surface_before);
+        if (bodies_.is_kinematic(i)) continue;
+        const double m = 1.0 / bodies_.body[i].inverse_mass;
         const double height = -dot(step_.gravity, bodies_.position[i]);
-        gain += m * (0.5 * (now - before) - dot(step_.gravity, bodies_.displacement[i]));
-        energy += m * (0.5 * now + height);
+        energy += kinetic_energy_of(i) + m * height;
         mass += m;
         lowest = std::min(lowest, height - weight * bodies_.radius[i]);
     }
-    if (!(mass > 0.0)) return;
-    energy = std::max(0.0, energy - mass * lowest);
-    stored_ = std::min(stored_ - gain, contact_tolerance::most_stored * energy);
-    const double excess = -contact_tolerance::most_owed * energy - stored_;
-    if (!(gain > 0.0) || !(excess > 0.0)) return;
-    find_groups(constraints);
-    stored_ += take_back(excess);
+    return mass > 0.0 ? std::max(0.0, energy - mass * lowest) : 0.0;
+}
+
+// What all balls have gained in the substep. This runs in every substep.
+template <bool spin>
+double ContactEnergy::gain_of_balls() const {
+    const double ease = 1.0 / step_.spin_ease;
+    double gain = 0.0;
+    for (std::uint32_t i = 0; i < bodies_.fixed; ++i) {
+        const ContactBody& body = bodies_.body[i];
+        if (body.inverse_mass == 0.0) continue;
+        double squares = length_squared(body.velocity) - length_squared(bodies_.start_velocity[i]);
+        if constexpr (spin) {
+            const double before = bodies_.start_surface_speed[i];
+            squares += (body.surface_speed * body.surface_speed - before * before) * ease;
+        }
+        gain += (0.5 * squares - dot(step_.gravity, bodies_.displacement[i])) / body.inverse_mass;
+    }
+    return gain;
 }
 
 std::uint32_t ContactEnergy::group_of(std::uint32_t body) {

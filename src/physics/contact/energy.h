@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,7 +29,10 @@ class ContactEnergy {
         : step_(step), bodies_(bodies), pairs_(pairs) {}
 
     /// What is stored in the world; below 0 where more has been given than taken.
-    void begin_tick(double stored) { stored_ = stored; }
+    void begin_tick(double stored) {
+        stored_ = stored;
+        energy_.reset();
+    }
     double stored() const { return stored_; }
 
     /// `springs`: the energy that the springs hold at most, as they are compressed now.
@@ -50,6 +54,9 @@ class ContactEnergy {
         bool is_carried = false;    ///< by a kinematic body
     };
 
+    double energy_of_balls() const;
+    template <bool spin>
+    double gain_of_balls() const;
     double squares_of(Vec2 velocity, double surface_speed) const;
     double kinetic_energy_of(std::uint32_t body) const;
     double gain_of(std::uint32_t body) const;
@@ -62,6 +69,7 @@ class ContactEnergy {
     ContactBodies& bodies_;
     const ContactPairs& pairs_;
     double stored_ = 0.0;
+    std::optional<double> energy_{};  // of all balls, counted once a tick where they touch
     // Scratch of taking back.
     std::vector<std::uint32_t> parent_;  // by ball: another one of its group, or itself
     std::vector<Group> groups_;          // by the ball that is its own parent
