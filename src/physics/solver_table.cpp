@@ -1,5 +1,6 @@
 #include "physics/solver_table.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
