@@ -98,7 +98,7 @@ void ContactEnergy::find_groups(std::span<const ContactConstraint> constraints) 
     for (const ContactConstraint& constraint : constraints) {
         const bool by_a = bodies_.is_kinematic(constraint.a);
         const bool by_b = bodies_.is_kinematic(constraint.b);
-        if (!touches(constraint) || by_a == by_b) continue;
+        if (!(constraint.impulse > 0.0) || by_a == by_b) continue;
         Group& group = groups_[group_of(by_a ? constraint.b : constraint.a)];
         group.is_supported = true;
         group.is_carried = group.is_carried || pairs_[constraint.pair].is_kinematic;
@@ -141,11 +141,12 @@ double ContactEnergy::take_back(std::uint32_t i, const Group& group, double shar
     if (!(part > 0.0)) return 0.0;
     Vec2 centre = group.is_supported ? Vec2{} : group.momentum / group.mass;
     double inner = group.kinetic - 0.5 * group.mass * length_squared(centre);
-    if (!(part * sped < inner)) {
+    double kept = lifted > 0.0 ? 1.0 - part : 1.0;
+    if (part * sped > inner) {
         centre = {};
         inner = group.kinetic;
+        kept = 1.0;
     }
-    double kept = lifted > 0.0 ? 1.0 - part : 1.0;
     if (inner > 0.0) kept *= std::sqrt(std::max(0.0, 1.0 - part * sped / inner));
     const double before = kinetic_energy_of(i);
     body.velocity = centre + (body.velocity - centre) * kept;
