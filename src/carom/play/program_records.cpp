@@ -1,0 +1,53 @@
+// What the program keeps from one game to the next: settings, and the record of pool matches.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "carom/files/pool_record.h"
+#include "carom/play/program.h"
+
+namespace carom {
+
+void Program::keep_setting(std::string_view name, std::string_view value) {
+    const std::optional<std::string> fault = write_preference(name, value);
+    auto* game = std::get_if<RunningGame>(&page_);
+    if (!fault || !game || has_told_lost_settings_) return;
+    has_told_lost_settings_ = true;
+    game->player.say(fmt::format("such choices are not kept: {}", *fault));
+}
+
+// What was learnt is written when the game ends, not while a ball is in play.
+void Program::keep_key_repeat(const RunningGame& game) {
+    constexpr double like = 0.15;
+    const std::optional<KeyRepeatTimes>& before = preferences_.key_repeat;
+    const std::optional<KeyRepeatTimes>& now = game.player.key_repeat();
+    if (!now || (before && std::abs(now->delay - before->delay) <= like * before->delay &&
+                 std::abs(now->period - before->period) <= like * before->period))
+        return;
+    preferences_.key_repeat = now;
+    keep_setting("key-repeat", text_of(*now));
+}
+
+void Program::keep_pool_record(RunningGame& game, bool all) {
+    const auto since = game.player.take_pool_record(all);
+    if (!since) return;
+    const PoolRecordText kept = carom::keep_pool_record(*since);
+    if (kept.problem) game.player.complain(*kept.problem);
+    game.player.set_pool_record(kept.record);
+}
+
+void Program::keep_preferences(const ViewOptions& before, const ViewOptions& after) {
+    if (before.renderer != after.renderer) {
+        keep_setting("renderer", name_of(after.renderer));
+        view_.renderer = after.renderer;
+    }
+    if (before.color_by != after.color_by) keep_setting("color-by", text_of(after.color_by));
+    if (before.ball_style != after.ball_style) keep_setting("balls", text_of(after.ball_style));
+    if (before.trails != after.trails) keep_setting("trails", after.trails ? "on" : "off");
+    view_.color_by = after.color_by;
+    view_.ball_style = after.ball_style;
+    view_.trails = after.trails;
+}
+
+}  // namespace carom
