@@ -42,7 +42,7 @@ inline constexpr double hand_restitution = 0.05;
 /// more softly; so it hops along, a few times a tick at most.
 inline constexpr double driven_lift = 0.02;
 
-/// The coefficient of restitution of a ball and a motorised surface. Pre: approach > 0.
+/// The coefficient of restitution of a ball and a motorised surface. Pre: approach is not 0.
 inline double driven_restitution(double restitution, double surface, double approach) {
     return std::max(restitution, driven_lift * surface / approach);
 }
@@ -50,14 +50,15 @@ inline double driven_restitution(double restitution, double surface, double appr
 /// Bounces a ball off an immovable body whose surface moves at `surface` along the normal,
 /// length/s; that is 0 unless the body is kinematic. A held body gives the ball the velocity that a
 /// fixed one would, or its own if that is faster. A motorised one (`is_driven`) throws it, like a
-/// moving wall. Pre: `inverse_mass` > 0. With a motorised one, the two approach: an approach of
-/// exactly 0 to a moving surface gives NaN.
+/// moving wall; a ball that moves along with it is lifted off. Pre: `inverse_mass` > 0.
 inline Exchange bounce_off(Vec2& velocity, double inverse_mass, Vec2 normal, double surface,
                            double restitution, bool is_driven = false) {
     const double speed = dot(velocity, normal);
     if (is_driven) {
         const double approach = surface - speed;
-        const double change = (1.0 + driven_restitution(restitution, surface, approach)) * approach;
+        const double change =
+            approach == 0.0 ? driven_lift * std::max(surface, 0.0)
+                            : (1.0 + driven_restitution(restitution, surface, approach)) * approach;
         velocity += normal * change;
         return {change / inverse_mass, approach};
     }

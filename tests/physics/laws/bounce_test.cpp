@@ -117,3 +117,18 @@ TEST_CASE("a kinematic surface drags a ball along, no faster than it moves") {
     CHECK(ball.velocity.x + ball.spin == doctest::Approx(3.0));
     CHECK(ball.velocity.y == 0.0);
 }
+
+TEST_CASE("a ball that moves exactly along with a motorised surface is lifted off it") {
+    Vec2 velocity{1.0, 2.0};
+    const Exchange done = bounce_off(velocity, 0.5, {0, 1}, 2.0, 0.3, true);
+    CHECK(velocity.x == 1.0);
+    CHECK(velocity.y == doctest::Approx(2.0 + driven_lift * 2.0));
+    CHECK(done.impulse == doctest::Approx(driven_lift * 2.0 / 0.5));
+    CHECK(done.approach == 0.0);
+    // A surface that stands, or moves away, leaves it alone.
+    for (const double surface : {0.0, -2.0}) {
+        Vec2 along{1.0, surface};
+        bounce_off(along, 0.5, {0, 1}, surface, 0.3, true);
+        CHECK(along == Vec2{1.0, surface});
+    }
+}
