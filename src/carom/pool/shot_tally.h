@@ -10,7 +10,7 @@
 
 namespace carom {
 
-/// Counts what the person, who is the first player, does in a match against carom.
+/// Counts shots, pots and fouls of the first player, a person, in a match against carom.
 class ShotTally {
   public:
     /// Looks at the game, at least once between two shots. `opponent`: its skill, from 1; 0: there

@@ -11,11 +11,11 @@ namespace carom {
 /// version of its marks. All earlier versions can still be computed, so every recording can be
 /// verified.
 ///
-/// 1: ids, positions, velocities, radii, masses, spins, shapes of edges, what is held and its
-///    targets, and most of the solver memory.
-/// 2: all columns of balls and edges, so also the kind (with its layer) and the restitution of a
-///    ball, and the material and the side of an edge; while something is held, World::hands; all of
-///    the solver memory except StoredTrajectories::obstacles.
+/// Version 1 covers ids, positions, velocities, radii, masses, spins, shapes of edges, what is held
+/// and its targets, and most of the solver memory.
+/// Version 2 covers all columns of balls and edges, so also the kind (with its layer) and the
+/// restitution of a ball, and the material and the side of an edge; while something is held,
+/// World::hands; and all of the solver memory except StoredTrajectories::obstacles.
 ///
 /// docs/determinism.md says when to raise it.
 inline constexpr int fingerprint_version = 2;

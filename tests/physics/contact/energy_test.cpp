@@ -6,6 +6,7 @@
 
 #include "physics/contact/contact_memory.h"
 #include "physics/solver.h"
+#include "physics/support/dice.h"
 #include "physics/support/scenes.h"
 #include "physics/tick/totals.h"
 
@@ -16,29 +17,9 @@ using namespace carom;
 
 namespace {
 
-// Numbers that are the same everywhere: splitmix64.
-struct Dice {
-    std::uint64_t state;
-
-    double next() {
-        state += 0x9e3779b97f4a7c15u;
-        std::uint64_t z = state;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        z ^= z >> 31;
-        return static_cast<double>(z >> 11) / 9007199254740992.0;
-    }
-    double between(double low, double high) { return low + (high - low) * next(); }
-    double scaled(double low, double high) { return low * std::pow(high / low, next()); }
-    std::size_t below(std::size_t count) {
-        return std::min(count - 1, static_cast<std::size_t>(next() * static_cast<double>(count)));
-    }
-    bool chance(double share) { return next() < share; }
-};
-
 template <std::size_t N>
 double one_of(Dice& dice, const double (&values)[N]) {
-    return values[dice.below(N)];
+    return values[dice.below(static_cast<int>(N))];
 }
 
 // A shaft, or a wider bin, in which a column falls or lies: masses up to 1,000 times apart.
@@ -58,9 +39,9 @@ World shaft(std::uint64_t number) {
         {.radius = 1.0, .mass = 1.0, .restitution = restitution, .friction = friction}};
     world.edit_definition().materials = {{.restitution = of_edge, .friction = friction}};
     const double wide = one_of(dice, {2.0001, 2.1, 2.5, 3.2, 3.9, 4.2, 6.0, 8.5});
-    const std::size_t count = 3 + dice.below(dice.chance(0.3) ? 60 : 14);
+    const auto count = static_cast<std::size_t>(3 + dice.below(dice.chance(0.3) ? 60 : 14));
     const double ratio = dice.chance(0.3) ? 1.0 : dice.scaled(2.0, 1000.0);
-    const std::size_t pattern = dice.below(5);
+    const int pattern = dice.below(5);
     const double gap = dice.chance(0.3) ? 0.0 : dice.scaled(1e-6, 3.0);
     const double drop = dice.chance(0.5) ? 0.0 : dice.between(0.0, 8.0);
     const double shake = dice.chance(0.4) ? 0.0 : dice.scaled(1e-6, 2.0);

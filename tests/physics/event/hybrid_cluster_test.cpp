@@ -7,33 +7,14 @@
 
 #include "physics/event/motion/event_memory.h"
 #include "physics/solver.h"
+#include "physics/support/open_air.h"
 #include "physics/support/scenes.h"
 
 using namespace carom;
+using open_air::add_floor;
+using open_air::balls;
 
 namespace {
-
-// Gravity 10, 100 ticks a second, balls of radius 0.5 and no edges.
-World open_air(double restitution) {
-    World world = scenes::empty();
-    world.edit_definition().rate = 100.0;
-    world.edit_definition().model.gravity = Vec2{0.0, -10.0};
-    world.edit_definition().kinds[0] = {.radius = 0.5, .mass = 1.0, .restitution = restitution};
-    world.edit_definition().materials[0].restitution = restitution;
-    world.edit_definition().model.lossy = restitution < 1.0;
-    return world;
-}
-
-void add_floor(World& world) {
-    add_capsule(world, {{-30.0, -1.0}, {30.0, -1.0}, 1.0}, 0);
-}
-
-std::vector<BallId> balls(std::initializer_list<std::uint32_t> numbers) {
-    std::vector<BallId> ids;
-    for (const std::uint32_t n : numbers)
-        ids.push_back(BallId{n});
-    return ids;
-}
 
 std::vector<BallId> cluster_of(const World& world) {
     HybridCluster cluster;
@@ -71,7 +52,7 @@ TEST_CASE(
     };
     for (const Row& row : rows) {
         CAPTURE(row.what);
-        World world = open_air(0.5);
+        World world = open_air::make(0.5);
         for (std::size_t i = 0; i < row.x.size(); ++i)
             add_ball(world, {.position = {row.x[i], 0.0}, .velocity = {row.speed[i], 0.0}});
         edit_event_memory(world).clustered = row.dense;
@@ -79,14 +60,14 @@ TEST_CASE(
     }
 
     // Across the seam of a torus; only kinds that collide; through a held edge.
-    World torus = open_air(0.5);
+    World torus = open_air::make(0.5);
     torus.edit_definition().model.wrap = Box{{0.0, 0.0}, {20.0, 20.0}};
     for (const double x : {0.4, 19.4, 10.0})
         add_ball(torus, {.position = {x, 5.0}, .velocity = {}});
     edit_event_memory(torus).clustered = balls({0});
     CHECK(cluster_of(torus) == balls({0, 1}));
 
-    World layers = open_air(0.5);
+    World layers = open_air::make(0.5);
     layers.edit_definition().kinds.push_back(layers.kinds()[0]);
     layers.edit_definition().model.filtered = true;
     layers.edit_definition().meets = {1, 0, 1, 0, 1, 1, 1, 1, 0};
@@ -95,7 +76,7 @@ TEST_CASE(
     edit_event_memory(layers).clustered = balls({0});
     CHECK(cluster_of(layers) == balls({0}));
 
-    World hand = open_air(0.5);
+    World hand = open_air::make(0.5);
     const CapsuleId blade = add_capsule(hand, {{0.0, 1.0}, {9.0, 1.0}, 0.1}, 0);
     for (const double x : {0.0, 4.0, 8.0, 20.0})
         add_ball(hand, {.position = {x, 0.0}, .velocity = {}});
@@ -121,7 +102,7 @@ TEST_CASE(
     };
     for (const Row& row : rows) {
         CAPTURE(row.what);
-        World world = open_air(0.5);
+        World world = open_air::make(0.5);
         add_ball(world, {.position = {0.0, 9.0}, .velocity = {}});
         add_ball(world, {.position = {1.0 + row.gap, 9.0}, .velocity = {row.apart, 0.0}});
         edit_event_memory(world).clustered = balls({0, 1});
@@ -140,7 +121,7 @@ TEST_CASE(
         CHECK(std::abs(world.balls().position[1].y - fallen) < 1e-13 * 9.0);
     }
     // A ball pressed into the floor stays in the cluster until it leaves the floor.
-    World world = open_air(0.5);
+    World world = open_air::make(0.5);
     add_floor(world);
     add_ball(world, {.position = {0.0, 0.49}, .velocity = {}});
     edit_event_memory(world).clustered = balls({0});

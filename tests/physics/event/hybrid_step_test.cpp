@@ -7,39 +7,20 @@
 
 #include "physics/event/motion/event_memory.h"
 #include "physics/solver.h"
+#include "physics/support/open_air.h"
 #include "physics/support/scenes.h"
 #include "physics/tick/totals.h"
 #include "physics/world/fingerprint.h"
 
 using namespace carom;
+using open_air::add_floor;
+using open_air::balls;
 
 namespace {
 
 double energy(const World& world) {
     const Totals t = totals(world);
     return t.kinetic_energy + t.potential_energy;
-}
-
-// Gravity 10, 100 ticks a second, balls of radius 0.5 and no edges.
-World open_air(double restitution) {
-    World world = scenes::empty();
-    world.edit_definition().rate = 100.0;
-    world.edit_definition().model.gravity = Vec2{0.0, -10.0};
-    world.edit_definition().kinds[0] = {.radius = 0.5, .mass = 1.0, .restitution = restitution};
-    world.edit_definition().materials[0].restitution = restitution;
-    world.edit_definition().model.lossy = restitution < 1.0;
-    return world;
-}
-
-void add_floor(World& world) {
-    add_capsule(world, {{-30.0, -1.0}, {30.0, -1.0}, 1.0}, 0);
-}
-
-std::vector<BallId> balls(std::initializer_list<std::uint32_t> numbers) {
-    std::vector<BallId> ids;
-    for (const std::uint32_t n : numbers)
-        ids.push_back(BallId{n});
-    return ids;
 }
 
 // Whether a ball becomes dense within `most` ticks.
@@ -58,12 +39,12 @@ TEST_CASE("event: a scene that is not too dense is never handed over to contact"
     for (const double restitution : {0.3, 0.5, 0.9, 0.99}) {
         CAPTURE(restitution);
         // A ball that bounces until it rests.
-        World bounce = open_air(restitution);
+        World bounce = open_air::make(restitution);
         add_floor(bounce);
         add_ball(bounce, {.position = {0.0, 3.0}, .velocity = {1.0, 0.0}});
         CHECK_FALSE(makes_a_cluster(bounce, 3000));
         // Balls that come to rest in the hollows between resting balls, and are hit there.
-        World rack = open_air(restitution);
+        World rack = open_air::make(restitution);
         add_floor(rack);
         for (int row = 0; row < 4; ++row)
             for (int i = 0; i < 4 - row; ++i)
@@ -74,7 +55,7 @@ TEST_CASE("event: a scene that is not too dense is never handed over to contact"
         CHECK_FALSE(makes_a_cluster(rack, 1000));
         if (restitution < 0.9) continue;
         // A cradle on a floor: as many out as in, again and again, until the walls have damped it.
-        World cradle = open_air(restitution);
+        World cradle = open_air::make(restitution);
         add_floor(cradle);
         for (int i = 0; i < 8; ++i)
             add_ball(cradle, {.position = {1.0 * i, 0.5}, .velocity = {i < 2 ? 3.0 : 0.0, 0.0}});
@@ -166,7 +147,7 @@ TEST_CASE("event: a bucket of balls comes to rest as a cluster, without sinking 
 TEST_CASE("event: a ball slightly inside an edge slides off its end") {
     for (const double depth : {1e-15, 1e-12, 1e-9, 1e-6, 1e-3}) {
         CAPTURE(depth);
-        World world = open_air(0.3);
+        World world = open_air::make(0.3);
         add_capsule(world, {{0.0, 0.0}, {0.0, 20.0}, 0.0}, 0);
         add_ball(world, {.position = {0.5 - depth, 1.0}, .velocity = {0.0, -3.0}});
         add_ball(world, {.position = {-0.5 + depth, 19.0}, .velocity = {0.0, 8.0}});
@@ -192,7 +173,7 @@ TEST_CASE("event: a ball slightly inside an edge does not get through its end") 
             const double circle = std::sqrt(2.0 * depth);
             const double speed = 0.3 + 2.7 * share(1);
             const double angle = 2.4 * share(2) - 1.2;
-            World world = open_air(0.5);
+            World world = open_air::make(0.5);
             world.edit_definition().model.gravity =
                 Vec2{10.0 * std::sin(angle), -10.0 * std::cos(angle)};
             add_capsule(world, {{0.0, 0.0}, {20.0, 0.0}, 0.0}, 0);
@@ -213,7 +194,7 @@ TEST_CASE("event: a ball slightly inside an edge does not get through its end") 
 
 TEST_CASE(
     "event: a cluster whose floor vanishes falls, and its balls return to exact trajectories") {
-    World world = open_air(0.3);
+    World world = open_air::make(0.3);
     const CapsuleId floor = add_capsule(world, {{-2.0, 0.0}, {2.0, 0.0}, 0.0}, 0);
     add_capsule(world, {{-2.0, 0.0}, {-2.0, 20.0}, 0.0}, 0);
     add_capsule(world, {{2.0, 0.0}, {2.0, 20.0}, 0.0}, 0);
@@ -456,7 +437,7 @@ TEST_CASE(
     "event: fast balls that reach a cluster by an impact of the same tick do not pass into it") {
     // A row of balls in a cluster, and a shot that a heavier ball sends on towards it. The shot is
     // slow when the tick starts, and would be inside the row when it ends.
-    World world = open_air(0.9);
+    World world = open_air::make(0.9);
     world.edit_definition().rate = 10.0;
     add_floor(world);
     for (int i = 0; i < 6; ++i)
@@ -477,7 +458,7 @@ TEST_CASE(
 }
 
 TEST_CASE("event: a tick without a cluster keeps no contacts of an earlier one") {
-    World world = open_air(0.5);
+    World world = open_air::make(0.5);
     add_ball(world, {.position = {0.0, 5.0}, .velocity = {}});
     edit_event_memory(world).contacts = {{.ball = BallId{0}, .other = 1, .impulse = 1.0}};
     Solver({.kind = SolverKind::event}).tick(world);
