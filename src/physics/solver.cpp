@@ -63,9 +63,9 @@ bool supports(SolverKind kind, const Model& model) {
     return !model.cloth || row_of(kind).supports_cloth;
 }
 
-bool hands_heaps_over(const Model& model, const SolverSettings& settings) {
+bool uses_hybrid_step(const Model& model, const SolverSettings& settings) {
     return settings.kind == SolverKind::event && !settings.extended && model.gravity &&
-           model.lossy && model.ball_ball;
+           model.inelastic && model.ball_ball;
 }
 
 struct Solver::State {

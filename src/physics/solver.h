@@ -25,7 +25,7 @@ bool supports(SolverKind kind, const Model& model);
 
 /// Whether the solver may step dense clusters with `contact` (event/hybrid_step.h): `event` does,
 /// where gravity acts, balls meet, and impacts lose energy.
-bool hands_heaps_over(const Model& model, const SolverSettings& settings);
+bool uses_hybrid_step(const Model& model, const SolverSettings& settings);
 
 /// What `auto` picks for a world, by the estimates of solver_cost.h, and the reason, with what else
 /// was weighed. It depends on the world alone, never on a clock.

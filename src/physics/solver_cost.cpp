@@ -102,7 +102,7 @@ Load load_of(const World& world) {
     // They lie on one another if not all fit beside one another on the floor, after a fall through
     // half the scene and its bounces.
     const double row = std::max(width, 2.0 * load.radius);
-    if (pull > 0.0 && model.lossy && model.ball_ball && !drains && 2.0 * radii > row) {
+    if (pull > 0.0 && model.inelastic && model.ball_ball && !drains && 2.0 * radii > row) {
         double e = 0.0;
         for (std::size_t i = 0; i < balls.size(); ++i)
             e += balls.restitution[i] / static_cast<double>(balls.size());
@@ -136,7 +136,7 @@ double predicted_work(const SolverSettings& solver, const World& world, const Lo
         case SolverKind::swept:
             return work(swept_rates) * (1.0 + substep_share * (solver.substeps - 1));
         case SolverKind::contact:
-            if (load.is_straight && !world.model().lossy) return work(swept_rates) * 1.05;
+            if (load.is_straight && !world.model().inelastic) return work(swept_rates) * 1.05;
             return work(contact_rates) *
                    (1.0 + contact_substep_share * (solver.contact_substeps - 4));
         default:
@@ -165,8 +165,8 @@ double predicted_error(const SolverSettings& solver, const World& world, const L
         case SolverKind::swept:
             return grown(load.is_straight ? 0.0 : after_steps(solver.substeps));
         case SolverKind::contact:
-            return grown(load.is_straight && !model.lossy ? 0.0
-                                                          : after_steps(solver.contact_substeps));
+            return grown(
+                load.is_straight && !model.inelastic ? 0.0 : after_steps(solver.contact_substeps));
         default:
             return grown(0.0);
     }

@@ -111,12 +111,12 @@ class EventMethod final : public SolverMethod {
   public:
     TickOutcome advance(World& world, TickWork work) override {
         // `clustered` does not change until the tick is done, so a cancelled tick leaves no trace.
-        const bool has_clusters = hands_heaps_over(world.model(), {.kind = SolverKind::event}) &&
+        const bool has_clusters = uses_hybrid_step(world.model(), {.kind = SolverKind::event}) &&
                                   HybridCluster::is_needed(world);
         was_hybrid_ = has_clusters;
         // While hands prevent hybrid steps, balls that `contact` left overlapping stay clustered.
-        sunk_.clear();
-        if (!has_clusters) sunk_ = event_memory(world).clustered;
+        overlapping_.clear();
+        if (!has_clusters) overlapping_ = event_memory(world).clustered;
         const EventOutcome outcome =
             has_clusters ? hybrid_.tick(world, event_, contact_, work.contacts, work.touched,
                                         work.keep_going)
@@ -125,7 +125,7 @@ class EventMethod final : public SolverMethod {
         EventMemory& memory = SolverAccess(world).memory().use<EventMemory>();
         if (!has_clusters) memory.contacts.clear();
         memory.reference.clear();
-        if (!sunk_.empty()) keep_sunk(world, memory.clustered);
+        if (!overlapping_.empty()) keep_overlapping(world, memory.clustered);
         return TickOutcome::done;
     }
     std::span<const std::uint32_t> standing() const override {
@@ -134,15 +134,15 @@ class EventMethod final : public SolverMethod {
     const CellFrame& cells() const override { return event_.cells(); }
 
   private:
-    void keep_sunk(const World& world, std::vector<BallId>& clustered) {
+    void keep_overlapping(const World& world, std::vector<BallId>& clustered) {
         cluster_.find_staying(world, staying_);
-        for (const BallId ball : sunk_)
+        for (const BallId ball : overlapping_)
             if (std::ranges::binary_search(staying_, ball)) clustered.push_back(ball);
         std::ranges::sort(clustered);
         clustered.erase(std::unique(clustered.begin(), clustered.end()), clustered.end());
     }
 
-    std::vector<BallId> sunk_;
+    std::vector<BallId> overlapping_;
     std::vector<BallId> staying_;
     HybridCluster cluster_;
     bool was_hybrid_ = false;

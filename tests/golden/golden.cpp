@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 // A tick of ten balls takes no time; one of thousands would take minutes in a debug build, and so
 // would the bounces of a heap, all of which `event` computes.
 std::uint64_t ticks_for(const World& world, SolverKind kind) {
-    const bool may_heap = world.model().lossy && world.model().gravity;
+    const bool may_heap = world.model().inelastic && world.model().gravity;
     if (may_heap && world.balls().size() > 200) return kind == SolverKind::event ? 15 : 30;
     if (kind == SolverKind::event && may_heap) return 120;
     return world.balls().size() > 200 ? 120 : 600;

@@ -39,7 +39,7 @@ TEST_CASE("a level of one line loads, with defaults") {
     CHECK(edge(scene, 4) == Capsule{{20, 40}, {60, 25}, 0.5});
     CHECK(world.materials()[world.capsules().material[0]].restitution == 0.8);
     CHECK(world.model().gravity == Vec2{0, -9.81});
-    CHECK(world.model().lossy);
+    CHECK(world.model().inelastic);
     CHECK_FALSE(world.model().filtered);
     CHECK(world.model().ball_ball);
     CHECK(world.rate() == 120.0);

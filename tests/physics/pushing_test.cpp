@@ -55,7 +55,7 @@ struct Row {
         world.edit_definition().model.gravity = Vec2{0.0, -10.0};
         world.edit_definition().kinds = {{.radius = 1.0, .mass = 3.0, .restitution = 0.5}};
         world.edit_definition().materials = {{.restitution = 0.5}};
-        world.edit_definition().model.lossy = true;
+        world.edit_definition().model.inelastic = true;
         add_capsule(world, {{0.0, 0.0}, {42.0, 0.0}, 0.0}, 0);
         add_capsule(world, {{0.0, 0.0}, {0.0, 40.0}, 0.0}, 0);
         wall = add_capsule(world, {{40.0, 0.6}, {40.0, 40.0}, 0.5}, 0);
@@ -137,7 +137,7 @@ TEST_CASE("a ball leaves a held ball as it would leave a fixed one, or a little 
                 CAPTURE(pace);
                 World world = scenes::empty();
                 world.edit_definition().kinds[0].restitution = restitution;
-                world.edit_definition().model.lossy = restitution < 1.0;
+                world.edit_definition().model.inelastic = restitution < 1.0;
                 const BallId hand = add_ball(world, {.position = {0.0, 0.0}});
                 add_ball(world, {.position = {8.0, 0.0}, .velocity = {-3.0, 0.0}});
                 Solver solver({.kind = kind});
@@ -161,7 +161,7 @@ TEST_CASE("a hand lifts a pile") {
         world.edit_definition().model.gravity = Vec2{0.0, -10.0};
         world.edit_definition().kinds = {{.radius = 1.0, .mass = 3.0, .restitution = 0.5}};
         world.edit_definition().materials = {{.restitution = 0.5}};
-        world.edit_definition().model.lossy = true;
+        world.edit_definition().model.inelastic = true;
         const CapsuleId plate = add_capsule(world, {{0.01, 0.0}, {8.4, 0.0}, 0.0}, 0);
         add_capsule(world, {{0.0, 0.0}, {0.0, 40.0}, 0.0}, 0);
         add_capsule(world, {{8.41, 0.0}, {8.41, 40.0}, 0.0}, 0);

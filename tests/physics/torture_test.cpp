@@ -226,7 +226,7 @@ Ordeal rubbing_heap(std::uint64_t who) {
     scenes::add_walls(world, shaft);
     world.edit_definition().model.gravity = Vec2{0.0, -10.0};
     world.edit_definition().model.spin = who % 2 == 0 ? 0.5 : 0.4;
-    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.inelastic = true;
     const double restitution = who % 4 < 2 ? 0.5 : 0.0;
     const double friction = who % 3 == 0 ? 1.0 : 0.4;
     world.edit_definition().materials[0] = {.restitution = restitution, .friction = friction};

@@ -25,7 +25,7 @@ struct Groove {
         world.edit_definition().rate = 120.0;
         world.edit_definition().model.gravity = Vec2{0.0, -10.0};
         world.edit_definition().model.spin = 0.5;
-        world.edit_definition().model.lossy = true;
+        world.edit_definition().model.inelastic = true;
         world.edit_definition().kinds[0].restitution = 0.0;
         world.edit_definition().kinds[0].friction = 0.5;
         world.edit_definition().materials[0].restitution = 0.0;

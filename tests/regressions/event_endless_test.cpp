@@ -119,7 +119,7 @@ TEST_CASE("event: a slip on cloth that is shorter than the clock resolves ends a
     World world = scenes::empty();
     world.edit_definition().model.spin = 0.4;
     world.edit_definition().model.cloth = Cloth{};
-    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.inelastic = true;
     world.edit_definition().kinds[0].restitution =
         world.edit_definition().materials[0].restitution = 0.23479314322297762;
     world.edit_definition().rate = 91.367009479875293;

@@ -18,7 +18,7 @@ World under_gravity(double restitution) {
     World world = scenes::empty();
     world.edit_definition().rate = 100.0;
     world.edit_definition().model.gravity = Vec2{0.0, -10.0};
-    world.edit_definition().model.lossy = restitution < 1.0;
+    world.edit_definition().model.inelastic = restitution < 1.0;
     world.edit_definition().kinds[0].restitution =
         world.edit_definition().materials[0].restitution = restitution;
     return world;

@@ -16,7 +16,7 @@ World world_of(double rate, double restitution) {
     world.edit_definition().rate = rate;
     world.edit_definition().kinds[0].restitution = restitution;
     world.edit_definition().materials[0].restitution = restitution;
-    world.edit_definition().model.lossy = restitution < 1.0;
+    world.edit_definition().model.inelastic = restitution < 1.0;
     return world;
 }
 

@@ -35,7 +35,7 @@ int first_difference(World& world, int ticks) {
     return -1;
 }
 
-World lossy() {
+World inelastic() {
     World world = scenes::empty();
     world.edit_definition().model.gravity = Vec2{0.0, -10.0};
     world.edit_definition().kinds[0].restitution = 0.5;
@@ -59,7 +59,7 @@ TEST_CASE("event: a snapshot continues with the same bits if balls rest deep in 
         for (const Row& row : rows) {
             CAPTURE(depth);
             CAPTURE(static_cast<int>(row.motion));
-            World world = lossy();
+            World world = inelastic();
             const Vec2 way = perpendicular(row.edge.end - row.edge.start);
             const double span = length(way);
             const Vec2 normal = span > 0.0 ? way / span : Vec2{0.6, 0.8};
@@ -80,7 +80,7 @@ TEST_CASE("event: a snapshot continues with the same bits if balls rest deep in 
 }
 
 TEST_CASE("event: a support that has been moved no longer carries its ball") {
-    World world = lossy();
+    World world = inelastic();
     add_ball(world, {.position = {0.0, 0.5}, .radius = 0.5, .restitution = 0.5});
     const CapsuleId floor = add_capsule(world, {{-2.0, 0.0}, {2.0, 0.0}, 0.0}, 0);
     Solver solver({.kind = SolverKind::event});
@@ -114,7 +114,7 @@ TEST_CASE("event: a snapshot continues with the same bits if a ball circles a to
 TEST_CASE("event: a snapshot continues with the same bits if a ball's support is moved") {
     for (const Vec2 push : {Vec2{0.0, 0.0}, Vec2{0.5, 0.0}, Vec2{30.0, 0.0}}) {
         CAPTURE(push.x);
-        World world = lossy();
+        World world = inelastic();
         add_capsule(world, {{-50.0, 0.0}, {50.0, 0.0}, 0.0}, 0);
         for (const double height : {1.0, 2.2})
             add_ball(world, {.position = {0.0, height}, .radius = 0.5, .restitution = 0.5});
@@ -152,7 +152,7 @@ TEST_CASE("event: a ball pushed over the seam of a torus meets the ball there") 
 TEST_CASE("event: a snapshot continues with the same bits if balls are placed inside each other") {
     for (int seed = 0; seed < 20; ++seed) {
         CAPTURE(seed);
-        World world = lossy();
+        World world = inelastic();
         scenes::add_walls(world, {{0.0, 0.0}, {12.0, 12.0}});
         std::uint32_t state = static_cast<std::uint32_t>(seed);
         const auto some = [&state](double most) {
@@ -216,7 +216,7 @@ TEST_CASE("event: a snapshot continues with the same bits if an edge moves to a 
         for (std::size_t ago = 3; ago <= 23; ++ago) {
             CAPTURE(speed);
             CAPTURE(ago);
-            World world = lossy();
+            World world = inelastic();
             world.edit_definition().rate = 60.0;
             add_ball(world, {.position = {0.0, 0.0}, .velocity = {6.0, 3.0}, .radius = 0.5});
             // Two flocks make the cells small. They separate until a fresh solver has other cells.

@@ -25,7 +25,7 @@ struct SlidingEdge {
     SlidingEdge() {
         world.edit_definition().rate = 100.0;
         world.edit_definition().model.gravity = Vec2{0.0, -10.0};
-        world.edit_definition().model.lossy = true;
+        world.edit_definition().model.inelastic = true;
         world.edit_definition().kinds[0] = {.radius = 0.5, .mass = 1.0, .restitution = 0.5};
         world.edit_definition().materials[0].restitution = 0.5;
         edge = add_capsule(world, {{-10.0, 0.0}, {10.0, 0.0}, 0.0}, 0);

@@ -20,7 +20,7 @@ struct Stack {
     explicit Stack(Vec2 velocity_of_upper) {
         world.edit_definition().rate = 120.0;
         world.edit_definition().model.gravity = Vec2{0.0, -1.0};
-        world.edit_definition().model.lossy = true;
+        world.edit_definition().model.inelastic = true;
         world.edit_definition().kinds[0] = {.radius = 10.0, .mass = 1.0, .restitution = 0.0};
         world.edit_definition().materials[0].restitution = 0.0;
         add_capsule(world, {{-100.0, -1.0}, {100.0, -1.0}, 1.0}, 0);

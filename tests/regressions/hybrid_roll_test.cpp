@@ -15,7 +15,7 @@ TEST_CASE("event: a hybrid step on cloth under gravity keeps the roll of every b
     world.edit_definition().rate = 240.0;
     world.edit_definition().model.spin = 0.4;
     world.edit_definition().model.cloth = Cloth{};
-    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.inelastic = true;
     world.edit_definition().kinds[0].restitution = 0.9;
     add_ball(world, {.position = {0.0, 0.0}, .velocity = {}, .roll = Vec2{0.25, 0.5}});
     add_ball(world, {.position = {1.9, 0.0}, .velocity = {}, .roll = Vec2{0.125, 0.75}});

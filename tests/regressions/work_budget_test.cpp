@@ -94,7 +94,7 @@ TEST_CASE("event: balls of tiny inertia that roll into one another end their tic
     definition.model.spin = 1e-6;
     definition.kinds[0].friction = definition.materials[0].friction = 0.3;
     definition.kinds[0].restitution = definition.materials[0].restitution = 0.8;
-    definition.model.lossy = true;
+    definition.model.inelastic = true;
     scenes::add_walls(world, {{0.0, 0.0}, {20.0, 20.0}});
     add_ball(world, {.position = {5.0, 1.0}, .velocity = {3.0, 0.0}, .restitution = 0.8});
     add_ball(world, {.position = {12.0, 1.0}, .velocity = {-2.0, 0.0}, .restitution = 0.8});

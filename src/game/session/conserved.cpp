@@ -14,7 +14,7 @@ bool is_closed(const World& world) {
 }
 
 bool is_without_loss(const Model& model) {
-    return !model.lossy && !model.drag && !model.stop_speed && !model.speed_limit;
+    return !model.inelastic && !model.drag && !model.stop_speed && !model.speed_limit;
 }
 
 }  // namespace

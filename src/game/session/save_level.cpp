@@ -1,3 +1,5 @@
+// This file is over 320 lines because it holds one idea, the class that writes a level.
+
 #include "game/session/save_level.h"
 
 #include <fmt/format.h>

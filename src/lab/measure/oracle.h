@@ -113,7 +113,7 @@ Oracle<Number>::Oracle(const World& world, std::uint64_t most_tests)
     for (std::size_t i = 0; i < world.balls().size(); ++i) {
         const Vec2 p = world.balls().position[i];
         const Vec2 v = world.balls().velocity[i];
-        const double e = world.model().lossy ? world.balls().restitution[i] : 1.0;
+        const double e = world.model().inelastic ? world.balls().restitution[i] : 1.0;
         balls_.push_back({.position = {Number(p.x), Number(p.y)},
                           .velocity = {Number(v.x), Number(v.y)},
                           .radius = Number(world.balls().radius[i]),

@@ -309,7 +309,7 @@ std::string explanation(const Model& model, double rate, const SolverPick& pick,
                   : fmt::format("{}: taken by auto", picked);
     const SolverSettings& solver = asked_for ? *asked_for : pick.settings;
     const std::string_view heaps =
-        hands_heaps_over(model, solver)
+        uses_hybrid_step(model, solver)
             ? "heaps   too dense for events, they go over to contact, and come back\n"
             : "";
     return fmt::format("model   {}\nsolver  {}\n{}reason  {}\nrate    {} ticks a second\n",

@@ -230,7 +230,7 @@ class Assembly {
         constexpr double solid_ball = 0.4;
         if (s.cloth) model.spin = s.inertia.value_or(solid_ball);
         if (s.wrap) model.wrap = s.world;
-        model.lossy = is_lossy();
+        model.inelastic = is_inelastic();
         model.one_way = std::ranges::any_of(
             ir_.devices, [](const DeviceIr& d) { return d.device.kind == DeviceKind::droptarget; });
         model.filtered = !names_.all_collide();
@@ -238,7 +238,7 @@ class Assembly {
         model.ball_edge = names_.some_edges_collide();
     }
 
-    bool is_lossy() const {
+    bool is_inelastic() const {
         const auto loses = [](double restitution) { return restitution < 1.0; };
         if (std::ranges::any_of(balls_, loses, &StartingBall::restitution)) return true;
         for (const ResolvedBalls& of : names_.emitters) {

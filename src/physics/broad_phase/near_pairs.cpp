@@ -244,8 +244,8 @@ inline void NearPairs::pair_with_edge(const World& world, const Regions& regions
     const Capsule& shape = world.capsules().shape[entry.index];
     const Vec2 at = regions.center[i] - Vec2{entry.across * torus_.x, entry.along * torus_.y};
     const double reach = (regions.radius[i] + regions.margin[i]) + shape.radius;
-    const Vec2 way = at - closest_point(shape.start, shape.end, at);
-    if (length_squared(way) > reach * reach) return;
+    const Vec2 offset = at - closest_point(shape.start, shape.end, at);
+    if (length_squared(offset) > reach * reach) return;
     pairs_.push_back({.a = i,
                       .b = static_cast<std::uint32_t>(regions.ball.size()),
                       .edge = entry.index,

@@ -14,7 +14,7 @@ namespace {
 // Overlaps are pushed apart only in a scene that loses energy: in an elastic scene that would add
 // energy.
 ContactSoftness softness_of(const World& world, double duration) {
-    if (!world.model().lossy) return {.push = 0.0, .mass_share = 1.0, .impulse_share = 0.0};
+    if (!world.model().inelastic) return {.push = 0.0, .mass_share = 1.0, .impulse_share = 0.0};
     constexpr double turn = 6.283185307179586 * contact_tolerance::stiffness;  // rad a substep
     constexpr double first = 2.0 * contact_tolerance::damping + turn;
     constexpr double second = turn * first;

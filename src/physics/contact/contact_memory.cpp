@@ -1,29 +1,6 @@
 #include "physics/contact/contact_memory.h"
 
-#include <typeinfo>
-
 namespace carom {
-
-const char ContactMemory::type_name{};
-
-std::unique_ptr<RetainedMemory> ContactMemory::clone() const {
-    return std::make_unique<ContactMemory>(*this);
-}
-
-bool ContactMemory::assign(const RetainedMemory& other) {
-    if (typeid(other) != typeid(ContactMemory)) return false;
-    *this = static_cast<const ContactMemory&>(other);
-    return true;
-}
-
-void ContactMemory::clear() {
-    static const ContactMemory nothing;
-    *this = nothing;
-}
-
-const void* ContactMemory::part(MemoryType type) const {
-    return type == &type_name ? this : nullptr;
-}
 
 void ContactMemory::add_contacts_to(Hash& hash, int version) const {
     if (version != 1) hash.add(std::uint64_t{contacts.size()});

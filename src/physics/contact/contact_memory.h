@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "geometry/vector.h"
@@ -44,7 +43,7 @@ struct ReferencePositions {
     friend bool operator==(const ReferencePositions&, const ReferencePositions&) = default;
 };
 
-class ContactMemory : public RetainedMemory {
+class ContactMemory : public MemoryOf<ContactMemory> {
   public:
     /// Ascending by ball.
     std::vector<PersistentContact> contacts;
@@ -53,11 +52,6 @@ class ContactMemory : public RetainedMemory {
     /// What the springs of the constraints hold (energy.h).
     double stored_energy = 0.0;
 
-    static const char type_name;
-    std::unique_ptr<RetainedMemory> clone() const override;
-    bool assign(const RetainedMemory& other) override;
-    void clear() override;
-    const void* part(MemoryType type) const override;
     void add_to(Hash& hash, const Model& model, int version) const override;
     std::size_t bytes() const override;
 

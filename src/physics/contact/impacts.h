@@ -10,6 +10,7 @@
 #include "physics/contact/classification.h"
 #include "physics/contact/kinematics.h"
 #include "physics/contact/paths.h"
+#include "physics/laws/bounce.h"
 #include "physics/laws/curve.h"
 
 namespace carom {
@@ -81,6 +82,9 @@ class ContactImpacts {
     std::optional<Contact> collide_edge(World& world, ContactPair& pair, double now);
     CurveBounce bounce_off_curve(const World& world, const ContactPair& pair, Vec2 normal,
                                  double now) const;
+    /// What a ball at `position` did to the edge of its pair; `normal` is that of the surface.
+    Contact edge_contact(const ContactPair& pair, Vec2 position, Vec2 normal, Exchange done,
+                         double now) const;
     std::optional<Contact> roll_on(const World& world, ContactPair& pair, Vec2 normal, double now);
     void stop_edge(const World& world, const ContactPair& pair, double now);
 

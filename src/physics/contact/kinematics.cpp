@@ -22,17 +22,18 @@ void ContactKinematics::load(const World& world, ContactBodies& bodies) {
 }
 
 void ContactKinematics::begin_substep(const World& world, const ContactSubstep& step,
-                                      const ContactBodies& bodies, double share_of_way) {
+                                      const ContactBodies& bodies, double share_of_displacement) {
     was_held_back_.resize(balls_.size() + edges_.size(), 0);
     const auto per_second = [&](std::size_t index) {
-        return was_held_back_[index] ? 1.0 / world.tick_length() : share_of_way / step.duration;
+        return was_held_back_[index] ? 1.0 / world.tick_length()
+                                     : share_of_displacement / step.duration;
     };
     for (std::size_t i = 0; i < balls_.size(); ++i) {
         ContactHeldBall& ball = balls_[i];
         ball.share = 1.0;
-        const Vec2 way = displacement_to_target(world, world.held_balls()[ball.held],
-                                                bodies.position[ball.body]);
-        ball.velocity = way * per_second(i);
+        const Vec2 to_target = displacement_to_target(world, world.held_balls()[ball.held],
+                                                      bodies.position[ball.body]);
+        ball.velocity = to_target * per_second(i);
     }
     for (std::size_t i = 0; i < edges_.size(); ++i) {
         HeldEdge& edge = edges_[i];

@@ -30,10 +30,10 @@ class ContactKinematics {
     /// loaded.
     void load(const World& world, ContactBodies& bodies);
     void begin_tick() { was_held_back_.clear(); }
-    /// Gives each the velocity that covers `share_of_way` of the rest of its displacement in this
-    /// substep, unless it was held back.
+    /// Gives each the velocity that covers `share_of_displacement` of the rest of its displacement
+    /// in this substep, unless it was held back.
     void begin_substep(const World& world, const ContactSubstep& step, const ContactBodies& bodies,
-                       double share_of_way);
+                       double share_of_displacement);
     /// Writes these velocities of held balls to the bodies, at the start of the substep.
     void set_velocities(ContactBodies& bodies) const;
     void set_displacements(ContactBodies& bodies, const ContactSubstep& step) const;

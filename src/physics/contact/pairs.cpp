@@ -62,7 +62,7 @@ ContactPair ContactPairs::pair_of(const World& world, const ContactBodies& bodie
     if (pair.is_on_edge()) {
         const Material& material = world.materials()[world.capsules().material[near.edge]];
         pair.bounces = material.restitution > 0.0 || world.model().scatter || material.kick > 0.0;
-        pair.is_inelastic = pair.bounces && world.model().lossy && !(material.kick > 0.0) &&
+        pair.is_inelastic = pair.bounces && world.model().inelastic && !(material.kick > 0.0) &&
                             (material.restitution < 1.0 || material.soften > 0.0);
         if (world.model().spin) pair.friction = friction_of_edge(world, near.edge);
     } else {

@@ -173,7 +173,7 @@ void ContactPaths::freeze(std::uint32_t body, double now) {
     standing_.push_back(bodies_.ball[body]);
 }
 
-void ContactPaths::freeze_behind(std::uint32_t other, std::uint32_t body, Vec2 normal, double now) {
+void ContactPaths::freeze_pushed(std::uint32_t other, std::uint32_t body, Vec2 normal, double now) {
     if ((*this)[other].is_frozen) freeze_at(body, normal, now);
 }
 
@@ -186,7 +186,7 @@ void ContactPaths::freeze_at(std::uint32_t body, Vec2 normal, double now) {
 // has not felt what pushed the other one away from it: where the two separate faster than resting
 // contact does, that impulse would push again in the next substep. Where they do not, it is a load
 // that one of them still carries.
-void ContactPaths::take_back_what_was_not_given(std::span<ContactConstraint> constraints) const {
+void ContactPaths::reverse_undelivered_impulses(std::span<ContactConstraint> constraints) const {
     struct Share {
         double friction = 1.0;
         double impulse = 1.0;
@@ -220,7 +220,7 @@ void ContactPaths::take_back_what_was_not_given(std::span<ContactConstraint> con
 }
 
 void ContactPaths::finish(const World& world, std::span<ContactConstraint> constraints) {
-    take_back_what_was_not_given(constraints);
+    reverse_undelivered_impulses(constraints);
     for (std::uint32_t i = 0; i < bodies_.fixed; ++i)
         if (!has_path(i) || (*this)[i].version == 0) bodies_.position[i] += bodies_.displacement[i];
     for (const ContactPath& path : paths_) {

@@ -98,7 +98,7 @@ class ContactPaths {
     /// into. Called where the two no longer approach, but would meet again at once, without end.
     void freeze_at(std::uint32_t body, Vec2 normal, double now);
     /// Calls freeze_at for `body` if `other`, which it ran into, is frozen.
-    void freeze_behind(std::uint32_t other, std::uint32_t body, Vec2 normal, double now);
+    void freeze_pushed(std::uint32_t other, std::uint32_t body, Vec2 normal, double now);
 
   private:
     static constexpr std::uint32_t none = 0xffffffffu;
@@ -107,7 +107,7 @@ class ContactPaths {
         return bodies_.is_ball(body) && place_[body] != none;
     }
     void note_given(ContactPath& path, double now) const;
-    void take_back_what_was_not_given(std::span<ContactConstraint> constraints) const;
+    void reverse_undelivered_impulses(std::span<ContactConstraint> constraints) const;
 
     const ContactSubstep& step_;
     ContactBodies& bodies_;

@@ -46,7 +46,7 @@ bool stays_within(Vec2 away, Vec2 velocity, double skin, const ContactSubstep& s
 
 bool is_pair_order_irrelevant(const World& world) {
     const Model& model = world.model();
-    return !model.gravity && !model.lossy && !model.wrap && !model.spin &&
+    return !model.gravity && !model.inelastic && !model.wrap && !model.spin &&
            world.held_balls().empty() && world.held_capsules().empty();
 }
 

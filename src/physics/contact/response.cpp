@@ -77,8 +77,8 @@ std::optional<Contact> ContactImpacts::collide_balls(World& world, ContactPair& 
     if (second.is_kinematic) paths_.count_push(a, now);
     if (!(approach > noise)) {
         if (meets_again) {
-            paths_.freeze_behind(a, b, -normal, now);
-            paths_.freeze_behind(b, a, normal, now);
+            paths_.freeze_pushed(a, b, -normal, now);
+            paths_.freeze_pushed(b, a, normal, now);
         }
         return std::nullopt;
     }
@@ -90,6 +90,18 @@ std::optional<Contact> ContactImpacts::collide_balls(World& world, ContactPair& 
                    .normal = normal,
                    .approach = done.approach,
                    .impulse = done.impulse};
+}
+
+Contact ContactImpacts::edge_contact(const ContactPair& pair, Vec2 position, Vec2 normal,
+                                     Exchange done, double now) const {
+    return {.time = now,
+            .kind = ContactKind::ball_edge,
+            .a = bodies_.ball[pair.a],
+            .b = pair.edge,
+            .point = position - normal * bodies_.radius[pair.a],
+            .normal = normal,
+            .approach = done.approach,
+            .impulse = done.impulse};
 }
 
 std::optional<Contact> ContactImpacts::collide_edge(World& world, ContactPair& pair, double now) {
@@ -141,14 +153,9 @@ std::optional<Contact> ContactImpacts::collide_edge(World& world, ContactPair& p
         if (meets_again && !edge) paths_.freeze_at(a, normal, now);
         return std::nullopt;
     }
-    return Contact{.time = now,
-                   .kind = ContactKind::ball_edge,
-                   .a = bodies_.ball[a],
-                   .b = pair.edge,
-                   .point = position - normal * bodies_.radius[a],
-                   .normal = along,
-                   .approach = done.approach,
-                   .impulse = done.impulse};
+    Contact contact = edge_contact(pair, position, normal, done, now);
+    contact.normal = along;
+    return contact;
 }
 
 // How a ball bounces off an edge that may be a piece of a curve. Where it does not leave it for the
@@ -184,17 +191,10 @@ std::optional<Contact> ContactImpacts::roll_on(const World& world, ContactPair& 
     if (step_.spins)
         apply_friction_on_surface(velocity, {surface_speed, 1.0}, inverse_mass, normal, {},
                                   done.impulse, {pair.friction, *world.model().spin});
-    const Vec2 position = paths_.position_at(a, now);
     pair.has_settled = true;
+    const Vec2 position = paths_.position_at(a, now);
     push_freeze(a, paths_.roll_on(a, now, velocity, surface_speed, normal));
-    return Contact{.time = now,
-                   .kind = ContactKind::ball_edge,
-                   .a = bodies_.ball[a],
-                   .b = pair.edge,
-                   .point = position - normal * bodies_.radius[a],
-                   .normal = normal,
-                   .approach = approach,
-                   .impulse = done.impulse};
+    return edge_contact(pair, position, normal, {done.impulse, approach}, now);
 }
 
 // A frozen ball is in the way of a kinematic edge, which stops for the rest of the substep.

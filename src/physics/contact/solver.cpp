@@ -71,8 +71,9 @@ void ContactSolver::store(World& world, std::vector<std::uint8_t>& touched) {
     stamps_.memory = world.stamps().memory;
 }
 
-void ContactSolver::substep(World& world, double share_of_way, std::vector<Contact>& contacts) {
-    kinematics_.begin_substep(world, step_, bodies_, share_of_way);
+void ContactSolver::substep(World& world, double share_of_displacement,
+                            std::vector<Contact>& contacts) {
+    kinematics_.begin_substep(world, step_, bodies_, share_of_displacement);
     bodies_.integrate_velocities(world, step_);
     kinematics_.set_velocities(bodies_);
     classification_.count_contacts(is_reloaded_);

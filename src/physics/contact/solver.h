@@ -48,7 +48,7 @@ class ContactSolver {
     bool has_pairs_of(const World& world) const;
     void load(const World& world);
     void store(World& world, std::vector<std::uint8_t>& touched);
-    void substep(World& world, double share_of_way, std::vector<Contact>& contacts);
+    void substep(World& world, double share_of_displacement, std::vector<Contact>& contacts);
     void advance_positions(const World& world);
 
     ContactSubstep step_;

@@ -9,8 +9,8 @@ namespace carom {
 
 bool is_flight_only(const World& world) {
     const Model& model = world.model();
-    return !model.gravity && !model.drag && !model.speed_limit && !model.lossy && !model.cloth &&
-           world.held_balls().empty() && world.held_capsules().empty();
+    return !model.gravity && !model.drag && !model.speed_limit && !model.inelastic &&
+           !model.cloth && world.held_balls().empty() && world.held_capsules().empty();
 }
 
 int flight_substeps(const World& world, int most) {

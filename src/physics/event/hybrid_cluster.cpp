@@ -23,16 +23,16 @@ Vec2 displacement(const World& world, Vec2 from, Vec2 to) {
 // Whether the hand moves what it holds up, however slowly.
 bool lifts(const World& world, const Hand& hand) {
     constexpr double least_rise = 0.1;  // sine of the slope
-    Vec2 way;
+    Vec2 moved;
     if (hand.is_on_ball) {
         if (const auto index = index_of(world, BallId{hand.number}))
-            way = displacement(world, world.balls().position[*index], hand.start_target);
+            moved = displacement(world, world.balls().position[*index], hand.start_target);
     } else if (const auto index = index_of(world, CapsuleId{hand.number})) {
         const Capsule& shape = world.capsules().shape[*index];
-        way = 0.5 * ((hand.start_target - shape.start) + (hand.end_target - shape.end));
+        moved = 0.5 * ((hand.start_target - shape.start) + (hand.end_target - shape.end));
     }
     const Vec2 gravity = world.model().gravity.value_or(Vec2{});
-    return dot(way, gravity) < -least_rise * length(way) * length(gravity);
+    return dot(moved, gravity) < -least_rise * length(moved) * length(gravity);
 }
 
 }  // namespace
@@ -141,10 +141,10 @@ void HybridCluster::unite(std::uint32_t a, std::uint32_t b) {
 }
 
 bool HybridCluster::widen(const World& world, std::uint32_t ball, Vec2 place) {
-    const double way = length(displacement(world, world.balls().position[ball], place));
+    const double moved = length(displacement(world, world.balls().position[ball], place));
     const double rounding = 1e-6 * world.balls().radius[ball];
-    if (way <= reach_[ball] + rounding) return false;
-    reach_[ball] = 2.0 * way;
+    if (moved <= reach_[ball] + rounding) return false;
+    reach_[ball] = 2.0 * moved;
     return true;
 }
 
@@ -160,7 +160,7 @@ void HybridCluster::find_staying(const World& cluster, std::vector<BallId>& stay
     const auto is_sunk = [&](std::uint32_t ball, Vec2 at, std::size_t edge) {
         const double radius = balls.radius[ball];
         const Capsule& shape = cluster.capsules().shape[edge];
-        return separation(Disc{at, radius}, shape) < -sunk * radius &&
+        return separation(Disc{at, radius}, shape) < -most_overlap * radius &&
                (!cluster.model().one_way ||
                 is_on_solid_side(shape, cluster.capsules().side[edge], at));
     };
@@ -176,7 +176,8 @@ void HybridCluster::find_staying(const World& cluster, std::vector<BallId>& stay
         const std::uint32_t b = order_[pair.b];
         const double away = length(displacement(cluster, balls.position[a], balls.position[b]));
         const double gap = away - balls.radius[a] - balls.radius[b];
-        if (gap < -sunk * std::min(balls.radius[a], balls.radius[b])) stays_[a] = stays_[b] = 1;
+        if (gap < -most_overlap * std::min(balls.radius[a], balls.radius[b]))
+            stays_[a] = stays_[b] = 1;
     }
     for (const HeldCapsule& held : cluster.held_capsules())
         if (const auto index = index_of(cluster, held.id))

@@ -29,9 +29,9 @@ namespace carom {
 /// the ball went (`widen`), and the cluster is found again.
 ///
 /// *Return.* After the tick a ball stays in EventMemory::clustered while something presses it on
-/// another ball, and while it overlaps a ball or an edge by more than `sunk` of its radius. All
-/// other balls start exact trajectories. A ball that touches the cluster belongs to it again in the
-/// next tick.
+/// another ball, and while it overlaps a ball or an edge by more than `most_overlap` of its radius.
+/// All other balls start exact trajectories. A ball that touches the cluster belongs to it again in
+/// the next tick.
 ///
 /// *Hands.* What a hand lifts belongs to the cluster, dense or not: under `event` a pile on a
 /// moving plate would hop without end. While hands push in other directions, and the world has at
@@ -42,7 +42,7 @@ class HybridCluster {
     /// of balls.
     static bool is_needed(const World& world);
 
-    static constexpr double sunk = 1e-5;
+    static constexpr double most_overlap = 1e-5;
     static constexpr std::size_t most_pushed = 64;
 
     /// Finds the cluster of the next tick, as far as it is known before its impacts.

@@ -140,7 +140,8 @@ void WorldSync<Real>::take_stored(const World& world, const BallTable<Real>& bef
             while (at < stored.lines.size() && stored.lines[at].id < world.balls().id[i])
                 ++at;
             if (at >= stored.lines.size() || stored.lines[at].id != world.balls().id[i]) continue;
-            const StoredCurve curve = at < stored.curves.size() ? stored.curves[at] : StoredCurve{};
+            const StoredCurvedPart curve =
+                at < stored.curves.size() ? stored.curves[at] : StoredCurvedPart{};
             balls_.set_trajectory(i, trajectory_from(stored.lines[at], curve));
             is_kept_[i] = (!world.model().spin || at < stored.spins.size()) &&
                           are_carriers_unchanged(balls_.trajectory(i), curve.carriers);
@@ -196,13 +197,13 @@ template <typename Real>
 void WorldSync<Real>::start_or_shift(const World& world, std::uint32_t ball) {
     if (is_kept_[ball]) {
         if (!world.model().wrap) return;
-        const Vec2 way =
+        const Vec2 offset =
             Vec2(trajectories_.state_now(ball).position) - world.balls().position[ball];
         const auto periods = [](double x, double period) {
             return static_cast<int>(x / period + (x < 0.0 ? -0.5 : 0.5));
         };
-        space_.cells().shift(balls_, ball, periods(way.x, scene_.period.x),
-                             periods(way.y, scene_.period.y));
+        space_.cells().shift(balls_, ball, periods(offset.x, scene_.period.x),
+                             periods(offset.y, scene_.period.y));
         return;
     }
     const bool is_held = balls_.plan(ball).inverse_mass == Real{};

@@ -113,16 +113,17 @@ void WorldSync<Real>::write_lines(World& world) {
 // The trajectories of balls on lines that started in this tick.
 template <typename Real>
 void WorldSync<Real>::write_begun(World& world, std::span<const std::uint32_t> begun) {
-    LargeVector<StoredLine>& lines = stored_in(world).lines;
+    LargeVector<StoredLinearPart>& lines = stored_in(world).lines;
     for (std::size_t at = 0; at < begun.size(); ++at) {
         const std::uint32_t i = begun[at];
         SolverAccess(world).balls().velocity[i] = Vec2(balls_[i].line.velocity);
         if constexpr (std::is_same_v<Real, double>) {
-            const StoredLine& soon = lines[begun[std::min(at + 32, begun.size() - 1)]];
+            const StoredLinearPart& soon = lines[begun[std::min(at + 32, begun.size() - 1)]];
             prefetch_line(&soon);
             prefetch_line(&soon.velocity);
-            StoredLine& stored = lines[i];
-            stored = stored_line(is_rebuilt_ ? world.balls().id[i] : stored.id, balls_[i].line);
+            StoredLinearPart& stored = lines[i];
+            stored =
+                stored_linear_part(is_rebuilt_ ? world.balls().id[i] : stored.id, balls_[i].line);
         }
     }
 }
@@ -172,8 +173,8 @@ void WorldSync<Real>::store_trajectories(World& world) {
             last_written_.carriers[i] =
                 digest_of_carriers(world, trajectory.support, trajectory.second_support);
         } else {
-            stored.lines[i] = stored_line(world.balls().id[i], trajectory);
-            if (balls_.may_curve()) stored.curves[i] = stored_curve(world, trajectory);
+            stored.lines[i] = stored_linear_part(world.balls().id[i], trajectory);
+            if (balls_.may_curve()) stored.curves[i] = stored_curved_part(world, trajectory);
         }
     };
     const bool are_all = is_rebuilt_ || trajectories_.started().size() >= balls_.size() ||

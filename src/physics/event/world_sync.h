@@ -73,7 +73,7 @@ class WorldSync {
         // For other numbers than doubles, whose trajectories are not in the world:
         Model model;
         std::vector<BallId> ids;
-        std::vector<std::uint32_t> carriers;  ///< by ball, as StoredCurve::carriers
+        std::vector<std::uint32_t> carriers;  ///< by ball, as StoredCurvedPart::carriers
     };
     /// Position and velocity as the world shows them.
     struct Shown {

@@ -12,14 +12,14 @@ namespace carom {
 
 /// Restitution of two balls: the smaller of theirs. 1 where nothing in the scene loses energy.
 inline double restitution_of_balls(const World& world, std::size_t a, std::size_t b) {
-    if (!world.model().lossy) return 1.0;
+    if (!world.model().inelastic) return 1.0;
     return std::min(world.balls().restitution[a], world.balls().restitution[b]);
 }
 
 /// Restitution of a ball that meets an edge at the speed `approach` (>= 0, length/s): that of the
 /// edge's material, which may soften with speed. The ball's own does not count.
 inline double restitution_of_edge(const World& world, std::size_t capsule, double approach) {
-    if (!world.model().lossy) return 1.0;
+    if (!world.model().inelastic) return 1.0;
     return restitution_at(world.materials()[world.capsules().material[capsule]], approach);
 }
 

@@ -126,9 +126,9 @@ bool HertzImpact<Real>::kick(std::span<const ImpactBody<Real>> bodies,
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         if (!(states_[i].kick > Real{})) continue;
         const ImpactContact<Real>& contact = contacts[i].contact;
-        const Vector<Real> way = contact.normal * states_[i].kick;
-        velocity_[contact.a] += way * bodies[contact.a].inverse_mass;
-        velocity_[contact.b] -= way * bodies[contact.b].inverse_mass;
+        const Vector<Real> momentum = contact.normal * states_[i].kick;
+        velocity_[contact.a] += momentum * bodies[contact.a].inverse_mass;
+        velocity_[contact.b] -= momentum * bodies[contact.b].inverse_mass;
     }
     return true;
 }

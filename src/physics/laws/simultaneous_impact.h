@@ -59,10 +59,10 @@ std::pmr::vector<Real> reflect(
 template <typename Real>
 void push(std::span<ImpactBody<Real>> bodies, const ImpactContact<Real>& contact,
           const Real& impulse) {
-    const Vector<Real> way = contact.normal * impulse;
-    bodies[contact.a].velocity += way * bodies[contact.a].inverse_mass;
+    const Vector<Real> momentum = contact.normal * impulse;
+    bodies[contact.a].velocity += momentum * bodies[contact.a].inverse_mass;
     if (contact.b != ImpactContact<Real>::fixed)
-        bodies[contact.b].velocity -= way * bodies[contact.b].inverse_mass;
+        bodies[contact.b].velocity -= momentum * bodies[contact.b].inverse_mass;
 }
 
 /// `reflect` for a single contact, which approaches: returns its impulse.

@@ -37,7 +37,8 @@ SweptSubstep swept_substep(const World& world, int count) {
     step.rest_speed =
         model.gravity ? swept_tolerance::resting_approach * length(*model.gravity) * step.duration
                       : 0.0;
-    step.keeps_energy = !model.lossy && world.held_balls().empty() && world.held_capsules().empty();
+    step.keeps_energy =
+        !model.inelastic && world.held_balls().empty() && world.held_capsules().empty();
     return step;
 }
 
@@ -47,7 +48,7 @@ void SweptPaths::begin_tick(const World& world) {
     standing_.clear();
 }
 
-void SweptPaths::begin(const World& world, double share_of_way) {
+void SweptPaths::begin(const World& world, double share_of_displacement) {
     const Balls& balls = world.balls();
     paths_.resize(balls.size());
     resting_.resize(world.model().gravity ? balls.size() : 0);
@@ -65,7 +66,7 @@ void SweptPaths::begin(const World& world, double share_of_way) {
         if (!index) continue;
         paths_[*index].chord.velocity =
             displacement_to_target(world, held, balls.position[*index]) *
-            (share_of_way / step_.duration);
+            (share_of_displacement / step_.duration);
     }
     spin_rate_.assign(world.model().spin ? balls.size() : 0, 0.0);
 }

@@ -57,9 +57,9 @@ class SweptPaths {
 
     /// Reads the masses for a tick.
     void begin_tick(const World& world);
-    /// Begins a substep, in which held balls cover `share_of_way` of the rest of their
+    /// Begins a substep, in which held balls cover `share_of_displacement` of the rest of their
     /// displacements.
-    void begin(const World& world, double share_of_way);
+    void begin(const World& world, double share_of_displacement);
     /// Ends the substep: writes positions, velocities, spin and roll to the world.
     void finish(World& world) const;
 

@@ -13,9 +13,9 @@ void SweptSolver::tick(World& world, int substeps, std::vector<Contact>& contact
     paths_.begin_tick(world);
     for (int i = 0; i < count; ++i) {
         step_.start_time = start + step_.duration * i;
-        const double share_of_way = 1.0 / (count - i);
-        paths_.begin(world, share_of_way);
-        kinematics_.begin(world, share_of_way / step_.duration);
+        const double share_of_displacement = 1.0 / (count - i);
+        paths_.begin(world, share_of_displacement);
+        kinematics_.begin(world, share_of_displacement / step_.duration);
         if (!token.may_continue(world.balls().size())) return;
         budget_.begin(world.balls().size(), swept_tolerance::budget, count);
         resolve_impacts(world, contacts, touched, token);

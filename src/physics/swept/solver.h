@@ -17,8 +17,8 @@ namespace carom {
 
 /// The solver `swept`: in each substep balls move along straight paths. It finds the first of all
 /// impacts, resolves it, and continues with the rest of the substep. No body passes through
-/// another, however fast, with one exception: a ball that a moving edge touches for less than 1e-4
-/// of the substep may pass through that edge (geometry/impact.h).
+/// another, however fast, with one exception: a ball may pass through a turning edge that it grazes
+/// by less than 2e-5 of the sum of their radii (geometry/impact.h).
 ///
 /// README.md in this folder has the substep in pseudo-code, the invariants and what the solver gets
 /// wrong; tolerances.h has the thresholds.

@@ -33,10 +33,10 @@ const Hand* find_hand(const Hands& hands, bool is_on_ball, std::uint32_t number)
 
 // The hand after the target has moved: `way` is the distance to the new target, `rest` what was
 // left to the old one.
-Hand moved_on(const Hands& hands, Hand hand, double way, double rest, double rate) {
+Hand moved_on(const Hands& hands, Hand hand, double displacement, double rest, double rate) {
     const Hand* const last = find_hand(hands, hand.is_on_ball, hand.number);
     if (!last) {
-        hand.pace = way * rate;
+        hand.pace = displacement * rate;
         return hand;
     }
     const double step =
@@ -106,9 +106,9 @@ double HandStep::next_share(double share) {
 
 void HandStep::aim(World& world, double share) {
     // A free hand goes to its target, without rounding.
-    const auto part_of = [&](double way, double pace) {
+    const auto part_of = [&](double displacement, double pace) {
         const double most = pace * world.tick_length() * (1.0 + arrival);
-        return share * (way > most ? most / way : 1.0);
+        return share * (displacement > most ? most / displacement : 1.0);
     };
     aimed_balls_ = balls_;
     for (HeldBall& held : aimed_balls_) {
@@ -116,9 +116,9 @@ void HandStep::aim(World& world, double share) {
         const Hand* const hand = find_hand(world.hands(), true, number(held.id));
         if (!index || !hand) continue;
         const Vec2 place = world.balls().position[*index];
-        const Vec2 way = displacement_to_target(world, held, place);
-        const double part = part_of(length(way), hand->pace);
-        if (part < 1.0) held.target = place + way * part;
+        const Vec2 displacement = displacement_to_target(world, held, place);
+        const double part = part_of(length(displacement), hand->pace);
+        if (part < 1.0) held.target = place + displacement * part;
     }
     aimed_edges_ = edges_;
     for (HeldCapsule& held : aimed_edges_) {

@@ -50,8 +50,8 @@ Vec2 surface_velocity(const HeldEdge& edge, const Capsule& shape, Vec2 point) {
 }
 
 Vec2 displacement_to_target(const World& world, const HeldBall& held, Vec2 position) {
-    const Vec2 way = held.target - position;
-    return world.model().wrap ? nearest_image(way, size(*world.model().wrap)) : way;
+    const Vec2 to_target = held.target - position;
+    return world.model().wrap ? nearest_image(to_target, size(*world.model().wrap)) : to_target;
 }
 
 void make_held_balls_immovable(const World& world, std::vector<double>& inverse_mass) {

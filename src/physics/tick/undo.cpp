@@ -4,7 +4,7 @@ namespace carom {
 
 void TickUndo::note(const World& world) {
     balls_ = world.balls();
-    lossy_ = world.model().lossy;
+    inelastic_ = world.model().inelastic;
     next_ball_ = world.next_ball();
     emitters_ = world.emitters();
     held_balls_ = world.held_balls();
@@ -16,7 +16,7 @@ void TickUndo::note(const World& world) {
 
 void TickUndo::take_back(World& world) const {
     world.edit_balls() = balls_;
-    world.edit_definition().model.lossy = lossy_;
+    world.edit_definition().model.inelastic = inelastic_;
     world.give_back_ball_ids(next_ball_);
     world.edit_emitters() = emitters_;
     if (!held_balls_.empty()) world.edit_held_balls() = held_balls_;

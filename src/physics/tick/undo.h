@@ -25,7 +25,7 @@ class TickUndo {
 
   private:
     Balls balls_;
-    bool lossy_ = false;
+    bool inelastic_ = false;
     std::uint32_t next_ball_ = 0;
     std::vector<Emitter> emitters_;
     std::vector<HeldBall> held_balls_;

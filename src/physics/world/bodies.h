@@ -74,7 +74,7 @@ struct Balls {
     std::vector<double> radius;                ///< > 0
     std::vector<double> inverse_mass;          ///< > 0; 1/mass
     std::vector<ClassIndex> kind;              ///< index into World::kinds
-    std::vector<double> restitution;           ///< ball on ball, 0..1; with Model::lossy
+    std::vector<double> restitution;           ///< ball on ball, 0..1; with Model::inelastic
     std::vector<std::uint32_t> edge_contacts;  ///< contacts with edges so far; with Model::scatter
     std::vector<double> spin;                  ///< rad/s, counter-clockwise; with Model::spin
     std::vector<Vec2> roll;                    ///< length/s, see laws/cloth.h; with Model::cloth
@@ -154,7 +154,7 @@ constexpr void Balls::for_each_column(Visit&& visit) {
                              +[](BallId, const Spec& spec, const Kind&) { return spec.kind; },
                              +[](const ClassIndex& value, Spec& spec) { spec.kind = value; }});
     visit(Column<double>{"restitution", &Balls::restitution,
-                         +[](const Model& model) { return model.lossy; },
+                         +[](const Model& model) { return model.inelastic; },
                          +[](BallId, const Spec& spec, const Kind& type) {
                              return spec.restitution.value_or(type.restitution);
                          },

@@ -13,7 +13,7 @@ std::vector<std::string> terms_in_force(const Model& model) {
     if (model.drag) terms.push_back(fmt::format("drag {}", *model.drag));
     if (model.stop_speed) terms.push_back(fmt::format("stop {}", *model.stop_speed));
     if (model.speed_limit) terms.push_back(fmt::format("limit {}", *model.speed_limit));
-    if (model.lossy) terms.push_back("restitution");
+    if (model.inelastic) terms.push_back("restitution");
     if (model.scatter)
         terms.push_back(fmt::format("scatter {:.6g}deg", *model.scatter * (180.0 / pi)));
     if (model.spin) terms.push_back(fmt::format("spin {}", *model.spin));

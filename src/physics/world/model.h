@@ -50,7 +50,7 @@ struct Model {
     /// The torus: what leaves on one side comes back on the other. Low included, high excluded.
     std::optional<Box> wrap;
     /// Some restitution is below 1, or some edge is soft: balls carry a restitution.
-    bool lossy = false;
+    bool inelastic = false;
     /// Some capsules push only balls on one of their sides, or none for the moment.
     bool one_way = false;
     /// Some edges kick what hits them: Material::kick.

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <memory>
+#include <type_traits>
+#include <typeinfo>
 #include <utility>
 
 #include "physics/world/hash.h"
@@ -16,9 +18,7 @@ namespace carom {
 /// Names a type of memory: the address of a variable that stands for it.
 using MemoryType = const void*;
 
-/// Base of all types of memory.
-///
-/// A type `Memory` has `static const char type_name`, whose address is its MemoryType.
+/// Base of all types of memory. A type derives from MemoryOf, which does what all do alike.
 class RetainedMemory {
   public:
     virtual ~RetainedMemory() = default;
@@ -38,6 +38,39 @@ class RetainedMemory {
     /// The next tick starts from where the balls are, as if another solver had made the last one:
     /// drops what assumes that the same bodies collide as before.
     virtual void forget_trajectories() {}
+};
+
+/// Copies, clears and names a `Memory`, which derives from MemoryOf<Memory>, or from
+/// MemoryOf<Memory, Extended> if it also holds what the type `Extended` does.
+template <typename Memory, typename Extended = RetainedMemory>
+class MemoryOf : public Extended {
+  public:
+    /// Its address is the MemoryType.
+    static constexpr char type_name{};
+
+    std::unique_ptr<RetainedMemory> clone() const override {
+        return std::make_unique<Memory>(memory());
+    }
+    bool assign(const RetainedMemory& other) override {
+        if (typeid(other) != typeid(Memory)) return false;
+        memory() = static_cast<const Memory&>(other);
+        return true;
+    }
+    void clear() override {
+        static const Memory nothing;
+        memory() = nothing;
+    }
+    const void* part(MemoryType type) const override {
+        if (type == &type_name) return &memory();
+        if constexpr (std::is_same_v<Extended, RetainedMemory>)
+            return nullptr;
+        else
+            return Extended::part(type);
+    }
+
+  private:
+    Memory& memory() { return static_cast<Memory&>(*this); }
+    const Memory& memory() const { return static_cast<const Memory&>(*this); }
 };
 
 /// A slot for the memory of one solver. A value: copying it copies what is in it. An empty slot and

@@ -16,14 +16,14 @@ namespace carom {
 struct Terms {
     unsigned flags = 0;
 
-    static constexpr unsigned lossy_flag = 1;  ///< some restitution is below 1
+    static constexpr unsigned inelastic_flag = 1;  ///< some restitution is below 1
     /// Scatter, one-way edges, edges that kick, curves, collision filters, or kinematic bodies. The
     /// loop then asks the world which of these there are.
     static constexpr unsigned special_flag = 2;
     static constexpr unsigned wrap_flag = 4;  ///< a torus
     static constexpr unsigned spin_flag = 8;  ///< friction, and balls turn
 
-    constexpr bool lossy() const { return (flags & lossy_flag) != 0; }
+    constexpr bool inelastic() const { return (flags & inelastic_flag) != 0; }
     constexpr bool special() const { return (flags & special_flag) != 0; }
     constexpr bool wrap() const { return (flags & wrap_flag) != 0; }
     constexpr bool spin() const { return (flags & spin_flag) != 0; }
@@ -34,7 +34,7 @@ inline Terms terms_of(const World& world) {
     const bool special = model.scatter || model.one_way || model.kicks || model.curved ||
                          model.filtered || !world.held_balls().empty() ||
                          !world.held_capsules().empty();
-    return {(model.lossy ? Terms::lossy_flag : 0) | (special ? Terms::special_flag : 0) |
+    return {(model.inelastic ? Terms::inelastic_flag : 0) | (special ? Terms::special_flag : 0) |
             (model.wrap ? Terms::wrap_flag : 0) | (model.spin ? Terms::spin_flag : 0)};
 }
 

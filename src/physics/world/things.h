@@ -40,7 +40,7 @@ struct Need {
 };
 
 /// What a scene is made of. Ticks do not change it, with one exception: an emitter that makes the
-/// first ball with a restitution below 1 sets Model::lossy.
+/// first ball with a restitution below 1 sets Model::inelastic.
 struct Definition {
     Model model;
     Need need;

@@ -27,9 +27,9 @@ void become_one_way(World& world) {
     world.edit_capsules().side.assign(world.capsules().size(), Side::both);
 }
 
-void become_lossy(World& world) {
-    if (world.model().lossy) return;
-    world.edit_definition().model.lossy = true;
+void become_inelastic(World& world) {
+    if (world.model().inelastic) return;
+    world.edit_definition().model.inelastic = true;
     // Until now every ball was elastic, whatever its kind says.
     world.edit_balls().restitution.assign(world.balls().size(), 1.0);
 }
@@ -78,7 +78,7 @@ std::size_t World::bytes() const {
 BallId add_ball(World& world, const BallSpec& spec) {
     const Kind& kind = world.kinds()[spec.kind];
     assert(spec.mass.value_or(kind.mass) > 0.0);
-    if (spec.restitution.value_or(kind.restitution) < 1.0) become_lossy(world);
+    if (spec.restitution.value_or(kind.restitution) < 1.0) become_inelastic(world);
     const BallId id = world.take_ball_id();
     Balls& balls = world.edit_balls();
     Balls::for_each_column([&](const auto& column) {
@@ -108,7 +108,7 @@ BallSpec spec_at_rest(const World& world, std::size_t index, Vec2 position) {
 
 CapsuleId add_capsule(World& world, const Capsule& shape, ClassIndex material, Side side) {
     const Material& made_of = world.materials()[material];
-    if (made_of.restitution < 1.0 || made_of.soften > 0.0) become_lossy(world);
+    if (made_of.restitution < 1.0 || made_of.soften > 0.0) become_inelastic(world);
     if (made_of.kick > 0.0) world.edit_definition().model.kicks = true;
     if (side != Side::both) become_one_way(world);
     const CapsuleId id = world.take_capsule_id();

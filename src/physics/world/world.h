@@ -104,7 +104,7 @@ class World {
 };
 
 /// Pre: kind is an index into World::kinds(); radius and mass positive and finite. A restitution
-/// below 1 sets Model::lossy.
+/// below 1 sets Model::inelastic.
 BallId add_ball(World& world, const BallSpec& spec);
 
 /// The spec of a ball that is like this one in everything but its id. Pre: index < balls().size().
@@ -113,8 +113,8 @@ BallSpec spec_of(const World& world, std::size_t index);
 BallSpec spec_at_rest(const World& world, std::size_t index, Vec2 position);
 
 /// Pre: material is an index into World::materials(). A material with restitution below 1 or soften
-/// > 0 sets Model::lossy, a material with a kick sets Model::kicks, and a side other than both sets
-/// Model::one_way.
+/// > 0 sets Model::inelastic, a material with a kick sets Model::kicks, and a side other than both
+/// sets Model::one_way.
 CapsuleId add_capsule(World& world, const Capsule& shape, ClassIndex material,
                       Side side = Side::both);
 

@@ -51,7 +51,7 @@ Scene rainy_torus() {
     world = World{};
     world.edit_definition().kinds = {Kind{.radius = 1.0, .mass = 1.0, .restitution = 0.8}};
     world.edit_definition().materials = {Material{.restitution = 0.7}};
-    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.inelastic = true;
     world.edit_definition().model.gravity = Vec2{0.0, -20.0};
     world.edit_definition().model.wrap = scene.view;
     add_balls(world);

@@ -31,7 +31,7 @@ World shaft(std::uint64_t number) {
     const double restitution = one_of(dice, {0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.99, 1.0});
     const double of_edge =
         dice.chance(0.5) ? restitution : one_of(dice, {0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.99, 1.0});
-    model.lossy = restitution < 1.0 || of_edge < 1.0;
+    model.inelastic = restitution < 1.0 || of_edge < 1.0;
     if (dice.chance(0.25)) model.spin = 0.5;
     const double friction = dice.between(0.05, 0.8);
     world.edit_definition().rate = one_of(dice, {60.0, 120.0, 240.0, 500.0, 1000.0});
@@ -127,7 +127,7 @@ TEST_CASE("contact: coincident balls gain no energy") {
         World world = scenes::empty();
         world.edit_definition().rate = 60.0;
         world.edit_definition().model.gravity = Vec2{0.0, -10.0};
-        world.edit_definition().model.lossy = true;
+        world.edit_definition().model.inelastic = true;
         world.edit_definition().kinds = {{.radius = 0.5, .mass = 1.0, .restitution = 0.3}};
         world.edit_definition().materials = {{.restitution = 0.3}};
         add_capsule(world, {{-20.0, 0.0}, {20.0, 0.0}, 0.0}, 0);

@@ -22,7 +22,7 @@ struct Heap {
     Solver solver{{.kind = SolverKind::contact}};
 
     Heap() {
-        world.edit_definition().model.lossy = true;
+        world.edit_definition().model.inelastic = true;
         world.edit_definition().kinds.push_back(world.kinds()[0]);
         world.edit_definition().materials.push_back(world.materials()[0]);
         for (int i = 0; i < 900; ++i)

@@ -113,7 +113,7 @@ TEST_CASE("contact: an elastic ball keeps bouncing, and its energy never rises")
     World world = floor_world();
     world.edit_definition().kinds[0].restitution =
         world.edit_definition().materials[0].restitution = 1.0;
-    world.edit_definition().model.lossy = false;
+    world.edit_definition().model.inelastic = false;
     world.edit_balls() = {};
     add_ball(world, {.position = {0.0, 5.0}, .velocity = {}});
     const double before = energy(world);
@@ -161,7 +161,7 @@ TEST_CASE("contact: a bucket comes to rest, with and without friction, and stays
 // Sixteen balls wide and 80 high, between walls.
 World high_heap(double speed_down) {
     World world = floor_world();
-    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.inelastic = true;
     add_capsule(world, {{-10.0, 0.0}, {-10.0, 120.0}, 1.0}, 0);
     add_capsule(world, {{10.0, 0.0}, {10.0, 120.0}, 1.0}, 0);
     for (int row = 0; row < 80; ++row)
@@ -195,7 +195,7 @@ TEST_CASE("contact: a collapsing heap is not handled impact by impact") {
 TEST_CASE("contact: an inelastic ball lands from any height, and stays") {
     for (int i = 0; i < 40; ++i) {
         World world = floor_world();
-        world.edit_definition().model.lossy = true;
+        world.edit_definition().model.inelastic = true;
         const double height = 0.3 + 0.187 * i;
         CAPTURE(height);
         add_ball(world, {.position = {0.0, 0.5 + height}});
@@ -245,7 +245,7 @@ TEST_CASE("contact: an inelastic ball lands on others, and stays") {
                 CAPTURE(mass);
                 CAPTURE(below);
                 World world = floor_world();
-                world.edit_definition().model.lossy = true;
+                world.edit_definition().model.inelastic = true;
                 world.edit_definition().kinds[0].friction =
                     world.edit_definition().materials[0].friction = friction;
                 if (friction > 0.0) world.edit_definition().model.spin = 0.5;
@@ -331,7 +331,7 @@ TEST_CASE("contact: a ball with some restitution that rests on an edge does not 
     world.edit_definition().kinds[0].restitution =
         world.edit_definition().materials[0].restitution = 0.5;
     add_ball(world, {.position = {0.0, 0.5}, .velocity = {}});
-    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.inelastic = true;
     world.edit_balls().restitution = {0.5};
     run(world, 600);
     CHECK(world.balls().position[0].y == doctest::Approx(0.5).epsilon(1e-3));
@@ -342,7 +342,7 @@ TEST_CASE("contact: a high column of elastic balls comes to rest on one another"
     World world = floor_world();
     world.edit_definition().kinds[0] = {.radius = 0.2, .mass = 1.0, .restitution = 0.5};
     world.edit_definition().materials[0].restitution = 0.5;
-    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.inelastic = true;
     for (const double side : {-0.5, 0.5})
         add_capsule(world, {{side, 0.0}, {side, 60.0}, 0.1}, 0);
     for (int i = 0; i < 60; ++i)
@@ -410,7 +410,7 @@ TEST_CASE("contact: balls jammed by kinematic bodies are not thrown") {
         CAPTURE(turn);
         World world = scenes::empty();
         world.edit_definition().rate = 120.0;
-        world.edit_definition().model.lossy = true;
+        world.edit_definition().model.inelastic = true;
         world.edit_definition().materials[0].restitution =
             world.edit_definition().kinds[0].restitution = 0.0;
         const Vec2 toward{std::cos(turn), std::sin(turn)};
@@ -464,7 +464,7 @@ TEST_CASE("contact: a held edge comes down on a held ball") {
 // Friction turns speed into spin, even if the ball is hit in each substep.
 TEST_CASE("contact: a disc that slides through hail ends up rolling as fast as one without hail") {
     World world = floor_world();
-    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.inelastic = true;
     world.edit_definition().model.spin = 0.5;
     world.edit_definition().kinds[0] = {.radius = 0.5, .mass = 1.0, .restitution = 1.0};
     world.edit_definition().materials[0].friction = 0.5;

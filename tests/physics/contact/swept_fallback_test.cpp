@@ -52,7 +52,7 @@ TEST_CASE("contact: it uses continuous flight only if nothing can press") {
          false},
         {"with drag", [](World& w) { w.edit_definition().model.drag = 0.1; }, false},
         {"with a limit", [](World& w) { w.edit_definition().model.speed_limit = 20.0; }, false},
-        {"that loses energy", [](World& w) { w.edit_definition().model.lossy = true; }, false},
+        {"that loses energy", [](World& w) { w.edit_definition().model.inelastic = true; }, false},
         {"with a ball in a hand", hold_a_ball, false},
         {"with an edge in a hand",
          [](World& w) {

@@ -131,7 +131,7 @@ Bounces bounce(const Bouncer& bouncer, double rate, double time) {
     world.edit_definition().materials[0].restitution = bouncer.restitution;
     const double wide = 4.0 * bouncer.radius;
     add_capsule(world, {{-wide, 0.0}, {wide, 0.0}, 0.0}, 0);
-    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.inelastic = true;
     world.edit_balls().restitution.clear();
     add_ball(world, {.position = {0.0, bouncer.height + bouncer.radius},
                      .velocity = {},

@@ -67,7 +67,7 @@ TEST_CASE("event: a scene that is not too dense is never handed over to contact"
     for (const double shrink : {1.0, 0.775}) {
         World gas = scenes::gas(300, 7);
         gas.edit_definition().model.gravity = Vec2{0.0, -10.0};
-        gas.edit_definition().model.lossy = true;
+        gas.edit_definition().model.inelastic = true;
         gas.edit_balls().restitution.assign(gas.balls().size(), 1.0);
         gas.edit_definition().materials[0].restitution = 0.95;
         for (Vec2& place : gas.edit_balls().position)

@@ -11,15 +11,16 @@ using namespace carom;
 namespace {
 
 // Balls in contact and apart, of several sizes and masses, most of them close together.
-World mixture(std::uint64_t seed, bool is_lossy) {
+World mixture(std::uint64_t seed, bool is_inelastic) {
     World world = scenes::gas(400, seed, false);
     world.edit_definition().rate = 20.0;
-    world.edit_definition().model.lossy = is_lossy;
-    if (is_lossy) world.edit_balls().restitution.assign(world.balls().size(), 1.0);
+    world.edit_definition().model.inelastic = is_inelastic;
+    if (is_inelastic) world.edit_balls().restitution.assign(world.balls().size(), 1.0);
     for (std::size_t i = 0; i < world.balls().size(); ++i) {
         world.edit_balls().radius[i] = 1.0 - 0.25 * static_cast<double>(i % 3);
         world.edit_balls().inverse_mass[i] = static_cast<double>(1 + i % 5);
-        if (is_lossy) world.edit_balls().restitution[i] = 0.5 + 0.1 * static_cast<double>(i % 6);
+        if (is_inelastic)
+            world.edit_balls().restitution[i] = 0.5 + 0.1 * static_cast<double>(i % 6);
     }
     // Some touch in a row, so that one impact causes others at the same instant.
     for (std::size_t i = 0; i < 6; ++i)
@@ -36,11 +37,11 @@ World mixture(std::uint64_t seed, bool is_lossy) {
 // If all balls move uniformly the solver takes a faster path. A collision matrix in which all
 // collide changes nothing else.
 TEST_CASE("event: gases have the same bits on the fast path and on the general one") {
-    for (const bool is_lossy : {false, true})
+    for (const bool is_inelastic : {false, true})
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-            CAPTURE(is_lossy);
+            CAPTURE(is_inelastic);
             CAPTURE(seed);
-            World by_lines = mixture(seed, is_lossy);
+            World by_lines = mixture(seed, is_inelastic);
             World by_all = by_lines;
             by_all.edit_definition().model.filtered = true;
             const std::size_t classes = by_all.kinds().size() + by_all.materials().size();

@@ -19,7 +19,7 @@ constexpr double gravity = 10.0;
 World spinning(double inertia, double friction, double restitution) {
     World world = scenes::empty();
     world.edit_definition().model.spin = inertia;
-    world.edit_definition().model.lossy = restitution < 1.0;
+    world.edit_definition().model.inelastic = restitution < 1.0;
     world.edit_definition().kinds[0].friction = friction;
     world.edit_definition().kinds[0].restitution = restitution;
     world.edit_definition().materials[0].friction = friction;

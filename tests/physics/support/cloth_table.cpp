@@ -14,7 +14,7 @@ World cloth_table(double restitution, double friction, const Cloth& cloth) {
     world.edit_definition().kinds[0] = {
         .radius = pool_ball, .mass = 0.17, .restitution = restitution, .friction = friction};
     world.edit_definition().materials[0] = {.restitution = 0.85, .friction = 0.2};
-    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.inelastic = true;
     return world;
 }
 

@@ -16,7 +16,7 @@ inline World make(double restitution) {
     world.edit_definition().model.gravity = Vec2{0.0, -10.0};
     world.edit_definition().kinds[0] = {.radius = 0.5, .mass = 1.0, .restitution = restitution};
     world.edit_definition().materials[0].restitution = restitution;
-    world.edit_definition().model.lossy = restitution < 1.0;
+    world.edit_definition().model.inelastic = restitution < 1.0;
     return world;
 }
 

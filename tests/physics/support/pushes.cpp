@@ -101,7 +101,7 @@ Push random_push(std::uint64_t number, bool with_cloth) {
     const bool has_friction = with_cloth || dice.chance(0.3);
     const double mu = dice.between(0.05, 0.6);
     if (has_gravity) model.gravity = Vec2{0.0, -10.0};
-    model.lossy = true;
+    model.inelastic = true;
     if (has_friction) model.spin = with_cloth ? 0.4 : 0.5;
     if (with_cloth)
         model.cloth = Cloth{.slide = dice.between(1.0, 3.0),

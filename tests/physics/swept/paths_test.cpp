@@ -53,7 +53,7 @@ TEST_CASE("swept paths: a ball that is pressed too often rests, or time stands s
     for (const bool is_elastic : {false, true}) {
         CAPTURE(is_elastic);
         World world = falling(3.0);
-        world.edit_definition().model.lossy = !is_elastic;
+        world.edit_definition().model.inelastic = !is_elastic;
         const SweptSubstep step = swept_substep(world, 1);
         SweptPaths paths(step);
         paths.begin_tick(world);

@@ -71,7 +71,7 @@ void check_rows(const Table& part, const Table& whole, const std::vector<std::ui
 // A world of three balls in which every column is in use, far apart, with a sink around one.
 World full() {
     World world = scenes::empty();
-    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.inelastic = true;
     world.edit_definition().model.scatter = 0.1;
     world.edit_definition().model.spin = 0.4;
     world.edit_definition().model.cloth = Cloth{};

@@ -18,7 +18,7 @@ namespace {
 World full() {
     World world = scenes::empty();
     Model& model = world.edit_definition().model;
-    model.lossy = model.one_way = model.curved = true;
+    model.inelastic = model.one_way = model.curved = true;
     model.scatter = 0.1;
     model.spin = 0.4;
     model.cloth = Cloth{};
@@ -140,9 +140,9 @@ TEST_CASE("every change of a world changes its fingerprint") {
 TEST_CASE("a column that comes into use changes the fingerprint") {
     World plain = scenes::empty();
     add_ball(plain, {});
-    World lossy = plain;
-    lossy.edit_balls().restitution = {1.0};
-    CHECK(fingerprint(lossy) != fingerprint(plain));
+    World inelastic = plain;
+    inelastic.edit_balls().restitution = {1.0};
+    CHECK(fingerprint(inelastic) != fingerprint(plain));
 }
 
 TEST_CASE("stamps are not part of the fingerprint") {

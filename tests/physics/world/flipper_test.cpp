@@ -129,7 +129,7 @@ TEST_CASE("nothing passes a flipper, and no ball is launched faster than its tip
             world.edit_definition().model.gravity = Vec2{0.0, -0.793};
             world.edit_definition().kinds[0] = {.radius = 0.0135, .mass = 0.08};
             world.edit_definition().materials[0] = {.restitution = 0.8, .soften = 0.43};
-            world.edit_definition().model.lossy = true;
+            world.edit_definition().model.inelastic = true;
             const double x = 0.14 + 0.075 * place / 24.0;
             add_ball(world, {.kind = 0, .position = {x, 0.165}, .velocity = {0.0, -2.0}});
             Solver solver({.kind = SolverKind::swept});
@@ -161,7 +161,7 @@ TEST_CASE("a ball that rests on a flipper leaves at about the speed of its resti
     add_ball(world, {.kind = 0,
                      .position = shape.start + along * lay + perpendicular(along) * 0.0225,
                      .restitution = 0.0});
-    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.inelastic = true;
     world.edit_flippers()[0].is_pressed = true;
     Solver solver({.kind = SolverKind::swept});
     for (int tick = 0; tick < 25; ++tick)

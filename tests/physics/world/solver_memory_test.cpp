@@ -96,8 +96,8 @@ TEST_CASE("solver memory: a copy has a memory of its own, and a world knows its 
     CHECK(copied.bytes() == world.bytes());
     edit_event_memory(copied).clustered.clear();
     CHECK(event_memory(world).clustered.size() == 2);
-    CHECK(world.bytes() >= World{}.bytes() + sizeof(EventMemory) + 2 * sizeof(StoredLine) +
-                               2 * sizeof(StoredCurve) + 2 * sizeof(StoredSpin));
+    CHECK(world.bytes() >= World{}.bytes() + sizeof(EventMemory) + 2 * sizeof(StoredLinearPart) +
+                               2 * sizeof(StoredCurvedPart) + 2 * sizeof(StoredSpin));
     forget_trajectories(copied);
     CHECK(event_memory(copied).trajectories.lines.empty());
     CHECK(event_memory(copied).contacts.size() == 1);

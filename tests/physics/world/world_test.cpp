@@ -36,7 +36,7 @@ TEST_CASE("unused features cost no bytes") {
     CHECK(world.balls().restitution.empty());
     CHECK(world.capsules().side.empty());
     add_ball(world, {.position = {9, 0}, .velocity = {}, .restitution = 0.5});
-    CHECK(world.model().lossy);
+    CHECK(world.model().inelastic);
     CHECK(world.balls().restitution == std::vector<double>{1.0, 0.5});
     add_capsule(world, {{0, 5}, {1, 5}, 0}, 0, Side::left);
     CHECK(world.model().one_way);
@@ -70,7 +70,7 @@ TEST_CASE("a ball that is elastic by its own key stays so when the scene becomes
     World world = scenes::empty();
     world.edit_definition().kinds[0].restitution = 0.4;
     add_ball(world, {.position = {0, 0}, .velocity = {}, .restitution = 1.0});
-    CHECK_FALSE(world.model().lossy);
+    CHECK_FALSE(world.model().inelastic);
     add_ball(world, {.position = {9, 0}, .velocity = {}});
     CHECK(world.balls().restitution == std::vector<double>{1.0, 0.4});
 }

@@ -10,7 +10,7 @@ template <typename Real>
 void PositionCorrection<Real>::apply() {
     const Model& model = scene_.world->model();
     const bool on_cloth = model.cloth.has_value();
-    if (!(model.gravity && model.lossy) && !on_cloth) return;
+    if (!(model.gravity && model.inelastic) && !on_cloth) return;
     const Real allowed(on_cloth ? overlap_heights_on_cloth * cloth_rest_height
                                 : overlap_heights * moving_rest_height);
     for (const ContactPoint<Real>& point : cluster_.contacts()) {

@@ -184,9 +184,9 @@ class BallCells {
         const std::ptrdiff_t width = frame_.columns;
         const std::uint32_t* const middle = head_.data() + own.cell;
         chains.add_passing_over_own(*middle);
-        for (const std::ptrdiff_t way : {-width - 1, -width, -width + 1, std::ptrdiff_t{-1},
-                                         std::ptrdiff_t{1}, width - 1, width, width + 1})
-            chains.add(middle[way]);
+        for (const std::ptrdiff_t step : {-width - 1, -width, -width + 1, std::ptrdiff_t{-1},
+                                          std::ptrdiff_t{1}, width - 1, width, width + 1})
+            chains.add(middle[step]);
         return chains;
     }
     Chains chains_of_new(const Balls& balls, std::uint32_t ball, int columns, int rows) const {

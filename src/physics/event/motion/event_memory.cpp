@@ -1,7 +1,5 @@
 #include "physics/event/motion/event_memory.h"
 
-#include <typeinfo>
-
 namespace carom {
 namespace {
 
@@ -10,7 +8,7 @@ std::size_t bytes_in_list(const List& list) {
     return list.capacity() * sizeof(list[0]);
 }
 
-void add_stored(Hash& hash, const StoredLine& line) {
+void add_stored(Hash& hash, const StoredLinearPart& line) {
     hash.add(line.id);
     hash.add(line.recent_collisions);
     hash.add(line.motion);
@@ -26,7 +24,7 @@ void add_stored(Hash& hash, const SupportId& support) {
     hash.add(support.number);
 }
 
-void add_stored(Hash& hash, const StoredCurve& curve) {
+void add_stored(Hash& hash, const StoredCurvedPart& curve) {
     hash.add(curve.acceleration);
     hash.add(curve.center);
     add_stored(hash, curve.support);
@@ -43,9 +41,9 @@ void add_stored(Hash& hash, const StoredSpin& spin) {
 
 void add_version_2(Hash& hash, const StoredTrajectories& stored) {
     hash.add(std::uint64_t{stored.lines.size()});
-    for (const StoredLine& line : stored.lines)
+    for (const StoredLinearPart& line : stored.lines)
         add_stored(hash, line);
-    for (const StoredCurve& curve : stored.curves)
+    for (const StoredCurvedPart& curve : stored.curves)
         add_stored(hash, curve);
     for (const StoredSpin& spin : stored.spins)
         add_stored(hash, spin);
@@ -56,8 +54,9 @@ void add_version_2(Hash& hash, const StoredTrajectories& stored) {
 // The order and the choice of what is added must never change.
 void add_version_1(Hash& hash, const StoredTrajectories& stored, const Model& model) {
     for (std::size_t i = 0; i < stored.lines.size(); ++i) {
-        const StoredLine& line = stored.lines[i];
-        const StoredCurve curve = i < stored.curves.size() ? stored.curves[i] : StoredCurve{};
+        const StoredLinearPart& line = stored.lines[i];
+        const StoredCurvedPart curve =
+            i < stored.curves.size() ? stored.curves[i] : StoredCurvedPart{};
         hash.add(line.id);
         hash.add(line.time);
         hash.add(line.position);
@@ -72,27 +71,6 @@ void add_version_1(Hash& hash, const StoredTrajectories& stored, const Model& mo
 }
 
 }  // namespace
-
-const char EventMemory::type_name{};
-
-std::unique_ptr<RetainedMemory> EventMemory::clone() const {
-    return std::make_unique<EventMemory>(*this);
-}
-
-bool EventMemory::assign(const RetainedMemory& other) {
-    if (typeid(other) != typeid(EventMemory)) return false;
-    *this = static_cast<const EventMemory&>(other);
-    return true;
-}
-
-void EventMemory::clear() {
-    static const EventMemory nothing;
-    *this = nothing;
-}
-
-const void* EventMemory::part(MemoryType type) const {
-    return type == &type_name ? this : ContactMemory::part(type);
-}
 
 void EventMemory::add_to(Hash& hash, const Model& model, int version) const {
     if (version == 1)

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "geometry/vector.h"
@@ -41,7 +40,7 @@ struct SupportId {
 /// The linear part of a trajectory: at `time`, that of its last event, the ball is at `position`
 /// with `velocity`. A trajectory may last for many ticks. It is part of the state, so that a tick
 /// continues it instead of starting from the rounded position at the end of the tick before.
-struct StoredLine {
+struct StoredLinearPart {
     BallId id{};
     std::uint16_t recent_collisions = 0;  ///< see collapse_guard.h; saturates
     Motion motion = Motion::free;
@@ -49,11 +48,11 @@ struct StoredLine {
     Vec2 position;
     Vec2 velocity;
 
-    friend bool operator==(const StoredLine&, const StoredLine&) = default;
+    friend bool operator==(const StoredLinearPart&, const StoredLinearPart&) = default;
 };
 
 /// The part of a trajectory that curves it, drag apart.
-struct StoredCurve {
+struct StoredCurvedPart {
     Vec2 acceleration;  ///< since the line's `time`, before drag, length/s^2
     Vec2 center;        ///< turning: of the circle; on cloth: the roll (cloth.h) at `time`
     SupportId support;
@@ -62,7 +61,7 @@ struct StoredCurve {
     /// (stored_trajectory.h): with another one, the support is gone.
     std::uint32_t carriers = 0;
 
-    friend bool operator==(const StoredCurve&, const StoredCurve&) = default;
+    friend bool operator==(const StoredCurvedPart&, const StoredCurvedPart&) = default;
 };
 
 /// How a ball on a trajectory turns: with `spin` at `time`, changing at `rate` since.
@@ -84,11 +83,11 @@ inline bool may_curve(const Model& model) {
 /// The trajectories of all balls, as the last tick left them. One counts only while it leads
 /// through the ball's position and velocity, bit by bit, so an outside change voids it.
 struct StoredTrajectories {
-    LargeVector<StoredLine> lines;    ///< ascending by id
-    std::vector<StoredCurve> curves;  ///< beside `lines`; empty unless may_curve
-    std::vector<StoredSpin> spins;    ///< beside `lines`; empty unless Model::spin
-    Vec2 gravity;                     ///< under which they are valid: any other voids them
-    double drag = 0.0;                ///< 1/s
+    LargeVector<StoredLinearPart> lines;   ///< ascending by id
+    std::vector<StoredCurvedPart> curves;  ///< beside `lines`; empty unless may_curve
+    std::vector<StoredSpin> spins;         ///< beside `lines`; empty unless Model::spin
+    Vec2 gravity;                          ///< under which they are valid: any other voids them
+    double drag = 0.0;                     ///< 1/s
     /// What the balls could meet when they were stored: digest_of_obstacles (stored_trajectory.h),
     /// or 0 if a kinematic edge moved. With another digest, a trajectory that would have met an
     /// edge before now is void.
@@ -98,18 +97,13 @@ struct StoredTrajectories {
 };
 
 /// The base holds the contacts of the balls that `contact` stepped for `event` in a hybrid step.
-class EventMemory final : public ContactMemory {
+class EventMemory final : public MemoryOf<EventMemory, ContactMemory> {
   public:
     StoredTrajectories trajectories;
     /// The balls from which the cluster of the next hybrid step grows: `contact` steps them and all
     /// that could meet them (hybrid_cluster.h). Ascending; ids of removed balls are ignored.
     std::vector<BallId> clustered;
 
-    static const char type_name;
-    std::unique_ptr<RetainedMemory> clone() const override;
-    bool assign(const RetainedMemory& other) override;
-    void clear() override;
-    const void* part(MemoryType type) const override;
     void add_to(Hash& hash, const Model& model, int version) const override;
     std::size_t bytes() const override;
     void forget_trajectories() override;

@@ -4,7 +4,7 @@
 
 namespace carom {
 
-Trajectory<double> trajectory_from(const StoredLine& stored, const StoredCurve& curve) {
+Trajectory<double> trajectory_from(const StoredLinearPart& stored, const StoredCurvedPart& curve) {
     Trajectory<double> trajectory;
     trajectory.time = stored.time;
     trajectory.position = Vector<double>(stored.position);
@@ -18,7 +18,7 @@ Trajectory<double> trajectory_from(const StoredLine& stored, const StoredCurve& 
     return trajectory;
 }
 
-StoredCurve stored_curve(const World& world, const Trajectory<double>& trajectory) {
+StoredCurvedPart stored_curved_part(const World& world, const Trajectory<double>& trajectory) {
     return {
         .acceleration = Vec2(trajectory.acceleration),
         .center = Vec2(trajectory.center),

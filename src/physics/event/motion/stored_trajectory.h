@@ -10,8 +10,8 @@
 /// tick tells whether they still hold.
 namespace carom {
 
-Trajectory<double> trajectory_from(const StoredLine& stored, const StoredCurve& curve);
-inline StoredLine stored_line(BallId id, const LinearPart<double>& line) {
+Trajectory<double> trajectory_from(const StoredLinearPart& stored, const StoredCurvedPart& curve);
+inline StoredLinearPart stored_linear_part(BallId id, const LinearPart<double>& line) {
     return {.id = id,
             .recent_collisions = static_cast<std::uint16_t>(line.recent_collisions),
             .motion = line.motion,
@@ -19,11 +19,11 @@ inline StoredLine stored_line(BallId id, const LinearPart<double>& line) {
             .position = Vec2(line.position),
             .velocity = Vec2(line.velocity)};
 }
-StoredCurve stored_curve(const World& world, const Trajectory<double>& trajectory);
+StoredCurvedPart stored_curved_part(const World& world, const Trajectory<double>& trajectory);
 
-/// StoredCurve::carriers of a ball with these supports: a digest of where the edges among them are
-/// and on which side they are solid; 0 where there are none. An edge that is gone or held counts as
-/// one of another shape.
+/// StoredCurvedPart::carriers of a ball with these supports: a digest of where the edges among them
+/// are and on which side they are solid; 0 where there are none. An edge that is gone or held
+/// counts as one of another shape.
 std::uint32_t digest_of_carriers(const World& world, const SupportId& support,
                                  const SupportId& second);
 

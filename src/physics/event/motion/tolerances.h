@@ -30,7 +30,7 @@
 /// (laws/simultaneous_impact.cpp: 240 contacts, 400 relaxations, 1e-11 and 1e-12), of searches
 /// (geometry/conservative_advancement.h: 65,536 iterations, the factor 64 of a sharper bound), of
 /// rebuilding (world_begin.cpp: every 64 ticks, n/8 + 1 balls) and of the hybrid step
-/// (hybrid_step.h: substeps, attempts; hybrid_cluster.h: `sunk`, hands).
+/// (hybrid_step.h: substeps, attempts; hybrid_cluster.h: `most_overlap`, hands).
 namespace carom {
 
 // --- Contact --------------------------------------------------------------------------------

@@ -11,8 +11,8 @@ void Trajectories<Real>::start(std::uint32_t ball, const Real& time, Vector<Real
     if (scene_.world->model().wrap) {
         const Vec2 shown(position);
         const Vec2 inside = wrapped(shown, *scene_.world->model().wrap);
-        const auto periods = [](double way, double period) {
-            return static_cast<int>(way / period + (way < 0.0 ? -0.5 : 0.5));
+        const auto periods = [](double distance, double period) {
+            return static_cast<int>(distance / period + (distance < 0.0 ? -0.5 : 0.5));
         };
         const int across = periods(inside.x - shown.x, scene_.period.x);
         const int along = periods(inside.y - shown.y, scene_.period.y);

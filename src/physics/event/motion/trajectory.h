@@ -29,7 +29,7 @@ struct LinearPart {
     Vector<Real> velocity;
 };
 
-/// LinearPart::recent_collisions after one more, as far as StoredLine can count.
+/// LinearPart::recent_collisions after one more, as far as StoredLinearPart can count.
 inline std::uint32_t one_more(std::uint32_t collisions) {
     return std::min<std::uint32_t>(collisions + 1, std::numeric_limits<std::uint16_t>::max());
 }

@@ -17,8 +17,8 @@ std::uint32_t CollapseGuard<Real>::count(std::uint32_t ball, const Trajectory<Re
                                          const Vector<Real>& position) const {
     const std::uint32_t collisions = before.recent_collisions;
     if (!scene_.world->model().gravity) {
-        const Real way = length(position - before.position);
-        return way < Real(contact_slop) * balls_.radius(ball) ? one_more(collisions) : 0;
+        const Real distance = length(position - before.position);
+        return distance < Real(contact_slop) * balls_.radius(ball) ? one_more(collisions) : 0;
     }
     const Real quick = fall_time(ball) * Real(quick_succession);
     const double pauses = static_cast<double>((scene_.now - before.time) / quick);
@@ -32,7 +32,7 @@ void CollapseGuard<Real>::freeze_if_due(std::uint32_t ball, bool is_jammed) {
     const LinearPart<Real>& line = balls_[ball].line;
     const bool is_due =
         is_jammed ? line.recent_collisions > most_recent_collisions
-                  : line.recent_collisions > most_collisions_before_freezing && model.lossy;
+                  : line.recent_collisions > most_collisions_before_freezing && model.inelastic;
     if (!is_due || !model.gravity) return;
     if (line.motion == Motion::resting || line.motion == Motion::held) return;
     const bool is_fast = Real(2.0) * length(scene_.field.gravity) * balls_.radius(ball) <
@@ -46,7 +46,7 @@ void CollapseGuard<Real>::freeze_if_due(std::uint32_t ball, bool is_jammed) {
 template <typename Real>
 void CollapseGuard<Real>::note_dense(std::uint32_t ball) {
     const Model& model = scene_.world->model();
-    if (!model.gravity || !model.lossy || balls_[ball].line.motion == Motion::held) return;
+    if (!model.gravity || !model.inelastic || balls_[ball].line.motion == Motion::held) return;
     dense_.push_back(ball);
 }
 

@@ -44,9 +44,9 @@ auto SideFriction<Real>::on_side(std::uint32_t ball, const Support<Real>& suppor
     const Real speed = dot(velocity, along);
     const Real slip = speed - size * effect.spin.spin;
     // Drag slows a rolling ball too.
-    const Real way =
+    const Real acceleration =
         dot(pull, along) - (scene_.field.has_drag ? scene_.field.drag * speed : Real{});
-    const Real needed = -way / (Real(1.0) + Real(1.0) / inertia);
+    const Real needed = -acceleration / (Real(1.0) + Real(1.0) / inertia);
     Real push = slip < Real{} ? most : -most;
     if (!(absolute(slip) > slip_tolerance(ball, velocity))) {
         push = clamped(needed, most);

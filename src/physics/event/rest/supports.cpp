@@ -76,12 +76,12 @@ void Supports<Real>::add_edge(const LinearPart<Real>& line, const Real& size, co
         const Vector<Real> left = perpendicular(direction);
         const Vector<Real> normal = dot(left, line.position - edge.start) < Real{} ? -left : left;
         // At an end, the direction in which the ball goes decides whether it is beside the edge.
-        Real way = dot(direction, line.velocity);
-        if (absolute(way) <= Real(component_rounding<Real>) * length(line.velocity))
-            way = dot(direction, scene_.field.gravity);
+        Real speed = dot(direction, line.velocity);
+        if (absolute(speed) <= Real(component_rounding<Real>) * length(line.velocity))
+            speed = dot(direction, scene_.field.gravity);
         const bool is_side = (place > slack && place < whole - slack) ||
-                             (place >= -slack && place <= slack && way > Real{}) ||
-                             (place >= whole - slack && place <= whole + slack && way < Real{});
+                             (place >= -slack && place <= slack && speed > Real{}) ||
+                             (place >= whole - slack && place <= whole + slack && speed < Real{});
         if (is_side) {
             support.center = {};
             support.normal = normal;

@@ -37,12 +37,12 @@ inline void CellTransfers<Real>::predict_through(std::uint32_t side, std::uint32
     const bool is_column = columns != 0;
     const int place = is_column ? balls_.plan(ball).place.column : balls_.plan(ball).place.row;
     const int count = is_column ? frame.columns : frame.rows;
-    const int way = columns + rows;
-    if (!frame.wraps && (way > 0 ? place >= count - 1 : place <= 0)) return;
+    const int step = columns + rows;
+    if (!frame.wraps && (step > 0 ? place >= count - 1 : place <= 0)) return;
     const double origin = is_column ? frame.origin.x : frame.origin.y;
     const double width = is_column ? frame.cell.x : frame.cell.y;
-    const Real border(origin + width * (way > 0 ? place + 1 : place));
-    const Real sign(static_cast<double>(way));
+    const Real border(origin + width * (step > 0 ? place + 1 : place));
+    const Real sign(static_cast<double>(step));
     const auto along = [is_column](const Vector<Real>& v) { return is_column ? v.x : v.y; };
     const ToiTolerance<Real> exact{};
     if (is_simple) {

@@ -111,9 +111,9 @@ void Predictor<Real>::transfer(std::uint32_t ball, std::uint32_t side) {
     FirstCollision<Real> first(known);
     if (is_uniform || side < cell_transfer::sides) {
         // Without a branch on the side.
-        const int way = 1 - 2 * static_cast<int>(side & 1);
-        const int rows = way & -static_cast<int>(side >> 1);
-        const int columns = way - rows;
+        const int step = 1 - 2 * static_cast<int>(side & 1);
+        const int rows = step & -static_cast<int>(side >> 1);
+        const int columns = step - rows;
         space_.cells().step(balls_, ball, columns, rows);
         if (is_known && (is_uniform || scene_.world->model().ball_ball))
             foreseen_.template for_each_new<terms>(

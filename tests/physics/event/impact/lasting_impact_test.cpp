@@ -39,7 +39,7 @@ void run(World& world, double seconds, double rate = 240.0) {
 
 World free_flight(double restitution) {
     World world = scenes::empty();
-    world.edit_definition().model.lossy = restitution < 1.0;
+    world.edit_definition().model.inelastic = restitution < 1.0;
     world.edit_definition().model.modulus = phenolic;
     return world;
 }

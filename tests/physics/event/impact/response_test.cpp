@@ -33,7 +33,7 @@ TEST_CASE("response: balls that overlap under pressure are separated, but never 
         CAPTURE(is_barred);
         World world = scenes::empty();
         world.edit_definition().model.gravity = Vec2{0.0, -10.0};
-        world.edit_definition().model.lossy = true;
+        world.edit_definition().model.inelastic = true;
         const double depth = 2.0 * moving_rest_height;
         add_ball(world, {.position = {0.0, 0.0}, .velocity = {0.5, 0.0}, .radius = 0.5});
         add_ball(world, {.position = {1.0 - depth, 0.0}, .velocity = {-0.5, 0.0}, .radius = 0.5});
@@ -78,7 +78,7 @@ TEST_CASE("response: balls that are separated across a border of cells change th
     const auto pressed_at = [&](double border) {
         World world = scenes::empty();
         world.edit_definition().model.gravity = Vec2{0.0, -10.0};
-        world.edit_definition().model.lossy = true;
+        world.edit_definition().model.inelastic = true;
         const double left = border + 0.25 * depth;
         add_ball(world, {.position = {left, 0.0}, .velocity = {0.5, 0.0}, .radius = 0.5});
         add_ball(world,

@@ -16,10 +16,10 @@ constexpr double usual = 0.5;
 constexpr double gravity = 10.0;
 constexpr double radius = 0.5;
 
-World lossy() {
+World inelastic() {
     World world = scenes::empty();
     world.edit_definition().model.gravity = Vec2{0.0, -gravity};
-    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.inelastic = true;
     world.edit_definition().kinds[0].restitution =
         world.edit_definition().materials[0].restitution = usual;
     return world;
@@ -31,7 +31,7 @@ double approach_for(double height) {
 }
 
 double on_floor(double height, bool is_alone) {
-    World world = lossy();
+    World world = inelastic();
     add_capsule(world, {{-9.0, 0.0}, {9.0, 0.0}, 0.0}, 0);
     add_ball(
         world,
@@ -59,7 +59,7 @@ TEST_CASE(
         for (const double factor : {0.99, 1.01}) {
             CAPTURE(is_carried);
             CAPTURE(factor);
-            World world = lossy();
+            World world = inelastic();
             add_capsule(world, {{-9.0, 0.0}, {9.0, 0.0}, 0.0}, 0);
             const double speed = approach_for(factor * moving_rest_height);
             add_ball(world, {.position = {0.0, radius},

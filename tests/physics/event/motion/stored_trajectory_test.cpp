@@ -11,7 +11,7 @@ TEST_CASE("stored trajectory: a linear trajectory is restored completely") {
     line.time = 1.5;
     line.position = {2.0, -3.0};
     line.velocity = {-4.0, 5.0};
-    const StoredLine stored = stored_line(BallId{7}, line);
+    const StoredLinearPart stored = stored_linear_part(BallId{7}, line);
     const Trajectory<double> back = trajectory_from(stored, {});
     CHECK(back.recent_collisions == line.recent_collisions);
     CHECK(back.motion == line.motion);

@@ -12,7 +12,7 @@ namespace {
 
 World one_ball(bool has_gravity, Vec2 velocity = {}) {
     World world = scenes::empty();
-    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.inelastic = true;
     if (has_gravity) world.edit_definition().model.gravity = Vec2{0.0, -8.0};
     add_ball(world, {.velocity = velocity, .radius = 1.0});
     return world;

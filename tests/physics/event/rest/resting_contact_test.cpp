@@ -15,7 +15,7 @@ namespace {
 World on_floor(Vec2 floor_end, Vec2 position, Vec2 velocity) {
     World world = scenes::empty();
     world.edit_definition().model.gravity = Vec2{0.0, -10.0};
-    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.inelastic = true;
     add_capsule(world, {{-10.0, 0.0}, floor_end, 0.0}, 0);
     add_ball(world, {.position = position, .velocity = velocity, .radius = 0.5});
     return world;

@@ -14,7 +14,7 @@ constexpr double coefficient = 0.2;
 World sliding(double speed) {
     World world = scenes::empty();
     world.edit_definition().model.gravity = Vec2{0.0, -10.0};
-    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.inelastic = true;
     world.edit_definition().model.spin = 0.5;
     world.edit_definition().materials[0].friction = coefficient;
     add_capsule(world, {{-100.0, 0.0}, {100.0, 0.0}, 0.0}, 0);

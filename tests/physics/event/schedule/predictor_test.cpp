@@ -49,7 +49,7 @@ TEST_CASE("predictor: an edge in the way precedes a ball behind it") {
 TEST_CASE("predictor: resting balls have no impact with each other, but with others") {
     World world = scenes::empty();
     world.edit_definition().model.gravity = Vec2{0.0, -10.0};
-    world.edit_definition().model.lossy = true;
+    world.edit_definition().model.inelastic = true;
     add_capsule(world, {{-9.0, 0.0}, {9.0, 0.0}, 0.0}, 0);
     add_ball(world, {.position = {0.0, 0.5}, .radius = 0.5});
     add_ball(world, {.position = {1.0, 0.5}, .radius = 0.5});
