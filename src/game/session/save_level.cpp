@@ -11,6 +11,7 @@
 
 #include "game/referees/referee.h"
 #include "geometry/elementary.h"
+#include "level/values/color_names.h"
 #include "physics/laws/curve.h"
 #include "physics/tick/totals.h"
 
@@ -57,7 +58,10 @@ double spin_of(double spin) {
 class LevelWriter {
   public:
     LevelWriter(const Scene& scene, const World& world)
-        : scene_(scene), world_(world), has_units_(scene.unit != LengthUnit::natural) {}
+        : scene_(scene),
+          dress_(scene.dress),
+          world_(world),
+          has_units_(scene.unit != LengthUnit::natural) {}
 
     std::string write() {
         name_classes();
@@ -70,6 +74,7 @@ class LevelWriter {
         cue();
         emitters();
         shows();
+        dress();
         return std::move(text_);
     }
 
@@ -140,13 +145,14 @@ class LevelWriter {
     void classes() {
         for (std::size_t i = 0; i < world_.kinds().size(); ++i) {
             const Kind& kind = world_.kinds()[i];
-            line("kind {} r={} m={} e={}{}", kinds_[i], kind.radius, with_unit(kind.mass, "kg"),
-                 kind.restitution, friction(kind.friction));
+            line("kind {} r={} m={} e={}{}{}", kinds_[i], kind.radius, with_unit(kind.mass, "kg"),
+                 kind.restitution, friction(kind.friction), color(color_in(dress_.kinds, i)));
         }
         for (std::size_t i = 0; i < world_.materials().size(); ++i) {
             const Material& material = world_.materials()[i];
-            line("material {} e={} soften={}{}", materials_[i], material.restitution,
-                 with_unit(material.soften, "s/m"), friction(material.friction));
+            line("material {} e={} soften={}{}{}", materials_[i], material.restitution,
+                 with_unit(material.soften, "s/m"), friction(material.friction),
+                 color(color_in(dress_.materials, i)));
         }
         if (!world_.model().filtered) return;
         std::vector<std::string> names = kinds_;
@@ -158,6 +164,14 @@ class LevelWriter {
 
     static std::string friction(double coefficient) {
         return coefficient > 0.0 ? fmt::format(" mu={}", coefficient) : "";
+    }
+
+    static std::string color(const std::optional<Rgb24>& of, std::string_view key = "color") {
+        return of ? fmt::format(" {}={}", key, color_text(*of)) : "";
+    }
+
+    std::optional<Rgb24> color_of_edge(std::size_t i) const {
+        return color_in(dress_.edges, number(world_.capsules().id[i]));
     }
 
     Side side_of(std::size_t i) const {
@@ -199,7 +213,7 @@ class LevelWriter {
         const Capsule& b = capsules.shape[i + 1];
         return a.end == b.start && !(a.start == a.end) && !(b.start == b.end) &&
                a.radius == b.radius && capsules.material[i] == capsules.material[i + 1] &&
-               side_of(i) == side_of(i + 1) &&
+               side_of(i) == side_of(i + 1) && color_of_edge(i) == color_of_edge(i + 1) &&
                group_of(capsules.id[i]) == group_of(capsules.id[i + 1]);
     }
 
@@ -236,11 +250,13 @@ class LevelWriter {
         const std::string names =
             materials_[capsules.material[first]] + (group.empty() ? "" : " ") + std::string(group);
         if (shape.start == shape.end)
-            return line("peg {} at={} r={}", names, place(shape.start), shape.radius);
+            return line("peg {} at={} r={}{}", names, place(shape.start), shape.radius,
+                        color(color_of_edge(first)));
         // A drop target that is down is written as a standing one.
         constexpr std::string_view sides[] = {"", " side=left", " side=right", ""};
-        text_ += fmt::format("edge {} r={}{} {}", names, shape.radius,
-                             sides[static_cast<std::size_t>(side_of(first))], place(shape.start));
+        text_ += fmt::format("edge {} r={}{}{} {}", names, shape.radius,
+                             sides[static_cast<std::size_t>(side_of(first))],
+                             color(color_of_edge(first)), place(shape.start));
         const bool closes = is_outline(first, last) && keeps_joint(last, first, is_smooth);
         for (std::size_t i = first; i <= last - (closes ? 1 : 0); ++i) {
             if ((i - first) % points_a_line == points_a_line - 1) text_ += " \\\n   ";
@@ -260,8 +276,8 @@ class LevelWriter {
                      place(zone.shape.start), zone.shape.radius);
                 continue;
             }
-            line("zone {} {} {} r={}{}", full.substr(0, full.rfind('.')), place(zone.shape.start),
-                 place(zone.shape.end), zone.shape.radius,
+            line("zone {} {} {} r={}{}{}", full.substr(0, full.rfind('.')), place(zone.shape.start),
+                 place(zone.shape.end), zone.shape.radius, color(color_in(dress_.zones, i)),
                  zone.effect == Zone::Effect::sink ? " sink" : "");
         }
     }
@@ -289,7 +305,7 @@ class LevelWriter {
                                              : fmt::format("{}", balls.spin[i]));
             if (!balls.roll.empty() && !(balls.roll[i] == balls.velocity[i]))
                 text_ += " roll=" + with_unit(balls.roll[i], "m/s");
-            text_ += '\n';
+            text_ += color(color_in(dress_.balls, id)) + '\n';
         }
     }
 
@@ -330,7 +346,33 @@ class LevelWriter {
         text_ += observation.from > 0.0 ? fmt::format(" from={}s\n", observation.from) : "\n";
     }
 
+    void dress() {
+        const BoardTheme& theme = dress_.theme;
+        if (theme.board || theme.rail || theme.edge)
+            line("theme{}{}{}", color(theme.board, "board"), color(theme.rail, "rail"),
+                 color(theme.edge, "edge"));
+        for (const PaintedArea& area : dress_.areas)
+            paint(area);
+        constexpr std::string_view aligns[] = {"", " align=left", " align=right"};
+        for (const BoardLabel& label : dress_.labels)
+            line("label \"{}\" at={}{}{}", label.text, place(label.at),
+                 aligns[static_cast<std::size_t>(label.align)], color(label.color));
+    }
+
+    void paint(const PaintedArea& area) {
+        if (area.corners.empty())
+            return line("paint circle at={} r={}{}", place(area.disc.center), area.disc.radius,
+                        color(area.color));
+        text_ += "paint polygon" + color(area.color);
+        for (std::size_t i = 0; i < area.corners.size(); ++i) {
+            if (i % points_a_line == points_a_line - 1) text_ += " \\\n   ";
+            text_ += " " + place(area.corners[i]);
+        }
+        text_ += '\n';
+    }
+
     const Scene& scene_;
+    const Dress& dress_;
     const World& world_;
     bool has_units_;
     std::vector<std::string> kinds_;

@@ -11,7 +11,7 @@ namespace carom {
 ///
 /// load_level reads it back to a world that is equal bit by bit in its balls (position, velocity,
 /// radius, mass, restitution, kind), its edges, its model, kinds, materials, seed and rate. The
-/// title, the author's opening comment, the names and the display settings are kept.
+/// title, the author's opening comment, the names, the colours and the display settings are kept.
 ///
 /// A level starts at time 0, so some state is reset: time, counters and collision counts, the ids
 /// of balls and edges (in the same order, without gaps), the random draws of scatter; emitters keep

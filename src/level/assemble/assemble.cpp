@@ -8,6 +8,7 @@
 #include "geometry/elementary.h"
 #include "level/assemble/checks.h"
 #include "level/assemble/curves.h"
+#include "level/assemble/dress_assembly.h"
 #include "level/assemble/fill.h"
 #include "level/assemble/mirror_duplicates.h"
 #include "level/assemble/pinball_assembly.h"
@@ -45,6 +46,7 @@ class Assembly {
         symbols.fill_in(scene_);
         fill_in_pool(balls_, symbols.world_zones(), scene_, context_);
         table.fill_in(scene_, symbols.world_zones());
+        fill_in_dress(balls_, names_, symbols.world_zones(), scene_, context_);
         if (context_.reporter.has_errors()) return;
         check_flippers(balls_, names_, context_);
         check_gaps(balls_, names_, context_);

@@ -65,6 +65,9 @@ void PinballAssembly::collect_devices() {
         group.devices.push_back(static_cast<std::uint32_t>(table_.devices.size()));
         table_.devices.push_back(spec.device);
         table_.devices.back().group = found->second;
+        looks_.push_back(spec.dress);
+        if (!looks_.back().color)
+            looks_.back().color = ir_.edge_bindings[static_cast<std::size_t>(spec.binding)].color;
     }
 }
 
@@ -89,6 +92,7 @@ std::optional<std::uint32_t> PinballAssembly::group_named(const Word& name, bool
                                  DeviceKind::edge,
                                  {static_cast<std::uint32_t>(table_.devices.size())}});
         table_.devices.push_back({.kind = DeviceKind::edge, .group = group});
+        looks_.emplace_back();
         return group;
     }
     if (std::ranges::count(ir_.error_names, name.text) > 0) return std::nullopt;
@@ -215,6 +219,7 @@ void PinballAssembly::fill_in(Scene& scene, const std::vector<std::uint32_t>& wo
         made.place = (shape.start + shape.end) * 0.5;
     }
     scene.table = std::move(table_);
+    scene.dress.devices = std::move(looks_);
 }
 
 }  // namespace carom

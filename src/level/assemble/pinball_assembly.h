@@ -36,7 +36,8 @@ class PinballAssembly {
     Context& context_;
     LevelIr& ir_;
     PinballTable table_;
-    std::vector<int> scene_device_;  ///< for each of LevelIr::devices; -1: a duplicate
+    std::vector<DeviceDress> looks_;  ///< for each of the table's devices
+    std::vector<int> scene_device_;   ///< for each of LevelIr::devices; -1: a duplicate
     std::map<std::string, std::uint32_t, std::less<>> groups_;
 };
 

@@ -7,6 +7,7 @@
 #include "level/ir/numbers.h"
 #include "level/text/brackets.h"
 #include "level/text/spelling.h"
+#include "level/values/color_names.h"
 
 namespace carom {
 namespace {
@@ -187,6 +188,8 @@ class Reading {
             }
             case KeyShape::word:
                 return read_name(key, value);
+            case KeyShape::color:
+                return read_color(key, argument);
             case KeyShape::deferred:
             case KeyShape::call:
                 break;
@@ -199,6 +202,24 @@ class Reading {
         if (!key.needs_spin) return;
         if (context_.spin_needs_seen.insert(value.text.data()).second)
             context_.ir.spin_needs.push_back({key.name, value});
+    }
+
+    bool read_color(const KeyRule& key, Argument& argument) {
+        const std::string_view text = argument.value.text;
+        if (const auto color = color_of(text)) {
+            argument.numbers[0] = *color;
+            return true;
+        }
+        mistake("unknown-color", argument.value.span(),
+                fmt::format("there is no colour '{}'", text),
+                text.starts_with('#')
+                    ? "write six hexadecimal digits, such as #d92b2b"
+                    : did_you_mean(
+                          text, color_names(),
+                          fmt::format("write {}=red, {}=#d92b2b or another; docs/levels.md has "
+                                      "the names",
+                                      key.name, key.name)));
+        return false;
     }
 
     bool read_name(const KeyRule& key, const Word& value) {
@@ -281,6 +302,12 @@ double Arguments::number_or(std::string_view key, double otherwise) const {
 std::uint32_t Arguments::count(std::string_view key) const {
     constexpr double most = 4e9;
     return static_cast<std::uint32_t>(std::min(most, number_or(key, 0.0)));
+}
+
+std::optional<Rgb24> Arguments::color(std::string_view key) const {
+    const auto found = number(key);
+    if (!found) return std::nullopt;
+    return static_cast<Rgb24>(*found);
 }
 
 Vec2 Arguments::pair_or(std::string_view key, Vec2 otherwise) const {

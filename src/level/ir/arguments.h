@@ -37,6 +37,8 @@ struct Arguments {
     double number_or(std::string_view key, double otherwise) const;
     /// The whole number of a key, at most 4e9; 0 if the key is absent.
     std::uint32_t count(std::string_view key) const;
+    /// The colour of a key of KeyShape::color.
+    std::optional<Rgb24> color(std::string_view key = "color") const;
     Vec2 pair_or(std::string_view key, Vec2 otherwise) const;
     std::optional<Word> word(std::string_view key) const;
     bool flag(std::string_view name) const { return flags.contains(name); }

@@ -23,6 +23,7 @@ struct KindIr {
     std::optional<double> density;
     std::optional<double> restitution;
     double friction = 0.0;
+    std::optional<Rgb24> color{};
     bool is_valid = true;  ///< false: its statement had an error
 };
 
@@ -30,6 +31,7 @@ struct MaterialIr {
     Word name;
     Material values;
     std::uint8_t layer = 0;  ///< the layer of its edges
+    std::optional<Rgb24> color{};
 };
 
 /// Binds the edges of a statement to a material and a name. Whether the first of `plain` is a
@@ -43,6 +45,7 @@ struct EdgeBinding {
     bool makes_edges = true;         ///< false: the statement makes zones, which have no material
     /// A pinball device: its material where the author names none; its kick in any case.
     std::optional<Material> device_material{};
+    std::optional<Rgb24> color{};
 };
 
 /// Binds the balls of a statement to a name and a kind.
@@ -51,6 +54,7 @@ struct BallBinding {
     std::optional<Word> name;
     std::optional<Word> kind;
     bool is_numbered = false;  ///< the first ball has a suffix too, as in a cradle
+    std::optional<Rgb24> color{};
 };
 
 struct CapsuleIr {
@@ -84,6 +88,7 @@ struct DeviceIr {
     std::optional<Flipper> flipper{};
     Button button = Button::left_flipper;  ///< moves the flipper
     Origin origin{};
+    DeviceDress dress{};
 };
 
 /// An action of a rule, and a rule, with unresolved names.
@@ -230,6 +235,10 @@ struct LevelIr {
     std::vector<ShowIr> shows;
     std::vector<ExpectIr> expects;
     Observation observation;
+    std::vector<PaintedArea> areas;
+    std::vector<BoardLabel> labels;
+    BoardTheme theme;
+    std::size_t painted_points = 0;                        ///< corners of areas, and labels
     std::map<std::string, LegendIr, std::less<>> legends;  ///< by letter
     /// Names of balls, edges and bins that are error values: their statements had errors, so
     /// references to them are not reported.
@@ -245,5 +254,8 @@ inline constexpr std::uint64_t max_items = 1'000'000;
 
 /// The most zones (bins, pockets, rollovers ...), and the most pinball devices.
 inline constexpr std::uint64_t max_zones = 100'000;
+
+/// The most corners of painted areas, circles and labels together.
+inline constexpr std::size_t max_painted_points = 100'000;
 
 }  // namespace carom

@@ -21,7 +21,9 @@ const Statement* guess(const StatementTable& table, std::string_view keyword) {
 
 void report_unknown(const StatementTable& table, const Word& keyword, Reporter& reporter) {
     std::string otherwise = "a line begins with a keyword, such as ball or edge";
-    for (const std::string_view first : table.keywords()) {
+    const std::vector<std::string_view> keywords = table.keywords();
+    for (const std::string_view first : keywords) {
+        if (meant_by(keyword.text, keywords)) break;  // `circle` is a peg, not `paint circle`
         const std::vector<std::string_view> seconds = table.second_words(first);
         if (std::ranges::count(seconds, keyword.text) > 0) {
             reporter.error("unknown-statement", keyword.span(),
@@ -32,7 +34,7 @@ void report_unknown(const StatementTable& table, const Word& keyword, Reporter& 
     }
     reporter.error("unknown-statement", keyword.span(),
                    fmt::format("'{}' is not a statement", keyword.text),
-                   did_you_mean(keyword.text, table.keywords(), otherwise));
+                   did_you_mean(keyword.text, keywords, otherwise));
 }
 
 const Statement* find_statement(const StatementTable& table, const std::vector<Word>& words,

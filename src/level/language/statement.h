@@ -20,6 +20,7 @@ enum class KeyShape {
     box,       ///< x0,y0,x1,y1
     range,     ///< a..b, or one number
     word,      ///< a name
+    color,     ///< a name of a colour, or #rrggbb
     deferred,  ///< a number or a range, which the statement's own function evaluates
     call       ///< a name, or name(arguments)
 };

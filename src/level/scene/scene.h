@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/shapes.h"
+#include "level/scene/dress.h"
 #include "level/scene/observables.h"
 #include "level/scene/pinball_table.h"
 #include "level/scene/pool_table.h"
@@ -115,6 +116,7 @@ struct Scene {
     std::string game = "sandbox";
     PoolTable pool;
     PinballTable table;
+    Dress dress;
 };
 
 }  // namespace carom

@@ -19,6 +19,7 @@ BallBinding ball_binding(const Arguments& arguments, bool is_numbered) {
     if (!arguments.plain.empty()) binding.name = arguments.plain.front();
     binding.kind = arguments.word("kind");
     binding.is_numbered = is_numbered;
+    binding.color = arguments.color();
     return binding;
 }
 
@@ -179,7 +180,7 @@ void build_cradle(const Arguments& arguments, const Frame& frame, Context& conte
     }
     // The walls are twice the swing away from the ends of the row, and send the outer balls back.
     const double wall = half + radius + 2.0 * swing;
-    EdgeBinding binding{arguments.node, {}, false, arguments.word("material")};
+    EdgeBinding binding{.node = arguments.node, .material = arguments.word("material")};
     const int edges = bind_edges(std::move(binding), context);
     for (const double x : {at.x - wall, at.x + wall}) {
         const int chain = begin_chain(false, context);
@@ -216,7 +217,7 @@ std::vector<Statement> ball_statements() {
     constexpr auto whole = Measure::whole;
     return {
         {.name = "ball",
-         .usage = "ball [NAME] at=X,Y [kind=] [v=VX,VY] [r=] [m=] [e=] [w=] [roll=VX,VY]",
+         .usage = "ball [NAME] at=X,Y [kind=] [v=VX,VY] [r=] [m=] [e=] [w=] [roll=VX,VY] [color=]",
          .action = build_ball,
          .plain_most = 1,
          .keys = {keys::at,
@@ -226,7 +227,8 @@ std::vector<Statement> ball_statements() {
                   keys::ball_mass,
                   keys::restitution,
                   {.name = "w", .measure = Measure::angular_speed, .needs_spin = true},
-                  {"roll", pair, speed}},
+                  {"roll", pair, speed},
+                  keys::color},
          .binds_names = true},
         {.name = "spawn",
          .usage = "spawn KIND at=X,Y every=TIME count=N [v=VX,VY] [jitter=DX,DY] [vjitter=DVX,DVY]",
@@ -249,7 +251,7 @@ std::vector<Statement> ball_statements() {
          .binds_names = true},
         {.name = "cradle",
          .usage = "cradle [NAME] at=X,Y count=N v=SPEED [in=N] [gap=] [swing=] [r=] [m=] [e=] "
-                  "[kind=] [material=]",
+                  "[kind=] [material=] [color=]",
          .action = build_cradle,
          .plain_most = 1,
          .keys = {keys::at,
@@ -262,7 +264,8 @@ std::vector<Statement> ball_statements() {
                   keys::ball_mass,
                   keys::restitution,
                   keys::kind,
-                  keys::material},
+                  keys::material,
+                  keys::color},
          .binds_names = true},
     };
 }

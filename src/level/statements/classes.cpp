@@ -46,6 +46,7 @@ void declare_kind(const Arguments& arguments, const Frame&, Context& context) {
     kind.density = arguments.number("density");
     kind.restitution = arguments.number("e");
     kind.friction = arguments.number_or("mu", 0.0);
+    kind.color = arguments.color();
     kind.is_valid = arguments.is_valid;
     context.ir.kinds.push_back(std::move(kind));
 }
@@ -56,7 +57,8 @@ void declare_material(const Arguments& arguments, const Frame&, Context& context
         {arguments.plain.front(),
          {arguments.number_or("e", 1.0), arguments.number_or("soften", 0.0),
           arguments.number_or("mu", 0.0)},
-         static_cast<std::uint8_t>(arguments.number_or("layer", 0.0))});
+         static_cast<std::uint8_t>(arguments.number_or("layer", 0.0)),
+         arguments.color()});
 }
 
 }  // namespace
@@ -66,7 +68,7 @@ std::vector<Statement> class_statements() {
     using enum Bound;
     return {
         {.name = "kind",
-         .usage = "kind NAME [r=] [m=] [density=] [e=] [mu=]",
+         .usage = "kind NAME [r=] [m=] [density=] [e=] [mu=] [color=]",
          .action = declare_kind,
          .place = Place::top,
          .plain_least = 1,
@@ -75,11 +77,12 @@ std::vector<Statement> class_statements() {
                   keys::ball_mass,
                   {"density", scalar, Measure::density, positive},
                   keys::restitution,
-                  keys::friction},
+                  keys::friction,
+                  keys::color},
          .settable = Settable::by_name,
          .runs_with_errors = true},
         {.name = "material",
-         .usage = "material NAME [e=] [soften=] [mu=] [layer=0..3]",
+         .usage = "material NAME [e=] [soften=] [mu=] [layer=0..3] [color=]",
          .action = declare_material,
          .place = Place::top,
          .plain_least = 1,
@@ -87,7 +90,8 @@ std::vector<Statement> class_statements() {
          .keys = {keys::restitution,
                   {"soften", scalar, Measure::soften, not_negative},
                   keys::friction,
-                  {"layer", scalar, Measure::whole, layer}},
+                  {"layer", scalar, Measure::whole, layer},
+                  keys::color},
          .settable = Settable::by_name,
          .runs_with_errors = true},
     };

@@ -24,6 +24,7 @@ int bind_device(const Arguments& arguments, const std::optional<Material>& mater
     binding.device_material = material;
     binding.material = arguments.word("material");
     binding.name = arguments.word("name");
+    binding.color = arguments.color();
     return bind_edges(std::move(binding), context);
 }
 

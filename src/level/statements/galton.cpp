@@ -11,7 +11,10 @@ namespace carom {
 namespace {
 
 EdgeBinding edge_binding_of(const Arguments& arguments) {
-    return {arguments.node, arguments.plain, false, arguments.word("material")};
+    return {.node = arguments.node,
+            .plain = arguments.plain,
+            .material = arguments.word("material"),
+            .color = arguments.color()};
 }
 
 enum class PegLayout { triangle, grid };
@@ -113,13 +116,15 @@ std::vector<Statement> galton_statements() {
     const KeyRule row{"row", scalar, length, positive};
     return {
         {.name = "pegs triangle",
-         .usage = "pegs triangle [NAME] at=X,Y rows=N pitch= r= [row=] [material=]",
+         .usage = "pegs triangle [NAME] at=X,Y rows=N pitch= r= [row=] [material=] [color=]",
          .action = build_peg_triangle,
          .plain_most = 1,
-         .keys = {keys::at, rows, pitch, keys::required_edge_radius, row, keys::material},
+         .keys = {keys::at, rows, pitch, keys::required_edge_radius, row, keys::material,
+                  keys::color},
          .binds_names = true},
         {.name = "pegs grid",
-         .usage = "pegs grid [NAME] at=X,Y rows=N columns=N pitch= r= [row=] [material=] [stagger]",
+         .usage = "pegs grid [NAME] at=X,Y rows=N columns=N pitch= r= [row=] [material=] [color=] "
+                  "[stagger]",
          .action = build_peg_grid,
          .plain_most = 1,
          .keys = {keys::at,
@@ -128,11 +133,13 @@ std::vector<Statement> galton_statements() {
                   pitch,
                   keys::required_edge_radius,
                   row,
-                  keys::material},
+                  keys::material,
+                  keys::color},
          .flags = {"stagger"},
          .binds_names = true},
         {.name = "bins",
-         .usage = "bins [NAME] at=X,Y count=N width= depth= [wall=] [material=] [sink] [open]",
+         .usage =
+             "bins [NAME] at=X,Y count=N width= depth= [wall=] [material=] [color=] [sink] [open]",
          .action = build_bins,
          .plain_most = 1,
          .keys = {keys::at,
@@ -140,16 +147,17 @@ std::vector<Statement> galton_statements() {
                   {"width", scalar, length, positive, true},
                   {"depth", scalar, length, positive, true},
                   {"wall", scalar, length, not_negative},
-                  keys::material},
+                  keys::material,
+                  keys::color},
          .flags = {"sink", "open"},
          .binds_names = true},
         {.name = "zone",
-         .usage = "zone [NAME] X,Y X,Y r= [sink]",
+         .usage = "zone [NAME] X,Y X,Y r= [color=] [sink]",
          .action = build_zone,
          .plain_most = 1,
          .points_least = 2,
          .points_most = 2,
-         .keys = {{"r", scalar, length, positive, true}},
+         .keys = {{"r", scalar, length, positive, true}, keys::color},
          .flags = {"sink"},
          .binds_names = true},
     };

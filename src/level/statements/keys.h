@@ -24,4 +24,7 @@ inline constexpr KeyRule friction{.name = "mu",
                                   .needs_spin = true};
 inline constexpr KeyRule ball_mass{"m", KeyShape::scalar, Measure::mass, Bound::positive};
 
+/// The looks of what a statement makes; no part of the physics.
+inline constexpr KeyRule color{"color", KeyShape::color};
+
 }  // namespace carom::keys

@@ -152,6 +152,7 @@ class MapBuilder {
 
     int binding(const std::optional<Word>& material) {
         EdgeBinding edges{arguments_.node, {}, false, material};
+        edges.color = arguments_.color();
         if (!edges.material) edges.material = arguments_.word("material");
         return bind_edges(std::move(edges), context_);
     }
@@ -206,7 +207,7 @@ std::vector<Statement> map_statements() {
     constexpr auto length = Measure::length;
     return {
         {.name = "map",
-         .usage = "map cell=S [at=X,Y] [r=] [kind=] [material=] ... end",
+         .usage = "map cell=S [at=X,Y] [r=] [kind=] [material=] [color=] ... end",
          .action = build_map,
          .opens_block = true,
          .body_is_drawing = true,
@@ -214,7 +215,8 @@ std::vector<Statement> map_statements() {
                   {"at", pair, length},
                   keys::edge_radius,
                   keys::kind,
-                  keys::material}},
+                  keys::material,
+                  keys::color}},
         legend("legend ball", "legend ball LETTER [kind=] [v=VX,VY]",
                [](const Arguments& arguments, const Frame&, Context& context) {
                    add_legend(LegendIr::What::ball, arguments, context);

@@ -179,7 +179,7 @@ std::vector<Statement> pinball_statements() {
     const KeyRule from{"from", scalar, speed, not_negative};
     const auto edges = [](std::string_view name, std::string_view usage, StatementAction action,
                           std::vector<KeyRule> own) {
-        own.insert(own.end(), {keys::material, keys::name});
+        own.insert(own.end(), {keys::material, keys::name, keys::color});
         return Statement{.name = name,
                          .usage = usage,
                          .action = action,
@@ -192,7 +192,7 @@ std::vector<Statement> pinball_statements() {
     return {
         {.name = "flipper",
          .usage = "flipper [MATERIAL] [NAME] at=X,Y length= r= [rest=ANGLE] [up=ANGLE] "
-                  "[rise=TIME] [fall=TIME] [key=auto|left|right] [material=] [name=]",
+                  "[rise=TIME] [fall=TIME] [key=auto|left|right] [material=] [name=] [color=]",
          .action = build_flipper,
          .plain_most = 2,
          .keys = {keys::at,
@@ -204,11 +204,12 @@ std::vector<Statement> pinball_statements() {
                   {"fall", scalar, time, positive},
                   {"key", word},
                   keys::material,
-                  keys::name},
+                  keys::name,
+                  keys::color},
          .binds_names = true},
         {.name = "bumper",
          .usage = "bumper [MATERIAL] [NAME] at=X,Y ... r= kick=SPEED [from=SPEED] [material=] "
-                  "[name=]",
+                  "[name=] [color=]",
          .action = build_bumper,
          .plain_most = 2,
          .keys = {keys::places,
@@ -216,22 +217,25 @@ std::vector<Statement> pinball_statements() {
                   kick,
                   from,
                   keys::material,
-                  keys::name},
+                  keys::name,
+                  keys::color},
          .binds_names = true},
         edges("slingshot",
               "slingshot [MATERIAL] [NAME] X,Y X,Y ... kick=SPEED [from=SPEED] [r=] "
-              "[material=] [name=]",
+              "[material=] [name=] [color=]",
               build_slingshot, {kick, from, keys::edge_radius}),
-        edges("droptarget", "droptarget [MATERIAL] [NAME] X,Y X,Y ... [r=] [material=] [name=]",
+        edges("droptarget",
+              "droptarget [MATERIAL] [NAME] X,Y X,Y ... [r=] [material=] [name=] [color=]",
               build_droptarget, {keys::edge_radius}),
-        edges("target", "target [MATERIAL] [NAME] X,Y X,Y ... [r=] [material=] [name=]",
+        edges("target", "target [MATERIAL] [NAME] X,Y X,Y ... [r=] [material=] [name=] [color=]",
               build_target, {keys::edge_radius}),
         edges("gate",
-              "gate [MATERIAL] [NAME] X,Y X,Y ... pass=up|down|left|right [r=] [material=] [name=]",
+              "gate [MATERIAL] [NAME] X,Y X,Y ... pass=up|down|left|right [r=] [material=] [name=] "
+              "[color=]",
               build_gate, {{"pass", word, Measure::number, any, true}, keys::edge_radius}),
         {.name = "plunger",
          .usage = "plunger [MATERIAL] [NAME] at=X,Y dir=up|down|left|right speed=A..B [width=] "
-                  "[scatter=] [material=] [name=]",
+                  "[scatter=] [material=] [name=] [color=]",
          .action = build_plunger,
          .plain_most = 2,
          .keys = {keys::at,
@@ -240,7 +244,8 @@ std::vector<Statement> pinball_statements() {
                   {"width", scalar, length, positive},
                   {"scatter", scalar, Measure::number, not_negative},
                   keys::material,
-                  keys::name},
+                  keys::name,
+                  keys::color},
          .binds_names = true},
     };
 }

@@ -120,6 +120,7 @@ Statement placed_device(std::string_view name, std::string_view usage, Statement
                         const std::vector<KeyRule>& other_keys) {
     std::vector<KeyRule> all{keys::places};
     all.insert(all.end(), other_keys.begin(), other_keys.end());
+    all.push_back(keys::color);
     return {.name = name,
             .usage = usage,
             .action = action,
@@ -136,18 +137,22 @@ std::vector<Statement> pinball_zone_statements() {
     constexpr auto number = Measure::number;
     const KeyRule required_speed{"speed", scalar, Measure::speed, positive, true};
     return {
-        placed_device("rollover", "rollover [NAME] at=X,Y ... [r=]", build_rollover, {radius}),
-        placed_device("spinner", "spinner [NAME] at=X,Y ... [r=]", build_spinner, {radius}),
-        placed_device("kickback", "kickback [NAME] at=X,Y ... dir=up|down|left|right speed= [r=]",
+        placed_device("rollover", "rollover [NAME] at=X,Y ... [r=] [color=]", build_rollover,
+                      {radius}),
+        placed_device("spinner", "spinner [NAME] at=X,Y ... [r=] [color=]", build_spinner,
+                      {radius}),
+        placed_device("kickback",
+                      "kickback [NAME] at=X,Y ... dir=up|down|left|right speed= [r=] [color=]",
                       build_kickback, {{"dir", word, number, any, true}, required_speed, radius}),
-        placed_device("hole", "hole [NAME] at=X,Y ... toward=X,Y speed= [hold=TIME] [r=]",
+        placed_device("hole", "hole [NAME] at=X,Y ... toward=X,Y speed= [hold=TIME] [r=] [color=]",
                       build_hole,
                       {{"toward", pair, Measure::length, any, true},
                        required_speed,
                        {"hold", scalar, Measure::time, positive},
                        radius}),
         {.name = "ramp",
-         .usage = "ramp [NAME] X,Y X,Y pass=up|down|left|right layer=0..3 [from=0..3] [r=]",
+         .usage =
+             "ramp [NAME] X,Y X,Y pass=up|down|left|right layer=0..3 [from=0..3] [r=] [color=]",
          .action = build_ramp,
          .plain_most = 1,
          .points_least = 2,
@@ -155,9 +160,10 @@ std::vector<Statement> pinball_zone_statements() {
          .keys = {{"pass", word, number, any, true},
                   {"layer", scalar, Measure::whole, layer, true},
                   {"from", scalar, Measure::whole, layer},
-                  radius},
+                  radius,
+                  keys::color},
          .binds_names = true},
-        placed_device("lamp", "lamp [NAME] at=X,Y ...", build_lamp, {}),
+        placed_device("lamp", "lamp [NAME] at=X,Y ... [color=]", build_lamp, {}),
         {.name = "drain",
          .usage = "drain [NAME] X,Y X,Y [r=]",
          .action = build_drain,

@@ -30,8 +30,12 @@ bool is_side_known(const Arguments& arguments, Context& context) {
 }
 
 EdgeBinding shape_binding(const Arguments& arguments) {
-    return {arguments.node, arguments.plain, true, arguments.word("material"),
-            arguments.word("name")};
+    return {.node = arguments.node,
+            .plain = arguments.plain,
+            .may_begin_with_material = true,
+            .material = arguments.word("material"),
+            .name = arguments.word("name"),
+            .color = arguments.color()};
 }
 
 // A vertex of a polyline, and the span for messages about the piece that ends there.
@@ -229,17 +233,17 @@ std::vector<Statement> shape_statements() {
     return {
         {.name = "edge",
          .usage = "edge [MATERIAL] [NAME] X,Y X,Y ... [r=] [close] [smooth] [fillet=] "
-                  "[side=left|right] [material=] [name=]",
+                  "[side=left|right] [material=] [name=] [color=]",
          .action = build_edge,
          .plain_most = 2,
          .points_least = 2,
          .points_most = many,
-         .keys = {keys::edge_radius, fillet, side, keys::material, keys::name},
+         .keys = {keys::edge_radius, fillet, side, keys::material, keys::name, keys::color},
          .flags = {"close", "smooth"},
          .binds_names = true},
         {.name = "arc",
          .usage = "arc [MATERIAL] [NAME] at=X,Y radius= [from=] [to=] [r=] [side=left|right] "
-                  "[material=] [name=]",
+                  "[material=] [name=] [color=]",
          .action = build_arc,
          .plain_most = 2,
          .keys = {keys::at,
@@ -249,22 +253,23 @@ std::vector<Statement> shape_statements() {
                   keys::edge_radius,
                   side,
                   keys::material,
-                  keys::name},
+                  keys::name,
+                  keys::color},
          .binds_names = true},
         {.name = "peg",
-         .usage = "peg [MATERIAL] [NAME] at=X,Y r= [material=] [name=]",
+         .usage = "peg [MATERIAL] [NAME] at=X,Y r= [material=] [name=] [color=]",
          .action = build_peg,
          .plain_most = 2,
-         .keys = {keys::at, keys::required_edge_radius, keys::material, keys::name},
+         .keys = {keys::at, keys::required_edge_radius, keys::material, keys::name, keys::color},
          .binds_names = true},
         {.name = "box",
          .usage = "box [MATERIAL] [NAME] X0,Y0 X1,Y1 [r=] [fillet=] [side=left|right] [material=] "
-                  "[name=]",
+                  "[name=] [color=]",
          .action = build_box,
          .plain_most = 2,
          .points_least = 2,
          .points_most = 2,
-         .keys = {keys::edge_radius, fillet, side, keys::material, keys::name},
+         .keys = {keys::edge_radius, fillet, side, keys::material, keys::name, keys::color},
          .binds_names = true},
     };
 }

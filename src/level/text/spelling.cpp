@@ -13,7 +13,7 @@ struct Synonym {
     std::string_view written;
     std::string_view meant;
 };
-constexpr std::array<Synonym, 47> synonyms{{
+constexpr std::array<Synonym, 50> synonyms{{
     // statements
     {"wall", "edge"},
     {"line", "edge"},
@@ -36,6 +36,8 @@ constexpr std::array<Synonym, 47> synonyms{{
     {"emitter", "spawn"},
     {"assert", "expect"},
     {"plot", "show"},
+    {"text", "label"},
+    {"rectangle", "rect"},
     // terms, and units
     {"friction", "spin"},
     {"torus", "wrap"},
@@ -64,7 +66,10 @@ constexpr std::array<Synonym, 47> synonyms{{
     {"angle", "turn"},
     {"rotate", "turn"},
     {"interval", "every"},
+    {"colour", "color"},
 }};
+
+}  // namespace
 
 std::optional<std::string_view> meant_by(std::string_view word,
                                          const std::vector<std::string_view>& candidates) {
@@ -73,8 +78,6 @@ std::optional<std::string_view> meant_by(std::string_view word,
             return synonym.meant;
     return std::nullopt;
 }
-
-}  // namespace
 
 int edit_distance(std::string_view a, std::string_view b) {
     // The dynamic program needs only the last three rows of its table.

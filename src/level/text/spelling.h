@@ -17,6 +17,10 @@ int edit_distance(std::string_view a, std::string_view b);
 /// Only the first of this many candidates are compared.
 inline constexpr std::size_t max_candidates = 1000;
 
+/// The candidate that `word` is another usual name of, as "radius" of "r"; none: it is of none.
+std::optional<std::string_view> meant_by(std::string_view word,
+                                         const std::vector<std::string_view>& candidates);
+
 /// The candidate that `word` is another usual name of, as "radius" of "r"; else the one with the
 /// lowest edit distance to it, the first in a tie. None: all distances exceed a third of its
 /// letters (and 1).

@@ -16,6 +16,13 @@ bool is_blank_or_comment(std::string_view text) {
     return first == std::string_view::npos || text[first] == '#';
 }
 
+// Whether the '#' at `place` belongs to a colour, as in color=#d92b2b, and begins no comment. A
+// value cannot be left out, so no level has a comment there.
+bool is_color_mark(std::string_view line, std::size_t place) {
+    return place > 0 && line[place - 1] == '=' && place + 1 < line.size() &&
+           !is_blank(line[place + 1]);
+}
+
 // The length of the mark if the word begins a comment as in C, Lua, SQL or INI files; 0 otherwise.
 // `before`: the words of the statement so far. `legend ball ;` explains the letter.
 std::size_t foreign_comment_mark(std::string_view word, const std::vector<Word>& before) {
@@ -91,8 +98,8 @@ bool LineReader::split(std::string_view line, int number, std::vector<Word>& wor
             }
             ++end;
         } else {
-            while (end < line.size() && !is_blank(line[end]) && line[end] != '#' &&
-                   line[end] != '"' && line[end] != '\\') {
+            while (end < line.size() && !is_blank(line[end]) && line[end] != '"' &&
+                   line[end] != '\\' && (line[end] != '#' || is_color_mark(line, end))) {
                 ++end;
             }
         }

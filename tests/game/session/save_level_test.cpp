@@ -251,3 +251,31 @@ TEST_CASE("an edge with very many points reads back") {
     REQUIRE(scene.world.capsules().size() == 499);
     check_same(scene.world, loaded(level_text(scene, scene.world)).world);
 }
+
+TEST_CASE("save_level keeps colours, paint, labels and the theme") {
+    const Scene scene = loaded(
+        "carom 1 \"t\"\ntheme board=navy\nkind k color=red\nmaterial m color=gold\n"
+        "edge m 0,0 9,0 color=teal\nedge m 9,0 9,9\npeg m at=20,20 r=1 color=pink\n"
+        "ball a at=3,3 kind=k\nball blue at=6,6 kind=k\nrepeat 2 step=0,20\nball lime "
+        "at=30,3\nend\n"
+        "zone z 40,0 41,0 r=1 color=red\npaint rect 0,0 9,9 color=olive\n"
+        "paint circle at=3,3 r=2 color=tan\nlabel \"hello there\" at=1,2 align=right color=sky\n");
+    const Scene again = loaded(level_text(scene, scene.world));
+    const Dress& a = scene.dress;
+    const Dress& b = again.dress;
+    CHECK(a.kinds[0] == b.kinds[0]);
+    CHECK(a.materials == b.materials);
+    CHECK(a.balls == b.balls);
+    CHECK(a.edges == b.edges);
+    CHECK(a.zones == b.zones);
+    CHECK(a.theme.board == b.theme.board);
+    REQUIRE(b.areas.size() == 2);
+    CHECK(a.areas[0].corners == b.areas[0].corners);
+    CHECK(a.areas[1].disc == b.areas[1].disc);
+    CHECK(a.areas[1].color == b.areas[1].color);
+    REQUIRE(b.labels.size() == 1);
+    CHECK(a.labels[0].text == b.labels[0].text);
+    CHECK(a.labels[0].at == b.labels[0].at);
+    CHECK(a.labels[0].align == b.labels[0].align);
+    CHECK(a.labels[0].color == b.labels[0].color);
+}
