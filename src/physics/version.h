@@ -10,8 +10,7 @@ namespace carom {
 /// a hand that moves an edge of a cluster and lets go of it ends the hybrid step.
 /// 3:
 /// - `event`: a ball whose spin has been braked keeps its supports. A contact of a jam that does
-/// not
-///   approach never pulls. Balls that start inside an edge or a ball meet it where they touch
+///   not approach never pulls. Balls that start inside an edge or a ball meet it where they touch
 ///   again, balls that fly together under drag meet however slowly, and position correction pushes
 ///   no ball into a third one. A ball leaves a held ball as under the other solvers.
 /// - Hybrid steps: the contacts of this step, not of the one before, decide which balls stay in the
@@ -24,13 +23,12 @@ namespace carom {
 /// - Hands yield (tick/hands.h).
 /// - Arcs and fillets have smooth joints, along which balls roll on without a loss (laws/curve.h).
 /// - `swept` and `event` limit the work of a tick by one budget (tick/work_budget.h), and `swept`
-/// no
-///   longer takes the velocity of a ball that meets too much in an elastic scene.
+///   no longer takes the velocity of a ball that meets too much in an elastic scene.
 /// - `contact`: constraints give back no more energy than they took (contact/energy.h), and what a
 ///   fast ball hits does not leave its skin.
 /// - The levels of pool say `use modulus`, by which contacts last under `event`. The end of the
-/// shot
-///   clock is a command.
+///   shot clock is a command.
+/// - The spin of a ball that cannot move (held, frozen, at rest in an impact) drives nothing.
 inline constexpr int physics_version = 3;
 
 }  // namespace carom

@@ -73,6 +73,12 @@ inline Exchange bounce_off(Vec2& velocity, double inverse_mass, Vec2 normal, dou
 struct Rotation {
     double& spin;
     double radius;
+
+    /// Speed of its surface, length/s. An immovable ball does not turn: its spin would drive all
+    /// that it touches, and never end.
+    double surface_speed(double inverse_mass) const {
+        return inverse_mass > 0.0 ? radius * spin : 0.0;
+    }
 };
 
 /// The parameters of Coulomb's law at one contact.
@@ -91,7 +97,8 @@ struct Friction {
 /// stick, or keep slipping. It never reverses the slip, so energy never grows; momentum and angular
 /// momentum are conserved. Returns the impulse on a along t.
 ///
-/// Inverse mass 0: an immovable body, which does not turn either. Both 0: nothing happens.
+/// Inverse mass 0: an immovable body, which does not turn either, whatever its spin. Both 0:
+/// nothing happens.
 /// Source: Coulomb's law in impulses, as in Walton's model of rough spheres without tangential
 /// restitution (Walton and Braun, J. Rheology 30 (1986) 949; Foerster et al., Phys. Fluids 6 (1994)
 /// 1108).
@@ -101,8 +108,8 @@ inline double apply_friction(Vec2& velocity_a, Rotation a, double inverse_mass_a
     const double inverse = inverse_mass_a + inverse_mass_b;
     if (!(inverse > 0.0)) return 0.0;
     const Vec2 along = perpendicular(normal);
-    const double slip =
-        dot(velocity_a - velocity_b, along) - (a.radius * a.spin + b.radius * b.spin);
+    const double slip = dot(velocity_a - velocity_b, along) -
+                        (a.surface_speed(inverse_mass_a) + b.surface_speed(inverse_mass_b));
     const double most = friction.coefficient * std::max(0.0, normal_impulse);
     const double stopping = -slip / (inverse * (1.0 + 1.0 / friction.inertia));
     const double impulse = std::clamp(stopping, -most, most);

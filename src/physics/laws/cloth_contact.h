@@ -16,6 +16,12 @@ struct Roller {
     double& spin;
     Vec2& roll;
     double radius;
+
+    /// Speeds of its surface, length/s: as Rotation::surface_speed.
+    double surface_speed(double inverse_mass) const {
+        return inverse_mass > 0.0 ? radius * spin : 0.0;
+    }
+    Vec2 surface_roll(double inverse_mass) const { return inverse_mass > 0.0 ? roll : Vec2{}; }
 };
 
 /// Applies friction between two balls on cloth that have just exchanged `normal_impulse` >= 0.
@@ -29,7 +35,8 @@ struct Roller {
 /// exceed coefficient * normal_impulse, both are scaled down to it, and the points keep slipping;
 /// else they stick. Energy never grows. Returns the impulse on a along t.
 ///
-/// Inverse mass 0: an immovable body, which does not turn either. Both 0: nothing happens.
+/// Inverse mass 0: an immovable body, which does not turn either, whatever its spin and roll. Both
+/// 0: nothing happens.
 /// Source: Coulomb's law in impulses, as `apply_friction`; D. Alciatore, technical proofs A.14
 /// (throw) and B.2.
 inline double apply_cloth_friction(Vec2& velocity_a, Roller a, double inverse_mass_a,
@@ -38,9 +45,10 @@ inline double apply_cloth_friction(Vec2& velocity_a, Roller a, double inverse_ma
     const double inverse = inverse_mass_a + inverse_mass_b;
     if (!(inverse > 0.0)) return 0.0;
     const Vec2 along = perpendicular(normal);
-    const double slip =
-        dot(velocity_a - velocity_b, along) - (a.radius * a.spin + b.radius * b.spin);
-    const double rise = dot(a.roll + b.roll, normal);
+    const double slip = dot(velocity_a - velocity_b, along) -
+                        (a.surface_speed(inverse_mass_a) + b.surface_speed(inverse_mass_b));
+    const double rise =
+        dot(a.surface_roll(inverse_mass_a) + b.surface_roll(inverse_mass_b), normal);
     double across = -slip / (inverse * (1.0 + 1.0 / friction.inertia));
     double upwards = -rise * friction.inertia / inverse;
     const double most = friction.coefficient * std::max(0.0, normal_impulse);

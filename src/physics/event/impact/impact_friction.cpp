@@ -57,20 +57,23 @@ auto ImpactFriction<Real>::slip_of(const Contact& each) const -> Slip {
     const auto& contact = each.point->contact;
     const auto& bodies = cluster_.bodies();
     const Vector<Real> along = perpendicular(contact.normal);
-    const ImpactBody<Real>& a = cluster_.motion()[contact.a];
     Slip slip;
-    slip.inverse_mass = a.inverse_mass * Real(double(shares_[contact.a]));
-    slip.along = dot(a.velocity, along) - cluster_.radius_of(contact.a) * bodies[contact.a].spin;
-    slip.upwards = dot(bodies[contact.a].roll, contact.normal);
-    if (contact.b != ImpactContact<Real>::fixed) {
-        const ImpactBody<Real>& b = cluster_.motion()[contact.b];
-        slip.inverse_mass += b.inverse_mass * Real(double(shares_[contact.b]));
-        slip.along -=
-            dot(b.velocity, along) + cluster_.radius_of(contact.b) * bodies[contact.b].spin;
-        slip.upwards += dot(bodies[contact.b].roll, contact.normal);
-    } else {
+    // As Rotation::surface_speed: an immovable ball does not turn.
+    const auto add = [&](std::uint32_t body, const Real& side) {
+        const ImpactBody<Real>& motion = cluster_.motion()[body];
+        slip.inverse_mass += motion.inverse_mass * Real(double(shares_[body]));
+        Real speed = dot(motion.velocity, along);
+        if (motion.inverse_mass > Real{}) {
+            speed -= side * cluster_.radius_of(body) * bodies[body].spin;
+            slip.upwards += dot(bodies[body].roll, contact.normal);
+        }
+        slip.along += side * speed;
+    };
+    add(contact.a, Real(1.0));
+    if (contact.b != ImpactContact<Real>::fixed)
+        add(contact.b, Real(-1.0));
+    else
         slip.along -= dot(each.point->surface_velocity, along);
-    }
     return slip;
 }
 
