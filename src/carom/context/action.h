@@ -9,9 +9,9 @@
 #include "game/commands/command.h"
 
 /// Actions: everything that a key can do. One table holds them all
-/// (carom/controllers/action_table.cpp). Key dispatch, help page, hints, preferences and the list
-/// in docs/command-line.md follow from it, so a new key command is one row there and one line in
-/// that list.
+/// (carom/controllers/action_table.cpp). Key dispatch, hints, preferences and the list in
+/// docs/command-line.md follow from it, so a new key command is one row there, one line in that
+/// list, and one on the help pages (help_page.h).
 namespace carom {
 
 struct PlayContext;
@@ -36,8 +36,7 @@ struct Action {
     std::string_view name;  ///< stored in the preferences file, so it never changes
     std::string_view
         keys;  ///< the default keys, in the syntax of the preferences file, separated by blanks
-    std::string_view help;     ///< on the help page
-    std::string_view section;  ///< of the help page
+    std::string_view help;  ///< in docs/command-line.md; the help pages have their own words
     Where where;
     Perform perform;
     AtPool at_pool = nullptr;
@@ -50,32 +49,12 @@ inline KeyLayer layer_of(const Action& action) {
     return action.where == Where::pinball ? KeyLayer::pinball : KeyLayer::common;
 }
 
-/// All actions, in the order of the help page.
+/// All actions, in the order of the manual.
 std::span<const Action> actions();
 /// The action of this name; null if there is none.
 const Action* action_named(std::string_view name);
 /// Pre: there is an action of this name.
 const Action& action(std::string_view name);
 std::vector<std::string_view> action_names();
-
-/// Several actions that share a line of the help page while all have their default keys.
-struct ActionGroup {
-    std::string_view first;  ///< name of the first action
-    std::string_view last;   ///< name of the last action; the group includes those between
-    std::string_view keys;
-    std::string_view help;
-};
-std::span<const ActionGroup> action_groups();
-
-/// A line of the help page without an action of its own: the mouse, or the meaning of an action in
-/// another section.
-struct HelpNote {
-    std::string_view section;
-    std::string_view after;   ///< the section after which a section without rows is placed
-    std::string_view keys;    ///< empty: the keys of `action`
-    std::string_view action;  ///< name
-    std::string_view help;
-};
-std::span<const HelpNote> help_notes();
 
 }  // namespace carom

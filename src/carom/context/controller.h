@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "carom/context/action.h"
+#include "carom/context/help_page.h"
 #include "carom/files/high_scores.h"
 #include "terminal/canvas/camera.h"
 #include "terminal/canvas/canvas.h"
@@ -20,6 +21,9 @@ namespace carom {
 class Controller {
   public:
     virtual ~Controller() = default;
+
+    /// The way of playing, for the help page and the status lines.
+    virtual PlayKind kind() const = 0;
 
     /// Offers a key or a mouse report before it is looked up as an action. Returns whether the
     /// controller consumed it. Not called while a page covers the game.

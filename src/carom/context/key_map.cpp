@@ -17,20 +17,16 @@ std::vector<Key> default_keys(const Action& action) {
     return keys;
 }
 
-/// The group that contains the action; null: none.
-const ActionGroup* group_of(const Action& wanted) {
-    for (const ActionGroup& group : action_groups())
-        if (&action(group.first) <= &wanted && &wanted <= &action(group.last)) return &group;
-    return nullptr;
-}
-
-HelpSection& section_named(std::vector<HelpSection>& sections, std::string_view title,
-                           std::string_view after) {
-    const auto found = std::ranges::find(sections, title, &HelpSection::title);
-    if (found != sections.end()) return *found;
-    const auto before = std::ranges::find(sections, after, &HelpSection::title);
-    const auto place = before == sections.end() ? before : std::next(before);
-    return *sections.insert(place, {std::string(title), {}});
+/// The actions that share a line of the help page.
+std::vector<const Action*> actions_of(const HelpLine& line) {
+    std::vector<const Action*> shared;
+    std::string_view names = line.actions;
+    while (!names.empty()) {
+        const std::size_t end = std::min(names.find(' '), names.size());
+        shared.push_back(&action(names.substr(0, end)));
+        names.remove_prefix(std::min(end + 1, names.size()));
+    }
+    return shared;
 }
 
 }  // namespace
@@ -73,38 +69,29 @@ std::string KeyMap::hint(std::string_view action_name) const {
     return found == bindings_.end() ? std::string{} : shown_key(found->key);
 }
 
-bool KeyMap::has_default_keys(const ActionGroup& group) const {
-    const Action* const last = &action(group.last);
-    for (const Action* row = &action(group.first); row <= last; ++row)
-        if (keys_of(*row) != default_keys(*row)) return false;
-    return true;
-}
-
-KeyHelp KeyMap::line_of(const Action& action) const {
+std::string KeyMap::keys_of(const HelpLine& line) const {
+    const std::vector<const Action*> shared = actions_of(line);
+    const auto is_default = [this](const Action* row) {
+        return keys_of(*row) == default_keys(*row);
+    };
+    if (!line.keys.empty() && std::ranges::all_of(shared, is_default))
+        return std::string(line.keys);
     std::string keys;
-    for (const Key& key : keys_of(action))
-        keys += (keys.empty() ? "" : " ") + shown_key(key);
-    return {keys, std::string(action.help)};
+    for (const Action* row : shared)
+        if (const std::string key = hint(row->name); !key.empty())
+            keys += (keys.empty() ? "" : " ") + key;
+    return keys;
 }
 
-std::vector<HelpSection> KeyMap::help() const {
+std::vector<HelpSection> KeyMap::help(PlayKind kind) const {
     std::vector<HelpSection> sections;
-    for (const Action& row : actions()) {
-        if (sections.empty() || sections.back().title != row.section)
-            sections.push_back({std::string(row.section), {}});
-        std::vector<KeyHelp>& lines = sections.back().keys;
-        if (const ActionGroup* group = group_of(row); group && has_default_keys(*group)) {
-            if (row.name == group->first)
-                lines.push_back({std::string(group->keys), std::string(group->help)});
-            continue;
-        }
-        if (KeyHelp line = line_of(row); !line.keys.empty()) lines.push_back(std::move(line));
-    }
-    for (const HelpNote& note : help_notes()) {
-        KeyHelp line{std::string(note.keys), std::string(note.help)};
-        if (!note.action.empty()) line.keys = line_of(action(note.action)).keys;
-        if (line.keys.empty()) continue;
-        section_named(sections, note.section, note.after).keys.push_back(std::move(line));
+    for (const HelpLine& line : help_lines()) {
+        if (!(line.pages & help_bit(kind))) continue;
+        std::string keys = keys_of(line);
+        if (keys.empty()) continue;
+        if (sections.empty() || sections.back().title != line.section)
+            sections.push_back({std::string(line.section), {}});
+        sections.back().keys.push_back({std::move(keys), std::string(line.help)});
     }
     return sections;
 }

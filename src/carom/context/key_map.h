@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "carom/context/action.h"
+#include "carom/context/help_page.h"
 #include "carom/context/key.h"
 #include "terminal/panels/pages.h"
 
@@ -28,16 +29,15 @@ class KeyMap {
     /// The action's first key, for hints; empty if it has none. Pre: there is such an action.
     std::string hint(std::string_view action_name) const;
 
-    /// All actions with their keys, and the mouse, for the help page.
-    std::vector<HelpSection> help() const;
+    /// The help page of a way of playing, with the keys as they are bound.
+    std::vector<HelpSection> help(PlayKind kind) const;
 
   private:
     struct Binding {
         Key key;
         const Action* action;
     };
-    KeyHelp line_of(const Action& action) const;
-    bool has_default_keys(const ActionGroup& group) const;
+    std::string keys_of(const HelpLine& line) const;
 
     std::vector<Binding> bindings_;
 };

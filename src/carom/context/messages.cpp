@@ -15,6 +15,10 @@ void Messages::set(std::string message, bool is_error) {
     seconds_left_ = message_time;
 }
 
+void Messages::set_problem(std::vector<std::string> lines) {
+    problem_ = std::move(lines);
+}
+
 bool Messages::fade(double seconds) {
     if (seconds_left_ <= 0.0) return false;
     seconds_left_ -= seconds;
@@ -27,8 +31,11 @@ std::optional<double> Messages::seconds_left() const {
 
 std::optional<Messages::Line> Messages::line() const {
     if (seconds_left_ > 0.0) return message_;
-    if (problem_) return Line{*problem_, true};
-    return std::nullopt;
+    if (problem_.empty()) return std::nullopt;
+    Line lines{"", true};
+    for (const std::string& line : problem_)
+        lines.text += (lines.text.empty() ? "" : "\n") + line;
+    return lines;
 }
 
 }  // namespace carom

@@ -2,17 +2,25 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
-/// Messages in the last line of the window: one that fades, and a problem that stays.
+/// Messages above the status lines: one that fades, and a problem that stays.
 namespace carom {
 
 class Messages {
   public:
     void say(std::string message) { set(std::move(message), false); }
     void complain(std::string message) { set(std::move(message), true); }
-    /// The problem stays until the next call; none clears it. For the errors of a level under
-    /// --watch.
-    void set_problem(std::optional<std::string> problem) { problem_ = std::move(problem); }
+    /// The lines of the problem stay until the next call; none clear it. For the errors of a level
+    /// under --watch.
+    void set_problem(std::vector<std::string> lines);
+    /// The player acts: what the last message spoke of is over. Complaints stay until they fade, as
+    /// the player may not have read them yet.
+    void end_message() {
+        if (!message_.is_error) seconds_left_ = 0.0;
+    }
+    /// The problem's lines.
+    const std::vector<std::string>& problem() const { return problem_; }
 
     /// Advances the timer, s. Returns true if the message has just faded.
     bool fade(double seconds);
@@ -23,7 +31,7 @@ class Messages {
         std::string text;
         bool is_error = false;
     };
-    /// The line to show now; none: nothing.
+    /// The message to show now, or the lines of the problem, joined by line ends; none: nothing.
     std::optional<Line> line() const;
 
   private:
@@ -31,7 +39,7 @@ class Messages {
 
     Line message_;
     double seconds_left_ = 0.0;
-    std::optional<std::string> problem_;
+    std::vector<std::string> problem_;
 };
 
 }  // namespace carom

@@ -22,8 +22,9 @@ void Controller::annotate(const PlayContext& play, Annotations& annotations) con
 
 PlayContext::PlayContext(Session game, const ViewOptions& options, KeyMap key_map, bool is_picked)
     : session(std::move(game)),
+      words(words_of(session.scene().comment)),
       keys(std::move(key_map)),
-      view{.options = options},
+      view{.options = options, .defaults = options},
       pointer{.at = center(session.scene().view)},
       panels(session.scene()),
       solver_is_picked(is_picked) {

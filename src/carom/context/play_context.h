@@ -16,6 +16,7 @@
 #include "carom/context/play_view.h"
 #include "carom/context/playback_clock.h"
 #include "carom/context/pointer_tool.h"
+#include "carom/text/level_words.h"
 #include "game/session/session.h"
 #include "terminal/input/key_repeat.h"
 
@@ -38,7 +39,7 @@ struct Pointer {
 
 /// A page that covers the game; the game waits meanwhile.
 struct CoveringPage {
-    enum class Kind : std::uint8_t { none, help, explanation };
+    enum class Kind : std::uint8_t { none, help, about, explanation, problems };
     Kind kind = Kind::none;
     int scroll = 0;
 
@@ -59,6 +60,7 @@ struct PlayContext {
     PlayContext(Session session, const ViewOptions& view, KeyMap keys, bool solver_is_picked);
 
     Session session;
+    LevelWords words;  ///< the level's own
     KeyMap keys;
     PlaybackClock clock;
     PlayView view;

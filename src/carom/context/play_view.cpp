@@ -19,6 +19,15 @@ void PlayView::fit() {
     follows = false;
 }
 
+void PlayView::reset() {
+    const Look look = options.look;
+    options = defaults;
+    options.look = look;
+    is_fitted = true;
+    shows_whole = false;
+    follows = false;
+}
+
 CellPoint PlayView::middle() const {
     return {camera.area.column + camera.area.columns / 2.0,
             camera.area.row + camera.area.rows / 2.0};

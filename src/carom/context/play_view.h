@@ -10,6 +10,7 @@ namespace carom {
 
 struct PlayView {
     ViewOptions options;
+    ViewOptions defaults;  ///< of the options, before any key changed them
     ViewMemory memory;
     Camera camera;
     bool is_fitted = true;     ///< the camera shows the whole scene
@@ -23,6 +24,8 @@ struct PlayView {
     /// Shows the whole scene. At a pinball table that already is, switches between the whole table
     /// and the part around the ball.
     void fit();
+    /// Brings back the default options, and shows the whole scene.
+    void reset();
     /// The centre of the camera's area.
     CellPoint middle() const;
 };

@@ -32,7 +32,7 @@ bool step(PlayContext& play) {
     play.companion.follow_closely(play.session, play.keep_going);
     if (play.session.is_at_end() && !is_done) say(play, "the recording ends here");
     if (play.session.outcome() == TickOutcome::cancelled)
-        say(play, "the tick took too long and was cancelled");
+        complain(play, "The tick took too long and was cancelled.");
     tell_outcome(play);
     return is_done;
 }

@@ -78,6 +78,11 @@ void toggle_following(PlayContext& play) {
                               : "press tab to choose a ball first");
 }
 
+void reset_view(PlayContext& play) {
+    play.view.reset();
+    say(play, "view: back to the defaults");
+}
+
 void next_comparison(PlayContext& play) {
     if (!play.companion.next_comparison(play.session)) say(play, "one solver alone");
 }

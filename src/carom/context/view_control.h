@@ -16,6 +16,7 @@ void toggle_outlines(PlayContext& play);
 void toggle_histogram(PlayContext& play);
 void toggle_energy(PlayContext& play);
 void toggle_following(PlayContext& play);
+void reset_view(PlayContext& play);
 void next_comparison(PlayContext& play);
 void toggle_ensemble(PlayContext& play);
 /// Toggles a switch of the view, and shows the message "NAME on" or "NAME off".

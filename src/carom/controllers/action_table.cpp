@@ -10,7 +10,8 @@
 #include "carom/controllers/pool_controller.h"
 #include "carom/controllers/world_control.h"
 
-/// The table of all actions. To add one, add a row, and its line in docs/command-line.md.
+/// The table of all actions. To add one, add a row, its line on the help pages
+/// (help_pages.cpp), and its line in docs/command-line.md.
 namespace carom {
 namespace {
 
@@ -56,163 +57,146 @@ void open_page(Play& play) {
     play.page.open(page);
 }
 
-// The columns: name, default keys, help, section of the help page, where it applies, effect, effect
-// at a pool table instead.
-constexpr Action rows[] = {
-    {"pause", "space", "pause, go on", "Time", anywhere, toggle_pause},
-    {"step-forward", ".", "one tick forward", "Time", anywhere, step_forward},
-    {"step-back", ",", "one tick back", "Time", anywhere, step_back},
-    {"next-collision", "n", "to the next collision", "Time", anywhere, seek_collision},
-    {"second-back", "<", "a second back", "Time", anywhere, second_back},
-    {"second-forward", ">", "a second forward", "Time", anywhere, second_forward},
-    {"slower", "- [", "slower", "Time", anywhere, slower},
-    {"faster", "+ = ]", "faster", "Time", anywhere, faster},
-    {"normal-speed", "*", "normal speed", "Time", anywhere, normal_speed},
-    {"restart", "r", "from the start", "Time", anywhere, restart},
+/// The errors of a level under --watch come before what it says about itself.
+void open_about(Play& play) {
+    using enum CoveringPage::Kind;
+    play.page.open(play.messages.problem().empty() ? about : problems);
+}
 
-    {"cursor-left", "left", "move the cursor", "Hands", anywhere,
+// The columns: name, default keys, help, where it applies, effect, effect at a pool table instead.
+constexpr Action rows[] = {
+    {"pause", "space", "pause, resume", anywhere, toggle_pause},
+    {"step-forward", ".", "one tick forward", anywhere, step_forward},
+    {"step-back", ",", "one tick back", anywhere, step_back},
+    {"next-collision", "n", "to the next collision", anywhere, seek_collision},
+    {"second-back", "<", "one second back", anywhere, second_back},
+    {"second-forward", ">", "one second forward", anywhere, second_forward},
+    {"slower", "- [", "slower", anywhere, slower},
+    {"faster", "+ = ]", "faster", anywhere, faster},
+    {"normal-speed", "*", "normal speed", anywhere, normal_speed},
+    {"restart", "r", "restart", anywhere, restart},
+
+    {"cursor-left", "left", "move the cursor", anywhere,
      [](Play& play) { move_cursor(play, -cursor_columns, 0.0); },
      [](Pool& table, Play& play) { return table.turn_coarsely(play, 1); }},
-    {"cursor-right", "right", "move the cursor", "Hands", anywhere,
+    {"cursor-right", "right", "move the cursor", anywhere,
      [](Play& play) { move_cursor(play, cursor_columns, 0.0); },
      [](Pool& table, Play& play) { return table.turn_coarsely(play, -1); }},
-    {"cursor-up", "up", "move the cursor", "Hands", anywhere,
+    {"cursor-up", "up", "move the cursor", anywhere,
      [](Play& play) { move_cursor(play, 0.0, -1.0); },
      [](Pool& table, Play& play) { return table.change_speed(play, 1); }},
-    {"cursor-down", "down", "move the cursor", "Hands", anywhere,
+    {"cursor-down", "down", "move the cursor", anywhere,
      [](Play& play) { move_cursor(play, 0.0, 1.0); },
      [](Pool& table, Play& play) { return table.change_speed(play, -1); }},
-    {"next-ball", "tab", "to the next ball", "Hands", anywhere,
+    {"next-ball", "tab", "select the next ball", anywhere,
      [](Play& play) { select_ball(play, false); },
      [](Pool& table, Play& play) { return table.next_pot_under_rules(play, false); }},
-    {"previous-ball", "backtab", "to the ball before", "Hands", anywhere,
+    {"previous-ball", "backtab", "select the previous ball", anywhere,
      [](Play& play) { select_ball(play, true); },
      [](Pool& table, Play& play) { return table.next_pot_under_rules(play, true); }},
-    {"grab", "enter", "take or drop what is there", "Hands", playing, grab,
+    {"grab", "enter", "grab, release; shoot", playing, grab,
      [](Pool& table, Play& play) { return table.shoot_with_key(play); }},
-    {"cue", "k", "pull the cue; enter shoots", "Hands", playing, use_cue,
+    {"cue", "k", "put the cue on a ball", playing, use_cue,
      [](Pool& table, Play& play) { return table.explain_cue(play); }},
-    {"add-ball", "a", "add a ball", "Hands", playing, add_ball_at_pointer,
+    {"add-ball", "a", "add a ball", playing, add_ball_at_pointer,
      [](Pool& table, Play& play) { return table.edit_nothing(play); }},
-    {"remove", "x delete", "remove a ball", "Hands", playing,
+    {"remove", "x delete", "remove a ball", playing,
      [](Play& play) { remove_at_pointer(play, false); },
      [](Pool& table, Play& play) { return table.edit_nothing(play); }},
-    {"draw-edge", "e", "start, end an edge", "Hands", playing, draw_edge,
+    {"draw-edge", "e", "start, end a new edge", playing, draw_edge,
      [](Pool& table, Play& play) { return table.edit_nothing(play); }},
-    {"remove-edge", "E", "remove an edge", "Hands", playing,
+    {"remove-edge", "E", "remove an edge", playing,
      [](Play& play) { remove_at_pointer(play, true); },
      [](Pool& table, Play& play) { return table.edit_nothing(play); }},
-    {"undo", "u", "undo the last change", "Hands", playing, [](Play& play) { undo(play); },
+    {"undo", "u", "undo the last change", playing, [](Play& play) { undo(play); },
      [](Pool& table, Play& play) { return table.undo_shot(play), true; }},
 
-    {"aim-left", "; ctrl-left", "aim a hair to the left", "Pool", pool,
+    {"aim-left", "; ctrl-left", "aim a hair to the left", pool,
      [](Pool& table, Play& play) { table.turn_finely(play, 1); }},
-    {"aim-right", "' ctrl-right", "aim a hair to the right", "Pool", pool,
+    {"aim-right", "' ctrl-right", "aim a hair to the right", pool,
      [](Pool& table, Play& play) { table.turn_finely(play, -1); }},
-    {"next-pot", "}", "aim at the next pocket, easiest first", "Pool", pool,
+    {"next-pot", "}", "aim at the next pot, easiest first", pool,
      [](Pool& table, Play& play) { table.next_pot(play, false); }},
-    {"previous-pot", "{", "aim at the one before", "Pool", pool,
+    {"previous-pot", "{", "aim at the previous pot", pool,
      [](Pool& table, Play& play) { table.next_pot(play, true); }},
-    {"call", "d", "declare a safety, or a push-out", "Pool", pool,
+    {"call", "d", "declare a safety, or a push-out", pool,
      [](Pool& table, Play& play) { table.next_call(play); }},
-    {"place-cue-ball", "p", "take the ball in hand, put it down", "Pool", pool,
+    {"place-cue-ball", "p", "pick up, put down the ball in hand", pool,
      [](Pool& table, Play& play) { table.place_cue_ball(play); }},
-    {"aids", "A", "lines: none, ghost, full, 20 shots", "Pool", pool,
+    {"aids", "A", "aiming aid: ghost, full, 20 shots, off", pool,
      [](Pool& table, Play& play) { table.next_aids(play); }},
-    {"to-rest", "j", "skip until the balls rest", "Pool", pool,
+    {"to-rest", "j", "skip until the balls rest", pool,
      [](Pool& table, Play& play) { table.skip_to_rest(play); }},
-    {"next-frame", "N", "rack the next frame", "Pool", pool,
+    {"next-frame", "N", "rack the next frame", pool,
      [](Pool&, Play& play) { obey(play, command::RackAgain{}, "the balls are racked"); }},
-    {"opponent", "O", "play against carom: 1 to 4, nobody", "Pool", pool,
+    {"opponent", "O", "opponent: off, 1 to 4", pool,
      [](Pool& table, Play& play) { table.next_opponent(play); }},
-    {"hand", "M", "your hand in a match: 1 to 4", "Pool", pool,
+    {"hand", "M", "your skill in a match: 1 to 4", pool,
      [](Pool& table, Play& play) { table.next_hand(play); }},
-    {"record", "T", "your record against carom", "Pool", pool,
+    {"record", "T", "your record against carom", pool,
      [](Pool& table, Play& play) { table.tell_record(play); }},
-    {"coach", "C", "what carom would shoot: its three best", "Pool", pool,
+    {"coach", "C", "coach: the three best shots", pool,
      [](Pool& table, Play& play) { table.ask_coach(play); }},
 
-    {"solver", "s", "the next solver", "World", playing, next_solver},
-    {"gravity", "g", "gravity on, off", "World", playing, toggle_gravity},
-    {"turn-gravity", "G", "turn gravity", "World", playing, turn_gravity},
-    {"save", "w", "save as a level", "World", anywhere, ask<PlayRequest::save>},
+    {"solver", "s", "next solver", playing, next_solver},
+    {"gravity", "g", "gravity on, off", playing, toggle_gravity},
+    {"turn-gravity", "G", "turn gravity", playing, turn_gravity},
+    {"save", "w", "save as a level", anywhere, ask<PlayRequest::save>},
 
-    {"renderer", "v", "the next way to draw", "View", anywhere, next_renderer},
-    {"colors", "c", "colour by kind, speed, mass, ball", "View", anywhere, next_colors},
-    {"trails", "t", "trails", "View", anywhere, toggle_trails},
-    {"overlay", "o", "the next overlay", "View", anywhere, next_overlay},
-    {"velocities", "1", "velocities", "View", anywhere,
+    {"renderer", "v", "next renderer", anywhere, next_renderer},
+    {"colors", "c", "colour by kind, speed, mass, ball", anywhere, next_colors},
+    {"trails", "t", "trails", anywhere, toggle_trails},
+    {"overlay", "o", "next overlay", anywhere, next_overlay},
+    {"velocities", "1", "velocities", anywhere,
      [](Play& play) { toggle_overlay(play, "velocities"); }},
-    {"contacts", "2", "contacts of the last tick", "View", anywhere,
+    {"contacts", "2", "contacts of the last tick", anywhere,
      [](Play& play) { toggle_overlay(play, "contacts"); }},
-    {"broad-phase", "3", "broad-phase cells", "View", anywhere,
+    {"broad-phase", "3", "broad-phase cells", anywhere,
      [](Play& play) { toggle_overlay(play, "broad-phase"); }},
-    {"ids", "4", "numbers of the balls", "View", anywhere, toggle_ids},
-    {"grid", "5", "coordinates", "View", anywhere,
-     [](Play& play) { toggle_overlay(play, "grid"); }},
-    {"outlines", "6", "balls as outlines", "View", anywhere, toggle_outlines},
-    {"histogram", "h", "the histogram", "View", anywhere, toggle_histogram},
-    {"energy", "y", "the energy over time", "View", anywhere, toggle_energy},
-    {"zoom-in", "z", "closer", "View", anywhere, [](Play& play) { zoom(play, zoom_factor); }},
-    {"zoom-out", "Z", "farther", "View", anywhere, [](Play& play) { zoom(play, 0.8); }},
-    {"pan-left", "shift-left H", "look left", "View", anywhere,
+    {"ids", "4", "numbers of the balls", anywhere, toggle_ids},
+    {"grid", "5", "coordinates", anywhere, [](Play& play) { toggle_overlay(play, "grid"); }},
+    {"outlines", "6", "balls as outlines", anywhere, toggle_outlines},
+    {"histogram", "h", "the histogram", anywhere, toggle_histogram},
+    {"energy", "y", "the energy over time", anywhere, toggle_energy},
+    {"zoom-in", "z", "zoom in", anywhere, [](Play& play) { zoom(play, zoom_factor); }},
+    {"zoom-out", "Z", "zoom out", anywhere, [](Play& play) { zoom(play, 0.8); }},
+    {"pan-left", "shift-left H", "pan left", anywhere,
      [](Play& play) { pan(play, -pan_columns, 0.0); },
      [](Pool& table, Play& play) { return table.move_tip(play, -1, 0); }},
-    {"pan-right", "shift-right L", "look right", "View", anywhere,
+    {"pan-right", "shift-right L", "pan right", anywhere,
      [](Play& play) { pan(play, pan_columns, 0.0); },
      [](Pool& table, Play& play) { return table.move_tip(play, 1, 0); }},
-    {"pan-up", "shift-up K", "look up", "View", anywhere,
-     [](Play& play) { pan(play, 0.0, -pan_rows); },
+    {"pan-up", "shift-up K", "pan up", anywhere, [](Play& play) { pan(play, 0.0, -pan_rows); },
      [](Pool& table, Play& play) { return table.move_tip(play, 0, 1); }},
-    {"pan-down", "shift-down J", "look down", "View", anywhere,
-     [](Play& play) { pan(play, 0.0, pan_rows); },
+    {"pan-down", "shift-down J", "pan down", anywhere, [](Play& play) { pan(play, 0.0, pan_rows); },
      [](Pool& table, Play& play) { return table.move_tip(play, 0, -1); }},
-    {"fit", "0", "all of it", "View", anywhere, [](Play& play) { play.view.fit(); }},
-    {"follow", "f", "follow the ball", "View", anywhere, toggle_following},
-    {"split", "S", "beside it, another solver", "View", anywhere, next_comparison},
-    {"butterfly", "b", "200 copies, a hair apart", "View", anywhere, toggle_ensemble},
-    {"explain", "i", "which solver, which terms, why", "View", anywhere,
+    {"fit", "0", "fit view", anywhere, [](Play& play) { play.view.fit(); }},
+    {"follow", "f", "follow the ball", anywhere, toggle_following},
+    {"split", "S", "split screen: compare solvers", anywhere, next_comparison},
+    {"butterfly", "b", "butterfly: 200 perturbed copies", anywhere, toggle_ensemble},
+    {"reset-view", "V", "reset view", anywhere, reset_view},
+    {"explain", "i", "solver and model details", anywhere,
      open_page<CoveringPage::Kind::explanation>},
 
-    {"mouse", "m", "give the mouse to the terminal", "Program", anywhere,
-     ask<PlayRequest::toggle_mouse>},
-    {"take-up", "R", "take up the game that was left", "Program", anywhere,
-     ask<PlayRequest::resume>},
-    {"help", "? f1", "this page", "Program", anywhere, open_page<CoveringPage::Kind::help>},
-    {"menu", "escape", "let go; the menu", "Program", anywhere, escape,
+    {"mouse", "m", "mouse on, off", anywhere, ask<PlayRequest::toggle_mouse>},
+    {"take-up", "R", "resume the unfinished game", anywhere, ask<PlayRequest::resume>},
+    {"help", "?", "help: the keys", anywhere, open_page<CoveringPage::Kind::help>},
+    {"about", "f1", "about this level", anywhere, open_about},
+    {"menu", "escape", "cancel / menu", anywhere, escape,
      [](Pool& table, Play& play) { return table.give_up_stroke(play); }},
-    {"quit", "q", "quit at once", "Program", anywhere, ask<PlayRequest::quit>},
+    {"quit", "q", "quit", anywhere, ask<PlayRequest::quit>},
 
-    {"left-flipper", "z left", "the left flipper", "At pinball", pinball, Button::left_flipper},
-    {"right-flipper", "/ right", "the right flipper", "At pinball", pinball, Button::right_flipper},
-    {"plunger", "enter down", "hold and let go: the plunger", "At pinball", pinball,
-     Button::plunger},
-    {"nudge-left", "x", "nudge the table to the left", "At pinball", pinball, Button::nudge_left},
-    {"nudge-up", "up", "nudge the table upwards", "At pinball", pinball, Button::nudge_up},
-    {"nudge-right", ".", "nudge the table to the right", "At pinball", pinball,
-     Button::nudge_right},
-    {"flipper-mode", "k", "how flippers are held", "At pinball", pinball,
+    {"left-flipper", "z left", "left flipper", pinball, Button::left_flipper},
+    {"right-flipper", "/ right", "right flipper", pinball, Button::right_flipper},
+    {"plunger", "enter down", "hold and release: plunger", pinball, Button::plunger},
+    {"nudge-left", "x", "nudge the table to the left", pinball, Button::nudge_left},
+    {"nudge-up", "up", "nudge the table upwards", pinball, Button::nudge_up},
+    {"nudge-right", ".", "nudge the table to the right", pinball, Button::nudge_right},
+    {"flipper-mode", "k", "how flippers are held", pinball,
      [](Pinball& table, Play& play) { table.next_flipper_mode(play); }},
-    {"bell", "l", "the terminal's bell, on, off", "At pinball", pinball, toggle_bell},
-    {"demo", "d", "carom plays, you play", "At pinball", pinball,
+    {"bell", "l", "bell on, off", pinball, toggle_bell},
+    {"demo", "d", "demo on, off", pinball,
      [](Pinball& table, Play& play) { table.demonstrate(play, !table.is_demonstrating()); }},
-};
-
-constexpr ActionGroup groups[] = {
-    {"cursor-left", "cursor-down", "arrows", "move the cursor, or what it holds"},
-    {"pan-left", "pan-down", "shift-arrows", "look elsewhere (or H J K L)"},
-    {"left-flipper", "right-flipper", "z / <- ->", "flippers; also the mouse's buttons"},
-    {"plunger", "plunger", "enter", "hold and let go: the plunger"},
-    {"nudge-left", "nudge-right", "x up .", "nudge the table"},
-};
-
-constexpr HelpNote notes[] = {
-    {"Mouse", "Program", "left", "", "drag a ball or an edge; the rest is the view"},
-    {"Mouse", "Program", "right", "", "pull the cue and let it go (or shift, ctrl with left)"},
-    {"Mouse", "Program", "right", "", "in a match of pool: pull it back, push it through"},
-    {"Mouse", "Program", "middle", "", "drag the view"},
-    {"Mouse", "Program", "wheel", "", "closer, farther"},
-    {"At pinball", "", "", "fit", "all of the table, or after the ball"},
 };
 
 }  // namespace
@@ -237,14 +221,6 @@ std::vector<std::string_view> action_names() {
     for (const Action& row : rows)
         names.push_back(row.name);
     return names;
-}
-
-std::span<const ActionGroup> action_groups() {
-    return groups;
-}
-
-std::span<const HelpNote> help_notes() {
-    return notes;
 }
 
 }  // namespace carom

@@ -7,6 +7,7 @@ namespace carom {
 
 class FreeController : public Controller {
   public:
+    PlayKind kind() const override { return PlayKind::free; }
     void perform(PlayContext& play, const Action& action) override;
     void press(PlayContext& play, const InputEvent& event) override;
     void release(PlayContext& play, const InputEvent& event) override;

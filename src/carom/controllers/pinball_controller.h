@@ -12,6 +12,7 @@ namespace carom {
 
 class PinballController : public FreeController {
   public:
+    PlayKind kind() const override { return PlayKind::pinball; }
     bool take(PlayContext& play, const InputEvent& event) override;
     void perform(PlayContext& play, const Action& action) override;
     void pass(PlayContext& play, double seconds) override;

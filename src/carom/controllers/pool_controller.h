@@ -26,6 +26,7 @@ class PoolController : public FreeController {
     /// Pre: is_at().
     explicit PoolController(const Session& session) : aim_(session) {}
 
+    PlayKind kind() const override { return PlayKind::pool; }
     bool take(PlayContext& play, const InputEvent& event) override;
     void perform(PlayContext& play, const Action& action) override;
     void point(PlayContext& play) override;

@@ -14,6 +14,7 @@ class WatchController : public Controller {
   public:
     explicit WatchController(const Session& session);
 
+    PlayKind kind() const override { return PlayKind::watching; }
     void perform(PlayContext& play, const Action& action) override;
     void press(PlayContext& play, const InputEvent& event) override;
     void pass(PlayContext& play, double seconds) override;

@@ -1,6 +1,7 @@
 #include "carom/files/level_source.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 namespace carom {
@@ -14,11 +15,26 @@ void add_lines(std::vector<std::string>& lines, std::string_view text) {
     }
 }
 
+// Relative to the current folder, if it lies there, else the name of the file.
+std::string shown_path(const std::string& path) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::path relative = fs::proximate(path, error);
+    if (error || relative.empty() || *relative.begin() == "..")
+        return fs::path(path).filename().string();
+    return relative.string();
+}
+
 Problems problems_of(const LoadedLevel& loaded) {
     Problems problems;
     if (!loaded.error.empty()) problems.push_back(loaded.error);
     for (const Diagnostic& diagnostic : loaded.result.diagnostics)
         add_lines(problems, render(diagnostic));
+    // In a window of 80 columns a long path leaves no room for the message.
+    const std::string shown = shown_path(loaded.path);
+    for (std::string& line : problems)
+        if (!loaded.path.empty() && line.starts_with(loaded.path + ":"))
+            line.replace(0, loaded.path.size(), shown);
     return problems;
 }
 
@@ -66,8 +82,8 @@ std::variant<Replayer, Problems> reopen_game(const Replay& replay, std::size_t r
     LoadedLevel loaded = load(source);
     if (!loaded.result.scene) return problems_of(loaded);
     if (loaded.result.scene->text_hash != replay.level_hash)
-        return Problems{"The level has changed since the game was cut off:", replay.level,
-                        "A game can only be taken up on the very level that it was played on."};
+        return Problems{"The level has changed since the game was interrupted:", replay.level,
+                        "A game can only be resumed on the level that it was played on."};
     const auto is_available = [](SolverKind kind) {
         return std::ranges::count(solvers_available(), kind) > 0;
     };

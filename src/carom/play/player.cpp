@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include "carom/context/page_keys.h"
 #include "carom/context/time_control.h"
 #include "carom/controllers/make_controller.h"
 #include "carom/controllers/pinball_controller.h"
@@ -48,7 +49,7 @@ PlayRequest Player::handle(const InputEvent& event) {
         return PlayRequest::none;
     const Action* const action = play_.keys.action_of(key_of(event));
     if (play_.page.is_open() && !(action && action->name == "quit")) {
-        scroll_page(event);
+        turn_page(event, action);
         return PlayRequest::none;
     }
     return action ? perform(*action) : PlayRequest::none;
@@ -56,30 +57,23 @@ PlayRequest Player::handle(const InputEvent& event) {
 
 PlayRequest Player::perform(const Action& action) {
     play_.needs_draw = true;
+    play_.messages.end_message();
     play_.controller->perform(play_, action);
     keep_up(play_, [] { return false; });
     return std::exchange(play_.request, PlayRequest::none);
 }
 
-void Player::scroll_page(const InputEvent& event) {
+// The key of another page opens that page; any other key that does not scroll closes this one.
+void Player::turn_page(const InputEvent& event, const Action* action) {
     play_.needs_draw = true;
-    switch (event.key) {
-        case key::up:
-            play_.page.scroll -= 1;
-            break;
-        case key::down:
-            play_.page.scroll += 1;
-            break;
-        case key::page_up:
-            play_.page.scroll -= 10;
-            break;
-        case key::page_down:
-        case key::space:
-            play_.page.scroll += 10;
-            break;
-        default:
-            play_.page = {};
+    if (const auto rows = scroll_of(event)) {
+        play_.page.scroll += *rows;
+        return;
     }
+    const CoveringPage::Kind before = std::exchange(play_.page, {}).kind;
+    if (!action || (action->name != "help" && action->name != "about")) return;
+    play_.controller->perform(play_, *action);
+    if (play_.page.kind == before) play_.page = {};
 }
 
 void Player::handle_mouse(const InputEvent& event) {
@@ -110,16 +104,21 @@ void Player::handle_mouse(const InputEvent& event) {
     move_pointer(play_, to_world(camera(), place));
     if (event.action == press) {
         play_.needs_draw = true;
+        play_.messages.end_message();
         play_.controller->press(play_, event);
     } else if (event.action == release) {
         play_.needs_draw = true;
+        play_.messages.end_message();
         pointer.panning_from.reset();
         play_.controller->release(play_, event);
     }
 }
 
-void Player::advance(double seconds, const MayGoOn& may_go_on) {
+void Player::fade_messages(double seconds) {
     if (play_.messages.fade(seconds)) play_.needs_draw = true;
+}
+
+void Player::advance(double seconds, const MayGoOn& may_go_on) {
     if (is_too_small_ || play_.page.is_open()) return;
     play_.controller->pass(play_, seconds);
     advance_time(play_, seconds, may_go_on);
@@ -144,8 +143,8 @@ void Player::complain(std::string message) {
     carom::complain(play_, std::move(message));
 }
 
-void Player::set_problem(std::optional<std::string> problem) {
-    play_.messages.set_problem(std::move(problem));
+void Player::set_problem(std::vector<std::string> lines) {
+    play_.messages.set_problem(std::move(lines));
     play_.needs_draw = true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "carom/context/play_context.h"
 #include "carom/files/pool_record.h"
@@ -22,8 +23,10 @@ class Player {
     PlayRequest handle(const InputEvent& event);
     PlayRequest perform(const Action& action);
 
-    /// Lets `seconds` of wall-clock time pass: computes ticks and fades messages. Does nothing
-    /// while the window is too small or a page covers the game.
+    /// `seconds` of wall-clock time pass for messages, which fade in a pause too.
+    void fade_messages(double seconds);
+    /// Lets `seconds` of wall-clock time pass: computes ticks. Does nothing while the window is too
+    /// small or a page covers the game.
     void advance(double seconds, const MayGoOn& may_go_on);
 
     /// Draws the whole window. `aspect`: height of a cell over its width.
@@ -37,9 +40,8 @@ class Player {
 
     void say(std::string message);
     void complain(std::string message);
-    /// The problem stays until the next call; none clears it. For the errors of a level under
-    /// --watch.
-    void set_problem(std::optional<std::string> problem);
+    /// See Messages::set_problem.
+    void set_problem(std::vector<std::string> lines);
 
     void pause(bool paused);
     /// Asked now and then within long ticks; false cancels the tick.
@@ -100,7 +102,7 @@ class Player {
 
   private:
     void handle_mouse(const InputEvent& event);
-    void scroll_page(const InputEvent& event);
+    void turn_page(const InputEvent& event, const Action* action);
     void draw_page(Canvas& canvas);
     void draw_game(Canvas& canvas, double aspect);
 

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "carom/play/player.h"
@@ -68,6 +71,24 @@ std::vector<std::string> explanation_lines(const PlayContext& play) {
     return lines;
 }
 
+constexpr std::string_view back_footer = "any other key: back to the game";
+
+/// Names the key of the page beside this one.
+std::string footer_with(const PlayContext& play, std::string_view action_name,
+                        std::string_view what) {
+    const std::string key = play.keys.hint(action_name);
+    if (key.empty()) return std::string(back_footer);
+    return fmt::format("{}: {}   {}", key, what, back_footer);
+}
+
+std::vector<PageItem> about_items(const LevelWords& words) {
+    std::vector<PageItem> items;
+    for (const LevelWords::Item& item : words.items)
+        items.push_back({item.left, item.text});
+    if (items.empty() && words.goal.empty()) items.push_back({"", "The level says nothing more."});
+    return items;
+}
+
 }  // namespace
 
 void Player::draw(Canvas& canvas, double aspect) {
@@ -79,14 +100,30 @@ void Player::draw(Canvas& canvas, double aspect) {
 }
 
 void Player::draw_page(Canvas& canvas) {
-    constexpr std::string_view footer = "any key goes back";
     CoveringPage& page = play_.page;
     const Look& look = view().look;
-    const PageExtent extent =
-        page.kind == CoveringPage::Kind::help
-            ? draw_help(canvas, play_.keys.help(), page.scroll, footer, look)
-            : draw_text_page(canvas, "How this is computed", explanation_lines(play_), page.scroll,
-                             footer, look);
+    PageExtent extent;
+    switch (page.kind) {
+        case CoveringPage::Kind::none:
+            return;
+        case CoveringPage::Kind::help:
+            extent = draw_help(canvas, play_.keys.help(play_.controller->kind()), page.scroll,
+                               footer_with(play_, "about", "about this level"), look);
+            break;
+        case CoveringPage::Kind::about:
+            extent = draw_about(canvas, session().scene().title, play_.words.goal,
+                                about_items(play_.words), page.scroll,
+                                footer_with(play_, "help", "keys"), look);
+            break;
+        case CoveringPage::Kind::explanation:
+            extent = draw_text_page(canvas, "Solver and model", explanation_lines(play_),
+                                    page.scroll, back_footer, look);
+            break;
+        case CoveringPage::Kind::problems:
+            extent = draw_text_page(canvas, "Errors", play_.messages.problem(), page.scroll,
+                                    back_footer, look);
+            break;
+    }
     page.scroll = extent.scroll;
 }
 

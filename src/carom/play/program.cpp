@@ -101,7 +101,7 @@ std::optional<Problems> Program::start() {
             resume(games.front());
             return std::nullopt;
         }
-        if (options_.level.empty()) return Problems{"there is no game that was cut off"};
+        if (options_.level.empty()) return Problems{"there is no unfinished game"};
     }
     if (options_.level.empty()) {
         show_menu({});
@@ -147,8 +147,7 @@ std::optional<Problems> Program::open(const LevelSource& source) {
     }
     if (offer) {
         const double seconds = static_cast<double>(offer->replay.position) / offer->replay.rate;
-        player.say(fmt::format("a game was {} here at {:.1f} s: {} takes it up",
-                               offer->was_left ? "left" : "cut off", seconds,
+        player.say(fmt::format("Unfinished game at {:.1f} s. Press {} to resume.", seconds,
                                preferences_.keys.hint("take-up")));
     }
     enter(std::move(found), std::move(player), std::move(offer));
@@ -182,7 +181,7 @@ void Program::enter(LevelSource source, Player player, std::optional<Interrupted
     if (!player.is_watching()) show_pool_record(player);
     if (options_.demo) player.demonstrate();
     if (options_.opponent > 0 && !player.is_watching() && !player.set_opponent(options_.opponent))
-        player.complain("no game of pool is played here, so there is no opponent");
+        player.complain("No game of pool is played here, so there is no opponent.");
     FileWatcher watch;
     if (options_.watch) watch = FileWatcher(files_of(player.session().scene(), source.path));
     ResumeFile resume_file;
@@ -211,14 +210,14 @@ void Program::resume(const InterruptedGame& game) {
     leave_game();
     auto opened = reopen_game(taken.replay, options_.rewind_bytes);
     if (auto* problems = std::get_if<Problems>(&opened))
-        return tell("This game cannot be taken up", std::move(*problems));
+        return tell("This game cannot be resumed", std::move(*problems));
     page_.emplace<Resuming>(Resuming{taken, std::move(std::get<Replayer>(opened))});
 }
 
 void Program::finish_resuming() {
     Resuming done = std::move(std::get<Resuming>(page_));
     if (const auto& failure = done.replayer.failure())
-        return tell("This game cannot be taken up",
+        return tell("This game cannot be resumed",
                     {"It comes out differently now, so it is left as it is.", *failure});
     LevelSource source = source_of(options_, done.game.replay.level);
     source.rate = done.game.replay.rate;
@@ -229,7 +228,7 @@ void Program::finish_resuming() {
     if (done.game.replay.setup) player.set_up(*done.game.replay.setup);
     if (done.game.replay.time_left) player.set_shot_time_left(*done.game.replay.time_left);
     player.pause(true);
-    player.say("taken up where it stood; " + preferences_.keys.hint("pause") + " goes on");
+    player.say("Resumed. Press " + preferences_.keys.hint("pause") + " to continue.");
     enter(std::move(source), std::move(player), std::nullopt);
     RunningGame& game = std::get<RunningGame>(page_);
     // The old file stays until the game is saved under its new name.
@@ -247,7 +246,7 @@ bool Program::end_game() {
         if (lost_recording_) {
             game->autosave();
             *lost_recording_ +=
-                "; carom play --resume --record FILE takes the game up and records all of it";
+                "; carom play --resume --record FILE resumes the game and records all of it";
             return false;
         }
     }
@@ -277,13 +276,14 @@ void Program::interrupt() {
 void Program::reload(RunningGame& game) {
     auto opened = open_game(game.source);
     if (const auto* problems = std::get_if<Problems>(&opened)) {
-        game.player.set_problem(problems->empty() ? "the level cannot be read" : problems->front());
+        game.player.set_problem(problems->empty() ? Problems{"the level cannot be read"}
+                                                  : *problems);
         return;
     }
     OpenedGame& fresh = std::get<OpenedGame>(opened);
     if (recording_) fresh.session.keep_all_commands();
     game.player = game.player.continued_with(std::move(fresh.session), fresh.solver_is_picked);
-    game.player.say(fresh.warnings.empty() ? "the level has changed: from the start"
+    game.player.say(fresh.warnings.empty() ? "The level has changed: restarted."
                                            : fresh.warnings.front());
     game.watch = FileWatcher(files_of(game.player.session().scene(), game.source.path));
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "carom/context/page_keys.h"
 #include "carom/files/files.h"
 #include "carom/files/high_scores.h"
 #include "carom/play/program.h"
@@ -84,14 +85,14 @@ void Program::handle_game(RunningGame& game, const InputEvent& event, double now
         case PlayRequest::toggle_mouse:
             mouse_ = !mouse_;
             game.player.set_mouse_is_off(!mouse_);
-            game.player.say(mouse_ ? "the mouse plays" : "the mouse is the terminal's");
+            game.player.say(mouse_ ? "mouse on" : "mouse off: the terminal has it");
             keep_setting("mouse", mouse_ ? "on" : "off");
             break;
         case PlayRequest::resume:
             if (game.offer)
                 resume(*game.offer);
             else
-                game.player.say("no game of this level was cut off");
+                game.player.say("This level has no unfinished game.");
             break;
         case PlayRequest::none:
             break;
@@ -122,23 +123,9 @@ void Program::handle_notice(Notice& notice, const InputEvent& event) {
 }
 
 bool Program::Notice::scroll_with(const InputEvent& event) {
-    switch (event.key) {
-        case key::up:
-            scroll -= 1;
-            return true;
-        case key::down:
-            scroll += 1;
-            return true;
-        case key::page_up:
-            scroll -= 10;
-            return true;
-        case key::page_down:
-        case key::space:
-            scroll += 10;
-            return true;
-        default:
-            return false;
-    }
+    const auto rows = scroll_of(event);
+    if (rows) scroll += *rows;
+    return rows.has_value();
 }
 
 void Program::handle_resuming(const InputEvent& event) {
@@ -149,7 +136,7 @@ void Program::handle_resuming(const InputEvent& event) {
 
 void Program::tell_dropped_input(std::size_t events) {
     if (auto* game = std::get_if<RunningGame>(&page_))
-        game->player.say(fmt::format("{} keys came too fast, and were ignored", events));
+        game->player.say(fmt::format("{} keys came too fast and were ignored", events));
 }
 
 void Program::set_keep_going(const KeepGoing& keep_going) {
@@ -178,6 +165,9 @@ void Program::advance_game(RunningGame& game, double seconds, double now,
         next_look_ = now + watch_interval;
         if (game.watch.has_changed()) reload(game);
     }
+    // A pause may sleep for longer than one turn of the loop counts.
+    const double faded = std::exchange(game.messages_faded, now);
+    game.player.fade_messages(faded > 0.0 ? now - faded : seconds);
     game.player.advance(seconds, may_go_on);
     if (game.player.is_watching()) game.compare_marks();
     if (now >= next_autosave_) {
@@ -241,20 +231,18 @@ void Program::draw(Canvas& canvas) {
 void Program::Notice::draw(Canvas& canvas, const Look& look, bool is_tried_again) {
     needs_draw = false;
     if (is_too_small(canvas.columns(), canvas.rows())) return draw_too_small(canvas);
-    const std::string_view footer = is_tried_again
-                                        ? "save the file to try again   q quits   menu: any key"
-                                        : "q quits   any other key: the menu";
+    const std::string_view footer =
+        is_tried_again ? "save the file to try again   q: quit   any other key: menu"
+                       : "q: quit   any other key: menu";
     scroll = draw_text_page(canvas, title, lines, scroll, footer, look).scroll;
 }
 
 void Program::Resuming::draw(Canvas& canvas, const Look& look) {
     needs_draw = false;
     if (is_too_small(canvas.columns(), canvas.rows())) return draw_too_small(canvas);
-    const std::string text[] = {
-        game.replay.level,
-        fmt::format("{:.0f} % of the way to where it stood", 100.0 * replayer.progress())};
-    draw_text_page(canvas, "Taking up the game that was cut off", text, 0,
-                   "esc: the menu   q quits", look);
+    const std::string text[] = {game.replay.level,
+                                fmt::format("{:.0f} % done", 100.0 * replayer.progress())};
+    draw_text_page(canvas, "Resuming the unfinished game", text, 0, "esc: menu   q: quit", look);
 }
 
 ScreenRequests Program::screen_requests() const {

@@ -49,17 +49,18 @@ bool RunningGame::leave() {
 
 void RunningGame::compare_marks() {
     const Session& session = player.session();
-    if (session.fault()) player.set_problem("the recording cannot be followed " + *session.fault());
+    if (session.fault())
+        player.set_problem({"the recording cannot be followed " + *session.fault()});
     if (session.fingerprints().marks().size() == marks_compared) return;
     marks_compared = session.fingerprints().marks().size();
     const auto tick = first_difference(expected, session.fingerprints().marks());
     if (!tick) return;
     if (recorded_physics != physics_version)
-        player.set_problem(fmt::format("recorded under physics {}; this is physics {}",
-                                       recorded_physics, physics_version));
+        player.set_problem({fmt::format("recorded under physics {}; this is physics {}",
+                                        recorded_physics, physics_version)});
     else
-        player.set_problem(fmt::format(
-            "this is not what was recorded: at tick {} the fingerprint differs", *tick));
+        player.set_problem({fmt::format(
+            "this is not what was recorded: at tick {} the fingerprint differs", *tick)});
 }
 
 void RunningGame::save_level(double now, std::size_t most) {

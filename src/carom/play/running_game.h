@@ -30,6 +30,7 @@ struct RunningGame {
     std::size_t marks_compared = 0;
     std::string saved_level{};               ///< the file that save_level() wrote last
     double level_saved = 0.0;                ///< the time of that request, s
+    double messages_faded = 0.0;             ///< the time up to which they have, s
     int recorded_physics = physics_version;  ///< physics version of a watched recording
 
     /// Writes the resume file, if the game has changed since it was last written. False: the file

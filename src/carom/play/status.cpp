@@ -22,7 +22,7 @@ std::string mode_of(const PlayContext& play) {
         mode += (mode.empty() ? "" : ", ") + std::string(text);
     };
     if (play.clock.is_seeking()) add("seeking a collision");
-    if (play.clock.is_behind() && !play.clock.is_paused()) add("slower than real");
+    if (play.clock.is_behind() && !play.clock.is_paused()) add("slower than real time");
     if (play.terminal.mouse_is_off) add("mouse off");
     if (play.view.follows && play.view.selected)
         add(fmt::format("following {}", number(*play.view.selected)));
@@ -46,15 +46,15 @@ void add_first_hints(const PlayContext& play, Hints& hints) {
     const bool is_paused = play.clock.is_paused();
     if (tool.has_cue()) {
         hints.add("grab", "shoot");
-        hints.add("menu", "let go");
+        hints.add("menu", "cancel");
     } else if (tool.has_new_edge()) {
         hints.add("draw-edge", "make the edge");
-        hints.add("menu", "let go");
+        hints.add("menu", "cancel");
     } else if (!tool.is_empty()) {
-        hints.add("grab", "drop");
-        hints.add("pause", is_paused ? "go on" : "pause");
+        hints.add("grab", "release");
+        hints.add("pause", is_paused ? "resume" : "pause");
     } else if (is_paused) {
-        hints.add("pause", "go on");
+        hints.add("pause", "resume");
         hints.add("step-forward", "step");
         hints.add("step-back", "step back");
         hints.add("next-collision", "next collision");
@@ -70,20 +70,21 @@ std::vector<KeyHelp> hints_of(const PlayContext& play) {
     play.controller->add_hints(play, hints.lines);
     add_first_hints(play, hints);
     if (has_empty_hand && (play.pointer.shows_cursor || play.view.selected) && !watches) {
-        hints.add("grab", "take");
+        hints.add("grab", "grab");
         hints.add("cue", "cue");
         hints.add("remove", "remove");
     }
-    hints.add("help", "help");
+    hints.add("help", "keys");
+    hints.add("about", "about");
     if (!has_empty_hand) return std::move(hints.lines);
-    if (play.session.latest() > 0) hints.add("restart", "again");
+    hints.add("menu", "menu");
+    if (play.session.latest() > 0) hints.add("restart", "restart");
     if (!play.terminal.mouse_is_off && !play.pointer.shows_cursor &&
         play.controller->drags_anything()) {
         hints.lines.push_back({"drag", "move"});
         hints.lines.push_back({"right drag", "shoot"});
     }
-    hints.add("renderer", "look");
-    hints.add("menu", "menu");
+    hints.add("renderer", "renderer");
     hints.add("quit", "quit");
     if (!watches) hints.add("solver", "solver");
     return std::move(hints.lines);
@@ -146,11 +147,21 @@ void add_world(const PlayContext& play, HudInfo& info) {
     info.checks = checks_of(play);
 }
 
+// At a table, also in a recording of one.
+bool is_game(const PlayContext& play) {
+    const PlayKind kind = play.controller->kind();
+    const Scene& scene = play.session.scene();
+    return kind == PlayKind::pool || kind == PlayKind::pinball ||
+           (kind == PlayKind::watching && (scene.pool.cue || scene.table.is_game));
+}
+
 }  // namespace
 
 HudInfo status_of(const PlayContext& play) {
     HudInfo info;
     info.title = play.session.scene().title;
+    info.goal = play.words.goal;
+    info.is_game = is_game(play);
     info.solver = solver_text(play.session.solver());
     info.solver_is_picked = play.solver_is_picked;
     if (play.solver_is_picked) info.reason = pick_solver(play.session.scene().world).reason;
@@ -162,6 +173,7 @@ HudInfo status_of(const PlayContext& play) {
     if (const auto line = play.messages.line()) {
         info.message = line->text;
         info.message_is_error = line->is_error;
+        info.message_more = play.keys.hint("about") + ": all of it";
     }
     play.controller->add_status(play, info);
     info.hints = hints_of(play);

@@ -93,18 +93,19 @@ PoolAnnotations PoolAim::annotations(const Session& session, bool aims) const {
     return annotations;
 }
 
+// The most important first: see HudInfo::game.
 std::string PoolAim::line(const Session& session, const Look& look) const {
     if (!may_aim(session)) return "";
     const command::Strike strike = this->strike(session);
     const double speed = length(strike.velocity);
     std::string text =
-        fmt::format("{} {:.2f} m/s  {}", power_bar(speed / most_speed(session), look), speed,
-                    tip_text(setup_.side, setup_.follow));
-    const auto line = aim_line(session.world(), strike.ball, strike.velocity);
-    if (line && line->object && shown_aids() != Aids::none) text += "  " + cut_text(*line, look);
+        fmt::format("{} {:.2f} m/s", power_bar(speed / most_speed(session), look), speed);
     const std::string called = call_text(session.scene(), call(session));
     const bool tells = shown_aids() != Aids::none || setup_.intent != Intent::automatic;
     if (!called.empty() && tells) text += "  calls: " + called;
+    text += "  " + tip_text(setup_.side, setup_.follow);
+    const auto line = aim_line(session.world(), strike.ball, strike.velocity);
+    if (line && line->object && shown_aids() != Aids::none) text += "  " + cut_text(*line, look);
     return text;
 }
 

@@ -101,7 +101,21 @@ Field state_field(const HudInfo& info, const Look& look) {
     return {"", fmt::format("{}{:<6}", sign, factor(info.speed)), ink_of(Role::good, look), 0};
 }
 
+// Of a game: whether it runs, what is unusual about it, and its goal, where the second line has
+// other things to say.
+std::vector<Field> game_fields(const HudInfo& info, const Look& look) {
+    std::vector<Field> fields;
+    if (!info.game.empty() && !info.goal.empty() && !info.title_comes_first)
+        fields.push_back({"", info.goal, ink_of(Role::warning, look), 4});
+    if (info.is_paused || info.speed != 1.0) fields.push_back(state_field(info, look));
+    if (info.latest_tick > info.tick)
+        fields.push_back({"", duration(info.time), ink_of(Role::text, look), 1});
+    if (!info.mode.empty()) fields.push_back({"", info.mode, ink_of(Role::warning, look), 2});
+    return fields;
+}
+
 std::vector<Field> play_fields(const HudInfo& info, const Look& look) {
+    if (info.is_game) return game_fields(info, look);
     const Ink text = ink_of(Role::text, look);
     std::vector<Field> fields;
     fields.push_back(state_field(info, look));
@@ -128,6 +142,8 @@ std::vector<Field> physics_fields(const HudInfo& info, const Look& look) {
     const Ink text = ink_of(Role::text, look);
     std::vector<Field> fields;
     if (!info.beside.empty()) fields.push_back({"", info.beside, ink_of(Role::warning, look), -1});
+    if (info.beside.empty() && !info.goal.empty())
+        fields.push_back({"", info.goal, ink_of(Role::warning, look), -1});
     int rank = 1;
     bool has_collisions = false;
     for (const HudCheck& check : info.checks) {
@@ -197,12 +213,24 @@ Bar title_bar(Canvas& canvas, int row, const Look& look) {
     return {canvas, look, row, default_color, look.has_colors() ? plain : reverse};
 }
 
+// The parts of a game's line that fit, whole; of the first, as much as fits.
+std::string_view fitting_parts(std::string_view game, int columns) {
+    while (columns_of(game) > columns) {
+        const std::size_t last = game.rfind("  ");
+        if (last == game.npos || last == 0) return cut_to(game, columns);
+        game = game.substr(0, last);
+    }
+    return game;
+}
+
 void draw_physics(const Bar& bar, const HudInfo& info) {
     constexpr int least_model = 22;
     bar.clear();
     const int columns = bar.canvas.columns() - 2;
-    if (!info.game.empty() && info.beside.empty()) {
-        bar.write(1, cut_to(info.game, columns), ink_of(Role::text, bar.look));
+    if (info.beside.empty() && (info.is_game || !info.game.empty())) {
+        const bool has_line = !info.game.empty();
+        bar.write(1, fitting_parts(has_line ? info.game : info.goal, columns),
+                  ink_of(has_line ? Role::text : Role::warning, bar.look));
         return;
     }
     std::vector<Field> fields = physics_fields(info, bar.look);
@@ -221,8 +249,8 @@ void draw_first(const Bar& bar, const HudInfo& info, std::vector<Field> fields) 
     const int columns = bar.canvas.columns();
     // Half of the line is for the title, if it is that long; in a narrow window, the least that it
     // needs.
-    const int others =
-        info.title_comes_first ? width_of(fields.front()) + gap + 2 : columns / 2 + 8;
+    const int first = fields.empty() ? 0 : width_of(fields.front()) + gap;
+    const int others = info.title_comes_first ? first + 2 : columns / 2 + 8;
     const int least_title = info.title_comes_first || columns >= 60
                                 ? std::max(0, std::min(columns_of(info.title), columns - others))
                                 : 0;
@@ -239,16 +267,11 @@ void draw_first(const Bar& bar, const HudInfo& info, std::vector<Field> fields) 
 
 void draw_hints(const Bar& bar, const HudInfo& info) {
     bar.clear();
-    if (!info.message.empty()) {
-        const Role role = info.message_is_error ? Role::error : Role::warning;
-        const int columns = bar.canvas.columns() - 2;
-        bar.write(1, cut_to(info.message, columns), ink_of(role, bar.look));
-        return;
-    }
     // A short window has no other line for this.
     const std::string& other = info.beside.empty() ? info.game : info.beside;
     if (hud_rows(bar.canvas.columns(), bar.canvas.rows()) == 2 && !other.empty()) {
-        bar.write(1, cut_to(other, bar.canvas.columns() - 2), ink_of(Role::warning, bar.look));
+        bar.write(1, fitting_parts(other, bar.canvas.columns() - 2),
+                  ink_of(Role::warning, bar.look));
         return;
     }
     int column = 1;
@@ -258,6 +281,36 @@ void draw_hints(const Bar& bar, const HudInfo& info) {
         column = bar.write(column, hint.keys, ink_of(Role::strong, bar.look)) + 1;
         column = bar.write(column, hint.what, ink_of(Role::faint, bar.look)) + gap;
     }
+}
+
+// A sentence is wrapped; several lines, such as errors with carets, stay as they are.
+std::vector<std::string> message_lines(const std::string& message, int columns) {
+    if (message.find('\n') == std::string::npos) return wrapped(message, columns);
+    std::vector<std::string> lines;
+    for (std::size_t from = 0; from < message.size();) {
+        const std::size_t end = std::min(message.find('\n', from), message.size());
+        lines.emplace_back(cut_to(std::string_view(message).substr(from, end - from), columns));
+        from = end + 1;
+    }
+    return lines;
+}
+
+// Over the last rows of the world, at most half of them, and as wide as the text is.
+void draw_message(Canvas& canvas, int below, const HudInfo& info, const Look& look) {
+    if (info.message.empty() || below <= 0) return;
+    std::vector<std::string> lines = message_lines(info.message, canvas.columns() - 2);
+    const auto room = static_cast<std::size_t>((below + 1) / 2);
+    if (lines.size() > room) {
+        lines.resize(room);
+        if (!info.message_more.empty()) lines.back() = info.message_more;
+    }
+    int width = 0;
+    for (const std::string& line : lines)
+        width = std::max(width, columns_of(line));
+    const Ink ink = ink_of(info.message_is_error ? Role::error : Role::warning, look);
+    int row = below - static_cast<int>(lines.size());
+    for (const std::string& line : lines)
+        title_bar(canvas, row++, look).write(0, " " + padded(line, width) + " ", ink);
 }
 
 }  // namespace
@@ -276,16 +329,9 @@ void draw_hud(Canvas& canvas, const HudInfo& info, const Look& look) {
     const int first = canvas.rows() - count;
     const Bar top = title_bar(canvas, first, look);
     std::vector<Field> play = play_fields(info, look);
+    draw_message(canvas, first, info, look);
     if (count == 0) return;
-    if (count == 1) {
-        // With one line only, a message takes its place.
-        if (!info.message.empty()) {
-            draw_hints(top, info);
-        } else {
-            draw_first(top, info, std::move(play));
-        }
-        return;
-    }
+    if (count == 1) return draw_first(top, info, std::move(play));
     draw_first(top, info, std::move(play));
     if (count == 3) draw_physics({canvas, look, first + 1}, info);
     draw_hints({canvas, look, first + count - 1}, info);

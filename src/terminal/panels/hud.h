@@ -34,6 +34,9 @@ struct HudInfo {
     std::string title;
     /// The title is the state of a game: other fields give way to it.
     bool title_comes_first = false;
+    /// Pool or pinball: the numbers of the laboratory are left out.
+    bool is_game = false;
+    std::string goal;               ///< what to do in this level; may be empty
     std::string solver;             ///< with its settings, such as "substep 4x15"
     bool solver_is_picked = false;  ///< chosen by carom, not by level or player
     std::string reason;             ///< why it was chosen; shown where there is room
@@ -48,7 +51,9 @@ struct HudInfo {
     std::size_t clustered = 0;     ///< balls of dense clusters, which `contact` steps
     std::uint64_t collisions = 0;  ///< since the start
     std::vector<HudCheck> checks;  ///< the most important first
-    std::string game;              ///< shown in place of energy and momentum; may be empty
+    /// Shown in place of energy and momentum; may be empty. Two blanks divide it into parts, the
+    /// most important first: what does not fit is left out from the end.
+    std::string game;
     double kinetic_energy = 0.0;
     std::optional<double> potential_energy;  ///< under gravity
     Vec2 momentum;
@@ -59,8 +64,9 @@ struct HudInfo {
     double speed = 1.0;  ///< of play, relative to the level's own time
     bool is_paused = false;
     std::string mode;     ///< settings in force, such as "ascii" or "mouse off"; may be empty
-    std::string message;  ///< shown in place of the hints
+    std::string message;  ///< shown above the status lines, over the world
     bool message_is_error = false;
+    std::string message_more;    ///< where to read all of a message that has too many lines
     std::vector<KeyHelp> hints;  ///< the most useful first
 };
 
@@ -71,7 +77,7 @@ int hud_rows(int columns, int rows);
 CellArea world_area(int columns, int rows);
 
 /// Fills the rows below world_area(canvas.columns(), canvas.rows()). Fields that do not fit are
-/// left out, the least important first.
+/// left out, the least important first. A message covers the last rows of the world.
 void draw_hud(Canvas& canvas, const HudInfo& info, const Look& look);
 
 }  // namespace carom

@@ -31,9 +31,9 @@ void draw_footer(Canvas& canvas, std::string_view footer, const PageExtent& exte
     const Ink faint = ink_of(Role::faint, look);
     canvas.write(1, row, footer, faint.color, default_color, faint.attributes);
     if (extent.most == 0) return;
-    const std::string_view where = extent.scroll == 0            ? " more below "
-                                   : extent.scroll < extent.most ? " more "
-                                                                 : " end ";
+    const std::string_view where = extent.scroll == 0            ? " down: more below "
+                                   : extent.scroll < extent.most ? " up, down: more "
+                                                                 : " up: more above ";
     canvas.write(canvas.columns() - columns_of(where), row, where, faint.color, default_color,
                  static_cast<std::uint8_t>(faint.attributes | reverse));
 }
@@ -79,24 +79,50 @@ void draw_line(Canvas& canvas, int column, int row, const Line& line, const Look
                  line.ink.attributes);
 }
 
-// Sections in as many columns as fit, with heights as even as whole sections allow.
-std::vector<std::vector<Line>> columns_of_sections(std::span<const HelpSection> sections, int keys,
-                                                   int count, int width, const Look& look) {
-    std::vector<std::vector<Line>> parts;
-    std::size_t total = 0;
+using HelpColumns = std::vector<std::vector<Line>>;
+
+// Whole sections in `count` columns of at most `height` rows; a section that does not fit goes on
+// in the next column, and the last column takes what is left.
+HelpColumns columns_of_sections(std::span<const HelpSection> sections, int keys, int count,
+                                int width, int height, const Look& look) {
+    HelpColumns columns(1);
+    const auto room = static_cast<std::size_t>(std::max(1, height));
     for (const HelpSection& section : sections) {
-        parts.push_back(lines_of(section, keys, width, look));
-        total += parts.back().size();
-    }
-    std::vector<std::vector<Line>> columns(1);
-    const std::size_t each = total / static_cast<std::size_t>(count);
-    for (std::vector<Line>& part : parts) {
-        std::vector<Line>& last = columns.back();
-        const bool is_full = !last.empty() && last.size() + part.size() / 2 > each;
+        std::vector<Line> part = lines_of(section, keys, width, look);
+        const bool is_full =
+            !columns.back().empty() && columns.back().size() + part.size() - 1 > room;
         if (is_full && columns.size() < static_cast<std::size_t>(count)) columns.emplace_back();
         std::move(part.begin(), part.end(), std::back_inserter(columns.back()));
     }
     return columns;
+}
+
+// The blank line that ends a column needs no room.
+int height_of(const HelpColumns& columns) {
+    std::size_t longest = 1;
+    for (const auto& column : columns)
+        longest = std::max(longest, column.size());
+    return static_cast<int>(longest) - 1;
+}
+
+// The columns of the least height.
+HelpColumns balanced_columns(std::span<const HelpSection> sections, int keys, int count, int width,
+                             const Look& look) {
+    const int all = height_of(columns_of_sections(sections, keys, 1, width, 1, look));
+    for (int height = (all + count - 1) / count;; ++height) {
+        HelpColumns columns = columns_of_sections(sections, keys, count, width, height, look);
+        if (height_of(columns) <= height || height >= all) return columns;
+    }
+}
+
+int text_width(std::span<const HelpSection> sections) {
+    int width = 0;
+    for (const HelpSection& section : sections) {
+        width = std::max(width, columns_of(section.title));
+        for (const KeyHelp& key : section.keys)
+            width = std::max(width, columns_of(key.what));
+    }
+    return width;
 }
 
 }  // namespace
@@ -122,25 +148,72 @@ PageExtent draw_help(Canvas& canvas, std::span<const HelpSection> sections, int 
                      std::string_view footer, const Look& look) {
     canvas.fill({});
     constexpr int least_width = 36;
-    constexpr int most_width = 60;
     constexpr int between = 3;
+    constexpr int most_columns = 4;
     const int room = canvas.columns() - 2;
-    const int count = std::clamp((room + between) / (least_width + between), 1, 4);
-    const int width = std::min(most_width, (room + between) / count - between);
-    const auto columns = columns_of_sections(sections, key_width(sections), count, width, look);
-
-    std::size_t longest = 0;
-    for (const auto& column : columns)
-        longest = std::max(longest, column.size());
     const int rows = canvas.rows() - 1;
-    // The blank line that ends the longest column needs no room.
-    const PageExtent extent = extent_of(static_cast<int>(longest) - 1, rows, scroll);
+    const int keys = key_width(sections);
+    const int natural = std::max(least_width, keys + 2 + text_width(sections));
+    // As few columns as show everything; else as many as fit.
+    const int most = std::clamp((room + between) / (least_width + between), 1, most_columns);
+    HelpColumns columns;
+    int width = 0;
+    for (int count = 1; count <= most; ++count) {
+        width = std::min(natural, (room + between) / count - between);
+        columns = balanced_columns(sections, keys, count, width, look);
+        if (height_of(columns) <= rows) break;
+    }
+    const PageExtent extent = extent_of(height_of(columns), rows, scroll);
     for (std::size_t c = 0; c < columns.size(); ++c) {
         const int left = 1 + static_cast<int>(c) * (width + between);
         for (int row = 0; row < rows; ++row) {
             const auto line = static_cast<std::size_t>(row + extent.scroll);
             if (line < columns[c].size()) draw_line(canvas, left, row, columns[c][line], look);
         }
+    }
+    draw_footer(canvas, footer, extent, look);
+    return extent;
+}
+
+PageExtent draw_about(Canvas& canvas, std::string_view title, std::string_view goal,
+                      std::span<const PageItem> items, int scroll, std::string_view footer,
+                      const Look& look) {
+    canvas.fill({});
+    constexpr int widest = 76;  // a line that the eye can follow
+    const int columns = std::min(widest, canvas.columns() - 2);
+    int keys = 0;
+    for (const PageItem& item : items)
+        keys = std::max(keys, columns_of(item.left));
+    std::vector<Line> lines;
+    const auto add = [&](std::string left, int indent, std::string_view text, Role role) {
+        if (columns_of(left) >= indent && !left.empty()) {
+            lines.push_back({std::move(left), indent, "", {}});
+            left.clear();
+        }
+        for (std::string& part : wrapped(text, columns - indent)) {
+            lines.push_back({std::move(left), indent, std::move(part), ink_of(role, look)});
+            left.clear();
+        }
+    };
+    if (!goal.empty()) {
+        add("Goal", 6, goal, Role::warning);
+        lines.push_back({});
+    }
+    for (const PageItem& item : items) {
+        if (item.text.empty())
+            lines.push_back({});
+        else
+            add(item.left, item.left.empty() ? 0 : std::min(keys + 2, columns / 2), item.text,
+                Role::text);
+    }
+    const Ink strong = ink_of(Role::strong, look);
+    canvas.write(1, 0, title, strong.color, default_color, strong.attributes);
+    constexpr int first_row = 2;
+    const int rows = canvas.rows() - first_row - 1;
+    const PageExtent extent = extent_of(static_cast<int>(lines.size()), rows, scroll);
+    for (int row = 0; row < rows; ++row) {
+        const auto line = static_cast<std::size_t>(row + extent.scroll);
+        if (line < lines.size()) draw_line(canvas, 1, first_row + row, lines[line], look);
     }
     draw_footer(canvas, footer, extent, look);
     return extent;

@@ -32,7 +32,7 @@ struct PageExtent {
     int most = 0;
 };
 
-/// Draws help in as many columns as fit. `footer` says how to leave.
+/// Draws help in no more columns than it needs to be seen as a whole. `footer` says how to leave.
 PageExtent draw_help(Canvas& canvas, std::span<const HelpSection> sections, int scroll,
                      std::string_view footer, const Look& look);
 
@@ -40,6 +40,17 @@ PageExtent draw_help(Canvas& canvas, std::span<const HelpSection> sections, int 
 PageExtent draw_text_page(Canvas& canvas, std::string_view title,
                           std::span<const std::string> lines, int scroll, std::string_view footer,
                           const Look& look);
+
+/// A paragraph, an entry of a list (with `left`), or, if both are empty, a blank line.
+struct PageItem {
+    std::string left;
+    std::string text;
+};
+
+/// Draws paragraphs and lists; `goal` stands first, marked, and may be empty.
+PageExtent draw_about(Canvas& canvas, std::string_view title, std::string_view goal,
+                      std::span<const PageItem> items, int scroll, std::string_view footer,
+                      const Look& look);
 
 struct MenuEntry {
     std::string name;                  ///< "galton"

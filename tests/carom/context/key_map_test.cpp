@@ -16,6 +16,17 @@ InputEvent press(char32_t code, std::uint8_t modifiers = no_modifier) {
     return event;
 }
 
+/// "[SECTION] KEYS: HELP", one line each.
+std::string text_of(const std::vector<HelpSection>& sections) {
+    std::string text;
+    for (const HelpSection& section : sections) {
+        text += "[" + section.title + "] ";
+        for (const KeyHelp& row : section.keys)
+            text += row.keys + ": " + row.what + "\n";
+    }
+    return text;
+}
+
 }  // namespace
 
 TEST_CASE("key names read back") {
@@ -85,20 +96,20 @@ TEST_CASE("a key has one action, and the last binding counts") {
     CHECK(keys.keys_of(action("pause")) == std::vector<Key>{{key::space, no_modifier}});
 }
 
-TEST_CASE("help lists every action that has a key, with its present keys") {
+TEST_CASE("help shows the keys as they are bound, and leaves out lines without a key") {
     KeyMap keys;
     keys.bind({U'v', no_modifier}, nullptr);
     keys.bind({U'i', control}, action_named("renderer"));
     keys.bind({key::left, no_modifier}, nullptr);
-    std::string all;
-    for (const HelpSection& section : keys.help())
-        for (const KeyHelp& row : section.keys)
-            all += row.keys + ": " + row.what + "\n";
-    CHECK(all.find("ctrl-i: the next way to draw\n") != std::string::npos);
+    keys.bind({U't', no_modifier}, nullptr);
+    const std::string all = text_of(keys.help(PlayKind::free));
+    CHECK(all.find("ctrl-i: renderer: next\n") != std::string::npos);
     CHECK(all.find("v: ") == std::string::npos);
-    CHECK(all.find("space: pause, go on\n") != std::string::npos);
-    CHECK(all.find("right drag") == std::string::npos);
-    CHECK(all.find("up: move the cursor") != std::string::npos);
+    CHECK(all.find("trails") == std::string::npos);
+    CHECK(all.find("space: pause, resume\n") != std::string::npos);
+    // Not all arrows have their default actions any more.
+    CHECK(all.find("arrows: move") == std::string::npos);
+    CHECK(all.find("right up down: move the cursor") != std::string::npos);
 }
 
 TEST_CASE("keys of a pinball table are bound like others, and leave other layers alone") {
@@ -122,30 +133,52 @@ TEST_CASE("keys of a pinball table are bound like others, and leave other layers
     CHECK(keys.hint("left-flipper") == "left");
 }
 
-TEST_CASE("the help page lists the mouse and pinball last, with the bound keys") {
+TEST_CASE("found 2 and 7: the help of a table has the keys of that table alone") {
     KeyMap keys;
-    const auto lines_of_last = [&] {
-        std::string lines;
-        const auto all = keys.help();
-        for (const KeyHelp& row : all.back().keys)
-            lines += row.keys + ": " + row.what + "\n";
-        return lines;
-    };
-    const auto sections = keys.help();
-    REQUIRE(sections.size() == 8);
-    CHECK(sections[6].title == "Mouse");
-    CHECK(sections[6].keys.size() == 5);
-    CHECK(sections[7].title == "At pinball");
-    CHECK(lines_of_last() ==
-          "z / <- ->: flippers; also the mouse's buttons\n"
-          "enter: hold and let go: the plunger\n"
-          "x up .: nudge the table\n"
-          "k: how flippers are held\n"
-          "l: the terminal's bell, on, off\n"
-          "d: carom plays, you play\n"
-          "0: all of the table, or after the ball\n");
+    const std::string pool = text_of(keys.help(PlayKind::pool));
+    CHECK(pool.find("[Shot] enter: shoot\nleft right: aim\n") != std::string::npos);
+    CHECK(pool.find("flipper") == std::string::npos);
+    CHECK(pool.find("add, remove a ball") == std::string::npos);
+    const std::string pinball = text_of(keys.help(PlayKind::pinball));
+    CHECK(pinball.starts_with("[Table] z or left: left flipper\n"));
+    CHECK(pinball.find("step forward") == std::string::npos);  // `.` nudges the table
+    CHECK(pinball.find("zoom") == std::string::npos);          // `z` is a flipper
+    CHECK(pinball.find("cue") == std::string::npos);
     keys.bind({U'p', no_modifier}, action_named("left-flipper"));
     keys.bind({U'9', no_modifier}, action_named("fit"));
-    CHECK(lines_of_last().starts_with("z left p: the left flipper\n/ right: the right flipper\n"));
-    CHECK(lines_of_last().ends_with("0 9: all of the table, or after the ball\n"));
+    CHECK(text_of(keys.help(PlayKind::pinball)).starts_with("[Table] z: left flipper\n"));
+    const std::string watching = text_of(keys.help(PlayKind::watching));
+    CHECK(watching.find("solver: next") == std::string::npos);
+    CHECK(watching.find("step forward, back") != std::string::npos);
+}
+
+TEST_CASE("every action is on a help page where it applies") {
+    const auto is_on = [](const Action& action, PlayKind kind) {
+        for (const HelpLine& line : help_lines())
+            if ((line.pages & help_bit(kind)) &&
+                (" " + std::string(line.actions) + " ")
+                        .find(" " + std::string(action.name) + " ") != std::string::npos)
+                return true;
+        return false;
+    };
+    for (const Action& action : actions()) {
+        CAPTURE(action.name);
+        if (action.name == "help") continue;  // the page itself
+        const PlayKind kind = action.where == Where::pool      ? PlayKind::pool
+                              : action.where == Where::pinball ? PlayKind::pinball
+                                                               : PlayKind::free;
+        CHECK(is_on(action, kind));
+    }
+    for (const HelpLine& line : help_lines()) {
+        CHECK_FALSE(line.help.empty());
+        CHECK((!line.actions.empty() || !line.keys.empty()));
+    }
+}
+
+TEST_CASE("found 7: a table's help is seen as a whole at 80x24") {
+    const KeyMap keys;
+    for (const PlayKind kind : {PlayKind::pool, PlayKind::pinball}) {
+        Canvas canvas(80, 24);
+        CHECK(draw_help(canvas, keys.help(kind), 0, "", {}).most == 0);
+    }
 }

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "carom/support/home.h"
@@ -38,7 +39,7 @@ std::string title_of(Running& running) {
     const std::string screen = running.look();
     const std::size_t at = screen.find("0:0 to 3, ");
     REQUIRE(at != std::string::npos);
-    return screen.substr(at, screen.find("  ", at) - at);
+    return screen.substr(at, std::min(screen.find("  ", at), screen.find('\n', at)) - at);
 }
 
 PlayOptions resuming() {

@@ -194,7 +194,7 @@ TEST_CASE("the playback of an asciinema recording shows the screen, however the 
     game.resize(110, 30);
     game.settle();
     game.send("?");
-    REQUIRE(game.wait_for_text("any key goes back"));
+    REQUIRE(game.wait_for_text("back to the game"));
     game.send("x");
     if (is_suspended) {
         game.send("\x1a");

@@ -50,7 +50,7 @@ TEST_CASE("play answers keys inside a long tick") {
     game.settle();
     // The tick is under way; each of these cancels it, and is shown before the next tick starts.
     game.send("?");
-    CHECK(game.wait_for_text("any key goes back", patience));
+    CHECK(game.wait_for_text("back to the game", patience));
     game.send("x");
     CHECK(game.wait_for_text("took too long", patience));
     game.send(" ");

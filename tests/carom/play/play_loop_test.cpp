@@ -41,7 +41,7 @@ TEST_CASE(
     REQUIRE(game.wait_for_text("Heavy ticks"));
     REQUIRE(game.wait_until([&] { return tick_of(game.screen()) > 20; }, 60.0));
     game.send("?");
-    CHECK(game.wait_for_text("any key goes back"));
+    CHECK(game.wait_for_text("back to the game"));
     game.send("x");
     for (int i = 0; i < 20; ++i) {
         game.send(mouse_press(0, 40 + i, 10));

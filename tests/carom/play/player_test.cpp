@@ -270,12 +270,12 @@ TEST_CASE("a small window asks for more room, and the game waits") {
 TEST_CASE("help lists the keys and scrolls, and any other key goes back") {
     Person person;
     person.key(U'?');
-    CHECK(person.sees("to the next collision"));
+    CHECK(person.sees("grab, release"));
     person.pass(1.0);
     CHECK(person.tick() == 0);
-    for (int i = 0; i < 9 && !person.sees("quit at once"); ++i)
+    for (int i = 0; i < 9 && !person.sees("menu, quit"); ++i)
         person.key(key::page_down);
-    CHECK(person.sees("quit at once"));
+    CHECK(person.sees("menu, quit"));
     person.key(U'x');
     CHECK(person.sees("Busy box"));
     CHECK(person.world().balls().size() == 9);
@@ -287,11 +287,35 @@ TEST_CASE("messages fade, and the problem of a watched level stays") {
     Person person;
     person.player.say("hello there");
     CHECK(person.sees("hello there"));
-    person.player.set_problem("busy.level:3:1: error: no");
+    person.player.set_problem({"busy.level:3:1: error: no", "    3 | ball at=1", "      | ^~~~"});
     person.pass(10.0);
     CHECK(person.sees("busy.level:3:1: error: no"));
-    person.player.set_problem(std::nullopt);
+    CHECK(person.sees("      | ^~~~"));
+    person.player.set_problem({});
     CHECK_FALSE(person.sees("error: no"));
+}
+
+TEST_CASE("found 4: a message is over when the player does the next thing") {
+    Person person;
+    person.key(U'e');
+    CHECK(person.sees("makes the edge"));
+    person.key(key::right);
+    CHECK_FALSE(person.sees("makes the edge"));
+}
+
+TEST_CASE("found 2: the level's own text is a page, and the help page leads there") {
+    Scene scene = test::busy_box();
+    scene.comment = {"Goal: keep it busy.", "", "Nine balls.", "", "Try:", "  g   gravity"};
+    test::PersonAtWindow person(Session(std::move(scene), {}, 0), 80, 24);
+    CHECK(person.sees("keep it busy."));
+    person.key(U'?');
+    CHECK(person.sees("grab, release"));
+    person.key(key::f1);
+    CHECK(person.sees("Goal  keep it busy."));
+    CHECK(person.sees("g  gravity"));
+    CHECK_FALSE(person.sees("grab, release"));
+    person.key(key::f1);
+    CHECK(person.sees("space pause"));
 }
 
 TEST_CASE("a pause uses no time and draws no pictures") {
@@ -572,6 +596,7 @@ TEST_CASE("the broad-phase overlay shows the cells that the solver used") {
     Person person;
     person.window = Canvas(160, 60);
     const auto picture = [&] {
+        person.pass(10.0);  // the messages fade; the game is paused
         const std::string text = person.look();
         return text.substr(0, text.find("Busy box"));
     };

@@ -128,7 +128,7 @@ TEST_CASE("an interrupted game is resumed at the point of interruption") {
     SUBCASE("by the key, when the level is played again") {
         Running running(playing("test.level"));
         REQUIRE_FALSE(running.program.start());
-        CHECK(running.sees("R takes it up"));
+        CHECK(running.sees("Press R to resume"));
         running.pass(0.25);
         running.key(U'R');
         running.pass(0.1);

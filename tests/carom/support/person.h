@@ -61,7 +61,10 @@ struct PersonAtWindow {
         mouse_in_cells(InputEvent::Action::move, at(to), button, modifiers);
         mouse_in_cells(InputEvent::Action::release, at(to), button, modifiers);
     }
-    void pass(double seconds) { player.advance(seconds, always); }
+    void pass(double seconds) {
+        player.fade_messages(seconds);
+        player.advance(seconds, always);
+    }
     const World& world() const { return player.session().world(); }
 
     Player player;

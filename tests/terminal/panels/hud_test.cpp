@@ -184,13 +184,56 @@ TEST_CASE("pausing, going back and running late are shown") {
     CHECK(is_warned);
 }
 
-TEST_CASE("a message replaces the hints") {
+TEST_CASE("found 4: a message lies over the world, and never over the hints") {
     HudInfo info = galton();
     info.message = "saved galton-2.level";
-    const std::string text = drawn(info, 80, 24);
-    CHECK(text.find("saved galton-2.level") != std::string::npos);
-    CHECK(text.find("space pause") == std::string::npos);
-    CHECK(drawn(info, 20, 8).find("saved galton-2.lev") != std::string::npos);
+    Canvas canvas(80, 24);
+    draw_hud(canvas, info, plain_look);
+    const std::string text = canvas.text();
+    CHECK(text.find("\n saved galton-2.level\n Galton board, 12 rows") != std::string::npos);
+    CHECK(text.find("space pause") != std::string::npos);
+    Canvas small(20, 8);
+    draw_hud(small, info, plain_look);
+    CHECK(small.text().find("\n saved\n galton-2.level\n Galton b") != std::string::npos);
+}
+
+TEST_CASE("issue 22: lines of errors keep their carets, and say where the rest is") {
+    HudInfo info = galton();
+    for (int i = 0; i < 20; ++i)
+        info.message += "a.level:3:1: error: no\n    3 | ball at=1\n      |      ^~~~\n";
+    info.message_more = "F1: all of it";
+    Canvas canvas(80, 24);
+    draw_hud(canvas, info, plain_look);
+    const std::string text = canvas.text();
+    CHECK(text.find("\n     3 | ball at=1\n       |      ^~~~\n") != std::string::npos);
+    CHECK(text.find("\n F1: all of it\n Galton board") != std::string::npos);
+}
+
+TEST_CASE("found 12: at a table there are no numbers of the laboratory") {
+    HudInfo info = galton();
+    info.is_game = true;
+    info.reason = "nothing passes through anything";
+    info.goal = "Drop all targets: a second ball.";
+    CHECK(drawn(info, 120, 24) == R"(
+ Galton board, 12 rows
+ Drop all targets: a second ball.
+ space pause  . step  , back  ? help  q quit
+)");
+    info.game = "########  8.00 m/s  calls: the 4 into the top left  tip centre  cut 23.4 deg left";
+    CHECK(drawn(info, 80, 24) == R"(
+ Galton board, 12 rows  Drop all targets: a second ball.
+ ########  8.00 m/s  calls: the 4 into the top left  tip centre
+ space pause  . step  , back  ? help  q quit
+)");
+    info.is_paused = true;
+    CHECK(drawn(info, 120, 24).find("|| paused") != std::string::npos);
+}
+
+TEST_CASE("the goal of a level comes before its numbers") {
+    HudInfo info = galton();
+    info.goal = "Watch 300 balls pile up to a bell.";
+    CHECK(drawn(info, 80, 24).find("\n Watch 300 balls pile up to a bell.  KE") !=
+          std::string::npos);
 }
 
 TEST_CASE("a level without terms says so, and sums that are not conserved are not shown") {

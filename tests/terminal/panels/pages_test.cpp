@@ -86,7 +86,7 @@ TEST_CASE("help in a narrow window is wrapped, and scrolls") {
  Play
  left button   drag a ball or
                the end of an
- Esc back          more below
+ Esc back    down: more below
 )");
     CHECK(help(30, 10, 5) == R"(
 
@@ -98,7 +98,7 @@ TEST_CASE("help in a narrow window is wrapped, and scrolls") {
                the ball goes
                the other way,
                faster the
- Esc back                more
+ Esc back      up, down: more
 )");
     Canvas canvas(30, 10);
     const PageExtent extent = draw_help(canvas, sections, 1000, "", {});
@@ -107,6 +107,39 @@ TEST_CASE("help in a narrow window is wrapped, and scrolls") {
     CHECK(draw_help(canvas, sections, -3, "", {}).scroll == 0);
     Canvas tall(30, 60);
     CHECK(draw_help(tall, sections, 0, "", {}).most == 0);
+}
+
+TEST_CASE("found 7: help does not wrap its lines where there is room for them") {
+    Canvas canvas(160, 24);
+    draw_help(canvas, sections, 0, "", {0, false, false});
+    CHECK(canvas.text().find(
+              "pull the cue: the ball goes the other way, faster the longer the pull") !=
+          std::string::npos);
+}
+
+TEST_CASE("found 12: in a page about a level, keys stay beside their meanings") {
+    Canvas canvas(40, 14);
+    const std::vector<PageItem> items = {{"", "Balls of every size on a torus."},
+                                         {"", ""},
+                                         {"right-drag", "a cue: the longer the line, the faster"},
+                                         {"c", "colour by speed"}};
+    draw_about(canvas, "Balls", "Drag a ball.", items, 0, "Esc back", {0, false, false});
+    CHECK("\n" + canvas.text() == R"(
+ Balls
+
+ Goal  Drag a ball.
+
+ Balls of every size on a torus.
+
+ right-drag  a cue: the longer the
+             line, the faster
+ c           colour by speed
+
+
+
+
+ Esc back
+)");
 }
 
 TEST_CASE("no key is lost, whatever the window") {

@@ -1,0 +1,101 @@
+#include "carom/context/help_page.h"
+
+/// The lines of the help pages.
+namespace carom {
+namespace {
+
+constexpr std::uint8_t in_free = help_bit(PlayKind::free);
+constexpr std::uint8_t at_pool = help_bit(PlayKind::pool);
+constexpr std::uint8_t at_pinball = help_bit(PlayKind::pinball);
+constexpr std::uint8_t watched = help_bit(PlayKind::watching);
+constexpr std::uint8_t in_lab = in_free | watched;
+constexpr std::uint8_t in_all = in_free | at_pool | at_pinball | watched;
+constexpr std::uint8_t seen_above = in_free | at_pool | watched;
+
+// At 80 columns a help text has room for 23 characters.
+constexpr HelpLine lines[] = {
+    {at_pool, "Shot", "grab", "", "shoot"},
+    {at_pool, "Shot", "cursor-left cursor-right", "left right", "aim"},
+    {at_pool, "Shot", "aim-left aim-right", "", "aim finely"},
+    {at_pool, "Shot", "cursor-up cursor-down", "up down", "power"},
+    {at_pool, "Shot", "pan-left pan-right pan-up pan-down", "shift-arrows",
+     "tip: side, follow, draw"},
+    {at_pool, "Shot", "next-pot previous-pot", "", "next, previous pot"},
+    {at_pool, "Shot", "call", "", "safety, or push-out"},
+    {at_pool, "Shot", "place-cue-ball", "", "place the cue ball"},
+    {at_pool, "Shot", "aids", "", "aiming aid"},
+    {at_pool, "Shot", "coach", "", "coach: three best shots"},
+    {at_pool, "Shot", "undo", "", "undo the shot"},
+    {at_pool, "Game", "next-frame", "", "rack the next frame"},
+    {at_pool, "Game", "opponent", "", "opponent: off, 1 to 4"},
+    {at_pool, "Game", "hand", "", "your skill in a match"},
+    {at_pool, "Game", "record", "", "your record"},
+    {at_pool, "Mouse", "", "left", "aim; call a pocket"},
+    {at_pool, "Mouse", "", "right drag", "pull the cue and shoot"},
+    {at_pool, "Mouse", "", "wheel", "power"},
+
+    {at_pinball, "Table", "left-flipper", "z or left", "left flipper"},
+    {at_pinball, "Table", "right-flipper", "/ or right", "right flipper"},
+    {at_pinball, "Table", "plunger", "enter", "hold, release: plunger"},
+    {at_pinball, "Table", "nudge-left nudge-up nudge-right", "", "nudge left, up, right"},
+    {at_pinball, "Table", "flipper-mode", "", "how flippers are held"},
+    {at_pinball, "Table", "demo", "", "demo on, off"},
+    {at_pinball, "Table", "bell", "", "bell on, off"},
+    {at_pinball, "Mouse", "", "left, right", "flippers"},
+    {at_pinball, "Mouse", "", "drag plunger", "pull it and let go"},
+
+    {in_free, "Mouse", "", "drag", "move a ball or an edge"},
+    {in_free, "Mouse", "", "right drag", "cue: pull, let go"},
+    {in_lab, "Mouse", "", "middle drag", "pan"},
+    {in_lab, "Mouse", "", "wheel", "zoom"},
+
+    {in_free, "Edit", "cursor-left cursor-right cursor-up cursor-down", "arrows",
+     "move the cursor"},
+    {in_free, "Edit", "next-ball previous-ball", "tab", "next ball"},
+    {in_free, "Edit", "grab", "", "grab, release"},
+    {in_free, "Edit", "cue", "", "cue; enter shoots"},
+    {in_free, "Edit", "add-ball remove", "a x", "add, remove a ball"},
+    {in_free, "Edit", "draw-edge remove-edge", "", "draw, remove an edge"},
+    {in_free, "Edit", "undo", "", "undo"},
+    {in_free, "World", "solver", "", "next solver"},
+    {in_free, "World", "gravity turn-gravity", "", "gravity: on/off, turn"},
+
+    {in_all, "Time", "pause", "", "pause, resume"},
+    {at_pool, "Time", "to-rest", "", "skip until they rest"},
+    {seen_above, "Time", "step-forward step-back", "", "step forward, back"},
+    {in_lab, "Time", "next-collision", "", "to the next collision"},
+    {in_lab, "Time", "second-forward second-back", "", "1 s forward, back"},
+    {at_pinball, "Time", "second-back", "", "1 s back"},
+    {in_all, "Time", "faster slower normal-speed", "", "faster, slower, normal"},
+    {in_all, "Time", "restart", "", "restart"},
+
+    {in_all, "View", "renderer", "", "renderer: next"},
+    {in_lab, "View", "colors", "", "colour by kind, speed"},
+    {in_all, "View", "trails", "", "trails"},
+    {in_lab, "View", "velocities contacts broad-phase", "", "speeds, contacts, cells"},
+    {in_lab, "View", "ids grid outlines", "", "numbers, grid, outlines"},
+    {in_lab, "View", "overlay", "", "next overlay"},
+    {in_lab, "View", "histogram energy", "", "histogram, energy"},
+    {seen_above, "View", "zoom-in zoom-out fit", "", "zoom in, out, fit view"},
+    {in_lab, "View", "pan-left pan-right pan-up pan-down", "shift-arrows", "pan"},
+    {at_pinball, "View", "fit", "", "whole table / follow"},
+    {in_lab, "View", "follow", "", "follow the ball"},
+    {in_lab, "View", "split", "", "split: compare solvers"},
+    {in_lab, "View", "butterfly", "", "200 perturbed copies"},
+    {in_all, "View", "reset-view", "", "reset view"},
+
+    {in_all, "Program", "about", "f1", "about this level"},
+    {in_all, "Program", "explain", "", "solver and model"},
+    {in_lab | at_pool, "Program", "save", "", "save as a level"},
+    {in_all, "Program", "mouse", "", "mouse on, off"},
+    {in_free | at_pool | at_pinball, "Program", "take-up", "", "resume unfinished game"},
+    {in_all, "Program", "menu quit", "", "cancel or menu, quit"},
+};
+
+}  // namespace
+
+std::span<const HelpLine> help_lines() {
+    return lines;
+}
+
+}  // namespace carom
