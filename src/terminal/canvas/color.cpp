@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+
+#include "terminal/canvas/oklab.h"
 
 namespace carom {
 namespace {
@@ -34,41 +37,42 @@ int grey_level(int step) {
     return 8 + 10 * step;
 }
 
-int squared_distance(const Rgb& a, const Rgb& b) {
-    const auto square = [](int x) { return x * x; };
-    return square(a.red - b.red) + square(a.green - b.green) + square(a.blue - b.blue);
+// The palette in OKLab, except default_color.
+std::array<Lab, 256> make_lab_palette() {
+    std::array<Lab, 256> table{};
+    for (std::size_t i = 0; i < table.size(); ++i)
+        table[i] = lab_of(rgb_of(static_cast<Color>(i)));
+    return table;
 }
 
-// The cube is a product of three axes, so the nearest colour in it is the nearest on each axis.
-Color nearest_of_palette(const Rgb& rgb) {
-    const auto step_of = [](int channel) {
-        return channel < 48 ? 0 : channel < 115 ? 1 : (channel - 35) / 40;
-    };
-    const Color of_cube =
-        first_of_cube + 36 * step_of(rgb.red) + 6 * step_of(rgb.green) + step_of(rgb.blue);
-    const int mean = (rgb.red + rgb.green + rgb.blue) / 3;
-    const Color grey = first_grey + std::clamp((mean - 3) / 10, 0, 23);
-    const bool is_grey =
-        squared_distance(rgb, rgb_of(grey)) < squared_distance(rgb, rgb_of(of_cube));
-    return is_grey ? grey : of_cube;
+Color nearest_of_palette(const Rgb& rgb, Color first, Color last) {
+    static const std::array<Lab, 256> palette = make_lab_palette();
+    const Lab wanted = lab_of(rgb);
+    Color nearest = first;
+    double least = 1e9;
+    for (Color color = first; color <= last; ++color) {
+        const double error =
+            reduction_error(palette[static_cast<std::size_t>(color)], wanted, last + 1);
+        if (error >= least) continue;
+        least = error;
+        nearest = color;
+    }
+    return nearest;
 }
 
-// Keeps the hue, and keeps a dark colour from vanishing into a black background.
-Color color_of_eight(const Rgb& rgb) {
-    const int most = std::max({rgb.red, rgb.green, rgb.blue});
-    if (most < 48) return 0;
-    const auto has = [&](int channel) { return 5 * channel >= 3 * most; };
-    return (has(rgb.red) ? 1 : 0) + (has(rgb.green) ? 2 : 0) + (has(rgb.blue) ? 4 : 0);
-}
+// A cache with one entry for each hash of a colour: pictures use few colours, many times.
+struct Found {
+    Color color = default_color;
+    Color nearest = default_color;
+};
+constexpr std::size_t cache_size = 4096;
 
-Color color_of_sixteen(const Rgb& rgb) {
-    constexpr Color grey = 8;
-    constexpr Color bright = 8;
-    constexpr Color white = 7;
-    const Color color = color_of_eight(rgb);
-    const int most = std::max({rgb.red, rgb.green, rgb.blue});
-    if (color == white && most < 150) return grey;
-    return most > 229 && color != 0 ? color + bright : color;
+Color remembered_nearest(Color color, Color first, Color last,
+                         std::array<Found, cache_size>& cache) {
+    const auto bits = static_cast<std::uint32_t>(color);
+    Found& found = cache[(bits * 2654435761u) >> 20];
+    if (found.color != color) found = {color, nearest_of_palette(rgb_of(color), first, last)};
+    return found.nearest;
 }
 
 }  // namespace
@@ -89,16 +93,25 @@ double luminance(const Rgb& rgb) {
     return (0.299 * rgb.red + 0.587 * rgb.green + 0.114 * rgb.blue) / 255.0;
 }
 
+Color mixed(Color over, Color ground, double share) {
+    const Rgb top = rgb_of(over);
+    const Rgb bottom = rgb_of(ground);
+    // Squares of the channels are nearly proportional to light.
+    const auto mix = [&](int a, int b) {
+        return static_cast<int>(std::sqrt(share * a * a + (1.0 - share) * b * b) + 0.5);
+    };
+    return direct_color(
+        {mix(top.red, bottom.red), mix(top.green, bottom.green), mix(top.blue, bottom.blue)});
+}
+
 Color color_for_terminal(Color color, int colors) {
     if (color < 0 || colors < 8) return default_color;
     if (colors >= direct_colors) return color;
-    if (colors >= 256) return is_direct(color) ? nearest_of_palette(rgb_of(color)) : color;
-    if (colors >= 16) return color < 16 ? color : color_of_sixteen(rgb_of(color));
-    constexpr Color grey = 8;
-    constexpr Color white = 7;
-    if (color < 8) return color;
-    if (color < 16) return color == grey ? white : color - 8;
-    return color_of_eight(rgb_of(color));
+    const Color last = colors >= 256 ? 255 : colors >= 16 ? 15 : 7;
+    if (color <= last) return color;
+    const Color first = colors >= 256 ? first_of_cube : 0;
+    thread_local std::array<std::array<Found, cache_size>, 3> caches;
+    return remembered_nearest(color, first, last, caches[last == 255 ? 2 : last == 15 ? 1 : 0]);
 }
 
 }  // namespace carom

@@ -39,9 +39,14 @@ Rgb rgb_of(Color color);
 /// Perceived brightness, 0 (black) to 1 (white).
 double luminance(const Rgb& rgb);
 
-/// The nearest colour that a terminal of `colors` colours (8, 16, 256 or direct_colors) has: the
-/// colour itself where it can be shown, else a palette index. With 8 and 16 colours the hue is
-/// kept. default_color stays itself; with fewer than 8 colours every colour becomes default_color.
+/// A share (0 to 1) of `over`, the rest of `ground`: the light of both, as an eye sees a cell that
+/// they divide. Neither may be default_color.
+Color mixed(Color over, Color ground, double share);
+
+/// The colour that a terminal of `colors` colours (8, 16, 256 or direct_colors) has and that looks
+/// most like `color`: itself where it can be shown, else a palette index. Of 256 only the last 240,
+/// whose values are known. default_color stays itself; with fewer than 8 colours every colour
+/// becomes default_color. Remembers what it found, so it costs a look-up.
 Color color_for_terminal(Color color, int colors);
 
 }  // namespace carom

@@ -15,11 +15,13 @@ constexpr std::array<int, 8> dot_thresholds = {16, 144, 208, 80, 48, 176, 240, 1
 
 }  // namespace
 
-Raster::Raster(const Renderer& renderer, int columns, int rows, double aspect)
+Raster::Raster(const Renderer& renderer, int columns, int rows, double aspect, const Look& look)
     : renderer_(&renderer),
       columns_(std::max(0, columns)),
       rows_(std::max(0, rows)),
       aspect_(aspect),
+      look_(look),
+      is_sharp_(renderer.has_pixels() && (renderer.is_sharp || !look.has_shades())),
       width_(1.0 / renderer.across),
       height_(aspect / renderer.down),
       cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
@@ -50,9 +52,41 @@ std::uint8_t Raster::tone_of_sample(std::uint8_t tone, int sample) const {
     return tone > dot_thresholds[static_cast<std::size_t>(sample)] ? 255 : 0;
 }
 
+// Pixels mix colours, so the terminal's own foreground must be one.
+Ink Raster::visible(Ink ink) const {
+    if (ink.color < 0 && renderer_->has_pixels() && look_.has_colors())
+        ink.color = foreground_color(look_);
+    return ink;
+}
+
+// Pieces of one colour merge where they overlap, as the pieces of a polyline do.
+void Raster::blend(CellSamples& cell, std::size_t pixel, const Ink& ink, double opacity) {
+    if (!look_.has_shades()) opacity = opacity >= 0.44 ? 1.0 : 0.0;
+    const auto level = static_cast<std::uint8_t>(std::min(1.0, opacity) * 255.0 + 0.5);
+    if (level == 0) return;
+    const bool is_one = cell.levels[pixel] > 0 && cell.colors[pixel] == ink.color;
+    if (is_one) {
+        cell.levels[pixel] = std::max(cell.levels[pixel], level);
+    } else {
+        if (level < 255) cell.grounds[pixel] = pixel_color(cell, pixel, look_);
+        cell.levels[pixel] = level;
+    }
+    cell.colors[pixel] = ink.color;
+    cell.attributes[pixel] = ink.attributes;
+}
+
 void Raster::fill_cell(CellSamples& cell, const Brush& brush) {
-    for (int i = 0; i < renderer_->across * renderer_->down; ++i)
-        cell.levels[static_cast<std::size_t>(i)] = tone_of_sample(brush.tone, i);
+    if (renderer_->has_pixels() && brush.tone == 0 && brush.is_ring) return;
+    const bool is_mixed = renderer_->has_pixels() && brush.tone > 0 && brush.tone < 255;
+    for (int i = 0; i < renderer_->across * renderer_->down; ++i) {
+        const auto sample = static_cast<std::size_t>(i);
+        if (is_mixed)
+            blend(cell, sample, brush.ink, brush.tone / 255.0);
+        else
+            cell.levels[sample] = tone_of_sample(brush.tone, i);
+    }
+    if (is_mixed) return;
+    if (brush.tone == 0) cell.grounds.fill(default_color);
     cell.colors.fill(brush.ink.color);
     cell.attributes.fill(brush.ink.attributes);
     cell.fill = brush.fill;
@@ -73,14 +107,16 @@ void Raster::sample(int across, int down, std::uint8_t level, const Ink& ink) {
     if (across < 0 || down < 0 || across >= samples_across() || down >= samples_down()) return;
     CellSamples& cell = cell_at(across / renderer_->across, down / renderer_->down);
     const int i = down % renderer_->down * renderer_->across + across % renderer_->across;
+    cell.fill = '\0';
+    if (renderer_->has_pixels() && look_.has_shades())
+        return blend(cell, static_cast<std::size_t>(i), visible(ink), level / 255.0);
     const std::uint8_t shown = tone_of_sample(level, i);
     std::uint8_t& present = cell.levels[static_cast<std::size_t>(i)];
     if (present >= shown) return;
     present = shown;
     const std::size_t slot = renderer_->has_pixels() ? static_cast<std::size_t>(i) : 0;
-    cell.colors[slot] = ink.color;
+    cell.colors[slot] = visible(ink).color;
     cell.attributes[slot] = ink.attributes;
-    cell.fill = '\0';
 }
 
 std::uint8_t Raster::level_at(int across, int down) const {
@@ -90,13 +126,13 @@ std::uint8_t Raster::level_at(int across, int down) const {
                                                 across % renderer_->across)];
 }
 
-void Raster::show(Canvas& canvas, int column, int row, const Look& look) const {
+void Raster::show(Canvas& canvas, int column, int row) const {
     for (int r = 0; r < rows_; ++r) {
         for (int c = 0; c < columns_; ++c) {
             const CellSamples& from = cell_at(c, r);
             const bool is_empty = std::bit_cast<std::uint64_t>(from.levels) == 0;
             if (is_empty && from.fill == '\0') continue;
-            const Cell to = renderer_->show(from, look);
+            const Cell to = renderer_->show(from, look_);
             if (to.glyph != U' ') canvas.put(column + c, row + r, to);
         }
     }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -27,17 +28,27 @@ struct RasterPoint {
 struct Brush {
     Ink ink;
     /// The opacity of its inside, 0 to 255: a shade on renderers with pixels, a pattern of dots on
-    /// renderers with dots. The rim is always opaque.
+    /// renderers with dots. The rim is always opaque. 0 clears the inside.
     std::uint8_t tone = 255;
     /// Renderers with regions: the character for cells that lie all inside; 0: the densest one.
     char fill = 0;
+    /// Renderers with pixels: an inside of tone 0 stays as it was, so that a disc is a ring.
+    bool is_ring = false;
+};
+
+/// How a ball is painted with pixels.
+struct BallPaint {
+    Tones tones;
+    std::optional<Tones> band;  ///< of a striped ball: its stripe; `tones` above and below it
+    std::uint8_t attributes = plain;
+    bool is_lit = false;  ///< shaded as a sphere, with a highlight at the upper left
 };
 
 class Raster {
   public:
     /// An empty raster. `renderer` is a row of the renderer table, which outlives every raster.
     /// Pre: aspect (height of a cell over its width) is positive and finite.
-    Raster(const Renderer& renderer, int columns, int rows, double aspect);
+    Raster(const Renderer& renderer, int columns, int rows, double aspect, const Look& look = {});
 
     const Renderer& renderer() const { return *renderer_; }
     int columns() const { return columns_; }
@@ -52,6 +63,10 @@ class Raster {
     /// such discs in one cell make the cell denser. `rim`: thickness of the rim, in columns; 0: the
     /// whole disc is inside.
     void disc(RasterPoint center, double radius, double rim, const Brush& brush);
+    /// Renderers with pixels: a ball. Small ones, and all where borders are sharp, lie on whole
+    /// pixels, so a ball has the same shape wherever it is. Its diameter is rounded down, to a
+    /// pixel at least.
+    void ball(RasterPoint center, double radius, const BallPaint& paint);
     /// A capsule, drawn at least a hairline thick. All of it is inside.
     void capsule(RasterPoint start, RasterPoint end, double radius, const Brush& brush);
     /// A hairline from start to end, `strength` (0 to 255) of full.
@@ -67,7 +82,7 @@ class Raster {
     std::uint8_t level_at(int across, int down) const;
 
     /// Writes every non-empty cell to the canvas, with the raster's top left cell at column, row.
-    void show(Canvas& canvas, int column, int row, const Look& look) const;
+    void show(Canvas& canvas, int column, int row) const;
 
   private:
     struct Span {
@@ -80,8 +95,13 @@ class Raster {
     template <class SpanAt, class Inside, class Coverage>
     void paint_rows(double top, double bottom, const Brush& brush, SpanAt span_at, Inside inside,
                     Coverage coverage);
+    template <class Coverage>
+    void paint_pixels(CellSamples& cell, RasterPoint corner, const Brush& brush, Coverage coverage);
+    void thin_line(RasterPoint start, RasterPoint end, const Brush& brush);
+    void blend(CellSamples& cell, std::size_t pixel, const Ink& ink, double opacity);
     std::uint8_t tone_of_sample(std::uint8_t tone, int sample) const;
     void fill_cell(CellSamples& cell, const Brush& brush);
+    Ink visible(Ink ink) const;
     Span columns_within(double left, double right) const;
     CellSamples& cell_at(int column, int row);
     const CellSamples& cell_at(int column, int row) const;
@@ -91,7 +111,9 @@ class Raster {
     int columns_;
     int rows_;
     double aspect_;
-    double width_;  // of a sample, in columns
+    Look look_;
+    bool is_sharp_;  // a pixel is either inside a shape or not
+    double width_;   // of a sample, in columns
     double height_;
     std::array<RasterPoint, most_samples> middles_{};  // of the samples, from the cell's corner
     std::vector<CellSamples> cells_;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "terminal/canvas/raster.h"
 
@@ -27,6 +28,9 @@ bool is_finite(RasterPoint p) {
     return std::isfinite(p.x) && std::isfinite(p.y);
 }
 
+// The share of a pixel that a shape must cover to have it, where borders are sharp.
+constexpr double least_cover = 0.5;
+
 // How a shape covers a sample: the covered share, and the part of it that is inside the rim.
 struct Cover {
     double outer = 0.0;
@@ -42,21 +46,41 @@ double Raster::filter_width(double dx, double dy, double distance) const {
 }
 
 template <class Coverage>
+void Raster::paint_pixels(CellSamples& cell, RasterPoint corner, const Brush& brush,
+                          Coverage coverage) {
+    const auto count = static_cast<std::size_t>(renderer_->across * renderer_->down);
+    const auto sharpened = [&](double cover) {
+        return is_sharp_ ? (cover >= least_cover ? 1.0 : 0.0) : cover;
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        const Cover cover = coverage(corner.x + middles_[i].x, corner.y + middles_[i].y);
+        if (cover.outer <= 0.0) continue;
+        const double outer = sharpened(cover.outer);
+        const double inner = std::min(outer, sharpened(cover.inner));
+        const bool clears = brush.tone == 0 && !brush.is_ring && inner >= 0.5;
+        if (clears) {
+            cell.levels[i] = 0;
+            cell.grounds[i] = default_color;
+        }
+        blend(cell, i, brush.ink, outer - inner + brush.tone / 255.0 * inner);
+    }
+}
+
+template <class Coverage>
 void Raster::paint_cell(int column, int row, const Brush& brush, Coverage coverage) {
     CellSamples& cell = cell_at(column, row);
     const RasterPoint corner{static_cast<double>(column), row * aspect_};
+    if (renderer_->has_pixels()) return paint_pixels(cell, corner, brush, coverage);
     const auto count = static_cast<std::size_t>(renderer_->across * renderer_->down);
-    const std::size_t slots = renderer_->has_pixels() ? count : 1;
-    std::array<double, most_samples> mine{};    // of each pixel, or of the cell
-    std::array<double, most_samples> theirs{};  // what remains of the earlier shapes
+    double mine = 0.0;
+    double theirs = 0.0;  // what remains of the earlier shapes
     bool is_all_inside = true;
     bool is_touched = false;
     for (std::size_t i = 0; i < count; ++i) {
         const Cover cover = coverage(corner.x + middles_[i].x, corner.y + middles_[i].y);
-        const std::size_t slot = slots == 1 ? 0 : i;
         // Two opaque shapes of one colour merge: the pieces of a polyline do not add up where they
         // overlap.
-        const bool is_one = brush.tone == 255 && cell.colors[slot] == brush.ink.color;
+        const bool is_one = brush.tone == 255 && cell.colors[0] == brush.ink.color;
         if (cover.outer > 0.0) {
             is_touched = true;
             const int tone = tone_of_sample(brush.tone, static_cast<int>(i));
@@ -64,18 +88,17 @@ void Raster::paint_cell(int column, int row, const Brush& brush, Coverage covera
             const double left = cell.levels[i] * (1.0 - cover.outer);
             const double level = is_one ? std::max<double>(cell.levels[i], added) : added + left;
             cell.levels[i] = static_cast<std::uint8_t>(std::min(255.0, level + 0.5));
-            mine[slot] += 255.0 * cover.outer;
-            theirs[slot] += left;
+            mine += 255.0 * cover.outer;
+            theirs += left;
         } else {
-            theirs[slot] += cell.levels[i];
+            theirs += cell.levels[i];
         }
         is_all_inside = is_all_inside && (is_one ? cell.levels[i] == 255 : cover.inner >= 1.0);
     }
     if (!is_touched) return;
-    for (std::size_t i = 0; i < slots; ++i) {
-        if (mine[i] <= 0.0 || mine[i] < theirs[i]) continue;
-        cell.colors[i] = brush.ink.color;
-        cell.attributes[i] = brush.ink.attributes;
+    if (mine > 0.0 && mine >= theirs) {
+        cell.colors[0] = brush.ink.color;
+        cell.attributes[0] = brush.ink.attributes;
     }
     cell.fill = is_all_inside ? brush.fill : '\0';
 }
@@ -98,8 +121,11 @@ void Raster::paint_rows(double top, double bottom, const Brush& brush, SpanAt sp
     }
 }
 
-void Raster::disc(RasterPoint center, double radius, double rim, const Brush& brush) {
+void Raster::disc(RasterPoint center, double radius, double rim, const Brush& painted) {
     if (!is_finite(center) || !std::isfinite(radius) || radius < 0.0) return;
+    Brush brush = painted;
+    brush.ink = visible(painted.ink);
+    brush.is_ring = rim > 0.0;
     if (radius < 0.7 * std::min(width_, height_)) {
         if (center.x < 0.0 || center.y < 0.0 || center.x >= columns_ ||
             center.y >= rows_ * aspect_) {
@@ -109,6 +135,8 @@ void Raster::disc(RasterPoint center, double radius, double rim, const Brush& br
         const int down = std::min(static_cast<int>(center.y / height_), samples_down() - 1);
         const double area = 3.14159 * radius * radius / (width_ * height_);
         const double opacity = std::clamp(area, renderer_->level_of_dot, 1.0);
+        if (renderer_->has_pixels() && look_.has_shades())
+            return sample(across, down, static_cast<std::uint8_t>(255 * opacity), brush.ink);
         const int level = level_at(across, down);
         sample(across, down, static_cast<std::uint8_t>(level + (255 - level) * opacity), brush.ink);
         return;
@@ -143,8 +171,43 @@ void Raster::disc(RasterPoint center, double radius, double rim, const Brush& br
     paint_rows(center.y - reach, center.y + reach, brush, span_at, inside, coverage);
 }
 
-void Raster::capsule(RasterPoint start, RasterPoint end, double radius, const Brush& brush) {
+// Where borders are sharp, a line as thin as a pixel lights one pixel in each column or row that it
+// crosses: it is equally thick everywhere, and has no gaps.
+void Raster::thin_line(RasterPoint start, RasterPoint end, const Brush& brush) {
+    struct Axes {
+        double along = 0.0;
+        double across = 0.0;
+    };
+    const RasterPoint a{start.x / width_, start.y / height_};
+    const RasterPoint b{end.x / width_, end.y / height_};
+    const bool is_flat = std::abs(b.x - a.x) >= std::abs(b.y - a.y);
+    const auto axes = [&](RasterPoint p) { return is_flat ? Axes{p.x, p.y} : Axes{p.y, p.x}; };
+    Axes from = axes(a);
+    Axes to = axes(b);
+    if (from.along > to.along) std::swap(from, to);
+    const double slope =
+        to.along > from.along ? (to.across - from.across) / (to.along - from.along) : 0.0;
+    const double most = is_flat ? samples_across() : samples_down();
+    const double most_across = is_flat ? samples_down() : samples_across();
+    if (!(from.along < most && to.along >= 0.0)) return;
+    const int first = static_cast<int>(std::max(0.0, std::floor(from.along)));
+    const int last = static_cast<int>(std::min(most - 1.0, std::floor(to.along)));
+    for (int i = first; i <= last; ++i) {
+        const double at = std::clamp(i + 0.5, from.along, to.along);
+        const double across = from.across + (at - from.along) * slope;
+        if (!(across >= 0.0 && across < most_across)) continue;
+        const int column = is_flat ? i : static_cast<int>(across);
+        const int row = is_flat ? static_cast<int>(across) : i;
+        CellSamples& cell = cell_at(column / renderer_->across, row / renderer_->down);
+        const int pixel = row % renderer_->down * renderer_->across + column % renderer_->across;
+        blend(cell, static_cast<std::size_t>(pixel), brush.ink, brush.tone / 255.0);
+    }
+}
+
+void Raster::capsule(RasterPoint start, RasterPoint end, double radius, const Brush& painted) {
     if (!is_finite(start) || !is_finite(end) || !std::isfinite(radius) || radius < 0.0) return;
+    Brush brush = painted;
+    brush.ink = visible(painted.ink);
     // An axis-parallel line as thin as a pixel is drawn exactly one pixel thick wherever it lies,
     // not as two faint ones, so that all bars in a row look alike. (Renderers with regions have
     // characters for lines in between.)
@@ -152,6 +215,8 @@ void Raster::capsule(RasterPoint start, RasterPoint end, double radius, const Br
         if (start.x == end.x) start.x = end.x = middle_of_sample(start.x, width_);
         if (start.y == end.y) start.y = end.y = middle_of_sample(start.y, height_);
     }
+    if (radius <= hairline() && is_sharp_ && renderer_->is_sharp && brush.tone > 0)
+        return thin_line(start, end, brush);
     const double thickness = std::max(radius, hairline());
     const double clearance = std::max(width_, height_);
     const double reach = thickness + clearance;

@@ -24,12 +24,25 @@ struct CellSamples {
     /// The colour of each sample where the renderer has pixels; else only the first entry is used,
     /// for the whole cell.
     std::array<Color, most_samples> colors{};
+    /// Pixels: the colour that shows where `colors` does not cover the sample.
+    std::array<Color, most_samples> grounds = filled_with_ground();
     std::array<std::uint8_t, most_samples> attributes{};
     /// Regions: the character of a cell that is all inside; 0: chosen by the levels.
     char fill = '\0';
 
     Ink ink(std::size_t sample = 0) const { return {colors[sample], attributes[sample]}; }
+
+  private:
+    static constexpr std::array<Color, most_samples> filled_with_ground() {
+        std::array<Color, most_samples> grounds{};
+        grounds.fill(default_color);
+        return grounds;
+    }
 };
+
+/// The colour of a pixel: the mixture of its colour and its ground, in few enough steps that
+/// neighbours share them. default_color: nothing is drawn there.
+Color pixel_color(const CellSamples& samples, std::size_t pixel, const Look& look);
 
 struct Renderer {
     /// What a sample stands for.
@@ -52,6 +65,10 @@ struct Renderer {
     double least_rimmed = 0.0;  ///< the radius below which a rim leaves no room for an inside
 
     double level_of_dot = 1.0;  ///< the level of a sample with a disc too small to fill it, 0 to 1
+    /// Pixels: a border runs between pixels, and is not smoothed. For cells of more pixels than
+    /// colours, where a mixture would take the place of a colour that is really there.
+    bool is_sharp = false;
+    Mosaic mosaic = Mosaic::halves;  ///< pixels: what the terminal must be able to show
 
     /// Makes the cell that shows the samples. Called only for cells that are not empty.
     Cell (*show)(const CellSamples& samples, const Look& look) = nullptr;
@@ -68,6 +85,10 @@ std::span<const Renderer> renderers();
 const Renderer& ascii_renderer();
 /// Half blocks: 1 x 2 pixels of two colours.
 const Renderer& half_block_renderer();
+/// Quadrants, sextants and octants: 2 x 2, 2 x 3 and 2 x 4 pixels of two colours.
+const Renderer& quadrant_renderer();
+const Renderer& sextant_renderer();
+const Renderer& octant_renderer();
 /// Braille: 2 x 4 dots of one colour.
 const Renderer& braille_renderer();
 

@@ -46,7 +46,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     std::vector<Ink> inks = ball_inks(world, options, memory);
     if (annotations.pool && options.color_by == ColorBy::kind)
         color_pool_balls(inks, world, *annotations.pool, options.look);
-    Raster raster(renderer_in_force(options), area.columns, area.rows, camera.aspect);
+    Raster raster(renderer_in_force(options), area.columns, area.rows, camera.aspect, options.look);
     const View view{camera, scene, world, options, annotations, memory, contacts, inks};
     polish_balls(inks, view);
 
@@ -67,7 +67,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     paint_overlays_above(raster, view);
     paint_pool(raster, view);
     paint_annotations(raster, view);
-    raster.show(canvas, area.column, area.row, options.look);
+    raster.show(canvas, area.column, area.row);
 
     lay_cloth(canvas, view);
     if (!annotations.pool && !annotations.table) write_counters(canvas, view);

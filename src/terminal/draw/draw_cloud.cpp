@@ -121,7 +121,7 @@ double brightness(double density) {
 void show_samples(Raster& raster, const Cloud& cloud, const View& view) {
     const Look& look = view.options.look;
     const auto copies = static_cast<double>(view.annotations.copies.size());
-    const bool is_shaded = raster.renderer().has_pixels() && look.colors >= 256;
+    const bool is_shaded = raster.renderer().has_pixels() && look.has_shades();
     for (int down = 0; down < cloud.down(); ++down) {
         for (int across = 0; across < cloud.across(); ++across) {
             const Sample& sample = cloud.at(across, down);

@@ -59,6 +59,9 @@ void paint_annotations(Raster& raster, const View& view);
 void color_pool_balls(std::vector<Ink>& inks, const World& world, const PoolAnnotations& pool,
                       const Look& look);
 
+/// Whether the ball is a stripe of pool, white with a band in its colour.
+bool is_striped(const View& view, std::size_t ball);
+
 /// Gives the balls of a pinball table the look of steel.
 void polish_balls(std::vector<Ink>& inks, const View& view);
 

@@ -10,42 +10,8 @@ namespace carom {
 
 namespace {
 
-constexpr Color cloth_on_dark = 22;
-constexpr Color cloth_on_light = 194;
-constexpr Color white_256 = 255;
-constexpr Color black_256 = 16;
-
-struct BallColor {
-    Color full;    ///< one of 256
-    Color system;  ///< one of 16
-    Color deep;    ///< one of 256, legible on white
-};
-// By number; a stripe has the colour of the solid 8 before it.
-constexpr std::array<BallColor, 9> ball_colors = {{{white_256, 15, 244},
-                                                   {220, 11, 136},
-                                                   {33, 12, 26},
-                                                   {196, 9, 160},
-                                                   {135, 13, 92},
-                                                   {208, 3, 166},
-                                                   {41, 10, 28},
-                                                   {131, 1, 88},
-                                                   {238, 8, 238}}};
-
 bool is_stripe(int number) {
     return number > 8;
-}
-
-Color color_of(int number, const Look& look) {
-    const auto row = static_cast<std::size_t>(is_stripe(number) ? number - 8 : number);
-    const BallColor& color = ball_colors[std::min(row, ball_colors.size() - 1)];
-    if (number == 0 && look.light_background) return look.colors >= 256 ? Color{244} : Color{8};
-    if (look.colors >= 256) return color.full;
-    return look.colors >= 16 ? color.system : static_cast<Color>(color.system % 8);
-}
-
-Color deep_color_of(int stripe, const Look& look) {
-    if (look.colors < 256) return color_of(stripe, look);
-    return ball_colors[static_cast<std::size_t>(stripe - 8)].deep;
 }
 
 int number_of(const PoolAnnotations& pool, BallId ball) {
@@ -124,7 +90,7 @@ void color_pool_balls(std::vector<Ink>& inks, const World& world, const PoolAnno
     if (!look.has_colors()) return;
     for (std::size_t i = 0; i < inks.size(); ++i) {
         const int number = number_of(pool, world.balls().id[i]);
-        if (number >= 0) inks[i] = {color_of(number, look), plain};
+        if (number >= 0) inks[i] = ink_of_pool_ball(number, look);
     }
 }
 
@@ -169,8 +135,8 @@ void paint_pool(Raster& raster, const View& view) {
 
 void lay_cloth(Canvas& canvas, const View& view) {
     const Look& look = view.options.look;
-    if (!view.annotations.pool || !view.annotations.pool->cloth || look.colors < 256) return;
-    const Color color = look.light_background ? cloth_on_light : cloth_on_dark;
+    if (!view.annotations.pool || !view.annotations.pool->cloth || !look.has_shades()) return;
+    const Color color = ink_of(Role::cloth, look).color;
     const CellArea& area = view.camera.area;
     const CellPoint low = to_cells(view.camera, view.annotations.pool->cloth->low);
     const CellPoint high = to_cells(view.camera, view.annotations.pool->cloth->high);
@@ -186,6 +152,11 @@ void lay_cloth(Canvas& canvas, const View& view) {
             Cell& cell = canvas.at(column, row);
             if (cell.background == default_color) cell.background = color;
         }
+}
+
+bool is_striped(const View& view, std::size_t ball) {
+    return view.annotations.pool && view.options.color_by == ColorBy::kind &&
+           is_stripe(number_of(*view.annotations.pool, view.world.balls().id[ball]));
 }
 
 bool hides_stamp(const View& view, BallId ball) {
@@ -211,21 +182,16 @@ void write_numbers(Canvas& canvas, const View& view) {
         if (row < area.row || row >= area.row + area.rows || first < area.column ||
             first + width > area.column + area.columns)
             continue;
-        const Color color = view.inks[*index].color;
-        const bool inverse = is_stripe(ball.number);
-        const bool is_dark = ball.number == 8;
-        const Color white = look.colors >= 256 ? white_256 : Color{7};
-        const Color black = look.colors >= 256 ? black_256 : Color{0};
-        // Stripes are white, with the number in their colour.
-        if (look.has_colors())
-            canvas.write(first, row, text,
-                         inverse   ? deep_color_of(ball.number, look)
-                         : is_dark ? white
-                                   : black,
-                         inverse ? white : color, bold);
-        else
+        const bool is_white = is_stripe(ball.number);
+        if (!look.has_colors()) {
             canvas.write(first, row, text, default_color, default_color,
-                         static_cast<std::uint8_t>(inverse ? bold : bold | reverse));
+                         static_cast<std::uint8_t>(is_white ? bold : bold | reverse));
+            continue;
+        }
+        // Stripes are white.
+        const Color color =
+            is_white ? ink_of(Role::stripe_white, look).color : view.inks[*index].color;
+        canvas.write(first, row, text, text_color_on(color, look), color, bold);
     }
 }
 

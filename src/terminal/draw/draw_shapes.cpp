@@ -44,11 +44,8 @@ std::size_t stamp_width(const Raster& raster, double radius) {
     return static_cast<std::size_t>(above - stamp_radii.begin());
 }
 
-bool is_rimmed(const Raster& raster, const ViewOptions& options, double radius) {
-    if (radius < raster.renderer().least_rimmed) return false;
-    // Pixels of many colours show balls best as flat discs.
-    const bool is_flat = raster.renderer().has_pixels() && options.look.has_colors();
-    return !is_flat || options.ball_style == BallStyle::outline;
+bool is_rimmed(const Raster& raster, double radius) {
+    return radius >= raster.renderer().least_rimmed;
 }
 
 Brush rimmed_brush(const Raster& raster, const View& view, std::size_t ball) {
@@ -70,6 +67,22 @@ void paint_heading(Raster& raster, RasterPoint center, double radius, Vec2 veloc
     raster.line(center, {center.x + way.x, center.y - way.y}, ink);
 }
 
+// Balls look like spheres where pixels show it and there are few enough to look at each.
+constexpr std::size_t most_lit_balls = 250;
+
+BallPaint ball_paint(const View& view, std::size_t ball) {
+    const Look& look = view.options.look;
+    BallPaint paint;
+    paint.tones = tones_of(view.inks[ball].color, look);
+    paint.attributes = view.inks[ball].attributes;
+    paint.is_lit = look.has_shades() && view.world.balls().size() <= most_lit_balls;
+    if (is_striped(view, ball)) {
+        paint.band = paint.tones;
+        paint.tones = tones_of(ink_of(Role::stripe_white, look).color, look);
+    }
+    return paint;
+}
+
 void paint_ball(Raster& raster, const View& view, std::size_t ball, RasterPoint center) {
     const double radius = view.world.balls().radius[ball] * view.camera.columns_per_length;
     if (const std::size_t width = stamp_width(raster, radius)) {
@@ -79,7 +92,13 @@ void paint_ball(Raster& raster, const View& view, std::size_t ball, RasterPoint 
     }
     const double gap = raster.renderer().gap;
     const double shown = radius > 4.0 * gap ? radius - gap : radius;
-    if (!is_rimmed(raster, view.options, radius)) {
+    const bool is_flat = raster.renderer().has_pixels() && view.options.look.has_colors();
+    if (is_flat && view.options.ball_style == BallStyle::filled) {
+        const BallPaint paint = ball_paint(view, ball);
+        raster.ball(center, paint.is_lit ? radius : shown, paint);
+        return;
+    }
+    if (!is_rimmed(raster, radius)) {
         raster.disc(center, shown, 0.0, {view.inks[ball], 255, '@'});
         return;
     }

@@ -49,7 +49,7 @@ void draw_points(Canvas& canvas, const CellArea& area, const Points& points, con
                  const Span& y, const Look& look) {
     constexpr double aspect = 2.0;
     Raster raster(look.utf8 ? braille_renderer() : ascii_renderer(), area.columns, area.rows,
-                  aspect);
+                  aspect, look);
     const double height = raster.rows() * aspect;
     const auto place = [&](double at, double value) {
         // Slightly inside, so that neither end of the range is cut off.
@@ -65,7 +65,7 @@ void draw_points(Canvas& canvas, const CellArea& area, const Points& points, con
     for (std::size_t i = 1; i < points.size(); ++i)
         raster.line(place(points[i - 1].x, points[i - 1].y), place(points[i].x, points[i].y),
                     measured);
-    raster.show(canvas, area.column, area.row, look);
+    raster.show(canvas, area.column, area.row);
 }
 
 }  // namespace

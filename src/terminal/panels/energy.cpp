@@ -61,7 +61,7 @@ void draw_curves(Canvas& canvas, const CellArea& area, const EnergyHistory& hist
                  const std::array<Curve, 3>& drawn, const Range& range, const Look& look) {
     constexpr double aspect = 2.0;
     Raster raster(look.utf8 ? braille_renderer() : ascii_renderer(), area.columns, area.rows,
-                  aspect);
+                  aspect, look);
     const auto& samples = history.samples();
     const auto first = static_cast<double>(samples.front().tick);
     const double ticks = std::max(1.0, static_cast<double>(samples.back().tick) - first);
@@ -80,7 +80,7 @@ void draw_curves(Canvas& canvas, const CellArea& area, const EnergyHistory& hist
             raster.line(place(samples[i - 1], drawn[c]), place(samples[i], drawn[c]), drawn[c].ink);
         }
     }
-    raster.show(canvas, area.column, area.row, look);
+    raster.show(canvas, area.column, area.row);
 }
 
 }  // namespace

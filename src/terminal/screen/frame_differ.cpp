@@ -6,13 +6,10 @@
 
 #include "level/text/utf8.h"
 #include "terminal/canvas/character_width.h"
+#include "terminal/canvas/mosaic.h"
 
 namespace carom {
 namespace {
-
-constexpr char32_t full_block = U'█';
-constexpr char32_t upper_half = U'▀';
-constexpr char32_t lower_half = U'▄';
 
 // The approximate cost, in bytes, of a style on a terminal without ECMA-48.
 constexpr std::size_t foreign_cost = 12;
@@ -83,11 +80,10 @@ FrameDiffer::Look FrameDiffer::look_of(const Cell& cell) const {
     if (is_marked(style)) return look;
 
     const bool is_plain = style.attributes == plain;
-    const bool is_block =
-        look.glyph == full_block || look.glyph == upper_half || look.glyph == lower_half;
-    // A block of one colour all over is sent as a blank of that colour: one byte, and no seam at
+    const std::optional<char32_t> complement = complement_of(look.glyph);
+    // A mosaic of one colour all over is sent as a blank of that colour: one byte, and no seam at
     // the cell's border, which blocks leave in many fonts.
-    if (is_block && style.background >= 0 && style.foreground == style.background) {
+    if (complement && style.background >= 0 && style.foreground == style.background) {
         look.glyph = U' ';
     }
     if (look.glyph == U' ') {
@@ -95,9 +91,10 @@ FrameDiffer::Look FrameDiffer::look_of(const Cell& cell) const {
         style.attributes = plain;
     } else if (look.glyph == full_block && is_plain && style.foreground >= 0) {
         style.background = default_color;
-    } else if (look.glyph == lower_half && is_plain && style.foreground >= 0 &&
+    } else if (complement && *complement < look.glyph && is_plain && style.foreground >= 0 &&
                style.background >= 0) {
-        look.glyph = upper_half;
+        // Of a mosaic and its complement in exchanged colours, one stands for both.
+        look.glyph = *complement;
         std::swap(style.foreground, style.background);
     }
     return look;
@@ -229,8 +226,9 @@ FrameDiffer::Way FrameDiffer::way_of(const Look& look, const std::optional<SgrSt
         offer(full_block, {own.foreground, style->background, plain});
         offer(U' ', {style->foreground, own.foreground, plain});
     }
-    if (look.glyph == upper_half && own.background >= 0) {
-        offer(lower_half, {own.background, own.foreground, plain});
+    if (own.background >= 0 && look.glyph != U' ' && look.glyph != full_block) {
+        if (const auto complement = complement_of(look.glyph))
+            offer(*complement, {own.background, own.foreground, plain});
     }
     return best;
 }

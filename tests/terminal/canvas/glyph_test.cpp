@@ -123,7 +123,7 @@ Canvas density_ramp(const Picture& truth) {
 
 Canvas shown(const Raster& raster) {
     Canvas canvas(window_columns, window_rows);
-    raster.show(canvas, 0, 0, {});
+    raster.show(canvas, 0, 0);
     return canvas;
 }
 

@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <cmath>
+
+#include "terminal/canvas/raster.h"
+
+/// Paints balls with pixels: shaded spheres of the same shape wherever they lie.
+namespace carom {
+
+namespace {
+
+// Balls of up to this many pixels across lie on whole pixels even where borders are smoothed.
+constexpr double most_snapped = 6.0;
+// A diameter this much short of a whole number of pixels still counts as that number.
+constexpr double rounding = 0.2;
+// From this many pixels across, a sphere has room for a shadow and a highlight.
+constexpr int least_shaded = 3;
+
+/// The pixels of a ball along one axis.
+struct Extent {
+    double first = 0.0;  // the border of the first pixel, in pixels
+    double size = 1.0;   // the diameter, in pixels
+    int begin = 0;       // pixels that it may cover: begin <= i < end
+    int end = 0;
+};
+
+// Snapped to whole pixels: the middle of the ball is the middle of a pixel or a border, so that the
+// same pixels are covered wherever it is. `is_sharp`: the diameter is whole too.
+Extent extent_of(double center, double diameter, bool is_snapped, bool is_sharp, int count) {
+    Extent extent;
+    extent.size = diameter;
+    extent.first = center - 0.5 * diameter;
+    if (is_snapped) {
+        const double whole = std::max(1.0, std::floor(diameter + rounding));
+        const double first = std::round(center - 0.5 * whole);
+        if (is_sharp) extent.size = whole;
+        extent.size = std::max(extent.size, 1.0);
+        extent.first = first + 0.5 * (whole - extent.size);
+    }
+    const double most = count;
+    extent.begin = static_cast<int>(std::clamp(std::floor(extent.first), 0.0, most));
+    extent.end = static_cast<int>(std::clamp(std::ceil(extent.first + extent.size), 0.0, most));
+    return extent;
+}
+
+/// From -1 to 1 across the ball: the middle of a pixel.
+double place_in(const Extent& extent, int pixel) {
+    return 2.0 * (pixel + 0.5 - extent.first) / extent.size - 1.0;
+}
+
+// Light from the upper left; `x` and `y` from -1 to 1, y downwards.
+Color lit_tone(const Tones& tones, double x, double y, int pixels) {
+    const double squared = x * x + y * y;
+    const double z = squared < 1.0 ? std::sqrt(1.0 - squared) : 0.0;
+    const double light = -0.45 * x - 0.55 * y + 0.70 * z;
+    constexpr int least_glinting = 6;
+    if (pixels >= least_glinting && light > 0.975) return tones.glint;
+    if (light > 0.895) return tones.light;
+    if (light < (pixels < least_glinting ? 0.0 : 0.22)) return tones.shadow;
+    return tones.base;
+}
+
+}  // namespace
+
+void Raster::ball(RasterPoint center, double radius, const BallPaint& paint) {
+    if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(radius)) return;
+    if (!renderer_->has_pixels() || !(radius >= 0.0)) return;
+    const double across = 2.0 * radius / width_;
+    const double down = 2.0 * radius / height_;
+    const bool is_snapped = is_sharp_ || std::min(across, down) <= most_snapped;
+    const Extent columns =
+        extent_of(center.x / width_, across, is_snapped, is_sharp_, samples_across());
+    const Extent rows = extent_of(center.y / height_, down, is_snapped, is_sharp_, samples_down());
+    const int pixels = static_cast<int>(std::min({columns.size, rows.size, 1000.0}));
+    // A stripe is half as high as the ball; where there are two rows, it is the lower one.
+    const bool has_room = rows.size >= 3.0;
+    for (int row = rows.begin; row < rows.end; ++row) {
+        const double y = place_in(rows, row);
+        const bool is_band = paint.band && (has_room ? std::abs(y) < 0.5 : y > 0.0);
+        const Tones& tones = is_band ? *paint.band : paint.tones;
+        for (int column = columns.begin; column < columns.end; ++column) {
+            const double x = place_in(columns, column);
+            const double distance = std::sqrt(x * x + y * y);
+            // The border, in pixels along its normal, and the width over which it crosses one.
+            const double width = distance < 1e-9 ? 1.0 : (std::abs(x) + std::abs(y)) / distance;
+            const double depth = 0.5 * (1.0 - distance) * std::min(columns.size, rows.size);
+            double cover = std::clamp(depth / width + 0.5, 0.0, 1.0);
+            if (is_sharp_) cover = cover >= 0.5 ? 1.0 : 0.0;
+            if (cover <= 0.0) continue;
+            const bool is_shaded = paint.is_lit && pixels >= least_shaded;
+            const Color color = is_shaded ? lit_tone(tones, x, y, pixels) : tones.base;
+            CellSamples& cell = cell_at(column / renderer_->across, row / renderer_->down);
+            const int i = row % renderer_->down * renderer_->across + column % renderer_->across;
+            blend(cell, static_cast<std::size_t>(i), visible({color, paint.attributes}), cover);
+        }
+    }
+}
+
+}  // namespace carom
