@@ -168,8 +168,10 @@ void Command::add_simulation_options(Options& options) {
 void add_view_options(Command& command, PlayOptions& play) {
     command.add({"--renderer", "NAME", renderer_names() + ", or auto (the default)"}, play.renderer,
                 renderer_option);
-    command.add({"--colors", "N", "mono, 8, 16, 256, or auto (the default)"}, play.colors,
-                color_choice);
+    command.add({"--colors", "N", "mono, 8, 16, 256, truecolor, or auto (the default)"},
+                play.colors, color_choice);
+    command.add({"--theme", "NAME", "dark, light, contrast, color-blind, or auto (the default)"},
+                play.theme, theme_option);
     command.add({"--fps", "N", "Frames a second"}, play.fps, number(1, 1000));
     command.app().add_flag_callback(
         "--no-mouse", [&play] { play.mouse = false; }, "Leave the mouse to the terminal");

@@ -141,9 +141,20 @@ RendererChoice renderer_option(std::string_view option, const std::string& text)
 
 ColorChoice color_choice(std::string_view option, const std::string& text) {
     using enum ColorChoice;
-    static constexpr std::array<Named<ColorChoice>, 5> choices{
-        {{"auto", automatic}, {"mono", mono}, {"8", c8}, {"16", c16}, {"256", c256}}};
+    static constexpr std::array<Named<ColorChoice>, 6> choices{{{"auto", automatic},
+                                                                {"mono", mono},
+                                                                {"8", c8},
+                                                                {"16", c16},
+                                                                {"256", c256},
+                                                                {"truecolor", direct}}};
     return one_of<ColorChoice>(choices, option, text);
+}
+
+ThemeChoice theme_option(std::string_view option, const std::string& text) {
+    std::vector<Named<ThemeChoice>> choices;
+    for (const std::string_view known : theme_choice_names())
+        choices.push_back({known, *theme_choice(known)});
+    return one_of<ThemeChoice>(choices, option, text);
 }
 
 std::optional<std::string> unavailable(SolverKind kind) {

@@ -45,6 +45,7 @@ std::vector<CompareOptions::Side> solver_list(std::string_view option, const std
 
 RendererChoice renderer_option(std::string_view option, const std::string& text);
 ColorChoice color_choice(std::string_view option, const std::string& text);
+ThemeChoice theme_option(std::string_view option, const std::string& text);
 
 /// The reason why a solver cannot be used, with those that can; none if it can.
 std::optional<std::string> unavailable(SolverKind kind);

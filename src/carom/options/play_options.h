@@ -9,11 +9,12 @@
 #include "carom/options/guest_options.h"
 #include "physics/solver.h"
 #include "terminal/canvas/renderer.h"
+#include "terminal/canvas/theme.h"
 
 namespace carom {
 
 /// The number of colours; `automatic` asks the terminal and respects NO_COLOR.
-enum class ColorChoice : std::uint8_t { automatic, mono, c8, c16, c256 };
+enum class ColorChoice : std::uint8_t { automatic, mono, c8, c16, c256, direct };
 
 /// The options of the command line. An absent value leaves the choice to the preferences file, and
 /// then to carom.
@@ -26,6 +27,7 @@ struct PlayOptions {
 
     std::optional<RendererChoice> renderer;
     std::optional<ColorChoice> colors;
+    std::optional<ThemeChoice> theme;
     std::optional<double> fps;   ///< frames a second, > 0; 60 when absent
     std::optional<bool> mouse;   ///< false: the mouse is left to the terminal
     bool low_bandwidth = false;  ///< 15 frames a second, ASCII, no trails

@@ -29,6 +29,8 @@ std::optional<int> colors_of(std::optional<ColorChoice> choice) {
             return 16;
         case ColorChoice::c256:
             return 256;
+        case ColorChoice::direct:
+            return direct_colors;
         default:
             return std::nullopt;
     }
@@ -54,7 +56,9 @@ int play_here(const PlayOptions& options) {
     ScreenOptions screen_options;
     screen_options.colors =
         colors_of(options.colors ? options.colors : preferences.preferences.colors);
+    const auto theme = options.theme ? options.theme : preferences.preferences.theme;
     screen_options.light_background = preferences.preferences.light_background;
+    if (theme && theme->is_light) screen_options.light_background = theme->is_light;
     PacingOptions pacing;
     if (options.low_bandwidth) pacing = low_bandwidth_pacing;
     if (const auto fps = options.fps ? options.fps : preferences.preferences.fps)

@@ -21,11 +21,10 @@ struct Named {
     T value;
 };
 
-constexpr Named<ColorChoice> color_choices[] = {{"auto", ColorChoice::automatic},
-                                                {"mono", ColorChoice::mono},
-                                                {"8", ColorChoice::c8},
-                                                {"16", ColorChoice::c16},
-                                                {"256", ColorChoice::c256}};
+constexpr Named<ColorChoice> color_choices[] = {
+    {"auto", ColorChoice::automatic}, {"mono", ColorChoice::mono},
+    {"8", ColorChoice::c8},           {"16", ColorChoice::c16},
+    {"256", ColorChoice::c256},       {"truecolor", ColorChoice::direct}};
 constexpr Named<std::optional<bool>> backgrounds[] = {
     {"auto", std::nullopt}, {"dark", false}, {"light", true}};
 constexpr Named<bool> switches[] = {{"on", true}, {"off", false}};
@@ -64,6 +63,14 @@ Wrong choose_renderer(std::string_view text, std::optional<RendererChoice>& targ
     if (!choice) {
         return fmt::format("'{}' is none of {}", text, fmt::join(renderer_choice_names(), ", "));
     }
+    target = choice;
+    return std::nullopt;
+}
+
+Wrong choose_theme(std::string_view text, std::optional<ThemeChoice>& target) {
+    const std::optional<ThemeChoice> choice = theme_choice(text);
+    if (!choice)
+        return fmt::format("'{}' is none of {}", text, fmt::join(theme_choice_names(), ", "));
     target = choice;
     return std::nullopt;
 }
@@ -113,6 +120,7 @@ constexpr Setting settings[] = {
     {"renderer", [](Preferences& p, std::string_view v) { return choose_renderer(v, p.renderer); }},
     {"colors",
      [](Preferences& p, std::string_view v) { return choose(color_choices, v, p.colors); }},
+    {"theme", [](Preferences& p, std::string_view v) { return choose_theme(v, p.theme); }},
     {"background",
      [](Preferences& p, std::string_view v) { return choose(backgrounds, v, p.light_background); }},
     {"fps", [](Preferences& p, std::string_view v) { return set_fps(v, p.fps); }},

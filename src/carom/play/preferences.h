@@ -15,8 +15,9 @@
 ///
 ///     p = pause               a key and the action that it does; `none` for nothing
 ///     ctrl-up = zoom-in
-///     renderer = braille      auto, ascii, half, braille
-///     colors = 16             auto, mono, 8, 16, 256
+///     renderer = braille      auto, ascii, half, quadrants, sextants, octants, braille
+///     colors = 16             auto, mono, 8, 16, 256, truecolor
+///     theme = contrast        auto, dark, light, contrast, color-blind
 ///     background = light      auto, dark, light
 ///     fps = 30                frames a second, 1..1000
 ///     mouse = off             on, off
@@ -32,6 +33,7 @@ struct Preferences {
     KeyMap keys;
     std::optional<RendererChoice> renderer;
     std::optional<ColorChoice> colors;
+    std::optional<ThemeChoice> theme;
     std::optional<bool> light_background;
     std::optional<double> fps;
     std::optional<bool> mouse;

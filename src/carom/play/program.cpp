@@ -55,6 +55,7 @@ Program::Program(PlayOptions options, PreferencesText preferences)
       preference_problems_(std::move(preferences.problems)) {
     view_.renderer = options_.renderer.value_or(preferences_.renderer.value_or(nullptr));
     view_.color_by = preferences_.color_by;
+    theme_ = options_.theme.value_or(preferences_.theme.value_or(ThemeChoice{}));
     view_.ball_style = preferences_.ball_style;
     view_.trails = preferences_.trails && !options_.low_bandwidth;
     if (options_.low_bandwidth && !options_.renderer) view_.renderer = &ascii_renderer();
@@ -63,7 +64,12 @@ Program::Program(PlayOptions options, PreferencesText preferences)
 
 ViewOptions Program::view() const {
     ViewOptions view = view_;
-    view.look = {capabilities_.colors, capabilities_.utf8, capabilities_.light_background};
+    view.look = {.colors = capabilities_.direct_color ? direct_colors : capabilities_.colors,
+                 .utf8 = capabilities_.utf8,
+                 .light_background = capabilities_.light_background,
+                 .mosaic = capabilities_.mosaic,
+                 .theme = theme_.name,
+                 .ground = capabilities_.background};
     return view;
 }
 

@@ -121,6 +121,7 @@ class Program {
     std::vector<std::string> preference_problems_;
     Capabilities capabilities_;
     ViewOptions view_;
+    ThemeChoice theme_;
     std::optional<Recording> recording_;  ///< of the current game, until it ends
     std::optional<std::string> lost_recording_;
     bool mouse_ = true;

@@ -3,6 +3,9 @@
 #include <optional>
 #include <string_view>
 
+#include "terminal/canvas/color.h"
+#include "terminal/canvas/mosaic.h"
+
 /// The abilities of the terminal, according to its description, the environment, and its own
 /// answers.
 namespace carom {
@@ -15,10 +18,12 @@ struct Capabilities {
     bool utf8 = false;          ///< false: everything but ASCII is shown as '?'
     double cell_aspect = 2.0;   ///< height of a cell over its width, > 0
     bool light_background = false;
-    bool key_release = false;   ///< keys report their release (kitty keyboard protocol)
-    bool mouse_pixels = false;  ///< the mouse reports positions finer than a cell
-    bool answers = false;       ///< the terminal has answered at least one query
-    bool ssh = false;           ///< reached over a network: input may arrive in pieces
+    std::optional<Rgb> background;   ///< its colour; none: the terminal has not told
+    Mosaic mosaic = Mosaic::halves;  ///< the finest that the terminal certainly draws
+    bool key_release = false;        ///< keys report their release (kitty keyboard protocol)
+    bool mouse_pixels = false;       ///< the mouse reports positions finer than a cell
+    bool answers = false;            ///< the terminal has answered at least one query
+    bool ssh = false;                ///< reached over a network: input may arrive in pieces
 
     friend bool operator==(const Capabilities&, const Capabilities&) = default;
 };

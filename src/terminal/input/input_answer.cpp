@@ -1,5 +1,6 @@
 #include "terminal/input/input_answer.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -67,13 +68,51 @@ std::optional<Answer> answer_in_command(std::string_view body) {
     return answer;
 }
 
-std::string_view capability_questions() {
-    return "\033]11;?\033\\"
-           "\033[?2026$p"
-           "\033[?1016$p"
-           "\033[16t"
-           "\033[?u"
-           "\033[c";
+std::optional<Answer> answer_in_device_control(std::string_view body) {
+    Answer answer;
+    if (body.starts_with(">|")) {
+        answer.kind = Answer::Kind::version;
+        answer.text = body.substr(2);
+        return answer;
+    }
+    // XTGETTCAP: "1+r", and names in hexadecimal digits that the terminal has.
+    if (body.starts_with("1+r524742") || body.starts_with("1+r5463")) {
+        answer.kind = Answer::Kind::colors;
+        answer.colors = direct_colors;
+        return answer;
+    }
+    // DECRQSS: "1$r" and the style. The question sets the foreground 250, 130, 5; a terminal
+    // without 24-bit colour answers with the nearest that it has, or without any.
+    constexpr std::string_view start = "1$r";
+    if (!body.starts_with(start) || !body.ends_with('m')) return std::nullopt;
+    answer.kind = Answer::Kind::colors;
+    std::string fields(body.substr(start.size()));
+    std::ranges::replace(fields, ':', ';');
+    const auto has = [&](std::string_view text) { return fields.find(text) != std::string::npos; };
+    if (has("38;2;250;130;5m") || has("38;2;;250;130;5m") || has("38;2;0;250;130;5m") ||
+        has("38;2;1;250;130;5m")) {
+        answer.colors = direct_colors;
+    } else if (has("38;5;")) {
+        answer.colors = 256;
+    }
+    return answer;
+}
+
+std::string capability_questions(bool passes_strings_on) {
+    std::string questions =
+        "\033]11;?\033\\"
+        "\033[?2026$p"
+        "\033[?1016$p"
+        "\033[16t"
+        "\033[?u"
+        "\033[>q";
+    if (!passes_strings_on) {
+        questions +=
+            "\033[38;2;250;130;5m\033P$qm\033\\\033[m"
+            "\033P+q524742\033\\"
+            "\033P+q5463\033\\";
+    }
+    return questions + "\033[c";
 }
 
 }  // namespace carom

@@ -197,9 +197,12 @@ void InputDecoder::take_command(unsigned char byte) {
 void InputDecoder::finish_command() {
     emit_escape_before();
     const std::size_t terminator = bytes_.back() == '\\' ? 2 : 1;
-    if (bytes_[1] == ']' && bytes_.size() < longest_command) {
+    if (bytes_.size() < longest_command) {
         const auto body = std::string_view(bytes_).substr(2, bytes_.size() - 2 - terminator);
-        if (const auto answer = answer_in_command(body)) decoded_.answers.push_back(*answer);
+        const auto answer = bytes_[1] == ']'   ? answer_in_command(body)
+                            : bytes_[1] == 'P' ? answer_in_device_control(body)
+                                               : std::nullopt;
+        if (answer) decoded_.answers.push_back(*answer);
     }
     begin(State::ground);
 }

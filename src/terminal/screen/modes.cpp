@@ -1,5 +1,9 @@
 #include "terminal/screen/modes.h"
 
+#include <algorithm>
+
+#include "terminal/input/known_terminals.h"
+
 namespace carom {
 namespace {
 
@@ -82,7 +86,16 @@ std::string TerminalModes::learn(const Answer& answer) {
         case status:
             return {};
         case background:
-            light_background_ = luminance(answer.color) > 0.5;
+            background_ = answer.color;
+            return {};
+        case version: {
+            const TerminalTraits traits = traits_of(answer.text);
+            mosaic_ = traits.mosaic;
+            if (traits.has_direct_colors) colors_promised_ = direct_colors;
+            return {};
+        }
+        case colors:
+            colors_promised_ = std::max(colors_promised_, answer.colors);
             return {};
         case key_flags:
             if (!options_.key_release || has_key_protocol_) return {};
@@ -106,10 +119,12 @@ void TerminalModes::tell(Capabilities& capabilities) const {
     capabilities.mouse_pixels = has_mouse_pixels();
     capabilities.key_release = has_key_protocol_;
     capabilities.cell_aspect = cell_aspect_from(cell_wide_, cell_high_, 1, 1).value_or(2.0);
+    capabilities.mosaic = mosaic_;
+    capabilities.background = background_;
     if (options_.light_background) {
         capabilities.light_background = *options_.light_background;
-    } else if (light_background_) {
-        capabilities.light_background = *light_background_;
+    } else if (background_) {
+        capabilities.light_background = luminance(*background_) > 0.5;
     }
 }
 

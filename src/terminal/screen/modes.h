@@ -39,6 +39,8 @@ class TerminalModes {
     bool measure(int pixels_wide, int pixels_high, int columns, int rows);
     /// Learns from an answer; returns the bytes to send in response.
     std::string learn(const Answer& answer);
+    /// The most colours that an answer promised: 0, 256 or direct_colors.
+    int colors_promised() const { return colors_promised_; }
     /// Copies the known abilities into `capabilities`.
     void tell(Capabilities& capabilities) const;
 
@@ -52,7 +54,9 @@ class TerminalModes {
     bool has_pixel_reports_ = false;
     bool has_synchronized_output_ = false;
     bool has_key_protocol_ = false;
-    std::optional<bool> light_background_;
+    std::optional<Rgb> background_;
+    Mosaic mosaic_ = Mosaic::halves;
+    int colors_promised_ = 0;
 };
 
 inline constexpr std::string_view status_question = "\033[5n";

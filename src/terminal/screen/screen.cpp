@@ -48,18 +48,16 @@ std::variant<Screen, ScreenError> Screen::open(const ScreenOptions& options) {
         CursesSession::start(environment.terminal, capabilities.columns, capabilities.rows);
     if (const auto* const error = std::get_if<std::string>(&started)) return ScreenError{*error};
     state->curses = std::get<CursesSession>(std::move(started));
-    const int most_colors =
-        options.colors.value_or(environment.wants_no_colors ? 0 : colors_on_offer(environment));
-    const TerminalDialect dialect = described_dialect(most_colors, capabilities.utf8);
-    state->differ = FrameDiffer(dialect);
-    capabilities.colors = std::min(256, dialect.colors);
-    capabilities.direct_color = dialect.colors == direct_colors;
+    state->chosen_colors = options.colors;
+    if (!options.colors && environment.wants_no_colors) state->chosen_colors = 0;
+    state->described_most = colors_on_offer(environment);
+    state->choose_colors();
     state->decoder = InputDecoder(capabilities.utf8, described_keys());
     catch_fatal_signals();
     state->measure();
     state->enter();
     if (options.queries && is_modern_emulator()) {
-        state->send(capability_questions());
+        state->send(capability_questions(environment.terminal.starts_with("screen")));
         constexpr int most_reads = 64;  // bounded, since somebody may be typing meanwhile
         for (int i = 0; i < most_reads && !state->has_answered_all; ++i) {
             if (!state->wait_once(answer_timeout)) break;

@@ -77,6 +77,18 @@ void Screen::State::measure() {
     differ.set_size(capabilities.columns, capabilities.rows);
 }
 
+// Uses as many colours as the terminal has, by its description, the environment and its answers, or
+// those that the player chose. The frame after a change sends every cell.
+void Screen::State::choose_colors() {
+    const int promised = modes.colors_promised();
+    const TerminalDialect dialect = described_dialect(
+        chosen_colors.value_or(std::max(described_most, promised)), capabilities.utf8, promised);
+    capabilities.colors = std::min(256, dialect.colors);
+    capabilities.direct_color = dialect.colors == direct_colors;
+    differ = FrameDiffer(dialect);
+    differ.set_size(capabilities.columns, capabilities.rows);
+}
+
 void Screen::State::set_mouse() {
     decoder.set_mouse_unit(modes.mouse_unit());
     modes.tell(capabilities);

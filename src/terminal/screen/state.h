@@ -25,7 +25,9 @@ struct Screen::State {
     InputDecoder decoder;
     Capabilities capabilities;
     termios modes_before{};
-    int columns_unmeasured = 80;  // the size of a window whose size the system does not know
+    std::optional<int> chosen_colors;  // by the player; none: as many as the terminal has
+    int described_most = 256;          // colours, by the description and the environment
+    int columns_unmeasured = 80;       // the size of a window whose size the system does not know
     int rows_unmeasured = 24;
     std::vector<InputEvent> waiting;  // for the next wait()
     std::vector<int> deferred;        // signals that arrived during send()
@@ -48,6 +50,7 @@ struct Screen::State {
     winsize read_size();  // into `capabilities`
     void measure();
     void set_mouse();
+    void choose_colors();
     void hang_up();
 
     // state_input.cpp: input and signals

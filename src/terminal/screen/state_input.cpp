@@ -33,7 +33,9 @@ void Screen::State::take(const Answer& answer) {
     if (answer.kind == Answer::Kind::attributes) has_answered_all = true;
     if (answer.kind != Answer::Kind::status) does_answer_questions = true;
     if (!is_open) return;
+    const int promised_before = modes.colors_promised();
     const std::string reply = modes.learn(answer);
+    if (modes.colors_promised() != promised_before) choose_colors();
     modes.tell(capabilities);
     decoder.set_mouse_unit(modes.mouse_unit());
     arm();

@@ -83,9 +83,9 @@ bool is_string(const char* name, std::string_view expected) {
 }
 
 // A terminal of 88 colours, or of any other number in between, is used as one of fewer colours.
-int colors_in_use(int most) {
+int colors_in_use(int most, int promised) {
     if (most >= direct_colors) return direct_colors;
-    const int known = described_colors();
+    const int known = std::max(described_colors(), promised);
     if (most < 8 || known < 8) return 0;
     if (most >= 256 && known >= 256) return 256;
     return std::min(known, most) >= 16 ? 16 : 8;
@@ -116,15 +116,15 @@ std::uint8_t attributes_in_color() {
 }
 
 // Whether the terminal moves and colours the way that all terminals since the VT100 do.
-bool is_ecma48(int colors) {
+bool is_ecma48(int colors, int promised) {
     const auto color = [](int number) {
         const char* const text = capability("setaf");
         return text == nullptr ? std::string() : unpadded(tiparm(text, number));
     };
     const bool has_bright = colors == 16 || colors == 256;
-    const bool colors_as_all_do = colors == 0 || colors == direct_colors ||
+    const bool colors_as_all_do = colors == 0 || colors == direct_colors || promised >= 256 ||
                                   color(1) == "\033[31m" || color(1) == "\033[38;5;1m";
-    const bool brightens_as_all_do = !has_bright || described_colors() > 256 ||
+    const bool brightens_as_all_do = !has_bright || described_colors() > 256 || promised >= 256 ||
                                      color(9) == "\033[91m" || color(9) == "\033[38;5;9m";
     const std::string reverses = unpadded(capability("rev"));
     return is_string("cup", "\033[%i%p1%d;%p2%dH") && (reverses.empty() || reverses == "\033[7m") &&
@@ -194,9 +194,9 @@ int described_colors() {
     return has_capability("setaf") || has_capability("setf") ? tigetnum("colors") : 0;
 }
 
-TerminalDialect described_dialect(int most_colors, bool is_utf8) {
+TerminalDialect described_dialect(int most_colors, bool is_utf8, int promised_colors) {
     TerminalDialect dialect;
-    dialect.colors = colors_in_use(most_colors);
+    dialect.colors = colors_in_use(most_colors, promised_colors);
     dialect.is_utf8 = is_utf8;
     dialect.attributes = described_attributes();
     dialect.attributes_in_color = attributes_in_color();
@@ -209,7 +209,7 @@ TerminalDialect described_dialect(int most_colors, bool is_utf8) {
     dialect.has_column = is_string("hpa", "\033[%i%p1%dG");
     dialect.waits_at_margin = tigetflag("am") <= 0 || tigetflag("xenl") > 0;
     dialect.clear = unpadded(capability("clear"));
-    if (!is_ecma48(dialect.colors)) {
+    if (!is_ecma48(dialect.colors, promised_colors)) {
         dialect.has_erase_line = dialect.has_erase_cells = dialect.has_repeat = false;
         dialect.move = described_move;
         dialect.style = described_style;

@@ -24,9 +24,10 @@ KeyTable described_keys();
 
 /// How to write frames to this terminal. `most_colors`: 0 to direct_colors. The result has at most
 /// as many colours as the description says, except that direct_colors is always honoured, since
-/// hardly any description knows 24-bit colours. A terminal that does not understand ECMA-48 gets
-/// the description's own strings, for every style and every movement.
-TerminalDialect described_dialect(int most_colors, bool is_utf8);
+/// hardly any description knows 24-bit colours, and `promised_colors`, since the terminal itself
+/// said that it has them. A terminal that does not understand ECMA-48 gets the description's own
+/// strings, for every style and every movement.
+TerminalDialect described_dialect(int most_colors, bool is_utf8, int promised_colors = 0);
 
 /// The number of colours; over 256 where colours have 24 bits, as with xterm-direct. Below 8: none.
 int described_colors();

@@ -59,8 +59,14 @@ TEST_CASE("an error is reported with its place, and the rest counts") {
         const char* problem;
     };
     const Row table[] = {
-        {"renderer = brail", "p:1:12: error: 'brail' is none of auto, ascii, half, braille"},
-        {"renderer =", "p:1:1: error: '' is none of auto, ascii, half, braille"},
+        {"renderer = brail",
+         "p:1:12: error: 'brail' is none of auto, ascii, half, quadrants, sextants, octants, "
+         "braille"},
+        {"renderer =",
+         "p:1:1: error: '' is none of auto, ascii, half, quadrants, sextants, octants, braille"},
+        {"theme = dusk",
+         "p:1:9: error: 'dusk' is none of auto, dark, light, contrast, color-blind"},
+        {"colors = 24", "p:1:10: error: '24' is none of auto, mono, 8, 16, 256, truecolor"},
         {"fps = fast", "p:1:7: error: 'fast' is not a number in 1..1000"},
         {"key-repeat = 660",
          "p:1:14: error: '660' is not a delay in 100..2000 ms and a period in 1..200 ms, as in "

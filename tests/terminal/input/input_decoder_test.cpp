@@ -282,7 +282,11 @@ TEST_CASE("Ctrl-C interrupts any unfinished sequence") {
 TEST_CASE("answers are never keys, wherever they come and however they are split") {
     const std::string answers =
         "\033[?62;22c\033[0n\033[?2026;2$y\033[?1016;0$y\033[6;20;10t\033[?1u"
-        "\033]11;rgb:ffff/8080/0000\033\\\033]11;rgb:1e/1e/1e\007";
+        "\033]11;rgb:ffff/8080/0000\033\\\033]11;rgb:1e/1e/1e\007"
+        "\033P>|kitty(0.40.1)\033\\\033P1$r0;38:2::250:130:5m\033\\"
+        "\033P1$r38;2;250;130;5m\033\\\033P1$r0;38:5:208m\033\\"
+        "\033P1$r0m\033\\\033P0$r\033\\\033P1+r524742=382F382F38\033\\"
+        "\033P0+r5463\033\\";
     for (std::size_t cut = 0; cut <= answers.size(); ++cut) {
         InputDecoder decoder;
         DecodedInput first = decoder.feed(answers.substr(0, cut));
@@ -299,6 +303,12 @@ TEST_CASE("answers are never keys, wherever they come and however they are split
             {.kind = Answer::Kind::key_flags},
             {.kind = Answer::Kind::background, .color = {255, 128, 0}},
             {.kind = Answer::Kind::background, .color = {30, 30, 30}},
+            {.kind = Answer::Kind::version, .text = "kitty(0.40.1)"},
+            {.kind = Answer::Kind::colors, .colors = direct_colors},
+            {.kind = Answer::Kind::colors, .colors = direct_colors},
+            {.kind = Answer::Kind::colors, .colors = 256},
+            {.kind = Answer::Kind::colors},
+            {.kind = Answer::Kind::colors, .colors = direct_colors},
         };
         CHECK(first.answers == wanted);
     }
