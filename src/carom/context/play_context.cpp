@@ -12,7 +12,7 @@ constexpr double reach = 1.5;
 }  // namespace
 
 Camera Controller::fit(const PlayContext& play, const CellArea& area, double aspect) {
-    return fit_camera(play.session.scene().view, area, aspect);
+    return fit_camera(play.view.shown, area, aspect);
 }
 
 void Controller::annotate(const PlayContext& play, Annotations& annotations) const {
@@ -24,7 +24,7 @@ PlayContext::PlayContext(Session game, const ViewOptions& options, KeyMap key_ma
     : session(std::move(game)),
       words(words_of(session.scene().comment)),
       keys(std::move(key_map)),
-      view{.options = options, .defaults = options},
+      view{.options = options, .defaults = options, .shown = session.scene().view},
       pointer{.at = center(session.scene().view)},
       panels(session.scene()),
       solver_is_picked(is_picked) {

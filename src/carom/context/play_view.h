@@ -11,6 +11,7 @@ namespace carom {
 struct PlayView {
     ViewOptions options;
     ViewOptions defaults;  ///< of the options, before any key changed them
+    Box shown;             ///< what the fitted camera shows: the level with its rail
     ViewMemory memory;
     Camera camera;
     bool is_fitted = true;     ///< the camera shows the whole scene

@@ -242,7 +242,8 @@ void Menu::draw(Canvas& canvas, double aspect, const ViewOptions& view) {
     if (!item || item->path != pictured_ || !picture_) return;
     const CellArea area = menu_picture_area(columns_, rows_, all, selected_);
     if (area.columns <= 0 || area.rows <= 0) return;
-    const Camera camera = fit_camera(picture_->scene().view, area, aspect);
+    const Camera camera = fit_camera(
+        shown_box(picture_->scene(), memory_.ground.board(picture_->scene())), area, aspect);
     draw_world(canvas, camera, picture_->scene(), picture_->world(), picture_->contacts(), {}, view,
                memory_);
 }

@@ -17,15 +17,16 @@ namespace {
 void lay_out(PlayContext& play, const Canvas& canvas, double aspect) {
     const Scene& scene = play.session.scene();
     PlayView& view = play.view;
+    view.shown = shown_box(scene, view.memory.ground.board(scene));
     const bool is_split = play.companion.comparison().has_value();
     CellArea area = world_area(canvas.columns(), canvas.rows());
     play.panels.cut(area, scene, is_split);
     if (is_split)
-        area = play.companion.split_area(area, scene.view, aspect);
+        area = play.companion.split_area(area, view.shown, aspect);
     else
         play.controller->cut_panel(play, area);
     if (view.is_fitted)
-        view.camera = is_split ? fit_camera(scene.view, area, aspect)
+        view.camera = is_split ? fit_camera(view.shown, area, aspect)
                                : play.controller->fit(play, area, aspect);
     else if (!(view.camera.area == area) || view.camera.aspect != aspect)
         view.camera = resized(view.camera, area, aspect);

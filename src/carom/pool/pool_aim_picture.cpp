@@ -52,7 +52,6 @@ std::vector<PoolAnnotations::Number> numbers_of(const Session& session) {
 PoolAnnotations PoolAim::annotations(const Session& session, bool aims) const {
     PoolAnnotations annotations;
     annotations.numbers = numbers_of(session);
-    annotations.cloth = cloth_box(session.scene());
     if (!aims || !may_aim(session) || !is_seen_) return annotations;
     const World& world = session.world();
     const BallId cue = *cue_ball(session);

@@ -44,12 +44,16 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
 
     remember_fastest(memory, world);
     std::vector<Ink> inks = ball_inks(world, options, memory);
+    if (options.color_by == ColorBy::kind) dress_balls(inks, scene, world, options.look);
+    memory.ground.update(scene, camera, renderer_in_force(options), options.look);
     if (annotations.pool && options.color_by == ColorBy::kind)
         color_pool_balls(inks, world, *annotations.pool, options.look);
     Raster raster(renderer_in_force(options), area.columns, area.rows, camera.aspect, options.look);
     const View view{camera, scene, world, options, annotations, memory, contacts, inks};
     polish_balls(inks, view);
 
+    memory.ground.paint(raster);
+    paint_pool_table(raster, view, memory.ground.board(scene));
     paint_overlays_below(raster, view);
     if (options.trails) {
         add_to_trails(memory.trails, camera, raster, world, inks);
@@ -69,13 +73,14 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     paint_annotations(raster, view);
     raster.show(canvas, area.column, area.row);
 
-    lay_cloth(canvas, view);
     if (!annotations.pool && !annotations.table) write_counters(canvas, view);
     if (annotations.pool && options.labels == Labels::automatic)
         write_numbers(canvas, view);
     else
         write_labels(canvas, view);
+    write_board_labels(canvas, view);
     write_annotations(canvas, view);
+    memory.ground.lay(canvas);
 }
 
 }  // namespace carom

@@ -12,6 +12,7 @@
 #include "terminal/canvas/canvas.h"
 #include "terminal/canvas/palette.h"
 #include "terminal/canvas/renderer.h"
+#include "terminal/draw/ground.h"
 #include "terminal/draw/overlays.h"
 #include "terminal/draw/pool_annotations.h"
 #include "terminal/draw/table_annotations.h"
@@ -86,6 +87,7 @@ struct Annotations {
 /// level.
 struct ViewMemory {
     Trails trails;
+    GroundLayer ground;
     double fastest = 0.0;    ///< the recent top speed of the balls, length/s
     std::uint64_t tick = 0;  ///< the world's tick when it was last drawn
 };

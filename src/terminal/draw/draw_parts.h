@@ -38,6 +38,11 @@ struct Images {
 };
 Images images_of(const Model& model, const Box& bounds);
 
+/// Gives balls the colours of the level's dress, where it has any.
+void dress_balls(std::vector<Ink>& inks, const Scene& scene, const World& world, const Look& look);
+/// The ink of an edge: its own colour, that of its material, that of the theme, or one by number.
+Ink edge_ink(const View& view, std::size_t edge);
+
 std::vector<Ink> ball_inks(const World& world, const ViewOptions& options,
                            const ViewMemory& memory);
 
@@ -46,6 +51,10 @@ std::vector<Ink> ball_inks(const World& world, const ViewOptions& options,
 /// bodies.
 void paint_overlays_below(Raster& raster, const View& view);
 void paint_overlays_above(Raster& raster, const View& view);
+/// Pockets, diamonds, head string and spots.
+void paint_pool_table(Raster& raster, const View& view, const Board& board);
+/// Whether the zone is a pocket that paint_pool_table draws.
+bool paints_pocket(const Raster& raster, const View& view, std::size_t zone);
 void paint_zones(Raster& raster, const View& view);
 void paint_edges(Raster& raster, const View& view);
 void paint_balls(Raster& raster, const View& view);
@@ -66,7 +75,11 @@ bool is_striped(const View& view, std::size_t ball);
 void polish_balls(std::vector<Ink>& inks, const View& view);
 
 // Onto the canvas, over all shapes.
-void lay_cloth(Canvas& canvas, const View& view);
+/// Writes text on the board: in cells that show nothing but the ground.
+void write_on_ground(Canvas& canvas, const View& view, int column, int row, std::string_view text,
+                     const Ink& ink);
+/// The labels of the level.
+void write_board_labels(Canvas& canvas, const View& view);
 void write_counters(Canvas& canvas, const View& view);
 void write_labels(Canvas& canvas, const View& view);
 /// Whether the ball's number replaces the characters that ASCII has for a ball.

@@ -83,6 +83,41 @@ void paint_end(Raster& raster, const View& view, Vec2 place, bool is_pocketed, d
     raster.disc(at, size, 2.0 * raster.hairline(), {ink, 0, '\0'});
 }
 
+constexpr Rgb24 shaft_color = 0xd9b382;
+constexpr Rgb24 butt_color = 0x4a2413;
+constexpr Rgb24 ferrule_color = 0xf3efe2;
+
+// A cue that grows thicker from its tip to its butt: the shaft of maple, the butt dark.
+void paint_cue(Raster& raster, const View& view, const PoolAnnotations::Line& stick,
+               double ball_radius) {
+    const Look& look = view.options.look;
+    if (!look.has_shades() || raster.renderer().has_regions())
+        return raster.line(to_raster(view.camera, stick.from), to_raster(view.camera, stick.to),
+                           ink_of(Role::selected, look));
+    struct Piece {
+        double from;
+        double to;
+        double radius;  // in radii of the ball
+        Rgb24 color;
+    };
+    constexpr std::array<Piece, 5> pieces{{{0.0, 0.02, 0.22, ferrule_color},
+                                           {0.02, 0.30, 0.24, shaft_color},
+                                           {0.30, 0.62, 0.32, shaft_color},
+                                           {0.62, 0.80, 0.42, butt_color},
+                                           {0.80, 1.0, 0.50, butt_color}}};
+    const auto at = [&](double share) {
+        return to_raster(view.camera, stick.from + (stick.to - stick.from) * share);
+    };
+    // From the butt on, so that each piece ends over the one behind it.
+    for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
+        const double radius = piece->radius * ball_radius * view.camera.columns_per_length;
+        // Where borders are sharp, a capsule thinner than a pixel could fall between pixels.
+        constexpr double least = 0.55;  // columns
+        raster.capsule(at(piece->from), at(piece->to), radius < least ? 0.0 : radius,
+                       {dress_ink(piece->color, look), 255, '\0'});
+    }
+}
+
 }  // namespace
 
 void color_pool_balls(std::vector<Ink>& inks, const World& world, const PoolAnnotations& pool,
@@ -124,34 +159,11 @@ void paint_pool(Raster& raster, const View& view) {
         else
             raster.disc(at, size, 2.0 * raster.hairline(), {text, 0, '\0'});
     }
-    if (pool.stick)
-        raster.line(to_raster(view.camera, pool.stick->from),
-                    to_raster(view.camera, pool.stick->to), ink_of(Role::selected, look));
+    if (pool.stick) paint_cue(raster, view, *pool.stick, radius);
     if (pool.called) {
         const RasterPoint at = to_raster(view.camera, *pool.called);
         raster.disc(at, 1.2, 0.0, {strong, 255, '*'});
     }
-}
-
-void lay_cloth(Canvas& canvas, const View& view) {
-    const Look& look = view.options.look;
-    if (!view.annotations.pool || !view.annotations.pool->cloth || !look.has_shades()) return;
-    const Color color = ink_of(Role::cloth, look).color;
-    const CellArea& area = view.camera.area;
-    const CellPoint low = to_cells(view.camera, view.annotations.pool->cloth->low);
-    const CellPoint high = to_cells(view.camera, view.annotations.pool->cloth->high);
-    // Whole cells: those whose centre lies on the cloth.
-    const auto first = [](double from, int least) {
-        return std::max(least, static_cast<int>(std::ceil(std::max(from, -1.0) - 0.5)));
-    };
-    const int last_column = area.column + area.columns;
-    const int last_row = area.row + area.rows;
-    for (int row = first(high.row, area.row); row < last_row && row + 0.5 < low.row; ++row)
-        for (int column = first(low.column, area.column);
-             column < last_column && column + 0.5 < high.column; ++column) {
-            Cell& cell = canvas.at(column, row);
-            if (cell.background == default_color) cell.background = color;
-        }
 }
 
 bool is_striped(const View& view, std::size_t ball) {

@@ -179,14 +179,18 @@ std::vector<Ink> ball_inks(const World& world, const ViewOptions& options,
 }
 
 void paint_zones(Raster& raster, const View& view) {
-    const Ink ink = ink_of(Role::zone, view.options.look);
+    const Ink plain_ink = ink_of(Role::zone, view.options.look);
     const double rim = 2.0 * raster.hairline();
-    for (const Zone& zone : view.world.zones()) {
+    for (std::size_t i = 0; i < view.world.zones().size(); ++i) {
+        const Zone& zone = view.world.zones()[i];
         // Walls show where a counting zone is; a sink has none, and must be seen.
         if (zone.effect != Zone::Effect::sink) continue;
+        if (paints_pocket(raster, view, i)) continue;
         const RasterPoint start = to_raster(view.camera, zone.shape.start);
         const RasterPoint end = to_raster(view.camera, zone.shape.end);
         const double radius = zone.shape.radius * view.camera.columns_per_length;
+        const auto color = color_in(view.scene.dress.zones, i);
+        const Ink ink = color ? dress_ink(*color, view.options.look) : plain_ink;
         raster.capsule(start, end, radius, {ink, 120, '\0'});
         if (radius > 2.0 * rim) raster.capsule(start, end, radius - rim, {ink, 0, '\0'});
     }
@@ -199,8 +203,7 @@ void paint_edges(Raster& raster, const View& view) {
         const Capsule& shape = edges.shape[i];
         if (!edges.side.empty() && edges.side[i] == Side::none) continue;
         const bool is_selected = view.annotations.selected_capsule == edges.id[i];
-        const Ink ink = is_selected ? ink_of(Role::selected, view.options.look)
-                                    : ink_of_material(edges.material[i], view.options.look);
+        const Ink ink = is_selected ? ink_of(Role::selected, view.options.look) : edge_ink(view, i);
         const double radius = shape.radius * view.camera.columns_per_length;
         const double hair = raster.hairline() / view.camera.columns_per_length;
         for (const Vec2 offset : images_of(view.world.model(), bounds(shape))) {

@@ -34,7 +34,6 @@ struct PoolAnnotations {
     };
 
     std::vector<Number> numbers;
-    std::optional<Box> cloth;    ///< drawn where the terminal has colours for it
     std::optional<Line> stick;   ///< the cue, from its tip to its butt
     std::optional<Line> aim;     ///< from the ball to its first impact
     std::optional<Line> object;  ///< the path of the object ball

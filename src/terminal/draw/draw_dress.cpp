@@ -1,0 +1,65 @@
+#include <cmath>
+
+#include "level/text/utf8.h"
+#include "terminal/canvas/character_width.h"
+#include "terminal/draw/draw_parts.h"
+
+/// Draws the dress of a level: the colours of its balls and edges, and its labels.
+namespace carom {
+
+void dress_balls(std::vector<Ink>& inks, const Scene& scene, const World& world, const Look& look) {
+    const Dress& dress = scene.dress;
+    if (!look.has_colors() || (dress.balls.empty() && dress.kinds.empty())) return;
+    const Balls& balls = world.balls();
+    for (std::size_t i = 0; i < inks.size(); ++i) {
+        auto color = color_in(dress.balls, number(balls.id[i]));
+        if (!color) color = color_in(dress.kinds, balls.kind[i]);
+        if (color) inks[i] = dress_ink(*color, look);
+    }
+}
+
+Ink edge_ink(const View& view, std::size_t edge) {
+    const Look& look = view.options.look;
+    const Capsules& edges = view.world.capsules();
+    const Dress& dress = view.scene.dress;
+    auto color = color_in(dress.edges, number(edges.id[edge]));
+    if (!color) color = color_in(dress.materials, edges.material[edge]);
+    if (!color) color = dress.theme.edge;
+    if (!color && is_pool_table(view.scene) && look.has_shades()) color = nose_color(view.scene);
+    if (color && look.has_colors()) return dress_ink(*color, look);
+    return ink_of_material(edges.material[edge], look);
+}
+
+void write_board_labels(Canvas& canvas, const View& view) {
+    const Look& look = view.options.look;
+    const CellArea& area = view.camera.area;
+    for (const BoardLabel& label : view.scene.dress.labels) {
+        const CellPoint at = to_cells(view.camera, label.at);
+        const bool is_near =
+            at.row >= area.row && at.row < area.row + area.rows && std::abs(at.column) < 1e6;
+        if (!is_near) continue;
+        const double share = label.align == BoardLabel::Align::left    ? 0.0
+                             : label.align == BoardLabel::Align::right ? 1.0
+                                                                       : 0.5;
+        const Ink ink = label.color ? dress_ink(*label.color, look) : ink_of(Role::text, look);
+        const auto first = std::lround(at.column - share * columns_of(label.text));
+        write_on_ground(canvas, view, static_cast<int>(first), static_cast<int>(at.row), label.text,
+                        ink);
+    }
+}
+
+void write_on_ground(Canvas& canvas, const View& view, int column, int row, std::string_view text,
+                     const Ink& ink) {
+    const CellArea& area = view.camera.area;
+    for (; !text.empty(); ++column) {
+        const std::size_t bytes = decode_utf8(text).bytes;
+        const bool is_seen = column >= area.column && column < area.column + area.columns &&
+                             row >= area.row && row < area.row + area.rows;
+        if (is_seen && view.memory.ground.is_bare(canvas, column, row))
+            canvas.write(column, row, text.substr(0, bytes), ink.color, default_color,
+                         ink.attributes);
+        text.remove_prefix(bytes);
+    }
+}
+
+}  // namespace carom

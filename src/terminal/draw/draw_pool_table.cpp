@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <cmath>
+
+#include "terminal/draw/board.h"
+#include "terminal/draw/draw_parts.h"
+#include "terminal/draw/ground.h"
+
+/// Draws what lies on and in a pool table under its balls: pockets, diamonds, lines and spots.
+namespace carom {
+
+namespace {
+
+constexpr Rgb24 leather_color = 0x2b190d;
+constexpr Rgb24 diamond_color = 0xe9dfc4;
+constexpr Rgb24 chalk_color = 0x7fb697;  // on green cloth: a mixture of both
+constexpr double hole_share = 0.86;      // of the pocket's radius; the rest is leather
+
+void paint_pockets(Raster& raster, const View& view) {
+    const Look& look = view.options.look;
+    const Ink hole = dress_ink(hole_color, look);
+    const Ink leather = dress_ink(leather_color, look);
+    for (const std::uint32_t pocket : view.scene.pool.pockets) {
+        const Capsule& shape = view.world.zones()[pocket].shape;
+        const RasterPoint at = to_raster(view.camera, shape.start);
+        const double radius = shape.radius * view.camera.columns_per_length;
+        raster.disc(at, radius, 0.0, {leather, 255, '\0'});
+        raster.disc(at, hole_share * radius, 0.0, {hole, 255, '\0'});
+    }
+}
+
+// The axes of a table with a rack: from its middle towards the foot, and across.
+struct TableAxes {
+    Vec2 middle;
+    Vec2 along;
+    Vec2 across;
+    double length = 0.0;  ///< from the middle to the foot cushion's nose
+    double width = 0.0;
+};
+
+// The distance from `from` along `way` to where the bed ends.
+double reach(const Board& board, Vec2 from, Vec2 way, double most) {
+    constexpr int steps = 400;
+    for (int i = 1; i <= steps; ++i)
+        if (board.at(from + way * (most * i / steps)) != Ground::board) return most * i / steps;
+    return most;
+}
+
+// Only of a table with six pockets or four, symmetric about its middle: others have no diamonds.
+std::optional<TableAxes> axes_of(const View& view, const Board& board) {
+    const std::vector<std::uint32_t>& pockets = view.scene.pool.pockets;
+    if (pockets.size() != 4 && pockets.size() != 6) return std::nullopt;
+    std::optional<Box> box;
+    for (const std::uint32_t pocket : pockets) {
+        const Vec2 at = view.world.zones()[pocket].shape.start;
+        box = box ? join(*box, {at, at}) : Box{at, at};
+    }
+    TableAxes axes;
+    axes.middle = center(*box);
+    const bool is_wide = size(*box).x >= size(*box).y;
+    axes.along = is_wide ? Vec2{1.0, 0.0} : Vec2{0.0, 1.0};
+    axes.across = is_wide ? Vec2{0.0, 1.0} : Vec2{1.0, 0.0};
+    if (!view.scene.pool.racks.empty() &&
+        dot(view.scene.pool.racks.front().foot - axes.middle, axes.along) < 0.0)
+        axes.along = axes.along * -1.0;
+    // Beside the middle, where a side pocket may be.
+    const double most = length(size(*box));
+    const Vec2 beside = axes.middle + axes.along * (0.2 * most);
+    axes.length = reach(board, axes.middle, axes.along, most);
+    axes.width = reach(board, beside, axes.across, most);
+    return axes;
+}
+
+// A head string, a foot spot and a head spot, faint as chalk.
+void paint_markings(Raster& raster, const View& view, const TableAxes& axes) {
+    const Ink chalk = dress_ink(chalk_color, view.options.look);
+    const Vec2 head = axes.middle - axes.along * (0.5 * axes.length);
+    const Vec2 foot = axes.middle + axes.along * (0.5 * axes.length);
+    raster.line(to_raster(view.camera, head - axes.across * axes.width),
+                to_raster(view.camera, head + axes.across * axes.width), chalk, 60);
+    for (const Vec2 spot : {head, foot})
+        raster.disc(to_raster(view.camera, spot), 0.0, 0.0, {chalk, 255, '\0'});
+}
+
+void paint_diamonds(Raster& raster, const View& view, const Board& board, const TableAxes& axes) {
+    const Ink ivory = dress_ink(diamond_color, view.options.look);
+    const double rail = 0.5 * (size(board.frame()).x - 2.0 * std::abs(axes.along.x * axes.length +
+                                                                      axes.across.x * axes.width));
+    const double out = 0.68 * rail;
+    const double radius = 0.06 * rail * view.camera.columns_per_length;
+    const auto diamond = [&](double along, double across) {
+        const Vec2 at = axes.middle + axes.along * along + axes.across * across;
+        raster.disc(to_raster(view.camera, at), radius, 0.0, {ivory, 255, '\0'});
+    };
+    for (const int side : {-1, 1}) {
+        for (int i = -3; i <= 3; ++i)
+            if (i != 0) diamond(0.25 * i * axes.length, side * (axes.width + out));
+        for (int i = -1; i <= 1; ++i)
+            diamond(side * (axes.length + out), 0.5 * i * axes.width);
+    }
+}
+
+bool paints_tables(const Raster& raster, const View& view) {
+    return raster.renderer().has_pixels() && view.options.look.has_shades();
+}
+
+}  // namespace
+
+bool paints_pocket(const Raster& raster, const View& view, std::size_t zone) {
+    return paints_tables(raster, view) && std::ranges::count(view.scene.pool.pockets, zone) > 0;
+}
+
+void paint_pool_table(Raster& raster, const View& view, const Board& board) {
+    if (!is_pool_table(view.scene) || !paints_tables(raster, view)) return;
+    if (board.is_empty()) return paint_pockets(raster, view);
+    const std::optional<TableAxes> axes = axes_of(view, board);
+    if (axes && !view.scene.pool.racks.empty()) paint_markings(raster, view, *axes);
+    if (axes) paint_diamonds(raster, view, board, *axes);
+    paint_pockets(raster, view);
+}
+
+}  // namespace carom

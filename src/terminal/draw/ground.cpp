@@ -1,0 +1,202 @@
+#include "terminal/draw/ground.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "terminal/canvas/color.h"
+
+namespace carom {
+
+namespace {
+
+// Where the level gives no theme.
+struct GroundColors {
+    Rgb24 board = 0;
+    Rgb24 cushion = 0;
+    Rgb24 rail = 0;
+    Rgb24 plastic = 0;
+};
+constexpr GroundColors pool_colors{0x1a6b48, 0x12523a, 0x5c3318, 0};
+constexpr GroundColors pinball_colors{0x16203a, 0, 0x3a3f4a, 0x2f4a6b};
+constexpr GroundColors plain_colors{0x20262e, 0, 0x4a4f57, 0};
+
+Rgb24 scaled(Rgb24 color, double factor) {
+    const auto channel = [&](int shift) {
+        const double value = static_cast<double>(color >> shift & 0xffU) * factor;
+        return static_cast<Rgb24>(std::clamp(value, 0.0, 255.0)) << shift;
+    };
+    return channel(16) | channel(8) | channel(0);
+}
+
+GroundColors colors_of(const Scene& scene) {
+    const bool is_pool = is_pool_table(scene);
+    GroundColors colors = is_pool                  ? pool_colors
+                          : scene.table.is_empty() ? plain_colors
+                                                   : pinball_colors;
+    const BoardTheme& theme = scene.dress.theme;
+    if (theme.board) colors.board = *theme.board;
+    if (theme.board && is_pool) colors.cushion = scaled(*theme.board, 0.75);
+    if (theme.rail) colors.rail = *theme.rail;
+    return colors;
+}
+
+bool is_within(const std::vector<Vec2>& corners, Vec2 at) {
+    bool inside = false;
+    for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
+        const Vec2 a = corners[i];
+        const Vec2 b = corners[j];
+        if ((a.y > at.y) == (b.y > at.y)) continue;
+        if (at.x < a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y)) inside = !inside;
+    }
+    return inside;
+}
+
+Box bounds_of(const PaintedArea& area) {
+    if (area.corners.empty()) return bounds(area.disc);
+    Box box{area.corners.front(), area.corners.front()};
+    for (const Vec2 corner : area.corners)
+        box = join(box, {corner, corner});
+    return box;
+}
+
+}  // namespace
+
+Ink dress_ink(Rgb24 color, const Look& look) {
+    const Rgb rgb{static_cast<int>(color >> 16 & 0xffU), static_cast<int>(color >> 8 & 0xffU),
+                  static_cast<int>(color & 0xffU)};
+    return ink_of_color(rgb, look);
+}
+
+Rgb24 nose_color(const Scene& scene) {
+    constexpr double lighter = 1.3;
+    return scaled(colors_of(scene).board, lighter);
+}
+
+const Board& GroundLayer::board(const Scene& scene) {
+    if (!board_ || scene_hash_ != scene.text_hash) {
+        board_ = std::make_shared<const Board>(scene);
+        scene_hash_ = scene.text_hash;
+        key_.reset();
+    }
+    return *board_;
+}
+
+void GroundLayer::update(const Scene& scene, const Camera& camera, const Renderer& renderer,
+                         const Look& look) {
+    board(scene);
+    const Key key{camera, &renderer, look};
+    if (key_ == key) return;
+    key_ = key;
+    colors_.clear();
+    // With few colours, a ball could have that of the ground.
+    const bool has_ground = !board_->is_empty() || !scene.dress.areas.empty();
+    if (look.has_shades() && has_ground) fill(scene);
+}
+
+void GroundLayer::fill(const Scene& scene) {
+    const Renderer& renderer = *key_->renderer;
+    across_ = key_->camera.area.columns * renderer.across;
+    down_ = key_->camera.area.rows * renderer.down;
+    colors_.assign(static_cast<std::size_t>(across_) * static_cast<std::size_t>(down_),
+                   default_color);
+    if (!board_->is_empty()) fill_board(scene);
+    for (const std::uint32_t pocket : scene.pool.pockets) {
+        const Capsule& shape = scene.world.zones()[pocket].shape;
+        fill_area({{}, {shape.start, shape.radius}, hole_color});
+    }
+    for (const PaintedArea& area : scene.dress.areas)
+        fill_area(area);
+}
+
+Vec2 GroundLayer::place_of(int across, int down) const {
+    const CellArea& area = key_->camera.area;
+    return to_world(key_->camera, {area.column + (across + 0.5) / key_->renderer->across,
+                                   area.row + (down + 0.5) / key_->renderer->down});
+}
+
+void GroundLayer::fill_board(const Scene& scene) {
+    const GroundColors colors = colors_of(scene);
+    std::array<Color, 5> inks{};
+    inks[static_cast<std::size_t>(Ground::none)] = default_color;
+    const auto set = [&](Ground ground, Rgb24 color) {
+        inks[static_cast<std::size_t>(ground)] = dress_ink(color, key_->look).color;
+    };
+    set(Ground::board, colors.board);
+    set(Ground::cushion, colors.cushion);
+    set(Ground::rail, colors.rail);
+    set(Ground::plastic, colors.plastic);
+    for (int down = 0; down < down_; ++down)
+        for (int across = 0; across < across_; ++across)
+            sample(across, down) =
+                inks[static_cast<std::size_t>(board_->at(place_of(across, down)))];
+}
+
+void GroundLayer::fill_area(const PaintedArea& area) {
+    const Box box = bounds_of(area);
+    const CellPoint low = to_cells(key_->camera, {box.low.x, box.high.y});
+    const CellPoint high = to_cells(key_->camera, {box.high.x, box.low.y});
+    const CellArea& seen = key_->camera.area;
+    const auto within = [](double cells, int per_cell, int most) {
+        return static_cast<int>(std::clamp(cells * per_cell, 0.0, static_cast<double>(most)));
+    };
+    const Renderer& renderer = *key_->renderer;
+    const int left = within(low.column - seen.column, renderer.across, across_);
+    const int right = within(high.column - seen.column + 1.0, renderer.across, across_);
+    const int top = within(low.row - seen.row, renderer.down, down_);
+    const int bottom = within(high.row - seen.row + 1.0, renderer.down, down_);
+    const Color color = dress_ink(area.color, key_->look).color;
+    for (int down = top; down < bottom; ++down)
+        for (int across = left; across < right; ++across) {
+            const Vec2 at = place_of(across, down);
+            const bool is_inside = area.corners.empty()
+                                       ? length(at - area.disc.center) <= area.disc.radius
+                                       : is_within(area.corners, at);
+            if (is_inside) sample(across, down) = color;
+        }
+}
+
+void GroundLayer::paint(Raster& raster) const {
+    if (colors_.empty() || !raster.renderer().has_pixels()) return;
+    constexpr std::uint8_t full = 255;
+    for (int down = 0; down < down_; ++down)
+        for (int across = 0; across < across_; ++across) {
+            const Color color = color_at(across, down);
+            if (color != default_color) raster.sample(across, down, full, {color, plain});
+        }
+}
+
+bool GroundLayer::is_bare(const Canvas& canvas, int column, int row) const {
+    if (!canvas.holds(column, row)) return false;
+    const Cell& cell = canvas.at(column, row);
+    if (cell.glyph == U' ') return true;
+    if (colors_.empty() || !key_->renderer->has_pixels()) return false;
+    const Renderer& renderer = *key_->renderer;
+    const int across = (column - key_->camera.area.column) * renderer.across;
+    const int down = (row - key_->camera.area.row) * renderer.down;
+    const auto is_ground = [&](Color color) {
+        for (int i = 0; i < renderer.across * renderer.down; ++i)
+            if (color == color_at(across + i % renderer.across, down + i / renderer.across))
+                return true;
+        return false;
+    };
+    return is_ground(cell.foreground) &&
+           (cell.background == default_color || is_ground(cell.background));
+}
+
+void GroundLayer::lay(Canvas& canvas) const {
+    if (colors_.empty()) return;
+    const CellArea& area = key_->camera.area;
+    const Renderer& renderer = *key_->renderer;
+    for (int row = 0; row < area.rows; ++row)
+        for (int column = 0; column < area.columns; ++column) {
+            if (!canvas.holds(area.column + column, area.row + row)) continue;
+            Cell& cell = canvas.at(area.column + column, area.row + row);
+            if (cell.background != default_color) continue;
+            const int across = column * renderer.across + renderer.across / 2;
+            const int down = row * renderer.down + renderer.down / 2;
+            cell.background = color_at(across, down);
+        }
+}
+
+}  // namespace carom

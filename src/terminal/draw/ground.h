@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "level/scene/scene.h"
+#include "terminal/canvas/camera.h"
+#include "terminal/canvas/raster.h"
+#include "terminal/draw/board.h"
+
+/// The ground of a picture: the board with its rail, and the areas that the level paints. It does
+/// not change while the camera stands, so it is kept from picture to picture.
+namespace carom {
+
+/// An ink of the colour that a level gives; none of its own on a terminal without colours.
+Ink dress_ink(Rgb24 color, const Look& look);
+
+/// The inside of a pocket.
+inline constexpr Rgb24 hole_color = 0x08090b;
+
+/// The colour of the noses of a pool table's cushions.
+Rgb24 nose_color(const Scene& scene);
+
+class GroundLayer {
+  public:
+    /// Computes what the picture needs, unless that is known.
+    void update(const Scene& scene, const Camera& camera, const Renderer& renderer,
+                const Look& look);
+
+    /// The board of the level. Computes it unless it is known.
+    const Board& board(const Scene& scene);
+
+    /// Renderers with pixels: fills their samples, under all shapes.
+    void paint(Raster& raster) const;
+    /// Whether the cell shows the ground alone: no shape and no text.
+    bool is_bare(const Canvas& canvas, int column, int row) const;
+    /// Gives cells without a background of their own that of the ground, under text and shapes.
+    void lay(Canvas& canvas) const;
+
+  private:
+    struct Key {
+        Camera camera;
+        const Renderer* renderer = nullptr;
+        Look look;
+
+        friend bool operator==(const Key&, const Key&) = default;
+    };
+    void fill(const Scene& scene);
+    void fill_board(const Scene& scene);
+    void fill_area(const PaintedArea& area);
+    Vec2 place_of(int across, int down) const;
+    Color color_at(int across, int down) const {
+        return colors_[static_cast<std::size_t>(down) * static_cast<std::size_t>(across_) +
+                       static_cast<std::size_t>(across)];
+    }
+    Color& sample(int across, int down) {
+        return colors_[static_cast<std::size_t>(down) * static_cast<std::size_t>(across_) +
+                       static_cast<std::size_t>(across)];
+    }
+
+    std::shared_ptr<const Board> board_;
+    std::uint64_t scene_hash_ = 0;  ///< of the scene that the board is of
+    std::optional<Key> key_;
+    int across_ = 0;  ///< samples
+    int down_ = 0;
+    std::vector<Color> colors_;  ///< row by row; default_color: no ground; empty: none anywhere
+};
+
+}  // namespace carom

@@ -1,0 +1,103 @@
+#include "terminal/draw/board.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "level/load.h"
+#include "terminal/draw/draw.h"
+
+using namespace carom;
+
+namespace {
+
+Scene scene_of(const std::string& text) {
+    LoadResult result = load_level("carom 1 \"t\"\n" + text, "test.level");
+    REQUIRE(result.scene);
+    return std::move(*result.scene);
+}
+
+// A pool table of 200 x 100.
+std::string pool_table(const std::string& more) {
+    return "use cloth slide=0.2 roll=0.01 spin=10 g=10\nuse spin\nball cue at=40,50 r=3\n"
+           "cue ball=cue power=0..10\n" +
+           more;
+}
+
+int cells_of(const Canvas& canvas, Color color) {
+    int count = 0;
+    for (int row = 0; row < canvas.rows(); ++row)
+        for (int column = 0; column < canvas.columns(); ++column)
+            count += canvas.at(column, row).background == color ||
+                     canvas.at(column, row).foreground == color;
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("board: the cloth of a table of any shape and with any number of pockets is whole") {
+    std::string pegs;
+    for (int i = 0; i < 10; ++i)
+        pegs += "peg at=" + std::to_string(60 + 10 * i) + ",30 r=2\n";
+    for (const std::string& table :
+         {std::string("box 0,0 200,100\n"), std::string("box 0,0 200,100\npocket p at=0,0 r=6\n"),
+          "box 0,0 200,100\npocket p at=0,50 r=6\npocket q at=200,50 r=6\n" + pegs,
+          std::string("edge 0,0 200,0 200,100 20,100 close\n")}) {
+        CAPTURE(table);
+        const Board board(scene_of(pool_table(table)));
+        REQUIRE_FALSE(board.is_empty());
+        for (const Vec2 place : {Vec2{40, 50}, {190, 20}, {100, 90}, {150, 60}})
+            CHECK(board.at(place) == Ground::board);
+        for (const Vec2 place : {Vec2{-500, 50}, {100, 300}})
+            CHECK(board.at(place) == Ground::none);
+        CHECK(board.at({100, -3}) == Ground::cushion);
+        CHECK(board.frame().high.x > 200.0);
+    }
+}
+
+TEST_CASE("board: gaps as wide as a ball do not let the outside in, and a lost wall does") {
+    const Board gap(scene_of(pool_table("edge 0,0 98,0\nedge 104,0 200,0 200,100 0,100 0,0\n")));
+    REQUIRE_FALSE(gap.is_empty());
+    CHECK(gap.at({100, 50}) == Ground::board);
+    CHECK(gap.at({101, -40}) == Ground::none);
+    CHECK(Board(scene_of(pool_table("edge 0,0 200,0\n"))).is_empty());
+}
+
+TEST_CASE("board: what is closed off from the balls of a pinball table is a plastic") {
+    const Board board(scene_of(
+        "ball b at=10,50 r=2\nbox 0,0 100,100\nslingshot s 60,20 70,50 kick=1\n"
+        "edge 70,50 70,20 60,20\nmaterial rail layer=1\nedge rail 0,80 100,80\nramp up 0,80 100,80 "
+        "pass=up layer=1 r=1\n"));
+    CHECK(board.at({67, 30}) == Ground::plastic);
+    CHECK(board.at({30, 30}) == Ground::board);
+    CHECK(board.at({30, 90}) == Ground::board);
+}
+
+TEST_CASE("board: other levels have one where their theme says so") {
+    const std::string level = "ball a at=5,5\nbox 0,0 10,10\n";
+    CHECK(Board(scene_of(level)).is_empty());
+    const Scene scene = scene_of("theme board=navy\n" + level);
+    CHECK(Board(scene).at({5, 5}) == Ground::board);
+    CHECK(shown_box(scene, Board(scene)).high.x >= 10.0);
+}
+
+TEST_CASE("draw: a ball named red is red, paint lies under it, and a label on free ground") {
+    const Scene scene = scene_of(
+        "world 0,0 40,20\npaint rect 0,0 40,20 color=#203040\nball red at=10,10 r=4\n"
+        "ball b at=30,10 color=#30c040 r=4\nlabel \"ON FREE GROUND\" at=10,10 align=left\n");
+    for (const Renderer* renderer : {&half_block_renderer(), &ascii_renderer()}) {
+        Canvas canvas(40, 10);
+        ViewOptions options;
+        options.renderer = renderer;
+        options.look.colors = direct_colors;
+        ViewMemory memory;
+        draw_world(canvas, fit_camera(scene.view, {0, 0, 40, 10}, 2.0), scene, scene.world, {}, {},
+                   options, memory);
+        CHECK(cells_of(canvas, direct_color({0xd9, 0x2b, 0x2b})) > 5);
+        CHECK(cells_of(canvas, direct_color({0x30, 0xc0, 0x40})) > 5);
+        CHECK(cells_of(canvas, direct_color({0x20, 0x30, 0x40})) > 200);
+        // The label begins under the red ball, and shows only beside it.
+        CHECK(canvas.text().find("ON FREE") == std::string::npos);
+        CHECK(canvas.text().find("GROUND") != std::string::npos);
+    }
+}
