@@ -13,7 +13,7 @@ install(TARGETS carom RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT loca
 # In Debian's package. The way from there to the levels is the same.
 install(TARGETS carom RUNTIME DESTINATION games COMPONENT package EXCLUDE_FROM_ALL)
 install(DIRECTORY levels/ DESTINATION ${CMAKE_INSTALL_DATADIR}/carom/levels COMPONENT data
-  FILES_MATCHING PATTERN "*.level")
+  FILES_MATCHING PATTERN "*.level" PATTERN "*.table" PATTERN "*.list")
 install(FILES docs/carom.6 DESTINATION ${CMAKE_INSTALL_MANDIR}/man6 COMPONENT data)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT data
   FILES_MATCHING PATTERN "*.md")

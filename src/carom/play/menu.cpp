@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <utility>
 
 #include "carom/controllers/pinball_display.h"
 #include "carom/files/high_scores.h"
+#include "carom/files/menu_list.h"
+#include "carom/text/level_words.h"
 #include "level/text/utf8.h"
 #include "terminal/canvas/character_width.h"
+#include "terminal/panels/pages.h"
 
 namespace carom {
 namespace {
@@ -17,8 +21,17 @@ namespace {
 /// The time that an entry must stay selected before its level is loaded, s, so that holding an
 /// arrow key does not wait for pictures.
 constexpr double load_delay = 0.12;
+/// High scores that are shown.
+constexpr std::size_t most_notes = 3;
+
+/// The group of the levels in the current folder. It is there even while it is empty.
+constexpr std::string_view own_group = "Yours";
 /// The longest text to search for, bytes.
 constexpr std::size_t most_searched = 60;
+
+constexpr std::array<std::string_view, 2> empty_group = {
+    "No level in this folder yet.", "Press w in play to save one, or write one."};
+constexpr std::array<std::string_view, 2> nothing_matches = {"Nothing matches.", ""};
 
 std::string lower_case(std::string_view text) {
     std::string lower(text);
@@ -31,25 +44,53 @@ bool matches(const MenuItem& item, const std::string& search) {
     return lower_case(item.name + " " + item.title).find(lower_case(search)) != std::string::npos;
 }
 
-void add_levels(std::vector<MenuItem>& items, const std::string& folder, const char* group) {
-    for (const LevelEntry& level : levels_in(folder))
-        items.push_back({level.name, level.title, group, level.path});
-}
-
 std::string time_text(double seconds) {
     const auto whole = static_cast<long>(seconds);
     return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
-// Adds the high scores of a table below the description.
-void add_high_scores(const std::string& path, std::size_t most, std::vector<std::string>& preview) {
+std::vector<std::string> score_notes(const std::string& path, std::size_t most) {
     const HighScoresText kept = load_high_scores(high_scores_name(path), most);
-    if (kept.problem) preview.push_back(*kept.problem);
-    if (kept.scores.lines.empty()) return;
-    preview.push_back("");
-    preview.push_back("High scores:");
+    if (kept.problem) return {*kept.problem};
+    std::vector<std::string> notes;
     for (const HighScore& score : kept.scores.lines)
-        preview.push_back(fmt::format("{} {}", score.initials, grouped(score.score)));
+        if (notes.size() < most_notes)
+            notes.push_back(fmt::format("{:>2}  {} {:>12}", notes.size() + 1, score.initials,
+                                        grouped(score.score)));
+    return notes;
+}
+
+/// The best score of a table; empty: there is none.
+std::string best_score(const std::string& path) {
+    const HighScoresText kept = load_high_scores(high_scores_name(path), 1);
+    return kept.scores.lines.empty() ? "" : grouped(kept.scores.lines.front().score);
+}
+
+void add_unfinished(std::vector<MenuItem>& items, std::span<const InterruptedGame> interrupted,
+                    std::span<const LevelEntry> levels) {
+    for (const InterruptedGame& game : interrupted) {
+        const std::string name = std::filesystem::path(game.replay.level).stem().string();
+        const auto level = std::ranges::find(levels, name, &LevelEntry::name);
+        const double seconds = static_cast<double>(game.replay.position) / game.replay.rate;
+        items.push_back({name, level == levels.end() || level->title.empty() ? name : level->title,
+                         "Unfinished", game.replay.level, "", "resume at " + time_text(seconds),
+                         game});
+    }
+}
+
+void add_shipped(std::vector<MenuItem>& items, const std::string& folder,
+                 std::span<const LevelEntry> levels) {
+    const auto add = [&](const LevelEntry& level, std::string group, std::string line) {
+        items.push_back({level.name, level.title.empty() ? level.name : level.title,
+                         std::move(group), level.path, std::move(line), best_score(level.path)});
+    };
+    const std::vector<ListedLevel> list = menu_list_in(folder);
+    for (const ListedLevel& listed : list) {
+        const auto level = std::ranges::find(levels, listed.name, &LevelEntry::name);
+        if (level != levels.end()) add(*level, listed.group, listed.line);
+    }
+    for (const LevelEntry& level : levels)
+        if (!std::ranges::count(list, level.name, &ListedLevel::name)) add(level, "More", "");
 }
 
 }  // namespace
@@ -57,32 +98,39 @@ void add_high_scores(const std::string& path, std::size_t most, std::vector<std:
 std::vector<MenuItem> menu_items(std::span<const InterruptedGame> interrupted) {
     namespace fs = std::filesystem;
     std::vector<MenuItem> items;
-    for (const InterruptedGame& game : interrupted) {
-        const std::string name = fs::path(game.replay.level).stem().string();
-        const double seconds = static_cast<double>(game.replay.position) / game.replay.rate;
-        items.push_back({name, "go on at " + time_text(seconds),
-                         game.was_left ? "to go on with" : "cut off", game.replay.level, game});
-    }
-    const auto shipped = shipped_levels_folder();
+    const auto folder = shipped_levels_folder();
+    const std::vector<LevelEntry> shipped = folder ? levels_in(*folder) : std::vector<LevelEntry>{};
+    add_unfinished(items, interrupted, shipped);
+    if (folder) add_shipped(items, *folder, shipped);
     std::error_code error;
-    if (!shipped || !fs::equivalent(".", *shipped, error)) add_levels(items, ".", "in this folder");
-    if (shipped) add_levels(items, *shipped, "levels");
+    if (folder && fs::equivalent(".", *folder, error)) return items;
+    for (const LevelEntry& level : levels_in("."))
+        items.push_back({level.name, level.title.empty() ? level.name : level.title,
+                         std::string(own_group), level.path, level.name + ".level",
+                         best_score(level.path)});
     return items;
 }
 
 Menu::Menu(std::vector<MenuItem> items, Load load, std::string_view choose)
     : items_(std::move(items)), load_(std::move(load)) {
+    for (const MenuItem& item : items_)
+        if (groups_.empty() || groups_.back() != item.group) groups_.push_back(item.group);
+    if (groups_.empty() || groups_.back() != own_group) groups_.emplace_back(own_group);
     const auto chosen = std::ranges::find_if(items_, [&](const MenuItem& item) {
         const bool was_interrupted = item.interrupted && !item.interrupted->was_left;
         return !choose.empty() && (item.path == choose || item.name == choose) && !was_interrupted;
     });
-    if (chosen != items_.end()) selected_ = static_cast<std::size_t>(chosen - items_.begin());
+    if (chosen == items_.end()) return;
+    group_ = static_cast<std::size_t>(std::ranges::find(groups_, chosen->group) - groups_.begin());
+    const auto all = shown();
+    selected_ = static_cast<std::size_t>(std::ranges::find(all, &*chosen) - all.begin());
 }
 
 std::vector<const MenuItem*> Menu::shown() const {
     std::vector<const MenuItem*> shown;
     for (const MenuItem& item : items_)
-        if (matches(item, search_)) shown.push_back(&item);
+        if (search_.empty() ? item.group == groups_[group_] : matches(item, search_))
+            shown.push_back(&item);
     return shown;
 }
 
@@ -100,9 +148,27 @@ void Menu::select(std::size_t index) {
     needs_draw_ = true;
 }
 
+void Menu::open_group(std::size_t index) {
+    if (index >= groups_.size()) return;
+    search_.clear();
+    group_ = index;
+    selected_ = 0;
+    seconds_on_selected_ = 0.0;
+    needs_draw_ = true;
+}
+
+void Menu::open_group_beside(int step) {
+    const std::size_t count = groups_.size();
+    if (count > 0) open_group((group_ + count + static_cast<std::size_t>(step)) % count);
+}
+
 void Menu::search(std::string text) {
     const MenuItem* before = selected();
     search_ = std::move(text);
+    // What was found stays selected when the search ends.
+    if (search_.empty() && before)
+        group_ =
+            static_cast<std::size_t>(std::ranges::find(groups_, before->group) - groups_.begin());
     const auto all = shown();
     const auto same = std::ranges::find(all, before);
     selected_ = same == all.end() ? 0 : static_cast<std::size_t>(same - all.begin());
@@ -125,6 +191,14 @@ Menu::Choice Menu::handle_key(const InputEvent& event) {
             return {};
         case key::down:
             select(selected_ + 1);
+            return {};
+        case key::left:
+        case key::backtab:
+            open_group_beside(-1);
+            return {};
+        case key::right:
+        case key::tab:
+            open_group_beside(1);
             return {};
         case key::page_up:
             select(selected_ > page ? selected_ - page : 0);
@@ -172,8 +246,13 @@ Menu::Choice Menu::handle_mouse(const InputEvent& event) {
     if (event.action == wheel_up) select(selected_ > 0 ? selected_ - 1 : 0);
     if (event.action == wheel_down) select(selected_ + 1);
     if (event.action != press) return {};
-    const auto entry = menu_entry_at(columns_, rows_, entries(), selected_,
-                                     static_cast<int>(event.column), static_cast<int>(event.row));
+    const int column = static_cast<int>(event.column);
+    const int row = static_cast<int>(event.row);
+    if (const auto group = menu_group_at(columns_, page(), column, row)) {
+        open_group(*group);
+        return {};
+    }
+    const auto entry = menu_entry_at(columns_, rows_, page(), column, row);
     if (!entry) return {};
     if (*entry == selected_) return *shown()[selected_];
     select(*entry);
@@ -184,20 +263,20 @@ void Menu::look_at_selected() {
     const MenuItem& item = *selected();
     pictured_ = item.path;
     picture_.reset();
-    memory_ = {};
     needs_draw_ = true;
     LoadedLevel loaded = load_(item.path);
     LoadedEntry& known = loaded_[item.path];
     known.is_broken = !loaded.result.scene;
     if (known.is_broken) {
-        known.preview = {"This level has mistakes; enter shows them."};
+        known.notes = {"This level has errors. Press enter to see them."};
         return;
     }
     Scene& scene = *loaded.result.scene;
-    known.preview = scene.comment;
-    if (scene.table.is_game) add_high_scores(item.path, scene.table.highscores, known.preview);
+    known.goal = words_of(scene.comment).goal;
+    if (scene.table.is_game) known.notes = score_notes(item.path, scene.table.highscores);
     const SolverSettings solver = scene.solver.value_or(pick_solver(scene.world).settings);
-    picture_.emplace(std::move(scene), solver, 0);
+    picture_.emplace(Session(std::move(scene), solver, 0), ViewOptions{}, KeyMap());
+    picture_->demonstrate();
 }
 
 void Menu::advance(double seconds, const MayGoOn& may_go_on) {
@@ -212,20 +291,30 @@ void Menu::advance(double seconds, const MayGoOn& may_go_on) {
         if (seconds_on_selected_ >= load_delay) look_at_selected();
         return;
     }
-    if (picture_ && clock_.advance(*picture_, seconds, may_go_on) > 0) needs_draw_ = true;
+    if (!picture_) return;
+    picture_->advance(seconds, may_go_on);
+    needs_draw_ = needs_draw_ || picture_->needs_draw();
 }
 
-std::vector<MenuEntry> Menu::entries() const {
-    std::vector<MenuEntry> entries;
+MenuPage Menu::page() const {
+    MenuPage page{.groups = groups_,
+                  .group = group_,
+                  .selected = selected_,
+                  .search = search_,
+                  .footer = "enter play   <- -> groups   type to search   q quit"};
+    if (!search_.empty()) page.footer = fmt::format("search: {}   esc clears", search_);
     for (const MenuItem* item : shown()) {
-        MenuEntry entry{item->name, item->title, item->group, {}, false};
-        if (const auto known = loaded_.find(item->path); known != loaded_.end()) {
-            entry.preview = known->second.preview;
-            entry.is_broken = known->second.is_broken;
-        }
-        entries.push_back(std::move(entry));
+        MenuEntry entry{item->title, item->line, item->badge};
+        const auto known = loaded_.find(item->path);
+        entry.is_broken = known != loaded_.end() && known->second.is_broken;
+        page.entries.push_back(std::move(entry));
     }
-    return entries;
+    const MenuItem* item = selected();
+    const auto known = item ? loaded_.find(item->path) : loaded_.end();
+    if (known == loaded_.end()) return page;
+    page.goal = known->second.goal;
+    page.notes = known->second.notes;
+    return page;
 }
 
 void Menu::draw(Canvas& canvas, double aspect, const ViewOptions& view) {
@@ -233,19 +322,19 @@ void Menu::draw(Canvas& canvas, double aspect, const ViewOptions& view) {
     columns_ = canvas.columns();
     rows_ = canvas.rows();
     if (is_too_small(columns_, rows_)) return draw_too_small(canvas);
-    const std::vector<MenuEntry> all = entries();
-    const std::string footer = search_.empty() ? "enter plays   type to search   q quits"
-                                               : fmt::format("search: {}   esc clears", search_);
-    draw_menu(canvas, all, selected_, footer, view.look);
-    if (all.empty()) canvas.write(2, 2, search_.empty() ? "no levels here" : "nothing matches");
+    const MenuPage now = page();
+    draw_menu(canvas, now, view.look);
+    if (now.entries.empty()) {
+        const std::array lines = search_.empty() ? empty_group : nothing_matches;
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            canvas.write(3, 3 + static_cast<int>(i), lines[i]);
+    }
     const MenuItem* item = selected();
     if (!item || item->path != pictured_ || !picture_) return;
-    const CellArea area = menu_picture_area(columns_, rows_, all, selected_);
+    const CellArea area = menu_picture_area(columns_, rows_, now);
     if (area.columns <= 0 || area.rows <= 0) return;
-    const Camera camera = fit_camera(
-        shown_box(picture_->scene(), memory_.ground.board(picture_->scene())), area, aspect);
-    draw_world(canvas, camera, picture_->scene(), picture_->world(), picture_->contacts(), {}, view,
-               memory_);
+    picture_->set_view(view);
+    picture_->draw_preview(canvas, area, aspect);
 }
 
 }  // namespace carom

@@ -10,16 +10,14 @@
 #include <variant>
 #include <vector>
 
-#include "carom/context/playback_clock.h"
 #include "carom/files/level_files.h"
+#include "carom/play/player.h"
 #include "carom/play/resume.h"
-#include "game/session/session.h"
-#include "terminal/draw/draw.h"
 #include "terminal/input/input.h"
-#include "terminal/panels/pages.h"
+#include "terminal/panels/menu.h"
 
-/// The menu: unfinished games, the levels of the current folder and those that ship, with a small
-/// moving picture of the selected level.
+/// The menu: unfinished games first, then the groups of the levels that ship (files/menu_list.h),
+/// and the levels of the current folder; with a small moving picture of the selected level.
 namespace carom {
 
 /// An entry that can be chosen.
@@ -28,10 +26,13 @@ struct MenuItem {
     std::string title;
     std::string group;
     std::string path;                              ///< of the level
+    std::string line{};                            ///< about the level
+    std::string badge{};                           ///< at the right of the title
     std::optional<InterruptedGame> interrupted{};  ///< the unfinished game to resume, if it is one
 };
 
-/// Items for unfinished games, the levels of the current folder, and the levels that ship.
+/// Items for unfinished games, the levels that ship, and the levels of the current folder; the
+/// items of a group stand together.
 std::vector<MenuItem> menu_items(std::span<const InterruptedGame> interrupted);
 
 class Menu {
@@ -52,34 +53,38 @@ class Menu {
     void touch() { needs_draw_ = true; }
     void draw(Canvas& canvas, double aspect, const ViewOptions& view);
 
-    /// The items that match the search, and the selected one (null if none match).
+    /// The items of the open group, or those of all groups that match the search; and the selected
+    /// one (null if there is none).
     std::vector<const MenuItem*> shown() const;
     const MenuItem* selected() const;
 
   private:
-    /// The loaded data of a level.
+    /// What is known of a level that was loaded.
     struct LoadedEntry {
-        std::vector<std::string> preview;
+        std::string goal;
+        std::vector<std::string> notes;
         bool is_broken = false;
     };
     void select(std::size_t index);
+    void open_group(std::size_t index);
+    void open_group_beside(int step);
     void search(std::string text);
     void look_at_selected();
     Choice handle_key(const InputEvent& event);
     Choice handle_mouse(const InputEvent& event);
-    std::vector<MenuEntry> entries() const;
+    MenuPage page() const;
 
     std::vector<MenuItem> items_;
+    std::vector<std::string> groups_;  ///< in the order of the items; never empty
     Load load_;
     std::string search_;
+    std::size_t group_ = 0;     ///< the open one
     std::size_t selected_ = 0;  ///< index into shown()
     std::map<std::string, LoadedEntry> loaded_;
 
     double seconds_on_selected_ = 0.0;
     std::string pictured_;  ///< path of the level in the picture; empty: none yet
-    std::optional<Session> picture_;
-    PlaybackClock clock_;
-    ViewMemory memory_;
+    std::optional<Player> picture_;
 
     int columns_ = 0;
     int rows_ = 0;

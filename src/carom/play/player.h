@@ -31,7 +31,9 @@ class Player {
 
     /// Draws the whole window. `aspect`: height of a cell over its width.
     void draw(Canvas& canvas, double aspect);
-    /// Whether a visible state has changed since the last draw().
+    /// Draws the scene as a whole into `area`, without status, aim and panels, for the menu.
+    void draw_preview(Canvas& canvas, const CellArea& area, double aspect);
+    /// Whether a visible state has changed since the last draw() or draw_preview().
     bool needs_draw() const { return play_.needs_draw; }
     /// The time for which nothing changes on its own, s: 0 while ticks run; infinite while paused.
     double seconds_to_change() const;

@@ -100,6 +100,19 @@ void Player::draw(Canvas& canvas, double aspect) {
     draw_game(canvas, aspect);
 }
 
+// An aim is not drawn before Controller::look() is called.
+void Player::draw_preview(Canvas& canvas, const CellArea& area, double aspect) {
+    play_.needs_draw = false;
+    play_.view.shows_whole = true;
+    play_.view.shown =
+        shown_box(session().scene(), play_.view.memory.ground.board(session().scene()));
+    play_.view.camera = play_.controller->fit(play_, area, aspect);
+    ViewOptions options = view();
+    options.counters = false;
+    draw_world(canvas, camera(), session().scene(), session().world(), session().contacts(),
+               annotations_of(play_), options, play_.view.memory);
+}
+
 void Player::draw_page(Canvas& canvas) {
     CoveringPage& page = play_.page;
     const Look& look = view().look;

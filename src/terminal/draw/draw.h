@@ -45,6 +45,7 @@ struct ViewOptions {
     BallStyle ball_style = BallStyle::filled;
     Labels labels = Labels::automatic;
     bool trails = false;
+    bool counters = true;  ///< numbers over bins
     OverlaySet overlays;
 
     Look look;

@@ -1,189 +1,201 @@
+#include "terminal/panels/menu.h"
+
 #include <algorithm>
+#include <array>
 
 #include "terminal/canvas/character_width.h"
-#include "terminal/panels/pages.h"
 #include "terminal/panels/panel.h"
 
-/// The menu: a list of levels, and a description of the selected one.
 namespace carom {
 
 namespace {
 
-constexpr int title_rows = 2;
-constexpr int least_beside = 72;  ///< columns from which the preview is drawn beside the list
+constexpr int first_list_row = 3;  // below the name, the tabs and a rule
+constexpr int least_beside = 60;   // columns from which on the picture is beside the list
+constexpr int words_rows = 6;      // below the picture
+constexpr int least_picture = 5;   // rows
+constexpr int widest_title = 34;
 
-// The layout of the menu.
-struct MenuLayout {
+struct Areas {
     CellArea list;
-    CellArea preview;
+    CellArea words;
+    CellArea picture;
 };
 
-MenuLayout layout_of(int columns, int rows, std::span<const MenuEntry> entries) {
-    const int body = std::max(0, rows - title_rows - 1);
+Areas areas_of(int columns, int rows) {
+    const int body = std::max(0, rows - first_list_row - 1);
     if (columns < least_beside) {
-        const int below = body >= 12 ? body / 3 : 0;
-        return {{1, title_rows, columns - 2, body - below},
-                {1, title_rows + body - below + 1, columns - 2, below - 1}};
+        const int words = body >= 12 ? words_rows - 1 : 0;
+        return {{0, first_list_row, columns, body - words},
+                {1, first_list_row + body - words + 1, columns - 2, words - 1},
+                {}};
     }
-    int names = 0;
-    int titles = 0;
-    for (const MenuEntry& entry : entries) {
-        names = std::max(names, columns_of(entry.name));
-        titles = std::max(titles, columns_of(entry.title));
-    }
-    const int widest = names + titles + 4;
-    const int list = std::clamp(widest, 30, columns / 2);
-    return {{1, title_rows, list, body}, {list + 4, title_rows, columns - list - 5, body}};
+    const int list = std::clamp(columns * 9 / 20, 34, 76);
+    const int left = list + 3;
+    const int right = columns - left - 1;
+    const int words = std::min(words_rows, body);
+    CellArea picture{left, first_list_row, right, body - words - 1};
+    if (picture.rows < least_picture) picture = {};
+    const int below = picture.rows > 0 ? first_list_row + picture.rows + 1 : first_list_row;
+    return {{0, first_list_row, list, body},
+            {left, below, right, first_list_row + body - below},
+            picture};
 }
 
-// A row of the list: an entry, or the heading of a group (then `entry` is none).
-struct ListRow {
-    std::optional<std::size_t> entry;
-    std::string_view heading;
+// The first visible entry; the selected one stays near the middle.
+std::size_t first_entry(std::size_t count, std::size_t selected, int room) {
+    const auto height = static_cast<std::size_t>(std::max(1, room));
+    if (count <= height) return 0;
+    const std::size_t middle = selected > height / 2 ? selected - height / 2 : 0;
+    return std::min(middle, count - height);
+}
+
+struct Tab {
+    std::size_t group;
+    int column;
+    int columns;
 };
 
-std::vector<ListRow> rows_of(std::span<const MenuEntry> entries) {
-    std::vector<ListRow> rows;
-    std::string_view group;
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        if (entries[i].group != group) {
-            group = entries[i].group;
-            if (!rows.empty()) rows.push_back({});
-            rows.push_back({std::nullopt, group});
+// Tabs that do not fit are left out from the far end, but never the open one.
+std::vector<Tab> tabs_of(const MenuPage& page, int columns) {
+    std::size_t first = 0;
+    for (;; ++first) {
+        std::vector<Tab> tabs;
+        int column = 0;
+        for (std::size_t i = first; i < page.groups.size(); ++i) {
+            const int width = columns_of(page.groups[i]) + 2;
+            if (column + width > columns) break;
+            tabs.push_back({i, column, width});
+            column += width + 1;
         }
-        rows.push_back({i, {}});
+        const bool has_open = !tabs.empty() && tabs.back().group >= page.group;
+        if (has_open || first >= page.group || first + 1 >= page.groups.size()) return tabs;
     }
-    return rows;
 }
 
-// The first visible row of the list; the selected entry stays near the middle.
-std::size_t first_row_of(const std::vector<ListRow>& rows, std::size_t selected, int room) {
-    const auto height = static_cast<std::size_t>(std::max(1, room));
-    if (rows.size() <= height) return 0;
-    std::size_t at = 0;
-    while (at < rows.size() && rows[at].entry != selected)
-        ++at;
-    const std::size_t middle = at > height / 2 ? at - height / 2 : 0;
-    return std::min(middle, rows.size() - height);
+void fill_row(Canvas& canvas, int row, int from, int to, std::uint8_t attributes) {
+    for (int column = from; column < to; ++column)
+        canvas.put(column, row, {U' ', default_color, default_color, attributes});
 }
 
-int name_width(std::span<const MenuEntry> entries, int columns) {
-    int width = 0;
-    for (const MenuEntry& entry : entries)
-        width = std::max(width, columns_of(entry.name));
-    return std::min(width, columns / 2);
+int write(Canvas& canvas, int column, int row, std::string_view text, Ink ink,
+          std::uint8_t attributes = plain) {
+    return canvas.write(column, row, text, ink.color, default_color,
+                        static_cast<std::uint8_t>(ink.attributes | attributes));
+}
+
+// Three balls, the name, and what carom is.
+void draw_name(Canvas& canvas, const Look& look) {
+    const std::string_view ball = look.utf8 ? "●" : "o";
+    int column = 1;
+    for (const std::size_t kind : {1u, 0u, 2u})
+        column = write(canvas, column, 0, ball, ink_of_class(kind, look)) + (look.utf8 ? 1 : 0);
+    column = write(canvas, column + 1, 0, "c a r o m", ink_of(Role::strong, look)) + 3;
+    constexpr std::string_view what = "pool, pinball and a physics laboratory";
+    if (column + columns_of(what) < canvas.columns())
+        write(canvas, column, 0, what, ink_of(Role::faint, look));
+}
+
+void draw_tabs(Canvas& canvas, const MenuPage& page, const Look& look) {
+    for (const Tab& tab : tabs_of(page, canvas.columns())) {
+        const bool is_open = page.search.empty() && tab.group == page.group;
+        write(canvas, tab.column, 1, " " + page.groups[tab.group] + " ",
+              ink_of(is_open ? Role::strong : Role::text, look), is_open ? reverse : plain);
+    }
+    const std::string_view line = look.utf8 ? "─" : "-";
+    for (int column = 0; column < canvas.columns(); ++column)
+        write(canvas, column, 2, line, ink_of(Role::faint, look));
 }
 
 void draw_entry(Canvas& canvas, const CellArea& area, int row, const MenuEntry& entry,
-                int name_columns, bool is_selected, const Look& look) {
+                bool is_selected, int title_columns, bool shows_line, const Look& look) {
     const std::uint8_t marked = is_selected ? reverse : plain;
-    Ink name = ink_of(entry.is_broken ? Role::error : Role::strong, look);
-    Ink title = ink_of(Role::text, look);
-    name.attributes = static_cast<std::uint8_t>((name.attributes & ~reverse) | marked);
+    if (is_selected)
+        fill_row(canvas, area.row + row, area.column, area.column + area.columns, marked);
+    Ink title = ink_of(entry.is_broken ? Role::error : Role::strong, look);
+    Ink faint = ink_of(Role::faint, look);
+    // A reversed faint ink is hard to read.
+    if (is_selected) title = faint = {default_color, plain};
     title.attributes |= marked;
-    if (is_selected) {
-        for (int column = 0; column < area.columns; ++column) {
-            canvas.put(area.column + column, area.row + row,
-                       {U' ', default_color, default_color, reverse});
-        }
-    }
-    write_cut(canvas, area, row, is_selected ? ">" : " ", title);
-    const CellArea names{area.column + 2, area.row, name_columns, area.rows};
-    const CellArea titles{names.column + name_columns + 2, area.row,
-                          area.columns - name_columns - 4, area.rows};
-    write_cut(canvas, names, row, entry.name, name);
+    faint.attributes |= marked;
+    const int badge = columns_of(entry.badge);
+    const int right = area.columns - 1 - (badge > 0 ? badge + 1 : 0);
+    write_cut(canvas, {area.column, area.row, 2, area.rows}, row, is_selected ? " >" : "", title);
+    const CellArea titles{area.column + 3, area.row, right - 3, area.rows};
     write_cut(canvas, titles, row, entry.title, title);
+    const CellArea lines{area.column + 5 + title_columns, area.row, right - 5 - title_columns,
+                         area.rows};
+    if (shows_line) write_cut(canvas, lines, row, entry.line, faint);
+    if (badge > 0)
+        write(canvas, area.column + area.columns - 1 - badge, area.row + row, entry.badge,
+              is_selected ? title : ink_of(Role::warning, look), marked);
 }
 
-// The preview as drawn. The author broke its paragraphs into lines for an editor; these are joined
-// and broken again for this window.
-std::vector<std::string> preview_lines(const MenuEntry& entry, int columns) {
-    // A line this long continues in the next, unless blanks lay it out as a list or the next line
-    // is indented.
-    constexpr int full_line = 70;
-    std::vector<std::string> lines;
-    std::string paragraph;
-    for (std::size_t i = 0; i < entry.preview.size(); ++i) {
-        const std::string& line = entry.preview[i];
-        const std::string_view next =
-            i + 1 < entry.preview.size() ? std::string_view(entry.preview[i + 1]) : "";
-        paragraph += line;
-        const bool continues_line = columns_of(line) >= full_line &&
-                                    line.find("   ") == std::string::npos && !next.empty() &&
-                                    next.front() != ' ';
-        if (continues_line) {
-            paragraph += ' ';
-            continue;
-        }
-        for (std::string& part : wrapped(paragraph, columns))
-            lines.push_back(std::move(part));
-        paragraph.clear();
+void draw_list(Canvas& canvas, const MenuPage& page, const CellArea& area, const Look& look) {
+    const std::size_t first = first_entry(page.entries.size(), page.selected, area.rows);
+    int titles = 0;
+    int lines = 0;
+    for (const MenuEntry& entry : page.entries) {
+        titles = std::max(titles, std::min(widest_title, columns_of(entry.title)));
+        const int badge = columns_of(entry.badge);
+        lines = std::max(lines, columns_of(entry.line) + (badge > 0 ? badge + 1 : 0));
     }
-    return lines;
-}
-
-// The number of rows that the text of the preview takes, including a blank row below it.
-int words_rows(const MenuEntry& entry, int columns) {
-    return 3 + static_cast<int>(preview_lines(entry, columns).size());
-}
-
-void draw_preview(Canvas& canvas, const CellArea& area, const MenuEntry& entry, const Look& look) {
-    if (area.rows < 2 || area.columns < 8) return;
-    write_cut(canvas, area, 0, entry.title, ink_of(Role::strong, look));
-    int row = 2;
-    for (const std::string& line : preview_lines(entry, area.columns)) {
-        write_cut(canvas, area, row++, line, ink_of(Role::text, look));
+    const bool shows_line = 5 + titles + lines + 1 <= area.columns;
+    for (int row = 0; row < area.rows; ++row) {
+        const std::size_t i = first + static_cast<std::size_t>(row);
+        if (i < page.entries.size())
+            draw_entry(canvas, area, row, page.entries[i], i == page.selected, titles, shows_line,
+                       look);
     }
+}
+
+void draw_words(Canvas& canvas, const MenuPage& page, const CellArea& area, const Look& look) {
+    if (page.selected >= page.entries.size() || area.rows < 1 || area.columns < 8) return;
+    const MenuEntry& entry = page.entries[page.selected];
+    int row = 0;
+    const auto add = [&](std::string_view text, Role role) {
+        if (text.empty()) return;
+        for (const std::string& line : wrapped(text, area.columns))
+            if (row < area.rows) write_cut(canvas, area, row++, line, ink_of(role, look));
+    };
+    add(entry.line.empty() ? entry.title : entry.line, Role::strong);
+    if (!page.goal.empty()) add("Goal: " + page.goal, Role::warning);
+    for (const std::string& note : page.notes)
+        add(note, Role::text);
 }
 
 }  // namespace
 
-void draw_menu(Canvas& canvas, std::span<const MenuEntry> entries, std::size_t selected,
-               std::string_view footer, const Look& look) {
+void draw_menu(Canvas& canvas, const MenuPage& page, const Look& look) {
     canvas.fill({});
-    const Ink strong = ink_of(Role::strong, look);
-    const Ink faint = ink_of(Role::faint, look);
-    canvas.write(1, 0, "carom", strong.color, default_color, strong.attributes);
-    canvas.write(8, 0, "pick a level", faint.color, default_color, faint.attributes);
-    canvas.write(1, canvas.rows() - 1, footer, faint.color, default_color, faint.attributes);
-
-    const MenuLayout layout = layout_of(canvas.columns(), canvas.rows(), entries);
-    const std::vector<ListRow> rows = rows_of(entries);
-    const std::size_t first = first_row_of(rows, selected, layout.list.rows);
-    const int name_columns = name_width(entries, layout.list.columns);
-    for (int row = 0; row < layout.list.rows; ++row) {
-        const std::size_t i = first + static_cast<std::size_t>(row);
-        if (i >= rows.size()) break;
-        if (rows[i].entry) {
-            draw_entry(canvas, layout.list, row, entries[*rows[i].entry], name_columns,
-                       rows[i].entry == selected, look);
-        } else {
-            write_cut(canvas, layout.list, row, rows[i].heading, faint);
-        }
-    }
-    if (selected < entries.size()) draw_preview(canvas, layout.preview, entries[selected], look);
+    draw_name(canvas, look);
+    draw_tabs(canvas, page, look);
+    write(canvas, 1, canvas.rows() - 1, page.footer, ink_of(Role::faint, look));
+    const Areas areas = areas_of(canvas.columns(), canvas.rows());
+    draw_list(canvas, page, areas.list, look);
+    draw_words(canvas, page, areas.words, look);
 }
 
-std::optional<std::size_t> menu_entry_at(int columns, int rows, std::span<const MenuEntry> entries,
-                                         std::size_t selected, int column, int row) {
-    const CellArea list = layout_of(columns, rows, entries).list;
+std::optional<std::size_t> menu_entry_at(int columns, int rows, const MenuPage& page, int column,
+                                         int row) {
+    const CellArea list = areas_of(columns, rows).list;
     const bool is_in_list = column >= list.column && column < list.column + list.columns &&
                             row >= list.row && row < list.row + list.rows;
     if (!is_in_list) return std::nullopt;
-    const std::vector<ListRow> all = rows_of(entries);
-    const std::size_t i =
-        first_row_of(all, selected, list.rows) + static_cast<std::size_t>(row - list.row);
-    return i < all.size() ? all[i].entry : std::nullopt;
+    const std::size_t i = first_entry(page.entries.size(), page.selected, list.rows) +
+                          static_cast<std::size_t>(row - list.row);
+    return i < page.entries.size() ? std::optional(i) : std::nullopt;
 }
 
-CellArea menu_picture_area(int columns, int rows, std::span<const MenuEntry> entries,
-                           std::size_t selected) {
-    const CellArea preview = layout_of(columns, rows, entries).preview;
-    if (selected >= entries.size() || columns < least_beside) return {};
-    const int words = words_rows(entries[selected], preview.columns);
-    const CellArea picture{preview.column, preview.row + words, preview.columns,
-                           preview.rows - words};
-    return picture.rows >= 5 ? picture : CellArea{};
+std::optional<std::size_t> menu_group_at(int columns, const MenuPage& page, int column, int row) {
+    if (row != 1) return std::nullopt;
+    for (const Tab& tab : tabs_of(page, columns))
+        if (column >= tab.column && column < tab.column + tab.columns) return tab.group;
+    return std::nullopt;
+}
+
+CellArea menu_picture_area(int columns, int rows, const MenuPage& page) {
+    return page.selected < page.entries.size() ? areas_of(columns, rows).picture : CellArea{};
 }
 
 }  // namespace carom

@@ -11,8 +11,8 @@
 #include "terminal/canvas/palette.h"
 #include "terminal/panels/hud.h"
 
-/// Pages that fill the window: the menu, help, a text, and the message for a window that is too
-/// small.
+/// Pages that fill the window: help, text, and the message for a window that is too small. The menu
+/// is in menu.h.
 namespace carom {
 
 /// Smaller windows show nothing but a request for more room.
@@ -51,26 +51,5 @@ struct PageItem {
 PageExtent draw_about(Canvas& canvas, std::string_view title, std::string_view goal,
                       std::span<const PageItem> items, int scroll, std::string_view footer,
                       const Look& look);
-
-struct MenuEntry {
-    std::string name;                  ///< "galton"
-    std::string title;                 ///< of the level
-    std::string group;                 ///< a heading is drawn where the group changes
-    std::vector<std::string> preview;  ///< the level's opening comment
-    bool is_broken = false;
-};
-
-/// Draws the list with the selected entry in view and, beside it (below it in a narrow window), a
-/// description of the entry.
-void draw_menu(Canvas& canvas, std::span<const MenuEntry> entries, std::size_t selected,
-               std::string_view footer, const Look& look);
-
-/// The entry under the mouse.
-std::optional<std::size_t> menu_entry_at(int columns, int rows, std::span<const MenuEntry> entries,
-                                         std::size_t selected, int column, int row);
-
-/// The room for a small picture of the selected level; empty in a small window.
-CellArea menu_picture_area(int columns, int rows, std::span<const MenuEntry> entries,
-                           std::size_t selected);
 
 }  // namespace carom

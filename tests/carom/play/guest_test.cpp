@@ -33,7 +33,7 @@ std::vector<std::string> guest(const std::vector<std::string>& more) {
 TEST_CASE("a guest saves levels into its folder, and the oldest gives way") {
     const TemporaryFolder home;
     TerminalProgram program(guest({"--guest-saves", "1"}), at(home));
-    REQUIRE(program.wait_for_text("enter plays"));
+    REQUIRE(program.wait_for_text("enter play"));
     program.send("cradle\r");
     REQUIRE(program.wait_for_text("menu"));
     program.send("w");
@@ -59,7 +59,7 @@ TEST_CASE("a guest who presses no key is sent away, and the game is kept") {
     const TemporaryFolder home;
     {
         TerminalProgram program(guest({"--guest-idle", "1s"}), at(home));
-        REQUIRE(program.wait_for_text("enter plays"));
+        REQUIRE(program.wait_for_text("enter play"));
         program.send("cradle\r");
         REQUIRE(program.wait_for_text("menu"));
         CHECK(program.wait_for_text("ended after 1 s without a key", 20.0));
@@ -67,7 +67,7 @@ TEST_CASE("a guest who presses no key is sent away, and the game is kept") {
         CHECK(program.what_is_left_dirty() == "");
     }
     TerminalProgram program(guest({}), at(home));
-    CHECK(program.wait_for_text("cut off"));
+    CHECK(program.wait_for_text("Unfinished"));
     program.send("q");
     CHECK(program.exit_status() == 0);
 }

@@ -146,7 +146,7 @@ void play_as_guests(const Client& client, const fs::path& home) {
     INFO("port ", client.port);
     {
         TerminalProgram anna(client.play("anna"));
-        const bool has_begun = anna.wait_for_text("enter plays", 30.0);
+        const bool has_begun = anna.wait_for_text("enter play", 30.0);
         INFO(anna.screen().text());
         REQUIRE(has_begun);
         anna.send("cradle\r");
@@ -155,13 +155,16 @@ void play_as_guests(const Client& client, const fs::path& home) {
         REQUIRE(anna.wait_for_text("saved as cradle-1.level"));
 
         TerminalProgram second(client.play("anna", "carom run /etc/passwd --record /tmp/out"));
-        CHECK(second.wait_for_text("enter plays", 30.0));  // not what was asked for
+        CHECK(second.wait_for_text("enter play", 30.0));  // not what was asked for
+        second.send("\x1b[D");                            // the last group: the guest's own levels
         CHECK(second.wait_for_text("cradle-1", 30.0));
         TerminalProgram third(client.play("anna"));
         CHECK(third.wait_for_text("anna already plays in 2 sessions", 30.0));
 
         TerminalProgram bob(client.play("bob"));
-        CHECK(bob.wait_for_text("enter plays", 30.0));
+        CHECK(bob.wait_for_text("enter play", 30.0));
+        bob.send("\x1b[D");
+        CHECK(bob.wait_for_text("No level in this folder", 30.0));
         CHECK(bob.screen().text().find("cradle-1") == std::string::npos);
         for (TerminalProgram* program : {&second, &bob}) {
             program->send("q");
@@ -182,7 +185,7 @@ void play_as_guests(const Client& client, const fs::path& home) {
         usleep(20'000);
     CHECK(is_kept());
     TerminalProgram anna(client.play("anna"));
-    CHECK(anna.wait_for_text("cut off", 30.0));
+    CHECK(anna.wait_for_text("Unfinished", 30.0));
     anna.send("q");
     CHECK(anna.exit_status() == 0);
 }
@@ -219,7 +222,7 @@ void try_to_get_out(const Client& client, const std::string& folder) {
     CHECK(run(client.ssh("anna",
                          {"-N", "-o", "ExitOnForwardFailure=yes", "-R", "0:localhost:1"})) != 0);
     TerminalProgram program(client.ssh("anna", {"-v", "-tt"}));
-    REQUIRE(program.wait_for_text("enter plays", 30.0));
+    REQUIRE(program.wait_for_text("enter play", 30.0));
     CHECK(program.output().find("key options: command pty\r\n") != std::string::npos);
     program.send("q");
     CHECK(program.exit_status() == 0);

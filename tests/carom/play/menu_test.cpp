@@ -26,7 +26,7 @@ struct Visitor {
                    LoadedLevel level;
                    level.path = path;
                    if (path != "/l/broken.level") level.result.scene = test::busy_box();
-                   if (level.result.scene) level.result.scene->comment = {"Nine balls."};
+                   if (level.result.scene) level.result.scene->comment = {"Goal: Nine balls."};
                    return level;
                }) {}
 
@@ -69,7 +69,7 @@ TEST_CASE("typing searches names and titles") {
     CHECK(visitor.look().find("search: Id") != std::string::npos);
     visitor.key(U'q');
     CHECK(visitor.selected() == "");
-    CHECK(visitor.look().find("nothing matches") != std::string::npos);
+    CHECK(visitor.look().find("Nothing matches") != std::string::npos);
     CHECK(std::holds_alternative<std::monostate>(visitor.key(key::enter)));
     visitor.look();
     visitor.key(key::backspace);
@@ -77,6 +77,24 @@ TEST_CASE("typing searches names and titles") {
     CHECK(std::holds_alternative<std::monostate>(visitor.key(key::escape)));
     CHECK(visitor.menu.shown().size() == 3);
     CHECK(visitor.selected() == "gas");
+}
+
+TEST_CASE("left and right open the groups, and one's own is there even while it is empty") {
+    Visitor visitor;
+    CHECK(visitor.selected() == "balls");
+    visitor.key(key::right);
+    CHECK(visitor.selected() == "");
+    CHECK(visitor.look().find("No level in this folder yet") != std::string::npos);
+    visitor.key(key::tab);
+    CHECK(visitor.selected() == "balls");
+    visitor.key(key::left);
+    CHECK(visitor.selected() == "");
+    // A search finds the levels of all groups, and its end stays in the group of what was found.
+    visitor.key(U'I');
+    CHECK(visitor.selected() == "gas");
+    visitor.key(key::escape);
+    CHECK(visitor.selected() == "gas");
+    CHECK(visitor.menu.shown().size() == 3);
 }
 
 TEST_CASE("q and escape leave") {
@@ -103,7 +121,7 @@ TEST_CASE("a broken level is reported") {
     Visitor visitor;
     visitor.key(key::down);
     visitor.menu.advance(0.2, always);
-    CHECK(visitor.look().find("mistakes") != std::string::npos);
+    CHECK(visitor.look().find("has errors") != std::string::npos);
 }
 
 TEST_CASE("an empty menu can be left") {

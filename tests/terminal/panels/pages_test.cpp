@@ -17,25 +17,9 @@ const std::vector<HelpSection> sections = {
       {"right button", "pull the cue: the ball goes the other way, faster the longer the pull"},
       {"Tab", "from ball to ball"}}}};
 
-const std::vector<MenuEntry> levels = {
-    {"balls", "Balls of all sizes", "carom", {"Drag a ball with the left button."}, false},
-    {"galton",
-     "Galton board, 12 rows",
-     "carom",
-     {"Balls fall through rows of pegs, and what piles up is a bell."},
-     false},
-    {"mine", "My own", "this folder", {}, false},
-    {"broken", "3 errors", "this folder", {"line 3: no such kind"}, true}};
-
 std::string help(int columns, int rows, int scroll = 0) {
     Canvas canvas(columns, rows);
     draw_help(canvas, sections, scroll, "Esc back", {0, false, false});
-    return "\n" + canvas.text();
-}
-
-std::string menu(int columns, int rows, std::size_t selected = 1) {
-    Canvas canvas(columns, rows);
-    draw_menu(canvas, levels, selected, "Enter play", {0, false, false});
     return "\n" + canvas.text();
 }
 
@@ -172,120 +156,9 @@ TEST_CASE("a page of text is wrapped at blanks") {
 )");
 }
 
-TEST_CASE("the menu lists levels by group, and describes the selected one") {
-    CHECK(menu(80, 12) == R"(
- carom  pick a level
-
- carom                             Galton board, 12 rows
-   balls   Balls of all sizes
- > galton  Galton board, 12 rows   Balls fall through rows of pegs, and what
-                                   piles up is a bell.
- this folder
-   mine    My own
-   broken  3 errors
-
-
- Enter play
-)");
-    CHECK(menu(40, 20) == R"(
- carom  pick a level
-
- carom
-   balls   Balls of all sizes
- > galton  Galton board, 12 rows
-
- this folder
-   mine    My own
-   broken  3 errors
-
-
-
-
-
-
- Galton board, 12 rows
-
- Balls fall through rows of pegs, and
- what piles up is a bell.
- Enter play
-)");
-}
-
-TEST_CASE("a preview's paragraphs are rewrapped, its lists are not") {
-    const std::vector<MenuEntry> entries = {
-        {"a",
-         "A",
-         "",
-         {"The first line of a paragraph, which is as long as an editor's window is",
-          "wide, goes on.", "",
-          "Try: + faster   - slower   h histogram   t trails   and one thing more", "x a list"},
-         false}};
-    Canvas canvas(120, 12);
-    draw_menu(canvas, entries, 0, "", {0, false, false});
-    CHECK("\n" + canvas.text() == R"(
- carom  pick a level
-
- > a  A                           A
-
-                                  The first line of a paragraph, which is as long as an editor's window is wide, goes
-                                  on.
-
-                                  Try: + faster   - slower   h histogram   t trails   and one thing more
-                                  x a list
-
-
-
-)");
-}
-
-TEST_CASE("the selected entry is visible in any window, and the mouse finds it") {
-    std::vector<MenuEntry> many;
-    for (int i = 0; i < 60; ++i)
-        many.push_back({"level" + std::to_string(i), "title", "carom", {}, false});
-    for (const auto& window : {std::pair{20, 8}, {40, 20}, {80, 24}, {200, 60}}) {
-        const int columns = window.first;
-        const int rows = window.second;
-        for (std::size_t selected = 0; selected < many.size(); ++selected) {
-            Canvas canvas(columns, rows);
-            draw_menu(canvas, many, selected, "", {});
-            bool is_seen = false;
-            for (int row = 0; row < rows; ++row) {
-                if (menu_entry_at(columns, rows, many, selected, 2, row) != selected) continue;
-                is_seen = true;
-                CHECK(canvas.at(1, row).glyph == U'>');
-                CHECK((canvas.at(1, row).attributes & reverse) != 0);
-            }
-            CAPTURE(selected);
-            CAPTURE(columns);
-            CHECK(is_seen);
-        }
-    }
-}
-
-TEST_CASE("outside its list the menu has no entries") {
-    CHECK_FALSE(menu_entry_at(80, 12, levels, 0, 2, 0));
-    CHECK_FALSE(menu_entry_at(80, 12, levels, 0, 2, 2));  // a heading
-    CHECK(menu_entry_at(80, 12, levels, 0, 2, 3) == 0);
-    CHECK_FALSE(menu_entry_at(80, 12, levels, 0, 79, 3));
-    CHECK_FALSE(menu_entry_at(80, 12, levels, 0, 2, 11));
-    CHECK_FALSE(menu_entry_at(80, 12, {}, 0, 2, 3));
-}
-
-TEST_CASE("only a large window has room for a picture of the level") {
-    const CellArea area = menu_picture_area(120, 40, levels, 1);
-    CHECK(area.rows > 20);
-    CHECK(area.column + area.columns <= 120);
-    CHECK(area.row + area.rows <= 39);
-    CHECK(menu_picture_area(40, 20, levels, 1) == CellArea{});
-    CHECK(menu_picture_area(120, 40, levels, 99) == CellArea{});
-}
-
-TEST_CASE("an empty menu, and a window without cells, can be drawn") {
-    Canvas canvas(40, 10);
-    draw_menu(canvas, {}, 0, "q quit", {});
+TEST_CASE("a window without cells can be drawn") {
     for (const auto& [columns, rows] : {std::pair{0, 0}, {1, 1}, {3, 2}, {80, 3}}) {
         Canvas tiny(columns, rows);
-        draw_menu(tiny, levels, 3, "q quit", {});
         draw_help(tiny, sections, 0, "q quit", {});
         draw_text_page(tiny, "title", {}, 0, "q quit", {});
     }
