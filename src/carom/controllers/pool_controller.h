@@ -35,6 +35,8 @@ class PoolController : public FreeController {
     bool has_work() const override {
         return aim_.has_work() || coach_.is_asked() || stroke_.meter();
     }
+    void cut_panel(const PlayContext& play, CellArea& area) override;
+    void draw_panel(const PlayContext& play, Canvas& canvas) const override;
     void look(PlayContext& play) override;
     void annotate(const PlayContext& play, Annotations& annotations) const override;
     void add_status(const PlayContext& play, HudInfo& info) const override;
@@ -101,6 +103,7 @@ class PoolController : public FreeController {
     std::string line(const PlayContext& play) const;
 
     PoolAim aim_;
+    CellArea panel_;              ///< of the scoreboard; empty: none
     bool aims_by_mouse_ = false;  ///< the left button is down, and the cue points at the mouse
     ShotAnnouncer announcer_;
     PersonStroke stroke_;

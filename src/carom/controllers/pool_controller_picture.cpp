@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "carom/controllers/pool_controller.h"
+#include "carom/pool/pool_scoreboard.h"
 
 /// Draws a game of pool.
 namespace carom {
@@ -13,6 +14,23 @@ constexpr double last_seconds = 5.0;  // s of the shot clock that are announced 
 void PoolController::annotate(const PlayContext& play, Annotations& annotations) const {
     annotations.pool = aim_.annotations(play.session, is_striking(play));
     if (!play.pointer.tool.has_cue()) Controller::annotate(play, annotations);
+}
+
+void PoolController::cut_panel(const PlayContext& play, CellArea& area) {
+    const Vec2 extent = size(play.view.shown);
+    constexpr double aspect = 2.0;  // of most terminals: this only decides where the panel is
+    panel_ = extent.y > 0.0 ? cut_pool_panel(area, extent.x / extent.y, aspect) : CellArea{};
+}
+
+void PoolController::draw_panel(const PlayContext& play, Canvas& canvas) const {
+    PoolPanel panel = scoreboard_of(play.session, names());
+    if (is_aiming(play)) {
+        const command::Strike strike = aim_.strike(play.session);
+        panel.tip = PoolPanel::Tip{strike.side, strike.follow};
+    }
+    const ViewOptions& options = play.view.options;
+    draw_pool_panel(canvas, panel_, panel, renderer_in_force(options), play.view.camera.aspect,
+                    options.look);
 }
 
 // One line: the aim of the player or of the AI player; while balls roll, the call; then the

@@ -85,7 +85,7 @@ PoolAnnotations PoolAim::annotations(const Session& session, bool aims) const {
             }
         }
     }
-    if (!is_match_ && setup_.aids == Aids::full && forecast_)
+    if (!is_match_ && setup_.aids == Aids::full && forecast_ && !is_break(session))
         for (const Forecast::Track& track : forecast_->tracks)
             annotations.tracks.push_back({track.ball, track.way, track.zone.has_value()});
     annotations.spots = cloud_;

@@ -22,7 +22,7 @@ struct ShotSetup {
     double speed = 2.0;    ///< length/s
     double side = 0.0;     ///< tip offset to the right, a share of the radius
     double follow = 0.0;   ///< tip offset upwards, a share of the radius
-    Aids aids = Aids::full;
+    Aids aids = Aids::ghost;
     Intent intent = Intent::automatic;
     int pocket = 0;  ///< the chosen pocket
 

@@ -13,7 +13,7 @@ namespace {
 constexpr Rgb24 leather_color = 0x2b190d;
 constexpr Rgb24 diamond_color = 0xe9dfc4;
 constexpr Rgb24 chalk_color = 0x7fb697;  // on green cloth: a mixture of both
-constexpr double hole_share = 0.86;      // of the pocket's radius; the rest is leather
+constexpr double leather_share = 0.94;   // of the pocket's radius
 
 void paint_pockets(Raster& raster, const View& view) {
     const Look& look = view.options.look;
@@ -23,7 +23,7 @@ void paint_pockets(Raster& raster, const View& view) {
         const Capsule& shape = view.world.zones()[pocket].shape;
         const RasterPoint at = to_raster(view.camera, shape.start);
         const double radius = shape.radius * view.camera.columns_per_length;
-        raster.disc(at, radius, 0.0, {leather, 255, '\0'});
+        raster.disc(at, leather_share * radius, 0.0, {leather, 255, '\0'});
         raster.disc(at, hole_share * radius, 0.0, {hole, 255, '\0'});
     }
 }

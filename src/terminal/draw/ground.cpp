@@ -103,7 +103,7 @@ void GroundLayer::fill(const Scene& scene) {
     if (!board_->is_empty()) fill_board(scene);
     for (const std::uint32_t pocket : scene.pool.pockets) {
         const Capsule& shape = scene.world.zones()[pocket].shape;
-        fill_area({{}, {shape.start, shape.radius}, hole_color});
+        fill_area({{}, {shape.start, hole_share * shape.radius}, hole_color});
     }
     for (const PaintedArea& area : scene.dress.areas)
         fill_area(area);

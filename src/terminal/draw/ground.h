@@ -18,6 +18,7 @@ Ink dress_ink(Rgb24 color, const Look& look);
 
 /// The inside of a pocket.
 inline constexpr Rgb24 hole_color = 0x08090b;
+inline constexpr double hole_share = 0.84;  ///< of the pocket's radius
 
 /// The colour of the noses of a pool table's cushions.
 Rgb24 nose_color(const Scene& scene);

@@ -306,13 +306,17 @@ TEST_CASE("there is no opponent without a game of pool") {
     CHECK(person.sees("no game of pool"));
 }
 
-TEST_CASE("aiming aids: none, lines, a forecast, a cloud that is computed in steps") {
+TEST_CASE("aiming aids: the ghost ball by default, a forecast, a cloud that is computed in steps") {
     Person person("drill-half-ball");
     const auto dots = [&] {
         const std::string text = person.look();
         return std::count(text.begin(), text.end(), '.');
     };
+    const auto ghost = dots();
+    person.key(U'A');
+    CHECK(person.sees("the whole shot"));
     const auto full = dots();
+    CHECK(full > ghost);
     person.key(U'A');
     CHECK(person.sees("20 shots"));
     for (int i = 0; i < 25; ++i)

@@ -1,0 +1,46 @@
+#include "carom/pool/pool_scoreboard.h"
+
+#include <algorithm>
+
+#include "game/referees/eight_ball.h"
+
+namespace carom {
+namespace {
+
+constexpr int last_ball = 15;
+constexpr int eight = 8;
+
+PoolPanel::Player player_of(const PoolPlay& play, int player, const PlayerNames& names) {
+    PoolPanel::Player shown;
+    const auto index = static_cast<std::size_t>(player);
+    shown.name = names[index];
+    shown.frames = play.frames[index];
+    shown.is_turn = play.rules.player == player && play.rules.phase != PoolPhase::over;
+    const auto group = group_of_player(play.rules, player);
+    if (!group) return shown;
+    shown.group = *group == PoolGroup::solids ? "solids" : "stripes";
+    for (int ball = 1; ball <= last_ball; ++ball)
+        if (group_of(ball) == group && !is_down(play.rules, ball)) shown.left.push_back(ball);
+    if (shown.left.empty() && !is_down(play.rules, eight)) shown.left.push_back(eight);
+    return shown;
+}
+
+}  // namespace
+
+PoolPanel scoreboard_of(const Session& session, const PlayerNames& names) {
+    PoolPanel panel;
+    if (const auto* play = std::get_if<PoolPlay>(&session.game())) {
+        panel.players = {player_of(*play, 0, names), player_of(*play, 1, names)};
+        panel.race = play->race;
+        for (int ball = 1; ball <= last_ball; ++ball)
+            if (is_down(play->rules, ball)) panel.tray.push_back(ball);
+        return panel;
+    }
+    for (const Rack& rack : session.scene().pool.racks)
+        for (std::size_t i = 0; i < rack.balls.size(); ++i)
+            if (!index_of(session.world(), rack.balls[i]))
+                panel.tray.push_back(static_cast<int>(i) + 1);
+    return panel;
+}
+
+}  // namespace carom

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "game/pool/pool_words.h"
+#include "game/session/session.h"
+#include "terminal/panels/pool_panel.h"
+
+namespace carom {
+
+/// The panel of a table as it stands: players and groups if a game is played, and the balls that
+/// are off the table. Without its tip.
+PoolPanel scoreboard_of(const Session& session, const PlayerNames& names);
+
+}  // namespace carom

@@ -1,0 +1,153 @@
+#include "terminal/panels/pool_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "terminal/canvas/character_width.h"
+#include "terminal/canvas/raster.h"
+#include "terminal/panels/panel.h"
+
+namespace carom {
+namespace {
+
+constexpr int least_side_columns = 3;  // for the tray
+constexpr int most_side_columns = 5;   // and for the tip
+constexpr int strip_rows = 3;
+constexpr int least_pool_rows = 18;   // below, the table needs them all
+constexpr int least_strip_rows = 30;  // of the area, for a strip at its top
+
+bool is_strip(const CellArea& area) {
+    return area.columns > most_side_columns;
+}
+
+// A ball as its number on its colour, two columns wide; stripes have white numbers' ground.
+int write_ball(Canvas& canvas, int column, int row, int number, const Look& look) {
+    const std::string text = fmt::format("{:>2}", number);
+    if (!look.has_colors())
+        return canvas.write(column, row, text, default_color, default_color,
+                            static_cast<std::uint8_t>(number > 8 ? bold : bold | reverse));
+    const Color own = ink_of_pool_ball(number, look).color;
+    const bool is_striped = number > 8;
+    const Color ground = is_striped ? ink_of(Role::stripe_white, look).color : own;
+    return canvas.write(column, row, text, is_striped ? own : text_color_on(own, look), ground,
+                        bold);
+}
+
+// The cue ball as the player sees it, and the point that the tip strikes.
+void draw_tip(Canvas& canvas, const CellArea& area, const PoolPanel::Tip& tip,
+              const Renderer& renderer, double aspect, const Look& look) {
+    Raster raster(renderer, area.columns, area.rows, aspect, look);
+    const RasterPoint middle{0.5 * area.columns, 0.5 * area.rows * aspect};
+    const double radius = std::min(middle.x, middle.y);
+    const Ink white = ink_of_pool_ball(0, look);
+    // The tip strikes within half a radius of the middle.
+    const RasterPoint at{middle.x + 0.7 * radius * tip.side, middle.y - 0.7 * radius * tip.follow};
+    if (renderer.has_pixels()) {
+        raster.disc(middle, radius, 0.0, {white, 255, '\0'});
+        raster.disc(at, 0.2 * radius, 0.0, {ink_of(Role::contact, look), 255, '\0'});
+    } else {
+        raster.disc(middle, radius, 2.0 * raster.hairline(), {white, 0, ' '});
+        if (renderer.has_regions())
+            raster.stamp(at, "x", ink_of(Role::contact, look));
+        else
+            raster.disc(at, 0.0, 0.0, {ink_of(Role::contact, look), 255, '\0'});
+    }
+    raster.show(canvas, area.column, area.row);
+}
+
+// The rows of a player: its name, then its group and the balls that it has left.
+void draw_player(Canvas& canvas, const CellArea& area, const PoolPanel::Player& player,
+                 const Look& look) {
+    const std::string_view mark = player.is_turn ? (look.utf8 ? "▸ " : "> ") : "  ";
+    write_cut(canvas, area, 0, std::string(mark) + player.name,
+              ink_of(player.is_turn ? Role::strong : Role::text, look));
+    if (player.group.empty()) return;
+    write_cut(canvas, area, 1, "  " + player.group, ink_of(Role::faint, look));
+    int column = area.column + 3 + columns_of(player.group);
+    for (const int ball : player.left) {
+        if (column + 2 > area.column + area.columns) return;
+        column = write_ball(canvas, column, area.row + 1, ball, look) + 1;
+    }
+}
+
+void draw_tray(Canvas& canvas, const CellArea& area, int row, const PoolPanel& panel,
+               const Look& look) {
+    if (panel.tray.empty()) return;
+    const std::string_view title = "pocketed ";
+    const int width = columns_of(title) + 3 * static_cast<int>(panel.tray.size());
+    int column = area.column + std::max(0, (area.columns - width) / 2);
+    column = canvas.write(column, area.row + row, title, ink_of(Role::faint, look).color);
+    for (const int ball : panel.tray) {
+        if (column + 2 > area.column + area.columns) return;
+        column = write_ball(canvas, column, area.row + row, ball, look) + 1;
+    }
+}
+
+void draw_strip(Canvas& canvas, const CellArea& area, const PoolPanel& panel,
+                const Renderer& renderer, double aspect, const Look& look) {
+    const int tip_columns = 2 * area.rows;
+    const int columns = area.columns - 2 - (panel.tip ? tip_columns + 2 : 0);
+    if (panel.players) {
+        const auto& [first, second] = *panel.players;
+        std::string score = fmt::format("{} : {}", first.frames, second.frames);
+        if (panel.race > 0) score += fmt::format("   race to {}", panel.race);
+        const int middle = columns_of(score) + 4;
+        const int side = (columns - middle) / 2;
+        draw_player(canvas, {area.column + 1, area.row, side, area.rows}, first, look);
+        draw_player(canvas, {area.column + 1 + side + middle, area.row, side, area.rows}, second,
+                    look);
+        canvas.write(area.column + 3 + side, area.row, score, ink_of(Role::counter, look).color,
+                     default_color, bold);
+    }
+    draw_tray(canvas, {area.column + 1, area.row, columns, area.rows}, area.rows - 1, panel, look);
+    if (panel.tip)
+        draw_tip(canvas,
+                 {area.column + area.columns - tip_columns - 1, area.row, tip_columns, area.rows},
+                 *panel.tip, renderer, aspect, look);
+}
+
+void draw_column(Canvas& canvas, const CellArea& area, const PoolPanel& panel,
+                 const Renderer& renderer, double aspect, const Look& look) {
+    constexpr int tip_rows = 2;
+    int row = area.row;
+    if (panel.tip && area.columns == most_side_columns) {
+        draw_tip(canvas, {area.column, row, area.columns - 1, tip_rows}, *panel.tip, renderer,
+                 aspect, look);
+    }
+    row += tip_rows + 1;
+    for (const int ball : panel.tray) {
+        if (row >= area.row + area.rows) return;
+        write_ball(canvas, area.column + 1, row++, ball, look);
+    }
+}
+
+}  // namespace
+
+CellArea cut_pool_panel(CellArea& area, double table_shape, double aspect) {
+    if (area.rows < least_pool_rows) return {};
+    const bool leaves_rows = area.columns < table_shape * area.rows * aspect;
+    if (leaves_rows && area.rows >= least_strip_rows) {
+        const CellArea strip{area.column, area.row, area.columns, strip_rows};
+        area.row += strip_rows;
+        area.rows -= strip_rows;
+        return strip;
+    }
+    const int spare = area.columns - static_cast<int>(table_shape * area.rows * aspect);
+    if (leaves_rows || spare < least_side_columns) return {};
+    const int columns = spare < most_side_columns ? least_side_columns : most_side_columns;
+    area.columns -= columns;
+    return {area.column + area.columns, area.row, columns, area.rows};
+}
+
+void draw_pool_panel(Canvas& canvas, const CellArea& area, const PoolPanel& panel,
+                     const Renderer& renderer, double aspect, const Look& look) {
+    if (area.columns <= 0 || area.rows <= 0) return;
+    clear_area(canvas, area);
+    if (is_strip(area))
+        draw_strip(canvas, area, panel, renderer, aspect, look);
+    else
+        draw_column(canvas, area, panel, renderer, aspect, look);
+}
+
+}  // namespace carom

@@ -1,0 +1,41 @@
+#include "terminal/panels/pool_panel.h"
+
+#include <doctest/doctest.h>
+
+using namespace carom;
+
+TEST_CASE("pool panel: a strip where a table leaves rows free, a column where it leaves columns") {
+    constexpr double shape = 1.8;
+    CellArea tall{0, 0, 120, 37};
+    CHECK(cut_pool_panel(tall, shape, 2.0) == CellArea{0, 0, 120, 3});
+    CHECK(tall == CellArea{0, 3, 120, 34});
+    CellArea wide{0, 0, 100, 21};
+    CHECK(cut_pool_panel(wide, shape, 2.0).column == 95);
+    CHECK(wide.columns == 95);
+    CellArea narrow{0, 0, 79, 21};
+    CHECK(cut_pool_panel(narrow, shape, 2.0).columns == 3);
+    CellArea small{0, 0, 40, 17};
+    CHECK(cut_pool_panel(small, shape, 2.0) == CellArea{});
+    CHECK(small == CellArea{0, 0, 40, 17});
+}
+
+TEST_CASE("pool panel: players, groups, the score and the tray, in ASCII without colours") {
+    PoolPanel panel;
+    panel.players = {PoolPanel::Player{"Ann", "solids", {1, 7}, 2, true},
+                     PoolPanel::Player{"carom", "stripes", {9, 15}, 0, false}};
+    panel.race = 5;
+    panel.tray = {3, 10};
+    panel.tip = PoolPanel::Tip{0.5, 0.0};
+    Look look;
+    look.colors = 0;
+    look.utf8 = false;
+    Canvas canvas(100, 3);
+    draw_pool_panel(canvas, {0, 0, 100, 3}, panel, ascii_renderer(), 2.0, look);
+    const std::string text = canvas.text();
+    for (const char* part : {"> Ann", "solids  1  7", "2 : 0   race to 5", "carom", "stripes  9 15",
+                             "pocketed  3 10", "x"})
+        CHECK_MESSAGE(text.find(part) != std::string::npos, part, "\n", text);
+    Canvas column(3, 20);
+    draw_pool_panel(column, {0, 0, 3, 20}, panel, ascii_renderer(), 2.0, look);
+    CHECK(column.text().find(" 3\n 10\n") != std::string::npos);
+}
