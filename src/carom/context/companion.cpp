@@ -107,7 +107,7 @@ CellPoint Companion::in_first_half(CellPoint place) const {
 void Companion::annotate(Annotations& annotations) const {
     if (ensemble_) annotations.copies = ensemble_->copies();
     if (comparison_ && comparison_->divergence())
-        annotations.divergence = comparison_->divergence()->place;
+        annotations.marks.push_back(comparison_->divergence()->place);
 }
 
 void Companion::draw(Canvas& canvas, const Session& session, Camera camera,

@@ -10,8 +10,13 @@ constexpr double message_time = 4.0;
 
 }  // namespace
 
-void Messages::set(std::string message, bool is_error) {
-    message_ = {std::move(message), is_error};
+void Messages::say(std::string message, std::optional<Vec2> place) {
+    message_ = {std::move(message), false, place};
+    seconds_left_ = message_time;
+}
+
+void Messages::complain(std::string message, std::optional<Vec2> place) {
+    message_ = {std::move(message), true, place};
     seconds_left_ = message_time;
 }
 
@@ -32,7 +37,7 @@ std::optional<double> Messages::seconds_left() const {
 std::optional<Messages::Line> Messages::line() const {
     if (seconds_left_ > 0.0) return message_;
     if (problem_.empty()) return std::nullopt;
-    Line lines{"", true};
+    Line lines{"", true, std::nullopt};
     for (const std::string& line : problem_)
         lines.text += (lines.text.empty() ? "" : "\n") + line;
     return lines;

@@ -4,13 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "geometry/vec2.h"
+
 /// Messages above the status lines: one that fades, and a problem that stays.
 namespace carom {
 
 class Messages {
   public:
-    void say(std::string message) { set(std::move(message), false); }
-    void complain(std::string message) { set(std::move(message), true); }
+    /// `place`: in the world, where it happened; marked while the message is shown.
+    void say(std::string message, std::optional<Vec2> place = {});
+    void complain(std::string message, std::optional<Vec2> place = {});
     /// The lines of the problem stay until the next call; none clear it. For the errors of a level
     /// under --watch.
     void set_problem(std::vector<std::string> lines);
@@ -30,13 +33,12 @@ class Messages {
     struct Line {
         std::string text;
         bool is_error = false;
+        std::optional<Vec2> place{};
     };
     /// The message to show now, or the lines of the problem, joined by line ends; none: nothing.
     std::optional<Line> line() const;
 
   private:
-    void set(std::string message, bool is_error);
-
     Line message_;
     double seconds_left_ = 0.0;
     std::vector<std::string> problem_;

@@ -1,13 +1,16 @@
 #include "carom/context/play_context.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
 namespace carom {
 namespace {
 
-/// How close to the pointer an object must be to be picked, in columns.
-constexpr double reach = 1.5;
+/// How close to the pointer an object must be to be picked, in columns: a fingertip's breadth, a
+/// row and a half.
+constexpr double reach = 3.0;
 
 }  // namespace
 
@@ -34,18 +37,23 @@ PlayContext::PlayContext(Session game, const ViewOptions& options, KeyMap key_ma
         [observer = observation](const Session& now) { observer->note_tick(now); });
 }
 
-void say(PlayContext& play, std::string message) {
-    play.messages.say(std::move(message));
+void say(PlayContext& play, std::string message, std::optional<Vec2> place) {
+    play.messages.say(std::move(message), place);
     play.needs_draw = true;
 }
 
-void complain(PlayContext& play, std::string message) {
-    play.messages.complain(std::move(message));
+void complain(PlayContext& play, std::string message, std::optional<Vec2> place) {
+    play.messages.complain(std::move(message), place);
     play.needs_draw = true;
+}
+
+void complain(PlayContext& play, const Complaint& complaint) {
+    complain(play, complaint.text, complaint.place);
 }
 
 void obey(PlayContext& play, const Command& command, std::string done) {
-    if (const auto why_not = play.session.apply(command)) return complain(play, *why_not);
+    const auto place = obstacle_to(play.session.world(), command);
+    if (const auto why_not = play.session.apply(command)) return complain(play, *why_not, place);
     set_reference(play);
     say(play, std::move(done));
 }
@@ -102,6 +110,12 @@ void move_cursor(PlayContext& play, double columns, double rows) {
     place.column = std::clamp(place.column, area.column + 0.5, area.column + area.columns - 0.5);
     place.row = std::clamp(place.row, area.row + 0.5, area.row + area.rows - 0.5);
     move_pointer(play, to_world(camera, place));
+}
+
+std::string name_of(const PlayContext& play, BallId ball) {
+    const std::vector<std::string>& names = play.session.scene().ball_names;
+    const std::uint32_t id = number(ball);
+    return id < names.size() && !names[id].empty() ? names[id] : fmt::format("ball {}", id);
 }
 
 std::string_view speed_unit(const Scene& scene) {

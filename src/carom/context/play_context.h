@@ -80,8 +80,10 @@ struct PlayContext {
     std::unique_ptr<Controller> controller;
 };
 
-void say(PlayContext& play, std::string message);
-void complain(PlayContext& play, std::string message);
+/// `place`: in the world, where it happened; marked while the message is shown.
+void say(PlayContext& play, std::string message, std::optional<Vec2> place = {});
+void complain(PlayContext& play, std::string message, std::optional<Vec2> place = {});
+void complain(PlayContext& play, const Complaint& complaint);
 
 /// Applies a command and shows the message `done`, or the reason for the refusal.
 void obey(PlayContext& play, const Command& command, std::string done);
@@ -102,6 +104,8 @@ void move_pointer(PlayContext& play, Vec2 to);
 /// Moves the cursor by so many cells, inside the camera's area, and shows it.
 void move_cursor(PlayContext& play, double columns, double rows);
 
+/// The name that the level gives a ball, else "ball N".
+std::string name_of(const PlayContext& play, BallId ball);
 /// " m/s", or empty where the level has natural units.
 std::string_view speed_unit(const Scene& scene);
 

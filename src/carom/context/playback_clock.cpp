@@ -54,6 +54,7 @@ void PlaybackClock::normal() {
 void PlaybackClock::seek_collision() {
     pause(true);
     search_failed_ = false;
+    found_.reset();
     seeking_ = std::numeric_limits<std::uint64_t>::max();
 }
 
@@ -86,7 +87,8 @@ std::uint64_t PlaybackClock::seek(Session& session, const MayGoOn& may_go_on) {
     std::uint64_t ticks = 0;
     do {
         ++ticks;
-        if (session.step_to_collision(1)) {
+        found_ = session.step_to_collision(1);
+        if (found_) {
             seeking_ = 0;
             return ticks;
         }

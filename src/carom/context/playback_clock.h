@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "game/session/session.h"
 
@@ -42,6 +43,8 @@ class PlaybackClock {
     double ticks_per_second() const { return measured_; }
     /// Whether ticks were dropped within the last half second.
     bool is_behind() const { return is_behind_; }
+    /// The contact that the last search found; none: it failed, or goes on.
+    const std::optional<Contact>& found() const { return found_; }
     /// Whether the last search failed; reset by the next one.
     bool search_failed() const { return search_failed_; }
 
@@ -55,6 +58,7 @@ class PlaybackClock {
     double due_ = 0.0;           ///< ticks, < 1 between calls
     std::uint64_t seeking_ = 0;  ///< ticks left for a search
     bool search_failed_ = false;
+    std::optional<Contact> found_;
 
     double window_seconds_ = 0.0;
     std::uint64_t window_ticks_ = 0;

@@ -51,6 +51,12 @@ Vec2 cue_velocity(const World& world, Vec2 ball, Vec2 hand) {
 }
 
 bool PointerTool::take(const World& world, Vec2 at, double slack) {
+    // What lies under the pointer comes before a ball beside it.
+    constexpr double right_here = 0.2;
+    return take_within(world, at, right_here * slack) || take_within(world, at, slack);
+}
+
+bool PointerTool::take_within(const World& world, Vec2 at, double slack) {
     if (const auto ball = ball_at(world, at, slack)) {
         state_ = BallInHand{*ball, offset(world, at, *place_of(world, *ball)), at};
         return true;
@@ -78,6 +84,14 @@ void PointerTool::start_edge(Vec2 at, double radius, ClassIndex material) {
     state_ = NewEdge{{at, at, radius}, material};
 }
 
+void PointerTool::widen_edge(double factor) {
+    std::get<NewEdge>(state_).shape.radius *= factor;
+}
+
+double PointerTool::edge_width() const {
+    return 2.0 * std::get<NewEdge>(state_).shape.radius;
+}
+
 bool PointerTool::holds_ball(BallId ball) const {
     const auto* held = std::get_if<BallInHand>(&state_);
     return held && held->ball == ball;
@@ -98,7 +112,7 @@ std::vector<Command> PointerTool::holds(const World& world) const {
     return {};
 }
 
-Complaint PointerTool::move(Session& session, Vec2 to, bool is_paused) {
+std::optional<Complaint> PointerTool::move(Session& session, Vec2 to, bool is_paused) {
     const World& world = session.world();
     std::vector<Command> commands;
     if (auto* held = std::get_if<BallInHand>(&state_)) {
@@ -118,22 +132,26 @@ Complaint PointerTool::move(Session& session, Vec2 to, bool is_paused) {
     }
     // All or none, so that joined ends stay joined.
     for (const Command& command : commands)
-        if (auto why_not = refusal(session.scene(), world, session.game(), command)) return why_not;
+        if (auto why_not = refusal(session.scene(), world, session.game(), command))
+            return Complaint{*std::move(why_not), obstacle_to(world, command)};
     for (const Command& command : commands)
         session.apply(command);
     return std::nullopt;
 }
 
-Complaint PointerTool::open(Session& session) {
+std::optional<Complaint> PointerTool::open(Session& session) {
     const World& world = session.world();
-    Complaint complaint;
+    std::optional<Complaint> complaint;
     if (const auto* cue = std::get_if<CueInHand>(&state_)) {
         if (const auto ball = place_of(world, cue->ball))
-            complaint =
-                session.apply(command::Strike{cue->ball, cue_velocity(world, *ball, cue->at)});
+            if (auto why_not =
+                    session.apply(command::Strike{cue->ball, cue_velocity(world, *ball, cue->at)}))
+                complaint = Complaint{*std::move(why_not), std::nullopt};
     } else if (const auto* edge = std::get_if<NewEdge>(&state_)) {
-        complaint = session.apply(command::AddCapsule{edge->shape, edge->material});
-        if (complaint) return complaint;  // still held: the player can move it elsewhere
+        const Command add = command::AddCapsule{edge->shape, edge->material};
+        const auto place = obstacle_to(world, add);
+        // It stays in the hand: the player can move it elsewhere.
+        if (auto why_not = session.apply(add)) return Complaint{*std::move(why_not), place};
     }
     cancel(session);
     return complaint;

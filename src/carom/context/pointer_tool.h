@@ -13,8 +13,11 @@
 /// the cue, or draws an edge.
 namespace carom {
 
-/// The reason why an action failed, as a sentence for the player; none: it succeeded.
-using Complaint = std::optional<std::string>;
+/// Why an action failed.
+struct Complaint {
+    std::string text;           ///< a sentence for the player
+    std::optional<Vec2> place;  ///< of the body in the way, if there is one
+};
 
 class PointerTool {
   public:
@@ -27,20 +30,23 @@ class PointerTool {
     bool has_cue() const { return std::holds_alternative<CueInHand>(state_); }
     bool has_new_edge() const { return std::holds_alternative<NewEdge>(state_); }
 
-    /// Grabs an object within `slack` (length) of the point: a ball, else an end of an edge with
-    /// all ends joined to it, else an edge. False if there is none.
+    /// Grabs an object at the point, else one within `slack` (length) of it: a ball, else an end of
+    /// an edge with all ends joined to it, else an edge. False if there is none.
     bool take(const World& world, Vec2 at, double slack);
     /// Grabs a ball to place it: it moves to the pointer at once, even while ticks are computed.
     void grab_to_place(const World& world, BallId ball, Vec2 at);
     /// Puts the cue on a ball. Pre: the ball exists.
     void take_cue(BallId ball, Vec2 at);
     void start_edge(Vec2 at, double radius, ClassIndex material);
+    /// Pre: has_new_edge().
+    void widen_edge(double factor);
+    double edge_width() const;
 
     /// The pointer has moved. While the game is paused, the held object is placed there at once, if
     /// there is room.
-    Complaint move(Session& session, Vec2 to, bool is_paused);
+    std::optional<Complaint> move(Session& session, Vec2 to, bool is_paused);
     /// Completes the action: drops the held object, shoots with the cue, or makes the edge.
-    Complaint open(Session& session);
+    std::optional<Complaint> open(Session& session);
     /// Drops the held object, without shooting or making an edge.
     void cancel(Session& session);
     /// Empties the tool without a command. For jumps in time: the session's log knows what was held
@@ -57,6 +63,8 @@ class PointerTool {
                   Annotations& annotations) const;
 
   private:
+    bool take_within(const World& world, Vec2 at, double slack);
+
     struct Nothing {};
     struct BallInHand {
         BallId ball{};

@@ -22,7 +22,8 @@ void go_to(PlayContext& play, std::uint64_t tick) {
 void tell_outcome(PlayContext& play) {
     const std::size_t balls = play.session.standing();
     if (balls > 0)
-        complain(play, fmt::format("time stood still for {} ball{}", balls, balls == 1 ? "" : "s"));
+        complain(play, fmt::format("Time stood still for {} ball{}: too many collisions.", balls,
+                                   balls == 1 ? "" : "s"));
 }
 
 /// Computes one tick; false at the end of a recording.
@@ -30,7 +31,7 @@ bool step(PlayContext& play) {
     play.companion.follow_closely(play.session, play.keep_going);
     const bool is_done = play.session.step_forward();
     play.companion.follow_closely(play.session, play.keep_going);
-    if (play.session.is_at_end() && !is_done) say(play, "the recording ends here");
+    if (play.session.is_at_end() && !is_done) say(play, "The recording ends here.");
     if (play.session.outcome() == TickOutcome::cancelled)
         complain(play, "The tick took too long and was cancelled.");
     tell_outcome(play);
@@ -45,11 +46,24 @@ void say_speed(PlayContext& play) {
     say(play, fmt::format("speed x{:g}", play.clock.speed()));
 }
 
+// "ball 3 hits edge 5 at 1.234 s", marked where the two touch.
+void tell_collision(PlayContext& play, const Contact& contact) {
+    const std::string other = contact.kind == ContactKind::ball_ball
+                                  ? name_of(play, BallId{contact.b})
+                                  : fmt::format("edge {}", contact.b);
+    say(play,
+        fmt::format("{} hits {} at {:.3f} s", name_of(play, BallId{contact.a}), other,
+                    contact.time),
+        contact.point);
+}
+
 void tell_end_of_search(PlayContext& play) {
-    if (play.session.is_at_end())
-        say(play, "nothing meets any more: the recording ends here");
+    if (play.clock.found())
+        tell_collision(play, *play.clock.found());
+    else if (play.session.is_at_end())
+        say(play, "No more collisions: the recording ends here.");
     else if (play.clock.search_failed())
-        complain(play, "nothing met for ten minutes of the level's time");
+        complain(play, "No collision within ten simulated minutes.");
     play.needs_draw = true;
 }
 
@@ -69,8 +83,7 @@ void step_back(PlayContext& play) {
     play.clock.pause(true);
     const std::uint64_t now = play.session.world().tick();
     if (now > play.session.earliest()) return go_to(play, now - 1);
-    say(play, play.session.earliest() == 0 ? "this is the start"
-                                           : "the memory for the way back ends here");
+    say(play, play.session.earliest() == 0 ? "This is the start." : "No memory further back.");
 }
 
 void seek_collision(PlayContext& play) {
@@ -117,7 +130,7 @@ void restart(PlayContext& play) {
     }
     set_reference(play);
     play.panels.clear();
-    say(play, "from the start");
+    say(play, "Restarted.");
 }
 
 void advance_time(PlayContext& play, double seconds, const MayGoOn& may_go_on) {
@@ -138,7 +151,7 @@ void advance_time(PlayContext& play, double seconds, const MayGoOn& may_go_on) {
     controller.after_ticks(play, seconds);
     if (was_seeking && !play.clock.is_seeking()) tell_end_of_search(play);
     if (play.session.is_at_end() && !was_at_end && !was_seeking)
-        say(play, "the recording ends here");
+        say(play, "The recording ends here.");
 }
 
 }  // namespace carom

@@ -2,13 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace carom {
+
+namespace {
+
+/// The thinnest edge of the level, if it is thin enough to draw with; else a little of the view.
+double width_of_new_edge(const PlayContext& play) {
+    const double height = size(play.session.scene().view).y;
+    double width = height / 75.0;
+    for (const Capsule& shape : play.session.world().capsules().shape)
+        if (shape.radius > 0.0) width = std::min(width, 2.0 * shape.radius);
+    return width;
+}
+
+}  // namespace
 
 void select_ball(PlayContext& play, bool backwards) {
     if (!play.pointer.tool.is_empty()) return;
     const World& world = play.session.world();
     play.view.selected = next_ball(world, play.view.selected, backwards);
-    if (!play.view.selected) return say(play, "there are no balls");
+    if (!play.view.selected) return say(play, "There are no balls.");
     play.pointer.shows_cursor = true;
     play.pointer.at = world.balls().position[*index_of(world, *play.view.selected)];
 }
@@ -16,12 +31,23 @@ void select_ball(PlayContext& play, bool backwards) {
 void grab(PlayContext& play) {
     PointerTool& tool = play.pointer.tool;
     if (!tool.is_empty()) {
-        if (const auto complaint = tool.open(play.session)) complain(play, *complaint);
-        return set_reference(play);
+        open_hand(play);
+        return;
     }
     play.pointer.shows_cursor = true;
     if (!tool.take(play.session.world(), play.pointer.at, slack(play)))
-        say(play, "nothing to take here: move the cursor with the arrows, or press tab");
+        say(play, "Nothing to grab here. Move the cursor with the arrows, or press tab.");
+}
+
+bool open_hand(PlayContext& play) {
+    const bool was_edge = play.pointer.tool.has_new_edge();
+    const auto complaint = play.pointer.tool.open(play.session);
+    set_reference(play);
+    if (complaint)
+        complain(play, *complaint);
+    else if (was_edge)
+        say(play, fmt::format("Edge added. {} removes it again.", play.keys.hint("undo")));
+    return !complaint;
 }
 
 void use_cue(PlayContext& play) {
@@ -35,10 +61,10 @@ void use_cue(PlayContext& play) {
     if (const auto ball = ball_at_pointer(play)) {
         play.view.selected = ball;
         pointer.tool.take_cue(*ball, pointer.at);
-        say(play, "move away from the ball; enter shoots");
+        say(play, "Move away from the ball; enter shoots.");
     } else {
         pointer.cue_is_armed = true;
-        say(play, "press the left button on a ball, pull, let go");
+        say(play, "Press the left button on a ball, pull, and let go.");
     }
 }
 
@@ -48,19 +74,19 @@ void add_ball_at_pointer(PlayContext& play) {
     spec.position = play.pointer.at;
     const auto like = play.view.selected ? index_of(world, *play.view.selected) : std::nullopt;
     if (like) spec = spec_at_rest(world, *like, play.pointer.at);
-    obey(play, command::AddBall{spec}, fmt::format("ball {} added", world.next_ball()));
+    obey(play, command::AddBall{spec}, fmt::format("Ball {} added.", world.next_ball()));
 }
 
 void remove_at_pointer(PlayContext& play, bool only_edges) {
     const auto ball = only_edges ? std::nullopt : ball_at_pointer(play);
     const auto edge = edge_at(play.session.world(), play.pointer.at, slack(play));
     if (ball) {
-        obey(play, command::RemoveBall{*ball}, fmt::format("ball {} removed", number(*ball)));
+        obey(play, command::RemoveBall{*ball}, fmt::format("Removed {}.", name_of(play, *ball)));
         if (play.view.selected == ball) play.view.selected.reset();
     } else if (edge) {
-        obey(play, command::RemoveCapsule{*edge}, fmt::format("edge {} removed", number(*edge)));
+        obey(play, command::RemoveCapsule{*edge}, fmt::format("Removed edge {}.", number(*edge)));
     } else {
-        say(play, only_edges ? "there is no edge here" : "there is nothing here");
+        say(play, only_edges ? "No edge under the cursor." : "No ball under the cursor.");
     }
 }
 
@@ -69,21 +95,20 @@ void draw_edge(PlayContext& play) {
     if (tool.has_new_edge()) return grab(play);
     if (!tool.is_empty()) return;
     const Capsules& capsules = play.session.world().capsules();
-    const double radius = capsules.size() > 0 ? capsules.shape.back().radius
-                                              : size(play.session.scene().view).y / 200.0;
     const ClassIndex material = capsules.size() > 0 ? capsules.material.back() : ClassIndex{0};
-    tool.start_edge(play.pointer.at, radius, material);
-    say(play, "move to the other end; e or enter makes the edge");
+    tool.start_edge(play.pointer.at, width_of_new_edge(play) / 2.0, material);
+    say(play, "Move to the other end, + - change the width; enter makes the edge.");
 }
 
 bool undo(PlayContext& play) {
     play.pointer.tool.forget();
     if (!play.session.undo()) {
-        say(play, "nothing to undo");
+        say(play, "Nothing to undo.");
         return false;
     }
     set_reference(play);
-    say(play, "undone");
+    const World& world = play.session.world();
+    say(play, fmt::format("Undone: back at {:.3f} s, before it happened.", world.time()));
     return true;
 }
 

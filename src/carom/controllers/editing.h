@@ -9,6 +9,9 @@ namespace carom {
 void select_ball(PlayContext& play, bool backwards);
 /// Grabs the object at the pointer; with an object in hand, drops it, shoots, or makes the edge.
 void grab(PlayContext& play);
+/// Completes what the hand does: drops, shoots, or makes the edge. False: it cannot, and the player
+/// was told why.
+bool open_hand(PlayContext& play);
 /// Puts the cue on the ball at the pointer, or puts the cue away.
 void use_cue(PlayContext& play);
 /// Adds a copy of the selected ball at the pointer.

@@ -1,6 +1,9 @@
 #include "carom/controllers/free_controller.h"
 
+#include <fmt/format.h>
+
 #include "carom/context/play_context.h"
+#include "carom/controllers/editing.h"
 
 namespace carom {
 namespace {
@@ -14,6 +17,11 @@ void press_cue(PlayContext& play, const InputEvent& event) {
     play.pointer.pressed = event.button;
 }
 
+void start_panning(PlayContext& play, const InputEvent& event) {
+    play.pointer.panning_from = play.companion.in_first_half({event.column, event.row});
+    say(play, fmt::format("Panning. {} brings the whole view back.", play.keys.hint("fit")));
+}
+
 /// Grabs the object at the pointer; a press on empty space drags the view.
 void press_left(PlayContext& play, const InputEvent& event) {
     Pointer& pointer = play.pointer;
@@ -24,13 +32,29 @@ void press_left(PlayContext& play, const InputEvent& event) {
     }
     play.view.selected.reset();
     play.view.follows = false;
-    pointer.panning_from = play.companion.in_first_half({event.column, event.row});
+    // A near miss must not move the world.
+    constexpr double miss = 2.0;
+    if (ball_at(play.session.world(), pointer.at, miss * slack(play)))
+        return say(play, "Missed: nothing under the pointer.", pointer.at);
+    start_panning(play, event);
+}
+
+/// While a new edge is drawn, the keys of speed change its width. False: they do not now.
+bool change_width(PlayContext& play, const Action& action) {
+    constexpr double step = 1.25;
+    PointerTool& tool = play.pointer.tool;
+    const bool widens = action.name == "faster";
+    if (!tool.has_new_edge() || (!widens && action.name != "slower")) return false;
+    tool.widen_edge(widens ? step : 1.0 / step);
+    say(play, fmt::format("width {:.3g}", tool.edge_width()));
+    return true;
 }
 
 }  // namespace
 
 void FreeController::perform(PlayContext& play, const Action& action) {
-    if (action.where == Where::pool) return say(play, "that is for pool tables");
+    if (action.where == Where::pool) return say(play, "That key is for pool tables.");
+    if (change_width(play, action)) return;
     if (const auto* perform = std::get_if<void (*)(PlayContext&)>(&action.perform))
         (*perform)(play);
 }
@@ -46,7 +70,7 @@ void FreeController::press(PlayContext& play, const InputEvent& event) {
     const bool is_cue = event.button == right_button || pointer.cue_is_armed ||
                         (event.button == left_button && (event.modifiers & (shift | control)));
     if (event.button == middle_button)
-        pointer.panning_from = play.companion.in_first_half({event.column, event.row});
+        start_panning(play, event);
     else if (is_cue)
         press_cue(play, event);
     else if (event.button == left_button)
@@ -60,8 +84,7 @@ void FreeController::release(PlayContext& play, const InputEvent& event) {
     pointer.pressed.reset();
     if (take_release(play)) return;
     if (!play.view.follows) play.view.selected.reset();
-    if (const auto complaint = pointer.tool.open(play.session)) complain(play, *complaint);
-    set_reference(play);
+    if (!open_hand(play) && pointer.tool.has_new_edge()) pointer.tool.cancel(play.session);
 }
 
 }  // namespace carom

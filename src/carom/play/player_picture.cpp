@@ -54,6 +54,8 @@ Annotations annotations_of(const PlayContext& play) {
     const CellFrame& cells = play.session.cells();
     if (!(cells == CellFrame{})) annotations.broad_phase = CellGrid{cells.origin, cells.cell.x};
     play.companion.annotate(annotations);
+    if (const auto line = play.messages.line(); line && line->place)
+        annotations.marks.push_back(*line->place);
     return annotations;
 }
 

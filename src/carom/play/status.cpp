@@ -49,6 +49,8 @@ void add_first_hints(const PlayContext& play, Hints& hints) {
         hints.add("menu", "cancel");
     } else if (tool.has_new_edge()) {
         hints.add("draw-edge", "make the edge");
+        hints.add("faster", "wider");
+        hints.add("slower", "thinner");
         hints.add("menu", "cancel");
     } else if (!tool.is_empty()) {
         hints.add("grab", "release");

@@ -116,6 +116,10 @@ struct TimedCommand {
 /// buttons and no referee: see game_state.h. Cost: linear in the bodies.
 std::optional<std::string> refusal(const World& world, const Command& command);
 
+/// The place of the body that the body of this command would overlap, where that is why the command
+/// is refused; none otherwise. Cost: linear in the bodies.
+std::optional<Vec2> obstacle_to(const World& world, const Command& command);
+
 /// Executes a command. SetSolver, and commands of games, leave the world unchanged. Bodies are
 /// added by the rules of add_ball and add_capsule. Pre: the command is not refused.
 void execute(World& world, const Command& command);

@@ -49,8 +49,16 @@ double depth(const World& world, const Disc& ball, const Capsule& edge) {
     return -separation(beside, edge);
 }
 
-Refusal obstacle(const World& world, const Disc& disc, ClassIndex kind,
-                 std::optional<BallId> itself = std::nullopt) {
+constexpr std::string_view blocked = "Blocked: it would overlap";
+
+/// A body in the way.
+struct Obstacle {
+    std::string name;  ///< "ball 4"
+    Vec2 place;
+};
+
+std::optional<Obstacle> obstacle(const World& world, const Disc& disc, ClassIndex kind,
+                                 std::optional<BallId> itself = std::nullopt) {
     const double allowed = touching * disc.radius;
     const Balls& balls = world.balls();
     for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -58,15 +66,59 @@ Refusal obstacle(const World& world, const Disc& disc, ClassIndex kind,
         if (!kinds_meet(world, kind, balls.kind[i])) continue;
         const double apart = length(offset(world, disc.center, balls.position[i]));
         if (disc.radius + balls.radius[i] - apart > allowed)
-            return fmt::format("it would overlap ball {}", number(balls.id[i]));
+            return Obstacle{fmt::format("ball {}", number(balls.id[i])), balls.position[i]};
     }
     const Capsules& capsules = world.capsules();
     for (std::size_t i = 0; i < capsules.size(); ++i) {
         if (!kind_meets_material(world, kind, capsules.material[i])) continue;
         if (depth(world, disc, capsules.shape[i]) > allowed)
-            return fmt::format("it would overlap edge {}", number(capsules.id[i]));
+            return Obstacle{fmt::format("edge {}", number(capsules.id[i])),
+                            (capsules.shape[i].start + capsules.shape[i].end) * 0.5};
     }
     return std::nullopt;
+}
+
+std::optional<Obstacle> obstacle(const World& world, const Capsule& edge, ClassIndex material) {
+    const Balls& balls = world.balls();
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (!kind_meets_material(world, balls.kind[i], material)) continue;
+        if (depth(world, {balls.position[i], balls.radius[i]}, edge) > touching * balls.radius[i])
+            return Obstacle{fmt::format("ball {}", number(balls.id[i])), balls.position[i]};
+    }
+    return std::nullopt;
+}
+
+// What is in the way of a command. Pre: its bodies and classes exist, its numbers are finite.
+
+std::optional<Obstacle> obstacle_of(const World& world, const AddBall& add) {
+    const double radius = add.spec.radius.value_or(world.kinds()[add.spec.kind].radius);
+    return obstacle(world, Disc{add.spec.position, radius}, add.spec.kind);
+}
+
+std::optional<Obstacle> obstacle_of(const World& world, const PlaceBall& place) {
+    const std::size_t index = *index_of(world, place.ball);
+    return obstacle(world, Disc{place.position, world.balls().radius[index]},
+                    world.balls().kind[index], place.ball);
+}
+
+std::optional<Obstacle> obstacle_of(const World& world, const PlaceCapsule& place) {
+    const std::size_t index = *index_of(world, place.capsule);
+    return obstacle(world, Capsule{place.start, place.end, world.capsules().shape[index].radius},
+                    world.capsules().material[index]);
+}
+
+std::optional<Obstacle> obstacle_of(const World& world, const AddCapsule& add) {
+    return obstacle(world, add.shape, add.material);
+}
+
+template <typename Other>
+std::optional<Obstacle> obstacle_of(const World&, const Other&) {
+    return std::nullopt;
+}
+
+Refusal blocked_by(const std::optional<Obstacle>& found) {
+    if (!found) return std::nullopt;
+    return fmt::format("{} {}", blocked, found->name);
 }
 
 Refusal refused(const World& world, const Strike& strike) {
@@ -116,38 +168,24 @@ Refusal refused(const World& world, const AddBall& add) {
     if (!(mass > 0.0) || !std::isfinite(mass) || !std::isfinite(1.0 / mass))
         return "its mass must be positive";
     if (!(restitution >= 0.0 && restitution <= 1.0)) return "its restitution must be in 0..1";
-    return obstacle(world, {spec.position, radius}, spec.kind);
+    return blocked_by(obstacle_of(world, add));
 }
 
 Refusal refused(const World& world, const RemoveBall& remove) {
     return unless_ball(world, remove.ball);
 }
 
-Refusal obstacle(const World& world, const Capsule& edge, ClassIndex material) {
-    const Balls& balls = world.balls();
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        if (!kind_meets_material(world, balls.kind[i], material)) continue;
-        if (depth(world, {balls.position[i], balls.radius[i]}, edge) > touching * balls.radius[i])
-            return fmt::format("it would lie on ball {}", number(balls.id[i]));
-    }
-    return std::nullopt;
-}
-
 Refusal refused(const World& world, const PlaceBall& place) {
     if (auto why = unless_ball(world, place.ball)) return why;
     if (auto why = unless_finite(is_finite(place.position), "the place")) return why;
-    const std::size_t index = *index_of(world, place.ball);
-    return obstacle(world, {place.position, world.balls().radius[index]}, world.balls().kind[index],
-                    place.ball);
+    return blocked_by(obstacle_of(world, place));
 }
 
 Refusal refused(const World& world, const PlaceCapsule& place) {
     if (auto why = unless_movable(world, place.capsule)) return why;
     if (auto why = unless_finite(is_finite(place.start) && is_finite(place.end), "the place"))
         return why;
-    const std::size_t index = *index_of(world, place.capsule);
-    return obstacle(world, {place.start, place.end, world.capsules().shape[index].radius},
-                    world.capsules().material[index]);
+    return blocked_by(obstacle_of(world, place));
 }
 
 Refusal refused(const World& world, const AddCapsule& add) {
@@ -158,7 +196,7 @@ Refusal refused(const World& world, const AddCapsule& add) {
         return why;
     if (!(edge.radius >= 0.0) || !std::isfinite(edge.radius))
         return "its radius must not be negative";
-    return obstacle(world, edge, add.material);
+    return blocked_by(obstacle_of(world, add));
 }
 
 Refusal refused(const World& world, const RemoveCapsule& remove) {
@@ -210,6 +248,12 @@ Refusal refused(const World&, const TimeOut&) {
 
 std::optional<std::string> refusal(const World& world, const Command& command) {
     return std::visit([&](const auto& c) { return refused(world, c); }, command);
+}
+
+std::optional<Vec2> obstacle_to(const World& world, const Command& command) {
+    const auto why = refusal(world, command);
+    if (!why || !why->starts_with(blocked)) return std::nullopt;  // its numbers are not to be used
+    return std::visit([&](const auto& c) { return obstacle_of(world, c); }, command)->place;
 }
 
 }  // namespace carom

@@ -16,12 +16,16 @@ constexpr std::uint64_t most_dense_ticks = 240;
 
 using Pair = std::array<std::uint32_t, 3>;
 
+Pair pair_of(const Contact& contact) {
+    return {static_cast<std::uint32_t>(contact.kind), contact.a, contact.b};
+}
+
 /// The pairs that met, sorted.
 std::vector<Pair> pairs_of(std::span<const Contact> contacts) {
     std::vector<Pair> pairs;
     pairs.reserve(contacts.size());
     for (const Contact& contact : contacts)
-        pairs.push_back({static_cast<std::uint32_t>(contact.kind), contact.a, contact.b});
+        pairs.push_back(pair_of(contact));
     std::ranges::sort(pairs);
     return pairs;
 }
@@ -207,14 +211,14 @@ bool Session::restore(std::uint64_t tick) {
     return true;
 }
 
-bool Session::step_to_collision(std::uint64_t limit) {
+std::optional<Contact> Session::step_to_collision(std::uint64_t limit) {
     for (; limit > 0; --limit) {
         const std::vector<Pair> before = pairs_of(contacts_);
-        if (!step_forward()) return false;
-        const std::vector<Pair> now = pairs_of(contacts_);
-        if (!std::ranges::includes(before, now)) return true;
+        if (!step_forward()) return std::nullopt;
+        for (const Contact& contact : contacts_)
+            if (!std::ranges::binary_search(before, pair_of(contact))) return contact;
     }
-    return false;
+    return std::nullopt;
 }
 
 bool Session::undo() {

@@ -66,8 +66,9 @@ class Session {
     /// outside, and if a tick on the way was cancelled: the present is then before it.
     bool go_to(std::uint64_t tick);
     /// Forward to the first tick with a contact of two bodies that had none in the tick before; at
-    /// most `limit` ticks. False when there was no such tick.
-    bool step_to_collision(std::uint64_t limit);
+    /// most `limit` ticks. Returns the first such contact of that tick; none: there was no such
+    /// tick.
+    std::optional<Contact> step_to_collision(std::uint64_t limit);
     /// Goes back to just before the last gesture at or before the present (continues_gesture) and
     /// forgets it with everything after it. False when there is nothing left to undo.
     bool undo();

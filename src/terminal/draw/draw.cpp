@@ -61,6 +61,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     } else {
         memory.trails = {};
     }
+    paint_border(raster, view);
     paint_zones(raster, view);
     paint_lamps(raster, view);
     // A cloud extends beyond its balls, and would hide the walls that they rest on.

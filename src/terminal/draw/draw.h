@@ -80,8 +80,7 @@ struct Annotations {
     std::span<const World> copies;
     std::optional<PoolAnnotations> pool;
     std::optional<TableAnnotations> table;
-    std::optional<Vec2>
-        divergence;  ///< where a ball diverged from its counterpart in the comparison run
+    std::vector<Vec2> marks;  ///< places to look at: a divergence, a collision, what is in the way
 };
 
 /// What a picture needs to know about earlier pictures. One for each view; start afresh for each

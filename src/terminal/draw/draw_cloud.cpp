@@ -98,7 +98,8 @@ void add_copy(Cloud& cloud, const View& view, const World& copy) {
         const Ink ink = is_known ? view.inks[own] : ink_of_class(balls.kind[i], view.options.look);
         const Vec2 reach{balls.radius[i], balls.radius[i]};
         const Vec2 place = balls.position[i];
-        for (const Vec2 offset : images_of(copy.model(), {place - reach, place + reach}))
+        for (const Vec2 offset :
+             images_of(copy.model(), {place - reach, place + reach}, view.camera))
             cloud.add(to_raster(view.camera, place + offset),
                       balls.radius[i] * view.camera.columns_per_length, ink);
     }

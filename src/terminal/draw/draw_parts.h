@@ -28,7 +28,7 @@ struct View {
 RasterPoint to_raster(const Camera& camera, Vec2 point);
 
 /// The offsets at which a body is shown: zero, and on a torus also those that bring an image of
-/// `bounds` into the view across a side.
+/// `bounds` into view, in the torus or beyond its border.
 struct Images {
     std::array<Vec2, 9> offsets{};
     std::size_t count = 0;
@@ -36,7 +36,7 @@ struct Images {
     const Vec2* begin() const { return offsets.data(); }
     const Vec2* end() const { return offsets.data() + count; }
 };
-Images images_of(const Model& model, const Box& bounds);
+Images images_of(const Model& model, const Box& bounds, const Camera& camera);
 
 /// Gives balls the colours of the level's dress, where it has any.
 void dress_balls(std::vector<Ink>& inks, const Scene& scene, const World& world, const Look& look);
@@ -55,6 +55,8 @@ void paint_overlays_above(Raster& raster, const View& view);
 void paint_pool_table(Raster& raster, const View& view, const Board& board);
 /// Whether the zone is a pocket that paint_pool_table draws.
 bool paints_pocket(const Raster& raster, const View& view, std::size_t zone);
+/// The border of a torus, where there is something to be seen beyond it.
+void paint_border(Raster& raster, const View& view);
 void paint_zones(Raster& raster, const View& view);
 void paint_edges(Raster& raster, const View& view);
 void paint_balls(Raster& raster, const View& view);

@@ -116,20 +116,18 @@ RasterPoint to_raster(const Camera& camera, Vec2 point) {
     return {place.column - camera.area.column, (place.row - camera.area.row) * camera.aspect};
 }
 
-Images images_of(const Model& model, const Box& bounds) {
+Images images_of(const Model& model, const Box& bounds, const Camera& camera) {
     Images images;
     images.count = 1;  // the body itself
     if (!model.wrap) return images;
-    const Box& torus = *model.wrap;
-    const Vec2 period = size(torus);
+    const Box visible = visible_box(camera);
+    const Vec2 period = size(*model.wrap);
     for (const int across : {0, -1, 1}) {
         for (const int up : {0, -1, 1}) {
             const Vec2 offset{across * period.x, up * period.y};
-            const bool reaches_in =
-                bounds.low.x + offset.x < torus.high.x && bounds.high.x + offset.x > torus.low.x &&
-                bounds.low.y + offset.y < torus.high.y && bounds.high.y + offset.y > torus.low.y;
+            const bool is_seen = overlaps({bounds.low + offset, bounds.high + offset}, visible);
             const bool is_itself = across == 0 && up == 0;
-            if (reaches_in && !is_itself) images.offsets[images.count++] = offset;
+            if (is_seen && !is_itself) images.offsets[images.count++] = offset;
         }
     }
     return images;
@@ -178,6 +176,27 @@ std::vector<Ink> ball_inks(const World& world, const ViewOptions& options,
     return inks;
 }
 
+void paint_border(Raster& raster, const View& view) {
+    if (!view.world.model().wrap) return;
+    const Box& torus = *view.world.model().wrap;
+    const Ink ink = ink_of(Role::grid, view.options.look);
+    const auto side = [&](Vec2 from, Vec2 to) {
+        raster.line(to_raster(view.camera, from), to_raster(view.camera, to), ink);
+    };
+    const Box visible = visible_box(view.camera);
+    const double column = 1.0 / view.camera.columns_per_length;
+    // The margin of a fitted view shows nothing that needs a border.
+    if (visible.high.x - torus.high.x > column || torus.low.x - visible.low.x > column) {
+        side(torus.low, {torus.low.x, torus.high.y});
+        side({torus.high.x, torus.low.y}, torus.high);
+    }
+    const double row = view.camera.aspect * column;
+    if (visible.high.y - torus.high.y > row || torus.low.y - visible.low.y > row) {
+        side(torus.low, {torus.high.x, torus.low.y});
+        side({torus.low.x, torus.high.y}, torus.high);
+    }
+}
+
 void paint_zones(Raster& raster, const View& view) {
     const Ink plain_ink = ink_of(Role::zone, view.options.look);
     const double rim = 2.0 * raster.hairline();
@@ -206,7 +225,7 @@ void paint_edges(Raster& raster, const View& view) {
         const Ink ink = is_selected ? ink_of(Role::selected, view.options.look) : edge_ink(view, i);
         const double radius = shape.radius * view.camera.columns_per_length;
         const double hair = raster.hairline() / view.camera.columns_per_length;
-        for (const Vec2 offset : images_of(view.world.model(), bounds(shape))) {
+        for (const Vec2 offset : images_of(view.world.model(), bounds(shape), view.camera)) {
             const Capsule image{shape.start + offset, shape.end + offset, shape.radius};
             if (!overlaps(grow(bounds(image), hair), visible)) continue;
             const RasterPoint start = to_raster(view.camera, image.start);
@@ -230,7 +249,7 @@ void paint_balls(Raster& raster, const View& view) {
     const Box visible = visible_box(view.camera);
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const Box box = bounds(Disc{balls.position[i], balls.radius[i]});
-        for (const Vec2 offset : images_of(view.world.model(), box)) {
+        for (const Vec2 offset : images_of(view.world.model(), box, view.camera)) {
             if (!overlaps({box.low + offset, box.high + offset}, visible)) continue;
             paint_ball(raster, view, i, to_raster(view.camera, balls.position[i] + offset));
         }

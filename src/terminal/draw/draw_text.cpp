@@ -184,8 +184,8 @@ void write_annotations(Canvas& canvas, const View& view) {
             write_at_point(canvas, view, shape.end, "O", ink);
         }
     }
-    if (annotations.divergence) {
-        if (auto at = cell_of(view.camera, *annotations.divergence)) {
+    for (const Vec2 place : annotations.marks) {
+        if (auto at = cell_of(view.camera, place)) {
             Ink ink = ink_of(Role::error, look);
             ink.attributes |= bold | reverse;
             --at->column;

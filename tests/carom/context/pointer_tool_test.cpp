@@ -54,7 +54,8 @@ TEST_CASE("in a paused world a ball is placed at the pointer, if there is room")
     CHECK(ball(game, 0) == Vec2{8.0, 5.0});
     const auto why_not = tool.move(game, {13.0, 8.5}, true);
     REQUIRE(why_not);
-    CHECK(*why_not == "it would overlap ball 1");
+    CHECK(why_not->text == "Blocked: it would overlap ball 1");
+    CHECK(why_not->place == game.world().balls().position[1]);
     CHECK(ball(game, 0) == Vec2{8.0, 5.0});
     CHECK(tool.move(game, {5.0, 5.0}, true) == std::nullopt);
     tool.open(game);

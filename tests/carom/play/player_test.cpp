@@ -62,7 +62,7 @@ TEST_CASE("stepping goes one tick forward and exactly back") {
         REQUIRE(fingerprint(person.world()) == fingerprints[i]);
     }
     person.key(U',');
-    CHECK(person.sees("this is the start"));
+    CHECK(person.sees("This is the start"));
 }
 
 TEST_CASE("stepping pauses a running game") {
@@ -194,7 +194,7 @@ TEST_CASE("balls and edges are added, removed, and restored") {
     person.key(U'u');
     CHECK(person.world().capsules().size() == 7);
     person.key(U'u');
-    CHECK(person.sees("nothing to undo"));
+    CHECK(person.sees("Nothing to undo"));
 }
 
 TEST_CASE("going back releases the held ball, and the game continues without it") {
@@ -253,6 +253,72 @@ TEST_CASE("the wheel zooms at the pointer, the background and the middle button 
     person.key(U'0');
     person.look();
     CHECK(person.player.camera().center == Vec2{20.0, 15.0});
+}
+
+TEST_CASE("found 3: a near miss moves nothing, and panning says how to come back") {
+    Person person;
+    person.key(U' ');
+    person.look();
+    const Vec2 ball = person.ball(0);
+    const Camera camera = person.player.camera();
+    const double column = 1.0 / camera.columns_per_length;
+    const double radius = person.world().balls().radius[0];
+    // A fingertip beside the ball still grabs it.
+    person.drag(ball - Vec2{radius + 2.0 * column, 0.0}, ball - Vec2{radius + 3.0 * column, 0.0});
+    CHECK_FALSE(person.ball(0) == ball);
+    const Vec2 there = person.ball(0);
+    // A place beside a ball, out of reach of everything.
+    std::optional<Vec2> beside;
+    for (const Vec2 place : person.world().balls().position)
+        for (const Vec2 way : {Vec2{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) {
+            const Vec2 at = place + way * (radius + 4.5 * column);
+            if (!PointerTool{}.take(person.world(), at, 3.0 * column)) beside = at;
+        }
+    REQUIRE(beside);
+    person.mouse(InputEvent::Action::press, *beside);
+    CHECK(person.sees("Missed: nothing under the pointer."));
+    CHECK(person.sees(">X<"));
+    person.mouse(InputEvent::Action::move, *beside - Vec2{5.0, 0.0});
+    person.mouse(InputEvent::Action::release, *beside - Vec2{5.0, 0.0});
+    CHECK(person.player.camera().center == camera.center);
+    CHECK(person.ball(0) == there);
+    person.mouse(InputEvent::Action::press, {4.0, 26.0}, 2);
+    CHECK(person.sees("0 brings the whole view back"));
+}
+
+TEST_CASE("found 13: the collision that n reached is told and marked, undo tells where it leads") {
+    Person person;
+    person.key(U'n');
+    for (int i = 0; i < 100 && !person.sees(" hits "); ++i)
+        person.pass(0.1);
+    CHECK(person.sees(" hits "));
+    CHECK(person.sees(">X<"));
+    person.pass(10.0);
+    CHECK_FALSE(person.sees(">X<"));
+    person.key(U'g');
+    person.key(U'u');
+    CHECK(person.sees("Undone: back at "));
+}
+
+TEST_CASE("found 20: a new edge is thin, keys change its width, and its end is told") {
+    Person person;
+    person.key(U' ');
+    person.keys(U"e");
+    const double width = person.player.tool().edge_width();
+    CHECK(width <= 30.0 / 75.0);
+    CHECK(width > 0.0);
+    person.key(U'+');
+    CHECK(person.player.tool().edge_width() == doctest::Approx(1.25 * width));
+    CHECK(person.player.clock().speed() == 1.0);
+    person.key(U'-');
+    person.key(U'-');
+    CHECK(person.player.tool().edge_width() == doctest::Approx(0.8 * width));
+    const std::size_t edges = person.world().capsules().size();
+    for (int i = 0; i < 3; ++i)
+        person.key(key::right);
+    person.key(U'e');
+    if (person.world().capsules().size() > edges) CHECK(person.sees("Edge added."));
+    CHECK(person.world().capsules().size() == edges + 1);
 }
 
 TEST_CASE("a small window asks for more room, and the game waits") {
@@ -458,7 +524,7 @@ TEST_CASE("in a watched recording, keys control time and view but not the world"
     CHECK(watched.world().tick() == 179);
     person.key(U'>');
     CHECK(watched.world().tick() == 240);
-    CHECK(person.sees("the recording ends here"));
+    CHECK(person.sees("recording ends here"));
     person.key(U'.');
     CHECK(watched.world().tick() == 240);
     person.key(U'n');

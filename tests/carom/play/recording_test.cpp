@@ -194,7 +194,7 @@ TEST_CASE("a game is recorded, even if it is terminated, and can be watched") {
     REQUIRE(watcher.wait_for_text("tick 120"));
     CHECK(has(watcher.screen().text(), "gravity"));
     watcher.send(">");
-    CHECK(watcher.wait_for_text("the recording ends here"));
+    CHECK(watcher.wait_for_text("recording ends here"));
     watcher.send("q");
     REQUIRE(watcher.wait_for_end());
 }

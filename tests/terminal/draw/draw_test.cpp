@@ -227,6 +227,18 @@ TEST_CASE("on a torus, a ball across a side shows on both") {
 )");
 }
 
+TEST_CASE("found 3: beyond the border of a torus its copies are drawn, not a void") {
+    Scene scene = table({{0, 0}, {20, 10}});
+    scene.world.edit_definition().model.wrap = Box{{0, 0}, {20, 10}};
+    put_ball(scene, {10, 5}, 2.0);
+    const std::string text = Drawing(81, 11).draw(scene, in(ascii_renderer())).text();
+    std::size_t copies = 0;
+    for (std::size_t at = text.find(":::"); at != std::string::npos; at = text.find(":::", at + 3))
+        ++copies;
+    CAPTURE(text);
+    CHECK(copies >= 3);
+}
+
 TEST_CASE("a ball smaller than a cell is visible in every renderer, at any zoom") {
     for (const Renderer& renderer : renderers()) {
         for (const double radius : {1e-9, 0.01, 0.3, 0.7, 1.0, 1.6}) {
@@ -605,7 +617,7 @@ TEST_CASE("a ball in one copy of two hundred is visible, and one that is not fin
 TEST_CASE("the position of a divergence is marked") {
     Scene scene = table({{0.0, 0.0}, {40.0, 20.0}});
     Annotations annotations;
-    annotations.divergence = Vec2{20.5, 9.0};
+    annotations.marks = {{20.5, 9.0}};
     ViewOptions options = in(ascii_renderer());
     options.look = {0, false, false};
     Drawing drawing(40, 10);
