@@ -128,8 +128,8 @@ void PinballController::continue_from(PlayContext& play, const Controller& befor
                                      play.session.scene().table.highscores);
 }
 
-void PinballController::cut_panel(const PlayContext&, CellArea& area) {
-    feedback_.cut_panel(area);
+void PinballController::cut_panel(const PlayContext& play, CellArea& area) {
+    feedback_.cut_panel(play, area);
 }
 
 Camera PinballController::fit(const PlayContext& play, const CellArea& area, double aspect) {

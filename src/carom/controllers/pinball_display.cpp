@@ -10,6 +10,7 @@ namespace carom {
 namespace {
 
 constexpr int least_table_columns = 30;
+constexpr double least_seen = 0.6;    // share of the table, where it does not fit
 constexpr double ball_rows = 1.0;     // diameter of a ball that the eye can follow
 constexpr double lamp_radius = 0.7;   // radius of a lamp, in radii of the ball
 constexpr double warning_time = 3.0;  // s of blinking before a light goes out
@@ -48,6 +49,13 @@ bool lights_itself(DeviceKind kind) {
            kind == DeviceKind::slingshot;
 }
 
+void dress_light(TableLight& light, const DeviceDress& dress) {
+    light.color = dress.color;
+    light.insert = dress.shape;
+    light.direction = dress.direction;
+    light.text = dress.text;
+}
+
 std::string ball_line(const Session& session) {
     const PinballState& state = state_of(session);
     std::string line = fmt::format("ball {} of {}", state.ball, session.scene().table.balls);
@@ -58,9 +66,30 @@ std::string ball_line(const Session& session) {
 std::string bonus_line(const Session& session) {
     const PinballState& state = state_of(session);
     if (state.bonus <= 0) return "no bonus yet";
-    std::string line = fmt::format("bonus {} x {}", state.bonus, session.scene().table.bonus);
+    std::string line =
+        fmt::format("bonus {} x {}", state.bonus, grouped(session.scene().table.bonus));
     if (state.multiplier > 1) line += fmt::format(" x {}", state.multiplier);
     return line;
+}
+
+/// Lights that go out by themselves: "GETAWAY 18 s".
+std::vector<std::string> timer_lines(const Session& session) {
+    const PinballState& state = state_of(session);
+    const Scene& scene = session.scene();
+    std::vector<std::string> lines;
+    std::vector<std::uint32_t> told;
+    for (std::size_t i = 0; i < scene.table.devices.size(); ++i) {
+        const std::uint64_t until = state.lit_until[i];
+        const std::uint64_t tick = session.world().tick();
+        const std::uint32_t group = scene.table.devices[i].group;
+        if (state.is_lit[i] == 0 || until <= tick || std::ranges::count(told, group) > 0) continue;
+        told.push_back(group);
+        const std::string& text = scene.dress.devices[i].text;
+        lines.push_back(
+            fmt::format("{}  {:.0f} s", text.empty() ? scene.table.groups[group].name : text,
+                        std::ceil(static_cast<double>(until - tick) / session.world().rate())));
+    }
+    return lines;
 }
 
 /// Tilt, the ball saver, or warnings; empty if there are none.
@@ -87,6 +116,7 @@ std::string grouped(std::int64_t number) {
 
 // The camera follows the ball nearest to the drain, which matters most.
 void PinballDisplay::follow(const Session& session, double seconds) {
+    celebrate(session, seconds);
     const Balls& balls = session.world().balls();
     if (balls.size() == 0) return;
     const auto lowest = std::ranges::min_element(balls.position, {}, &Vec2::y);
@@ -94,16 +124,54 @@ void PinballDisplay::follow(const Session& session, double seconds) {
     camera_.follow(lowest->y, balls.velocity[index].y, seconds);
 }
 
-void PinballDisplay::cut_panel(CellArea& area) {
+void PinballDisplay::cut_panel(const Session& session, CellArea& area, const Box& table) {
     panel_ = {};
+    card_ = {};
     if (area.columns < least_table_columns + score_panel_columns) return;
-    area.columns -= score_panel_columns;
-    panel_ = {area.column + area.columns, area.row, score_panel_columns, area.rows};
+    // The columns that the table takes in a window of this height: whole, or larger where the ball
+    // would be too small.
+    constexpr double aspect = 2.0;  // of most terminals
+    constexpr int margin = 4;
+    const Vec2 extent = size(table);
+    const double shape = extent.y > 0.0 ? extent.x / extent.y : 1.0;
+    const double ball =
+        extent.y > 0.0 ? 2.0 * ball_radius(session) / extent.y * area.rows : ball_rows;
+    const double zoom = ball > 0.0 ? std::clamp(ball_rows / ball, 1.0, 1.0 / least_seen) : 1.0;
+    const double wanted = std::min(1e4, zoom * shape * aspect * area.rows) + margin;
+    const int spare =
+        std::max(score_panel_columns,
+                 area.columns - std::max(least_table_columns, static_cast<int>(wanted)));
+    if (spare >= score_panel_columns + rules_card_columns) {
+        const int columns = std::clamp(spare - most_score_panel_columns, rules_card_columns,
+                                       most_rules_card_columns);
+        card_ = {area.column, area.row, columns, area.rows};
+        area.column += columns;
+        area.columns -= columns;
+    }
+    const int columns =
+        std::clamp(spare - card_.columns, score_panel_columns, most_score_panel_columns);
+    area.columns -= columns;
+    panel_ = {area.column + area.columns, area.row, columns, area.rows};
 }
 
-Camera PinballDisplay::look(const Session& session, const CellArea& area, double aspect,
-                            bool whole) {
-    const Box& table = session.scene().view;
+void PinballDisplay::celebrate(const Session& session, double seconds) {
+    constexpr std::int64_t large = 5000;  // points at once
+    constexpr double duration = 1.8;      // s
+    const PinballState& state = state_of(session);
+    const std::size_t balls = session.world().balls().size();
+    const bool is_large = state.score - score_ >= large || (balls > balls_ && balls > 1);
+    const bool is_new_game = state.score < score_;
+    banner_left_ = std::max(0.0, banner_left_ - seconds);
+    if (is_large && !is_new_game && !state.message.empty()) {
+        banner_ = state.message;
+        banner_left_ = duration;
+    }
+    score_ = state.score;
+    balls_ = balls;
+}
+
+Camera PinballDisplay::look(const Session& session, const Box& table, const CellArea& area,
+                            double aspect, bool whole) {
     const PinballState& state = state_of(session);
     Camera camera = whole ? fit_camera(table, area, aspect)
                           : camera_.look(table, ball_radius(session), ball_rows, area, aspect);
@@ -116,22 +184,35 @@ Camera PinballDisplay::look(const Session& session, const CellArea& area, double
 
 TableAnnotations PinballDisplay::annotations(const Session& session) const {
     TableAnnotations annotations;
+    if (banner_left_ > 0.0) {
+        constexpr double beats = 4.0;  // a second
+        annotations.banner = banner_;
+        annotations.beat = beats * banner_left_ - std::floor(beats * banner_left_);
+    }
     const PinballTable& table = session.scene().table;
+    const Dress& dress = session.scene().dress;
     const double radius = lamp_radius * ball_radius(session);
     for (std::size_t i = 0; i < table.devices.size(); ++i) {
         const Device& device = table.devices[i];
         TableLight light{.is_lit = is_bright(session, i), .family = device.group};
+        if (i < dress.devices.size()) dress_light(light, dress.devices[i]);
         if (has_lamp(device.kind)) {
-            light.shape = {device.place, device.place, radius};
+            const double own = i < dress.devices.size() ? dress.devices[i].radius : 0.0;
+            light.shape = {device.place, device.place, own > 0.0 ? own : radius};
             annotations.lights.push_back(light);
         } else if (lights_itself(device.kind)) {
             light.is_edge = true;
+            light.is_bumper = device.kind == DeviceKind::bumper;
             for (const CapsuleId id : device.capsules) {
                 const auto index = index_of(session.world(), id);
                 if (!index) continue;
                 light.shape = session.world().capsules().shape[*index];
                 annotations.lights.push_back(light);
             }
+        } else if (device.kind == DeviceKind::flipper) {
+            for (const CapsuleId id : device.capsules)
+                if (const auto index = index_of(session.world(), id))
+                    annotations.flippers.push_back(session.world().capsules().shape[*index]);
         } else if (device.kind == DeviceKind::plunger && !device.capsules.empty()) {
             const auto index = index_of(session.world(), device.capsules.front());
             if (!index) continue;
@@ -153,6 +234,8 @@ TableAnnotations PinballDisplay::annotations(const Session& session) const {
 void PinballDisplay::draw_panel(Canvas& canvas, const Session& session, const PinballScores& scores,
                                 bool is_demonstrating, const Look& look) const {
     if (panel_.columns == 0) return;
+    if (card_.columns > 0)
+        draw_rules_card(canvas, card_, "HOW TO PLAY", session.scene().comment, look);
     const PinballState& state = state_of(session);
     const std::optional<std::string>& initials = scores.initials();
     ScorePanel panel;
@@ -160,6 +243,8 @@ void PinballDisplay::draw_panel(Canvas& canvas, const Session& session, const Pi
     panel.score = grouped(state.score);
     if (session.scene().table.is_game)
         panel.lines = {ball_line(session), bonus_line(session), safety_line(session)};
+    for (std::string& line : timer_lines(session))
+        panel.lines.push_back(std::move(line));
     panel.message = state.message;
     if (initials)
         panel.call = "YOUR INITIALS: " + *initials + std::string(3 - initials->size(), '_');

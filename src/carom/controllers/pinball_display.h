@@ -18,18 +18,29 @@ class PinballDisplay {
   public:
     /// Glides after the lowest ball. `seconds`: of wall-clock time.
     void follow(const Session& session, double seconds);
-    /// Takes the room for the score panel from the right of `area`, if it is large enough.
-    void cut_panel(CellArea& area);
+    /// Takes the room for the score panel from the right of `area`, and in a wide window that for
+    /// the rules card from its left. `table`: what the camera shows.
+    void cut_panel(const Session& session, CellArea& area, const Box& table);
     bool has_panel() const { return panel_.columns > 0; }
     /// `whole`: shows the whole table, however small the ball gets.
-    Camera look(const Session& session, const CellArea& area, double aspect, bool whole);
+    Camera look(const Session& session, const Box& table, const CellArea& area, double aspect,
+                bool whole);
     TableAnnotations annotations(const Session& session) const;
     void draw_panel(Canvas& canvas, const Session& session, const PinballScores& scores,
                     bool is_demonstrating, const Look& look) const;
 
   private:
+    void celebrate(const Session& session, double seconds);
+
     TableCamera camera_;
     CellArea panel_;
+    CellArea card_;
+
+    // A large moment, told across the table.
+    std::string banner_;
+    double banner_left_ = 0.0;  // s
+    std::int64_t score_ = 0;    // when last looked at
+    std::size_t balls_ = 0;
 };
 
 /// Formats 1234567 as 1,234,567.

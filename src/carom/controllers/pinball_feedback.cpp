@@ -29,7 +29,8 @@ void PinballFeedback::after_ticks(PlayContext& play, double seconds, bool is_dem
 Camera PinballFeedback::fit(const PlayContext& play, const CellArea& area, double aspect) {
     // Braille has enough dots to show the ball on the whole table.
     const bool is_fine = renderer_in_force(play.view.options).down >= 4;
-    return display_.look(play.session, area, aspect, play.view.shows_whole || is_fine);
+    return display_.look(play.session, play.view.shown, area, aspect,
+                         play.view.shows_whole || is_fine);
 }
 
 void PinballFeedback::annotate(const PlayContext& play, Annotations& annotations) const {

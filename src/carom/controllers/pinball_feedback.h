@@ -22,7 +22,9 @@ class PinballFeedback {
     /// there is one, so that the hints stay visible.
     void after_ticks(PlayContext& play, double seconds, bool is_demonstrating);
 
-    void cut_panel(CellArea& area) { display_.cut_panel(area); }
+    void cut_panel(const PlayContext& play, CellArea& area) {
+        display_.cut_panel(play.session, area, play.view.shown);
+    }
     Camera fit(const PlayContext& play, const CellArea& area, double aspect);
     void annotate(const PlayContext& play, Annotations& annotations) const;
     void draw_panel(const PlayContext& play, Canvas& canvas, bool is_demonstrating) const;

@@ -32,8 +32,8 @@ void WatchController::after_ticks(PlayContext& play, double seconds) {
     if (auto outcome = announcer_.tell(play.session, players)) say(play, *std::move(outcome));
 }
 
-void WatchController::cut_panel(const PlayContext&, CellArea& area) {
-    if (pinball_) pinball_->cut_panel(area);
+void WatchController::cut_panel(const PlayContext& play, CellArea& area) {
+    if (pinball_) pinball_->cut_panel(play, area);
 }
 
 Camera WatchController::fit(const PlayContext& play, const CellArea& area, double aspect) {

@@ -359,11 +359,15 @@ class LevelWriter {
                  aligns[static_cast<std::size_t>(label.align)], color(label.color));
     }
 
+    static std::string layer(int number) {
+        return number > 0 ? fmt::format(" layer={}", number) : "";
+    }
+
     void paint(const PaintedArea& area) {
         if (area.corners.empty())
-            return line("paint circle at={} r={}{}", place(area.disc.center), area.disc.radius,
-                        color(area.color));
-        text_ += "paint polygon" + color(area.color);
+            return line("paint circle at={} r={}{}{}", place(area.disc.center), area.disc.radius,
+                        color(area.color), layer(area.layer));
+        text_ += "paint polygon" + color(area.color) + layer(area.layer);
         for (std::size_t i = 0; i < area.corners.size(); ++i) {
             if (i % points_a_line == points_a_line - 1) text_ += " \\\n   ";
             text_ += " " + place(area.corners[i]);

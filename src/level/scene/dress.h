@@ -14,11 +14,12 @@ namespace carom {
 /// Red, green and blue, 8 bits each: 0xRRGGBB.
 using Rgb24 = std::uint32_t;
 
-/// A filled area under everything else. Later areas cover earlier ones.
+/// A filled area under everything on its layer. Later areas cover earlier ones.
 struct PaintedArea {
     std::vector<Vec2> corners;  ///< of a polygon, filled by the even-odd rule; empty: a disc
     Disc disc;
     Rgb24 color = 0;
+    std::uint8_t layer = 0;  ///< above 0: over the balls on the board, and see-through
 };
 
 /// Text on the board, in one line.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 
 #include "level/ir/arguments.h"
 #include "level/ir/emit.h"
@@ -30,6 +31,7 @@ void paint_corners(const std::vector<Vec2>& corners, const Arguments& arguments,
     for (const Vec2 corner : corners)
         area.corners.push_back(frame.transform.point(corner));
     area.color = arguments.color().value_or(0);
+    area.layer = static_cast<std::uint8_t>(arguments.number_or("layer", 0.0));
     context.ir.areas.push_back(std::move(area));
 }
 
@@ -48,6 +50,7 @@ void paint_circle(const Arguments& arguments, const Frame& frame, Context& conte
     PaintedArea area;
     area.disc = {frame.transform.point(arguments.pair_or("at", {})), arguments.number_or("r", 0.0)};
     area.color = arguments.color().value_or(0);
+    area.layer = static_cast<std::uint8_t>(arguments.number_or("layer", 0.0));
     context.ir.areas.push_back(std::move(area));
 }
 
@@ -120,12 +123,15 @@ void build_insert(const Arguments& arguments, const Frame& frame, Context& conte
         return;
     }
     const int binding = bind_device(names, std::nullopt, context);
-    for (const Vec2 at : arguments.places) {
+    // One name for all of them, at the one in the middle.
+    const std::string text = std::exchange(dress.text, "");
+    for (std::size_t i = 0; i < arguments.places.size(); ++i) {
+        dress.text = i == arguments.places.size() / 2 ? text : "";
         DeviceIr device{.device = {.kind = DeviceKind::lamp},
                         .binding = binding,
                         .origin = origin_of(arguments, frame),
                         .dress = dress};
-        device.device.place = frame.transform.point(at);
+        device.device.place = frame.transform.point(arguments.places[i]);
         add_device(std::move(device), context);
     }
 }
@@ -142,23 +148,24 @@ std::vector<Statement> dress_statements() {
     constexpr auto length = Measure::length;
     constexpr auto number = Measure::number;
     const KeyRule required_color{"color", color, number, any, true};
+    const KeyRule above{"layer", scalar, Measure::whole, layer};
     return {
         {.name = "paint polygon",
-         .usage = "paint polygon X,Y X,Y X,Y ... color=",
+         .usage = "paint polygon X,Y X,Y X,Y ... color= [layer=0..3]",
          .action = paint_polygon,
          .points_least = 3,
          .points_most = many,
-         .keys = {required_color}},
+         .keys = {required_color, above}},
         {.name = "paint rect",
-         .usage = "paint rect X0,Y0 X1,Y1 color=",
+         .usage = "paint rect X0,Y0 X1,Y1 color= [layer=0..3]",
          .action = paint_rect,
          .points_least = 2,
          .points_most = 2,
-         .keys = {required_color}},
+         .keys = {required_color, above}},
         {.name = "paint circle",
-         .usage = "paint circle at=X,Y r= color=",
+         .usage = "paint circle at=X,Y r= color= [layer=0..3]",
          .action = paint_circle,
-         .keys = {keys::at, {"r", scalar, length, positive, true}, required_color}},
+         .keys = {keys::at, {"r", scalar, length, positive, true}, required_color, above}},
         {.name = "label",
          .usage = "label \"TEXT\" at=X,Y [align=center|left|right] [color=]",
          .action = add_label,

@@ -48,11 +48,10 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     memory.ground.update(scene, camera, renderer_in_force(options), options.look);
     if (annotations.pool && options.color_by == ColorBy::kind)
         color_pool_balls(inks, world, *annotations.pool, options.look);
-    Raster raster(renderer_in_force(options), area.columns, area.rows, camera.aspect, options.look);
+    Raster raster = memory.ground.raster();
     const View view{camera, scene, world, options, annotations, memory, contacts, inks};
     polish_balls(inks, view);
 
-    memory.ground.paint(raster);
     paint_pool_table(raster, view, memory.ground.board(scene));
     paint_overlays_below(raster, view);
     if (options.trails) {
@@ -66,9 +65,15 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     paint_lamps(raster, view);
     // A cloud extends beyond its balls, and would hide the walls that they rest on.
     if (!annotations.copies.empty()) paint_cloud(raster, view);
-    paint_edges(raster, view);
+    paint_edges(raster, view, Level::board);
     paint_lit_edges(raster, view);
-    if (annotations.copies.empty()) paint_balls(raster, view);
+    const bool shows_balls = annotations.copies.empty();
+    if (shows_balls) paint_balls(raster, view, Level::board);
+    if (has_level_above(view)) {
+        paint_areas_above(raster, view);
+        paint_edges(raster, view, Level::above);
+        if (shows_balls) paint_balls(raster, view, Level::above);
+    }
     paint_overlays_above(raster, view);
     paint_pool(raster, view);
     paint_annotations(raster, view);
@@ -80,8 +85,10 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     else
         write_labels(canvas, view);
     write_board_labels(canvas, view);
+    write_insert_names(canvas, view);
     write_annotations(canvas, view);
     memory.ground.lay(canvas);
+    write_banner(canvas, view);
 }
 
 }  // namespace carom

@@ -58,11 +58,21 @@ bool paints_pocket(const Raster& raster, const View& view, std::size_t zone);
 /// The border of a torus, where there is something to be seen beyond it.
 void paint_border(Raster& raster, const View& view);
 void paint_zones(Raster& raster, const View& view);
-void paint_edges(Raster& raster, const View& view);
-void paint_balls(Raster& raster, const View& view);
+/// What lies on the board, or what lies above it on another layer, as the rails of a ramp do.
+enum class Level : std::uint8_t { board, above };
+/// Whether the level has anything above its board.
+bool has_level_above(const View& view);
+void paint_edges(Raster& raster, const View& view, Level level);
+void paint_balls(Raster& raster, const View& view, Level level);
+/// The areas that the level paints above its board: see-through.
+void paint_areas_above(Raster& raster, const View& view);
 void paint_cloud(Raster& raster, const View& view);
 void paint_pool(Raster& raster, const View& view);
 void paint_lamps(Raster& raster, const View& view);
+void paint_insert(Raster& raster, const View& view, const TableLight& light);
+/// Fills a polygon by the even-odd rule, without smoothing its border.
+void fill_polygon(Raster& raster, std::span<const RasterPoint> corners, const Ink& ink,
+                  std::uint8_t level);
 void paint_lit_edges(Raster& raster, const View& view);
 void paint_annotations(Raster& raster, const View& view);
 
@@ -80,6 +90,8 @@ void polish_balls(std::vector<Ink>& inks, const View& view);
 /// Writes text on the board: in cells that show nothing but the ground.
 void write_on_ground(Canvas& canvas, const View& view, int column, int row, std::string_view text,
                      const Ink& ink);
+void write_insert_names(Canvas& canvas, const View& view);
+void write_banner(Canvas& canvas, const View& view);
 /// The labels of the level.
 void write_board_labels(Canvas& canvas, const View& view);
 void write_counters(Canvas& canvas, const View& view);

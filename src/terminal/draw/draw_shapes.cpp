@@ -109,7 +109,57 @@ void paint_ball(Raster& raster, const View& view, std::size_t ball, RasterPoint 
     }
 }
 
+Level level_of_edge(const View& view, std::size_t edge) {
+    const auto& layers = view.scene.dress.layers;
+    const std::size_t material = view.world.capsules().material[edge];
+    return material < layers.size() && layers[material] > 0 ? Level::above : Level::board;
+}
+
+Level level_of_ball(const View& view, std::size_t ball) {
+    const auto& kinds = view.world.kinds();
+    const std::size_t kind = view.world.balls().kind[ball];
+    return kind < kinds.size() && kinds[kind].layer > 0 ? Level::above : Level::board;
+}
+
+// What lies above the board throws a shadow on it, to the lower right.
+void paint_shadow(Raster& raster, const View& view, const Capsule& shape) {
+    if (!raster.renderer().has_pixels() || !view.options.look.has_shades()) return;
+    constexpr double right = 1.0;  // columns
+    constexpr double down = 1.2;
+    constexpr std::uint8_t tone = 110;
+    const RasterPoint start = to_raster(view.camera, shape.start);
+    const RasterPoint end = to_raster(view.camera, shape.end);
+    raster.capsule({start.x + right, start.y + down}, {end.x + right, end.y + down},
+                   shape.radius * view.camera.columns_per_length,
+                   {dress_ink(0, view.options.look), tone, '\0'});
+}
+
 }  // namespace
+
+bool has_level_above(const View& view) {
+    const auto is_above = [](std::uint8_t layer) { return layer > 0; };
+    return std::ranges::any_of(view.scene.dress.layers, is_above) ||
+           std::ranges::any_of(view.scene.dress.areas, is_above, &PaintedArea::layer);
+}
+
+void paint_areas_above(Raster& raster, const View& view) {
+    constexpr std::uint8_t see_through = 105;
+    if (!raster.renderer().has_pixels() || !view.options.look.has_shades()) return;
+    for (const PaintedArea& area : view.scene.dress.areas) {
+        if (area.layer == 0) continue;
+        const Ink ink = dress_ink(area.color, view.options.look);
+        if (area.corners.empty()) {
+            raster.disc(to_raster(view.camera, area.disc.center),
+                        area.disc.radius * view.camera.columns_per_length, 0.0,
+                        {ink, see_through, '\0'});
+            continue;
+        }
+        std::vector<RasterPoint> corners;
+        for (const Vec2 corner : area.corners)
+            corners.push_back(to_raster(view.camera, corner));
+        fill_polygon(raster, corners, ink, see_through);
+    }
+}
 
 RasterPoint to_raster(const Camera& camera, Vec2 point) {
     const CellPoint place = to_cells(camera, point);
@@ -215,12 +265,13 @@ void paint_zones(Raster& raster, const View& view) {
     }
 }
 
-void paint_edges(Raster& raster, const View& view) {
+void paint_edges(Raster& raster, const View& view, Level level) {
     const Capsules& edges = view.world.capsules();
     const Box visible = visible_box(view.camera);
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const Capsule& shape = edges.shape[i];
         if (!edges.side.empty() && edges.side[i] == Side::none) continue;
+        if (level_of_edge(view, i) != level) continue;
         const bool is_selected = view.annotations.selected_capsule == edges.id[i];
         const Ink ink = is_selected ? ink_of(Role::selected, view.options.look) : edge_ink(view, i);
         const double radius = shape.radius * view.camera.columns_per_length;
@@ -235,6 +286,7 @@ void paint_edges(Raster& raster, const View& view) {
                 continue;
             }
             const Brush brush{ink, 255, '#'};
+            if (level == Level::above) paint_shadow(raster, view, image);
             if (is_peg) {
                 raster.disc(start, std::max(radius, raster.hairline()), 0.0, brush);
             } else {
@@ -244,10 +296,11 @@ void paint_edges(Raster& raster, const View& view) {
     }
 }
 
-void paint_balls(Raster& raster, const View& view) {
+void paint_balls(Raster& raster, const View& view, Level level) {
     const Balls& balls = view.world.balls();
     const Box visible = visible_box(view.camera);
     for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (level_of_ball(view, i) != level) continue;
         const Box box = bounds(Disc{balls.position[i], balls.radius[i]});
         for (const Vec2 offset : images_of(view.world.model(), box, view.camera)) {
             if (!overlaps({box.low + offset, box.high + offset}, visible)) continue;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "terminal/canvas/character_width.h"
 #include "terminal/draw/draw_parts.h"
 
 /// The lights of a pinball table.
@@ -9,31 +10,9 @@ namespace {
 
 Ink ink_of_light(const TableLight& light, const Look& look) {
     if (!look.has_colors()) return {default_color, light.is_lit ? bold : dim};
-    Ink ink = ink_of_class(light.family, look);
-    if (light.is_lit)
-        ink.attributes |= bold;
-    else if (look.colors >= 256)
-        ink.color = dimmed(ink.color, 0.45, look);
-    else
-        ink = ink_of(Role::faint, look);
+    Ink ink = light.color ? dress_ink(*light.color, look) : ink_of_class(light.family, look);
+    if (light.is_lit) ink.attributes |= bold;
     return ink;
-}
-
-void paint_lamp(Raster& raster, const View& view, const TableLight& light) {
-    const Look& look = view.options.look;
-    const Ink ink = ink_of_light(light, look);
-    const RasterPoint at = to_raster(view.camera, light.shape.start);
-    const double radius =
-        std::max(light.shape.radius * view.camera.columns_per_length, 1.2 * raster.hairline());
-    if (raster.renderer().has_regions()) {
-        raster.stamp(at, light.is_lit ? "*" : ".", ink);
-    } else if (light.is_lit) {
-        raster.disc(at, radius, 0.0, {ink, 255, '*'});
-    } else if (raster.renderer().has_pixels()) {
-        raster.disc(at, radius, 0.0, {ink, 255, '.'});
-    } else {
-        raster.disc(at, 0.0, 0.0, {ink, 255, '.'});
-    }
 }
 
 void paint_lit_edge(Raster& raster, const View& view, const TableLight& light) {
@@ -45,6 +24,55 @@ void paint_lit_edge(Raster& raster, const View& view, const TableLight& light) {
         raster.disc(start, radius, 0.0, brush);
     else
         raster.capsule(start, to_raster(view.camera, light.shape.end), radius, brush);
+}
+
+constexpr Rgb24 rubber_color = 0xb3261e;
+constexpr Rgb24 bat_color = 0xf2ead6;
+constexpr Rgb24 skirt_color = 0x14161c;
+constexpr Rgb24 cap_color = 0xc8452f;
+
+bool shows_parts(const Raster& raster, const View& view) {
+    return raster.renderer().has_pixels() && view.options.look.has_shades();
+}
+
+// A cap on a dark skirt; a hit lights it up.
+void paint_bumper(Raster& raster, const View& view, const TableLight& light) {
+    if (!shows_parts(raster, view)) {
+        if (light.is_lit) paint_lit_edge(raster, view, light);
+        return;
+    }
+    const Look& look = view.options.look;
+    const RasterPoint at = to_raster(view.camera, light.shape.start);
+    const double radius = light.shape.radius * view.camera.columns_per_length;
+    const Tones tones = tones_of(dress_ink(light.color.value_or(cap_color), look).color, look);
+    constexpr std::uint8_t full = 255;
+    constexpr std::uint8_t halo = 70;
+    if (light.is_lit) raster.disc(at, 1.5 * radius, 0.0, {{tones.light, plain}, halo, '\0'});
+    raster.disc(at, radius, 0.0, {dress_ink(skirt_color, look), full, '\0'});
+    raster.disc(at, 0.82 * radius, 0.0,
+                {{light.is_lit ? tones.glint : tones.base, plain}, full, '\0'});
+    raster.disc({at.x - 0.2 * radius, at.y - 0.2 * radius}, 0.35 * radius, 0.0,
+                {{light.is_lit ? tones.glint : tones.light, plain}, full, '\0'});
+}
+
+// A bat that is thicker at its pivot, in a ring of rubber.
+void paint_flipper(Raster& raster, const View& view, const Capsule& shape) {
+    if (!shows_parts(raster, view)) return;
+    const Look& look = view.options.look;
+    const RasterPoint pivot = to_raster(view.camera, shape.start);
+    const RasterPoint tip = to_raster(view.camera, shape.end);
+    const double radius = shape.radius * view.camera.columns_per_length;
+    const double least = raster.hairline();
+    const Ink rubber = dress_ink(rubber_color, look);
+    const Ink bat = dress_ink(bat_color, look);
+    constexpr std::uint8_t full = 255;
+    raster.capsule(pivot, tip, std::max(radius, least), {rubber, full, '\0'});
+    raster.disc(pivot, std::max(1.35 * radius, least), 0.0, {rubber, full, '\0'});
+    // Where there is no room for a ring, all of it is the bat.
+    constexpr double least_ring = 0.9;  // columns
+    const double inner = radius < least_ring ? radius : 0.62 * radius;
+    raster.capsule(pivot, tip, std::max(inner, least), {bat, full, '\0'});
+    raster.disc(pivot, std::max(1.1 * inner, least), 0.0, {bat, full, '\0'});
 }
 
 void paint_gauge(Raster& raster, const View& view, const PowerGauge& gauge) {
@@ -62,19 +90,49 @@ void paint_gauge(Raster& raster, const View& view, const PowerGauge& gauge) {
 void paint_lamps(Raster& raster, const View& view) {
     if (!view.annotations.table) return;
     for (const TableLight& light : view.annotations.table->lights)
-        if (!light.is_edge) paint_lamp(raster, view, light);
+        if (!light.is_edge) paint_insert(raster, view, light);
 }
 
 void paint_lit_edges(Raster& raster, const View& view) {
     if (!view.annotations.table) return;
     for (const TableLight& light : view.annotations.table->lights)
-        if (light.is_edge && light.is_lit) paint_lit_edge(raster, view, light);
+        if (light.is_bumper)
+            paint_bumper(raster, view, light);
+        else if (light.is_edge && light.is_lit)
+            paint_lit_edge(raster, view, light);
+    for (const Capsule& flipper : view.annotations.table->flippers)
+        paint_flipper(raster, view, flipper);
     for (const Capsule& plunger : view.annotations.table->plungers)
         raster.capsule(to_raster(view.camera, plunger.start), to_raster(view.camera, plunger.end),
                        plunger.radius * view.camera.columns_per_length,
                        {ink_of(Role::cue, view.options.look), 255, '#'});
     for (const PowerGauge& gauge : view.annotations.table->gauges)
         paint_gauge(raster, view, gauge);
+}
+
+void write_banner(Canvas& canvas, const View& view) {
+    if (!view.annotations.table || view.annotations.table->banner.empty()) return;
+    const Look& look = view.options.look;
+    const CellArea& area = view.camera.area;
+    const std::string& banner = view.annotations.table->banner;
+    std::string text;
+    for (const char letter : banner)
+        text += std::string(text.empty() ? "" : " ") + letter;
+    const bool is_ascii =
+        std::ranges::all_of(banner, [](char letter) { return letter >= ' ' && letter <= '~'; });
+    if (!is_ascii || columns_of(text) + 6 > area.columns) text = banner;
+    const bool is_bright = view.annotations.table->beat < 0.5;
+    const Ink ink = ink_of(is_bright ? Role::warning : Role::error, look);
+    const int middle = area.row + area.rows * 2 / 5;
+    const int width = columns_of(text) + 6;
+    const int left = area.column + std::max(0, (area.columns - width) / 2);
+    for (int row = middle - 1; row <= middle + 1; ++row)
+        for (int column = left; column < std::min(left + width, area.column + area.columns);
+             ++column)
+            canvas.put(column, row,
+                       {U' ', ink.color, default_color, static_cast<std::uint8_t>(bold | reverse)});
+    canvas.write(left + 3, middle, text, ink.color, default_color,
+                 static_cast<std::uint8_t>(bold | reverse));
 }
 
 void polish_balls(std::vector<Ink>& inks, const View& view) {

@@ -92,6 +92,7 @@ void GroundLayer::update(const Scene& scene, const Camera& camera, const Rendere
     // With few colours, a ball could have that of the ground.
     const bool has_ground = !board_->is_empty() || !scene.dress.areas.empty();
     if (look.has_shades() && has_ground) fill(scene);
+    paint();
 }
 
 void GroundLayer::fill(const Scene& scene) {
@@ -103,10 +104,10 @@ void GroundLayer::fill(const Scene& scene) {
     if (!board_->is_empty()) fill_board(scene);
     for (const std::uint32_t pocket : scene.pool.pockets) {
         const Capsule& shape = scene.world.zones()[pocket].shape;
-        fill_area({{}, {shape.start, hole_share * shape.radius}, hole_color});
+        fill_area({{}, {shape.start, hole_share * shape.radius}, hole_color, 0});
     }
     for (const PaintedArea& area : scene.dress.areas)
-        fill_area(area);
+        if (area.layer == 0) fill_area(area);
 }
 
 Vec2 GroundLayer::place_of(int across, int down) const {
@@ -156,14 +157,23 @@ void GroundLayer::fill_area(const PaintedArea& area) {
         }
 }
 
-void GroundLayer::paint(Raster& raster) const {
-    if (colors_.empty() || !raster.renderer().has_pixels()) return;
+Raster GroundLayer::raster() const {
+    if (painted_) return *painted_;
+    const CellArea& area = key_->camera.area;
+    return Raster(*key_->renderer, area.columns, area.rows, key_->camera.aspect, key_->look);
+}
+
+void GroundLayer::paint() {
+    painted_.reset();
+    if (colors_.empty() || !key_->renderer->has_pixels()) return;
+    Raster raster = this->raster();
     constexpr std::uint8_t full = 255;
     for (int down = 0; down < down_; ++down)
         for (int across = 0; across < across_; ++across) {
             const Color color = color_at(across, down);
             if (color != default_color) raster.sample(across, down, full, {color, plain});
         }
+    painted_ = std::move(raster);
 }
 
 bool GroundLayer::is_bare(const Canvas& canvas, int column, int row) const {

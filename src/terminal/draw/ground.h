@@ -32,8 +32,8 @@ class GroundLayer {
     /// The board of the level. Computes it unless it is known.
     const Board& board(const Scene& scene);
 
-    /// Renderers with pixels: fills their samples, under all shapes.
-    void paint(Raster& raster) const;
+    /// The raster to paint shapes on: with pixels that show the ground, else empty. Pre: updated.
+    Raster raster() const;
     /// Whether the cell shows the ground alone: no shape and no text.
     bool is_bare(const Canvas& canvas, int column, int row) const;
     /// Gives cells without a background of their own that of the ground, under text and shapes.
@@ -48,6 +48,7 @@ class GroundLayer {
         friend bool operator==(const Key&, const Key&) = default;
     };
     void fill(const Scene& scene);
+    void paint();
     void fill_board(const Scene& scene);
     void fill_area(const PaintedArea& area);
     Vec2 place_of(int across, int down) const;
@@ -63,7 +64,8 @@ class GroundLayer {
     std::shared_ptr<const Board> board_;
     std::uint64_t scene_hash_ = 0;  ///< of the scene that the board is of
     std::optional<Key> key_;
-    int across_ = 0;  ///< samples
+    std::optional<Raster> painted_;  ///< none: nothing to paint
+    int across_ = 0;                 ///< samples
     int down_ = 0;
     std::vector<Color> colors_;  ///< row by row; default_color: no ground; empty: none anywhere
 };

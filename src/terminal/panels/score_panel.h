@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "terminal/canvas/camera.h"
@@ -26,12 +27,20 @@ struct ScorePanel {
     std::vector<ScoreLine> high_scores;  ///< the best first
 };
 
-/// The preferred width, in columns.
+/// Widths, in columns.
 inline constexpr int score_panel_columns = 34;
+inline constexpr int most_score_panel_columns = 72;
 
 /// Draws as much of the panel as fits. Digits are made of half blocks or number signs; a score too
 /// long for them is written small.
 void draw_score_panel(Canvas& canvas, const CellArea& area, const ScorePanel& panel,
                       const Look& look);
+
+/// A card beside the table with the author's text: paragraphs and lists of a word and what it does.
+/// `text`: Scene::comment.
+void draw_rules_card(Canvas& canvas, const CellArea& area, std::string_view title,
+                     const std::vector<std::string>& text, const Look& look);
+inline constexpr int rules_card_columns = 30;
+inline constexpr int most_rules_card_columns = 46;
 
 }  // namespace carom

@@ -18,11 +18,11 @@ const Look ascii{0, false, false};
 
 TEST_CASE("a score is written in large digits") {
     CHECK(drawn({.score = "1,07"}, 34, 8, ascii)
-              .starts_with("  #    ### ###\n"
-                           " ##    # #   #\n"
-                           "  #    # #   #\n"
-                           "  #  # # #  #\n"
-                           " ### # ###  #\n"));
+              .starts_with("  #     ### ###\n"
+                           " ##     # #   #\n"
+                           "  #     # #   #\n"
+                           "  #   # # #  #\n"
+                           " ### #  ###  #\n"));
     CHECK(drawn({.score = "7"}, 34, 8, Look{256, true, false}).starts_with(" ▀▀█\n  ▄▀\n  ▀\n"));
 }
 
@@ -51,4 +51,24 @@ TEST_CASE("the table of scores comes last, with messages above it") {
     CHECK(text.find("Three Bumpers") != std::string::npos);
     CHECK(text.find("JACKPOT") < text.find("HIGH SCORES"));
     CHECK(text.find(" 1  ABC        123,450") != std::string::npos);
+}
+
+TEST_CASE("a wide panel writes the score twice as large") {
+    const std::string text = drawn({.score = "7"}, 72, 30, Look{256, true, false});
+    CHECK(text.find("██████\n") != std::string::npos);
+}
+
+TEST_CASE("a rules card wraps the author's text, with each word above what it does") {
+    Canvas canvas(30, 20);
+    draw_rules_card(
+        canvas, {0, 0, 30, 20}, "HOW TO PLAY",
+        {"Goal: drop all targets.", "", "A table of", "two lines.", "",
+         "  lanes     all three of them: the bonus", "            grows", "  z /       flippers"},
+        ascii);
+    const std::string text = canvas.text();
+    CHECK_MESSAGE(
+        text.find(" HOW TO PLAY\n\n Goal: drop all targets.\n\n A table of two lines.\n\n"
+                  " lanes\n   all three of them: the\n   bonus grows\n z /\n   flippers\n") !=
+            std::string::npos,
+        text);
 }

@@ -1,0 +1,98 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "level/load.h"
+#include "terminal/draw/draw.h"
+
+using namespace carom;
+
+namespace {
+
+const Color gold = direct_color({0xe3, 0xb3, 0x41});
+
+TableLight light_at(Vec2 place, InsertShape shape, bool is_lit) {
+    TableLight light;
+    light.shape = {place, place, 3.0};
+    light.is_lit = is_lit;
+    light.insert = shape;
+    light.color = 0xe3b341;
+    light.text = "JACKPOT";
+    return light;
+}
+
+struct Picture {
+    Canvas canvas{60, 30};
+
+    Picture(const TableAnnotations& table, const Renderer& renderer, const std::string& more = "") {
+        const LoadResult loaded =
+            load_level("carom 1 \"t\"\nworld 0,0 60,60\nball a at=5,5 r=1\n" + more, "t.level");
+        REQUIRE(loaded.scene);
+        const Scene& scene = *loaded.scene;
+        Annotations annotations;
+        annotations.table = table;
+        ViewOptions options;
+        options.renderer = &renderer;
+        options.look.colors = direct_colors;
+        ViewMemory memory;
+        draw_world(canvas, fit_camera(scene.view, {0, 0, 60, 30}, 2.0), scene, scene.world, {},
+                   annotations, options, memory);
+    }
+    int count(Color color) const {
+        int found = 0;
+        for (int row = 0; row < canvas.rows(); ++row)
+            for (int column = 0; column < canvas.columns(); ++column)
+                found += canvas.at(column, row).foreground == color ||
+                         canvas.at(column, row).background == color;
+        return found;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("an insert has its shape and name, dim until it is lit") {
+    for (const InsertShape shape :
+         {InsertShape::circle, InsertShape::arrow, InsertShape::triangle, InsertShape::square,
+          InsertShape::diamond, InsertShape::star, InsertShape::bar}) {
+        TableAnnotations table;
+        table.lights = {light_at({30, 30}, shape, false)};
+        const Picture unlit(table, half_block_renderer());
+        table.lights.front().is_lit = true;
+        const Picture lit(table, half_block_renderer());
+        CHECK(lit.canvas.text().find("JACKPOT") != std::string::npos);
+        CHECK(unlit.count(gold) == 0);
+        CHECK(lit.count(gold) > 0);  // at least its name
+    }
+}
+
+TEST_CASE("an arrow points in ASCII too, and names do not cover other lights") {
+    TableAnnotations table;
+    table.lights = {light_at({30, 30}, InsertShape::arrow, true)};
+    CHECK(Picture(table, ascii_renderer()).canvas.text().find('^') != std::string::npos);
+    table.lights.front().direction = {1.0, 0.0};
+    CHECK(Picture(table, ascii_renderer()).canvas.text().find('>') != std::string::npos);
+    table.lights.push_back(light_at({31, 23}, InsertShape::circle, true));
+    table.lights.back().text = "";
+    CHECK(Picture(table, ascii_renderer()).canvas.text().find("JACKPOT") == std::string::npos);
+}
+
+TEST_CASE("a large moment is written across the table, with spaces where there is room") {
+    TableAnnotations table;
+    table.banner = "JACKPOT";
+    CHECK(Picture(table, half_block_renderer()).canvas.text().find("J A C K P O T") !=
+          std::string::npos);
+    table.banner = "MULTIBALL: THE VAULT IS THE JACKPOT";
+    CHECK(Picture(table, half_block_renderer()).canvas.text().find(table.banner) !=
+          std::string::npos);
+}
+
+TEST_CASE("an area above the board is see-through, and covers balls on the board only") {
+    const std::string ramp =
+        "material rail layer=1\nedge rail 40,10 50,10\n"
+        "paint rect 0,0 10,10 color=red layer=1\npaint rect 0,0 60,60 color=navy\n";
+    const Picture picture({}, half_block_renderer(), ramp);
+    CHECK(picture.count(direct_color({0x1d, 0x2f, 0x6f})) > 1000);
+    CHECK(picture.count(direct_color({0xd9, 0x2b, 0x2b})) == 0);  // mixed with what is under it
+    const Color over = picture.canvas.at(1, 29).foreground;
+    CHECK(over != direct_color({0x1d, 0x2f, 0x6f}));
+}
